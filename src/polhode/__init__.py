@@ -1,0 +1,44 @@
+"""How does this thing rotate? Exact rigid-body motion and what it means."""
+
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from polhode import analysis, errors, figures, formats, rotation, special
+    from polhode.bodies import shapes
+    from polhode.bodies.atoms import from_atoms
+    from polhode.bodies.body import Body, combine
+    from polhode.bodies.mesh import from_mesh
+    from polhode.bodies.points import from_points
+    from polhode.exact.free_body import FreeMotion
+    from polhode.trajectory import Trajectory
+
+__version__ = "0.1.0"
+
+_HOME = {
+    "Body": "polhode.bodies.body",
+    "combine": "polhode.bodies.body",
+    "from_atoms": "polhode.bodies.atoms",
+    "from_mesh": "polhode.bodies.mesh",
+    "from_points": "polhode.bodies.points",
+    "FreeMotion": "polhode.exact.free_body",
+    "Trajectory": "polhode.trajectory",
+}
+_ROOMS = {"shapes": "polhode.bodies.shapes"} | {
+    room: f"polhode.{room}" for room in ("analysis", "errors", "figures", "formats", "rotation", "special")
+}
+__all__ = [*_HOME, *_ROOMS]
+
+
+def __getattr__(name: str) -> Any:
+    if name in _HOME:
+        return getattr(importlib.import_module(_HOME[name]), name)
+    if name in _ROOMS:
+        return importlib.import_module(_ROOMS[name])
+    raise AttributeError(f"module 'polhode' has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return sorted([*globals(), *__all__])

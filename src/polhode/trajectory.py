@@ -1,0 +1,35 @@
+"""The currency between motion and everything after it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+Array = Any
+
+
+@dataclass(frozen=True)
+class Trajectory:
+    """Sampled motion of one system or a batch of them; plain arrays, SI units.
+
+    Attributes:
+        system: what moved, as it was given to the method that made the samples.
+        times: (T,) [s].
+        states: packed states (batch…, T, n): attitude wxyz first where carried, then the momentum.
+        attitude: (batch…, T, 4) unit quaternions wxyz, body → space; None where meaningless.
+        momentum: (batch…, T, 3) [kg m²/s, body axes]; None where meaningless.
+        angular_velocity: (batch…, T, 3) [rad/s, body axes]; None where meaningless.
+        invariants: name → values along the motion, (batch…, T) or (batch…, T, k).
+        drift: name → largest deviation of that invariant from its first sample, relative to its size, (batch…).
+        status: what the method says of itself ("exact", or how a solve ended).
+    """
+
+    system: Any
+    times: Array
+    states: Array
+    attitude: Array | None = None
+    momentum: Array | None = None
+    angular_velocity: Array | None = None
+    invariants: dict[str, Array] = field(default_factory=dict)
+    drift: dict[str, Array] = field(default_factory=dict)
+    status: str = "exact"
