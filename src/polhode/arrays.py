@@ -82,8 +82,25 @@ def stop_gradient(value: Any) -> Any:
     return jax.lax.stop_gradient(value)
 
 
+def split_halves(a: Any) -> tuple[Any, Any]:
+    """Split float64 numbers into a high and a low half of at most 26 and 27 bits, whose products are exact.
+
+    NumPy multiplies by 2²⁷ + 1 [Veltkamp]; XLA would fuse that product away, so JAX arrays are split by masking
+    the lower 27 bits of the mantissa.
+    """
+    if not is_jax(a):
+        c = 134217729.0 * a
+        high = c - (c - a)
+        return high, a - high
+    import jax
+
+    bits = jax.lax.bitcast_convert_type(a, np.int64)
+    high = jax.lax.bitcast_convert_type(bits & np.int64(-(1 << 27)), np.float64)
+    return high, a - high
+
+
 def iterate(count: int, step: Callable[[Any], Any], state: Any, like: Any) -> Any:
-    """Apply ``step`` ``count`` times: a rolled loop where ``like`` is a JAX array, since unrolled loops compile slowly."""
+    """Apply ``step`` ``count`` times: a rolled loop where ``like`` is a JAX array, as unrolled loops compile slowly."""
     if not is_jax(like):
         for _ in range(count):
             state = step(state)
@@ -91,3 +108,82 @@ def iterate(count: int, step: Callable[[Any], Any], state: Any, like: Any) -> An
     import jax
 
     return jax.lax.fori_loop(0, count, lambda _, carried: step(carried), state)
+
+
+def iterate_until(
+    step: Callable[..., tuple[Any, ...]], finished: Callable[..., Any], state: tuple[Any, ...], at_once: int, most: int
+) -> tuple[Any, ...]:
+    """Repeat ``step`` elementwise on a tuple of equally shaped arrays until ``finished`` holds for each element.
+
+    An element that has finished is not stepped again. The first ``at_once`` steps are taken by all together; NumPy
+    then gathers the unfinished few, JAX rolls one loop.
+    """
+    if is_jax(*state):
+        import jax
+        import jax.numpy as jnp
+
+        def body(carried: Any) -> Any:
+            count, now = carried
+            done = finished(*now)
+            return count + 1, tuple(jnp.where(done, old, new) for old, new in zip(now, step(*now), strict=True))
+
+        def unfinished(carried: Any) -> Any:
+            return (carried[0] < most) & jnp.any(~finished(*carried[1]))
+
+        return jax.lax.while_loop(unfinished, body, (0, state))[1]
+    for _ in range(at_once):
+        state = step(*state)
+    left = np.flatnonzero(~finished(*state))
+    if left.size == 0:
+        return state
+    state = tuple(np.array(column) for column in state)
+    part = tuple(column.reshape(-1)[left] for column in state)
+    for _ in range(most - at_once):
+        part = step(*part)
+        for column, values in zip(state, part, strict=True):
+            column.reshape(-1)[left] = values
+        keep = ~finished(*part)
+        if not keep.any():
+            break
+        left, part = left[keep], tuple(values[keep] for values in part)
+    return state
+
+
+def choose(
+    condition: Any, when_true: Callable[..., tuple[Any, ...]], when_false: Callable[..., tuple[Any, ...]], *columns: Any
+) -> tuple[Any, ...]:
+    """Evaluate one of two elementwise functions of ``columns`` per element of ``condition``.
+
+    NumPy gathers each side's elements, so that only what is needed is computed; JAX takes one branch for a scalar
+    condition and selects between both otherwise.
+    """
+    if is_jax(condition, *columns):
+        import jax
+        import jax.numpy as jnp
+
+        if jnp.ndim(condition) == 0:
+            return jax.lax.cond(condition, when_true, when_false, *columns)
+        pairs = zip(when_true(*columns), when_false(*columns), strict=True)
+        return tuple(jnp.where(condition, yes, no) for yes, no in pairs)
+    condition = np.asarray(condition)
+    if condition.ndim == 0 or condition.all() or not condition.any():
+        return when_true(*columns) if condition.all() else when_false(*columns)
+    result: list[Any] = []
+    for mask, function in ((condition, when_true), (~condition, when_false)):
+        values = function(*(column[mask] if np.ndim(column) else column for column in columns))
+        result = result or [np.empty(condition.shape) for _ in values]
+        for whole, part in zip(result, values, strict=True):
+            whole[mask] = part
+    return tuple(result)
+
+
+_compiled: dict[Callable[..., Any], Callable[..., Any]] = {}
+
+
+def compiled(function: Callable[..., Any], like: Any) -> Callable[..., Any]:
+    """Return the function as it is for NumPy, jitted once per process where ``like`` is a JAX array."""
+    if not is_jax(like):
+        return function
+    import jax
+
+    return _compiled.setdefault(function, jax.jit(function))

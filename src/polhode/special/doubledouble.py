@@ -1,0 +1,147 @@
+"""Double-double arithmetic: unevaluated sums ``high + low`` with about 32 digits, on any array namespace.
+
+A number is a pair ``(high, low)`` of float64 arrays with |low| ≤ ulp(high)/2. Every operation here keeps about
+1e-31 relative accuracy; ``add`` and ``subtract`` do so unless the leading digits cancel, where an error of
+1e-32 of the larger operand remains.
+
+Source: Dekker, Numer. Math. 18 (1971) 224; Hida, Li & Bailey, ARITH-15 (2001).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+import numpy as np
+
+from polhode.arrays import barrier, is_jax, iterate, namespace, split_halves
+
+Array = Any
+DoubleDouble = tuple[Array, Array]
+
+PI: DoubleDouble = (np.pi, 1.2246467991473532e-16)
+INVERSE_TWO_PI: DoubleDouble = (0.15915494309189535, -9.839338337591243e-18)
+
+
+def two_sum(a: Array, b: Array) -> DoubleDouble:
+    """Return fl(a + b) and its exact error [Knuth]."""
+    s = a + b
+    t = s - a
+    return s, (a - (s - t)) + (b - t)
+
+
+def fast_two_sum(a: Array, b: Array) -> DoubleDouble:
+    """Return fl(a + b) and its exact error, for |a| ≥ |b| [Dekker]."""
+    s = a + b
+    return s, b - (s - a)
+
+
+def two_product(a: Array, b: Array) -> DoubleDouble:
+    """Return fl(a b) and its exact error, barring overflow and underflow [Dekker–Veltkamp].
+
+    The barrier keeps XLA from forming ``ah*bh - a*b`` in one fused step, which would return zero for the error.
+    """
+    p = barrier(a * b)
+    ah, al = split_halves(a)
+    bh, bl = split_halves(b)
+    return p, ((ah * bh - p) + ah * bl + al * bh) + al * bl
+
+
+def two_square(a: Array) -> DoubleDouble:
+    """Return fl(a²) and its exact error."""
+    p = barrier(a * a)
+    h, l = split_halves(a)  # noqa: E741
+    hl = h * l
+    return p, ((h * h - p) + (hl + hl)) + l * l
+
+
+def from_float(a: Array) -> DoubleDouble:
+    """Return the float64 array as a pair."""
+    return a, 0.0 * a
+
+
+def add(x: DoubleDouble, y: DoubleDouble) -> DoubleDouble:
+    """Return x + y."""
+    s, e = two_sum(x[0], y[0])
+    return fast_two_sum(s, e + (x[1] + y[1]))
+
+
+def subtract(x: DoubleDouble, y: DoubleDouble) -> DoubleDouble:
+    """Return x − y."""
+    return add(x, negate(y))
+
+
+def negate(x: DoubleDouble) -> DoubleDouble:
+    """Return −x."""
+    return -x[0], -x[1]
+
+
+def multiply(x: DoubleDouble, y: DoubleDouble) -> DoubleDouble:
+    """Return x y."""
+    p, e = two_product(x[0], y[0])
+    return fast_two_sum(p, e + (x[0] * y[1] + x[1] * y[0]))
+
+
+def multiply_float(x: DoubleDouble, factor: Array) -> DoubleDouble:
+    """Return x times a float64 factor."""
+    p, e = two_product(x[0], factor)
+    return fast_two_sum(p, e + x[1] * factor)
+
+
+def square(x: DoubleDouble) -> DoubleDouble:
+    """Return x²."""
+    p, e = two_square(x[0])
+    return fast_two_sum(p, e + 2.0 * x[0] * x[1])
+
+
+def scale(x: DoubleDouble, power_of_two: Array) -> DoubleDouble:
+    """Return x times an exact power of two (or 0, ±1)."""
+    return x[0] * power_of_two, x[1] * power_of_two
+
+
+def divide(x: DoubleDouble, y: DoubleDouble) -> DoubleDouble:
+    """Return x / y."""
+    q = x[0] / y[0]
+    p, e = two_product(q, y[0])
+    r = ((x[0] - p) - e) + (x[1] - q * y[1])
+    return fast_two_sum(q, r / y[0])
+
+
+def sqrt(x: DoubleDouble) -> DoubleDouble:
+    """Return √x; zero for x = 0."""
+    xp = namespace(*x)
+    s = xp.sqrt(x[0])
+    p, e = two_square(s)
+    r = ((x[0] - p) - e) + x[1]
+    return fast_two_sum(s, r / xp.where(s > 0, s + s, 1.0))
+
+
+def where(condition: Array, x: DoubleDouble, y: DoubleDouble) -> DoubleDouble:
+    """Return x where the condition holds, else y."""
+    xp = namespace(condition, *x, *y)
+    return xp.where(condition, x[0], y[0]), xp.where(condition, x[1], y[1])
+
+
+def expansion_product(terms: Iterable[Array], factor: Array) -> list[Array]:
+    """Return the exact product of a sum of floats and a float as a sum with twice as many terms [Shewchuk 1997]."""
+    return [part for term in terms for part in two_product(term, factor)]
+
+
+def distil(terms: list[Array], passes: int = 5) -> DoubleDouble:
+    """Return the sum of the terms to double-double accuracy whatever cancels, up to 2^(-53 passes).
+
+    Source: Ogita, Rump & Oishi, SIAM J. Sci. Comput. 26 (2005) 1955, Algorithm 4.8 (SumK).
+    """
+
+    def sweep(x: tuple[Array, ...]) -> tuple[Array, ...]:
+        out, running = [], x[0]
+        for term in x[1:]:
+            running, error = two_sum(running, term)
+            out.append(error)
+        return (*out, running)
+
+    x = iterate(passes, sweep, tuple(terms), like=next((t for t in terms if is_jax(t)), terms[0]))
+    rest = x[0]
+    for term in x[1:-1]:
+        rest = rest + term
+    return two_sum(x[-1], rest)
