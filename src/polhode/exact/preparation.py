@@ -1,0 +1,227 @@
+"""From a body and its momentum to the constants of its motion: phases, theta series and matrices.
+
+The arguments of the theta functions come by descending Landen transformation from tangents and hyperbolic sines that
+are ratios of the invariants, so neither elliptic integrals nor logarithms enter the full form.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+from polhode.arrays import choose, namespace, split_halves
+from polhode.exact.frequencies import Frequencies, canonical_frequencies
+from polhode.exact.reduction import Reduction, canonical_reduction
+from polhode.exact.spinor import Motion, flatten, start_spinor
+from polhode.special import doubledouble as dd
+from polhode.special.circular import split_rate
+from polhode.special.doubledouble import DoubleDouble
+
+Array = Any
+
+
+class Prepared(NamedTuple):
+    """The flattened ``Motion`` for evaluation, with the reduction and frequencies it came from."""
+
+    motion: tuple[Array, ...]
+    body: Reduction
+    frequencies: Frequencies
+
+
+def prepare(moments: Array, momentum: Array, attitude: Array) -> Prepared:
+    """Return the constants of motion of bodies with arrays (…, 3), (…, 3) and (…, 4) of one batch shape."""
+    xp = namespace(moments, momentum, attitude)
+    body = canonical_reduction(moments, momentum)
+    rates = canonical_frequencies(body)
+    constant, separatrix = rates.constant, rates.separatrix
+    m, m1 = body.A[0] * body.P[0], -body.C[0] * body.S[0]
+    full = constant | ((m <= m1) & ~separatrix)
+    inverse = dd.divide(tuple(c + xp.zeros_like(m) for c in dd.INVERSE_TWO_PI), body.V)
+    inverse = dd.scale(inverse, body.rate_scale)
+    half_precession = dd.scale(dd.multiply(rates.precession, inverse), 0.5)
+    turn_rate = dd.scale(dd.multiply(rates.mean, inverse), 2.0)
+    quarter = dd.scale(turn_rate, 0.25)
+    saddle_rate = dd.scale(dd.divide(rates.modulus_rate, body.V), body.rate_scale)
+    rotation_rate = _permanent_rate(body)
+    pick = lambda x, y: dd.where(full, x, y)  # noqa: E731
+    first = pick(dd.subtract(half_precession, quarter), half_precession)
+    first = dd.where(constant, rotation_rate, first)
+    second = pick(dd.add(half_precession, quarter), dd.where(separatrix, saddle_rate, turn_rate))
+    zero = xp.zeros_like(m)
+    second = dd.where(constant, (zero, zero), second)
+
+    arguments = choose(full, _full_arguments, _complementary_arguments, *_argument_columns(body, rates, m, m1))
+    arguments = tuple(xp.where(constant, 1.0 if k == 2 else 0.0, x) for k, x in enumerate(arguments))
+    unfinished = Motion(
+        full, split_rate(*first), split_rate(*second), arguments[0:2], arguments[2:12], arguments[12:17], arguments[17],
+        ((zero,) * 4,) * 4, ((zero,) * 3,) * 3,
+    )  # fmt: skip
+    to_attitude, to_momentum = _matrices(unfinished, body, rates, moments, momentum, attitude)
+    return Prepared(flatten(unfinished._replace(to_attitude=to_attitude, to_momentum=to_momentum)), body, rates)
+
+
+def _permanent_rate(body: Reduction) -> DoubleDouble:
+    """Return |Ω|/4π, the rate of half the angle of a permanent rotation, in turns."""
+    omega = [dd.divide(dd.from_float(x), dd.from_float(i)) for x, i in zip(body.momentum, body.moments, strict=True)]
+    size = dd.sqrt(dd.add(dd.add(dd.square(omega[0]), dd.square(omega[1])), dd.square(omega[2])))
+    zero = 0.0 * size[0]
+    rate = dd.multiply(size, (dd.INVERSE_TWO_PI[0] + zero, dd.INVERSE_TWO_PI[1] + zero))
+    return dd.scale(dd.scale(rate, 0.5), body.rate_scale)
+
+
+def _argument_columns(body: Reduction, rates: Frequencies, m: Array, m1: Array) -> tuple[Array, ...]:
+    singles = (x[0] for x in (body.A, body.B, body.C, body.P, body.Q, rates.G))
+    return (*singles, *body.canonical, m, m1, rates.separatrix, *rates.modulus_rate, *rates.mean)
+
+
+def _nome_per_parameter(parameter: Array, k: Array) -> Array:
+    """Return nome / parameter for a parameter ≤ ½ given with k = √(1 − parameter); nothing cancels.
+
+    Source: the inversion q = ε + 2ε⁵ + 15ε⁹ + …, ε = (1−√k)/(2(1+√k)) (Whittaker & Watson, 21.8).
+    """
+    xp = namespace(k)
+    root = 1.0 + xp.sqrt(k)
+    ratio = 0.5 / ((1.0 + k) * root * root)
+    e = ratio * parameter
+    e4 = (e * e) * (e * e)
+    return ratio * (1.0 + e4 * (2.0 + e4 * (15.0 + e4 * (150.0 + e4 * 1707.0))))
+
+
+def _landen(k: Array, dn: Array, sinh_times_cosine: Array, cosine: Array, dc: Array) -> tuple[Array, Array]:
+    """Follow a circular and a hyperbolic amplitude down five Landen steps from the complementary modulus k.
+
+    Returns the factor of the tangent of the circular amplitude and the hyperbolic sine of the other; its first step
+    takes sinh · c, c and dc · c so that none of them needs a quotient that may be 0/0.
+    """
+    xp = namespace(k)
+    x, y = 1.0, k
+    factor, sinh = 1.0, sinh_times_cosine
+    for _ in range(5):
+        kappa = (x - y) / (x + y)
+        x, y = 0.5 * (x + y), xp.sqrt(x * y)
+        grown = 1.0 + kappa
+        next_dn = xp.sqrt(1.0 - kappa * (1.0 - dn) / (1.0 + dn))
+        factor = factor * (next_dn / grown)
+        sinh = 2.0 * sinh / (grown * (cosine + dc))
+        dc = xp.sqrt(1.0 + kappa * (dc - cosine) / (dc + cosine))
+        cosine, dn = 1.0, next_dn
+    return factor, sinh
+
+
+def _full_arguments(*columns: Array) -> tuple[Array, ...]:
+    """Return start, coefficients of A and B, and idle entries of the form for m ≤ ½."""
+    A, B, C, P, Q, _, l1, l2, l3, m, m1 = columns[:11]
+    xp = namespace(A)
+    total = B * Q
+    k = xp.sqrt(m1 / total)
+    q_over_m = _nome_per_parameter(m / total, k)
+    q = q_over_m * (m / total)
+    factor, sinh = _landen(k, l3 * xp.sqrt(C / Q), xp.sqrt(B) * xp.sqrt(Q / P), xp.sqrt(B), xp.sqrt(C))
+    grown = sinh + xp.sqrt(1.0 + sinh * sinh)
+    g = 1.0 / grown
+    r = (A / B) * q_over_m * (P / Q) * grown * grown
+    start = xp.atan2(xp.sqrt(B) * l2 * factor, xp.sqrt(C) * l1) * (0.25 / math.pi)
+    g2, q2, r2 = g * g, q * q, r * r
+    q3, q4 = q2 * q, q2 * q2
+    q8, gg = q4 * q4, g2 * g2
+    up, down = -q * g2, -q2 * r
+    up2, down2 = q4 * q2 * gg, q8 * r2
+    both = up2 + down2
+    of_a = (1.0 - both, up + down, 2.0 * both, up - down, 2.0 * (up2 - down2))
+    up, up2, down2 = -q3 * g2, q8 * q2 * gg, q4 * r2
+    both = up2 + down2
+    of_b = (g * (1.0 - both), g * (up - r), 2.0 * g * both, g * (up + r), 2.0 * g * (up2 - down2))
+    zero = xp.zeros_like(q)
+    return (start, zero, *of_a, *of_b, *(zero,) * 6)
+
+
+def _complementary_arguments(*columns: Array) -> tuple[Array, ...]:
+    """Return start, harmonics, nome and parity of the form for m > ½, separatrix included."""
+    _, B, C, P, Q, G, l1, l2, l3, m, m1, separatrix = columns[:12]
+    xp = namespace(B)
+    total = B * Q
+    k = xp.where(separatrix, 1.0, xp.sqrt(m / total))
+    small = xp.where(separatrix, 0.0, m1 / total)
+    q = small * _nome_per_parameter(small, k)
+    cosine = xp.sqrt(C) * xp.abs(l1)
+    factor, sinh = _landen(
+        k, xp.sqrt(P / B) / G, xp.abs(xp.sqrt(B) * l2), cosine, xp.sqrt(C) * l3 * xp.sqrt(P / Q)
+    )
+    y = xp.atan(xp.sqrt(Q / P) * factor)
+    x = xp.asinh(sinh)
+    back = xp.sinh(x)
+    x = dd.fast_two_sum(x, (sinh - back) / xp.sqrt(1.0 + back * back))
+    x = dd.scale(x, xp.where((l2 < 0) != (l1 < 0), -1.0, 1.0))
+    # πK/K' = 2K/θ3², and 1/θ3² is 1 less the small correction
+    pi = tuple(c + xp.zeros_like(q) for c in dd.PI)
+    period = dd.divide(dd.multiply(columns[12:14], pi), columns[14:16])
+    e = 2.0 * (q + q**4 + q**9)
+    period = dd.add(period, (-period[0] * (e * (2.0 + e) / ((1.0 + e) * (1.0 + e))), xp.zeros_like(q)))
+    period = dd.where(separatrix, dd.from_float(xp.ones_like(q)), period)
+    start = dd.divide(x, period)
+    upper, lower = split_halves(period[0])
+    angles = [(2 * n + 1) * (0.5 * y - 0.25 * math.pi) for n in range(5)]
+    harmonics = (*(xp.cos(a) for a in angles), *(xp.sin(a) for a in angles))
+    periodic = xp.where(separatrix, 0.0, 1.0)
+    return (*start, *harmonics, xp.sqrt(q), upper, lower + period[1], y * (0.5 / math.pi), periodic,
+            xp.where(l1 < 0, 1.0, 0.0))  # fmt: skip
+
+
+def _matrices(
+    motion: Motion, body: Reduction, rates: Frequencies, moments: Array, momentum: Array, attitude: Array
+) -> tuple[tuple[tuple[Array, ...], ...], tuple[tuple[Array, ...], ...]]:
+    """Return the matrices from spinor to attitude and from canonical direction to momentum in the given axes."""
+    xp = namespace(motion.full)
+    a0, a1, b0, b1 = start_spinor(motion)
+    norm = xp.sqrt((a0 * a0 + a1 * a1) + (b0 * b0 + b1 * b1))
+    a0, a1, b0, b1 = a0 / norm, a1 / norm, b0 / norm, b1 / norm
+    # rows of (start frame)* (present frame) as functions of the spinor (Re A, Im A, Re B, Im B)
+    relative = ((a0, a1, b0, b1), (-b1, b0, -a1, a0), (b0, b1, -a0, -a1), (-a1, a0, b1, -b0))
+    mirror = xp.where(body.long_axis, -1.0, 1.0)
+    turned = [
+        [_sum(mirror * body.axes[i][j] * relative[1 + j][k] for j in range(3)) for i in range(3)] for k in range(4)
+    ]
+    axis = _rotation_axis(moments, momentum)
+    constant = rates.constant
+    zero, one = xp.zeros_like(a0), xp.ones_like(a0)
+    start = tuple(attitude[..., k] for k in range(4))
+    columns = []
+    for k in range(4):
+        scalar = xp.where(constant, one if k == 0 else zero, relative[0][k])
+        vector = tuple(xp.where(constant, axis[i] if k == 1 else zero, turned[k][i]) for i in range(3))
+        columns.append(_quaternion_product(start, (scalar, *vector)))
+    size = rates.G[0] * body.momentum_scale
+    to_momentum = tuple(
+        tuple(
+            xp.where(constant, momentum[..., i] if j == 2 else zero, size * body.axes[i][j] + zero) for j in range(3)
+        )
+        for i in range(3)
+    )
+    return tuple(tuple(columns[k][i] for k in range(4)) for i in range(4)), to_momentum
+
+
+def _sum(terms: Any) -> Array:
+    first, *rest = terms
+    for term in rest:
+        first = first + term
+    return first
+
+
+def _rotation_axis(moments: Array, momentum: Array) -> tuple[Array, ...]:
+    """Return the direction of Ω along the given axes, zero at rest."""
+    xp = namespace(moments)
+    largest = xp.max(xp.abs(momentum), axis=-1, keepdims=True)
+    omega = momentum / xp.where(largest > 0, largest, 1.0) * (xp.min(moments, axis=-1, keepdims=True) / moments)
+    size = xp.sqrt(xp.sum(omega * omega, axis=-1))
+    size = xp.where(size > 0, size, 1.0)
+    return tuple(omega[..., i] / size for i in range(3))
+
+
+def _quaternion_product(p: tuple[Array, ...], q: tuple[Array, ...]) -> tuple[Array, ...]:
+    (a, b, c, d), (w, x, y, z) = p, q
+    return (
+        ((a * w - b * x) - c * y) - d * z,
+        ((a * x + b * w) + c * z) - d * y,
+        ((a * y - b * z) + c * w) + d * x,
+        ((a * z + b * y) - c * x) + d * w,
+    )

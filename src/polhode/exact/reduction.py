@@ -1,0 +1,118 @@
+"""Canonical reduction of a free body: sorted axes, short-axis mode, positive third component, and its invariants.
+
+Every body is brought to moments I1 ≤ I2 ≤ I3 with 2E I2 ≤ |L|² and L3 ≥ 0 by a proper rotation that sorts, a
+mirror in which time runs backward (long-axis mode), and a half turn about the second axis. One set of formulas then
+serves all. Source: van Zon & Schofield, J. Comput. Phys. 225 (2007) 145, with the cancellations removed.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+from polhode.arrays import choose, namespace
+from polhode.special import doubledouble as dd
+from polhode.special.doubledouble import DoubleDouble
+
+Array = Any
+Triple = tuple[Array, Array, Array]
+
+
+class Reduction(NamedTuple):
+    """A body in canonical form; all pairs are double-double.
+
+    With V = I1 I2 I3: A = (I2−I1)I3, B = (I3−I2)I1, C = (I3−I1)I2, P = C L1² + B L2², Q = A L2² + C L3² and
+    S = A L1² − B L3² ≤ 0 are V times the textbook quantities, which avoids all divisions; the mirror has been applied.
+    """
+
+    moments: Triple  # ascending, scaled by a power of two so that ½ ≤ I3 < 1
+    momentum: Triple  # along the sorted axes, scaled so that ½ ≤ max |L_i| < 1
+    canonical: Triple  # momentum after mirror and half turn, third component ≥ 0
+    A: DoubleDouble
+    B: DoubleDouble
+    C: DoubleDouble
+    P: DoubleDouble
+    Q: DoubleDouble
+    S: DoubleDouble
+    V: DoubleDouble
+    G2: DoubleDouble  # |L|²
+    long_axis: Array  # whether the mirror was applied
+    axes: tuple[Triple, Triple, Triple]  # given components = axes · canonical components, signed permutation by rows
+    momentum_scale: Array  # powers of two taken out
+    rate_scale: Array
+
+
+def canonical_reduction(moments: Array, momentum: Array) -> Reduction:
+    """Return the canonical form of bodies with moments and momentum (…, 3), any order, any scale."""
+    xp = namespace(moments, momentum)
+    order = xp.argsort(moments, axis=-1, stable=True)
+    first, second, third = (order[..., k] for k in range(3))
+    parity = xp.where((second - first) * (third - first) * (third - second) > 0, 1.0, -1.0)
+    sort = lambda v: tuple(xp.take_along_axis(v, order, axis=-1)[..., k] for k in range(3))  # noqa: E731
+    I, L = sort(moments), sort(momentum)  # noqa: E741
+    _, moment_exponent = xp.frexp(I[2])
+    size = xp.maximum(xp.maximum(xp.abs(L[0]), xp.abs(L[1])), xp.abs(L[2]))
+    _, momentum_exponent = xp.frexp(size)
+    I = tuple(xp.ldexp(x, -moment_exponent) for x in I)  # noqa: E741
+    L = tuple(parity * xp.ldexp(x, -momentum_exponent) for x in L)
+
+    A, B, C, P, Q, G2 = _sums(I, L)
+    S = _signed_distance_from_separatrix(I, L, A, B)
+    long_axis = S[0] > 0
+    swap = lambda x, y: (dd.where(long_axis, y, x), dd.where(long_axis, x, y))  # noqa: E731
+    A, B = swap(A, B)
+    P, Q = swap(P, Q)
+    l1, l3 = xp.where(long_axis, L[2], L[0]), xp.where(long_axis, L[0], L[2])
+    half_turn = xp.where(l3 < 0, -1.0, 1.0)
+    flips = (half_turn, 1.0, half_turn)
+    indices = (xp.where(long_axis, third, first), second, xp.where(long_axis, first, third))
+    one = xp.asarray(1.0)
+    return Reduction(
+        moments=I,
+        momentum=L,
+        canonical=(l1 * half_turn, L[1], l3 * half_turn),
+        A=A,
+        B=B,
+        C=C,
+        P=P,
+        Q=Q,
+        S=dd.where(long_axis, dd.negate(S), S),
+        V=dd.multiply_float(dd.two_product(I[0], I[1]), I[2]),
+        G2=G2,
+        long_axis=long_axis,
+        axes=tuple(tuple(xp.where(indices[j] == i, parity * flips[j], 0.0) for j in range(3)) for i in range(3)),
+        momentum_scale=xp.ldexp(one, momentum_exponent),
+        rate_scale=xp.ldexp(one, momentum_exponent - moment_exponent),
+    )
+
+
+def _sums(I: Triple, L: Triple) -> tuple[DoubleDouble, ...]:  # noqa: E741
+    """Return A, B, C, P, Q and |L|² before the mirror, each a sum of terms of one sign."""
+    A = dd.multiply_float(dd.two_sum(I[1], -I[0]), I[2])
+    B = dd.multiply_float(dd.two_sum(I[2], -I[1]), I[0])
+    C = dd.multiply_float(dd.two_sum(I[2], -I[0]), I[1])
+    s1, s2, s3 = (dd.two_square(x) for x in L)
+    P = dd.add(dd.multiply(C, s1), dd.multiply(B, s2))
+    Q = dd.add(dd.multiply(A, s2), dd.multiply(C, s3))
+    return A, B, C, P, Q, dd.add(dd.add(s1, s2), s3)
+
+
+def _signed_distance_from_separatrix(I: Triple, L: Triple, A: DoubleDouble, B: DoubleDouble) -> DoubleDouble:  # noqa: E741
+    """Return S = A L1² − B L3², correct to its last digit however close to the separatrix.
+
+    Near it double-double alone would leave nothing of S; there the two products are expanded exactly.
+    """
+    xp = namespace(L[0])
+    first = dd.multiply(A, dd.two_square(L[0]))
+    plain = dd.subtract(first, dd.multiply(B, dd.two_square(L[2])))
+
+    def exact(*columns: Array) -> DoubleDouble:
+        I1, I2, I3, L1, L3 = columns[:5]
+        gain, loss = list(dd.two_sum(I2, -I1)), list(dd.two_sum(I3, -I2))
+        for factor in (I3, L1, L1):
+            gain = dd.expansion_product(gain, factor)
+        for factor in (-I1, L3, L3):
+            loss = dd.expansion_product(loss, factor)
+        return dd.distil(gain + loss)
+
+    near = xp.abs(plain[0]) < 1e-2 * first[0]
+    return choose(near, exact, lambda *columns: columns[5:], *I, L[0], L[2], *plain)  # type: ignore[return-value]

@@ -1,0 +1,167 @@
+"""The attitude quaternion of a free body as a quotient of theta functions, evaluated at given times.
+
+Two complex theta functions A and B of the polhode angle make, up to their norm, the quaternion of the frame whose
+third row is the angular momentum (Jacobi 1849; Klein & Sommerfeld, *Theorie des Kreisels*). Both are short series in
+the smaller of the two nomes: the full form (m ≤ ½) is trigonometric in the polhode angle, the complementary form
+(m > ½) exponential. The rest is a constant 4×4 matrix.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+from polhode.arrays import choose, namespace, split_halves
+from polhode.special.circular import SplitRate, reduced_phase, sine_cosine_turns
+from polhode.special.doubledouble import fast_two_sum, two_sum
+
+Array = Any
+Spinor = tuple[Array, Array, Array, Array]
+
+
+class Motion(NamedTuple):
+    """All that evaluation needs, one entry per body. ``full`` says which form the body takes."""
+
+    full: Array
+    first: SplitRate  # full: rate of the phase of A; complementary: half the precession rate [turns per time]
+    second: SplitRate  # full: rate of the phase of B; complementary: rate of u/2K
+    start: tuple[Array, Array]  # full: (z0/4π, 0); complementary: u0/2K, double-double
+    series: tuple[Array, ...]  # full: coefficients of A and B; complementary: cos and sin of (2n+1)(y/2 − π/4)
+    nome: tuple[Array, Array, Array, Array, Array]  # complementary: √q1, πK/K' in halves, y/2π, 0 on the separatrix
+    parity: Array  # complementary: half turns of u at the start
+    to_attitude: tuple[tuple[Array, ...], ...]  # quaternion = matrix · spinor / norm, (4, 4)
+    to_momentum: tuple[tuple[Array, ...], ...]  # momentum = matrix · (n1, n2, n3), (3, 3)
+
+
+def flatten(motion: Motion) -> tuple[Array, ...]:
+    """Return the entries as one flat tuple of arrays, ``full`` first."""
+    matrices = (*(x for row in motion.to_attitude for x in row), *(x for row in motion.to_momentum for x in row))
+    return (motion.full, *motion.first, *motion.second, *motion.start, *motion.series, *motion.nome, motion.parity,
+            *matrices)  # fmt: skip
+
+
+def unflatten(flat: tuple[Array, ...]) -> Motion:
+    """Return the inverse of ``flatten``."""
+    to_attitude = tuple(flat[25 + 4 * i : 29 + 4 * i] for i in range(4))
+    to_momentum = tuple(flat[41 + 3 * i : 44 + 3 * i] for i in range(3))
+    return Motion(flat[0], flat[1:4], flat[4:7], flat[7:9], flat[9:19], flat[19:24], flat[24], to_attitude, to_momentum)
+
+
+def evaluate(flat: tuple[Array, ...], time: Array, time_rest: Array | None = None) -> tuple[Array, ...]:
+    """Return the four quaternion and three momentum components at the times, elementwise with broadcasting.
+
+    Args:
+        flat: a flattened ``Motion``.
+        time: time since the epoch.
+        time_rest: what the float ``time`` leaves of it, if anything.
+    """
+    motion = unflatten(flat)
+    high, low = split_halves(time)
+    low = low if time_rest is None else low + time_rest
+    spinor = choose(motion.full, _full_of, _complementary_of, *flat[1:25], high, low)
+    return _states(motion, spinor)
+
+
+def start_spinor(motion: Motion) -> Spinor:
+    """Return the spinor at the epoch."""
+    xp = namespace(motion.parity)
+    zero = xp.zeros_like(motion.parity)
+    return choose(motion.full, _full_of, _complementary_of, *flatten(motion)[1:25], zero, zero)  # type: ignore[return-value]
+
+
+def _full_of(*columns: Array) -> Spinor:
+    first, second, start, series = columns[0:3], columns[3:6], columns[6], columns[8:18]
+    fraction_a, rest_a, _ = reduced_phase(first, columns[-2:])
+    fraction_b, rest_b, _ = reduced_phase(second, columns[-2:])
+    return _full_spinor(series, fraction_a + (rest_a - start), fraction_b + (rest_b + start))
+
+
+def _full_spinor(series: tuple[Array, ...], turns_a: Array, turns_b: Array) -> Spinor:
+    """Sum A and B as polynomials in X = cos 2z and Y = sin 2z, where z is the difference of their phases."""
+    xp = namespace(turns_a)
+    a0, a1, a2, a3, a4, b0, b1, b2, b3, b4 = series
+    sa, ca = sine_cosine_turns(turns_a - xp.round(turns_a))
+    sb, cb = sine_cosine_turns(turns_b - xp.round(turns_b))
+    cz, sz = ca * cb + sa * sb, sb * ca - cb * sa
+    s2 = sz + sz
+    X, Y = 1.0 - s2 * sz, s2 * cz
+    pa, qa = a0 + X * (a1 + X * a2), Y * (a3 + X * a4)
+    pb, qb = b0 + X * (b1 + X * b2), Y * (b3 + X * b4)
+    return ca * pa - sa * qa, ca * qa + sa * pa, cb * pb - sb * qb, cb * qb + sb * pb
+
+
+def _complementary_of(*columns: Array) -> Spinor:
+    xp = namespace(columns[-1])
+    first, second, start, series = columns[0:3], columns[3:6], columns[6:8], columns[8:18]
+    root_nome, half_upper, half_lower, y_turns, periodic = columns[18:23]
+    fraction, rest, _ = reduced_phase(first, columns[-2:])
+    turns = fraction + rest
+    f, g, whole = reduced_phase(second, columns[-2:])
+    # on the separatrix u runs to infinity: no period is taken out
+    sum_, first_error = two_sum((1.0 - periodic) * whole, f)
+    u, second_error = two_sum(sum_, start[0])
+    u, u_rest = fast_two_sum(u, g + (start[1] + (first_error + second_error)))
+    more = periodic * xp.round(u)
+    u = u - more
+    count = columns[23] + (periodic * whole + more)
+    count = count - 4.0 * xp.floor(0.25 * count)
+    return _complementary_spinor(
+        series, (root_nome, half_upper, half_lower, periodic), (u, u_rest), turns - (u * y_turns + 0.25 * count), count
+    )
+
+
+def _complementary_spinor(
+    series: tuple[Array, ...], nome: tuple[Array, ...], u: tuple[Array, Array], turns: Array, count: Array
+) -> Spinor:
+    """Sum A and B in the growing powers of R = √q1 e^|x| and the decaying ones of E = e^−|x|, x = πu/2K'."""
+    xp = namespace(turns)
+    root, upper, lower, periodic = nome
+    side = xp.where(u[0] < 0, -1.0, 1.0)
+    f, g = u[0] * side, u[1] * side
+    e0 = _decay(f, g, upper, lower)
+    distance = xp.maximum(0.5 - f, 0.0 * f)
+    R = periodic * _decay(distance, ((0.5 - distance) - f) * periodic - g, upper, lower)
+    s, c = sine_cosine_turns(turns - xp.round(turns))
+    q = root * root
+    q2, q4 = q * q, q * q * q * q
+    g1 = root * R
+    g2 = g1 * g1 * q
+    g3 = g2 * g1 * q2
+    g4 = g3 * g1 * q2 * q
+    e1 = q * e0 * e0
+    e2 = q2 * e1 * e0
+    e3 = q2 * q * e2 * e0
+    e4 = q4 * e3 * e0
+    plus = (1.0 + e0, g1 + e1, g2 + e2, g3 + e3, g4 + e4)
+    minus = (1.0 - e0, g1 - e1, g2 - e2, g3 - e3, g4 - e4)
+    cosine, sine = series[:5], series[5:]
+    ar, ai = cosine[4] * plus[4], sine[4] * minus[4]
+    br, bi = -sine[4] * plus[4], cosine[4] * minus[4]
+    for n, sign in ((3, 1.0), (2, -1.0), (1, 1.0), (0, -1.0)):
+        ar, ai = ar + cosine[n] * plus[n], ai + sine[n] * minus[n]
+        br, bi = br + (sign * sine[n]) * plus[n], bi - (sign * cosine[n]) * minus[n]
+    ai, bi = ai * side, bi * side
+    odd = 1.0 - 2.0 * (count - 2.0 * xp.floor(0.5 * count))
+    return c * ar - s * ai, c * ai + s * ar, odd * (c * br - s * bi), odd * (c * bi + s * br)
+
+
+def _decay(x: Array, rest: Array, upper: Array, lower: Array) -> Array:
+    """Return exp(−(x + rest)(upper + lower)) with the exponent's product exact in its leading part."""
+    xp = namespace(x)
+    high, low = split_halves(x)
+    small = (high * lower + low * (upper + lower)) + rest * upper
+    return xp.exp(-(high * upper)) * (1.0 - small * (1.0 - 0.5 * small))
+
+
+def _states(motion: Motion, spinor: Spinor) -> tuple[Array, ...]:
+    xp = namespace(*spinor)
+    a0, a1, b0, b1 = spinor
+    aa, bb = a0 * a0 + a1 * a1, b0 * b0 + b1 * b1
+    x = 1.0 / (aa + bb)
+    root = xp.sqrt(x)
+    x2 = x + x
+    n = (a0 * b0 + a1 * b1) * x2, (a0 * b1 - a1 * b0) * x2, (aa - bb) * x
+    scaled = tuple(v * root for v in spinor)
+    attitude = (((row[0] * scaled[0] + row[1] * scaled[1]) + row[2] * scaled[2]) + row[3] * scaled[3]
+                for row in motion.to_attitude)  # fmt: skip
+    momentum = ((row[0] * n[0] + row[1] * n[1]) + row[2] * n[2] for row in motion.to_momentum)
+    return (*attitude, *momentum)
