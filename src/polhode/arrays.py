@@ -187,3 +187,12 @@ def compiled(function: Callable[..., Any], like: Any) -> Callable[..., Any]:
     import jax
 
     return _compiled.setdefault(function, jax.jit(function))
+
+
+def stack_last(parts: tuple[Any, ...]) -> Any:
+    """Stack arrays along a new last axis, broadcasting them.
+
+    XLA would compute every part anew for each element of the stack it fuses with; the barrier makes it compute first.
+    """
+    xp = namespace(*parts)
+    return xp.stack(xp.broadcast_arrays(*barrier(parts)), axis=-1)
