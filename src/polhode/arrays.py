@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable
+from functools import cache
 from typing import Any
 
 import array_api_compat
@@ -16,9 +17,21 @@ from polhode.errors import InvalidInput
 Array = Any
 
 
+@cache
+def _library(kind: type) -> str:
+    """Return which library an array type belongs to; numbers and lists count as NumPy's."""
+    if "jax" in sys.modules:
+        import jax
+
+        if issubclass(kind, jax.Array | jax.core.Tracer):
+            return "jax"
+    foreign = hasattr(kind, "__array_namespace__") and not issubclass(kind, np.ndarray | np.generic)
+    return "foreign" if foreign else "numpy"
+
+
 def is_jax(*values: Any) -> bool:
     """Whether any of the values is a JAX array or tracer."""
-    return "jax" in sys.modules and any(array_api_compat.is_jax_array(value) for value in values)
+    return any(_library(type(value)) == "jax" for value in values)
 
 
 def is_traced(*values: Any) -> bool:
@@ -35,12 +48,15 @@ def namespace(*values: Any) -> Any:
 
     A tracer beside NumPy constants is the normal case of ``jax.grad``; everything is then lifted to JAX.
     """
-    if is_jax(*values):
+    libraries = [_library(type(value)) for value in values]
+    if "jax" in libraries:
         import jax.numpy
 
         return jax.numpy
-    foreign = [v for v in values if array_api_compat.is_array_api_obj(v) and not isinstance(v, np.ndarray | np.generic)]
-    return array_api_compat.array_namespace(*foreign) if foreign else numpy_namespace
+    if "foreign" in libraries:
+        foreign = (value for value, library in zip(values, libraries, strict=True) if library == "foreign")
+        return array_api_compat.array_namespace(*foreign)
+    return numpy_namespace
 
 
 def as_float64(xp: Any, value: Any, name: str) -> Array:
@@ -54,12 +70,9 @@ def as_float64(xp: Any, value: Any, name: str) -> Array:
     if dtype is not None and any(kind in str(dtype) for kind in ("float16", "float32", "complex")):
         hint = " and set jax.config.update('jax_enable_x64', True)" if is_jax(value) else ""
         raise InvalidInput(f"`{name}` must be real and float64; got {dtype}. Convert it to float64{hint}.")
-    if xp is not numpy_namespace and is_jax(value):
-        return xp.asarray(value, dtype=xp.float64)
     try:
-        return xp.asarray(value if array_api_compat.is_array_api_obj(value) and xp is not numpy_namespace
-                          and not isinstance(value, np.ndarray) else np.asarray(value, dtype=np.float64),
-                          dtype=xp.float64)
+        native = _library(type(value)) != "numpy"
+        return xp.asarray(value if native else np.asarray(value, dtype=np.float64), dtype=xp.float64)
     except (TypeError, ValueError) as error:
         raise InvalidInput(f"`{name}` must be an array of numbers; got {value!r} ({error}).") from None
 

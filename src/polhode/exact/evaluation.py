@@ -14,6 +14,7 @@ from polhode.exact.spinor import evaluate
 
 Array = Any
 BLOCK = 4096  # states at a time: some thirty live arrays of this length fit a second-level cache
+BODIES = 16384  # bodies at a time: set-up is thousands of calls, whose overhead outweighs the cache
 LONG_RUN = 256  # consecutive times of one body from which its constants are worth handling as scalars
 
 
@@ -24,7 +25,7 @@ def motion_columns(moments: Array, momentum: Array, attitude: Array) -> tuple[Ar
     shape = np.broadcast_shapes(moments.shape[:-1], momentum.shape[:-1], attitude.shape[:-1])
     flat = [np.broadcast_to(v, (*shape, v.shape[-1])).reshape(-1, v.shape[-1]) for v in (moments, momentum, attitude)]
     with np.errstate(all="ignore"):
-        parts = [_columns_of_bodies(*(v[k : k + BLOCK] for v in flat)) for k in range(0, max(len(flat[0]), 1), BLOCK)]
+        parts = [_columns_of_bodies(*(v[k : k + BODIES] for v in flat)) for k in range(0, max(len(flat[0]), 1), BODIES)]
     columns = parts[0] if len(parts) == 1 else [np.concatenate(column) for column in zip(*parts, strict=True)]
     return tuple(np.asarray(column).reshape(shape) for column in columns)
 
@@ -65,13 +66,15 @@ def _state_in_blocks(columns: tuple[Array, ...], elapsed: Array, rest: Array) ->
     flat = [column.reshape(-1) for column in columns]
     run = _constant_run(batch, shape)
     scalar = bodies == 1 or run >= LONG_RUN
-    index = np.broadcast_to(np.arange(bodies).reshape(batch), shape).reshape(-1) if bodies > 1 else np.zeros(size, int)
+    index = None
+    if bodies not in (1, size):
+        index = np.broadcast_to(np.arange(bodies).reshape(batch), shape).reshape(-1)
     with np.errstate(all="ignore"):
         for low in range(0, size, run if scalar else size):
             top = min(low + (run if scalar else size), size)
             for start in range(low, top, BLOCK):
                 block = slice(start, min(start + BLOCK, top))
-                pick = index[low] if scalar else (block if bodies == size else index[block])
+                pick = (block if index is None else index[block]) if not scalar else (0 if bodies == 1 else index[low])
                 values = evaluate(tuple(c[pick] for c in flat), elapsed[block], None if rest is None else rest[block])
                 for k in range(4):
                     attitude[block, k] = values[k]
