@@ -96,10 +96,10 @@ def stop_gradient(value: Any) -> Any:
 
 
 def split_halves(a: Any) -> tuple[Any, Any]:
-    """Split float64 numbers into a high and a low half of at most 26 and 27 bits, whose products are exact.
+    """Split float64 numbers into a high and a low half of at most 26 bits and a sign each, whose products are exact.
 
-    NumPy multiplies by 2²⁷ + 1 [Veltkamp]; XLA would fuse that product away, so JAX arrays are split by masking
-    the lower 27 bits of the mantissa.
+    NumPy multiplies by 2²⁷ + 1 [Veltkamp]; XLA would fuse that product away, so JAX arrays are split by rounding
+    their mantissa, as an integer, to its upper 26 bits.
     """
     if not is_jax(a):
         c = 134217729.0 * a
@@ -108,7 +108,7 @@ def split_halves(a: Any) -> tuple[Any, Any]:
     import jax
 
     bits = jax.lax.bitcast_convert_type(a, np.int64)
-    high = jax.lax.bitcast_convert_type(bits & np.int64(-(1 << 27)), np.float64)
+    high = jax.lax.bitcast_convert_type((bits + np.int64(1 << 26)) & np.int64(-(1 << 27)), np.float64)
     return high, a - high
 
 

@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from polhode.arrays import barrier, is_jax, iterate, namespace, split_halves
+from polhode.arrays import is_jax, iterate, namespace, split_halves
 
 Array = Any
 DoubleDouble = tuple[Array, Array]
@@ -39,20 +39,34 @@ def fast_two_sum(a: Array, b: Array) -> DoubleDouble:
 def two_product(a: Array, b: Array) -> DoubleDouble:
     """Return fl(a b) and its exact error, barring overflow and underflow [Dekker–Veltkamp].
 
-    The barrier keeps XLA from forming ``ah*bh - a*b`` in one fused step, which would return zero for the error.
+    XLA may contract ``ah*bh - a*b`` into one fused step, which returns zero for the error, and its optimization
+    barriers do not always survive to forbid it. For JAX the product is therefore summed from the four products of
+    halves, each of which is exact, so that contraction changes nothing.
     """
-    p = barrier(a * b)
     ah, al = split_halves(a)
     bh, bl = split_halves(b)
+    if is_jax(a, b):
+        return _sum_of_partial_products(ah * bh, ah * bl, al * bh, al * bl)
+    p = a * b
     return p, ((ah * bh - p) + ah * bl + al * bh) + al * bl
 
 
 def two_square(a: Array) -> DoubleDouble:
     """Return fl(a²) and its exact error."""
-    p = barrier(a * a)
     h, l = split_halves(a)  # noqa: E741
     hl = h * l
+    if is_jax(a):
+        return _sum_of_partial_products(h * h, hl, hl, l * l)
+    p = a * a
     return p, ((h * h - p) + (hl + hl)) + l * l
+
+
+def _sum_of_partial_products(most: Array, middle: Array, other: Array, least: Array) -> DoubleDouble:
+    middle, below = two_sum(middle, other)
+    p, e = fast_two_sum(most, middle)
+    e, rest = two_sum(e, least)
+    p, e = fast_two_sum(p, e)
+    return p, e + (rest + below)
 
 
 def from_float(a: Array) -> DoubleDouble:
