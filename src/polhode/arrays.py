@@ -77,13 +77,19 @@ def as_float64(xp: Any, value: Any, name: str) -> Array:
         raise InvalidInput(f"`{name}` must be an array of numbers; got {value!r} ({error}).") from None
 
 
-def barrier(value: Any) -> Any:
-    """Keep XLA from contracting ``a*b - p`` across this point; on other arrays nothing can."""
-    if not is_jax(*(value if isinstance(value, tuple) else (value,))):
-        return value
+def barrier(values: Any) -> Any:
+    """Have XLA finish a nest of tuples of arrays before going on; on other arrays return them as they are.
+
+    XLA on CPU otherwise computes shared values anew in each of the loops that use them, and compiles them anew.
+    """
+    leaf = values
+    while isinstance(leaf, tuple):
+        leaf = leaf[0]
+    if not is_jax(leaf):
+        return values
     import jax
 
-    return jax.lax.optimization_barrier(value)
+    return jax.lax.optimization_barrier(values)
 
 
 def stop_gradient(value: Any) -> Any:
