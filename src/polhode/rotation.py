@@ -1,0 +1,220 @@
+"""Rotations as unit quaternions (w, x, y, z), body → space, and what converts to and from them.
+
+Every function takes leading batch axes, and NumPy, JAX or any array-API arrays. Products follow Hamilton:
+R(p q) = R(p) R(q). Formulas: Shuster, J. Astronaut. Sci. 41 (1993) 439, with the scalar moved to the front.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from polhode.arrays import as_float64, is_traced, namespace
+from polhode.errors import InvalidInput
+
+if TYPE_CHECKING:
+    from scipy.spatial.transform import Rotation
+
+Array = Any
+ORTHOGONALITY_TOLERANCE = 1e-6  # a matrix further from a rotation is taken for a mistake, not for rounding
+
+
+def _arrays(**named: Array) -> tuple[Any, list[Array]]:
+    sizes = {"quaternion": 4, "p": 4, "q": 4, "vector": 3, "matrix": 3}
+    xp = namespace(*named.values())
+    values = [as_float64(xp, value, name) for name, value in named.items()]
+    for name, value in zip(named, values, strict=True):
+        wanted = sizes[name]
+        shape = tuple(value.shape)
+        if shape[-1:] != (wanted,) or (name == "matrix" and shape[-2:] != (3, 3)):
+            expected = "(..., 3, 3)" if name == "matrix" else f"(..., {wanted})"
+            raise InvalidInput(f"`{name}` must have shape {expected}; got {shape}.")
+    return xp, values
+
+
+def _parts(value: Array) -> list[Array]:
+    return [value[..., k] for k in range(value.shape[-1])]
+
+
+def multiply(p: Array, q: Array) -> Array:
+    """Return the Hamilton product p q, shape (…, 4): first q, then p."""
+    xp, (p, q) = _arrays(p=p, q=q)
+    (a, b, c, d), (w, x, y, z) = _parts(p), _parts(q)
+    parts = (
+        ((a * w - b * x) - c * y) - d * z,
+        ((a * x + b * w) + c * z) - d * y,
+        ((a * y - b * z) + c * w) + d * x,
+        ((a * z + b * y) - c * x) + d * w,
+    )
+    return xp.stack(parts, axis=-1)
+
+
+def conjugate(quaternion: Array) -> Array:
+    """Return the conjugate (w, −x, −y, −z), the inverse of a unit quaternion."""
+    xp, (q,) = _arrays(quaternion=quaternion)
+    return q * xp.asarray([1.0, -1.0, -1.0, -1.0], dtype=xp.float64)
+
+
+def normalize(quaternion: Array) -> Array:
+    """Return the unit quaternion along the given one.
+
+    Raises:
+        InvalidInput: for a quaternion of zero length, which is no rotation.
+    """
+    xp, (q,) = _arrays(quaternion=quaternion)
+    largest = xp.max(xp.abs(q), axis=-1, keepdims=True)
+    if not is_traced(q) and not bool(xp.all((largest > 0) & xp.isfinite(largest))):
+        raise InvalidInput("`quaternion` must be finite and not zero; a zero quaternion is no rotation.")
+    q = q / largest
+    return q / xp.sqrt(xp.sum(q * q, axis=-1, keepdims=True))
+
+
+def rotate(quaternion: Array, vector: Array) -> Array:
+    """Return the vector (…, 3) turned from body to space: v + 2w u×v + 2 u×(u×v)."""
+    xp, (q, v) = _arrays(quaternion=quaternion, vector=vector)
+    w, x, y, z = _parts(q)
+    a, b, c = _parts(v)
+    t1, t2, t3 = 2.0 * (y * c - z * b), 2.0 * (z * a - x * c), 2.0 * (x * b - y * a)
+    parts = (
+        a + w * t1 + (y * t3 - z * t2),
+        b + w * t2 + (z * t1 - x * t3),
+        c + w * t3 + (x * t2 - y * t1),
+    )
+    return xp.stack(parts, axis=-1)
+
+
+def as_matrix(quaternion: Array) -> Array:
+    """Return the rotation matrix (…, 3, 3), v_space = R v_body."""
+    xp, (q,) = _arrays(quaternion=quaternion)
+    w, x, y, z = _parts(q)
+    rows = (
+        ((w * w + x * x) - (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)),
+        (2.0 * (x * y + w * z), (w * w + y * y) - (x * x + z * z), 2.0 * (y * z - w * x)),
+        (2.0 * (x * z - w * y), 2.0 * (y * z + w * x), (w * w + z * z) - (x * x + y * y)),
+    )
+    return xp.stack([xp.stack(row, axis=-1) for row in rows], axis=-2)
+
+
+def from_matrix(matrix: Array) -> Array:
+    """Return the unit quaternion of a rotation matrix (…, 3, 3), with its largest component positive.
+
+    Raises:
+        InvalidInput: for a matrix that is not a proper rotation.
+
+    Source: Shepperd, J. Guid. Control 1 (1978) 223: the largest of four candidates leads, so nothing cancels.
+    """
+    xp, (m,) = _arrays(matrix=matrix)
+    if not is_traced(m):
+        _refuse_improper(xp, m)
+    a, b, c = m[..., 0, 0], m[..., 1, 1], m[..., 2, 2]
+    p, q, r = m[..., 2, 1], m[..., 0, 2], m[..., 1, 0]
+    s, t, u = m[..., 1, 2], m[..., 2, 0], m[..., 0, 1]
+    candidates = (
+        (1.0 + a + b + c, p - s, q - t, r - u),
+        (p - s, 1.0 + a - b - c, r + u, q + t),
+        (q - t, r + u, 1.0 - a + b - c, p + s),
+        (r - u, q + t, p + s, 1.0 - a - b + c),
+    )
+    squares = [row[k] for k, row in enumerate(candidates)]
+    best = squares[0]
+    chosen = xp.stack(candidates[0], axis=-1)
+    for row, square in zip(candidates[1:], squares[1:], strict=True):
+        better = square > best
+        chosen = xp.where(better[..., None], xp.stack(row, axis=-1), chosen)
+        best = xp.where(better, square, best)
+    return chosen / xp.sqrt(xp.sum(chosen * chosen, axis=-1, keepdims=True))
+
+
+def _refuse_improper(xp: Any, m: Array) -> None:
+    product = xp.sum(m[..., :, :, None] * m[..., :, None, :], axis=-3)
+    error = xp.abs(product - xp.eye(3, dtype=xp.float64))
+    a, b, c = (m[..., k, :] for k in range(3))
+    determinant = (
+        a[..., 0] * (b[..., 1] * c[..., 2] - b[..., 2] * c[..., 1])
+        - a[..., 1] * (b[..., 0] * c[..., 2] - b[..., 2] * c[..., 0])
+        + a[..., 2] * (b[..., 0] * c[..., 1] - b[..., 1] * c[..., 0])
+    )
+    if not bool(xp.all(error < ORTHOGONALITY_TOLERANCE)):
+        raise InvalidInput("`matrix` must be orthogonal, Rᵀ R = 1, to 1e-6; orthogonalise it or check its entries.")
+    if not bool(xp.all(determinant > 0)):
+        raise InvalidInput("`matrix` must be a proper rotation, det R = +1; got a reflection. Flip one axis.")
+
+
+def from_rotation_vector(vector: Array) -> Array:
+    """Return exp of a rotation vector (…, 3) [rad] as a unit quaternion; smooth through zero."""
+    xp, (v,) = _arrays(vector=vector)
+    square = xp.sum(v * v, axis=-1, keepdims=True)
+    small = square < 1e-6
+    angle = xp.sqrt(xp.where(small, 1.0, square))
+    half_sinc = xp.where(
+        small, 0.5 - square / 48.0 + square * square / 3840.0, xp.sin(0.5 * angle) / angle
+    )
+    cosine = xp.where(small, 1.0 - square / 8.0 + square * square / 384.0, xp.cos(0.5 * angle))
+    return xp.concat([cosine, half_sinc * v], axis=-1)
+
+
+def as_rotation_vector(quaternion: Array) -> Array:
+    """Return log of a unit quaternion as a rotation vector (…, 3) [rad] of length ≤ π; smooth through zero."""
+    xp, (q,) = _arrays(quaternion=quaternion)
+    q = xp.where(q[..., :1] < 0, -q, q)
+    w, v = q[..., :1], q[..., 1:]
+    square = xp.sum(v * v, axis=-1, keepdims=True)
+    small = square < 1e-6
+    sine = xp.sqrt(xp.where(small, 1.0, square))
+    # 2 atan(s/w)/s as a series in (s/w)²
+    ratio = square / xp.where(small, w * w, 1.0)
+    series = 2.0 / xp.where(small, w, 1.0) * (1.0 - ratio / 3.0 + ratio * ratio / 5.0)
+    return v * xp.where(small, series, 2.0 * xp.atan2(sine, w) / sine)
+
+
+def from_axis_angle(axis: Array, angle: Array) -> Array:
+    """Return the rotation by an angle [rad] about an axis (…, 3), which need not be of unit length."""
+    xp = namespace(axis, angle)
+    axis = as_float64(xp, axis, "axis")
+    angle = as_float64(xp, angle, "angle")
+    largest = xp.max(xp.abs(axis), axis=-1, keepdims=True)
+    if not is_traced(axis) and not bool(xp.all(largest > 0)):
+        raise InvalidInput("`axis` must not be zero; a rotation needs a direction.")
+    unit = axis / largest
+    unit = unit / xp.sqrt(xp.sum(unit * unit, axis=-1, keepdims=True))
+    half = 0.5 * angle[..., None]
+    return xp.concat([xp.cos(half) + 0.0 * unit[..., :1], xp.sin(half) * unit], axis=-1)
+
+
+def hat(vector: Array) -> Array:
+    """Return the skew matrix (…, 3, 3) with hat(v) w = v × w."""
+    xp, (v,) = _arrays(vector=vector)
+    x, y, z = _parts(v)
+    o = xp.zeros_like(x)
+    return xp.stack([xp.stack(row, axis=-1) for row in ((o, -z, y), (z, o, -x), (-y, x, o))], axis=-2)
+
+
+def vee(matrix: Array) -> Array:
+    """Return the vector of the skew part of a matrix (…, 3, 3); the inverse of ``hat``."""
+    xp, (m,) = _arrays(matrix=matrix)
+    parts = (m[..., 2, 1] - m[..., 1, 2], m[..., 0, 2] - m[..., 2, 0], m[..., 1, 0] - m[..., 0, 1])
+    return 0.5 * xp.stack(parts, axis=-1)
+
+
+def angle_between(p: Array, q: Array) -> Array:
+    """Return the angle (…) [rad] in [0, π] of the rotation from q to p, accurate when it is tiny."""
+    xp, (p, q) = _arrays(p=p, q=q)
+    relative = multiply(conjugate(q), p)
+    sine = xp.sqrt(xp.sum(relative[..., 1:] * relative[..., 1:], axis=-1))
+    return 2.0 * xp.atan2(sine, xp.abs(relative[..., 0]))
+
+
+def as_scipy(quaternion: Array) -> Rotation:
+    """Return the rotation as SciPy's ``Rotation``, whose quaternions end with the scalar."""
+    from scipy.spatial.transform import Rotation
+
+    xp, (q,) = _arrays(quaternion=quaternion)
+    return Rotation.from_quat(xp.concat([q[..., 1:], q[..., :1]], axis=-1))
+
+
+def from_scipy(rotation: Rotation) -> Array:
+    """Return SciPy's ``Rotation`` as quaternions (…, 4), scalar first."""
+    xyzw = rotation.as_quat()
+    xp = namespace(xyzw)
+    return xp.concat([xyzw[..., 3:], xyzw[..., :3]], axis=-1)
+
+
