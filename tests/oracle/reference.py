@@ -59,7 +59,7 @@ def reference_state(
             if _radius_below(result, bits):
                 return result
         precision *= 2
-    raise ArithmeticError(f"no {bits} bits within a working precision of {HIGHEST_PRECISION}: {moments}, {momentum}, {t}")
+    raise ArithmeticError(f"no {bits} bits with {HIGHEST_PRECISION} bits of work: {moments}, {momentum}, {t}")
 
 
 def _sorted(moments: Sequence[Exact], momentum: Sequence[Exact]) -> tuple[list[tuple[int, int]], list, list]:
