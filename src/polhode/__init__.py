@@ -13,12 +13,14 @@ if TYPE_CHECKING:
     from polhode.bodies.mesh import from_mesh
     from polhode.bodies.points import from_points
     from polhode.exact.free_body import FreeMotion
+    from polhode.formats.dataset import as_dataset
     from polhode.trajectory import Trajectory
 
 __version__ = "0.1.0"
 
 _HOME = {
     "Body": "polhode.bodies.body",
+    "as_dataset": "polhode.formats.dataset",
     "combine": "polhode.bodies.body",
     "from_atoms": "polhode.bodies.atoms",
     "from_mesh": "polhode.bodies.mesh",
@@ -29,7 +31,23 @@ _HOME = {
 _ROOMS = {"shapes": "polhode.bodies.shapes"} | {
     room: f"polhode.{room}" for room in ("analysis", "errors", "figures", "formats", "rotation", "special")
 }
-__all__ = [*_HOME, *_ROOMS]
+__all__ = [
+    "Body",
+    "FreeMotion",
+    "Trajectory",
+    "analysis",
+    "as_dataset",
+    "combine",
+    "errors",
+    "figures",
+    "formats",
+    "from_atoms",
+    "from_mesh",
+    "from_points",
+    "rotation",
+    "shapes",
+    "special",
+]
 
 
 def __getattr__(name: str) -> Any:

@@ -1,0 +1,67 @@
+"""Verdicts on permanent rotation about each principal axis of a free body."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from polhode.analysis.energy_casimir import Stability, energy_casimir
+from polhode.errors import InvalidInput
+
+Array = Any
+
+
+def axis_stability(moments: Array, momentum_norm: float) -> tuple[Stability, Stability, Stability]:
+    """Return the verdicts on rotation about the three principal axes at the given |L|.
+
+    About axis i, H − C/I_i with C = ½|L|² is critical; its second variation on the sphere is (1/I_j − 1/I_i) δL_j²
+    over the other two axes. Positive about the axis of largest inertia, negative about that of least: both prove
+    stability. About the middle axis the signs differ and neighbours leave at the rate
+    |L| √((I_i−I_j)(I_k−I_i)/(I_j I_k)) / I_i. The differences are taken before they enter the matrices, so that
+    moments one unit in the last place apart are still told apart.
+
+    Args:
+        moments: (3,) principal moments [kg m²], positive, any order.
+        momentum_norm: |L| [kg m²/s].
+
+    Raises:
+        InvalidInput: for moments or |L| that are not positive, or not finite.
+
+    Source: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, theorem 15.3.1 (with its converse).
+    """
+    I = np.asarray(moments, dtype=float)  # noqa: E741
+    if I.shape != (3,) or not (np.isfinite(I).all() and (I > 0).all()):
+        raise InvalidInput(f"`moments` must be three positive numbers; got {np.asarray(moments).tolist()}.")
+    if not (np.isfinite(momentum_norm) and momentum_norm >= 0):
+        raise InvalidInput(f"`momentum_norm` must be finite and not negative; got {momentum_norm!r}.")
+    return tuple(_about(I, float(momentum_norm), i) for i in range(3))  # type: ignore[return-value]
+
+
+def _about(I: Array, norm: float, i: int) -> Stability:  # noqa: E741
+    """Judge axis i in units where I_i = |L| = 1; the Casimir has been taken out of the energy beforehand."""
+    j, k = (i + 1) % 3, (i + 2) % 3
+    curvature = np.zeros((3, 3))
+    curvature[j, j], curvature[k, k] = (I[i] - I[j]) / I[j], (I[i] - I[k]) / I[k]
+    flow = np.zeros((3, 3))
+    flow[j, k], flow[k, j] = -curvature[k, k], curvature[j, j]
+    axis = np.eye(3)[i]
+    found = energy_casimir(
+        flow, np.zeros(3), curvature, axis[None], np.eye(3)[None], ["½|L|²"], on_equilibria=True, tolerance=0.0
+    )
+    rate = norm / I[i]
+    function = f"H − |L|²/(2·{I[i]:.6g})"
+    terms = f"{curvature[j, j] / I[i]:.6g} δL{j + 1}² + {curvature[k, k] / I[i]:.6g} δL{k + 1}²"
+    if norm == 0.0:
+        text = "the body is at rest: |L| = 0 is kept"
+        return replace(found, verdict="stable", rate=0.0, growth=None, direction=None, certificate=text,
+                       spectrum=0.0 * found.spectrum)  # fmt: skip
+    text = {
+        "exponential": f"neighbours grow as exp({found.rate * rate:.6g}/s · t): {function} has the saddle {terms}",
+        "linear": f"neighbours drift away in proportion to time: every axis of the equator is at rest, {terms}",
+        None: f"{function} has an extremum on the sphere: {terms}",
+    }[found.growth]
+    if not curvature.any():
+        text = f"every axis of a sphere is a rest of L: {function} is constant"
+    return replace(found, rate=found.rate * rate, spectrum=found.spectrum * rate, certificate=text)

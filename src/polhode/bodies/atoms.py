@@ -1,0 +1,48 @@
+"""Molecules as rigid bodies of point masses."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from polhode.bodies.body import Body
+from polhode.bodies.points import from_points
+from polhode.errors import InvalidInput
+
+Array = Any
+ATOMIC_MASS = 1.66053906892e-27  # kg, CODATA 2022
+
+
+def from_atoms(symbols: Sequence[str], positions: Array, masses: Array | None = None) -> Body:
+    """Return a molecule as a rigid body.
+
+    Masses are the standard atomic weights of ASE's tables, averaged over isotopes; a spectroscopist gives the isotopes'
+    masses instead. The rotational constants of an equilibrium geometry are not those of the vibrational ground state.
+
+    Args:
+        symbols: (n,) chemical symbols.
+        positions: (n, 3) [m].
+        masses: (n,) [kg], or None for the tables'.
+
+    Raises:
+        InvalidInput: for unknown symbols, or if ASE is needed and missing.
+    """
+    symbols = list(symbols)
+    return from_points(atomic_masses(symbols) if masses is None else masses, positions)
+
+
+def atomic_masses(symbols: Sequence[str]) -> Array:
+    """Return standard atomic weights [kg] of chemical symbols."""
+    try:
+        from ase.data import atomic_masses as table
+        from ase.data import atomic_numbers as numbers
+    except ImportError:
+        raise InvalidInput(
+            "atomic masses need ASE, which is not installed; `pip install polhode[molecules]`, or give `masses`."
+        ) from None
+    unknown = [symbol for symbol in symbols if symbol not in numbers or symbol == "X"]
+    if unknown:
+        raise InvalidInput(f"`symbols` must be chemical elements; got {unknown[0]!r}.")
+    return np.array([table[numbers[symbol]] for symbol in symbols]) * ATOMIC_MASS
