@@ -69,6 +69,13 @@ def wide_moments(rng: Rng):
     return np.sort(10.0 ** rng.uniform(-12, 12, 3)), _direction(rng)
 
 
+def wide_spin(rng: Rng):
+    """Angular velocity in any direction: the momentum lies along the heavy axis, to as little as 1e-12."""
+    moments = np.sort(10.0 ** rng.uniform(-6, 6, 3))
+    momentum = _direction(rng) * moments
+    return moments, momentum / np.linalg.norm(momentum) * _power(rng, -3, 3)
+
+
 def near_oblate(rng: Rng):
     i1, i3 = np.sort(rng.uniform(0.1, 1, 2))
     return np.array([i1, i1 * (1 + _power(rng, -17, -1)), i3 * 1.3]), _direction(rng)
@@ -197,10 +204,18 @@ def traps(rng: Rng):
 
 
 FAMILIES: tuple[Callable[[Rng], tuple[np.ndarray, np.ndarray]], ...] = (
-    generic, short_axis, long_axis, wide_moments, near_oblate, near_prolate, near_sphere, near_separatrix,
-    near_separatrix_backward, saddle, separatrix_near_symmetric, exact_separatrix, near_permanent, flat, sphere,
-    oblate, prolate, permanent, zero_component, one_ulp, huge_scale, traps,
+    generic, short_axis, long_axis, wide_moments, wide_spin, near_oblate, near_prolate, near_sphere,
+    near_separatrix, near_separatrix_backward, saddle, separatrix_near_symmetric, exact_separatrix, near_permanent,
+    flat, sphere, oblate, prolate, permanent, zero_component, one_ulp, huge_scale, traps,
 )  # fmt: skip
+
+
+def _speed(family: Callable[..., object], moments: np.ndarray, momentum: np.ndarray) -> float:
+    """|ω|; for spins that hide a far faster rate, |L|/I_min, which is what a phase in double-double has to carry."""
+    if family is wide_spin:
+        return float(np.linalg.norm(momentum) / moments.min())
+    spin = momentum / moments
+    return float(np.abs(spin).max() * np.linalg.norm(spin / np.abs(spin).max()))
 
 
 def draw(count_per_family: int, seed: int, longest_turn: float = LONGEST_TURN) -> list[Case]:
@@ -210,8 +225,7 @@ def draw(count_per_family: int, seed: int, longest_turn: float = LONGEST_TURN) -
         rng = np.random.default_rng([seed, number])
         for index in range(count_per_family):
             moments, momentum = family(rng)
-            spin = momentum / moments
-            speed = float(np.abs(spin).max() * np.linalg.norm(spin / np.abs(spin).max()))
+            speed = _speed(family, moments, momentum)
             time = _power(rng, SHORTEST_TURN, longest_turn) / speed * (-1.0 if rng.random() < 1 / 3 else 1.0)
             order = rng.permutation(3) if index % 3 == 2 else np.arange(3)
             cases.append(Case(family.__name__, tuple(moments[order].tolist()), tuple(momentum[order].tolist()), time))

@@ -30,9 +30,9 @@ class Errors(NamedTuple):
 class Drifts(NamedTuple):
     """Departures from the conservation laws, in eps.
 
-    ``energy`` is |E - E0| / (|Ω| |L|): of the size of the error of L/|L|, to which energy amplifies when one moment is
-    far smaller than the others. ``norm`` is relative, ``space_momentum`` is |R L - L0| / |L|, ``orthogonality`` the
-    largest entry of R Rᵀ - 1.
+    ``energy`` is |E - E0| / (|Ω| |L|) with the larger |Ω| of the two times, since dE = Ω·dL: relative to E it could not
+    be kept where one moment is far smaller than the others. ``norm`` is relative, ``space_momentum`` is
+    |R L - L0| / |L|, ``orthogonality`` the largest entry of R Rᵀ - 1.
     """
 
     energy: float
@@ -63,7 +63,7 @@ def drift_in_eps(attitude: Sequence[float], momentum: Sequence[float], case: Cas
         now, start = [arb(float(x)) for x in momentum], [arb(x) for x in case.momentum]
         moments = [arb(x) for x in case.moments]
         energy_change = sum(((a - b) * (a + b) / i for a, b, i in zip(now, start, moments, strict=True)), arb(0)) / 2
-        spin = _norm([x / i for x, i in zip(start, moments, strict=True)])
+        spin = arb.max(*(_norm([x / i for x, i in zip(vector, moments, strict=True)]) for vector in (start, now)))
         space = [sum((r * x for r, x in zip(row, now, strict=True)), arb(0)) for row in rotation]
         product = (
             sum((a * b for a, b in zip(rotation[i], rotation[j], strict=True)), arb(-int(i == j)))
