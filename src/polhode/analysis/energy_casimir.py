@@ -160,7 +160,8 @@ def _null_space(dC: Array, n: int) -> Array:
 
 
 def _function(multipliers: Array, names: list[str]) -> str:
-    return "H" + "".join(f" {'+' if m >= 0 else '−'} {abs(m):.6g} {name}" for m, name in zip(multipliers, names, strict=True))
+    terms = zip(multipliers, names, strict=True)
+    return "H" + "".join(f" {'+' if m >= 0 else '−'} {abs(m):.6g} {name}" for m, name in terms)
 
 
 def _unit(vector: Array) -> Array:

@@ -1,0 +1,72 @@
+"""Poinsot's picture: the inertia ellipsoid Σ I_i x_i² = 1 rolls without slipping on the invariable plane.
+
+The contact point is x = Ω/√(2E). It traces the polhode on the ellipsoid and the herpolhode in the plane, which lies
+√(2E)/|L| from the centre, across L. All lengths are in 1/√(kg m²). Source: Poinsot 1834; Whittaker, *Analytical
+Dynamics*, §71; Goldstein, *Classical Mechanics*, §5.6.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from polhode import rotation
+from polhode.exact.free_body import FreeMotion
+from polhode.exact.reduction import canonical_reduction
+
+Array = Any
+
+
+class Herpolhode(NamedTuple):
+    """Radii about the foot of the perpendicular from the centre to the invariable plane, and that distance."""
+
+    inner_radius: float
+    outer_radius: float
+    plane_distance: float
+
+
+def herpolhode(motion: FreeMotion) -> Herpolhode | None:
+    """Return the herpolhode of one body's motion, None at rest.
+
+    The squared radius is |L × Ω|²/(2E |L|²). At its extremes one of the smaller components of L vanishes, which makes
+    it PQ/(2E|L|²) and P|S|/(2E|L|²) in the invariants of the motion, without any difference of squares.
+    """
+    norm, energy = motion.momentum_norm, motion.energy
+    if not norm:
+        return None
+    with np.errstate(all="ignore"):
+        body = canonical_reduction(np.asarray(motion.moments), np.asarray(motion.momentum_at_epoch))
+        P, Q, S = (float(x[0] / body.V[0]) for x in (body.P, body.Q, body.S))
+    # momentum_scale²/moment_scale is the unit of P, Q, S and 2E alike, as the reduction scales both by powers of two
+    unit = float(body.momentum_scale * body.rate_scale)
+    P, Q, S = P * unit, Q * unit, S * unit
+    size = norm * np.sqrt(2.0 * energy)
+    outer, inner = float(np.sqrt(P) * np.sqrt(Q) / size), float(np.sqrt(P) * np.sqrt(abs(S)) / size)
+    return Herpolhode(inner, outer, float(np.sqrt(2.0 * energy) / norm))
+
+
+def contact_point(angular_velocity: Array, energy: float) -> Array:
+    """Return the point (…, 3) of the inertia ellipsoid that touches the plane, in the frame of the velocity."""
+    return np.asarray(angular_velocity) / np.sqrt(2.0 * energy)
+
+
+def ellipsoid_semi_axes(moments: Array) -> Array:
+    """Return the semi-axes 1/√I_i (3,) of the inertia ellipsoid along the principal axes."""
+    return 1.0 / np.sqrt(np.asarray(moments, dtype=float))
+
+
+def herpolhode_curve(motion: FreeMotion, times: Array) -> Array:
+    """Return the herpolhode (T, 2) in the invariable plane, about the foot of the perpendicular, for one body.
+
+    The plane's first direction is fixed in space, across L; seen against L, so that rolling runs counterclockwise.
+    """
+    attitude, momentum = motion.state(np.asarray(times, dtype=float))
+    point = rotation.rotate(attitude, contact_point(motion._angular_velocity_of(momentum), motion.energy))
+    start = motion.state(motion.epoch)
+    normal = rotation.rotate(*start)
+    normal = normal / np.linalg.norm(normal)
+    first = np.cross(normal, np.eye(3)[np.argmin(np.abs(normal))])
+    first = first / np.linalg.norm(first)
+    second = np.cross(normal, first)
+    return np.stack([point @ first, point @ second], axis=-1)

@@ -1,0 +1,84 @@
+"""Trajectories as labelled arrays with units, and as NetCDF files."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import tempfile
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from polhode.errors import InvalidInput
+from polhode.trajectory import Trajectory
+
+if TYPE_CHECKING:
+    import xarray
+
+_VECTORS = {
+    "momentum": ("kg m2 s-1", "angular momentum along the body axes"),
+    "angular_velocity": ("rad s-1", "angular velocity along the body axes"),
+}
+_INVARIANTS = {
+    "energy": ("J", "kinetic energy"),
+    "momentum_norm": ("kg m2 s-1", "magnitude of the angular momentum"),
+    "momentum_space": ("kg m2 s-1", "angular momentum along the space axes"),
+}
+
+
+def as_dataset(trajectory: Trajectory, attributes: dict[str, str] | None = None) -> xarray.Dataset:
+    """Return a trajectory as an xarray Dataset whose variables carry units and frames.
+
+    Dimensions are ``body`` axes (``batch_0``, …) if any, ``time``, ``quaternion`` (w, x, y, z) and ``axis`` (1, 2, 3).
+
+    Args:
+        trajectory: plain arrays.
+        attributes: global attributes to add.
+    """
+    import xarray as xr
+
+    times = np.asarray(trajectory.times)
+    batch = [f"batch_{k}" for k in range(np.ndim(trajectory.states) - 2)]
+    coordinates: dict[str, Any] = {"time": ("time", times, {"units": "s", "long_name": "time"}), "axis": ("axis", [1, 2, 3])}
+    variables: dict[str, Any] = {}
+    if trajectory.attitude is not None:
+        coordinates["quaternion"] = ("quaternion", ["w", "x", "y", "z"])
+        note = {"units": "1", "long_name": "attitude quaternion, scalar first, body to space"}
+        variables["attitude"] = ([*batch, "time", "quaternion"], np.asarray(trajectory.attitude), note)
+    for name, (units, meaning) in _VECTORS.items():
+        values = getattr(trajectory, name)
+        if values is not None:
+            note = {"units": units, "long_name": meaning}
+            variables[name] = ([*batch, "time", "axis"], np.asarray(values), note)
+    for name, values in trajectory.invariants.items():
+        units, meaning = _INVARIANTS.get(name, ("", name.replace("_", " ")))
+        dims = [*batch, "time", "axis"][: np.ndim(values)]
+        note = {"units": units, "long_name": meaning}
+        if name in trajectory.drift and not batch:
+            note["drift"] = float(trajectory.drift[name])
+        variables[name] = (dims, np.asarray(values), note)
+    header = {"Conventions": "CF-1.11", "source": "polhode", "status": trajectory.status} | (attributes or {})
+    return xr.Dataset(variables, coordinates, header)
+
+
+def write_dataset(trajectory: Trajectory, path: str | Path, attributes: dict[str, str] | None = None) -> Path:
+    """Write a trajectory as NetCDF; the file appears whole or not at all.
+
+    Raises:
+        InvalidInput: if the folder cannot be written to.
+    """
+    path = Path(path)
+    dataset = as_dataset(trajectory, attributes)
+    try:
+        handle, name = tempfile.mkstemp(dir=path.parent, suffix=".part")
+    except OSError as error:
+        raise InvalidInput(f"{path}: cannot be written ({error.strerror}). Choose a folder that you may write to.") from None
+    os.close(handle)
+    try:
+        dataset.to_netcdf(name, engine="h5netcdf")
+        Path(name).replace(path)
+    finally:
+        with contextlib.suppress(FileNotFoundError):
+            Path(name).unlink()
+    return path

@@ -1,0 +1,194 @@
+"""The plain answers about a freely rotating body: what command, page and sweep all use."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from polhode.analysis.energy_casimir import Stability
+from polhode.analysis.free_axes import axis_stability
+from polhode.analysis.poinsot import Herpolhode, herpolhode
+from polhode.analysis.precession import Precession, body_precession, space_precession
+from polhode.bodies.body import Body
+from polhode.exact.free_body import FreeMotion
+from polhode.trajectory import Trajectory
+
+Array = Any
+SAMPLES = 2000
+PERIODS = 10
+
+UNITS = {
+    "mass": "kg",
+    "center_of_mass": "m",
+    "principal_moments": "kg m²",
+    "principal_axes": "columns, in the given frame",
+    "energy": "J",
+    "momentum_norm": "kg m²/s",
+    "angular_velocity": "rad/s, principal axes",
+    "momentum": "kg m²/s, principal axes",
+    "polhode_period": "s",
+    "flip_interval": "s",
+    "twist_per_flip": "rad",
+    "precession_rate": "rad/s",
+    "precession_per_period": "rad",
+    "geometric_phase": "rad",
+    "action": "J s",
+    "tumbling_periods": "s",
+    "long_axis_period": "s",
+    "rotation_period": "s",
+    "herpolhode": "1/√(kg m²)",
+    "axes.rate": "1/s",
+    "axes.moment": "kg m²",
+}
+
+
+@dataclass(frozen=True)
+class Report:
+    """Everything said about one body and its motion; undefined or infinite values are None."""
+
+    body: Body
+    motion: FreeMotion
+    trajectory: Trajectory
+    stability: tuple[Stability, Stability, Stability]
+    herpolhode: Herpolhode | None
+    precession_body: Precession | None
+    precession_space: Precession | None
+    rotation_period: float | None
+    twist_per_flip: float | None
+
+    def as_json_dict(self) -> dict[str, Any]:
+        """Return the report as plain lists, numbers, strings and None, SI units throughout."""
+        motion = self.motion
+        tumbling = motion.tumbling_periods
+        return _plain(
+            {
+                **body_summary(self.body),
+                "angular_velocity": motion.momentum_at_epoch / motion.moments,
+                "momentum": motion.momentum_at_epoch,
+                "energy": motion.energy,
+                "momentum_norm": motion.momentum_norm,
+                "regime": motion.regime,
+                "summary": self.summary,
+                "encircled_axis": None if motion.encircled_axis is None else motion.encircled_axis + 1,
+                "modulus": motion.modulus,
+                "polhode_period": motion.period,
+                "rotation_period": self.rotation_period,
+                "flip_interval": motion.flip_interval,
+                "twist_per_flip": self.twist_per_flip,
+                "precession_rate": motion.precession_rate,
+                "precession_per_period": motion.precession_per_period,
+                "precession": {
+                    "body": None if self.precession_body is None else self.precession_body._asdict(),
+                    "space": None if self.precession_space is None else self.precession_space._asdict(),
+                },
+                "geometric_phase": motion.geometric_phase,
+                "action": motion.action,
+                "tumbling_periods": {"P_phi": tumbling[0], "P_psi": tumbling[1]},
+                "long_axis_period": motion.long_axis_period,
+                "herpolhode": None if self.herpolhode is None else self.herpolhode._asdict(),
+                "axes": [_axis(k, moment, found) for k, (moment, found) in enumerate(zip(motion.moments, self.stability, strict=True))],
+                "drift": self.trajectory.drift,
+                "units": UNITS,
+            }
+        )
+
+    @property
+    def summary(self) -> str:
+        """The motion in a sentence or two."""
+        return _SENTENCES[self.motion.regime](self.motion)
+
+
+def body_summary(body: Body) -> dict[str, Any]:
+    """Return the mass properties alone, as arrays."""
+    return {
+        "mass": body.mass,
+        "center_of_mass": body.center_of_mass,
+        "principal_moments": body.principal_moments,
+        "principal_axes": body.principal_axes,
+    }
+
+
+def free_body_report(body: Body, momentum: Array, attitude: Array, times: Array | None = None) -> Report:
+    """Return the report on a body's free motion.
+
+    Args:
+        body: the body.
+        momentum: (3,) [kg m²/s, principal axes].
+        attitude: (4,) unit quaternion wxyz, principal axes → space.
+        times: (T,) [s]; None for ten periods (ten turns where there is no period).
+
+    Raises:
+        InvalidInput: for a body with a vanishing moment, or values that are not finite.
+    """
+    motion = FreeMotion(body.principal_moments, momentum, attitude)
+    velocity = float(np.linalg.norm(motion.momentum_at_epoch / motion.moments))
+    turn = 2.0 * math.pi / velocity if velocity else None
+    if times is None:
+        span = motion.period or turn or 0.1
+        times = np.linspace(0.0, PERIODS * span, SAMPLES)
+    twist = motion.precession_per_period
+    return Report(
+        body=body,
+        motion=motion,
+        trajectory=motion.sample(times),
+        stability=axis_stability(motion.moments, motion.momentum_norm),
+        herpolhode=herpolhode(motion),
+        precession_body=body_precession(motion),
+        precession_space=space_precession(motion),
+        rotation_period=turn if motion.regime in ("permanent", "spherical") else None,
+        twist_per_flip=None if twist is None or motion.flip_interval is None else 0.5 * twist,
+    )
+
+
+def _axis(index: int, moment: float, found: Stability) -> dict[str, Any]:
+    exponents = [[float(x.real), float(x.imag)] for x in found.spectrum]
+    return {
+        "axis": index + 1,
+        "moment": moment,
+        "verdict": found.verdict,
+        "rate": found.rate,
+        "growth": found.growth,
+        "direction": found.direction,
+        "exponents": exponents,
+        "certificate": found.certificate,
+    }
+
+
+def _plain(value: Any) -> Any:
+    """Return nested data as JSON has it; numbers that are not finite become None."""
+    if isinstance(value, dict):
+        return {key: _plain(item) for key, item in value.items()}
+    if isinstance(value, np.ndarray):
+        return _plain(value.tolist())
+    if isinstance(value, list | tuple):
+        return [_plain(item) for item in value]
+    if isinstance(value, bool | str) or value is None:
+        return value
+    if isinstance(value, int | np.integer):
+        return int(value)
+    return float(value) if math.isfinite(value) else None
+
+
+def _mode(motion: FreeMotion) -> str:
+    axis = motion.encircled_axis + 1
+    return (
+        f"L circles axis {axis} in the body every {motion.period:.6g} s and reverses along the intermediate axis every "
+        f"{motion.flip_interval:.6g} s; meanwhile axis {axis} turns about L every {motion.tumbling_periods[0]:.6g} s."
+    )
+
+
+_SENTENCES = {
+    "rest": lambda m: "The body is at rest.",
+    "spherical": lambda m: "All moments are equal: the body turns steadily about a fixed axis.",
+    "permanent": lambda m: "The body turns steadily about an axis fixed in it and in space.",
+    "symmetric": lambda m: (
+        f"Two moments are equal: the axis of symmetry turns about L every {m.tumbling_periods[0]:.6g} s, "
+        f"and L about it in the body every {m.period:.6g} s."
+    ),
+    "short-axis": lambda m: "Short-axis mode: " + _mode(m),
+    "long-axis": lambda m: "Long-axis mode: " + _mode(m),
+    "separatrix": lambda m: "Exactly on the separatrix: the body turns over once and never again.",
+}
