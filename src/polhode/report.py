@@ -89,7 +89,7 @@ class Report:
                 "tumbling_periods": {"P_phi": tumbling[0], "P_psi": tumbling[1]},
                 "long_axis_period": motion.long_axis_period,
                 "herpolhode": None if self.herpolhode is None else self.herpolhode._asdict(),
-                "axes": [_axis(k, moment, found) for k, (moment, found) in enumerate(zip(motion.moments, self.stability, strict=True))],
+                "axes": [_axis(k, motion.moments[k], found) for k, found in enumerate(self.stability)],
                 "drift": self.trajectory.drift,
                 "units": UNITS,
             }

@@ -80,7 +80,8 @@ def racket_twist(motion: FreeMotion, handle: int = 0) -> float:
         rate = lambda s: float(angles(np.asarray(s))[0])  # noqa: E731
         return quad(rate, 0.0, t, epsabs=1e-12, epsrel=1e-12, limit=500)[0] - 2.0 * math.pi
 
-    end = brentq(turned, 2.0 * math.pi * min(moments[j], moments[k]) / norm * (1 - 1e-9), times[-1], xtol=1e-12 * longest)
+    shortest = 2.0 * math.pi * min(moments[j], moments[k]) / norm
+    end = brentq(turned, shortest * (1.0 - 1e-9), times[-1], xtol=1e-12 * longest)
     path = np.unwrap(angles(np.append(times[times < end], end))[1])
     return float(abs(path[-1] - path[0]))
 

@@ -40,7 +40,8 @@ def as_dataset(trajectory: Trajectory, attributes: dict[str, str] | None = None)
 
     times = np.asarray(trajectory.times)
     batch = [f"batch_{k}" for k in range(np.ndim(trajectory.states) - 2)]
-    coordinates: dict[str, Any] = {"time": ("time", times, {"units": "s", "long_name": "time"}), "axis": ("axis", [1, 2, 3])}
+    clock = ("time", times, {"units": "s", "long_name": "time"})
+    coordinates: dict[str, Any] = {"time": clock, "axis": ("axis", [1, 2, 3])}
     variables: dict[str, Any] = {}
     if trajectory.attitude is not None:
         coordinates["quaternion"] = ("quaternion", ["w", "x", "y", "z"])
@@ -73,7 +74,8 @@ def write_dataset(trajectory: Trajectory, path: str | Path, attributes: dict[str
     try:
         handle, name = tempfile.mkstemp(dir=path.parent, suffix=".part")
     except OSError as error:
-        raise InvalidInput(f"{path}: cannot be written ({error.strerror}). Choose a folder that you may write to.") from None
+        why = f"{path}: cannot be written ({error.strerror}). Choose a folder that you may write to."
+        raise InvalidInput(why) from None
     os.close(handle)
     try:
         dataset.to_netcdf(name, engine="h5netcdf")

@@ -1,0 +1,43 @@
+"""The herpolhode: where the inertia ellipsoid has touched the invariable plane."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from polhode.analysis.poinsot import herpolhode_curve
+from polhode.figures import style
+from polhode.report import Report
+
+Array = Any
+PERIODS = 8
+
+
+def draw_herpolhode(report: Report) -> Figure | None:
+    """Return the herpolhode between its two circles; None where the contact point stays or there is no motion."""
+    found = report.herpolhode
+    if found is None or found.outer_radius <= 1e-12 * found.plane_distance:
+        return None
+    times = np.asarray(report.trajectory.times)
+    if report.motion.period is not None:
+        times = np.linspace(times[0], times[0] + min(times[-1] - times[0], PERIODS * report.motion.period), 4000)
+    curve = herpolhode_curve(report.motion, times) / found.outer_radius
+    figure = style.new_figure()
+    axes = figure.add_subplot()
+    circle = np.linspace(0.0, 2.0 * np.pi, 400)
+    for radius in {found.inner_radius / found.outer_radius, 1.0}:
+        axes.plot(radius * np.cos(circle), radius * np.sin(circle), color=style.VERMILION, lw=0.7, ls="--")
+    axes.plot(*curve.T, color=style.BLUE, lw=0.9)
+    axes.plot(*curve[0], "o", ms=3.5, color=style.BLUE, mec="white", mew=0.5)
+    axes.plot(0.0, 0.0, "+", color=style.DARK, ms=6, mew=0.8)
+    axes.set_aspect("equal")
+    axes.set_xlim(-1.12, 1.12)
+    axes.set_ylim(-1.12, 1.12)
+    unit = f"[{found.outer_radius:.3g} kg$^{{-1/2}}$ m$^{{-1}}$]"
+    axes.set_xlabel(f"in the invariable plane  {unit}")
+    axes.set_ylabel(f"in the invariable plane  {unit}")
+    axes.set_title("Herpolhode, seen against L", fontsize=style.FONT, color=style.DARK)
+    style.tidy(axes)
+    return figure

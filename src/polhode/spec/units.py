@@ -1,0 +1,70 @@
+"""Quantities with units, as people write them in files: "60 rpm", "12 g*cm^2"."""
+
+from __future__ import annotations
+
+import math
+from functools import cache
+from typing import Any
+
+EXAMPLES = {
+    "kg": "52 g",
+    "m": "12 mm",
+    "s": "20 s",
+    "rad": "1 deg",
+    "rad/s": "60 rpm",
+    "kg*m^2": "1.2 g*cm^2",
+    "kg*m^2/s": "0.3 kg*m^2/s",
+    "kg/m^3": "2700 kg/m^3",
+}
+ANGLES = {"radian", "degree", "turn", "arcminute", "arcsecond", "milliarcsecond", "grade", "revolutions_per_minute",
+          "dps", "cpm", "revolutions_per_second"}  # fmt: skip
+
+
+@cache
+def _registry() -> Any:
+    import pint
+
+    registry = pint.UnitRegistry()
+    registry.define("rev = turn")
+    registry.define("dps = degree / second")
+    registry.define("cpm = turn / minute")
+    return registry
+
+
+def parse_quantity(value: Any, unit: str) -> float:
+    """Return the value of a quantity like "60 rpm" in the given SI unit.
+
+    Raises:
+        ValueError: with what is wrong and what would be right; pydantic collects it with the key's path.
+    """
+    example = EXAMPLES[unit]
+    if isinstance(value, bool) or not isinstance(value, str):
+        raise ValueError(f'needs a number with its unit in quotes, like "{example}"; got {value!r}')
+    registry = _registry()
+    try:
+        quantity = registry.Quantity(value)
+        magnitude = float(quantity.magnitude)
+    except Exception:  # pint raises errors of many kinds, tokenizer's and its own
+        raise ValueError(f'cannot be read as a quantity: {value!r}; write it like "{example}"') from None
+    if not math.isfinite(magnitude):
+        raise ValueError(f"must be finite; got {value!r}")
+    names = set(dict(quantity.unit_items()))
+    if unit == "rad/s":
+        _refuse_cycles(value, names)
+    if not names:
+        raise ValueError(f'needs a unit, like "{example}"; got {value!r}')
+    try:
+        result = float(quantity.to(unit).magnitude)
+    except Exception:
+        raise ValueError(f'has the wrong unit: {value!r} is not in {unit} or alike; write it like "{example}"') from None
+    if not math.isfinite(result):
+        raise ValueError(f"is out of range: {value!r}")
+    return result
+
+
+def _refuse_cycles(value: str, names: set[str]) -> None:
+    """An angular rate in Hz or 1/s leaves open whether turns or radians are meant, a factor of 2π."""
+    if any("hertz" in name for name in names):
+        raise ValueError(f'is ambiguous: {value!r} may mean turns or radians; write "rev/s", "rpm" or "rad/s"')
+    if names and not any(name in ANGLES or name.endswith(("radian", "degree", "turn", "rev")) for name in names):
+        raise ValueError(f'is not an angular rate: {value!r} names no angle; write "rad/s", "deg/s" or "rpm"')
