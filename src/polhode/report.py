@@ -111,7 +111,14 @@ def body_summary(body: Body) -> dict[str, Any]:
     }
 
 
-def free_body_report(body: Body, momentum: Array, attitude: Array, times: Array | None = None) -> Report:
+def body_json(body: Body) -> dict[str, Any]:
+    """Return the mass properties as plain lists and numbers."""
+    return _plain(body_summary(body))
+
+
+def free_body_report(
+    body: Body, momentum: Array, attitude: Array, times: Array | None = None, samples: int = SAMPLES
+) -> Report:
     """Return the report on a body's free motion.
 
     Args:
@@ -119,6 +126,7 @@ def free_body_report(body: Body, momentum: Array, attitude: Array, times: Array 
         momentum: (3,) [kg m²/s, principal axes].
         attitude: (4,) unit quaternion wxyz, principal axes → space.
         times: (T,) [s]; None for ten periods (ten turns where there is no period).
+        samples: how many times to take then.
 
     Raises:
         InvalidInput: for a body with a vanishing moment, or values that are not finite.
@@ -128,7 +136,7 @@ def free_body_report(body: Body, momentum: Array, attitude: Array, times: Array 
     turn = 2.0 * math.pi / velocity if velocity else None
     if times is None:
         span = motion.period or turn or 0.1
-        times = np.linspace(0.0, PERIODS * span, SAMPLES)
+        times = np.linspace(0.0, PERIODS * span, samples)
     twist = motion.precession_per_period
     return Report(
         body=body,

@@ -118,5 +118,6 @@ def _label(axes: Any, frame: Array, k: int) -> None:
     reach = 1.0 + 0.12 / size
     axes.plot([x, reach * x], [y, reach * y], color=style.DARK, lw=0.7, zorder=4)
     axes.plot([x], [y], ".", color=style.DARK, ms=2.5, zorder=4)
-    axes.text((reach + 0.10 / size) * x, (reach + 0.10 / size) * y, f"$L_{k + 1}$", fontsize=style.FONT + 1, ha="center",
-              va="center", color=style.DARK, zorder=6)  # fmt: skip
+    beyond = reach + 0.10 / size
+    axes.text(beyond * x, beyond * y, f"$L_{k + 1}$", fontsize=style.FONT + 1, ha="center", va="center",
+              color=style.DARK, zorder=6)  # fmt: skip

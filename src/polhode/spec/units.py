@@ -56,7 +56,8 @@ def parse_quantity(value: Any, unit: str) -> float:
     try:
         result = float(quantity.to(unit).magnitude)
     except Exception:
-        raise ValueError(f'has the wrong unit: {value!r} is not in {unit} or alike; write it like "{example}"') from None
+        wrong = f'has the wrong unit: {value!r} is not in {unit} or alike; write it like "{example}"'
+        raise ValueError(wrong) from None
     if not math.isfinite(result):
         raise ValueError(f"is out of range: {value!r}")
     return result

@@ -1,0 +1,72 @@
+"""The command ``polhode``; each command imports what it needs only when it runs."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from polhode.errors import PolhodeError
+
+app = typer.Typer(
+    name="polhode",
+    help="How does this thing rotate? Exact motion of rigid bodies, and what it means.",
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+)
+SpecPath = Annotated[Path, typer.Argument(metavar="SPEC", help="TOML file: what body, how it spins, when.")]
+AsJson = Annotated[bool, typer.Option("--json", help="Print one JSON object (SI values) on standard output.")]
+
+
+@app.callback(invoke_without_command=True)
+def about(
+    version: Annotated[bool, typer.Option("--version", help="Print the version and stop.", is_eager=True)] = False,
+) -> None:
+    """How does this thing rotate? Exact motion of rigid bodies, and what it means."""
+    if version:
+        from polhode import __version__
+
+        typer.echo(f"polhode {__version__}")
+        raise typer.Exit
+
+
+@app.command()
+def report(
+    spec: SpecPath,
+    json: AsJson = False,
+    out: Annotated[
+        Path | None,
+        typer.Option("--out", metavar="DIR", help="Folder for figures and dataset [default: named after the spec]."),
+    ] = None,
+) -> None:
+    """Say how the body rotates: motion, stability, periods; write figures and a NetCDF dataset."""
+    from polhode.cli.report import run_report
+
+    run_report(spec, json, out)
+
+
+@app.command()
+def body(spec: SpecPath, json: AsJson = False) -> None:
+    """Print the body's mass properties alone."""
+    from polhode.cli.body import run_body
+
+    run_body(spec, json)
+
+
+def main(arguments: list[str] | None = None) -> Any:
+    """Run the command; a user's mistake ends with one message on standard error and exit code 2."""
+    try:
+        return app(arguments)
+    except PolhodeError as error:
+        sys.stderr.write(f"polhode: {error}\n")
+        sys.exit(2)
+    except BrokenPipeError:
+        sys.stderr.close()
+        sys.exit(1)
+
+
+if __name__ == "__main__":
+    main()

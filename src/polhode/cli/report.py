@@ -1,0 +1,56 @@
+"""``polhode report SPEC``: the main job."""
+
+from __future__ import annotations
+
+import contextlib
+import shutil
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+
+from polhode.cli.render import as_json, print_report
+from polhode.errors import InvalidInput
+from polhode.report import free_body_report
+from polhode.spec.reading import read_spec
+
+
+def run_report(path: Path, json: bool, out: Path | None) -> None:
+    """Read the spec, compute, write figures and dataset, and print the answers."""
+    spec = read_spec(path)
+    folder = out or Path(path.stem)
+    times = None if spec.until is None else np.linspace(0.0, spec.until, spec.samples)
+    report = free_body_report(spec.body, spec.momentum, spec.attitude, times, spec.samples)
+    with _folder_at_once(folder) as draft:
+        from polhode.figures.drawing import draw_all
+        from polhode.formats.dataset import write_dataset
+
+        files = draw_all(report, draft)
+        files.append(write_dataset(report.trajectory, draft / "motion.nc", {"title": spec.name}))
+        names = [file.name for file in files]
+    values = {"name": spec.name, **report.as_json_dict(), "files": [str(folder / name) for name in names]}
+    if json:
+        print(as_json(values))
+    else:
+        print_report(values)
+
+
+@contextlib.contextmanager
+def _folder_at_once(folder: Path) -> Iterator[Path]:
+    """Yield a draft folder whose files move to their place only when all of them have been written."""
+    try:
+        if folder.exists() and not folder.is_dir():
+            raise InvalidInput(f"{folder}: is a file, so figures cannot go there. Name another folder with --out.")
+        folder.parent.mkdir(parents=True, exist_ok=True)
+        draft = Path(tempfile.mkdtemp(dir=folder if folder.is_dir() else folder.parent, prefix=".polhode-"))
+    except OSError as error:
+        why = f"{folder}: cannot be written ({error.strerror}). Name a folder that you may write to with --out."
+        raise InvalidInput(why) from None
+    try:
+        yield draft
+        folder.mkdir(exist_ok=True)
+        for file in draft.iterdir():
+            file.replace(folder / file.name)
+    finally:
+        shutil.rmtree(draft, ignore_errors=True)
