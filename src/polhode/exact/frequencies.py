@@ -79,7 +79,7 @@ def _agm_step(*state: Array) -> tuple[Array, ...]:
     s = dd.add(pp, ag)
     e = dd.divide(dd.subtract(pp, ag), s)
     q = dd.scale(dd.multiply(q, e), 0.5)
-    pp = dd.scale(dd.divide(dd.square(s), pp), 0.25)
+    pp = dd.scale(dd.multiply(dd.divide(s, pp), s), 0.25)  # s² would underflow before s²/p² does
     return (*dd.scale(dd.add(a, g), 0.5), *dd.sqrt(ag), *pp, *q, *dd.add(total, q))
 
 

@@ -163,8 +163,9 @@ def _complementary_arguments(*columns: Array) -> tuple[Array, ...]:
     angles = [(2 * n + 1) * (0.5 * y - 0.25 * math.pi) for n in range(5)]
     harmonics = (*(xp.cos(a) for a in angles), *(xp.sin(a) for a in angles))
     periodic = xp.where(separatrix, 0.0, 1.0)
-    return (*start, *harmonics, xp.sqrt(q), upper, lower + period[1], y * (0.5 / math.pi), periodic,
-            xp.where(l1 < 0, 1.0, 0.0))  # fmt: skip
+    y_turns = periodic * y * (0.5 / math.pi)
+    parity = xp.where(l1 < 0, 1.0, 0.0)
+    return (*start, *harmonics, xp.sqrt(q), upper, lower + period[1], y_turns, periodic, parity)
 
 
 def _matrices(
