@@ -1,0 +1,113 @@
+"""Rotations against SciPy, mpmath and their own laws, in NumPy, strict arrays and JAX."""
+
+import array_api_strict
+import jax
+import mpmath
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+from polhode import rotation
+from polhode.errors import InvalidInput
+
+ROUNDING = 2e-15
+"""A dozen roundings on entries up to 1."""
+
+
+@pytest.fixture
+def quaternions():
+    q = np.random.default_rng(1).normal(size=(200, 4))
+    return q / np.linalg.norm(q, axis=1, keepdims=True)
+
+
+def test_matrix_agrees_with_scipy(quaternions):
+    theirs = Rotation.from_quat(quaternions[:, [1, 2, 3, 0]]).as_matrix()
+    assert np.abs(rotation.as_matrix(quaternions) - theirs).max() < ROUNDING
+
+
+def test_product_is_composition_and_rotate_is_the_matrix(quaternions):
+    p, q = quaternions[:100], quaternions[100:]
+    product = rotation.as_matrix(rotation.multiply(p, q))
+    assert np.abs(product - rotation.as_matrix(p) @ rotation.as_matrix(q)).max() < ROUNDING
+    wrong = rotation.as_matrix(rotation.multiply(q, p))
+    assert np.abs(product - wrong).max() > 0.1
+    v = np.random.default_rng(2).normal(size=(100, 3))
+    assert np.abs(rotation.rotate(p, v) - np.einsum("nij,nj->ni", rotation.as_matrix(p), v)).max() < 5 * ROUNDING
+
+
+def test_from_matrix_returns_the_quaternion_up_to_sign(quaternions):
+    special = np.vstack([quaternions, np.eye(4), [[0, 0.6, 0.8, 0], [0, 0, -0.6, 0.8], [1e-9, 0, 0, 1]]])
+    back = rotation.from_matrix(rotation.as_matrix(special))
+    assert (np.abs(np.abs(np.sum(back * special, axis=1)) - 1.0) < ROUNDING).all()
+
+
+@pytest.mark.parametrize("angle", [0.0, 1e-300, 1e-9, 9e-4, 1.1e-3, 1.0, 3.0, np.pi - 1e-9])
+def test_exponential_and_logarithm(angle):
+    axis = np.array([2.0, -3.0, 6.0]) / 7.0
+    q = rotation.from_rotation_vector(angle * axis)
+    half = mpmath.mpf(angle) / 2
+    assert abs(q[0] - mpmath.cos(half)) < ROUNDING
+    assert abs(q[1:] @ axis - mpmath.sin(half)) <= ROUNDING * max(angle, 1e-300)
+    back = rotation.as_rotation_vector(q)
+    assert np.abs(back - angle * axis).max() <= 8 * ROUNDING * max(angle, 1e-300)
+
+
+def test_exponential_and_logarithm_have_finite_gradients_at_zero():
+    with jax.enable_x64(True):
+        derivative = jax.jacobian(rotation.from_rotation_vector)(jax.numpy.zeros(3))
+        assert np.array_equal(derivative[1:], 0.5 * np.eye(3))
+        back = jax.jacobian(rotation.as_rotation_vector)(jax.numpy.array([1.0, 0, 0, 0]))
+        assert np.allclose(back[:, 1:], 2.0 * np.eye(3), atol=ROUNDING)
+
+
+def test_small_angles_between():
+    q = rotation.from_rotation_vector([0.3, 0.2, -1.0])
+    nearby = rotation.multiply(q, rotation.from_rotation_vector([0.0, 3e-12, 4e-12]))
+    # the quaternions themselves are rounded at 1e-16
+    assert abs(rotation.angle_between(q, nearby) - 5e-12) < 1e-15
+    assert rotation.angle_between(q, -q) < ROUNDING
+
+
+def test_hat_and_vee():
+    v, w = np.array([1.0, 2.0, 3.0]), np.array([-2.0, 0.5, 4.0])
+    assert np.allclose(rotation.hat(v) @ w, np.cross(v, w), atol=ROUNDING)
+    assert np.array_equal(rotation.vee(rotation.hat(v)), v)
+
+
+def test_scipy_round_trip(quaternions):
+    back = rotation.from_scipy(rotation.as_scipy(quaternions))
+    assert np.abs(np.abs(np.sum(back * quaternions, axis=1)) - 1.0).max() < ROUNDING
+
+
+@pytest.mark.parametrize("function", ["conjugate", "normalize", "as_matrix", "as_rotation_vector"])
+def test_strict_arrays_and_jax_agree_with_numpy(function, quaternions):
+    call = getattr(rotation, function)
+    wanted = call(quaternions)
+    strict = call(array_api_strict.asarray(quaternions))
+    assert np.abs(np.asarray(strict) - wanted).max() < ROUNDING
+    with jax.enable_x64(True):
+        assert np.abs(np.asarray(jax.jit(call)(jax.numpy.asarray(quaternions))) - wanted).max() < ROUNDING
+
+
+def test_strict_arrays_through_the_matrix_and_the_exponential(quaternions):
+    matrices = array_api_strict.asarray(rotation.as_matrix(quaternions))
+    back = np.asarray(rotation.from_matrix(matrices))
+    assert np.abs(np.abs(np.sum(back * quaternions, axis=1)) - 1.0).max() < ROUNDING
+    vectors = array_api_strict.asarray(quaternions[:, 1:])
+    assert np.abs(np.asarray(rotation.from_rotation_vector(vectors)) ** 2).sum(axis=1) == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda: rotation.normalize([0.0, 0, 0, 0]), "zero"),
+        (lambda: rotation.from_matrix(2.0 * np.eye(3)), "orthogonal"),
+        (lambda: rotation.from_matrix(np.diag([1.0, 1.0, -1.0])), "reflection"),
+        (lambda: rotation.as_matrix([1.0, 0, 0]), "shape"),
+        (lambda: rotation.as_matrix(np.ones(4, dtype=np.float32)), "float64"),
+        (lambda: rotation.from_axis_angle([0.0, 0, 0], 1.0), "direction"),
+    ],
+)
+def test_bad_input(call, words):
+    with pytest.raises(InvalidInput, match=words):
+        call()
