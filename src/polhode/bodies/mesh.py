@@ -55,6 +55,8 @@ def volume_moments(vertices: Array, faces: Array) -> tuple[float, Array, Array]:
     corners = (vertices - origin)[faces]
     determinants = np.linalg.det(corners)
     volume = determinants.sum() / 6.0
+    if volume == 0.0:
+        return 0.0, origin, np.zeros((3, 3))
     center = (determinants[:, None] * corners.sum(axis=1)).sum(axis=0) / (24.0 * volume)
     corners = corners - center
     determinants = np.linalg.det(corners)

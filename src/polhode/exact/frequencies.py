@@ -35,10 +35,10 @@ def canonical_frequencies(body: Reduction) -> Frequencies:
     """Return the frequencies of reduced bodies."""
     xp = namespace(body.long_axis)
     A, B, C, P, Q, G2 = body.A, body.B, body.C, body.P, body.Q, body.G2
-    BQ, CS = dd.multiply(B, Q), dd.multiply(C, dd.negate(body.S))
+    BQ = dd.multiply(B, Q)
     l1, _, l3 = body.canonical
     constant = ~(BQ[0] > 0) | ~(P[0] > 0) | ((l1 == 0) & (l3 == 0))
-    separatrix = ~(CS[0] > 0) & ~constant
+    separatrix = ~((C[0] > 0) & (body.root_S[0] > 0)) & ~constant
     G = dd.sqrt(G2)
     modulus_rate = dd.sqrt(BQ)
     third_axis = B[0] >= A[0]
@@ -47,7 +47,7 @@ def canonical_frequencies(body: Reduction) -> Frequencies:
     one = dd.from_float(xp.ones_like(l1))
     tame = constant | separatrix
     mean, total = _third_kind_agm(
-        *(dd.where(tame, one, x) for x in (modulus_rate, dd.sqrt(dd.where(tame, one, CS)), start))
+        *(dd.where(tame, one, x) for x in (modulus_rate, dd.multiply(dd.sqrt(C), body.root_S), start))
     )
     # a1 V = I2 I3 and a3 V = I1 I2, and with the mirror −I1 I2 and −I2 I3
     I1, I2, I3 = body.moments
@@ -65,12 +65,15 @@ def _third_kind_agm(a: DoubleDouble, g: DoubleDouble, pp: DoubleDouble) -> tuple
     """Return agm(a, g) and Σ Q_n, with Q_0 = 1, ε = (p²−ag)/(p²+ag), Q_{n+1} = Q_n ε/2 and p ← (p²+ag)/2p."""
     xp = namespace(a[0])
     q = dd.from_float(xp.ones_like(a[0]))
+    _, exponent = xp.frexp(a[0])  # rates down to 1e-150, whose fourth powers would underflow
+    up, down = xp.ldexp(xp.ones_like(a[0]), exponent), xp.ldexp(xp.ones_like(a[0]), -exponent)
+    a, g, pp = dd.scale(a, down), dd.scale(g, down), dd.scale(dd.scale(pp, down), down)
     state = iterate_until(_agm_step, _agm_finished, (*a, *g, *pp, *q, *q), at_once=3, most=MOST_STEPS)
     a, pp, q, total = state[0:2], state[4:6], state[6:8], state[8:10]
     x, e, middle = _agm_closing(*state)
     last = 0.5 * q[0] * e
     total = dd.add(total, (last + last * (0.25 * (e * e - 0.5 * x * x)), xp.zeros_like(x)))
-    return dd.add(middle, (-0.25 * middle[0] * x * x, xp.zeros_like(x))), total
+    return dd.scale(dd.add(middle, (-0.25 * middle[0] * x * x, xp.zeros_like(x))), up), total
 
 
 def _agm_step(*state: Array) -> tuple[Array, ...]:
@@ -79,7 +82,7 @@ def _agm_step(*state: Array) -> tuple[Array, ...]:
     s = dd.add(pp, ag)
     e = dd.divide(dd.subtract(pp, ag), s)
     q = dd.scale(dd.multiply(q, e), 0.5)
-    pp = dd.scale(dd.multiply(dd.divide(s, pp), s), 0.25)  # s² would underflow before s²/p² does
+    pp = dd.scale(dd.divide(dd.square(s), pp), 0.25)
     return (*dd.scale(dd.add(a, g), 0.5), *dd.sqrt(ag), *pp, *q, *dd.add(total, q))
 
 

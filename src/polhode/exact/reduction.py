@@ -33,6 +33,7 @@ class Reduction(NamedTuple):
     P: DoubleDouble
     Q: DoubleDouble
     S: DoubleDouble
+    root_S: DoubleDouble  # √−S, sharp where S itself underflows
     V: DoubleDouble
     G2: DoubleDouble  # |L|²
     long_axis: Array  # whether the mirror was applied
@@ -56,7 +57,10 @@ def canonical_reduction(moments: Array, momentum: Array) -> Reduction:
     L = tuple(parity * xp.ldexp(x, -momentum_exponent) for x in L)
 
     A, B, C, P, Q, G2 = _sums(I, L)
-    S = _signed_distance_from_separatrix(I, L, A, B)
+    # beside the saddle L1² and L3² would lose their low words, so S is formed with both scaled up
+    _, exponent = xp.frexp(xp.maximum(xp.abs(L[0]), xp.abs(L[2])))
+    near, up = xp.ldexp(xp.ones_like(L[0]), exponent), xp.ldexp(xp.ones_like(L[0]), -exponent)
+    S = _signed_distance_from_separatrix(I, (L[0] * up, L[1], L[2] * up), A, B)
     long_axis = S[0] > 0
     swap = lambda x, y: (dd.where(long_axis, y, x), dd.where(long_axis, x, y))  # noqa: E731
     A, B = swap(A, B)
@@ -65,6 +69,7 @@ def canonical_reduction(moments: Array, momentum: Array) -> Reduction:
     half_turn = xp.where(l3 < 0, -1.0, 1.0)
     flips = (half_turn, 1.0, half_turn)
     indices = (xp.where(long_axis, third, first), second, xp.where(long_axis, first, third))
+    minus_S = dd.where(long_axis, S, dd.negate(S))
     one = xp.asarray(1.0)
     return Reduction(
         moments=I,
@@ -75,7 +80,8 @@ def canonical_reduction(moments: Array, momentum: Array) -> Reduction:
         C=C,
         P=P,
         Q=Q,
-        S=dd.where(long_axis, dd.negate(S), S),
+        S=dd.scale(dd.scale(minus_S, -near), near),
+        root_S=dd.scale(dd.sqrt(minus_S), near),
         V=dd.multiply_float(dd.two_product(I[0], I[1]), I[2]),
         G2=G2,
         long_axis=long_axis,

@@ -94,7 +94,6 @@ def _complementary_of(*columns: Array) -> Spinor:
     first, second, start, series = columns[0:3], columns[3:6], columns[6:8], columns[8:18]
     root_nome, half_upper, half_lower, y_turns, periodic = columns[18:23]
     fraction, rest, _ = reduced_phase(first, columns[-2:])
-    turns = fraction + rest
     f, g, whole = reduced_phase(second, columns[-2:])
     # on the separatrix u runs to infinity: no period is taken out
     sum_, first_error = two_sum((1.0 - periodic) * whole, f)
@@ -103,10 +102,10 @@ def _complementary_of(*columns: Array) -> Spinor:
     more = periodic * xp.round(u)
     u = u - more
     count = columns[23] + (periodic * whole + more)
-    count = count - 4.0 * xp.floor(0.25 * count)
-    return _complementary_spinor(
-        series, (root_nome, half_upper, half_lower, periodic), (u, u_rest), turns - (u * y_turns + 0.25 * count), count
-    )
+    count = count - 4.0 * xp.round(0.25 * count)
+    turns = fraction - 0.25 * count
+    turns = (turns - xp.round(turns)) + (rest - u * y_turns)
+    return _complementary_spinor(series, (root_nome, half_upper, half_lower, periodic), (u, u_rest), turns, count)
 
 
 def _complementary_spinor(
