@@ -22,8 +22,9 @@ def _library(kind: type) -> str:
     """Return which library an array type belongs to; numbers and lists count as NumPy's."""
     if "jax" in sys.modules:
         import jax
+        from jax.core import Tracer
 
-        if issubclass(kind, jax.Array | jax.core.Tracer):
+        if issubclass(kind, jax.Array | Tracer):
             return "jax"
     foreign = hasattr(kind, "__array_namespace__") and not issubclass(kind, np.ndarray | np.generic)
     return "foreign" if foreign else "numpy"
@@ -38,9 +39,9 @@ def is_traced(*values: Any) -> bool:
     """Whether any of the values is a JAX tracer, whose numbers cannot be looked at."""
     if not is_jax(*values):
         return False
-    import jax
+    from jax.core import Tracer
 
-    return any(isinstance(value, jax.core.Tracer) for value in values)
+    return any(isinstance(value, Tracer) for value in values)
 
 
 def namespace(*values: Any) -> Any:

@@ -12,7 +12,7 @@ from polhode.special.circular import reduced_phase, sine_cosine_turns, split_rat
 
 SINE_ERROR = 4e-16
 """Two roundings of the tangent's or polynomial's last operations, on values up to 1."""
-PHASE_ERROR = 1e-18
+PHASE_ERROR = 5e-17
 """Turns; what the three parts leave of the exact phase."""
 
 

@@ -81,7 +81,8 @@ def energy_casimir(
     leaf = _null_space(dC, n)
     second = leaf.T @ (H + np.einsum("k,kij->ij", multipliers, ddC)) @ leaf
     flow = leaf.T @ A @ leaf
-    spectrum, modes = np.linalg.eig(flow) if leaf.shape[1] else (np.zeros(0, complex), np.zeros((0, 0)))
+    found: Any = np.linalg.eig(flow) if leaf.shape[1] else (np.zeros(0, complex), np.zeros((0, 0)))
+    spectrum, modes = found
     function = _function(multipliers, names)
     curvatures = np.linalg.eigvalsh(second) if leaf.shape[1] else np.zeros(0)
     zero = tolerance * np.abs(second).max(initial=0.0)

@@ -81,7 +81,7 @@ def racket_twist(motion: FreeMotion, handle: int = 0) -> float:
         return quad(rate, 0.0, t, epsabs=1e-12, epsrel=1e-12, limit=500)[0] - 2.0 * math.pi
 
     shortest = 2.0 * math.pi * min(moments[j], moments[k]) / norm
-    end = brentq(turned, shortest * (1.0 - 1e-9), times[-1], xtol=1e-12 * longest)
+    end: Any = brentq(turned, shortest * (1.0 - 1e-9), times[-1], xtol=1e-12 * longest)
     path = np.unwrap(angles(np.append(times[times < end], end))[1])
     return float(abs(path[-1] - path[0]))
 

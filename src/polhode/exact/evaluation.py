@@ -66,7 +66,7 @@ def _state_in_blocks(columns: tuple[Array, ...], elapsed: Array, rest: Array) ->
     flat = [column.reshape(-1) for column in columns]
     run = _constant_run(batch, shape)
     scalar = bodies == 1 or run >= LONG_RUN
-    index = None
+    index: Any = None
     if bodies not in (1, size):
         index = np.broadcast_to(np.arange(bodies).reshape(batch), shape).reshape(-1)
     with np.errstate(all="ignore"):

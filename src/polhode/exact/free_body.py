@@ -186,9 +186,9 @@ class FreeMotion:
     def _with_time_axis(self) -> FreeMotion:
         motion = object.__new__(FreeMotion)
         vectors = (self.moments, self.momentum_at_epoch, self.attitude_at_epoch)
-        values = [v[..., None, :] if v.ndim > 1 else v for v in vectors]
+        moments, momentum, attitude = (v[..., None, :] if v.ndim > 1 else v for v in vectors)
         epoch = self.epoch[..., None] if self.epoch.ndim else self.epoch
-        motion._hold(*values, epoch, self.axes)
+        motion._hold(moments, momentum, attitude, epoch, self.axes)
         return motion
 
     # ------------------------------------------------------------------ meaning

@@ -37,7 +37,7 @@ class Reduction(NamedTuple):
     V: DoubleDouble
     G2: DoubleDouble  # |L|²
     long_axis: Array  # whether the mirror was applied
-    axes: tuple[Triple, Triple, Triple]  # given components = axes · canonical components, signed permutation by rows
+    axes: tuple[tuple[Array, ...], ...]  # given components = axes · canonical components, signed permutation by rows
     momentum_scale: Array  # powers of two taken out
     rate_scale: Array
 

@@ -55,7 +55,7 @@ def as_dataset(trajectory: Trajectory, attributes: dict[str, str] | None = None)
     for name, values in trajectory.invariants.items():
         units, meaning = _INVARIANTS.get(name, ("", name.replace("_", " ")))
         dims = [*batch, "time", "axis"][: np.ndim(values)]
-        note = {"units": units, "long_name": meaning}
+        note: dict[str, Any] = {"units": units, "long_name": meaning}
         if name in trajectory.drift and not batch:
             note["drift"] = float(trajectory.drift[name])
         variables[name] = (dims, np.asarray(values), note)

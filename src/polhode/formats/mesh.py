@@ -32,7 +32,7 @@ def read_mesh(path: str | Path, unit: float, repair: bool = False) -> tuple[Arra
     import trimesh
 
     try:
-        mesh = trimesh.load(path, force="mesh", process=False)
+        mesh: Any = trimesh.load(path, force="mesh", process=False)
         vertices, faces = np.asarray(mesh.vertices, dtype=float), np.asarray(mesh.faces)
     except Exception as error:  # trimesh raises whatever its many readers raise
         why = f"{path}: cannot be read as a mesh ({error}). Is the file whole and its ending right?"

@@ -9,25 +9,25 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, model_valida
 from polhode.spec.units import parse_quantity
 
 
-def _quantity(unit: str, positive: bool = False) -> Any:
+def _reader(unit: str, positive: bool = False) -> BeforeValidator:
     def read(value: Any) -> float:
         number = parse_quantity(value, unit)
         if positive and not number > 0:
             raise ValueError(f"must be positive; got {value!r}")
         return number
 
-    return Annotated[float, BeforeValidator(read)]
+    return BeforeValidator(read)
 
 
-Mass = _quantity("kg", positive=True)
-Density = _quantity("kg/m^3", positive=True)
-Length = _quantity("m", positive=True)
-Position = _quantity("m")
-Moment = _quantity("kg*m^2")
-Momentum = _quantity("kg*m^2/s")
-Rate = _quantity("rad/s")
-Angle = _quantity("rad")
-Time = _quantity("s")
+Mass = Annotated[float, _reader("kg", positive=True)]
+Density = Annotated[float, _reader("kg/m^3", positive=True)]
+Length = Annotated[float, _reader("m", positive=True)]
+Position = Annotated[float, _reader("m")]
+Moment = Annotated[float, _reader("kg*m^2")]
+Momentum = Annotated[float, _reader("kg*m^2/s")]
+Rate = Annotated[float, _reader("rad/s")]
+Angle = Annotated[float, _reader("rad")]
+Time = Annotated[float, _reader("s")]
 Row = tuple[Moment, Moment, Moment]
 
 

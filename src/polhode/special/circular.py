@@ -53,7 +53,7 @@ def reduced_phase(rate: SplitRate, time_halves: tuple[Array, Array]) -> tuple[Ar
     """Return (fraction, rest, turns): rate · time less whole turns, as fraction + rest.
 
     The products of halves are exact, so each is reduced exactly and nothing depends on how a compiler contracts
-    products and sums. Exact to about 1e-19 turns while |rate · time| < 2⁵⁰.
+    products and sums. Exact to about 3e-17 turns while |rate · time| < 2⁵⁰.
     """
     xp = namespace(*rate, *time_halves)
     upper, lower, low = rate
