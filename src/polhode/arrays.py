@@ -216,3 +216,45 @@ def stack_last(parts: tuple[Any, ...]) -> Any:
     """
     xp = namespace(*parts)
     return xp.stack(xp.broadcast_arrays(*barrier(parts)), axis=-1)
+
+
+def custom_derivative(function: Callable[..., Any], rule: Callable[..., Any]) -> Callable[..., Any]:
+    """Return the function for JAX arrays with its derivative given by a rule (primals, tangents) → (value, change)."""
+    import jax
+
+    wrapped = jax.custom_jvp(function)
+    wrapped.defjvp(rule)
+    return wrapped
+
+
+def first_order_only(values: Any, name: str) -> Any:
+    """Return the values; differentiating them, which a second derivative would, is refused instead of being wrong."""
+    leaf = values
+    while isinstance(leaf, tuple):
+        leaf = leaf[0]
+    if not is_jax(leaf):
+        return values
+
+    def refuse(primals: Any, tangents: Any) -> Any:
+        raise InvalidInput(f"`{name}` has first derivatives only; take second ones by differences of the first.")
+
+    return custom_derivative(lambda x: x, refuse)(values)
+
+
+_nodes: set[type] = set()
+
+
+def register_node(kind: type, fields: tuple[str, ...], like: Any) -> None:
+    """Let JAX pass objects of a frozen class through its transformations, once a JAX array has come in."""
+    if kind in _nodes or not is_jax(like):
+        return
+    import jax
+
+    def build(_: Any, children: Any) -> Any:
+        made = object.__new__(kind)
+        for name, child in zip(fields, children, strict=True):
+            object.__setattr__(made, name, child)
+        return made
+
+    jax.tree_util.register_pytree_node(kind, lambda x: (tuple(getattr(x, name) for name in fields), None), build)
+    _nodes.add(kind)

@@ -7,8 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from polhode.arrays import compiled, is_jax, stack_last, stop_gradient
+from polhode.arrays import compiled, custom_derivative, is_jax, namespace, stack_last, stop_gradient
 from polhode.exact import geometry
+from polhode.exact.derivative import state_tangent
 from polhode.exact.preparation import prepare
 from polhode.exact.spinor import evaluate
 
@@ -47,13 +48,35 @@ def state(
 ) -> tuple[Array, Array]:
     """Return attitude (…, 4) and momentum (…, 3) at the elapsed times, which broadcast against the columns."""
     if is_jax(elapsed, *columns):
-        return compiled(_stacked, moments)(columns, elapsed, rest)
+        return compiled(_differentiable_state, elapsed)(columns, moments, momentum, attitude, elapsed, rest)
     return _state_in_blocks(columns, elapsed, rest)
 
 
-def _stacked(columns: tuple[Array, ...], elapsed: Array, rest: Array) -> tuple[Array, Array]:
+def _differentiable_state(
+    columns: tuple[Array, ...], moments: Array, momentum: Array, attitude: Array, elapsed: Array, rest: Array
+) -> tuple[Array, Array]:
+    flow = custom_derivative(_stacked, _stacked_rule)
+    return flow(moments, momentum, attitude, elapsed, rest, stop_gradient(columns))
+
+
+def _stacked(
+    moments: Array, momentum: Array, attitude: Array, elapsed: Array, rest: Array, columns: tuple[Array, ...]
+) -> tuple[Array, Array]:
     parts = evaluate(columns, elapsed, rest)
     return stack_last(parts[:4]), stack_last(parts[4:])
+
+
+def _stacked_rule(primals: tuple[Any, ...], tangents: tuple[Any, ...]) -> tuple[Any, Any]:
+    """The columns are constants here: what they change by is in the exact tangent."""
+    value = _stacked(*primals)
+    shape = value[0].shape[:-1]
+    xp = namespace(value[0])
+
+    def spread(values: tuple[Array, ...]) -> tuple[Array, ...]:
+        vectors = (xp.broadcast_to(v, (*shape, v.shape[-1])) for v in values[:3])
+        return (*vectors, xp.broadcast_to(values[3], shape))
+
+    return value, state_tangent(spread(primals), value, spread(tangents))
 
 
 def _state_in_blocks(columns: tuple[Array, ...], elapsed: Array, rest: Array) -> tuple[Array, Array]:
@@ -66,16 +89,19 @@ def _state_in_blocks(columns: tuple[Array, ...], elapsed: Array, rest: Array) ->
     flat = [column.reshape(-1) for column in columns]
     run = _constant_run(batch, shape)
     scalar = bodies == 1 or run >= LONG_RUN
-    index: Any = None
-    if bodies not in (1, size):
-        index = np.broadcast_to(np.arange(bodies).reshape(batch), shape).reshape(-1)
+    index = np.broadcast_to(np.arange(bodies).reshape(batch), shape).reshape(-1) if bodies not in (1, size) else None
+
+    def columns_of(block: slice) -> tuple[Array, ...]:
+        if scalar:
+            return tuple(c[0 if index is None else index[block.start]] for c in flat)
+        return tuple(c[block if index is None else index[block]] for c in flat)
+
     with np.errstate(all="ignore"):
         for low in range(0, size, run if scalar else size):
             top = min(low + (run if scalar else size), size)
             for start in range(low, top, BLOCK):
                 block = slice(start, min(start + BLOCK, top))
-                pick = (block if index is None else index[block]) if not scalar else (0 if bodies == 1 else index[low])
-                values = evaluate(tuple(c[pick] for c in flat), elapsed[block], None if rest is None else rest[block])
+                values = evaluate(columns_of(block), elapsed[block], None if rest is None else rest[block])
                 for k in range(4):
                     attitude[block, k] = values[k]
                 for k in range(3):

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from polhode import rotation
-from polhode.arrays import as_float64, is_traced, namespace
+from polhode.arrays import as_float64, is_traced, namespace, register_node
 from polhode.errors import InvalidInput
 from polhode.exact import evaluation, geometry
 from polhode.special.doubledouble import two_sum
@@ -76,6 +76,7 @@ class FreeMotion:
         values = {"moments": moments, "momentum_at_epoch": momentum, "attitude_at_epoch": attitude, "epoch": epoch}
         for name, value in (values | {"axes": axes}).items():
             object.__setattr__(self, name, value)
+        register_node(FreeMotion, (*values, "axes", "_columns"), like=moments)
         object.__setattr__(self, "_columns", evaluation.motion_columns(moments, momentum, attitude))
 
     @classmethod

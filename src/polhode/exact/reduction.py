@@ -91,6 +91,33 @@ def canonical_reduction(moments: Array, momentum: Array) -> Reduction:
     )
 
 
+def half_turn_sign(body: Reduction) -> Array:
+    """Return −1 where the half turn about the second axis was applied, else 1."""
+    xp = namespace(body.long_axis)
+    third = xp.where(body.long_axis, body.momentum[0], body.momentum[2])
+    return xp.where(third < 0, -1.0, 1.0)
+
+
+def as_sorted(body: Reduction, vector: Array) -> Triple:
+    """Return the components (…, 3) in the given axes along the sorted ones, as a proper rotation turns them."""
+    canonical = [sum(body.axes[i][j] * vector[..., i] for i in range(3)) for j in range(3)]
+    return _between(body, canonical)
+
+
+def from_sorted(body: Reduction, components: Triple) -> Triple:
+    """Return components along the given axes; the inverse of ``as_sorted``."""
+    canonical = _between(body, list(components))
+    a, b, c = (row[0] * canonical[0] + row[1] * canonical[1] + row[2] * canonical[2] for row in body.axes)
+    return a, b, c
+
+
+def _between(body: Reduction, v: list[Array]) -> Triple:
+    """Undo (or do) mirror and half turn, which commute and are their own inverses."""
+    xp = namespace(body.long_axis, v[0])
+    flip = half_turn_sign(body)
+    return flip * xp.where(body.long_axis, v[2], v[0]), v[1], flip * xp.where(body.long_axis, v[0], v[2])
+
+
 def _sums(I: Triple, L: Triple) -> tuple[DoubleDouble, ...]:  # noqa: E741
     """Return A, B, C, P, Q and |L|² before the mirror, each a sum of terms of one sign."""
     A = dd.multiply_float(dd.two_sum(I[1], -I[0]), I[2])

@@ -1,0 +1,279 @@
+"""The exact derivative of the free motion with respect to moments, momentum and time, regular everywhere.
+
+L(t) is differentiated in the form that the addition theorem gives it, so that nothing is divided by the distance from a
+principal axis; ρ, σ and the phase are those of ``tangent_kernel``. The attitude's derivative ξ, δR = R hat(ξ), follows
+from the momentum's and from δ∫2E dt by algebra: no elliptic integral of the third kind enters. A passage from one
+saddle to the other is referred to its midpoint, where the growing solution is smallest. Everything that multiplies the
+perturbations is finite, and enters linearly, so that reverse mode works by transposition.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+from polhode.arrays import namespace
+from polhode.exact.preparation import Prepared
+from polhode.exact.reduction import half_turn_sign
+from polhode.exact.tangent_kernel import Kernel, elliptic_kernel
+from polhode.special import doubledouble as dd
+
+Array = Any
+Vector = tuple[Array, Array, Array]
+
+
+class Canonical(NamedTuple):
+    """The motion's invariants in textbook form, sorted and mirrored, in the reduction's scaled units."""
+
+    A: Array
+    B: Array
+    C: Array
+    P: Array
+    Q: Array
+    S: Array
+    b: Array
+    g: Array
+    kappa: Array
+    full: Array
+    mirrored: Array
+
+
+class Passage(NamedTuple):
+    """What the perturbations multiply: kernel, vectors at both ends, and whether the midpoint form is used."""
+
+    kernel: Kernel
+    middle: Array
+    signs: Vector
+    start: Vector
+    end: Vector
+    rho: Array
+    sigma: Array
+
+
+def momentum_tangent(
+    prepared: Prepared, time: Array, d_moments: Vector, d_momentum: Vector
+) -> tuple[Vector, Vector, Array]:
+    """Return δL(t) at fixed time, L̇(t), and δE t + ½ Σ δa_i ∫L_i², along the sorted axes in scaled units.
+
+    Args:
+        prepared: the motion.
+        time: scaled time since the epoch.
+        d_moments: perturbation of the sorted scaled moments.
+        d_momentum: perturbation of the sorted scaled momentum at the epoch.
+    """
+    body = prepared.body
+    form = _canonical(prepared)
+    passage = _passage(prepared, form, time)
+    A, B, C, P, Q, S = form[:6]
+    mirrored = form.mirrored
+    a = tuple(1.0 / x for x in body.moments)
+    da = tuple(-x * y * y for x, y in zip(d_moments, a, strict=True))
+    xp = namespace(A)
+    m = xp.where(mirrored, -1.0, 1.0)
+    dac = tuple(m * x for x in _mirror(mirrored, da))
+    l1, l2, l3 = passage.start
+    e1, e2, e3 = (s * x for s, x in zip(passage.signs, _mirror(mirrored, d_momentum), strict=True))
+    dA, dB, dC = dac[0] - dac[1], dac[1] - dac[2], dac[0] - dac[2]
+    dP = dC * (l1 * l1) + dB * (l2 * l2) + (2.0 * C * l1) * e1 + (2.0 * B * l2) * e2
+    dQ = dA * (l2 * l2) + dC * (l3 * l3) + (2.0 * A * l2) * e2 + (2.0 * C * l3) * e3
+    dS = dA * (l1 * l1) - dB * (l3 * l3) + (2.0 * A * l1) * e1 - (2.0 * B * l3) * e3
+    db, dkappa, dg = dB * Q + B * dQ, -(dC * S + C * dS), dA * P + A * dP
+    Y = 0.5 * (passage.rho * db + passage.sigma * dkappa)
+    changes = (dA, dB, dC, dP, dQ, db, dkappa, dg, e1, e2, e3)
+    rate = _rate(form, passage.end)
+    fixed = _from_start(form, passage, changes)
+    middle = _from_middle(form, passage, changes)
+    use = passage.middle
+    shifted = tuple(r * (middle.shift + Y) + x for r, x in zip(middle.rate, middle.static, strict=True))
+    drift = tuple(xp.where(use, mid, r * Y + far) for mid, r, far in zip(shifted, rate, fixed, strict=True))
+    at_fixed_time = _mirror(mirrored, tuple(s * x for s, x in zip(passage.signs, drift, strict=True)))
+    flow = _mirror(mirrored, tuple(s * x for s, x in zip(passage.signs, rate, strict=True)))
+    J = _mirror(mirrored, _squares(form, passage, time))
+    L = body.momentum
+    dE = _dot(tuple(x * y for x, y in zip(a, L, strict=True)), d_momentum) + 0.5 * _dot(da, tuple(x * x for x in L))
+    return at_fixed_time, flow, time * dE + 0.5 * _dot(da, J)  # type: ignore[return-value]
+
+
+def _canonical(prepared: Prepared) -> Canonical:
+    body, rates = prepared.body, prepared.frequencies
+    V = body.V[0]
+    A, B, C, P, Q, S = (x[0] / V for x in (body.A, body.B, body.C, body.P, body.Q, body.S))
+    xp = namespace(A)
+    b, g = B * Q, A * P
+    # S vanishes only on the separatrix; where it underflows beside the saddle its root does not
+    kappa = xp.where(rates.separatrix, 0.0, C * (body.root_S[0] / V) * body.root_S[0])
+    return Canonical(A, B, C, P, Q, S, b, g, kappa, g <= kappa, body.long_axis)
+
+
+def _passage(prepared: Prepared, form: Canonical, time: Array) -> Passage:
+    body, rates = prepared.body, prepared.frequencies
+    xp = namespace(time, form.b)
+    moving = form.b > 0
+    separatrix = moving & ~(form.kappa > 0)  # permanent rotation about the middle axis too
+    mean = dd.where(rates.constant, rates.modulus_rate, rates.mean)
+    zero = 0.0 * (time + form.b)
+    pi = tuple(c + zero for c in dd.PI)
+    two_K = dd.divide(dd.multiply(rates.modulus_rate, pi), mean)
+    two_K = dd.where(moving & ~separatrix, two_K, (1.0 + zero, zero))
+    turn_rate = dd.divide(dd.divide(mean, pi), body.V)
+    angle = dd.multiply_float(turn_rate, time)
+    periodic = moving & ~separatrix
+    turns = xp.where(periodic, xp.round(angle[0]), 0.0)
+    rest = dd.two_sum(angle[0] - turns, angle[1])
+    unlimited = dd.multiply_float(dd.divide(rates.modulus_rate, body.V), time)
+    w = dd.where(separatrix, unlimited, dd.multiply(rest, two_K))
+    w = dd.where(moving, w, (zero, zero))
+    K = 0.5 * two_K[0]
+    side = xp.where(rest[0] < 0, -1.0, 1.0)
+    to_quarter = xp.where(separatrix, xp.inf, K * ((1.0 - 2.0 * xp.abs(rest[0])) - 2.0 * side * rest[1]))
+    # a passage between saddles: the phase u0 at the epoch and u1 now lie on both sides of its middle
+    start = dd.multiply(tuple(x + zero for x in prepared.motion[7:9]), two_K)
+    u0 = dd.where(form.full | ~moving, (zero, zero), start)
+    u1 = dd.add(u0, w)
+    more = xp.where(periodic, xp.round(u1[0] / two_K[0]), 0.0)
+    u1 = dd.where(more != 0, dd.subtract(u1, dd.multiply_float(two_K, more)), u1)
+    middle = (form.g > form.kappa) & (turns + more == 0) & (u0[0] * u1[0] < 0)
+    rate = xp.sqrt(xp.where(moving, form.b, 1.0))
+    gap = lambda u: xp.where(separatrix, xp.inf, K - xp.abs(u))  # noqa: E731
+    kernel = elliptic_kernel(
+        xp.where(middle, u1[0] / rate, time), form.b, form.g, form.kappa, xp.where(middle, 0.0, turns),
+        dd.where(middle, u1, w), xp.where(middle, gap(u1[0]), to_quarter),
+    )  # fmt: skip
+    # the other phase: the epoch's for a passage, else the present one, whose cn and dn are small near a saddle
+    other = dd.where(middle, u0, u1)
+    second = elliptic_kernel(other[0] / rate, form.b, form.g, form.kappa, zero, other, gap(other[0]))
+    half_turn = half_turn_sign(body)
+    side = xp.where(body.canonical[0] < 0, -1.0, 1.0)
+    signs = tuple(xp.where(middle, x, 1.0) for x in (half_turn * side, side, half_turn))
+    mirrored_start = _mirror(form.mirrored, body.momentum)
+    first = tuple(x * y for x, y in zip(signs, mirrored_start, strict=True))
+    odd = 1.0 - 2.0 * ((turns + more) - 2.0 * xp.floor(0.5 * (turns + more)))
+    s, c, d = (xp.where(middle, x, y) for x, y in zip(kernel[:3], second[:3], strict=True))
+    P, Q, C = form.P, form.Q, xp.where(form.C > 0, form.C, 1.0)
+    by_phase = xp.sqrt(P / C) * c, xp.sqrt(P) * xp.sqrt(Q) * s, xp.sqrt(Q / C) * d
+    turned = (half_turn * side * odd, side * odd, half_turn)
+    turned = tuple(xp.where(middle, 1.0, x) for x in turned)
+    by_phase = tuple(x * y for x, y in zip(turned, by_phase, strict=True))
+    by_addition = _addition_theorem(form, kernel, first)
+    added = form.full | rates.constant
+    last = tuple(xp.where(added, x, y) for x, y in zip(by_addition, by_phase, strict=True))
+    return Passage(
+        kernel, middle, signs, first, last,
+        kernel.rho - xp.where(middle, second.rho, 0.0), kernel.sigma - xp.where(middle, second.sigma, 0.0),
+    )  # fmt: skip
+
+
+def _addition_theorem(form: Canonical, kernel: Kernel, start: Vector) -> Vector:
+    """Return L(t), each component as accurate as the larger two of its start."""
+    xp = namespace(form.b)
+    A, B, C = form[:3]
+    s, c, d = kernel[:3]
+    l1, l2, l3 = start
+    divisor = c * c + B * C * l3 * l3 * s * s
+    divisor = xp.where(divisor > 0, divisor, 1.0)
+    return (
+        (l1 * c - B * l2 * l3 * s * d) / divisor,
+        (l2 * c * d + C * l1 * l3 * s) / divisor,
+        (l3 * d - A * l1 * l2 * s * c) / divisor,
+    )
+
+
+def _from_start(form: Canonical, passage: Passage, changes: tuple[Array, ...]) -> Vector:
+    """Return r/Δ: the derivative of the addition theorem at fixed b and κ phases, from the epoch on."""
+    xp = namespace(form.b)
+    A, B, C = form[:3]
+    s, c, d = passage.kernel[:3]
+    l1, l2, l3 = passage.start
+    n1, n2, n3 = passage.end
+    dA, dB, dC, _, _, db, dkappa, dg, e1, e2, e3 = changes
+    ss = s * s
+    divisor = c * c + B * C * l3 * l3 * ss
+    divisor = xp.where(passage.middle | ~(divisor > 0), 1.0, divisor)
+    safe = xp.where(d > 0, d, 1.0)
+    h, k, kg = (0.5 * ss) * db, (0.5 * ss / safe) * dkappa, (0.5 * ss / safe) * (dg - (form.g * ss) * db)
+    dz = ss * ((C * l3 * l3) * dB + (B * l3 * l3) * dC + (2.0 * B * C * l3) * e3)
+    y = A * B * l2 * l2
+    dy = (B * l2 * l2) * dA + (A * l2 * l2) * dB + (2.0 * A * B * l2) * e2
+    small = ss * ((2.0 * y) * h - dy)
+    r1 = c * e1 - (s * d) * ((l2 * l3) * dB + B * (l3 * e2 + l2 * e3))
+    r2 = (c * d) * e2 + s * ((l1 * l3) * dC + C * (l3 * e1 + l1 * e3))
+    r3 = d * e3 - (s * c) * ((l1 * l2) * dA + A * (l2 * e1 + l1 * e2))
+    full = form.full
+    far = -c * l1 * h + (B * l2 * l3 * s) * (kg + d * h) - n1 * small, c * l1 * h - (B * l2 * l3 * s) * k - n1 * dz
+    r1 = r1 + xp.where(full, *far)
+    far = -l2 * c * (d * h + kg) - (s * C * l1 * l3) * h - n2 * small, (s * C * l1 * l3) * h + l2 * c * k - n2 * dz
+    r2 = r2 + xp.where(full, *far)
+    far = -l3 * kg + (2.0 * A * l1 * l2 * s * c) * h - n3 * small, d * l3 * h + l3 * k - n3 * dz
+    r3 = r3 + xp.where(full, *far)
+    return r1 / divisor, r2 / divisor, r3 / divisor
+
+
+class Middle(NamedTuple):
+    """The midpoint form: the static change now, the shift of the epoch's phase, and L̇ now."""
+
+    static: Vector
+    shift: Array
+    rate: Vector
+
+
+def _from_middle(form: Canonical, passage: Passage, changes: tuple[Array, ...]) -> Middle:
+    xp = namespace(form.b)
+    use = passage.middle
+    P, Q, C, l3 = (xp.where(use, x, 1.0) for x in (form.P, form.Q, form.C, passage.start[2]))
+    l1, l2, _ = passage.start
+    _, _, dC, dP, dQ, db, dkappa, _, e1, e2, e3 = changes
+    p, q, gamma = (0.5 / P) * dP, (0.5 / Q) * dQ, (0.5 / C) * dC
+
+    def static(x: Array, y: Array, z: Array, ss: Array, sd2: Array) -> Vector:
+        h = (0.5 * ss) * db
+        return x * (p - gamma - h), y * (p + q - h), z * (q - gamma - h + (0.5 * sd2) * dkappa)
+
+    rate = _rate(form, (l1, l2, l3))
+    size = xp.where(use, _dot(rate, rate), 1.0)
+    size = xp.where(size > 0, size, 1.0)
+    ss = l2 * l2 / P / Q
+    before = static(l1, l2, l3, ss, l2 * l2 / P / C / l3 / l3)
+    shift = _dot(tuple(r / size for r in rate), (e1 - before[0], e2 - before[1], e3 - before[2]))
+    s, c, d = passage.kernel[:3]
+    x, y, z = xp.sqrt(P / C) * c, xp.sqrt(P) * xp.sqrt(Q) * s, xp.sqrt(Q / C) * d
+    safe = xp.where(use & (d > 0), d, 1.0)
+    return Middle(static(x, y, z, s * s, (s / safe) ** 2), shift, _rate(form, (x, y, z)))
+
+
+def _squares(form: Canonical, passage: Passage, time: Array) -> Vector:
+    """Return ∫₀ᵗ L_i² dt, each without cancellation."""
+    xp = namespace(form.b)
+    A, B, C, P, Q = form[:5]
+    S = xp.where(form.kappa > 0, form.kappa, 0.0)  # C|S|
+    s, c, d = passage.kernel[:3]
+    l1, l2, l3 = passage.start
+    n2 = passage.end[1]
+    use = passage.middle
+    J2 = xp.where(use, 0.0, l2 * n2 * s) + P * Q * passage.rho
+    safe_C, safe_B = xp.where(C > 0, C, 1.0), xp.where(B > 0, B, 1.0)
+    share = xp.where(C > 0, (l2 * l2 * time - J2) / safe_C, 0.0)
+    divisor = c * c + B * C * l3 * l3 * s * s
+    divisor = xp.where(divisor > 0, divisor, 1.0)
+    safe_d = xp.where(d > 0, d, 1.0)
+    far = l1 * (l1 * c - B * l2 * l3 * s * d) / divisor * s / safe_d
+    P_, Q_, l3_ = (xp.where(use, x, 1.0) for x in (P, Q, l3))
+    near = (xp.sqrt(P_ / safe_C) * c * xp.sqrt(P_) * xp.sqrt(Q_) * s / (xp.sqrt(Q_ / safe_C) * safe_d) - l1 * l2 / l3_)
+    J1 = P * (S / safe_C) * passage.sigma + xp.where(use, near / safe_C, far)
+    J3 = (A * J1 + (S / safe_C) * time) / safe_B
+    return xp.where(form.full, l1 * l1 * time + B * share, J1), J2, xp.where(form.full, l3 * l3 * time + A * share, J3)
+
+
+def _mirror(mirrored: Array, v: Any) -> Vector:
+    xp = namespace(mirrored, v[0])
+    return xp.where(mirrored, v[2], v[0]), v[1], xp.where(mirrored, v[0], v[2])
+
+
+def _rate(form: Canonical, v: Vector) -> Vector:
+    """Return L̇ = (−B L2 L3, C L1 L3, −A L1 L2)."""
+    x, y, z = v
+    return -form.B * y * z, form.C * x * z, -form.A * x * y
+
+
+def _dot(x: Any, y: Any) -> Array:
+    return x[0] * y[0] + x[1] * y[1] + x[2] * y[2]
+
+

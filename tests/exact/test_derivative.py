@@ -1,0 +1,181 @@
+"""Derivatives of the free motion against differences of the oracle with hundreds of digits, and through JAX."""
+
+from collections import defaultdict
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+import pytest
+
+import polhode as ph
+from oracle.derivatives import Direction, reference_derivative
+from oracle.families import draw
+from polhode.errors import InvalidInput
+from polhode.exact.derivative import state_tangent
+
+WORST = 1e-13
+"""Relative to the size of the Jacobian's block (turn or momentum, by moments, momentum or time): the promise."""
+GROWTH_SHOWN = 300.0
+"""λt; a motion that starts at the saddle leaves it as e^{λt}, which is capped at e^340: there derivatives need only be
+finite. The oracle's steps do not reach further either."""
+PER_FAMILY, SWEEP_PER_FAMILY = 5, 60
+LONGEST = 12.0
+"""Decades of ωt."""
+BLOCKS = {"moments": range(3), "momentum": range(3, 6), "time": range(6, 7)}
+SAME = 1e-14
+"""Two evaluations of one formula, of size ten or so."""
+
+
+def direction(k):
+    unit = [float(j == k) for j in range(7)]
+    return Direction(unit[:3], unit[3:6], unit[6])
+
+
+def jacobian(cases):
+    """Return turn and momentum derivatives (cases, 7, 3) by the exact tangent."""
+    moments, momentum, time = (np.array([case[i] for case in cases]) for i in (1, 2, 3))
+    count = len(cases)
+    start = np.tile([1.0, 0.0, 0.0, 0.0], (count, 1))
+    state = ph.FreeMotion(moments, momentum).state(time)
+    turns, changes = [], []
+    for k in range(7):
+        unit = direction(k)
+        change = (np.tile(unit.moments, (count, 1)), np.tile(unit.momentum, (count, 1)), 0.0 * start,
+                  np.full(count, unit.time))  # fmt: skip
+        with np.errstate(all="ignore"):
+            d_attitude, d_momentum = state_tangent((moments, momentum, start, time), state, change)
+        turns.append(2.0 * ph.rotation.multiply(ph.rotation.conjugate(state[0]), d_attitude)[:, 1:])
+        changes.append(d_momentum)
+    return np.stack(turns, axis=1), np.stack(changes, axis=1)
+
+
+def at_the_saddle_too_long(case):
+    low, middle, high = sorted(case.moments)
+    rate = np.linalg.norm(case.momentum) * np.sqrt((middle - low) / low * (high - middle) / high) / middle
+    return ph.FreeMotion(*case[1:3]).regime in ("separatrix", "permanent") and rate * abs(case.time) > GROWTH_SHOWN
+
+
+def worst_by_family(cases, found):
+    worst = defaultdict(float)
+    assert np.isfinite(found[0]).all() and np.isfinite(found[1]).all()
+    for i, case in enumerate(cases):
+        if at_the_saddle_too_long(case):
+            continue
+        for columns in BLOCKS.values():
+            for part, name in enumerate(("turn", "momentum")):
+                wanted = np.array([
+                    [float(x) for x in getattr(reference_derivative(*case[1:4], direction(k)), name)] for k in columns
+                ])  # fmt: skip
+                got = found[part][i, list(columns)]
+                size = np.abs(wanted).max() or 1.0
+                worst[case.family] = max(worst[case.family], np.abs(got - wanted).max() / size)
+    return worst
+
+
+def check(count, seed, capsys):
+    cases = [case for case in draw(count, seed, LONGEST) if any(case.momentum)]
+    worst = worst_by_family(cases, jacobian(cases))
+    with capsys.disabled():
+        print(f"\nderivatives against the oracle, {len(cases)} cases, worst of the Jacobian's size:")
+        for family, error in worst.items():
+            print(f"  {family:26}{error:10.1e}")
+    assert not {family: error for family, error in worst.items() if not error <= WORST}
+
+
+def test_derivatives_in_every_family(capsys):
+    check(PER_FAMILY, 5, capsys)
+
+
+@pytest.mark.sweep
+def test_sweep_of_derivatives(capsys):
+    check(SWEEP_PER_FAMILY, 6, capsys)
+
+
+def test_a_wrong_derivative_is_caught():
+    cases = draw(1, 5, LONGEST)[:3]
+    turns, changes = jacobian(cases)
+    broken = turns * (1.0 + 1e-12), changes
+    assert max(worst_by_family(cases, broken).values()) > WORST
+
+
+def attitude_and_momentum(moments, momentum, attitude, time, epoch=0.0):
+    return jnp.concatenate(ph.FreeMotion(moments, momentum, attitude, epoch).state(time))
+
+
+MOMENTS, MOMENTUM, TIME = (1.0, 2.0, 3.0), (0.3, 1.8, 1.5), 7.0
+ATTITUDE = (0.5, -0.5, 0.1, 0.7)
+
+
+@pytest.fixture(scope="module")
+def by_jax():
+    with jax.enable_x64(True):
+        attitude = np.array(ATTITUDE) / np.linalg.norm(ATTITUDE)
+        arguments = tuple(map(jnp.asarray, (MOMENTS, MOMENTUM, attitude, TIME)))
+        forward = jax.jit(jax.jacfwd(attitude_and_momentum, argnums=(0, 1, 2, 3)))(*arguments)
+        backward = jax.jit(jax.jacrev(attitude_and_momentum, argnums=(0, 1, 2, 3)))(*arguments)
+        return arguments, [np.asarray(x) for x in forward], [np.asarray(x) for x in backward]
+
+
+def test_forward_and_reverse_mode_agree(by_jax):
+    _, forward, backward = by_jax
+    for a, b in zip(forward, backward, strict=True):
+        assert np.abs(a - b).max() < SAME
+
+
+def test_jax_gives_the_exact_tangent(by_jax):
+    (moments, momentum, attitude, time), forward, _ = by_jax
+    values = tuple(map(np.asarray, (moments, momentum, attitude, time)))
+    state = ph.FreeMotion(*values[:3]).state(values[3])
+    for k in range(7):
+        unit = direction(k)
+        change = (np.array(unit.moments), np.array(unit.momentum), np.zeros(4), np.array(unit.time))
+        with np.errstate(all="ignore"):
+            wanted = np.concatenate(state_tangent(values, state, change))
+        block = 0 if k < 3 else 1 if k < 6 else 3
+        got = forward[block] if block == 3 else forward[block][:, k % 3]
+        assert np.abs(got - wanted).max() < 10 * SAME
+
+
+def test_the_attitude_passes_its_change_on(by_jax):
+    (moments, momentum, attitude, time), forward, _ = by_jax
+    turn = np.array([0.0, 0.3, -0.2, 0.5])
+    change = ph.rotation.multiply(turn, np.asarray(attitude))
+    later = ph.FreeMotion(*map(np.asarray, (moments, momentum, attitude))).attitude(float(time))
+    assert np.abs(forward[2][:4] @ change - ph.rotation.multiply(turn, later)).max() < SAME
+    # a longer quaternion is the same attitude
+    assert np.abs(forward[2] @ np.asarray(attitude)).max() < SAME
+
+
+def test_vmap_of_grad_where_formulas_divide_by_zero():
+    starts = np.array([[0.0, 0, 0], [0, 2, 0], [0, 0, 2], [2, 0, 0], [1, 0, 1], [1.0, 2, 3]])
+    bodies = np.array([[1.0, 2, 3], [2, 2, 2], [2, 2, 3], [1, 3, 3], [3, 4, 6]])
+    with jax.enable_x64(True):
+
+        def size(moments, momentum, time):
+            return attitude_and_momentum(moments, momentum, jnp.array([1.0, 0, 0, 0]), time).sum()
+
+        gradient = jax.grad(size, argnums=(0, 1, 2))
+        every = jax.jit(jax.vmap(jax.vmap(gradient, (None, 0, None)), (0, None, None)))
+        for part in every(jnp.asarray(bodies), jnp.asarray(starts), jnp.asarray(3.0)):
+            assert np.isfinite(np.asarray(part)).all()
+
+
+def test_epoch_and_time_are_opposite():
+    with jax.enable_x64(True):
+        arguments = (jnp.asarray(MOMENTS), jnp.asarray(MOMENTUM), jnp.array([1.0, 0, 0, 0]), jnp.asarray(TIME))
+        by_time = jax.jacfwd(attitude_and_momentum, argnums=3)(*arguments, jnp.asarray(2.0))
+        by_epoch = jax.jacfwd(attitude_and_momentum, argnums=4)(*arguments, jnp.asarray(2.0))
+        assert np.abs(np.asarray(by_time + by_epoch)).max() < SAME
+
+
+def test_second_derivatives_are_refused():
+    with jax.enable_x64(True), pytest.raises(InvalidInput, match="first derivatives only"):
+        jax.hessian(lambda t: ph.FreeMotion(jnp.asarray(MOMENTS), jnp.asarray(MOMENTUM)).attitude(t)[0])(TIME)
+
+
+def test_a_motion_passes_through_jit_and_vmap():
+    with jax.enable_x64(True):
+        many = jax.vmap(lambda momentum: ph.FreeMotion(jnp.asarray(MOMENTS), momentum))(jnp.eye(3) + 0.1)
+        states = jax.jit(jax.vmap(lambda motion: motion.state(TIME)[0]))(many)
+    wanted = ph.FreeMotion(MOMENTS, np.eye(3) + 0.1).attitude(TIME)
+    assert np.abs(np.asarray(states) - wanted).max() < SAME
