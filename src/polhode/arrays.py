@@ -151,6 +151,14 @@ def iterate_until(
             return (carried[0] < most) & jnp.any(~finished(*carried[1]))
 
         return jax.lax.while_loop(unfinished, body, (0, state))[1]
+    if "foreign" in map(_library, map(type, state)):
+        xp = namespace(*state)
+        for _ in range(most):
+            done = finished(*state)
+            if bool(xp.all(done)):
+                break
+            state = tuple(xp.where(done, old, new) for old, new in zip(state, step(*state), strict=True))
+        return state
     for _ in range(at_once):
         state = step(*state)
     left = np.flatnonzero(~finished(*state))

@@ -9,16 +9,19 @@ from typing import Any
 
 import numpy as np
 
-from polhode import rotation
+from polhode.arrays import as_float64, is_traced, numpy_namespace
 from polhode.errors import InvalidInput
+from polhode.rotation import as_matrix, from_matrix, normalize
 
 Array = Any
-ROUNDING = 64 * np.finfo(float).eps  # what the sums behind an inertia matrix may leave, relative to its largest entry
+ROUNDING = 64 * np.finfo(float).eps  # what the sums behind an inertia matrix may leave, relative to its entries
+SYMMETRY = 1e-9  # a matrix less symmetric than this was mistyped, not rounded
+TIE = 1e-9  # direction cosines closer than this are equal, so that rounding never decides between two axes
 
 
 @dataclass(frozen=True, eq=False)
 class Body:
-    """Mass properties of one rigid body, as NumPy float64.
+    """Mass properties of one rigid body, as read-only NumPy float64.
 
     Args:
         mass: [kg], or None where only the rotation matters.
@@ -26,7 +29,11 @@ class Body:
         inertia: (3, 3) symmetric, about the centre of mass [kg m², given axes]; J = ∫ (|r|² 1 − r rᵀ) dm.
 
     The principal moments must satisfy the triangle inequality, I1 + I2 ≥ I3; flat bodies (equality) and thin rods
-    (I1 = 0) are physical limits and accepted.
+    (I1 = 0) are physical limits and accepted. A rod is good as a part of other bodies; ``FreeMotion`` refuses it, as
+    its spin about itself is undefined.
+
+    JAX arrays of known value are converted. To differentiate, give moments straight to ``FreeMotion``: sorting the
+    moments and choosing axes are decisions on numbers.
 
     Raises:
         InvalidInput: for values that no rigid body has, with what to check.
@@ -46,25 +53,39 @@ class Body:
         if mass is not None and not mass > 0:
             raise InvalidInput(f"`mass` must be positive; got {float(mass):g} kg. Check sign and units.")
         scale = np.abs(inertia).max()
-        if np.abs(inertia - inertia.T).max() > 1e-9 * scale:
+        if np.abs(inertia - inertia.T).max() > SYMMETRY * scale:
             raise InvalidInput(f"`inertia` must be symmetric; got {inertia.tolist()}. Give J_ij = J_ji.")
+        inertia = 0.5 * inertia + 0.5 * inertia.T
+        center.flags.writeable = inertia.flags.writeable = False
         object.__setattr__(self, "mass", None if mass is None else float(mass))
         object.__setattr__(self, "center_of_mass", center)
-        object.__setattr__(self, "inertia", 0.5 * (inertia + inertia.T))
+        object.__setattr__(self, "inertia", inertia)
         check_moments(self.principal_moments)
 
     @classmethod
     def from_moments(cls, I1: float, I2: float, I3: float, mass: float | None = None) -> Body:
-        """Return the body whose inertia is diagonal in the given axes, in the given order [kg m²]."""
+        """Return the body with inertia diag(I1, I2, I3) about its centre of mass, at the origin [kg m²].
+
+        The axes stay as given; ``principal_moments`` is sorted, and ``principal_axes`` says which axis went where.
+
+        >>> Body.from_moments(3.0, 1.0, 2.5).principal_moments
+        array([1. , 2.5, 3. ])
+        """
         return cls(mass, (0.0, 0.0, 0.0), np.diag(_finite("moments", (I1, I2, I3), (3,))))
 
     @cached_property
     def _principal(self) -> tuple[Array, Array]:
-        return principal_axes(self.inertia)
+        moments, axes = principal_axes(self.inertia)
+        moments.flags.writeable = axes.flags.writeable = False
+        return moments, axes
 
     @property
     def principal_moments(self) -> Array:
-        """(3,) moments about the centre of mass, ascending [kg m²]."""
+        """(3,) moments about the centre of mass, ascending [kg m²]; exact where the inertia is diagonal.
+
+        Otherwise moments that differ by no more than the rounding of the inertia's entries come out equal, and those
+        that do not rise above it as zero, so that a turned cylinder stays symmetric and a turned rod thin.
+        """
         return self._principal[0]
 
     @property
@@ -85,16 +106,21 @@ class Body:
         offset = self.center_of_mass - _finite("point", point, (3,))
         return self.inertia + self._known_mass("the inertia about another point") * point_inertia(offset)
 
-    def placed(self, rotation_: Array, translation: Array = (0.0, 0.0, 0.0)) -> Body:
-        """Return the body turned about the origin, then shifted.
+    def placed(self, rotation: Array, translation: Array = (0.0, 0.0, 0.0)) -> Body:
+        """Return the body turned about the origin, then shifted: r → R r + d, J → R J Rᵀ.
 
         Args:
-            rotation_: (4,) unit quaternion wxyz or (3, 3) rotation matrix.
+            rotation: (4,) unit quaternion wxyz, normalised here, or (3, 3) rotation matrix.
             translation: (3,) [m].
+
+        Raises:
+            InvalidInput: for a matrix that is no rotation.
         """
-        value = np.asarray(rotation_, dtype=float)
-        turn = rotation.as_matrix(rotation.normalize(value)) if value.shape == (4,) else value
-        rotation.from_matrix(turn)
+        if np.shape(rotation) == (4,):
+            turn = as_matrix(normalize(_finite("rotation", rotation, (4,))))
+        else:
+            turn = _finite("rotation", rotation, (3, 3))
+            from_matrix(turn)  # refuses reflections and matrices that are not orthogonal
         center = turn @ self.center_of_mass + _finite("translation", translation, (3,))
         return Body(self.mass, center, turn @ self.inertia @ turn.T)
 
@@ -105,14 +131,16 @@ class Body:
 
 
 def combine(bodies: Sequence[Body]) -> Body:
-    """Return several bodies as one rigid body, by the parallel-axis theorem.
+    """Return several bodies as one rigid body: J = Σ J_k + m_k (|d_k|² 1 − d_k d_kᵀ), d_k from the common centre.
 
     Raises:
         InvalidInput: for an empty list or a body without mass.
     """
-    bodies = list(bodies)
+    bodies = [bodies] if isinstance(bodies, Body) else list(bodies)
     if not bodies:
         raise InvalidInput("`bodies` must name at least one body to combine; got none.")
+    if strange := [body for body in bodies if not isinstance(body, Body)]:
+        raise InvalidInput(f"`bodies` must be Body objects; got {strange[0]!r}. Make one with polhode.shapes or Body.")
     masses = np.array([body._known_mass("combining bodies") for body in bodies])
     centers = np.array([body.center_of_mass for body in bodies])
     center = masses @ (centers - centers[0]) / masses.sum() + centers[0]
@@ -150,28 +178,62 @@ def check_moments(moments: Array) -> None:
 
 def principal_axes(inertia: Array) -> tuple[Array, Array]:
     """Return ascending moments (3,) and right-handed axes (3, 3), by columns, of a symmetric matrix."""
-    scale = np.abs(inertia).max()
-    off_diagonal = np.abs(inertia - np.diag(np.diag(inertia))).max()
-    if off_diagonal == 0.0 or scale == 0.0:
-        order = np.argsort(np.diag(inertia), kind="stable")
-        moments, axes = np.diag(inertia)[order], np.eye(3)[:, order]
+    diagonal = np.diag(inertia)
+    if np.array_equal(inertia, np.diag(diagonal)):
+        order = np.argsort(diagonal, kind="stable")
+        moments, axes = diagonal[order], np.eye(3)[:, order]
     else:
-        moments, axes = np.linalg.eigh(inertia / scale)
-        groups = _groups(moments)
-        axes = np.column_stack([column for group in groups for column in _nearest_axes(axes[:, group])])
-        moments = np.maximum(moments, 0.0) * scale if moments[0] > -ROUNDING else moments * scale
-    leading = np.argmax(np.abs(axes) > (1.0 - 1e-9) * np.abs(axes).max(axis=0), axis=0)
+        scale = 2.0 ** np.frexp(np.abs(inertia).max())[1]  # a power of two, so that scaling rounds nothing
+        moments, axes = _jacobi(inertia / scale)
+        # what relative rounding of the entries does to each moment: v · |J| v with |v|
+        unsure = ROUNDING * np.einsum("ik,ij,jk->k", np.abs(axes), np.abs(inertia / scale), np.abs(axes))
+        moments = np.where(np.abs(moments) <= unsure, 0.0, moments)
+        columns: list[Array] = []
+        for group in _groups(moments, unsure):
+            moments[group] = moments[group].mean() if len(group) > 1 else moments[group]
+            columns += _nearest_axes(axes[:, group])
+        moments, axes = moments * scale, np.column_stack(columns)
+    leading = [_first_largest(np.abs(axes[:, k])) for k in range(3)]
     axes = axes * np.where(axes[leading, range(3)] < 0, -1.0, 1.0)
     if np.linalg.det(axes) < 0:
         axes[:, 2] = -axes[:, 2]
     return moments, axes + 0.0
 
 
-def _groups(moments: Array) -> list[list[int]]:
-    """Return the indices of ascending relative moments, those equal to rounding together."""
+def _jacobi(matrix: Array) -> tuple[Array, Array]:
+    """Return ascending eigenvalues and eigenvectors of a symmetric (3, 3) matrix by Jacobi's rotations.
+
+    Unlike LAPACK's reduction to tridiagonal form it keeps the relative accuracy of small eigenvalues of a positive
+    matrix that is nearly diagonal after scaling.
+
+    Source: Rutishauser, Numer. Math. 9 (1966) 1; Demmel & Veselić, SIAM J. Matrix Anal. Appl. 13 (1992) 1204.
+    """
+    a, v = np.array(matrix), np.eye(3)
+    for _ in range(40):  # converges quadratically, in 4 to 6 sweeps
+        if not a[[0, 0, 1], [1, 2, 2]].any():
+            break
+        for p, q in ((0, 1), (0, 2), (1, 2)):
+            small = np.finfo(float).eps / 4 * np.sqrt(abs(a[p, p])) * np.sqrt(abs(a[q, q]))
+            if abs(a[p, q]) <= max(small, np.finfo(float).tiny):
+                a[p, q] = a[q, p] = 0.0
+                continue
+            theta = 0.5 * (a[q, q] - a[p, p]) / a[p, q]
+            t = 1.0 / (theta + np.copysign(np.hypot(theta, 1.0), theta))
+            c = 1.0 / np.hypot(t, 1.0)
+            s, change, r = t * c, t * a[p, q], 3 - p - q
+            a[p, p], a[q, q], a[p, q], a[q, p] = a[p, p] - change, a[q, q] + change, 0.0, 0.0
+            a[p, r], a[q, r] = c * a[p, r] - s * a[q, r], s * a[p, r] + c * a[q, r]
+            a[r, p], a[r, q] = a[p, r], a[q, r]
+            v[:, p], v[:, q] = c * v[:, p] - s * v[:, q], s * v[:, p] + c * v[:, q]
+    order = np.argsort(np.diag(a), kind="stable")
+    return np.diag(a)[order], v[:, order]
+
+
+def _groups(moments: Array, unsure: Array) -> list[list[int]]:
+    """Return the indices of ascending moments, those equal to within their uncertainty together."""
     groups = [[0]]
     for k in (1, 2):
-        if moments[k] - moments[k - 1] <= ROUNDING:
+        if moments[k] - moments[k - 1] <= max(unsure[k], unsure[k - 1]):
             groups[-1].append(k)
         else:
             groups.append([k])
@@ -179,23 +241,31 @@ def _groups(moments: Array) -> list[list[int]]:
 
 
 def _nearest_axes(space: Array) -> list[Array]:
-    """Return an orthonormal basis of the column space, each vector nearest to a given coordinate axis in turn."""
-    basis: list[Array] = []
+    """Return an orthonormal basis of the column space: the given axes nearest to it, projected in turn."""
     if space.shape[1] == 1:
         return [space[:, 0]]
     projections = space @ space.T
-    order = np.argsort(-np.round(np.diag(projections), 9), kind="stable")[: space.shape[1]]
-    for k in sorted(order):
+    nearness = np.diag(projections).copy()
+    chosen: list[int] = []
+    for _ in range(space.shape[1]):
+        chosen.append(_first_largest(nearness))
+        nearness[chosen[-1]] = -1.0
+    basis: list[Array] = []
+    for k in sorted(chosen):
         vector = projections[:, k] - sum((b * (b @ projections[:, k]) for b in basis), np.zeros(3))
         basis.append(vector / np.linalg.norm(vector))
     return basis
 
 
+def _first_largest(values: Array) -> int:
+    return int(np.flatnonzero(values > values.max() - TIE)[0])
+
+
 def _finite(name: str, value: Any, shape: tuple[int, ...]) -> Array:
-    try:
-        array = np.array(value, dtype=float)
-    except (TypeError, ValueError):
-        raise InvalidInput(f"`{name}` must be numbers of shape {shape}; got {value!r}.") from None
+    """Return a float64 copy of the wanted shape, finite."""
+    if is_traced(value):
+        raise InvalidInput(f"`{name}` must be known numbers, not traced by JAX; give moments to FreeMotion instead.")
+    array = np.array(as_float64(numpy_namespace, value, name))
     if array.shape != shape:
         raise InvalidInput(f"`{name}` must have shape {shape}; got {array.shape}.")
     if not np.isfinite(array).all():

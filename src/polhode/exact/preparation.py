@@ -16,6 +16,7 @@ from polhode.exact.spinor import Motion, flatten, start_spinor
 from polhode.special import doubledouble as dd
 from polhode.special.circular import split_rate
 from polhode.special.doubledouble import DoubleDouble
+from polhode.special.elliptic import nome_per_parameter
 
 Array = Any
 
@@ -74,19 +75,6 @@ def _argument_columns(body: Reduction, rates: Frequencies, m: Array, m1: Array) 
     return (*singles, *body.canonical, m, m1, rates.separatrix, *rates.modulus_rate, *rates.mean)
 
 
-def _nome_per_parameter(parameter: Array, k: Array) -> Array:
-    """Return nome / parameter for a parameter ≤ ½ given with k = √(1 − parameter); nothing cancels.
-
-    Source: the inversion q = ε + 2ε⁵ + 15ε⁹ + …, ε = (1−√k)/(2(1+√k)) (Whittaker & Watson, 21.8).
-    """
-    xp = namespace(k)
-    root = 1.0 + xp.sqrt(k)
-    ratio = 0.5 / ((1.0 + k) * root * root)
-    e = ratio * parameter
-    e4 = (e * e) * (e * e)
-    return ratio * (1.0 + e4 * (2.0 + e4 * (15.0 + e4 * (150.0 + e4 * 1707.0))))
-
-
 def _landen(k: Array, dn: Array, sinh_times_cosine: Array, cosine: Array, dc: Array) -> tuple[Array, Array]:
     """Follow a circular and a hyperbolic amplitude down five Landen steps from the complementary modulus k.
 
@@ -114,7 +102,7 @@ def _full_arguments(*columns: Array) -> tuple[Array, ...]:
     xp = namespace(A)
     total = B * Q
     k = xp.sqrt(m1 / total)
-    q_over_m = _nome_per_parameter(m / total, k)
+    q_over_m = nome_per_parameter(m / total, k)
     q = q_over_m * (m / total)
     factor, sinh = _landen(k, l3 * xp.sqrt(C / Q), xp.sqrt(B) * xp.sqrt(Q / P), xp.sqrt(B), xp.sqrt(C))
     grown = sinh + xp.sqrt(1.0 + sinh * sinh)
@@ -142,7 +130,7 @@ def _complementary_arguments(*columns: Array) -> tuple[Array, ...]:
     total = B * Q
     k = xp.where(separatrix, 1.0, xp.sqrt(m / total))
     small = xp.where(separatrix, 0.0, m1 / total)
-    q = small * _nome_per_parameter(small, k)
+    q = small * nome_per_parameter(small, k)
     cosine = xp.sqrt(C) * xp.abs(l1)
     factor, sinh = _landen(
         k, xp.sqrt(P / B) / G, xp.abs(xp.sqrt(B) * l2), cosine, xp.sqrt(C) * l3 * xp.sqrt(P / Q)

@@ -1,0 +1,64 @@
+"""Jacobi's theta functions of real and complex argument, in real arithmetic.
+
+θ1 = 2 Σ (−1)ⁿ q^{(n+½)²} sin (2n+1)z, θ2 = 2 Σ q^{(n+½)²} cos (2n+1)z, θ3 = 1 + 2 Σ q^{n²} cos 2nz,
+θ4 = 1 + 2 Σ (−1)ⁿ q^{n²} cos 2nz (Whittaker & Watson, ch. 21; DLMF 20.2).
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from polhode.arrays import as_float64, is_traced, namespace
+from polhode.errors import InvalidInput
+
+Array = Any
+LARGEST_NOME = 0.2  # by the imaginary transformation e^−π = 0.043 is enough for any lattice
+TERMS = 6  # q^36 is below 1e-25 then
+
+
+def theta1(z: Array, q: Array) -> Array:
+    """Return θ1(z, q) for real z and 0 ≤ q ≤ 0.2."""
+    return theta(1, z, 0.0, q)[0]
+
+
+def theta2(z: Array, q: Array) -> Array:
+    """Return θ2(z, q) for real z and 0 ≤ q ≤ 0.2."""
+    return theta(2, z, 0.0, q)[0]
+
+
+def theta3(z: Array, q: Array) -> Array:
+    """Return θ3(z, q) for real z and 0 ≤ q ≤ 0.2."""
+    return theta(3, z, 0.0, q)[0]
+
+
+def theta4(z: Array, q: Array) -> Array:
+    """Return θ4(z, q) for real z and 0 ≤ q ≤ 0.2."""
+    return theta(4, z, 0.0, q)[0]
+
+
+def theta(kind: int, z: Array, y: Array, q: Array) -> tuple[Array, Array]:
+    """Return real and imaginary part of θ_kind(z + iy, q), kind 1 to 4, for |y| ≤ −ln q (a period of the lattice).
+
+    Raises:
+        InvalidInput: for another kind, or q outside [0, 0.2].
+    """
+    if kind not in (1, 2, 3, 4):
+        raise InvalidInput(f"`kind` must be 1, 2, 3 or 4; got {kind!r}.")
+    xp = namespace(z, y, q)
+    z, y, q = (as_float64(xp, v, name) for v, name in ((z, "z"), (y, "y"), (q, "q")))
+    if not is_traced(q) and not bool(xp.all((q >= 0) & (q <= LARGEST_NOME))):
+        raise InvalidInput("`q` must lie in [0, 0.2]; take the complementary nome for larger ones.")
+    zero = 0.0 * (z + y + q)
+    real, imaginary = zero + (1.0 if kind > 2 else 0.0), zero
+    for n in range(TERMS):
+        power = (n + 0.5) ** 2 if kind < 3 else float((n + 1) ** 2)
+        frequency = 2.0 * n + (1.0 if kind < 3 else 2.0)
+        sign = -1.0 if (kind == 1 and n % 2) or (kind == 4 and n % 2 == 0) else 1.0
+        weight = 2.0 * sign * q**power
+        s, c = xp.sin(frequency * z), xp.cos(frequency * z)
+        rise, fall = xp.cosh(frequency * y), xp.sinh(frequency * y)
+        if kind == 1:
+            real, imaginary = real + weight * s * rise, imaginary + weight * c * fall
+        else:
+            real, imaginary = real + weight * c * rise, imaginary - weight * s * fall
+    return real, imaginary
