@@ -1,83 +1,19 @@
-"""Mass properties against quadrature, laws of composition, and deterministic axes."""
+"""Bodies: laws of composition, moments against mpmath, and deterministic axes."""
 
+import itertools
+
+import mpmath
 import numpy as np
 import pytest
-from scipy.integrate import tplquad
 
 import polhode as ph
+from polhode.bodies.body import principal_axes
 from polhode.errors import InvalidInput
 
 EXACT = 1e-14
 """A few roundings on sums of some terms, relative."""
-QUADRATURE = 1e-7
-
-
-def inertia_by_quadrature(inside, reach):
-    """Return mass-normalised diagonal second moments of a region by Monte-Carlo-free cubature on a fine grid."""
-    n = 120
-    edges = [np.linspace(-r, r, n + 1) for r in reach]
-    middles = [0.5 * (e[1:] + e[:-1]) for e in edges]
-    x, y, z = np.meshgrid(*middles, indexing="ij")
-    mask = inside(x, y, z)
-    return np.array([(v[mask] ** 2).mean() for v in (x, y, z)]), np.array([v[mask].mean() for v in (x, y, z)])
-
-
-GRID = 6e-3
-"""Relative error of second moments on a grid of 120 cells a side: about the share of surface cells squared."""
-
-
-@pytest.mark.parametrize(
-    ("body", "inside", "reach"),
-    [
-        (ph.shapes.cylinder(2.0, 0.7, 1.9), lambda x, y, z: (x**2 + y**2 < 0.49) & (abs(z) < 0.95), (0.7, 0.7, 0.95)),
-        (
-            ph.shapes.cylinder(2.0, 0.7, 1.9, inner_radius=0.4),
-            lambda x, y, z: (x**2 + y**2 < 0.49) & (x**2 + y**2 > 0.16) & (abs(z) < 0.95),
-            (0.7, 0.7, 0.95),
-        ),
-        (
-            ph.shapes.ellipsoid(2.0, (1.0, 2.0, 3.0)),
-            lambda x, y, z: x**2 + (y / 2) ** 2 + (z / 3) ** 2 < 1,
-            (1, 2, 3),
-        ),
-        (
-            ph.shapes.sphere(2.0, 1.0, inner_radius=0.5),
-            lambda x, y, z: (x**2 + y**2 + z**2 < 1) & (x**2 + y**2 + z**2 > 0.25),
-            (1, 1, 1),
-        ),
-        (
-            ph.shapes.cone(2.0, 1.0, 2.0),
-            lambda x, y, z: (z > -0.5) & (np.hypot(x, y) < (1.5 - z) / 2.0),
-            (1.0, 1.0, 1.5),
-        ),
-        (
-            ph.shapes.torus(2.0, 1.0, 0.3),
-            lambda x, y, z: (np.hypot(x, y) - 1.0) ** 2 + z**2 < 0.09,
-            (1.3, 1.3, 0.3),
-        ),
-    ],
-)
-def test_shapes_against_summation(body, inside, reach):
-    squares, center = inertia_by_quadrature(inside, reach)
-    assert np.abs(center).max() < GRID
-    wanted = body.mass * np.array([squares[1] + squares[2], squares[0] + squares[2], squares[0] + squares[1]])
-    assert np.diag(body.inertia) == pytest.approx(wanted, rel=GRID)
-
-
-def test_box_against_adaptive_quadrature():
-    body = ph.shapes.box(3.0, (1.0, 2.0, 0.5))
-    volume = 1.0
-    value, _ = tplquad(lambda z, y, x: y * y + z * z, -0.5, 0.5, -1.0, 1.0, -0.25, 0.25)
-    assert body.inertia[0, 0] == pytest.approx(3.0 / volume * value, rel=QUADRATURE)
-
-
-def test_flat_and_thin_limits():
-    disk, rod = ph.shapes.disk(2.0, 3.0), ph.shapes.rod(2.0, 3.0)
-    assert disk.principal_moments == pytest.approx([4.5, 4.5, 9.0], rel=EXACT)
-    assert disk.principal_moments == pytest.approx(ph.shapes.cylinder(2.0, 3.0, 1e-9).principal_moments, rel=EXACT)
-    assert rod.principal_moments == pytest.approx([0.0, 1.5, 1.5], rel=EXACT)
-    shell = ph.shapes.sphere(1.0, 1.0, inner_radius=1.0 - 1e-12)
-    assert shell.principal_moments == pytest.approx([2 / 3] * 3, rel=1e-11)
+MOMENT = 16 * np.finfo(float).eps
+"""Relative error of a moment: six sweeps of three rotations, each a rounding or two."""
 
 
 def test_a_box_from_its_pieces_is_the_box():
@@ -96,14 +32,6 @@ def test_parallel_axis():
     assert ball.about((0.0, 0.0, 3.0))[2, 2] == pytest.approx(0.8, rel=EXACT)
 
 
-def test_points_are_a_body():
-    masses, positions = [1.0, 2.0, 3.0], np.array([[0.0, 0, 0], [1, 0, 0], [0, 2, 1]])
-    body = ph.from_points(masses, positions + 1e3)
-    center = np.average(positions, axis=0, weights=masses)
-    inertia = sum(m * (r @ r * np.eye(3) - np.outer(r, r)) for m, r in zip(masses, positions - center, strict=True))
-    assert body.inertia == pytest.approx(inertia, rel=1e-12, abs=1e-12)
-
-
 def test_turning_a_body_turns_its_axes():
     body = ph.shapes.box(1.0, (1.0, 2.0, 3.0))
     q = ph.rotation.from_rotation_vector([0.3, -0.4, 0.5])
@@ -113,29 +41,123 @@ def test_turning_a_body_turns_its_axes():
     assert rebuilt == pytest.approx(turned.inertia, abs=EXACT)
 
 
-@pytest.mark.parametrize(
-    "inertia",
-    [
-        np.diag([3.0, 1.0, 2.0]),
-        np.diag([2.0, 2.0, 1.0]),
-        np.diag([1.0, 1.0, 1.0]),
-        np.array([[2.0, 1e-17, 0], [1e-17, 2.0, 0], [0, 0, 3.0]]),
-        np.array([[2.0, 0.3, 0.1], [0.3, 2.5, -0.2], [0.1, -0.2, 3.0]]),
-    ],
-)
-def test_axes_are_right_handed_and_deterministic(inertia):
-    axes = ph.Body(1.0, (0, 0, 0), inertia).principal_axes
+AWKWARD = [
+    np.diag([3.0, 1.0, 2.0]),
+    np.diag([2.0, 2.0, 1.0]),
+    np.diag([1.0, 1.0, 1.0]),
+    np.array([[2.0, 1e-17, 0], [1e-17, 2.0, 0], [0, 0, 3.0]]),
+    np.array([[2.0, 0.3, 0.1], [0.3, 2.5, -0.2], [0.1, -0.2, 3.0]]),
+    np.eye(3) - np.ones((3, 3)) / 6.0,  # symmetric about (1, 1, 1): no given axis is nearer than another
+]
+
+
+@pytest.mark.parametrize("inertia", AWKWARD)
+def test_axes_are_right_handed_and_do_not_move_with_rounding(inertia):
+    body = ph.Body(1.0, (0, 0, 0), inertia)
+    axes = body.principal_axes
     assert np.linalg.det(axes) == pytest.approx(1.0)
     assert axes.T @ axes == pytest.approx(np.eye(3), abs=EXACT)
-    noise = 1e-16 * np.array([[0.0, 1, -1], [1, 0, 1], [-1, 1, 0]])
-    again = ph.Body(1.0, (0, 0, 0), inertia + noise).principal_axes
-    assert again == pytest.approx(axes, abs=1e-12)
+    assert axes @ np.diag(body.principal_moments) @ axes.T == pytest.approx(inertia, abs=EXACT * 3)
+    for signs in itertools.product((-1, 0, 1), repeat=3):
+        noise = 1e-15 * np.array([[0.0, signs[0], signs[1]], [signs[0], 0, signs[2]], [signs[1], signs[2], 0]])
+        again = ph.Body(1.0, (0, 0, 0), inertia + noise)
+        assert again.principal_axes == pytest.approx(axes, abs=1e-12)
+        assert again.principal_moments == pytest.approx(body.principal_moments, rel=EXACT)
 
 
-def test_given_order_of_moments_is_kept_as_axes():
-    body = ph.Body.from_moments(3.0, 1.0, 2.5)
+def test_bare_eigenvectors_would_move_with_rounding():
+    noise = 1e-15 * np.array([[0.0, 1, 0], [1, 0, 0], [0, 0, 0]])
+    moved = np.linalg.eigh(np.diag([2.0, 2.0, 3.0]) + noise)[1] - np.eye(3)
+    assert np.abs(moved).max() > 0.1
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_moments_and_axes_against_mpmath(seed):
+    rng = np.random.default_rng(seed)
+    second_moments = np.diag(rng.uniform(0.1, 1.0, 3)) * 10.0 ** rng.uniform(-8, 8)
+    turn = ph.rotation.as_matrix(ph.rotation.normalize(rng.normal(size=4)))
+    inertia = turn @ (np.trace(second_moments) * np.eye(3) - second_moments) @ turn.T
+    body = ph.Body(1.0, (0, 0, 0), 0.5 * (inertia + inertia.T))
+    with mpmath.workdps(40):
+        values, vectors = mpmath.eigsy(mpmath.matrix(body.inertia.tolist()))
+    for k in range(3):
+        assert abs(body.principal_moments[k] - values[k]) <= MOMENT * values[2]
+        overlap = sum(float(vectors[i, k]) * body.principal_axes[i, k] for i in range(3))
+        assert abs(overlap) == pytest.approx(1.0, abs=1e-12)
+
+
+def graded(small, place):
+    """Return an inertia with one small moment, fixed to full relative accuracy by its entries."""
+    size = np.ones(3)
+    size[place] = np.sqrt(small)
+    return np.array([[2.0, 0.2, 0.3], [0.2, 1.9, 0.1], [0.3, 0.1, 2.1]]) * size * size[:, None]
+
+
+@pytest.mark.parametrize("small", [1e-6, 1e-12, 1e-18, 1e-24])
+@pytest.mark.parametrize("place", [0, 1, 2])
+def test_small_moments_are_relatively_accurate_where_the_entries_fix_them(small, place):
+    moments, _ = principal_axes(graded(small, place))
+    with mpmath.workdps(80):
+        exact = mpmath.eigsy(mpmath.matrix(graded(small, place).tolist()), eigvals_only=True)[0]
+    assert abs(moments[0] / exact - 1) <= MOMENT
+
+
+def test_the_usual_eigenvalues_would_lose_small_moments():
+    with mpmath.workdps(80):
+        exact = mpmath.eigsy(mpmath.matrix(graded(1e-18, 1).tolist()), eigvals_only=True)[0]
+    assert abs(np.linalg.eigvalsh(graded(1e-18, 1))[0] / float(exact) - 1) > 1e-3
+
+
+def test_a_turned_symmetric_body_stays_symmetric_and_a_turned_rod_thin():
+    rng = np.random.default_rng(5)
+    for _ in range(50):
+        q = ph.rotation.normalize(rng.normal(size=4))
+        cylinder = ph.shapes.cylinder(1.0, 1.0, 3.0).placed(q).principal_moments
+        assert cylinder[1] == cylinder[2] == pytest.approx(1.0, rel=EXACT)
+        ball = ph.shapes.sphere(1.0, 1.0).placed(q)
+        assert ball.principal_moments[0] == ball.principal_moments[2]
+        assert np.abs(ball.principal_axes - np.eye(3)).max() < EXACT
+        rod = ph.shapes.rod(1.0, 1.0).placed(q).principal_moments
+        assert rod[0] == 0.0
+        assert rod[1] == rod[2]
+
+
+def test_a_nearly_symmetric_body_is_not_taken_for_symmetric():
+    body = ph.Body.from_moments(1.0, 1.0 + 1e-12, 1.5).placed(ph.rotation.from_rotation_vector([0.3, 0.4, 0.5]))
+    assert body.principal_moments[1] - body.principal_moments[0] == pytest.approx(1e-12, rel=1e-2)
+    exact = ph.Body.from_moments(1.0, np.nextafter(1.0, 2.0), 1.5).principal_moments
+    assert exact[1] > exact[0]
+
+
+@pytest.mark.parametrize("order", list(itertools.permutations((1.0, 2.5, 3.0))))
+def test_given_axes_of_moments_are_kept(order):
+    body = ph.Body.from_moments(*order)
     assert body.principal_moments.tolist() == [1.0, 2.5, 3.0]
-    assert np.abs(body.principal_axes).tolist() == [[0, 0, 1], [1, 0, 0], [0, 1, 0]]
+    assert np.diag(body.inertia).tolist() == list(order)
+    for k, moment in enumerate((1.0, 2.5, 3.0)):
+        assert np.abs(body.principal_axes[:, k]).tolist() == [float(value == moment) for value in order]
+    assert np.linalg.det(body.principal_axes) == 1.0
+
+
+def test_a_body_cannot_change_under_its_cached_axes():
+    body = ph.Body(1.0, (0, 0, 0), np.diag([1.0, 2, 2.5]))
+    for array in (body.inertia, body.center_of_mass, body.principal_moments, body.principal_axes):
+        with pytest.raises(ValueError, match="read-only"):
+            array[0] = 7.0
+
+
+def test_other_arrays_are_converted():
+    import array_api_strict
+    import jax
+
+    inertia = np.array([[2.0, 0.3, 0.1], [0.3, 2.5, -0.2], [0.1, -0.2, 3.0]])
+    wanted = ph.Body(1.0, (0, 0, 0), inertia).principal_moments
+    with jax.enable_x64(True):
+        lifted = jax.numpy.asarray(inertia)
+    for other in (lifted, array_api_strict.asarray(inertia), inertia.tolist()):
+        assert ph.Body(1.0, (0, 0, 0), other).principal_moments.tolist() == wanted.tolist()
+    with pytest.raises(InvalidInput, match="traced"):
+        jax.jit(lambda x: ph.Body(1.0, (0, 0, 0), x * np.eye(3)).principal_moments)(2.0)
 
 
 @pytest.mark.parametrize(
@@ -149,17 +171,25 @@ def test_given_order_of_moments_is_kept_as_axes():
         (lambda: ph.Body(1.0, (0, 0, 0), [[1, 1, 0], [0, 1, 0], [0, 0, 1]]), "symmetric"),
         (lambda: ph.Body.from_moments(1, 1, 1).about((0, 0, 1)), "mass"),
         (lambda: ph.combine([]), "at least one"),
-        (lambda: ph.shapes.sphere(1.0, -1.0), "positive"),
-        (lambda: ph.shapes.torus(1.0, 1.0, 2.0), "minor_radius"),
-        (lambda: ph.shapes.cylinder(1.0, 1.0, 1.0, inner_radius=2.0), "inner_radius"),
-        (lambda: ph.from_points([1.0], [[0.0, 0, 0]]), "vanish"),
-        (lambda: ph.from_points([1.0, -1.0], [[0.0, 0, 0], [1, 0, 0]]), "positive"),
-        (lambda: ph.from_atoms(["Xx"], [[0.0, 0, 0]]), "chemical"),
+        (lambda: ph.combine([3.0]), "Body objects"),
+        (lambda: ph.combine([ph.Body.from_moments(1, 1, 1)]), "mass"),
+        (lambda: ph.Body(1.0, (0, 0), np.eye(3)), "shape"),
+        (lambda: ph.Body(1.0, (0, 0, 0), np.eye(3) * (1 + 1j)), "complex"),
+        (lambda: ph.Body(1.0, (0, 0, 0), np.eye(3, dtype=np.float32)), "float32"),
+        (lambda: ph.Body(1.0, (0, 0, 0), [[1, 2, 0], [2, 1, 0], [0, 0, 1.0]]), "negative"),
+        (lambda: ph.shapes.sphere(1, 1).placed(np.diag([1.0, 1.0, -1.0])), "proper rotation"),
+        (lambda: ph.shapes.sphere(1, 1).placed((0.0, 0.0, 0.0, 0.0)), "zero quaternion"),
+        (lambda: ph.shapes.sphere(1, 1).placed((1.0, 0.0)), "shape"),
     ],
 )
 def test_bad_input(make, words):
     with pytest.raises(InvalidInput, match=words):
         make()
+
+
+def test_a_rod_is_a_body_but_has_no_free_motion():
+    with pytest.raises(InvalidInput, match="zero moment"):
+        ph.FreeMotion.from_body(ph.shapes.rod(1.0, 1.0), angular_velocity=(1.0, 2.0, 3.0))
 
 
 def test_flat_bodies_are_physical_to_rounding():

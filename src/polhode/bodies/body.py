@@ -182,6 +182,7 @@ def principal_axes(inertia: Array) -> tuple[Array, Array]:
     if np.array_equal(inertia, np.diag(diagonal)):
         order = np.argsort(diagonal, kind="stable")
         moments, axes = diagonal[order], np.eye(3)[:, order]
+        moments = np.where((moments < 0) & (moments > -ROUNDING * moments[2]), 0.0, moments)
     else:
         scale = 2.0 ** np.frexp(np.abs(inertia).max())[1]  # a power of two, so that scaling rounds nothing
         moments, axes = _jacobi(inertia / scale)

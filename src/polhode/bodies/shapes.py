@@ -1,7 +1,9 @@
 """Homogeneous bodies by exact formulas, each centred on its centre of mass with its axis of symmetry along z.
 
-Source: any table of moments of inertia, e.g. Goldstein, *Classical Mechanics*, ch. 5; each is checked against
-quadrature in the tests.
+Formulas give the mean squares ⟨x²⟩, ⟨y²⟩, ⟨z²⟩ over the mass M; the inertia is Ixx = M (⟨y²⟩ + ⟨z²⟩) and cyclically.
+Masses in kg, lengths in m; all raise ``InvalidInput`` for what is not positive and finite, naming it.
+
+Source: Beer & Johnston, *Vector Mechanics for Engineers: Dynamics*, appendix B; hollow ones by subtraction.
 """
 
 from __future__ import annotations
@@ -10,46 +12,26 @@ from typing import Any
 
 import numpy as np
 
+from polhode.arrays import as_float64, numpy_namespace
 from polhode.bodies.body import Body
 from polhode.errors import InvalidInput
 
 Array = Any
-
-
-def _positive(**named: Any) -> list[Any]:
-    values = []
-    for name, value in named.items():
-        try:
-            array = np.array(value, dtype=float)
-        except (TypeError, ValueError):
-            raise InvalidInput(f"`{name}` must be a number; got {value!r}.") from None
-        if not (np.isfinite(array).all() and (array > 0).all()):
-            raise InvalidInput(f"`{name}` must be positive and finite; got {value!r}. Check sign and units.")
-        values.append(array if array.ndim else float(array))
-    return values
-
-
-def _triple(name: str, value: Any) -> Array:
-    (array,) = _positive(**{name: value})
-    if np.shape(array) != (3,):
-        raise InvalidInput(f"`{name}` must be three lengths; got {value!r}.")
-    return array
-
-
-def _shape(mass: float, squares: Any) -> Body:
-    """Return the body with ∫ x² dm/M, ∫ y² dm/M, ∫ z² dm/M."""
-    x, y, z = squares
-    return Body(mass, (0.0, 0.0, 0.0), np.diag([mass * (y + z), mass * (x + z), mass * (x + y)]))
+SMALLEST, LARGEST = 1e-100, 1e100  # m or kg; beyond them the squares leave the range of double precision
 
 
 def box(mass: float, size: Array) -> Body:
-    """Return a rectangular block with edges ``size`` (3,) [m] along x, y, z."""
+    """Return a rectangular block with edges ``size`` (3,) [m] along x, y, z: ⟨x²⟩ = size_x²/12.
+
+    >>> box(12.0, (1.0, 2.0, 3.0)).principal_moments
+    array([ 5., 10., 13.])
+    """
     (mass,) = _positive(mass=mass)
-    return _shape(mass, _triple("size", size) ** 2 / 12.0)
+    return _shape(mass, _lengths("size", size) ** 2 / 12.0)
 
 
 def cylinder(mass: float, radius: float, height: float, inner_radius: float = 0.0) -> Body:
-    """Return a solid cylinder about z, or a tube if ``inner_radius`` is given [m]."""
+    """Return a solid cylinder about z, or a tube if ``inner_radius`` is given: ⟨x²⟩ = (R² + r²)/4, ⟨z²⟩ = h²/12."""
     mass, radius, height = _positive(mass=mass, radius=radius, height=height)
     inner = _inner_radius(inner_radius, radius)
     across = (radius**2 + inner**2) / 4.0
@@ -57,13 +39,13 @@ def cylinder(mass: float, radius: float, height: float, inner_radius: float = 0.
 
 
 def ellipsoid(mass: float, semi_axes: Array) -> Body:
-    """Return a solid ellipsoid with semi-axes (3,) [m] along x, y, z."""
+    """Return a solid ellipsoid with semi-axes (3,) [m] along x, y, z: ⟨x²⟩ = a²/5."""
     (mass,) = _positive(mass=mass)
-    return _shape(mass, _triple("semi_axes", semi_axes) ** 2 / 5.0)
+    return _shape(mass, _lengths("semi_axes", semi_axes) ** 2 / 5.0)
 
 
 def sphere(mass: float, radius: float, inner_radius: float = 0.0) -> Body:
-    """Return a solid ball, or a thick shell if ``inner_radius`` is given [m]."""
+    """Return a solid ball, or a shell if ``inner_radius`` is given: ⟨x²⟩ = (R⁵ − r⁵)/(R³ − r³)/5."""
     mass, radius = _positive(mass=mass, radius=radius)
     ratio = _inner_radius(inner_radius, radius) / radius
     # (1 − r⁵)/(1 − r³) without the common factor 1 − r, which cancels for thin shells
@@ -72,26 +54,32 @@ def sphere(mass: float, radius: float, inner_radius: float = 0.0) -> Body:
 
 
 def cone(mass: float, radius: float, height: float) -> Body:
-    """Return a solid circular cone about z, apex up; its centre of mass lies height/4 above the base."""
+    """Return a solid circular cone about z, apex up, its base h/4 below the origin: ⟨x²⟩ = 3R²/20, ⟨z²⟩ = 3h²/80."""
     mass, radius, height = _positive(mass=mass, radius=radius, height=height)
     return _shape(mass, (0.15 * radius**2, 0.15 * radius**2, 0.0375 * height**2))
 
 
 def disk(mass: float, radius: float, inner_radius: float = 0.0) -> Body:
-    """Return a flat disk of no thickness about z, or an annulus if ``inner_radius`` is given [m]."""
+    """Return a flat disk of no thickness about z, or a ring if ``inner_radius`` is given: ⟨x²⟩ = (R² + r²)/4."""
     mass, radius = _positive(mass=mass, radius=radius)
     across = (radius**2 + _inner_radius(inner_radius, radius) ** 2) / 4.0
     return _shape(mass, (across, across, 0.0))
 
 
 def rod(mass: float, length: float) -> Body:
-    """Return a thin rod along z; its moment about z is zero, so it spins freely only as part of a body."""
+    """Return a thin rod along z: ⟨z²⟩ = length²/12.
+
+    Its moment about z is zero: it is good as a part, but has no free motion of its own.
+    """
     mass, length = _positive(mass=mass, length=length)
     return _shape(mass, (0.0, 0.0, length**2 / 12.0))
 
 
 def torus(mass: float, major_radius: float, minor_radius: float) -> Body:
-    """Return a solid ring torus about z: a tube of ``minor_radius`` around a circle of ``major_radius`` [m]."""
+    """Return a solid ring torus about z: a tube of ``minor_radius`` b around a circle of ``major_radius`` a.
+
+    ⟨x²⟩ = a²/2 + 3b²/8, ⟨z²⟩ = b²/4.
+    """
     mass, major, minor = _positive(mass=mass, major_radius=major_radius, minor_radius=minor_radius)
     if minor > major:
         raise InvalidInput(f"`minor_radius` must not exceed `major_radius`; got {minor:g} m and {major:g} m.")
@@ -99,7 +87,42 @@ def torus(mass: float, major_radius: float, minor_radius: float) -> Body:
     return _shape(mass, (across, across, minor**2 / 4.0))
 
 
-def _inner_radius(inner: float, outer: float) -> float:
-    if not 0.0 <= inner < outer:
+def _shape(mass: float, squares: Any) -> Body:
+    """Return the body with ∫ x² dm/M, ∫ y² dm/M, ∫ z² dm/M."""
+    x, y, z = squares
+    return Body(mass, (0.0, 0.0, 0.0), np.diag([mass * (y + z), mass * (x + z), mass * (x + y)]))
+
+
+def _positive(**named: Any) -> list[float]:
+    """Return single numbers, each positive and finite."""
+    values = []
+    for name, value in named.items():
+        array = _numbers(name, value)
+        if array.shape != ():
+            raise InvalidInput(f"`{name}` must be one number; got {value!r}.")
+        if not SMALLEST < array < LARGEST:
+            raise InvalidInput(f"`{name}` must be positive and finite; got {value!r}. Check sign and units.")
+        values.append(float(array))
+    return values
+
+
+def _lengths(name: str, value: Any) -> Array:
+    array = _numbers(name, value)
+    if array.shape != (3,):
+        raise InvalidInput(f"`{name}` must be three lengths; got {value!r}.")
+    if not ((array > SMALLEST) & (array < LARGEST)).all():
+        raise InvalidInput(f"`{name}` must be positive and finite; got {value!r}. Check signs and units.")
+    return array
+
+
+def _inner_radius(inner: Any, outer: float) -> float:
+    number = _numbers("inner_radius", inner)
+    if number.shape != () or not 0.0 <= number <= outer:
         raise InvalidInput(f"`inner_radius` must lie between 0 and the radius {outer:g} m; got {inner!r}.")
-    return float(inner)
+    return float(number)
+
+
+def _numbers(name: str, value: Any) -> Array:
+    if value is None:
+        raise InvalidInput(f"`{name}` must be given as a number; got None.")
+    return np.asarray(as_float64(numpy_namespace, value, name))
