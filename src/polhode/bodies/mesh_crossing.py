@@ -1,0 +1,141 @@
+"""Whether triangles pass through each other, and which closed surfaces lie inside which."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from polhode.errors import InvalidInput
+
+Array = Any
+TOUCHING = 1e-6  # of the mesh's extent: contact, and what single-precision files make of it, is no crossing
+LEAF = 20_000  # pairs of boxes compared at once; smaller sets cost calls, larger ones needless comparisons
+SAMPLES = 64  # faces of one piece asked whether they lie inside another
+
+
+def crossing_faces(vertices: Array, faces: Array) -> tuple[int, int] | None:
+    """Return two faces of which an edge of the first pierces the second, None if there are none.
+
+    The edge must end clearly on both sides and pass clearly through the inside, so that surfaces may touch.
+    """
+    used = vertices[faces]
+    clear = TOUCHING * np.ptp(used, axis=(0, 1)).max()
+    ends = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
+    first = np.flatnonzero(ends[:, 0] < ends[:, 1])  # each edge of a closed surface once
+    ends = ends[first]
+    points = vertices[ends]
+    edge_boxes = np.stack([points.min(axis=1), points.max(axis=1)], axis=1)
+    face_boxes = np.stack([used.min(axis=1), used.max(axis=1)], axis=1)
+    for edge, face in _overlapping(edge_boxes, face_boxes):
+        apart = ~(ends[edge][:, :, None] == faces[face][:, None, :]).any(axis=(1, 2))
+        edge, face = edge[apart], face[apart]
+        hit = _pierces(points[edge], used[face], clear)
+        if hit.any():
+            k = int(np.flatnonzero(hit)[0])
+            return int(first[edge[k]] % len(faces)), int(face[k])
+    return None
+
+
+def _overlapping(one: Array, other: Array) -> Iterator[tuple[Array, Array]]:
+    """Yield index pairs of boxes (n, 2, 3) that overlap, some at a time, by halving both sets in space."""
+    stack = [(np.arange(len(one)), np.arange(len(other)))]
+    while stack:
+        i, j = stack.pop()
+        low = np.maximum(one[i, 0].min(axis=0), other[j, 0].min(axis=0))
+        high = np.minimum(one[i, 1].max(axis=0), other[j, 1].max(axis=0))
+        i = i[((one[i, 0] <= high) & (one[i, 1] >= low)).all(axis=1)]
+        j = j[((other[j, 0] <= high) & (other[j, 1] >= low)).all(axis=1)]
+        if len(i) == 0 or len(j) == 0:
+            continue
+        if len(i) * len(j) <= LEAF:
+            a, b = one[i][:, None], other[j][None]
+            near = ((a[:, :, 0] <= b[:, :, 1]) & (b[:, :, 0] <= a[:, :, 1])).all(axis=-1)
+            k, m = np.nonzero(near)
+            yield i[k], j[m]
+            continue
+        middles = one[i].mean(axis=1) if len(i) > len(j) else other[j].mean(axis=1)
+        axis = int(np.argmax(np.ptp(middles, axis=0)))
+        order = np.argsort(middles[:, axis], kind="stable")
+        for half in np.array_split(order, 2):
+            stack.append((i[half], j) if len(i) > len(j) else (i, j[half]))
+
+
+def _pierces(segments: Array, triangles: Array, clear: float) -> Array:
+    """Whether each segment (k, 2, 3) passes through its triangle (k, 3, 3), clear of its ends and of the borders."""
+    a, b, c = np.moveaxis(triangles, 1, 0)
+    p, q = np.moveaxis(segments, 1, 0)
+    normal = np.cross(b - a, c - a)
+    area = np.linalg.norm(normal, axis=1)
+    ok = area > 0
+    normal = normal / np.where(ok, area, 1.0)[:, None]
+    before, after = np.einsum("ki,ki->k", normal, p - a), np.einsum("ki,ki->k", normal, q - a)
+    ok &= (before * after < 0) & (np.minimum(np.abs(before), np.abs(after)) > clear)
+    t = before / np.where(ok, before - after, 1.0)
+    x = p + t[:, None] * (q - p)
+    for start, end in ((a, b), (b, c), (c, a)):
+        side = np.cross(end - start, x - start)
+        length = np.linalg.norm(end - start, axis=1)
+        ok &= np.einsum("ki,ki->k", side, normal) > clear * length
+    return ok
+
+
+def depths(corners: Array, pieces: list[Array]) -> Array:
+    """Return in how many other pieces each one lies (p,), for closed pieces of triangles (m, 3, 3) that do not cross.
+
+    Raises:
+        InvalidInput: if a piece lies partly inside another one, or in the very same place.
+    """
+    result = np.zeros(len(pieces), dtype=int)
+    low = np.array([corners[piece].min(axis=(0, 1)) for piece in pieces])
+    high = np.array([corners[piece].max(axis=(0, 1)) for piece in pieces])
+    clear = TOUCHING * (high.max(axis=0) - low.min(axis=0)).max()
+    for i, piece in enumerate(pieces):
+        # only what reaches into another's box can lie inside it or share volume with it
+        near = ((low < high[i] - clear) & (high > low[i] + clear)).all(axis=1)
+        for j in np.flatnonzero(near):
+            if i != j:
+                result[i] += _lies_inside(corners[piece], corners[pieces[j]], clear)
+    return result
+
+
+def _lies_inside(piece: Array, other: Array, clear: float) -> bool:
+    """Whether a closed piece lies inside another one, asked at some faces, each just above and just below.
+
+    Faces that lie in the other surface differ in that, and decide nothing.
+    """
+    middles = piece.mean(axis=1)
+    chosen = np.linspace(0, len(piece) - 1, min(SAMPLES, len(piece))).astype(int)
+    chosen = np.unique(np.concatenate([chosen, middles.argmin(axis=0), middles.argmax(axis=0)]))
+    a, b, c = np.moveaxis(piece[chosen], 1, 0)
+    normal = np.cross(b - a, c - a)
+    area = np.linalg.norm(normal, axis=1, keepdims=True)
+    shift = 0.5 * clear * normal / np.where(area > 0, area, 1.0)
+    above = _winding(middles[chosen] + shift, other)
+    below = _winding(middles[chosen] - shift, other)
+    same = above == below
+    inside = above[same] != 0
+    if inside.size == 0:
+        raise InvalidInput("the mesh overlaps itself: two of its pieces lie in the same place. Drop one of them.")
+    if inside.any() != inside.all():
+        raise InvalidInput(
+            "the mesh overlaps itself: one of its pieces lies partly inside another one, so that volume would count "
+            "twice. Unite the parts first."
+        )
+    return bool(inside[0])
+
+
+def _winding(points: Array, triangles: Array) -> Array:
+    """Return how often closed triangles (m, 3, 3) wind around points (k, 3).
+
+    Source: van Oosterom & Strackee, IEEE Trans. Biomed. Eng. 30 (1983) 125, eq. 8.
+    """
+    result = np.empty(len(points))
+    for k, point in enumerate(points):
+        a, b, c = np.moveaxis(triangles - point, 1, 0)
+        la, lb, lc = (np.linalg.norm(x, axis=1) for x in (a, b, c))
+        volume = np.einsum("ni,ni->n", a, np.cross(b - a, c - a))
+        ab, bc, ca = (np.einsum("ni,ni->n", x, y) for x, y in ((a, b), (b, c), (c, a)))
+        result[k] = np.arctan2(volume, la * lb * lc + ab * lc + bc * la + ca * lb).sum() / (2.0 * np.pi)
+    return np.rint(result)
