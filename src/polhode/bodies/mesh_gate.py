@@ -200,13 +200,13 @@ def _check_nesting(volumes: Array, depth: Array, several: bool) -> None:
     """Allow cavities inside a body, and several bodies if wanted."""
     if (twice := (volumes > 0) & (depth % 2 == 1)).any():
         raise InvalidInput(
-            f"the mesh overlaps itself: {int(twice.sum())} of its {len(volumes)} pieces lie inside another one and are "
-            "turned outward, so that volume would count twice. Turn them inward if they are cavities, or ask for repair."
+            f"the mesh overlaps itself: {int(twice.sum())} of its {len(volumes)} pieces lie inside another one "
+            "and are turned outward, so that volume would count twice. Turn cavities inward, or ask for repair."
         )
     if (inward := (volumes < 0) & (depth % 2 == 0)).any():
         raise InvalidInput(
-            f"the mesh is inverted in part: {int(inward.sum())} of its {len(volumes)} pieces are turned inward, but lie "
-            "in no body. Turn them outward, or ask for repair."
+            f"the mesh is inverted in part: {int(inward.sum())} of its {len(volumes)} pieces are turned inward, but "
+            "lie in no body. Turn them outward, or ask for repair."
         )
     bodies = int((volumes > 0).sum())
     if bodies > 1 and not several:

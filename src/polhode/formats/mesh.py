@@ -1,4 +1,4 @@
-"""Triangle meshes from files, read and on request repaired by trimesh."""
+"""Triangle meshes from files, read by trimesh and repaired on request."""
 
 from __future__ import annotations
 
@@ -7,25 +7,30 @@ from typing import Any
 
 import numpy as np
 
+from polhode.bodies.mesh_gate import repaired_mesh
 from polhode.errors import FormatError, InvalidInput
 
 Array = Any
+SAME_CORNER = 1e-6  # of the mesh's extent: what single precision and printed digits leave between copies of a corner
 
 
 def read_mesh(path: str | Path, unit: float, repair: bool = False) -> tuple[Array, Array]:
     """Return vertices (n, 3) [m] and faces (m, 3) of a mesh file (STL, OBJ, PLY, OFF, GLB …).
 
+    Corners at exactly the same place become one, as STL files repeat them for every triangle.
+
     Args:
         path: the file.
         unit: length of the file's unit [m]; mesh files carry none.
-        repair: merge corners, turn faces outward alike, and fill small holes. Only on request, as it guesses.
+        repair: merge corners closer than 1e-6 of the extent, drop triangles that are degenerate or there twice, fill
+            small holes, and turn faces outward, or inward on cavities. Only on request, as it guesses.
 
     Raises:
         InvalidInput: if the file is missing or the unit is not positive.
         FormatError: if it cannot be read as a mesh.
     """
     path = Path(path)
-    if not (np.isfinite(unit) and unit > 0):
+    if not (np.ndim(unit) == 0 and np.isfinite(unit) and unit > 0):
         raise InvalidInput(f"`unit` must be a positive length in metres; got {unit!r}.")
     if not path.is_file():
         raise InvalidInput(f"{path}: no such mesh file. Check the path; it counts from the spec's own folder.")
@@ -33,16 +38,47 @@ def read_mesh(path: str | Path, unit: float, repair: bool = False) -> tuple[Arra
 
     try:
         mesh: Any = trimesh.load(path, force="mesh", process=False)
-        vertices, faces = np.asarray(mesh.vertices, dtype=float), np.asarray(mesh.faces)
+        vertices, faces = np.array(mesh.vertices, dtype=float), np.array(getattr(mesh, "faces", ()))
     except Exception as error:  # trimesh raises whatever its many readers raise
         why = f"{path}: cannot be read as a mesh ({error}). Is the file whole and its ending right?"
         raise FormatError(why) from None
     if len(faces) == 0:
         raise FormatError(f"{path}: holds no triangles. Export it as a surface mesh.")
-    mesh = trimesh.Trimesh(vertices, faces, process=False)
-    mesh.merge_vertices(merge_tex=True, merge_norm=True)
+    if not np.isfinite(vertices).all():
+        raise FormatError(f"{path}: a corner is NaN or infinite. Export it anew.")
+    vertices, faces = _merged(vertices, faces.astype(np.int64))
     if repair:
-        mesh.update_faces(mesh.nondegenerate_faces() & mesh.unique_faces())
-        trimesh.repair.fill_holes(mesh)
-        trimesh.repair.fix_normals(mesh, multibody=True)
-    return np.asarray(mesh.vertices, dtype=float) * unit, np.asarray(mesh.faces, dtype=np.int64)
+        vertices, faces = repaired_mesh(*_filled(*_merged_nearby(vertices, faces)))
+    return vertices * unit, faces
+
+
+def _merged(vertices: Array, faces: Array) -> tuple[Array, Array]:
+    unique, index = np.unique(vertices + 0.0, axis=0, return_inverse=True)  # + 0.0 makes −0.0 equal to 0.0
+    return unique, index.reshape(-1)[faces]
+
+
+def _merged_nearby(vertices: Array, faces: Array) -> tuple[Array, Array]:
+    """Merge corners in chains of near neighbours; rounding to a grid instead would split some of them."""
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import connected_components
+    from scipy.spatial import cKDTree
+
+    near = cKDTree(vertices).query_pairs(SAME_CORNER * np.ptp(vertices, axis=0).max(), output_type="ndarray")
+    graph = coo_array((np.ones(len(near), dtype=bool), (near[:, 0], near[:, 1])), shape=(len(vertices),) * 2)
+    count, labels = connected_components(graph, directed=False)
+    kept = np.empty(count, dtype=int)
+    kept[labels[::-1]] = np.arange(len(vertices))[::-1]
+    return vertices[kept], labels[faces]
+
+
+def _filled(vertices: Array, faces: Array) -> tuple[Array, Array]:
+    """Drop triangles that are degenerate or there twice, then close small holes."""
+    import trimesh
+
+    a, b, c = faces.T
+    faces = faces[(a != b) & (b != c) & (c != a)]
+    _, first = np.unique(np.sort(faces, axis=1), axis=0, return_index=True)
+    mesh = trimesh.Trimesh(vertices, faces[np.sort(first)], process=False)
+    trimesh.repair.fix_winding(mesh)
+    trimesh.repair.fill_holes(mesh)
+    return np.array(mesh.vertices, dtype=float), np.array(mesh.faces, dtype=np.int64)
