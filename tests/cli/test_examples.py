@@ -1,0 +1,98 @@
+"""Every example runs, and says what is known of its body."""
+
+import importlib.util
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+import xarray as xr
+
+from polhode.cli.main import main
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+HOUR, DAY = 3600.0, 86400.0
+SAME = 1e-12
+"""Two ways to the same body, each a few roundings."""
+
+
+@pytest.fixture(scope="module")
+def reports(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("reports")
+    found = {}
+    for path in sorted(EXAMPLES.glob("*.toml")):
+        out = folder / path.stem
+        with pytest.MonkeyPatch.context() as patch, pytest.raises(SystemExit) as stopped:
+            lines: list[str] = []
+            patch.setattr("builtins.print", lambda text, lines=lines: lines.append(text))
+            main(["report", str(path), "--json", "--out", str(out)])
+        assert not stopped.value.code, path
+        found[path.stem] = json.loads("\n".join(lines))
+    return found
+
+
+def test_all_eight_are_there(reports):
+    names = "t_handle t_handle_parts book smartphone water earth apophis spacecraft"
+    assert set(reports) == set(names.split())
+
+
+def test_files_open(reports):
+    for report in reports.values():
+        for name in report["files"]:
+            assert Path(name).stat().st_size > 1000
+        with xr.open_dataset(next(n for n in report["files"] if n.endswith(".nc"))) as data:
+            assert data.momentum.attrs["units"] == "kg m2 s-1"
+            assert data.time.attrs["units"] == "s" or data.time.dtype.kind in "mM"
+            assert np.isfinite(data.attitude).all()
+
+
+def test_drift_is_rounding(reports):
+    for report in reports.values():
+        assert max(report["drift"].values()) < 16 * 2.0**-52
+
+
+def test_t_handle_mesh_and_parts_agree(reports):
+    mesh, parts = reports["t_handle"], reports["t_handle_parts"]
+    for key in ("mass", "energy", "momentum_norm", "polhode_period", "precession_per_period", "action"):
+        assert mesh[key] == pytest.approx(parts[key], rel=SAME)
+    for key in ("center_of_mass", "principal_moments", "principal_axes"):
+        assert np.allclose(mesh[key], parts[key], rtol=SAME, atol=1e-18 if key != "principal_axes" else SAME)
+
+
+def test_t_handle_turns_over_about_its_stem(reports):
+    report = reports["t_handle"]
+    stem = np.array(report["principal_axes"])[:, 1]
+    assert np.abs(stem) == pytest.approx([0.0, 1.0, 0.0])
+    assert report["axes"][1]["verdict"] == "unstable"
+    # by hand: two boxes of 21.6 g and 10.8 g, their centres 25 mm apart
+    about_stem = 0.0216 * (0.08**2 + 0.01**2) / 12 + 0.0108 * (0.01**2 + 0.01**2) / 12
+    assert report["principal_moments"][1] == pytest.approx(about_stem, rel=1e-12)
+
+
+def test_the_committed_mesh_is_what_the_script_writes(tmp_path):
+    source = importlib.util.spec_from_file_location("build_t_handle", EXAMPLES / "build_t_handle.py")
+    module = importlib.util.module_from_spec(source)
+    source.loader.exec_module(module)
+    module.__file__ = str(tmp_path / "build_t_handle.py")
+    module.main()
+    assert (tmp_path / "t_handle.stl").read_text() == (EXAMPLES / "t_handle.stl").read_text()
+
+
+def test_earth_nutates_in_304_days(reports):
+    # 1/H − 1 = 304.456 sidereal days
+    sidereal = 2 * np.pi / 7.292115e-5
+    assert reports["earth"]["polhode_period"] == pytest.approx(304.456 * sidereal, rel=1e-5)
+
+
+def test_apophis_has_its_published_periods(reports):
+    report = reports["apophis"]
+    assert report["regime"] == "short-axis"
+    assert report["tumbling_periods"]["P_phi"] / HOUR == pytest.approx(27.38, abs=0.01)
+    assert report["tumbling_periods"]["P_psi"] / HOUR == pytest.approx(263.0, abs=6.0)
+    assert report["long_axis_period"] / HOUR == pytest.approx(30.56, abs=0.05)
+
+
+def test_water_has_its_rotational_constants(reports):
+    # h/(8π²I) of this geometry, in GHz: 822, 436, 285 to a percent (Herzberg's A_e, B_e, C_e)
+    constants = 6.62607015e-34 / (8 * np.pi**2 * np.array(reports["water"]["principal_moments"])) / 1e9
+    assert constants == pytest.approx([822.0, 437.0, 285.0], rel=0.01)
