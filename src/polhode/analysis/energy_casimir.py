@@ -60,7 +60,8 @@ def energy_casimir(
         linearization: (n, n) derivative of the vector field [1/s].
         energy_gradient: (n,) dH.
         energy_hessian: (n, n) D²H.
-        casimir_gradients: (k, n) dC_k.
+        casimir_gradients: (k, n) dC_k; other conserved quantities may stand among them if their gradients depend on
+            the Casimirs' here, and the freedom this leaves is used.
         casimir_hessians: (k, n, n) D²C_k.
         casimir_names: what to call the Casimirs in the certificate; C1, C2, … if empty.
         on_equilibria: whether every null direction of the second variation on the leaf is known to be tangent to a
@@ -77,9 +78,10 @@ def energy_casimir(
     ddC = np.asarray(casimir_hessians, dtype=float).reshape(-1, n, n)
     _check(A, g, H, dC, ddC)
     names = list(casimir_names) or [f"C{k + 1}" for k in range(len(dC))]
-    multipliers = _multipliers(g, dC)
     leaf = _null_space(dC, n)
-    second = leaf.T @ (H + np.einsum("k,kij->ij", multipliers, ddC)) @ leaf
+    on_leaf = leaf.T @ H @ leaf, np.einsum("ia,kij,jb->kab", leaf, ddC, leaf)
+    multipliers = _multipliers(g, dC, *on_leaf)
+    second = on_leaf[0] + np.einsum("k,kij->ij", multipliers, on_leaf[1])
     flow = leaf.T @ A @ leaf
     found: Any = np.linalg.eig(flow) if leaf.shape[1] else (np.zeros(0, complex), np.zeros((0, 0)))
     spectrum, modes = found
@@ -132,19 +134,42 @@ def _check(A: Array, g: Array, H: Array, dC: Array, ddC: Array) -> None:
         raise InvalidInput("the matrices at the equilibrium must be finite; got NaN or an infinity.")
 
 
-def _multipliers(g: Array, dC: Array) -> Array:
-    """Return λ with dH + Σ λ dC = 0, of least norm where several do."""
+def _multipliers(g: Array, dC: Array, energy: Array, casimirs: Array) -> Array:
+    """Return λ with dH + Σ λ dC = 0; where several do, the one whose second variation is the most definite."""
     if not len(dC):
-        multipliers, rest = np.zeros(0), g
+        multipliers, rest, free = np.zeros(0), g, np.zeros((0, 0))
     else:
         multipliers = np.linalg.lstsq(dC.T, -g, rcond=1e-12)[0]
         rest = g + dC.T @ multipliers
+        free = _null_space(dC.T, len(dC))
     if np.linalg.norm(rest) > EQUILIBRIUM_TOLERANCE * np.linalg.norm(g):
         raise InvalidInput(
             "the point is not an equilibrium: dH is not a combination of the dC there, "
             f"{np.linalg.norm(rest):.3g} of {np.linalg.norm(g):.3g} is left. Solve for the equilibrium first."
         )
-    return multipliers
+    if not free.size or not energy.size:
+        return multipliers
+    return _most_definite(multipliers, free, energy, casimirs)
+
+
+def _most_definite(multipliers: Array, free: Array, energy: Array, casimirs: Array) -> Array:
+    """Search the freedom for a definite second variation; its least eigenvalue is a concave function of the freedom."""
+    from scipy.optimize import minimize
+
+    base = energy + np.einsum("k,kij->ij", multipliers, casimirs)
+    ways = np.einsum("km,kij->mij", free, casimirs)
+    size = np.abs(base).max() / (np.abs(ways).max() or 1.0)
+    best, found = 0.0, multipliers
+    for sign in (1.0, -1.0):
+
+        def worst(z: Array, sign: float = sign) -> float:
+            return -float(np.linalg.eigvalsh(sign * (base + size * np.einsum("m,mij->ij", z, ways)))[0])
+
+        options = {"xatol": 1e-13, "fatol": 1e-15 * np.abs(base).max(), "maxiter": 2000 * free.shape[1]}
+        run = minimize(worst, np.zeros(free.shape[1]), method="Nelder-Mead", options=options)
+        if -run.fun > best:
+            best, found = -run.fun, multipliers + size * free @ run.x
+    return found
 
 
 def _null_space(dC: Array, n: int) -> Array:
