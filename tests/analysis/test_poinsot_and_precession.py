@@ -40,6 +40,7 @@ def test_ellipsoid_rolls_without_slipping():
 
 def test_radii_in_the_limits():
     assert herpolhode(ph.FreeMotion((1.0, 2.0, 3.0), (0.0, 0.0, 2.0)))[:2] == (0.0, 0.0)
+    assert herpolhode(ph.FreeMotion((1.0, 2.0, 3.0), (0.0, 2.0, 0.0)))[:2] == (0.0, 0.0)
     assert herpolhode(ph.FreeMotion((2.0, 2.0, 2.0), SAM))[:2] == (0.0, 0.0)
     assert herpolhode(ph.FreeMotion((3.0, 4.0, 6.0), (1.0, 2.0, 1.0))).inner_radius == 0.0
     circle = herpolhode(ph.FreeMotion((1.0, 1.0, 2.0), (0.3, 0.4, 1.0)))

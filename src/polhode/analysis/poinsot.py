@@ -35,6 +35,9 @@ def herpolhode(motion: FreeMotion) -> Herpolhode | None:
     norm, energy = motion.momentum_norm, motion.energy
     if not norm:
         return None
+    distance = float(np.sqrt(2.0 * energy) / norm)
+    if motion.regime in ("permanent", "spherical"):
+        return Herpolhode(0.0, 0.0, distance)
     with np.errstate(all="ignore"):
         body = canonical_reduction(np.asarray(motion.moments), np.asarray(motion.momentum_at_epoch))
         P, Q, S = (float(x[0] / body.V[0]) for x in (body.P, body.Q, body.S))
@@ -43,7 +46,7 @@ def herpolhode(motion: FreeMotion) -> Herpolhode | None:
     P, Q, S = P * unit, Q * unit, S * unit
     size = norm * np.sqrt(2.0 * energy)
     outer, inner = float(np.sqrt(P) * np.sqrt(Q) / size), float(np.sqrt(P) * np.sqrt(abs(S)) / size)
-    return Herpolhode(inner, outer, float(np.sqrt(2.0 * energy) / norm))
+    return Herpolhode(inner, outer, distance)
 
 
 def contact_point(angular_velocity: Array, energy: float) -> Array:

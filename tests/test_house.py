@@ -1,0 +1,47 @@
+"""The house keeps its promises: examples in the README run, version and changelog agree, files stay small."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+import polhode as ph
+
+ROOT = Path(__file__).parents[1]
+LONGEST = 450
+
+
+def python_blocks():
+    pages = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
+    fence = re.compile(r"```python\n(.*?)```", re.DOTALL)
+    found = [(page.name, block) for page in pages for block in fence.findall(page.read_text("utf-8"))]
+    assert found
+    return found
+
+
+@pytest.mark.parametrize(("page", "block"), python_blocks())
+def test_python_in_the_docs_runs(page, block):
+    exec(compile(block, page, "exec"), {})
+
+
+def test_links_in_the_docs_lead_somewhere():
+    for page in [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *(ROOT / "docs").glob("*.md")]:
+        for target in re.findall(r"\]\(([^)#:]+)\)", page.read_text("utf-8")):
+            assert (page.parent / target).exists(), f"{page.name}: {target}"
+
+
+def test_version_and_changelog():
+    assert f'version = "{ph.__version__}"' in (ROOT / "pyproject.toml").read_text("utf-8")
+    assert "## [Unreleased]" in (ROOT / "CHANGELOG.md").read_text("utf-8")
+
+
+def test_files_stay_small():
+    long = {p.name: n for p in (ROOT / "src").rglob("*.py") if (n := len(p.read_text("utf-8").splitlines())) > LONGEST}
+    assert not long
+
+
+def test_public_names_are_there():
+    for name in ph.__all__:
+        assert getattr(ph, name) is not None
+    with pytest.raises(AttributeError):
+        ph.nothing_of_the_kind  # noqa: B018
