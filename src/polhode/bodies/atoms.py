@@ -12,11 +12,11 @@ from polhode.bodies.points import from_points
 from polhode.errors import InvalidInput
 
 Array = Any
-ATOMIC_MASS = 1.66053906892e-27  # kg, CODATA 2022
+ATOMIC_MASS_UNIT = 1.66053906892e-27  # kg, CODATA 2022
 
 
 def from_atoms(symbols: Sequence[str], positions: Array, masses: Array | None = None) -> Body:
-    """Return a molecule as a rigid body.
+    """Return a molecule as a rigid body of point masses, which is where its rotational constants come from.
 
     Masses are the standard atomic weights of ASE's tables, averaged over isotopes; a spectroscopist gives the isotopes'
     masses instead. The rotational constants of an equilibrium geometry are not those of the vibrational ground state.
@@ -24,12 +24,14 @@ def from_atoms(symbols: Sequence[str], positions: Array, masses: Array | None = 
     Args:
         symbols: (n,) chemical symbols.
         positions: (n, 3) [m].
-        masses: (n,) [kg], or None for the tables'.
+        masses: (n,) [kg], or None for the tables'; multiples of ``ATOMIC_MASS_UNIT`` for isotopes.
 
     Raises:
         InvalidInput: for unknown symbols, or if ASE is needed and missing.
     """
     symbols = list(symbols)
+    if len(symbols) != len(np.atleast_1d(positions)):
+        raise InvalidInput(f"`symbols` and `positions` must match; got {len(symbols)} and {np.shape(positions)}.")
     return from_points(atomic_masses(symbols) if masses is None else masses, positions)
 
 
@@ -45,4 +47,4 @@ def atomic_masses(symbols: Sequence[str]) -> Array:
     unknown = [symbol for symbol in symbols if symbol not in numbers or symbol == "X"]
     if unknown:
         raise InvalidInput(f"`symbols` must be chemical elements; got {unknown[0]!r}.")
-    return np.array([table[numbers[symbol]] for symbol in symbols]) * ATOMIC_MASS
+    return np.array([table[numbers[symbol]] for symbol in symbols]) * ATOMIC_MASS_UNIT

@@ -50,8 +50,10 @@ def _overlapping(one: Array, other: Array) -> Iterator[tuple[Array, Array]]:
         if len(i) == 0 or len(j) == 0:
             continue
         if len(i) * len(j) <= LEAF:
-            a, b = one[i][:, None], other[j][None]
-            near = ((a[:, :, 0] <= b[:, :, 1]) & (b[:, :, 0] <= a[:, :, 1])).all(axis=-1)
+            (a, b), (c, d) = np.moveaxis(one[i], 0, -1), np.moveaxis(other[j], 0, -1)
+            near = np.ones((len(i), len(j)), dtype=bool)
+            for axis in range(3):
+                near &= (a[axis][:, None] <= d[axis]) & (c[axis] <= b[axis][:, None])
             k, m = np.nonzero(near)
             yield i[k], j[m]
             continue

@@ -67,6 +67,8 @@ def repaired_mesh(vertices: Array, faces: Array) -> tuple[Array, Array]:
 
 def as_mesh(vertices: Array, faces: Array) -> tuple[Array, Array]:
     """Return copies as float64 and int64 arrays of the right shapes, finite and in range."""
+    if np.iscomplexobj(vertices):
+        raise InvalidInput("`vertices` must be real; got complex numbers.")
     try:
         vertices, faces = np.array(vertices, dtype=float), np.array(faces)
     except (TypeError, ValueError) as error:

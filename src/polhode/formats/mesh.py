@@ -61,9 +61,9 @@ def _merged_nearby(vertices: Array, faces: Array) -> tuple[Array, Array]:
     """Merge corners in chains of near neighbours; rounding to a grid instead would split some of them."""
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import connected_components
-    from scipy.spatial import cKDTree
+    from scipy.spatial import KDTree
 
-    near = cKDTree(vertices).query_pairs(SAME_CORNER * np.ptp(vertices, axis=0).max(), output_type="ndarray")
+    near = KDTree(vertices).query_pairs(SAME_CORNER * np.ptp(vertices, axis=0).max(), output_type="ndarray")
     graph = coo_array((np.ones(len(near), dtype=bool), (near[:, 0], near[:, 1])), shape=(len(vertices),) * 2)
     count, labels = connected_components(graph, directed=False)
     kept = np.empty(count, dtype=int)

@@ -5,18 +5,23 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+from polhode.bodies.atoms import ATOMIC_MASS_UNIT
 from polhode.errors import FormatError, InvalidInput
 
 Array = Any
 ANGSTROM = 1e-10  # m
 
 
-def read_molecule(path: str | Path) -> tuple[list[str], Array]:
-    """Return the chemical symbols and positions (n, 3) [m] of a structure file (.xyz and what else ASE reads).
+def read_molecule(path: str | Path) -> tuple[list[str], Array, Array | None]:
+    """Return symbols, positions (n, 3) [m] and masses (n,) [kg] of a structure file (.xyz and what else ASE reads).
+
+    Masses are None unless the file gives them, as an extended xyz with a ``masses`` column does for isotopes. Of
+    several structures in one file the last is taken, as optimisers write the relaxed one last. The three are the
+    arguments of ``from_atoms``.
 
     Raises:
         InvalidInput: if the file is missing, or ASE is.
-        FormatError: if it cannot be read.
+        FormatError: if it cannot be read, holds no atoms, or is a periodic crystal.
     """
     path = Path(path)
     if not path.is_file():
@@ -27,8 +32,16 @@ def read_molecule(path: str | Path) -> tuple[list[str], Array]:
         why = "reading a molecule needs ASE, which is not installed; `pip install polhode[molecules]`."
         raise InvalidInput(why) from None
     try:
-        atoms = ase.io.read(path)
+        atoms: Any = ase.io.read(path, do_not_split_by_at_sign=True)
+        symbols, positions = atoms.get_chemical_symbols(), atoms.get_positions() * ANGSTROM
+    except KeyError as error:
+        why = f"{path}: {error} is no chemical element. Isotopes go as masses into an extended xyz, not as symbols."
+        raise FormatError(why) from None
     except Exception as error:  # ASE raises whatever its many readers raise
         why = f"{path}: cannot be read as a molecule ({error}). Is it in the form its ending says?"
         raise FormatError(why) from None
-    return atoms.get_chemical_symbols(), atoms.get_positions() * ANGSTROM  # type: ignore[union-attr]
+    if not symbols:
+        raise FormatError(f"{path}: holds no atoms.")
+    if atoms.pbc.any():
+        raise FormatError(f"{path}: is periodic; its cell may cut the molecule apart. Save the molecule without a cell.")
+    return symbols, positions, atoms.get_masses() * ATOMIC_MASS_UNIT if atoms.has("masses") else None

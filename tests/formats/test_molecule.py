@@ -1,0 +1,68 @@
+"""Reading molecules: units, isotopes, and files that are none."""
+
+import sys
+
+import numpy as np
+import pytest
+
+import polhode as ph
+from polhode.bodies.atoms import ATOMIC_MASS_UNIT
+from polhode.errors import FormatError, InvalidInput
+from polhode.formats.molecule import read_molecule
+
+PLAIN = "3\nwater\nO 0 0 0\nH 0.757 0.586 0\nH -0.757 0.586 0\n"
+ISOTOPES = "2\nProperties=species:S:1:pos:R:3:masses:R:1\nH 0 0 0 2.014\nH 0 0 0.74 1.008\n"
+CRYSTAL = '2\nLattice="5 0 0 0 5 0 0 0 5" Properties=species:S:1:pos:R:3 pbc="T T T"\nH 0 0 0\nH 0 0 1\n'
+
+
+def written(folder, text, name="molecule.xyz"):
+    path = folder / name
+    path.write_text(text)
+    return path
+
+
+@pytest.mark.parametrize("name", ["water.xyz", "water@2.xyz"])
+def test_positions_come_in_metres(tmp_path, name):
+    symbols, positions, masses = read_molecule(written(tmp_path, PLAIN, name))
+    assert symbols == ["O", "H", "H"]
+    assert positions == pytest.approx(1e-10 * np.array([[0, 0, 0], [0.757, 0.586, 0], [-0.757, 0.586, 0]]), abs=1e-25)
+    assert masses is None
+
+
+def test_masses_of_isotopes_are_kept(tmp_path):
+    path = written(tmp_path, ISOTOPES)
+    assert read_molecule(path)[2] == pytest.approx(np.array([2.014, 1.008]) * ATOMIC_MASS_UNIT, rel=1e-14, abs=0.0)
+    assert ph.from_atoms(*read_molecule(path)).mass == pytest.approx(3.022 * ATOMIC_MASS_UNIT, rel=1e-14, abs=0.0)
+
+
+def test_the_last_of_several_structures_is_taken(tmp_path):
+    _, positions, _ = read_molecule(written(tmp_path, "1\n\nH 0 0 0\n1\n\nH 0 0 2\n"))
+    assert positions.tolist() == [[0.0, 0.0, 2e-10]]
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("hello\n", "cannot be read as a molecule"),
+        ("", "cannot be read as a molecule"),
+        ("3\n\nO 0 0 0\n", "cannot be read as a molecule"),
+        ("0\n\n", "holds no atoms"),
+        ("2\n\nD 0 0 0\nH 0 0 1\n", "'D' is no chemical element. Isotopes"),
+        (CRYSTAL, "periodic"),
+    ],
+)
+def test_files_that_are_no_molecules(tmp_path, text, words):
+    with pytest.raises(FormatError, match=rf"(?s)molecule\.xyz.*{words}"):
+        read_molecule(written(tmp_path, text))
+
+
+def test_missing_file(tmp_path):
+    with pytest.raises(InvalidInput, match="no such molecule file"):
+        read_molecule(tmp_path / "none.xyz")
+
+
+def test_without_ase_the_remedy_is_said(tmp_path, monkeypatch):
+    path = written(tmp_path, PLAIN)
+    monkeypatch.setitem(sys.modules, "ase.io", None)
+    with pytest.raises(InvalidInput, match=r"pip install polhode\[molecules\]"):
+        read_molecule(path)
