@@ -90,10 +90,7 @@ def as_mesh(vertices: Array, faces: Array) -> tuple[Array, Array]:
 
 
 def triple_products(corners: Array) -> Array:
-    """Return a · (b − a) × (c − a) (m,) of triangles (m, 3, 3), six times the tetrahedra's volumes.
-
-    The differences first: the determinant of a, b, c itself would lose the thickness of needles and foils.
-    """
+    """Return a · (b − a) × (c − a) (m,) of triangles (m, 3, 3), six times the tetrahedra's volumes."""
     a, b, c = np.moveaxis(corners, 1, 0)
     return np.einsum("mi,mi->m", a, np.cross(b - a, c - a))
 

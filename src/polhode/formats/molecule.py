@@ -43,5 +43,5 @@ def read_molecule(path: str | Path) -> tuple[list[str], Array, Array | None]:
     if not symbols:
         raise FormatError(f"{path}: holds no atoms.")
     if atoms.pbc.any():
-        raise FormatError(f"{path}: is periodic; its cell may cut the molecule apart. Save the molecule without a cell.")
+        raise FormatError(f"{path}: is periodic; its cell may cut the molecule apart. Save it without a cell.")
     return symbols, positions, atoms.get_masses() * ATOMIC_MASS_UNIT if atoms.has("masses") else None

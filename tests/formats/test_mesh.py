@@ -1,0 +1,170 @@
+"""Reading meshes: many forms, units, merging of corners, and repair on request only."""
+
+import numpy as np
+import pytest
+import trimesh
+
+import polhode as ph
+from polhode.errors import FormatError, InvalidInput
+from polhode.formats.mesh import read_mesh
+
+EXACT = 1e-13
+"""A few roundings, relative, for files that keep double precision or numbers of few digits."""
+SINGLE = 1e-6
+"""What corners in single precision leave."""
+SIZE = (1.0, 2.0, 3.0)
+
+
+def saved(folder, mesh, name="mesh.stl"):
+    path = folder / name
+    mesh.export(path)
+    return path
+
+
+def check_box(mesh, size=SIZE, allowed=EXACT):
+    wanted = ph.shapes.box(2.0, size).inertia
+    found = ph.from_mesh(*mesh, mass=2.0).inertia
+    assert np.abs(found - wanted).max() <= allowed * np.abs(wanted).max()
+
+
+@pytest.mark.parametrize("ending", ["stl", "obj", "ply", "off", "glb"])
+def test_a_box_in_every_form(tmp_path, ending):
+    path = saved(tmp_path, trimesh.creation.box(SIZE), f"box.{ending}")
+    check_box(read_mesh(path, unit=1.0))
+    check_box(read_mesh(path, unit=1e-3), np.array(SIZE) * 1e-3)
+
+
+def test_text_forms(tmp_path):
+    mesh = trimesh.creation.box(SIZE)
+    (tmp_path / "box.stl").write_text(trimesh.exchange.stl.export_stl_ascii(mesh))
+    check_box(read_mesh(tmp_path / "box.stl", unit=1.0))
+    corners = "\n".join(f"v {x} {y} {z}" for x in (0, 1) for y in (0, 2) for z in (0, 3))
+    quadrangles = "f 1 2 4 3\nf 5 7 8 6\nf 1 5 6 2\nf 3 4 8 7\nf 1 3 7 5\nf 2 6 8 4\n"
+    (tmp_path / "box.obj").write_text(f"{corners}\n{quadrangles}")
+    check_box(read_mesh(tmp_path / "box.obj", unit=1.0))
+
+
+def test_scenes_are_joined_with_their_placement(tmp_path):
+    scene = trimesh.Scene()
+    for x in (-2.0, 2.0):
+        scene.add_geometry(trimesh.creation.box(SIZE), transform=trimesh.transformations.translation_matrix((x, 0, 0)))
+    vertices, faces = read_mesh(saved(tmp_path, scene, "two.glb"), unit=1.0)
+    body = ph.from_mesh(vertices, faces, density=1.0, several=True)
+    wanted = ph.combine([ph.shapes.box(6.0, SIZE).placed(np.eye(3), (x, 0, 0)) for x in (-2.0, 2.0)])
+    assert body.inertia == pytest.approx(wanted.inertia, abs=EXACT * 100)
+
+
+def test_a_part_of_a_micrometre_in_a_file_in_metres_is_not_merged_away(tmp_path):
+    tiny = np.array(SIZE) * 1e-9
+    check_box(read_mesh(saved(tmp_path, trimesh.creation.box(tiny)), unit=1.0), tiny, SINGLE)
+    check_box(read_mesh(saved(tmp_path, trimesh.creation.box(tiny)), unit=1.0, repair=True), tiny, SINGLE)
+
+
+def test_negative_zeros_are_the_same_corner(tmp_path):
+    mesh = trimesh.creation.box(SIZE)
+    mesh.vertices += 0.5 * np.array(SIZE)
+    loose = mesh.triangles.copy()
+    loose[::2][loose[::2] == 0.0] = -0.0
+    path = saved(tmp_path, trimesh.Trimesh(loose.reshape(-1, 3), np.arange(36).reshape(-1, 3), process=False))
+    assert len(read_mesh(path, unit=1.0)[0]) == 8
+
+
+def cracked(mesh, width=1e-7):
+    """Return the mesh with every triangle's corners moved a little of its own."""
+    corners = np.array(mesh.triangles).reshape(-1, 3)
+    corners = corners + width * np.random.default_rng(0).uniform(-1, 1, corners.shape)
+    return trimesh.Trimesh(corners, np.arange(len(corners)).reshape(-1, 3), process=False)
+
+
+def turned(mesh):
+    faces = np.array(mesh.faces)
+    flip = np.random.default_rng(0).random(len(faces)) < 0.5
+    return trimesh.Trimesh(mesh.vertices, np.where(flip[:, None], faces[:, ::-1], faces), process=False)
+
+
+def without(mesh, *faces):
+    return trimesh.Trimesh(mesh.vertices, np.delete(mesh.faces, faces, axis=0), process=False)
+
+
+BOX = trimesh.creation.box(SIZE)
+TWICE = np.vstack([BOX.faces, BOX.faces[:1]])
+SPOILED = {
+    "inverted": (trimesh.Trimesh(BOX.vertices, BOX.faces[:, ::-1], process=False), "inverted"),
+    "turned at random": (turned(BOX), "wound inconsistently"),
+    "one triangle missing": (without(BOX, 0), "open"),
+    "a side missing": (without(BOX, 0, 2), "open"),
+    "turned at random, one missing": (without(turned(BOX), 3), "open"),
+    "cracked": (cracked(BOX), "open"),
+    "a triangle twice": (trimesh.Trimesh(BOX.vertices, TWICE, process=False), "not a surface"),
+}
+
+
+@pytest.mark.parametrize("fault", SPOILED)
+def test_repair_only_on_request(tmp_path, fault):
+    mesh, words = SPOILED[fault]
+    path = saved(tmp_path, mesh)
+    with pytest.raises(InvalidInput, match=words):
+        ph.from_mesh(*read_mesh(path, unit=1.0), mass=2.0)
+    check_box(read_mesh(path, unit=1.0, repair=True), allowed=SINGLE)
+
+
+def test_repair_leaves_a_good_mesh_as_it_is(tmp_path):
+    path = saved(tmp_path, trimesh.creation.torus(2.0, 0.5))
+    good, same = (ph.from_mesh(*read_mesh(path, unit=1.0, repair=repair), mass=1.0) for repair in (False, True))
+    assert same.inertia == pytest.approx(good.inertia, abs=EXACT)
+
+
+def test_repair_keeps_cavities(tmp_path):
+    hollow = trimesh.util.concatenate([trimesh.creation.icosphere(2), trimesh.creation.icosphere(2, radius=0.5)])
+    path = saved(tmp_path, hollow)
+    with pytest.raises(InvalidInput, match="overlaps itself: 1 of its 2 pieces lie inside"):
+        ph.from_mesh(*read_mesh(path, unit=1.0), density=1.0)
+    mass = ph.from_mesh(*read_mesh(path, unit=1.0, repair=True), density=1.0).mass
+    assert mass == pytest.approx(0.875 * trimesh.creation.icosphere(2).volume, rel=SINGLE)
+
+
+def test_holes_too_large_to_guess_stay_open(tmp_path):
+    ball = trimesh.creation.icosphere(2)
+    path = saved(tmp_path, without(ball, *np.flatnonzero(ball.triangles_center[:, 2] > 0.5)))
+    with pytest.raises(InvalidInput, match="open"):
+        ph.from_mesh(*read_mesh(path, unit=1.0, repair=True), mass=2.0)
+
+
+POINTS = (
+    "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\nend_header\n"
+    "0 0 0\n1 1 1\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "words"),
+    [
+        ("text.stl", "hello", "cannot be read as a mesh|no triangles"),
+        ("empty.stl", "", "cannot be read as a mesh|no triangles"),
+        ("points.ply", POINTS, "no triangles"),
+        ("lines.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n", "no triangles"),
+        ("mesh.nonsense", "hello", "cannot be read as a mesh"),
+        ("nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "NaN"),
+    ],
+)
+def test_files_that_are_no_meshes(tmp_path, name, text, words):
+    (tmp_path / name).write_text(text)
+    with pytest.raises(FormatError, match=f"(?s){name}.*({words})"):
+        read_mesh(tmp_path / name, unit=1.0)
+
+
+def test_a_file_cut_short(tmp_path):
+    path = saved(tmp_path, BOX)
+    path.write_bytes(path.read_bytes()[:-60])
+    with pytest.raises(InvalidInput, match=r"mesh\.stl: cannot be read|open"):
+        ph.from_mesh(*read_mesh(path, unit=1.0), mass=1.0)
+
+
+def test_missing_file_and_bad_unit(tmp_path):
+    with pytest.raises(InvalidInput, match="no such mesh file"):
+        read_mesh(tmp_path / "none.stl", unit=1.0)
+    with pytest.raises(InvalidInput, match="no such mesh file"):
+        read_mesh(tmp_path, unit=1.0)
+    for unit in (0.0, -1.0, np.nan, np.ones(3)):
+        with pytest.raises(InvalidInput, match="`unit` must be a positive length"):
+            read_mesh(saved(tmp_path, BOX), unit=unit)
