@@ -18,7 +18,7 @@ WORST = 1e-13
 GROWTH_SHOWN = 300.0
 """λt; a motion that starts at the saddle leaves it as e^{λt}, which is capped at e^340: there derivatives need only be
 finite. The oracle's steps do not reach further either."""
-PER_FAMILY, SWEEP_PER_FAMILY = 5, 60
+PER_FAMILY, SWEEP_PER_FAMILY = 3, 15
 LONGEST = 12.0
 """Decades of ωt."""
 BLOCKS = {"moments": range(3), "momentum": range(3, 6), "time": range(6, 7)}

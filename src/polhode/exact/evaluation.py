@@ -25,7 +25,10 @@ LONG_RUN = 256  # consecutive times of one body from which its constants are wor
 def motion_columns(moments: Array, momentum: Array, attitude: Array) -> tuple[Array, ...]:
     """Return the constants of motion as flat columns of the bodies' common batch shape."""
     if is_jax(moments, momentum, attitude):
-        return compiled(_columns_of_bodies, moments)(*stop_gradient((moments, momentum, attitude)))
+        shape = np.broadcast_shapes(moments.shape[:-1], momentum.shape[:-1], attitude.shape[:-1])
+        xp = namespace(moments, momentum, attitude)
+        values = (xp.broadcast_to(v, (*shape, v.shape[-1])) for v in (moments, momentum, attitude))
+        return _columns_of_bodies(*stop_gradient(tuple(values)))
     shape = np.broadcast_shapes(moments.shape[:-1], momentum.shape[:-1], attitude.shape[:-1])
     flat = [np.broadcast_to(v, (*shape, v.shape[-1])).reshape(-1, v.shape[-1]) for v in (moments, momentum, attitude)]
     with np.errstate(all="ignore"):

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-from polhode.arrays import choose, namespace, split_halves
+from polhode.arrays import choose, compiled, namespace, split_halves
 from polhode.exact.frequencies import Frequencies, canonical_frequencies
 from polhode.exact.reduction import Reduction, canonical_reduction
 from polhode.exact.spinor import Motion, flatten, start_spinor
@@ -31,9 +31,16 @@ class Prepared(NamedTuple):
 
 def prepare(moments: Array, momentum: Array, attitude: Array) -> Prepared:
     """Return the constants of motion of bodies with arrays (…, 3), (…, 3) and (…, 4) of one batch shape."""
-    xp = namespace(moments, momentum, attitude)
     body = canonical_reduction(moments, momentum)
-    rates = canonical_frequencies(body)
+    rates = compiled(canonical_frequencies, moments)(body)
+    return Prepared(compiled(_motion, moments)(body, rates, moments, momentum, attitude), body, rates)
+
+
+def _motion(
+    body: Reduction, rates: Frequencies, moments: Array, momentum: Array, attitude: Array
+) -> tuple[Array, ...]:
+    """Return the flattened ``Motion``."""
+    xp = namespace(moments, momentum, attitude)
     constant, separatrix = rates.constant, rates.separatrix
     m, m1 = body.A[0] * body.P[0], -body.C[0] * body.S[0]
     full = constant | ((m <= m1) & ~separatrix)
@@ -58,7 +65,7 @@ def prepare(moments: Array, momentum: Array, attitude: Array) -> Prepared:
         ((zero,) * 4,) * 4, ((zero,) * 3,) * 3,
     )  # fmt: skip
     to_attitude, to_momentum = _matrices(unfinished, body, rates, moments, momentum, attitude)
-    return Prepared(flatten(unfinished._replace(to_attitude=to_attitude, to_momentum=to_momentum)), body, rates)
+    return flatten(unfinished._replace(to_attitude=to_attitude, to_momentum=to_momentum))
 
 
 def _permanent_rate(body: Reduction) -> DoubleDouble:

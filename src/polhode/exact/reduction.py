@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from polhode.arrays import choose, namespace
+from polhode.arrays import choose, compiled, namespace
 from polhode.special import doubledouble as dd
 from polhode.special.doubledouble import DoubleDouble
 
@@ -43,7 +43,20 @@ class Reduction(NamedTuple):
 
 
 def canonical_reduction(moments: Array, momentum: Array) -> Reduction:
-    """Return the canonical form of bodies with moments and momentum (…, 3), any order, any scale."""
+    """Return the canonical form of bodies with moments and momentum (…, 3), any order, any scale.
+
+    On JAX each stage is compiled by itself: as one kernel XLA would compute S anew for everything that uses it.
+    """
+    sorted_ = compiled(_sorted_and_scaled, moments)(moments, momentum)
+    I, L = sorted_[0], sorted_[1]  # noqa: E741
+    sums = compiled(_sums, moments)(I, L)
+    # beside the saddle L1² and L3² would lose their low words, so S is formed with both scaled up
+    S = compiled(_signed_distance_from_separatrix, moments)(I, (L[0] * sorted_[5], L[1], L[2] * sorted_[5]), *sums[:2])
+    return compiled(_assembled, moments)(sorted_, sums, S)
+
+
+def _sorted_and_scaled(moments: Array, momentum: Array) -> tuple[Any, ...]:
+    """Return moments, momentum, order and its parity, the scale of L1 and L3, its inverse, and the scales taken out."""
     xp = namespace(moments, momentum)
     order = xp.argsort(moments, axis=-1, stable=True)
     first, second, third = (order[..., k] for k in range(3))
@@ -55,12 +68,18 @@ def canonical_reduction(moments: Array, momentum: Array) -> Reduction:
     _, momentum_exponent = xp.frexp(size)
     I = tuple(xp.ldexp(x, -moment_exponent) for x in I)  # noqa: E741
     L = tuple(parity * xp.ldexp(x, -momentum_exponent) for x in L)
-
-    A, B, C, P, Q, G2 = _sums(I, L)
-    # beside the saddle L1² and L3² would lose their low words, so S is formed with both scaled up
     _, exponent = xp.frexp(xp.maximum(xp.abs(L[0]), xp.abs(L[2])))
-    near, up = xp.ldexp(xp.ones_like(L[0]), exponent), xp.ldexp(xp.ones_like(L[0]), -exponent)
-    S = _signed_distance_from_separatrix(I, (L[0] * up, L[1], L[2] * up), A, B)
+    one = xp.ones_like(L[0])
+    near, up = xp.ldexp(one, exponent), xp.ldexp(one, -exponent)
+    scales = xp.ldexp(one, momentum_exponent), xp.ldexp(one, momentum_exponent - moment_exponent)
+    return I, L, (first, second, third), parity, near, up, scales
+
+
+def _assembled(sorted_: tuple[Any, ...], sums: tuple[DoubleDouble, ...], S: DoubleDouble) -> Reduction:
+    """Apply mirror and half turn."""
+    I, L, (first, second, third), parity, near, _, scales = sorted_  # noqa: E741
+    A, B, C, P, Q, G2 = sums
+    xp = namespace(near)
     long_axis = S[0] > 0
     swap = lambda x, y: (dd.where(long_axis, y, x), dd.where(long_axis, x, y))  # noqa: E731
     A, B = swap(A, B)
@@ -70,7 +89,6 @@ def canonical_reduction(moments: Array, momentum: Array) -> Reduction:
     flips = (half_turn, 1.0, half_turn)
     indices = (xp.where(long_axis, third, first), second, xp.where(long_axis, first, third))
     minus_S = dd.where(long_axis, S, dd.negate(S))
-    one = xp.asarray(1.0)
     return Reduction(
         moments=I,
         momentum=L,
@@ -86,8 +104,8 @@ def canonical_reduction(moments: Array, momentum: Array) -> Reduction:
         G2=G2,
         long_axis=long_axis,
         axes=tuple(tuple(xp.where(indices[j] == i, parity * flips[j], 0.0) for j in range(3)) for i in range(3)),
-        momentum_scale=xp.ldexp(one, momentum_exponent),
-        rate_scale=xp.ldexp(one, momentum_exponent - moment_exponent),
+        momentum_scale=scales[0],
+        rate_scale=scales[1],
     )
 
 
