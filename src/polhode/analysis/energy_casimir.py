@@ -1,9 +1,9 @@
 """Stability of an equilibrium of a Lie–Poisson system, by the energy–Casimir method and by the spectrum.
 
-An equilibrium is a critical point of H + Σ λ_k C_k. If the second variation of that function is definite on the
-tangent space of the leaf (the common level of the Casimirs), the function itself confines every motion that starts
-near: that is the certificate. If the linearised flow on the leaf has an exponent with positive real part, its mode
-shows how neighbours leave. Between the two the matrices alone decide nothing, and that is said.
+An equilibrium is a critical point of F = H + Σ λ_k C_k. If the second variation of F is definite on the tangent space
+of the leaf (the null space of the dC_k), F itself confines every motion that starts near: that is the certificate. If
+the linearised flow on the leaf has an exponent with positive real part, its mode shows how neighbours leave. Between
+the two the matrices alone decide nothing, and that is said.
 
 Source: Holm, Marsden, Ratiu & Weinstein, Phys. Rep. 123 (1985) 1; Marsden & Ratiu, *Introduction to Mechanics and
 Symmetry*, §1.7 and §15.
@@ -17,10 +17,12 @@ from typing import Any
 
 import numpy as np
 
+from polhode.analysis.second_variation import Leaf, definite_combination, null_space, scaled_leaf
 from polhode.errors import InvalidInput
 
 Array = Any
-EQUILIBRIUM_TOLERANCE = 1e-8  # what may be left of dH + Σ λ dC, relative to dH
+EQUILIBRIUM_TOLERANCE = 1e-8  # what may be left of dH + Σ λ dC relative to its terms: a solver's, not rounding
+NO_ENERGY = 1e-12  # weight of H, among weights of order one, that counts as none in a function of conserved quantities
 
 
 @dataclass(frozen=True)
@@ -52,147 +54,211 @@ def energy_casimir(
     casimir_hessians: Array,
     casimir_names: Sequence[str] = (),
     on_equilibria: bool = False,
-    tolerance: float = 1e-10,
+    is_equilibrium: bool = False,
+    tolerance: float = 1e-12,
 ) -> Stability:
-    """Return the verdict on an equilibrium from the matrices there; one scale of state, energy and time throughout.
+    """Return the verdict on an equilibrium from the matrices there, in any consistent units.
+
+    The state is scaled so that the terms of the second variation are of order one, each Casimir so that its gradient
+    is: verdicts do not depend on units, nor on how far apart the sizes of the components are.
 
     Args:
         linearization: (n, n) derivative of the vector field [1/s].
         energy_gradient: (n,) dH.
         energy_hessian: (n, n) D²H.
-        casimir_gradients: (k, n) dC_k; other conserved quantities may stand among them if their gradients depend on
-            the Casimirs' here, and the freedom this leaves is used.
+        casimir_gradients: (k, n) dC_k; they may depend on each other, as on singular leaves. Other conserved
+            quantities may stand among them where their gradients depend on the Casimirs'. The freedom this leaves in
+            λ is used.
         casimir_hessians: (k, n, n) D²C_k.
         casimir_names: what to call the Casimirs in the certificate; C1, C2, … if empty.
         on_equilibria: whether every null direction of the second variation on the leaf is known to be tangent to a
             family of equilibria on it. Then a shear along it moves neighbours away at a steady rate.
-        tolerance: what counts as zero, relative to the largest entry of the matrix in question. Zero for matrices
-            whose entries are exact to their last digit.
+        is_equilibrium: whether the field is known to vanish here. On singular leaves it may although dH is no
+            combination of the dC; the spectrum alone can then decide.
+        tolerance: relative error of the entries, which decides what counts as zero. Zero for matrices whose entries
+            are right to their last digit.
 
     Raises:
-        InvalidInput: for shapes that do not match, values that are not finite, or a point that is no equilibrium.
+        InvalidInput: for shapes that do not match, values that are not finite, a point that is no equilibrium, or
+            matrices that no conservative flow has: dC A = 0 and D²F A antisymmetric are necessary.
+
+    >>> import numpy as np
+    >>> momentum, moments = np.array([0.0, 0.0, 2.0]), np.array([1.0, 2.0, 3.0])
+    >>> flow = np.array([[0.0, 1 / 3, 0.0], [-4 / 3, 0.0, 0.0], [0.0, 0.0, 0.0]])
+    >>> energy_casimir(flow, momentum / moments, np.diag(1 / moments), [momentum], [np.eye(3)], ["½|L|²"]).verdict
+    'stable'
     """
     A, g, H = (np.asarray(x, dtype=float) for x in (linearization, energy_gradient, energy_hessian))
-    n = g.size
-    dC = np.asarray(casimir_gradients, dtype=float).reshape(-1, n)
-    ddC = np.asarray(casimir_hessians, dtype=float).reshape(-1, n, n)
-    _check(A, g, H, dC, ddC)
+    dC = np.asarray(casimir_gradients, dtype=float).reshape(-1, g.size)
+    ddC = np.asarray(casimir_hessians, dtype=float).reshape(-1, g.size, g.size)
+    _check(A, g, H, dC, ddC, casimir_names, tolerance)
+    leaf = scaled_leaf(A, g, H, dC, ddC, tolerance)
     names = list(casimir_names) or [f"C{k + 1}" for k in range(len(dC))]
-    leaf = _null_space(dC, n)
-    on_leaf = leaf.T @ H @ leaf, np.einsum("ia,kij,jb->kab", leaf, ddC, leaf)
-    multipliers = _multipliers(g, dC, *on_leaf)
-    second = on_leaf[0] + np.einsum("k,kij->ij", multipliers, on_leaf[1])
-    flow = leaf.T @ A @ leaf
-    found: Any = np.linalg.eig(flow) if leaf.shape[1] else (np.zeros(0, complex), np.zeros((0, 0)))
-    spectrum, modes = found
-    function = _function(multipliers, names)
-    curvatures = np.linalg.eigvalsh(second) if leaf.shape[1] else np.zeros(0)
-    zero = tolerance * np.abs(second).max(initial=0.0)
-    positive, negative = int((curvatures > zero).sum()), int((curvatures < -zero).sum())
-    rate = float(spectrum.real.max(initial=0.0))
-    noise = tolerance * np.abs(flow).max(initial=0.0)
-
-    if max(positive, negative) == curvatures.size:
-        sign = "positive" if positive or not curvatures.size else "negative"
-        shown = ", ".join(f"{x:.6g}" for x in curvatures)
-        text = f"{function} has a {sign} definite second variation on the leaf (curvatures {shown})"
-        return Stability("stable", 0.0, None, None, text, spectrum)
-    if rate > max(noise, 0.0):
-        k = int(np.argmax(spectrum.real))
-        way = _unit(leaf @ modes[:, k].real)
-        text = f"the linearised flow on the leaf grows as exp({rate:.6g} t) along ({_shown(way)})"
-        return Stability("unstable", rate, "exponential", way, text, spectrum)
-    if on_equilibria and not (positive and negative):
-        return _on_equilibria(leaf, flow, noise, function, spectrum)
-    why = (
-        f"the second variation of {function} on the leaf is "
-        + ("indefinite" if positive and negative else "degenerate")
-        + " while no exponent has a positive real part; higher orders decide"
+    if leaf.residual > EQUILIBRIUM_TOLERANCE:
+        return _on_singular_leaf(leaf, is_equilibrium)
+    weights = _weights(leaf)
+    leaf.check_conservation(weights)
+    second = leaf.combination(weights)
+    curvatures = np.linalg.eigvalsh(second)
+    zero = leaf.zero(weights)
+    signs = int((curvatures > zero).sum()), int((curvatures < -zero).sum())
+    function = _function(weights / (weights[0] or 1.0), names)
+    if max(signs) == curvatures.size:
+        return _stable(leaf, weights, second, function, names)
+    spectrum, rate, way = _growth(leaf)
+    if way is not None:
+        return _unstable(spectrum, rate, way)
+    if on_equilibria and not min(signs):
+        return _on_equilibria(leaf, second, zero, function, spectrum)
+    why = "indefinite" if min(signs) else "degenerate"
+    text = (
+        f"the second variation of {function} on the leaf is {why} and no exponent has a real part that is surely "
+        + ("positive: a gyroscopic balance; " if min(signs) else "positive: ")
+        + "terms of higher order decide"
     )
-    return Stability("undecided", 0.0, None, None, why, spectrum)
+    return Stability("undecided", 0.0, None, None, text, spectrum)
 
 
-def _on_equilibria(leaf: Array, flow: Array, noise: float, function: str, spectrum: Array) -> Stability:
-    """Judge a semidefinite second variation whose null directions are tangent to equilibria."""
-    if np.abs(flow).max(initial=0.0) <= noise:
+def _stable(leaf: Leaf, weights: Array, second: Array, function: str, names: list[str]) -> Stability:
+    """State the function, which on all of the space is definite once multiples of (C − C⁰)² make it so across leaves."""
+    sizes, vectors = np.linalg.eigh(second)
+    sign = -1.0 if sizes.size and sizes[0] < 0 else 1.0
+    root = np.sqrt(sign * sizes)
+    # √|D²F| makes the flow antisymmetric, so that its exponents come out imaginary, as they are
+    turned = root[:, None] * (vectors.T @ leaf.flow @ vectors) / root
+    turned = np.linalg.eigvalsh(0.5j * (turned - turned.T))
+    spectrum = 1j * np.sort_complex(turned)[::-1] + 0.0
+    sign = sign * (np.sign(weights[0]) or 1.0)
+    squares = sign * leaf.squares(weights) / abs(weights[0] or 1.0)
+    for square, name in zip(squares, names, strict=True):
+        if square:
+            function += f" {'+' if square > 0 else '−'} {abs(square):.6g} Δ({name})²"
+    text = f"the second variation of {function} is {'positive' if sign > 0 else 'negative'} definite"
+    if sizes.size:
+        text += f", on the leaf by {np.abs(sizes).min() / leaf.size(weights):.3g} of its largest term"
+    if squares.any():
+        text += "; Δ is the difference from the value at the equilibrium"
+    return Stability("stable", 0.0, None, None, text, spectrum)
+
+
+def _on_equilibria(leaf: Leaf, second: Array, zero: float, function: str, spectrum: Array) -> Stability:
+    """Judge a semidefinite second variation whose null directions are tangent to equilibria.
+
+    F then bounds the distance y to the equilibria by its initial size. A block of the flow that shears, ẇ = Σ a y,
+    takes w away at that steady rate, for the y that drives it changes only with y². Without one the drift along the
+    equilibria is of order y², and nothing is known.
+    """
+    sizes, vectors = np.linalg.eigh(second)
+    flat = vectors[:, np.abs(sizes) <= zero]
+    if flat.shape[1] == sizes.size:
         text = f"every neighbour on the leaf is an equilibrium, as {function} is constant there"
         return Stability("stable", 0.0, None, None, text, spectrum)
-    left, shear, _ = np.linalg.svd(flow)
-    way = _unit(leaf @ left[:, 0])
-    text = f"neighbours leave at a steady rate along ({_shown(way)}), {shear[0]:.6g}/s times their distance"
+    across = leaf.flow - flat @ (flat.T @ leaf.flow)
+    drivers = null_space(across, leaf.noise * np.abs(leaf.flow).max())
+    _, shear, rows = np.linalg.svd(leaf.flow @ drivers)
+    if shear[0] <= leaf.noise * np.abs(leaf.flow).max():
+        text = (
+            f"the second variation of {function} on the leaf is degenerate, along equilibria without shear: "
+            "neighbours drift along them, if at all, at a rate of second order in the distance"
+        )
+        return Stability("undecided", 0.0, None, None, text, spectrum)
+    driver = drivers @ rows[0]
+    moved, displaced = leaf.out(leaf.flow @ driver), leaf.out(driver)
+    rate, way = np.linalg.norm(moved) / np.linalg.norm(displaced), _unit(moved)
+    text = f"neighbours leave at a steady rate along ({_shown(way)}), {rate:.6g}/s times their distance"
     return Stability("unstable", 0.0, "linear", way, text, spectrum)
 
 
-def _check(A: Array, g: Array, H: Array, dC: Array, ddC: Array) -> None:
-    n = g.size
-    if g.ndim != 1 or A.shape != (n, n) or H.shape != (n, n) or len(dC) != len(ddC):
+def _weights(leaf: Leaf) -> Array:
+    """Return the weights of H and the Casimirs in F; where several do, ones that make it definite if any do."""
+    plain = np.concatenate([[1.0], leaf.multipliers])
+    free = leaf.freedom
+    if not free.shape[1] or not leaf.basis.shape[1]:
+        return plain
+    ways = [plain, *np.hstack([np.zeros((free.shape[1], 1)), free.T])]
+    sizes = [leaf.size(way) or 1.0 for way in ways]
+    ends = np.linalg.eigvalsh(leaf.combination(plain))[[0, -1]]
+    if ends[0] > leaf.zero(plain) or ends[1] < -leaf.zero(plain):
+        return plain
+    matrices = np.array([leaf.combination(way) / size for way, size in zip(ways, sizes, strict=True)])
+    found = definite_combination(matrices, leaf.noise)
+    if found is None:
+        return plain
+    found[0] = found[0] if abs(found[0]) > NO_ENERGY else 0.0
+    return sum((c / size) * way for c, size, way in zip(found, sizes, ways, strict=True))
+
+
+def _growth(leaf: Leaf) -> tuple[Array, float, Array | None]:
+    """Return the exponents on the leaf, and rate and direction of the fastest growth if it is no artefact of errors.
+
+    An exponent of a defective block is split by an error e to a distance √e, where its condition 1/|yᴴx| is as large
+    as 1/√e: only a real part beyond what errors of the matrix can do to this very exponent is a proof.
+    """
+    if not leaf.basis.shape[1]:
+        return np.zeros(0, complex), 0.0, None
+    from scipy.linalg import eig
+
+    found: Any = eig(leaf.flow, left=True, right=True)
+    spectrum, left, right = found
+    k = int(np.argmax(spectrum.real))
+    alignment = max(abs(np.vdot(left[:, k], right[:, k])), np.finfo(float).tiny)
+    if spectrum[k].real <= leaf.noise * np.abs(leaf.flow).max() / alignment:
+        return spectrum, 0.0, None
+    return spectrum, float(spectrum[k].real), _unit(leaf.out(_largest_real_part(right[:, k])))
+
+
+def _unstable(spectrum: Array, rate: float, way: Array) -> Stability:
+    text = f"the linearised flow on the leaf grows as exp({rate:.6g}/s · t) along ({_shown(way)})"
+    return Stability("unstable", rate, "exponential", way, text, spectrum)
+
+
+def _on_singular_leaf(leaf: Leaf, is_equilibrium: bool) -> Stability:
+    """Judge an equilibrium at which the Casimirs' gradients do not span dH, by the spectrum alone."""
+    if not is_equilibrium:
         raise InvalidInput(
-            f"shapes must match: dH (n,), D²H (n, n), linearisation (n, n), one gradient and Hessian a Casimir; "
-            f"got {g.shape}, {H.shape}, {A.shape}, {len(dC)} and {len(ddC)}."
+            "the point is not an equilibrium: dH is not a combination of the dC there, "
+            f"{leaf.residual:.3g} of it is left. Solve for the equilibrium first; if the field does vanish, a Casimir "
+            "is missing or the leaf is singular: say `is_equilibrium=True`."
+        )
+    leaf.check_conservation(None)
+    leaf = leaf._replace(residual=0.0)
+    spectrum, rate, way = _growth(leaf)
+    if way is not None:
+        return _unstable(spectrum, rate, way)
+    text = "dH is no combination of the dC here, as on a singular leaf, and no exponent has a real part that is surely "
+    return Stability("undecided", 0.0, None, None, text + "positive: another function must decide", spectrum)
+
+
+def _check(A: Array, g: Array, H: Array, dC: Array, ddC: Array, names: Sequence[str], tolerance: float) -> None:
+    n = g.size
+    if g.ndim != 1 or A.shape != (n, n) or H.shape != (n, n) or len(dC) != len(ddC) or len(names) not in (0, len(dC)):
+        raise InvalidInput(
+            f"shapes must match: dH (n,), D²H (n, n), linearisation (n, n), one gradient, Hessian and name a Casimir; "
+            f"got {g.shape}, {H.shape}, {A.shape}, {len(dC)}, {len(ddC)} and {len(names)}."
         )
     if not all(np.isfinite(x).all() for x in (A, g, H, dC, ddC)):
         raise InvalidInput("the matrices at the equilibrium must be finite; got NaN or an infinity.")
+    if not 0.0 <= tolerance < 1.0:
+        raise InvalidInput(f"`tolerance` must be a relative error, at least 0 and below 1; got {tolerance!r}.")
 
 
-def _multipliers(g: Array, dC: Array, energy: Array, casimirs: Array) -> Array:
-    """Return λ with dH + Σ λ dC = 0; where several do, the one whose second variation is the most definite."""
-    if not len(dC):
-        multipliers, rest, free = np.zeros(0), g, np.zeros((0, 0))
-    else:
-        multipliers = np.linalg.lstsq(dC.T, -g, rcond=1e-12)[0]
-        rest = g + dC.T @ multipliers
-        free = _null_space(dC.T, len(dC))
-    if np.linalg.norm(rest) > EQUILIBRIUM_TOLERANCE * np.linalg.norm(g):
-        raise InvalidInput(
-            "the point is not an equilibrium: dH is not a combination of the dC there, "
-            f"{np.linalg.norm(rest):.3g} of {np.linalg.norm(g):.3g} is left. Solve for the equilibrium first."
-        )
-    if not free.size or not energy.size:
-        return multipliers
-    return _most_definite(multipliers, free, energy, casimirs)
+def _largest_real_part(mode: Array) -> Array:
+    """Return the real part of a mode turned to the phase at which that part is largest."""
+    return (mode * np.exp(-0.5j * np.angle(np.sum(mode * mode)))).real
 
 
-def _most_definite(multipliers: Array, free: Array, energy: Array, casimirs: Array) -> Array:
-    """Search the freedom for a definite second variation; its least eigenvalue is a concave function of the freedom."""
-    from scipy.optimize import minimize
-
-    base = energy + np.einsum("k,kij->ij", multipliers, casimirs)
-    ways = np.einsum("km,kij->mij", free, casimirs)
-    size = np.abs(base).max() / (np.abs(ways).max() or 1.0)
-    best, found = 0.0, multipliers
-    for sign in (1.0, -1.0):
-
-        def worst(z: Array, sign: float = sign) -> float:
-            return -float(np.linalg.eigvalsh(sign * (base + size * np.einsum("m,mij->ij", z, ways)))[0])
-
-        options = {"xatol": 1e-13, "fatol": 1e-15 * np.abs(base).max(), "maxiter": 2000 * free.shape[1]}
-        run = minimize(worst, np.zeros(free.shape[1]), method="Nelder-Mead", options=options)
-        if -run.fun > best:
-            best, found = -run.fun, multipliers + size * free @ run.x
-    return found
-
-
-def _null_space(dC: Array, n: int) -> Array:
-    """Return an orthonormal basis (n, d) of the leaf's tangent space; coordinate vectors where the leaf allows."""
-    if not len(dC):
-        return np.eye(n)
-    used = np.abs(dC).max(axis=0) > 0
-    free = np.eye(n)[:, ~used]
-    _, sizes, rows = np.linalg.svd(dC[:, used])
-    rank = int((sizes > 1e-12 * sizes.max(initial=0.0)).sum())
-    rest = np.zeros((n, int(used.sum()) - rank))
-    rest[used] = rows[rank:].T
-    return np.hstack([free, rest])
-
-
-def _function(multipliers: Array, names: list[str]) -> str:
-    terms = zip(multipliers, names, strict=True)
-    return "H" + "".join(f" {'+' if m >= 0 else '−'} {abs(m):.6g} {name}" for m, name in terms)
+def _function(weights: Array, names: list[str]) -> str:
+    text = "H" if weights[0] else ""
+    for weight, name in zip(weights[1:], names, strict=True):
+        if weight:
+            text += f" {'+' if weight >= 0 else '−'} {abs(weight):.6g} {name}"
+    return text.removeprefix(" + ").strip()
 
 
 def _unit(vector: Array) -> Array:
+    vector = vector / np.abs(vector).max()
     largest = vector[np.argmax(np.abs(vector))]
-    return vector / (np.linalg.norm(vector) * (np.sign(largest) or 1.0)) + 0.0
+    return vector / (np.linalg.norm(vector) * np.sign(largest)) + 0.0
 
 
 def _shown(vector: Array) -> str:
