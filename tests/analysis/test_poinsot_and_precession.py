@@ -2,10 +2,12 @@
 
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 
 import polhode as ph
 from polhode.analysis.poinsot import contact_point, ellipsoid_semi_axes, herpolhode, herpolhode_curve
-from polhode.analysis.precession import body_precession, racket_twist, space_precession
+from polhode.analysis.precession import body_precession, space_precession
+from polhode.analysis.twist import racket_twist
 from polhode.errors import InvalidInput
 
 SAM, LAM = (0.3, 1.8, 1.5), (0.9, 1.6, 0.3)
@@ -75,3 +77,23 @@ def test_tennis_racket(ratio, degrees):
 def test_a_racket_spun_about_its_handle_has_no_twist():
     with pytest.raises(InvalidInput, match="handle"):
         racket_twist(ph.FreeMotion((1.0, 2.0, 3.0), (1.0, 0.0, 0.0)))
+
+
+@pytest.mark.parametrize("handle", [0, 1, 2])
+@pytest.mark.parametrize("momentum", [(0.3, 1.8, 1.5), (0.9, 1.6, 0.3), (1e-3, 2.0, 2e-3), (0.02, 0.01, 2.0)])
+def test_twist_is_that_of_an_integration(handle, momentum):
+    moments, norm = np.array([1.0, 2.0, 3.0]), np.linalg.norm(momentum)
+    j, k = (handle + 1) % 3, (handle + 2) % 3
+
+    def field(_, y):
+        L = y[:3]
+        across = (L[j] ** 2 / moments[j] + L[k] ** 2 / moments[k]) / (L[j] ** 2 + L[k] ** 2)
+        return [*np.cross(L, L / moments), norm * across, L[handle] * (across - 1.0 / moments[handle])]
+
+    def turned_once(_, y):
+        return y[3] - 2.0 * np.pi
+
+    turned_once.terminal = True
+    path = solve_ivp(field, (0.0, 100.0), [*momentum, 0.0, 0.0], "DOP853", events=turned_once, rtol=1e-12, atol=1e-14)
+    twist = abs(path.y_events[0][0, 4])
+    assert racket_twist(ph.FreeMotion(moments, momentum), handle) == pytest.approx(twist, abs=1e-9)

@@ -120,7 +120,7 @@ def energy_casimir(
 
 
 def _stable(leaf: Leaf, weights: Array, second: Array, function: str, names: list[str]) -> Stability:
-    """State the function, which on all of the space is definite once multiples of (C − C⁰)² make it so across leaves."""
+    """State the function; multiples of (C − C⁰)² make it definite across leaves too, hence on all of the space."""
     sizes, vectors = np.linalg.eigh(second)
     sign = -1.0 if sizes.size and sizes[0] < 0 else 1.0
     root = np.sqrt(sign * sizes)
