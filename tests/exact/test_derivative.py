@@ -86,6 +86,11 @@ def test_derivatives_in_every_family(capsys):
     check(PER_FAMILY, 5, capsys)
 
 
+@pytest.mark.sweep
+def test_derivatives_in_a_larger_draw(capsys):
+    check(20, 6, capsys)
+
+
 def test_a_wrong_derivative_is_caught():
     cases = draw(1, 5, LONGEST)[:3]
     turns, changes = jacobian(cases)

@@ -37,7 +37,7 @@ def state_tangent(
     now = tuple(x / scale for x in as_sorted(body, momentum_t))
     start_change = tuple(x / scale for x in as_sorted(body, d_momentum))
     moments_change = tuple(x * (rate / scale) for x in _sorted_sizes(body, d_moments))
-    change, flow, work = momentum_tangent(prepared, time * rate, moments_change, start_change)
+    change, flow, present, work = momentum_tangent(prepared, time * rate, moments_change, start_change)
 
     resting = xp.all(momentum == 0, axis=-1)
     change = tuple(xp.where(resting, e, x) for e, x in zip(start_change, change, strict=True))
@@ -46,7 +46,7 @@ def state_tangent(
     seen = tuple(x / scale - y for x, y in zip(carried, change, strict=True))
     size = xp.where(resting, 1.0, body.G2[0])
     turn = tuple((c + x * work) / size for c, x in zip(_cross(now, seen), now, strict=True))
-    velocity = tuple(x / i for x, i in zip(now, body.moments, strict=True))
+    velocity = tuple(x / i for x, i in zip(present, body.moments, strict=True))
     at_rest = tuple(time * rate * e / i for e, i in zip(start_change, body.moments, strict=True))
     turn = tuple(xp.where(resting, r, x) + v * (rate * d_time) for r, x, v in zip(at_rest, turn, velocity, strict=True))
     moved = tuple((x + f * (rate * d_time)) * scale for x, f in zip(change, flow, strict=True))

@@ -19,6 +19,7 @@ from polhode.special import doubledouble as dd
 
 Array = Any
 Vector = tuple[Array, Array, Array]
+Changes = tuple[Array, ...]  # of A, B, C, P, Q, b, κ, and of the momentum at the epoch
 
 
 class Canonical(NamedTuple):
@@ -49,10 +50,26 @@ class Passage(NamedTuple):
     sigma: Array
 
 
+class Tangent(NamedTuple):
+    """What the derivative of the state is made of.
+
+    Attributes:
+        change: δL(t) at fixed time.
+        flow: L̇(t).
+        present: L(t), each component relative to its own amplitude; the state's is relative to |L|.
+        work: δE t + ½ Σ δa_i ∫L_i².
+    """
+
+    change: Vector
+    flow: Vector
+    present: Vector
+    work: Array
+
+
 def momentum_tangent(
     prepared: Prepared, time: Array, d_moments: Vector, d_momentum: Vector
-) -> tuple[Vector, Vector, Array]:
-    """Return δL(t) at fixed time, L̇(t), and δE t + ½ Σ δa_i ∫L_i², along the sorted axes in scaled units.
+) -> Tangent:
+    """Return the parts of the derivative along the sorted axes, in scaled units.
 
     Args:
         prepared: the motion.
@@ -76,21 +93,23 @@ def momentum_tangent(
     dP = dC * (l1 * l1) + dB * (l2 * l2) + (2.0 * C * l1) * e1 + (2.0 * B * l2) * e2
     dQ = dA * (l2 * l2) + dC * (l3 * l3) + (2.0 * A * l2) * e2 + (2.0 * C * l3) * e3
     dS = dA * (l1 * l1) - dB * (l3 * l3) + (2.0 * A * l1) * e1 - (2.0 * B * l3) * e3
-    db, dkappa, dg = dB * Q + B * dQ, -(dC * S + C * dS), dA * P + A * dP
+    db, dkappa = dB * Q + B * dQ, -(dC * S + C * dS)
     Y = 0.5 * (passage.rho * db + passage.sigma * dkappa)
-    changes = (dA, dB, dC, dP, dQ, db, dkappa, dg, e1, e2, e3)
+    changes = (dA, dB, dC, dP, dQ, db, dkappa, e1, e2, e3)
     rate = _rate(form, passage.end)
     fixed = _from_start(form, passage, changes)
     middle = _from_middle(form, passage, changes)
     use = passage.middle
     shifted = tuple(r * (middle.shift + Y) + x for r, x in zip(middle.rate, middle.static, strict=True))
     drift = tuple(xp.where(use, mid, r * Y + far) for mid, r, far in zip(shifted, rate, fixed, strict=True))
-    at_fixed_time = _mirror(mirrored, tuple(s * x for s, x in zip(passage.signs, drift, strict=True)))
-    flow = _mirror(mirrored, tuple(s * x for s, x in zip(passage.signs, rate, strict=True)))
+    at_fixed_time, flow, present = (
+        _mirror(mirrored, tuple(s * x for s, x in zip(passage.signs, v, strict=True)))
+        for v in (drift, rate, passage.end)
+    )
     J = _mirror(mirrored, _squares(form, passage, time))
     L = body.momentum
     dE = _dot(tuple(x * y for x, y in zip(a, L, strict=True)), d_momentum) + 0.5 * _dot(da, tuple(x * x for x in L))
-    return at_fixed_time, flow, time * dE + 0.5 * _dot(da, J)  # type: ignore[return-value]
+    return Tangent(at_fixed_time, flow, present, time * dE + 0.5 * _dot(da, J))
 
 
 def _canonical(prepared: Prepared) -> Canonical:
@@ -177,34 +196,38 @@ def _addition_theorem(form: Canonical, kernel: Kernel, start: Vector) -> Vector:
     )
 
 
-def _from_start(form: Canonical, passage: Passage, changes: tuple[Array, ...]) -> Vector:
-    """Return r/Δ: the derivative of the addition theorem at fixed b and κ phases, from the epoch on."""
+def _from_start(form: Canonical, passage: Passage, changes: Changes) -> Vector:
+    """Return r/Δ: the derivative of the addition theorem at fixed b and κ phases, from the epoch on.
+
+    With U = AC L1², W = BC L3² and y = AB L2² at the epoch, b = y + W and g = y + U: written in their changes, the
+    terms quadratic in time cancel by algebra beside a symmetric body's equator, where b and g vanish and y does not.
+    """
     xp = namespace(form.b)
     A, B, C = form[:3]
     s, c, d = passage.kernel[:3]
     l1, l2, l3 = passage.start
-    n1, n2, n3 = passage.end
-    dA, dB, dC, _, _, db, dkappa, dg, e1, e2, e3 = changes
+    dA, dB, dC, _, _, db, dkappa, e1, e2, e3 = changes
     ss = s * s
+    U = A * C * (l1 * l1)
+    dU = (C * l1 * l1) * dA + (A * l1 * l1) * dC + (2.0 * A * C * l1) * e1
+    dW = (C * l3 * l3) * dB + (B * l3 * l3) * dC + (2.0 * B * C * l3) * e3
+    y = A * B * (l2 * l2)
+    dy = (B * l2 * l2) * dA + (A * l2 * l2) * dB + (2.0 * A * B * l2) * e2
     divisor = c * c + B * C * l3 * l3 * ss
     divisor = xp.where(passage.middle | ~(divisor > 0), 1.0, divisor)
     safe = xp.where(d > 0, d, 1.0)
-    h, k, kg = (0.5 * ss) * db, (0.5 * ss / safe) * dkappa, (0.5 * ss / safe) * (dg - (form.g * ss) * db)
-    dz = ss * ((C * l3 * l3) * dB + (B * l3 * l3) * dC + (2.0 * B * C * l3) * e3)
-    y = A * B * l2 * l2
-    dy = (B * l2 * l2) * dA + (A * l2 * l2) * dB + (2.0 * A * B * l2) * e2
-    small = ss * ((2.0 * y) * h - dy)
-    r1 = c * e1 - (s * d) * ((l2 * l3) * dB + B * (l3 * e2 + l2 * e3))
-    r2 = (c * d) * e2 + s * ((l1 * l3) * dC + C * (l3 * e1 + l1 * e3))
-    r3 = d * e3 - (s * c) * ((l1 * l2) * dA + A * (l2 * e1 + l1 * e2))
-    full = form.full
-    far = -c * l1 * h + (B * l2 * l3 * s) * (kg + d * h) - n1 * small, c * l1 * h - (B * l2 * l3 * s) * k - n1 * dz
-    r1 = r1 + xp.where(full, *far)
-    far = -l2 * c * (d * h + kg) - (s * C * l1 * l3) * h - n2 * small, (s * C * l1 * l3) * h + l2 * c * k - n2 * dz
-    r2 = r2 + xp.where(full, *far)
-    far = -l3 * kg + (2.0 * A * l1 * l2 * s * c) * h - n3 * small, d * l3 * h + l3 * k - n3 * dz
-    r3 = r3 + xp.where(full, *far)
-    return r1 / divisor, r2 / divisor, r3 / divisor
+    half, inner = 0.5 * ss, ss / divisor
+    w = inner * dW
+    h = half * db
+    own = dy - (y * ss) * db
+    # by rows, what goes with L1 and L2 L3 s, with L2 and L3 L1 s, and with L3 alone
+    first = xp.where(form.full, (0.5 * inner) * (own - dW), h - w)
+    second = xp.where(form.full, ((ss * U) * w - half * (dU + dW)) / safe, (half / safe) * dkappa - w * d)
+    third = xp.where(form.full, (d * inner) * own - (half / safe) * (dy + dU - (form.g * ss) * db), d * h + second)
+    n1 = c * e1 - (s * d) * ((l2 * l3) * dB + B * (l3 * e2 + l2 * e3)) + (c * l1) * first - (B * l2 * l3 * s) * second
+    n2 = (c * d) * e2 + s * ((l1 * l3) * dC + C * (l3 * e1 + l1 * e3)) + (C * l1 * l3 * s) * first + (l2 * c) * second
+    n3 = d * e3 - (s * c) * ((l1 * l2) * dA + A * (l2 * e1 + l1 * e2)) + l3 * third + (A * l1 * l2 * s * c) * w
+    return n1 / divisor, n2 / divisor, n3 / divisor
 
 
 class Middle(NamedTuple):
@@ -215,28 +238,31 @@ class Middle(NamedTuple):
     rate: Vector
 
 
-def _from_middle(form: Canonical, passage: Passage, changes: tuple[Array, ...]) -> Middle:
+def _from_middle(form: Canonical, passage: Passage, changes: Changes) -> Middle:
     xp = namespace(form.b)
     use = passage.middle
-    P, Q, C, l3 = (xp.where(use, x, 1.0) for x in (form.P, form.Q, form.C, passage.start[2]))
+    P, Q, C, b, l3 = (xp.where(use, x, 1.0) for x in (form.P, form.Q, form.C, form.b, passage.start[2]))
+    A, B = form.A, xp.where(use, form.B, 1.0)
     l1, l2, _ = passage.start
-    _, _, dC, dP, dQ, db, dkappa, _, e1, e2, e3 = changes
+    dA, dB, dC, dP, dQ, db, dkappa, e1, e2, e3 = changes
     p, q, gamma = (0.5 / P) * dP, (0.5 / Q) * dQ, (0.5 / C) * dC
+    # ½ δ ln(P/B), which vanishes at the saddle with L1 and δL2 though neither of its parts does
+    level = ((0.5 * l1 / B) * (l1 * (B * dA - A * dB) + (2.0 * B * C) * e1) + (B * l2) * e2) / P
 
-    def static(x: Array, y: Array, z: Array, ss: Array, sd2: Array) -> Vector:
+    def static(x: Array, y: Array, z: Array, ss: Array, sd2: Array, cc: Array) -> Vector:
         h = (0.5 * ss) * db
-        return x * (p - gamma - h), y * (p + q - h), z * (q - gamma - h + (0.5 * sd2) * dkappa)
+        return x * (p - gamma - h), y * (level + (0.5 * cc / b) * db), z * (q - gamma - h + (0.5 * sd2) * dkappa)
 
     rate = _rate(form, (l1, l2, l3))
     size = xp.where(use, _dot(rate, rate), 1.0)
     size = xp.where(size > 0, size, 1.0)
     ss = l2 * l2 / P / Q
-    before = static(l1, l2, l3, ss, l2 * l2 / P / C / l3 / l3)
+    before = static(l1, l2, l3, ss, l2 * l2 / P / C / l3 / l3, C * l1 * l1 / P)
     shift = _dot(tuple(r / size for r in rate), (e1 - before[0], e2 - before[1], e3 - before[2]))
     s, c, d = passage.kernel[:3]
     x, y, z = xp.sqrt(P / C) * c, xp.sqrt(P) * xp.sqrt(Q) * s, xp.sqrt(Q / C) * d
     safe = xp.where(use & (d > 0), d, 1.0)
-    return Middle(static(x, y, z, s * s, (s / safe) ** 2), shift, _rate(form, (x, y, z)))
+    return Middle(static(x, y, z, s * s, (s / safe) ** 2, c * c), shift, _rate(form, (x, y, z)))
 
 
 def _squares(form: Canonical, passage: Passage, time: Array) -> Vector:

@@ -15,7 +15,8 @@ from polhode.special import doubledouble as dd
 from polhode.special.carlson import carlson_rd, carlson_rf, carlson_rj
 
 Array = Any
-FARTHEST = 340.0  # of the hyperbolic argument: beyond it e^2x overflows
+FARTHEST = 700.0  # of the hyperbolic argument: beyond it e^x overflows
+SMALLEST_SQUARE = math.exp(-2.0 * 340.0)  # of e^−x, whose inverse is the integral's size
 
 
 def jacobi(u: Array, m1: Array) -> tuple[Array, Array, Array]:
@@ -206,7 +207,7 @@ def _hyperbolic(
     low = low + xp.where(full, 0.0, side * rest[1]) * (1.0 - shrink)
     x = xp.minimum(x, FARTHEST + 0.0 * x)
     decay = xp.exp(-x) * (1.0 - low)
-    h = decay * decay
+    h = xp.maximum(decay * decay, SMALLEST_SQUARE + 0.0 * decay)
     r = xp.where(q > 0, xp.exp(-2.0 * xp.where(full, 0.0, to_quarter) / t3**2), 0.0)  # = q e^2x ≤ 1
     q1r, q2r, q3r = q * r, q * q * r, q**3 * r
     h3, h5 = h**3, h**5
