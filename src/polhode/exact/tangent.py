@@ -18,6 +18,7 @@ from polhode.exact.tangent_kernel import Kernel, elliptic_kernel
 from polhode.special import doubledouble as dd
 
 Array = Any
+FARTHEST = 340.0
 Vector = tuple[Array, Array, Array]
 Changes = tuple[Array, ...]  # of A, B, C, P, Q, b, κ, and of the momentum at the epoch
 
@@ -80,7 +81,7 @@ def momentum_tangent(
     body = prepared.body
     form = _canonical(prepared)
     passage = _passage(prepared, form, time)
-    A, B, C, P, Q, S = form[:6]
+    A, B, C, _, Q, S = form[:6]
     mirrored = form.mirrored
     a = tuple(1.0 / x for x in body.moments)
     da = tuple(-x * y * y for x, y in zip(d_moments, a, strict=True))
@@ -141,6 +142,8 @@ def _passage(prepared: Prepared, form: Canonical, time: Array) -> Passage:
     unlimited = dd.multiply_float(dd.divide(rates.modulus_rate, body.V), time)
     w = dd.where(separatrix, unlimited, dd.multiply(rest, two_K))
     w = dd.where(moving, w, (zero, zero))
+    # e^2w, by which a motion away from the saddle magnifies changes, must not overflow
+    w = dd.where(xp.abs(w[0]) > FARTHEST, (xp.where(w[0] < 0, -FARTHEST, FARTHEST), zero), w)
     K = 0.5 * two_K[0]
     side = xp.where(rest[0] < 0, -1.0, 1.0)
     to_quarter = xp.where(separatrix, xp.inf, K * ((1.0 - 2.0 * xp.abs(rest[0])) - 2.0 * side * rest[1]))
