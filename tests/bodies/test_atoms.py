@@ -71,6 +71,7 @@ def test_the_axes_of_water_lie_in_its_symmetry():
         (lambda: ph.from_atoms(["H"], [[0.0, 0, 0]]), "coincide"),
     ],
 )
+@pytest.mark.usefixtures("any_type")
 def test_bad_input(make, words):
     with pytest.raises(InvalidInput, match=words):
         make()

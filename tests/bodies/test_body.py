@@ -182,6 +182,7 @@ def test_other_arrays_are_converted():
         (lambda: ph.shapes.sphere(1, 1).placed((1.0, 0.0)), "shape"),
     ],
 )
+@pytest.mark.usefixtures("any_type")
 def test_bad_input(make, words):
     with pytest.raises(InvalidInput, match=words):
         make()

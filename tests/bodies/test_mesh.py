@@ -164,6 +164,7 @@ def test_without_the_gate_bad_meshes_would_pass_silently():
     assert volume_moments(overlapping[0][overlapping[1]])[0] == pytest.approx(2 * right)  # though they share a part
 
 
+@pytest.mark.usefixtures("any_type")
 def test_mass_or_density():
     for options in ({}, {"mass": 1.0, "density": 1.0}):
         with pytest.raises(InvalidInput, match="exactly one"):

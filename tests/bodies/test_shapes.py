@@ -126,6 +126,7 @@ def test_flat_and_thin_limits():
         (lambda: ph.shapes.sphere(1.0, 1e200), "finite"),
     ],
 )
+@pytest.mark.usefixtures("any_type")
 def test_bad_input(make, words):
     with pytest.raises(InvalidInput, match=words):
         make()

@@ -160,6 +160,7 @@ def test_a_file_cut_short(tmp_path):
         ph.from_mesh(*read_mesh(path, unit=1.0), mass=1.0)
 
 
+@pytest.mark.usefixtures("any_type")
 def test_missing_file_and_bad_unit(tmp_path):
     with pytest.raises(InvalidInput, match="no such mesh file"):
         read_mesh(tmp_path / "none.stl", unit=1.0)
