@@ -2,6 +2,7 @@
 
 import itertools
 
+import array_api_strict as strict
 import mpmath
 import numpy as np
 import pytest
@@ -195,3 +196,13 @@ def test_a_rod_is_a_body_but_has_no_free_motion():
 
 def test_flat_bodies_are_physical_to_rounding():
     assert ph.Body.from_moments(0.1, 0.2, 0.1 + 0.2).principal_moments[2] > 0.3
+
+
+def test_arrays_of_other_libraries_are_converted():
+    center, inertia = strict.asarray([0.0, 0.0, 1.0]), strict.asarray([[3.0, 1, 0], [1, 3, 0], [0, 0, 3]])
+    body = ph.Body(2.0, center, inertia)
+    same = ph.Body(2.0, np.asarray(center), np.asarray(inertia))
+    assert isinstance(body.inertia, np.ndarray) and (body.principal_moments == same.principal_moments).all()
+    points = ph.from_points(strict.asarray([1.0, 2.0, 3.0]), strict.eye(3))
+    assert (points.inertia == ph.from_points([1.0, 2.0, 3.0], np.eye(3)).inertia).all()
+    assert (ph.shapes.box(1.0, strict.asarray([1.0, 2.0, 3.0])).inertia == ph.shapes.box(1.0, (1, 2, 3)).inertia).all()
