@@ -6,7 +6,7 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from polhode import analysis, errors, figures, formats, rotation, special
+    from polhode import algebra, analysis, errors, figures, formats, integrators, poisson, rotation, special, systems
     from polhode.bodies import shapes
     from polhode.bodies.atoms import from_atoms
     from polhode.bodies.body import Body, combine
@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from polhode.bodies.points import from_points
     from polhode.exact.free_body import FreeMotion
     from polhode.formats.dataset import as_dataset
+    from polhode.simulation import simulate
     from polhode.trajectory import Trajectory
 
 __version__ = "0.1.0"
@@ -27,14 +28,20 @@ _HOME = {
     "from_points": "polhode.bodies.points",
     "FreeMotion": "polhode.exact.free_body",
     "Trajectory": "polhode.trajectory",
+    "simulate": "polhode.simulation",
 }
 _ROOMS = {"shapes": "polhode.bodies.shapes"} | {
-    room: f"polhode.{room}" for room in ("analysis", "errors", "figures", "formats", "rotation", "special")
+    room: f"polhode.{room}"
+    for room in (
+        "algebra", "analysis", "errors", "figures", "formats", "integrators", "poisson", "rotation", "special",
+        "systems",
+    )
 }
 __all__ = [
     "Body",
     "FreeMotion",
     "Trajectory",
+    "algebra",
     "analysis",
     "as_dataset",
     "combine",
@@ -44,9 +51,13 @@ __all__ = [
     "from_atoms",
     "from_mesh",
     "from_points",
+    "integrators",
+    "poisson",
     "rotation",
     "shapes",
+    "simulate",
     "special",
+    "systems",
 ]
 
 

@@ -22,6 +22,7 @@ class Trajectory:
         invariants: name → values along the motion, (batch…, T) or (batch…, T, k).
         drift: name → largest deviation of that invariant from its first sample, relative to its size, (batch…).
         status: what the method says of itself ("exact", or how a solve ended).
+        statistics: how many steps and iterations of implicit steps it took.
     """
 
     system: Any
@@ -33,3 +34,4 @@ class Trajectory:
     invariants: dict[str, Array] = field(default_factory=dict)
     drift: dict[str, Array] = field(default_factory=dict)
     status: str = "exact"
+    statistics: dict[str, int] = field(default_factory=dict)

@@ -1,0 +1,163 @@
+"""What a Lie algebra offers: bracket, coadjoint map, pairing, Casimirs, and its group's action on the dual.
+
+Elements of the algebra and of its dual are arrays of one shape, ``element_shape``, behind any batch axes. A dual
+element μ and an element x are paired by ⟨μ, x⟩; ⟨ad*_x μ, y⟩ = ⟨μ, [x, y]⟩ and ⟨Ad*_g μ, y⟩ = ⟨μ, Ad_g y⟩, so that
+μ(t) = Ad*_{exp(tξ)} μ solves μ̇ = ad*_ξ μ.
+Source: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, ch. 9, 13.
+"""
+
+from __future__ import annotations
+
+import abc
+from functools import cached_property
+from typing import Any
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+import numpy as np
+
+from polhode.errors import InvalidInput
+
+Array = Any
+SERIES_TERMS = 60  # of Σ ad*ᵏμ/k!: enough for a turn by 2π and more in one step
+
+
+class AbstractLieAlgebra(eqx.Module):
+    """A finite-dimensional real Lie algebra.
+
+    Subclasses give ``dim``, ``element_shape``, ``bracket`` and ``coadjoint``, structured and batched; the rest follows,
+    and is overridden where a closed form is faster.
+    """
+
+    @property
+    @abc.abstractmethod
+    def dim(self) -> int:
+        """Dimension over the reals."""
+
+    @property
+    def element_shape(self) -> tuple[int, ...]:
+        """Shape of an element, (dim,) unless elements are matrices."""
+        return (self.dim,)
+
+    @property
+    def dtype(self) -> Any:
+        """Type of an element's entries."""
+        return jnp.float64
+
+    @property
+    def name(self) -> str:
+        return type(self).__name__
+
+    @property
+    def casimir_names(self) -> tuple[str, ...]:
+        """Names of the known Casimirs, in the order of ``casimirs``."""
+        return ()
+
+    # ------------------------------------------------------------------ the algebra and its dual
+
+    @abc.abstractmethod
+    def bracket(self, x: Array, y: Array) -> Array:
+        """Return [x, y]."""
+
+    @abc.abstractmethod
+    def coadjoint(self, x: Array, mu: Array) -> Array:
+        """Return ad*_x μ, ⟨ad*_x μ, y⟩ = ⟨μ, [x, y]⟩."""
+
+    def pairing(self, mu: Array, x: Array) -> Array:
+        """Return ⟨μ, x⟩ (…)."""
+        return jnp.sum(self.to_dual_vector(mu) * self.to_vector(x), axis=-1)
+
+    def casimirs(self, mu: Array) -> Array:
+        """Return the known Casimirs (…, k) at μ: k of them may be zero."""
+        mu = jnp.asarray(mu)
+        return jnp.zeros((*self.batch_shape(mu), 0))
+
+    # ------------------------------------------------------------------ coordinates
+
+    def to_vector(self, x: Array) -> Array:
+        """Return the coordinates (…, dim) of an element in the stated basis."""
+        return x
+
+    def from_vector(self, vector: Array) -> Array:
+        """Return the element with the given coordinates (…, dim)."""
+        return vector
+
+    def to_dual_vector(self, mu: Array) -> Array:
+        """Return ⟨μ, e_i⟩ (…, dim): coordinates in the dual basis."""
+        return mu
+
+    def from_dual_vector(self, vector: Array) -> Array:
+        """Return the dual element with ⟨μ, e_i⟩ as given (…, dim)."""
+        return vector
+
+    def from_gradient(self, gradient: Array) -> Array:
+        """Return the element x with δF = ⟨δμ, x⟩ from a function's partial derivatives as JAX gives them."""
+        return gradient
+
+    def batch_shape(self, value: Array) -> tuple[int, ...]:
+        """Return the leading axes of an array of elements.
+
+        Raises:
+            InvalidInput: if its last axes are not an element's.
+        """
+        shape, own = jnp.shape(value), self.element_shape
+        if shape[len(shape) - len(own) :] != own:
+            raise InvalidInput(f"an element of {self.name} has shape (…, {', '.join(map(str, own))}); got {shape}.")
+        return shape[: len(shape) - len(own)]
+
+    @cached_property
+    def _structure_constants(self) -> np.ndarray:
+        basis = self.from_vector(jnp.eye(self.dim))
+        lifted = (basis[:, None], basis[None, :])
+        constants = np.asarray(self.to_vector(self.bracket(*lifted)))
+        constants.flags.writeable = False
+        return constants
+
+    def structure_constants(self) -> np.ndarray:
+        """Return c (dim, dim, dim), [e_i, e_j] = Σ_k c[i,j,k] e_k; for small algebras."""
+        return self._structure_constants
+
+    def rate(self, x: Array) -> Array:
+        """Return how fast exp(tx) turns (…) [rad per unit of t]: the spectral radius of ad_x, or a bound of it."""
+        constants = np.abs(self.structure_constants())
+        return jnp.max(jnp.einsum("...i,ijk->...jk", jnp.abs(self.to_vector(x)), constants).sum(axis=-1), axis=-1)
+
+    # ------------------------------------------------------------------ the group
+
+    def exp(self, x: Array) -> Array:
+        """Return the group element exp x; here as the matrix of Ad (…, dim, dim) in the stated basis."""
+        ad = jnp.einsum("...i,ijk->...kj", self.to_vector(x), self.structure_constants())
+        return jax.scipy.linalg.expm(ad)
+
+    def coadjoint_action(self, g: Array, mu: Array) -> Array:
+        """Return Ad*_g μ for g as ``exp`` gives it."""
+        return self.from_dual_vector(jnp.einsum("...ji,...j->...i", g, self.to_dual_vector(mu)))
+
+    def cayley(self, x: Array) -> Array:
+        """Return (1 − x/2)⁻¹ (1 + x/2) as a group element, where the group is one of those whose Cayley map exists."""
+        raise InvalidInput(f"the group of {self.name} has no Cayley map here; use `exp`.")
+
+    def exp_change(self, x: Array, mu: Array) -> Array:
+        """Return Ad*_{exp x} μ − μ without cancellation, so that many small steps round little.
+
+        By Σ_{k≥1} (ad*_x)ᵏ μ/k!, summed until the terms vanish beside the sum: exact to rounding for |ad_x| up to
+        about 2π. Beyond, what does not converge comes out as NaN.
+        """
+
+        def unfinished(carried: Array) -> Array:
+            k, term, total = carried
+            return (k < SERIES_TERMS) & jnp.any(jnp.abs(term) > 1e-18 * jnp.max(jnp.abs(total), initial=0.0))
+
+        def add(carried: Array) -> Array:
+            k, term, total = carried
+            term = self.coadjoint(x, term) / (k + 1)
+            return k + 1, term, total + term
+
+        first = self.coadjoint(x, mu)
+        count, _, total = jax.lax.while_loop(unfinished, add, (1, first, first))
+        return jnp.where(count < SERIES_TERMS, total, jnp.nan)
+
+    def cayley_change(self, x: Array, mu: Array) -> Array:
+        """Return Ad*_{cay x} μ − μ."""
+        return self.coadjoint_action(self.cayley(x), mu) - mu

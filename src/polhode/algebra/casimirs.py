@@ -1,0 +1,212 @@
+"""Polynomial Casimirs of an algebra, found by exact linear algebra.
+
+The Lie–Poisson bracket is linear in μ, so Casimirs split by degree: those of degree d are the null space of
+P ↦ ({x_i, P})_i on homogeneous polynomials, a matrix of rationals. It is enough that P commutes with generators of the
+algebra, by Jacobi's identity.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import defaultdict
+from fractions import Fraction
+from itertools import combinations_with_replacement
+from typing import Any
+
+import numpy as np
+
+from polhode.algebra.base import AbstractLieAlgebra
+from polhode.algebra.polynomial import Polynomial
+from polhode.errors import InvalidInput
+
+Array = Any
+Terms = dict[tuple[int, ...], Fraction]
+LARGEST_DENOMINATOR = 10_000
+MOST_MONOMIALS = 20_000  # exact elimination beyond this takes hours
+
+
+def polynomial_casimirs(algebra: AbstractLieAlgebra, degree: int) -> list[Polynomial]:
+    """Return independent generators of the polynomial Casimirs up to a degree, lowest degree first.
+
+    No constants, no products of others: in each degree a complement of the span of products of the generators found
+    before. Empty if there is none, as for the affine line.
+
+    Args:
+        algebra: with rational structure constants.
+        degree: the highest degree looked at, at least 1.
+
+    Raises:
+        InvalidInput: for a degree below 1, constants that are not simple fractions, a problem too large, or if
+            python-flint, the extra `symbolic`, is missing.
+
+    Source: Abellanas & Martínez Alonso, J. Math. Phys. 16 (1975) 1580.
+    """
+    if not isinstance(degree, int) or degree < 1:
+        raise InvalidInput(f"`degree` must be a whole number, at least 1; got {degree!r}.")
+    count = math.comb(algebra.dim + degree - 1, degree)
+    if count > MOST_MONOMIALS:
+        raise InvalidInput(f"`degree` {degree} in {algebra.dim} variables has {count} monomials, more than "
+                           f"{MOST_MONOMIALS}; lower the degree.")  # fmt: skip
+    brackets = _rational_brackets(algebra)
+    generators = _generators(brackets)
+    found: list[Terms] = []
+    for d in range(1, degree + 1):
+        invariants = _invariants(brackets, generators, d)
+        if invariants:
+            found += _new_ones(invariants, _products(found, d))
+    return [_polynomial(terms, algebra.dim) for terms in found]
+
+
+def _rational_brackets(algebra: AbstractLieAlgebra) -> list[list[dict[int, Fraction]]]:
+    """Return [e_i, e_j] as {k: c_ijk} with exact fractions."""
+    c = algebra.structure_constants()
+    table = []
+    for row in c:
+        table.append([])
+        for vector in row:
+            exact = {int(k): Fraction(float(vector[k])).limit_denominator(LARGEST_DENOMINATOR)
+                     for k in np.flatnonzero(np.abs(vector) > 1e-14)}  # fmt: skip
+            wrong = [float(vector[k]) for k, f in exact.items() if abs(float(f) - vector[k]) > 1e-13 * abs(vector[k])]
+            if wrong:
+                raise InvalidInput(
+                    f"structure constants must be rational for exact Casimirs; got {wrong[0]!r}. "
+                    "Scale the basis so that they are."
+                )
+            table[-1].append(exact)
+    return table
+
+
+def _generators(brackets: list[list[dict[int, Fraction]]]) -> list[int]:
+    """Return indices of basis elements whose nested brackets span the algebra, few of them."""
+    dim = len(brackets)
+    dense = np.zeros((dim, dim, dim))
+    for i, row in enumerate(brackets):
+        for j, vector in enumerate(row):
+            for k, value in vector.items():
+                dense[i, j, k] = float(value)
+    chosen: list[int] = []
+    span = np.zeros((0, dim))
+    for i in range(dim):
+        unit = np.eye(dim)[i]
+        if len(span) and np.linalg.matrix_rank(np.vstack([span, unit])) == len(span):
+            continue
+        chosen.append(i)
+        span = np.vstack([span, unit])
+        while True:
+            products = np.einsum("ai,bj,ijk->abk", span, span, dense).reshape(-1, dim)
+            _, sizes, rows = np.linalg.svd(np.vstack([span, products]))
+            rank = int((sizes > 1e-9 * sizes[0]).sum())
+            if rank == len(span):
+                break
+            span = rows[:rank]
+    return chosen
+
+
+def _invariants(brackets: list[list[dict[int, Fraction]]], generators: list[int], degree: int) -> list[Terms]:
+    """Return a basis of the polynomials of one degree that commute with the generators."""
+    dim = len(brackets)
+    monomials = [_exponents(m, dim) for m in combinations_with_replacement(range(dim), degree)]
+    place = {m: n for n, m in enumerate(monomials)}
+    rows: dict[tuple[int, int], dict[int, Fraction]] = defaultdict(lambda: defaultdict(Fraction))
+    for column, monomial in enumerate(monomials):
+        for g in generators:
+            for j in np.flatnonzero(monomial):
+                lowered = list(monomial)
+                lowered[j] -= 1
+                for k, value in brackets[g][int(j)].items():
+                    raised = list(lowered)
+                    raised[k] += 1
+                    rows[g, place[tuple(raised)]][column] += monomial[int(j)] * value
+    distinct = {tuple(sorted((c, v) for c, v in row.items() if v)) for row in rows.values()} - {()}
+    matrix = [dict(row) for row in sorted(distinct, key=len)]
+    return [{monomials[c]: v for c, v in vector.items()} for vector in _null_space(matrix, len(monomials))]
+
+
+def _null_space(rows: list[dict[int, Fraction]], columns: int) -> list[dict[int, Fraction]]:
+    """Return the null space of a sparse rational matrix, reduced: each vector has a column of its own."""
+    pivots, reduced = _reduced(rows, columns)
+    free = [c for c in range(columns) if c not in set(pivots)]
+    vectors = []
+    for c in free:
+        vector = {c: Fraction(1)}
+        for pivot, row in zip(pivots, reduced, strict=True):
+            if c in row:
+                vector[pivot] = -row[c]
+        vectors.append(vector)
+    return vectors
+
+
+def _reduced(rows: list[dict[int, Fraction]], columns: int) -> tuple[list[int], list[dict[int, Fraction]]]:
+    """Return pivots and rows of the reduced echelon form."""
+    if not rows:
+        return [], []
+    try:
+        from flint import fmpq, fmpq_mat
+    except ImportError:
+        raise InvalidInput(
+            "exact Casimirs need python-flint, which is not installed; `pip install polhode[symbolic]`."
+        ) from None
+    matrix = fmpq_mat(len(rows), columns)
+    for i, row in enumerate(rows):
+        for c, value in row.items():
+            matrix[i, c] = fmpq(value.numerator, value.denominator)
+    echelon, rank = matrix.rref()
+    pivots, reduced = [], []
+    for i in range(rank):
+        row = {c: Fraction(int(v.p), int(v.q)) for c in range(columns) if (v := echelon[i, c]) != 0}
+        pivots.append(min(row))
+        reduced.append(row)
+    return pivots, reduced
+
+
+def _products(found: list[Terms], degree: int) -> list[Terms]:
+    """Return all products of given polynomials that have the degree."""
+    degrees = [sum(next(iter(terms))) for terms in found]
+
+    def extend(start: int, left: int) -> list[Terms]:
+        results: list[Terms] = []
+        for n in range(start, len(found)):
+            if degrees[n] == left:
+                results.append(found[n])
+            elif degrees[n] < left:
+                results += [_multiply(found[n], rest) for rest in extend(n, left - degrees[n])]
+        return results
+
+    return extend(0, degree)
+
+
+def _new_ones(invariants: list[Terms], products: list[Terms]) -> list[Terms]:
+    """Return those invariants that are needed beside the products to span all."""
+    monomials = sorted({m for terms in (*invariants, *products) for m in terms}, reverse=True)
+    place = {m: n for n, m in enumerate(monomials)}
+    columns = [{place[m]: v for m, v in terms.items()} for terms in (*products, *sorted(invariants, key=len))]
+    transposed: dict[int, dict[int, Fraction]] = defaultdict(dict)
+    for c, column in enumerate(columns):
+        for row, value in column.items():
+            transposed[row][c] = value
+    pivots, _ = _reduced(list(transposed.values()), len(columns))
+    return [{monomials[r]: v for r, v in columns[c].items()} for c in pivots if c >= len(products)]
+
+
+def _multiply(a: Terms, b: Terms) -> Terms:
+    product: Terms = defaultdict(Fraction)
+    for m, x in a.items():
+        for n, y in b.items():
+            product[tuple(i + j for i, j in zip(m, n, strict=True))] += x * y
+    return {m: v for m, v in product.items() if v}
+
+
+def _polynomial(terms: Terms, dim: int) -> Polynomial:
+    """Return the polynomial with coprime whole coefficients, the first one positive."""
+    order = sorted(terms, reverse=True)
+    denominator = math.lcm(*(v.denominator for v in terms.values()))
+    divisor = math.gcd(*(int(v * denominator) for v in terms.values()))
+    factor = Fraction(denominator, divisor) * (1 if terms[order[0]] > 0 else -1)
+    return Polynomial(np.array(order).reshape(-1, dim), [terms[m] * factor for m in order])
+
+
+def _exponents(indices: tuple[int, ...], dim: int) -> tuple[int, ...]:
+    counts = [0] * dim
+    for i in indices:
+        counts[i] += 1
+    return tuple(counts)

@@ -1,0 +1,54 @@
+"""The Heisenberg algebra: canonical pairs and the centre."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import equinox as eqx
+import jax.numpy as jnp
+
+from polhode.algebra.base import AbstractLieAlgebra
+from polhode.errors import InvalidInput
+
+Array = Any
+
+
+class Heisenberg(AbstractLieAlgebra):
+    """Elements (q, p, z) (…, 2n+1): [(q, p, z), (q', p', z')] = (0, 0, q·p' − p·q').
+
+    ad*_(q,p,z) (α, β, γ) = (−γp, γq, 0). Casimir γ: its levels are the symplectic spaces of n canonical pairs.
+    """
+
+    n: int = eqx.field(static=True, default=1)
+
+    def __check_init__(self) -> None:
+        if self.n < 1:
+            raise InvalidInput(f"`n` must be the number of canonical pairs, at least 1; got {self.n}.")
+
+    @property
+    def dim(self) -> int:
+        return 2 * self.n + 1
+
+    @property
+    def name(self) -> str:
+        return f"Heisenberg({self.n})"
+
+    @property
+    def casimir_names(self) -> tuple[str, ...]:
+        return ("γ",)
+
+    def bracket(self, x: Array, y: Array) -> Array:
+        n = self.n
+        value = jnp.sum(x[..., :n] * y[..., n : 2 * n] - x[..., n : 2 * n] * y[..., :n], axis=-1, keepdims=True)
+        return jnp.concatenate([jnp.zeros((*value.shape[:-1], 2 * n)), value], axis=-1)
+
+    def coadjoint(self, x: Array, mu: Array) -> Array:
+        n, level = self.n, mu[..., -1:]
+        parts = jnp.broadcast_arrays(-level * x[..., n : 2 * n], level * x[..., :n])
+        return jnp.concatenate([*parts, jnp.zeros((*parts[0].shape[:-1], 1))], axis=-1)
+
+    def casimirs(self, mu: Array) -> Array:
+        return jnp.asarray(mu)[..., -1:]
+
+    def exp_change(self, x: Array, mu: Array) -> Array:
+        return self.coadjoint(x, mu)  # ad*² = 0

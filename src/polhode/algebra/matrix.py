@@ -1,0 +1,314 @@
+"""Matrix algebras closed under the adjoint: so(n), su(n), sl(n), sp(n).
+
+The pairing is ⟨μ, x⟩ = c Re tr(μ† x) with c stated by each, so that dual elements are matrices of the algebra too and
+ad*_x μ = [x†, μ], Ad*_g μ = g† μ g^(−†). Traces of powers are Casimirs.
+"""
+
+from __future__ import annotations
+
+import abc
+from functools import cached_property
+from typing import Any, ClassVar
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+import numpy as np
+
+from polhode.algebra.base import AbstractLieAlgebra
+from polhode.errors import InvalidInput
+
+Array = Any
+
+
+class AbstractMatrixAlgebra(AbstractLieAlgebra):
+    """An algebra of square matrices with an orthogonal basis of rational structure constants."""
+
+    n: eqx.AbstractVar[int]
+    scale: eqx.AbstractClassVar[float]
+
+    @cached_property
+    def basis(self) -> np.ndarray:
+        """Basis matrices (dim, size, size), mutually orthogonal in the pairing."""
+        return self._make_basis()
+
+    @abc.abstractmethod
+    def _make_basis(self) -> np.ndarray:
+        """Return the basis matrices."""
+
+    @abc.abstractmethod
+    def project(self, matrix: Array) -> Array:
+        """Return the part of any matrix (…, size, size) that lies in the algebra."""
+
+    @property
+    def size(self) -> int:
+        """Rows of an element."""
+        return self.n
+
+    @property
+    def element_shape(self) -> tuple[int, ...]:
+        return (self.size, self.size)
+
+    @property
+    def name(self) -> str:
+        return f"{type(self).__name__}({self.n})"
+
+    @cached_property
+    def _lengths(self) -> np.ndarray:
+        return self.scale * np.sum(np.abs(self.basis) ** 2, axis=(1, 2))
+
+    def bracket(self, x: Array, y: Array) -> Array:
+        return x @ y - y @ x
+
+    def coadjoint(self, x: Array, mu: Array) -> Array:
+        turned = adjoint(x)
+        return turned @ mu - mu @ turned
+
+    def pairing(self, mu: Array, x: Array) -> Array:
+        return self.scale * jnp.sum((jnp.conj(mu) * x).real, axis=(-2, -1))
+
+    def to_vector(self, x: Array) -> Array:
+        return self.to_dual_vector(x) / self._lengths
+
+    def from_vector(self, vector: Array) -> Array:
+        return jnp.einsum("...k,kij->...ij", vector, self.basis)
+
+    def to_dual_vector(self, mu: Array) -> Array:
+        return self.scale * jnp.einsum("...ij,kij->...k", mu, self.basis.conj()).real
+
+    def from_dual_vector(self, vector: Array) -> Array:
+        return self.from_vector(vector / self._lengths)
+
+    def from_gradient(self, gradient: Array) -> Array:
+        return self.project(jnp.conj(gradient)) / self.scale
+
+    def rate(self, x: Array) -> Array:
+        return jnp.sqrt(2.0) * jnp.linalg.norm(x, axis=(-2, -1))
+
+    def exp(self, x: Array) -> Array:
+        return jax.scipy.linalg.expm(jnp.asarray(x))
+
+    def coadjoint_action(self, g: Array, mu: Array) -> Array:
+        turned = adjoint(g)
+        return adjoint(jnp.linalg.solve(g, adjoint(turned @ mu)))
+
+    def cayley(self, x: Array) -> Array:
+        one = jnp.eye(self.size)
+        return jnp.linalg.solve(one - 0.5 * x, one + 0.5 * x)
+
+    def cayley_change(self, x: Array, mu: Array) -> Array:
+        return self.coadjoint(x, self.cayley_middle(x, mu))
+
+    def cayley_middle(self, x: Array, mu: Array) -> Array:
+        """Return W̃ with μ = (1 − x†/2) W̃ (1 + x†/2) and Ad*_{cay x} μ = (1 + x†/2) W̃ (1 − x†/2)."""
+        one, half = jnp.eye(self.size), 0.5 * adjoint(x)
+        return adjoint(jnp.linalg.solve(one + adjoint(half), adjoint(jnp.linalg.solve(one - half, mu))))
+
+    def _power_traces(self, mu: Array, powers: tuple[int, ...]) -> list[Array]:
+        traces, power, known = [], mu, 1
+        for k in powers:
+            while known < k:
+                power, known = power @ mu, known + 1
+            traces.append(jnp.trace(power, axis1=-2, axis2=-1))
+        return traces
+
+
+class SO(AbstractMatrixAlgebra):
+    """so(n): antisymmetric matrices, ⟨μ, x⟩ = ½ tr(μᵀx), basis E_ji − E_ij for i < j in dictionary order.
+
+    Casimirs −½ tr μ², tr μ⁴, …; for even n the last is Pf μ instead of tr μⁿ.
+    """
+
+    n: int = eqx.field(static=True)
+    scale: ClassVar[float] = 0.5
+
+    def __check_init__(self) -> None:
+        _check_size("SO", self.n, 2)
+
+    @property
+    def dim(self) -> int:
+        return self.n * (self.n - 1) // 2
+
+    def _make_basis(self) -> np.ndarray:
+        rows, columns = np.triu_indices(self.n, 1)
+        basis = np.zeros((self.dim, self.n, self.n))
+        basis[np.arange(self.dim), columns, rows] = 1.0
+        return basis - basis.transpose(0, 2, 1)
+
+    def project(self, matrix: Array) -> Array:
+        return 0.5 * (matrix - adjoint(matrix))
+
+    @property
+    def _powers(self) -> tuple[int, ...]:
+        return tuple(range(2, self.n if self.n % 2 == 0 else self.n + 1, 2))
+
+    @property
+    def casimir_names(self) -> tuple[str, ...]:
+        traces = tuple("−½ tr μ²" if k == 2 else f"tr μ^{k}" for k in self._powers)
+        return traces if self.n % 2 else (*traces, "Pf μ")
+
+    def casimirs(self, mu: Array) -> Array:
+        mu = jnp.asarray(mu)
+        values = self._power_traces(mu, self._powers)
+        values = [-0.5 * v if k == 2 else v for k, v in zip(self._powers, values, strict=True)]
+        return jnp.stack(values if self.n % 2 else [*values, pfaffian(mu)], axis=-1)
+
+
+class SU(AbstractMatrixAlgebra):
+    """su(n): traceless antihermitian matrices, ⟨μ, x⟩ = −2 Re tr(μx), basis −iλ/2 in Gell-Mann's order.
+
+    Diagonal λ are diag(1, …, 1, −l, 0, …), not normalised, which keeps the constants rational; su(2) is so(3) in this
+    basis. Casimirs Re tr (iμ)^k, k = 2, …, n.
+    """
+
+    n: int = eqx.field(static=True)
+    scale: ClassVar[float] = 2.0
+
+    def __check_init__(self) -> None:
+        _check_size("SU", self.n, 2)
+
+    @property
+    def dim(self) -> int:
+        return self.n**2 - 1
+
+    @property
+    def dtype(self) -> Any:
+        return jnp.complex128
+
+    def _make_basis(self) -> np.ndarray:
+        matrices = []
+        for k in range(1, self.n):
+            for j in range(k):
+                symmetric = np.zeros((self.n, self.n), complex)
+                symmetric[j, k] = symmetric[k, j] = -0.5j
+                turned = np.zeros((self.n, self.n), complex)
+                turned[j, k], turned[k, j] = -0.5, 0.5
+                matrices += [symmetric, turned]
+            matrices.append(np.diag([-0.5j] * k + [0.5j * k] + [0.0] * (self.n - k - 1)))
+        return np.array(matrices)
+
+    def project(self, matrix: Array) -> Array:
+        return traceless(0.5 * (matrix - adjoint(matrix)))
+
+    @property
+    def casimir_names(self) -> tuple[str, ...]:
+        return tuple(f"tr (iμ)^{k}" for k in range(2, self.n + 1))
+
+    def casimirs(self, mu: Array) -> Array:
+        return jnp.stack(self._power_traces(1j * jnp.asarray(mu), tuple(range(2, self.n + 1))), axis=-1).real
+
+
+class SL(AbstractMatrixAlgebra):
+    """sl(n): traceless real matrices, ⟨μ, x⟩ = tr(μᵀx), basis E_ij for i ≠ j by rows, then diag(1, …, 1, −l, 0, …).
+
+    Casimirs tr μ^k, k = 2, …, n. There is no Cayley map: it leaves the group.
+    """
+
+    n: int = eqx.field(static=True)
+    scale: ClassVar[float] = 1.0
+
+    def __check_init__(self) -> None:
+        _check_size("SL", self.n, 2)
+
+    @property
+    def dim(self) -> int:
+        return self.n**2 - 1
+
+    def _make_basis(self) -> np.ndarray:
+        units = np.eye(self.n**2).reshape(self.n, self.n, self.n, self.n)
+        matrices = [units[i, j] for i in range(self.n) for j in range(self.n) if i != j]
+        matrices += [np.diag([1.0] * k + [-float(k)] + [0.0] * (self.n - k - 1)) for k in range(1, self.n)]
+        return np.array(matrices)
+
+    def project(self, matrix: Array) -> Array:
+        return traceless(matrix)
+
+    def cayley(self, x: Array) -> Array:
+        return AbstractLieAlgebra.cayley(self, x)
+
+    def cayley_middle(self, x: Array, mu: Array) -> Array:
+        return AbstractLieAlgebra.cayley(self, x)
+
+    @property
+    def casimir_names(self) -> tuple[str, ...]:
+        return tuple(f"tr μ^{k}" for k in range(2, self.n + 1))
+
+    def casimirs(self, mu: Array) -> Array:
+        return jnp.stack(self._power_traces(jnp.asarray(mu), tuple(range(2, self.n + 1))), axis=-1)
+
+
+class Sp(AbstractMatrixAlgebra):
+    """sp(n): real Hamiltonian matrices [[a, b], [c, −aᵀ]] of 2n rows, b and c symmetric; ⟨μ, x⟩ = ½ tr(μᵀx).
+
+    Basis: a by rows, then b and c by rows of their upper triangles. Casimirs tr μ^2k, k = 1, …, n.
+    """
+
+    n: int = eqx.field(static=True)
+    scale: ClassVar[float] = 0.5
+
+    def __check_init__(self) -> None:
+        _check_size("Sp", self.n, 1)
+
+    @property
+    def dim(self) -> int:
+        return self.n * (2 * self.n + 1)
+
+    @property
+    def size(self) -> int:
+        return 2 * self.n
+
+    def _make_basis(self) -> np.ndarray:
+        n, matrices = self.n, []
+        for i in range(n):
+            for j in range(n):
+                one = np.zeros((2 * n, 2 * n))
+                one[i, j], one[n + j, n + i] = 1.0, -1.0
+                matrices.append(one)
+        for row, column in ((0, n), (n, 0)):
+            for i in range(n):
+                for j in range(i, n):
+                    one = np.zeros((2 * n, 2 * n))
+                    one[row + i, column + j] = one[row + j, column + i] = 1.0
+                    matrices.append(one)
+        return np.array(matrices)
+
+    def project(self, matrix: Array) -> Array:
+        n = self.n
+        form = np.block([[np.zeros((n, n)), np.eye(n)], [-np.eye(n), np.zeros((n, n))]])
+        return 0.5 * (matrix + form @ adjoint(matrix) @ form)
+
+    @property
+    def casimir_names(self) -> tuple[str, ...]:
+        return tuple(f"tr μ^{2 * k}" for k in range(1, self.n + 1))
+
+    def casimirs(self, mu: Array) -> Array:
+        return jnp.stack(self._power_traces(jnp.asarray(mu), tuple(range(2, 2 * self.n + 1, 2))), axis=-1)
+
+
+def adjoint(matrix: Array) -> Array:
+    """Return the conjugate transpose of the last two axes."""
+    return jnp.conj(jnp.swapaxes(matrix, -1, -2))
+
+
+def traceless(matrix: Array) -> Array:
+    """Return the matrix (…, n, n) less its trace's share of the identity."""
+    n = matrix.shape[-1]
+    return matrix - (jnp.trace(matrix, axis1=-2, axis2=-1) / n)[..., None, None] * jnp.eye(n)
+
+
+def pfaffian(matrix: Array) -> Array:
+    """Return the Pfaffian of antisymmetric matrices (…, 2k, 2k), by expansion along the first row."""
+    n = matrix.shape[-1]
+    if n == 2:
+        return matrix[..., 0, 1]
+    total = jnp.zeros(matrix.shape[:-2])
+    for j in range(1, n):
+        rest = np.array([k for k in range(1, n) if k != j])
+        minor = matrix[..., rest[:, None], rest[None, :]]
+        total = total + (-1) ** (j - 1) * matrix[..., 0, j] * pfaffian(minor)
+    return total
+
+
+def _check_size(name: str, n: int, least: int) -> None:
+    if not isinstance(n, int) or n < least:
+        raise InvalidInput(f"`n` of {name}(n) must be a whole number, at least {least}; got {n!r}.")

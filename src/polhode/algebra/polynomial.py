@@ -1,0 +1,60 @@
+"""Polynomials with exact rational coefficients that can be called and printed."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any
+
+import jax.numpy as jnp
+import numpy as np
+
+from polhode.arrays import is_jax
+
+Array = Any
+SUPERSCRIPTS = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+class Polynomial:
+    """Σ c_m Π x_i^{e_mi} in the coordinates ⟨μ, e_i⟩, homogeneous.
+
+    Args:
+        exponents: (terms, dim) whole numbers.
+        coefficients: (terms,) exact.
+
+    >>> str(Polynomial(np.array([[2, 0], [0, 2]]), [Fraction(1), Fraction(-3)]))
+    'x1² − 3 x2²'
+    """
+
+    def __init__(self, exponents: np.ndarray, coefficients: list[Fraction]) -> None:
+        self.exponents = np.asarray(exponents, dtype=int)
+        self.coefficients = tuple(coefficients)
+
+    @property
+    def degree(self) -> int:
+        """Degree of every term."""
+        return int(self.exponents[0].sum())
+
+    def __call__(self, point: Array) -> Array:
+        """Return the values (…) at coordinates (…, dim), NumPy or JAX."""
+        xp: Any = jnp if is_jax(point) else np
+        x = xp.asarray(point)
+        total = 0.0 * x[..., 0]
+        for powers, coefficient in zip(self.exponents, self.coefficients, strict=True):
+            term = float(coefficient)
+            for i in np.flatnonzero(powers):
+                term = term * x[..., i] ** int(powers[i])
+            total = total + term
+        return total
+
+    def __str__(self) -> str:
+        text = ""
+        for powers, coefficient in zip(self.exponents, self.coefficients, strict=True):
+            factors = [f"x{i + 1}" + (str(powers[i]).translate(SUPERSCRIPTS) if powers[i] > 1 else "")
+                       for i in np.flatnonzero(powers)]  # fmt: skip
+            size = "" if abs(coefficient) == 1 else f"{abs(coefficient)} "
+            sign = ("" if coefficient > 0 else "−") if not text else (" + " if coefficient > 0 else " − ")
+            text += sign + size + " ".join(factors)
+        return text
+
+    def __repr__(self) -> str:
+        return f"Polynomial({self})"

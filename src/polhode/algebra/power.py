@@ -1,0 +1,96 @@
+"""Many copies of one algebra, along a batch axis."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import equinox as eqx
+import jax.numpy as jnp
+
+from polhode.algebra.base import AbstractLieAlgebra
+from polhode.errors import InvalidInput
+
+Array = Any
+
+
+class Power(AbstractLieAlgebra):
+    """The direct sum of ``count`` copies of ``algebra``; elements (…, count, *element_shape), as for spins."""
+
+    algebra: AbstractLieAlgebra
+    count: int = eqx.field(static=True)
+
+    def __check_init__(self) -> None:
+        if not isinstance(self.count, int) or self.count < 1:
+            raise InvalidInput(f"`count` must be a whole number of copies, at least 1; got {self.count!r}.")
+
+    @property
+    def dim(self) -> int:
+        return self.count * self.algebra.dim
+
+    @property
+    def element_shape(self) -> tuple[int, ...]:
+        return (self.count, *self.algebra.element_shape)
+
+    @property
+    def dtype(self) -> Any:
+        return self.algebra.dtype
+
+    @property
+    def name(self) -> str:
+        return f"{self.algebra.name}^{self.count}"
+
+    @property
+    def casimir_names(self) -> tuple[str, ...]:
+        return tuple(f"{name} of {k}" for k in range(self.count) for name in self.algebra.casimir_names)
+
+    def bracket(self, x: Array, y: Array) -> Array:
+        return self.algebra.bracket(x, y)
+
+    def coadjoint(self, x: Array, mu: Array) -> Array:
+        return self.algebra.coadjoint(x, mu)
+
+    def pairing(self, mu: Array, x: Array) -> Array:
+        return jnp.sum(self.algebra.pairing(mu, x), axis=-1)
+
+    def casimirs(self, mu: Array) -> Array:
+        return self._flat(self.algebra.casimirs(mu))
+
+    def to_vector(self, x: Array) -> Array:
+        return self._flat(self.algebra.to_vector(x))
+
+    def from_vector(self, vector: Array) -> Array:
+        return self.algebra.from_vector(self._split(vector))
+
+    def to_dual_vector(self, mu: Array) -> Array:
+        return self._flat(self.algebra.to_dual_vector(mu))
+
+    def from_dual_vector(self, vector: Array) -> Array:
+        return self.algebra.from_dual_vector(self._split(vector))
+
+    def from_gradient(self, gradient: Array) -> Array:
+        return self.algebra.from_gradient(gradient)
+
+    def rate(self, x: Array) -> Array:
+        return jnp.max(self.algebra.rate(x), axis=-1)
+
+    def exp(self, x: Array) -> Array:
+        return self.algebra.exp(x)
+
+    def coadjoint_action(self, g: Array, mu: Array) -> Array:
+        return self.algebra.coadjoint_action(g, mu)
+
+    def cayley(self, x: Array) -> Array:
+        return self.algebra.cayley(x)
+
+    def exp_change(self, x: Array, mu: Array) -> Array:
+        return self.algebra.exp_change(x, mu)
+
+    def cayley_change(self, x: Array, mu: Array) -> Array:
+        return self.algebra.cayley_change(x, mu)
+
+    def _flat(self, values: Array) -> Array:
+        return values.reshape(*values.shape[:-2], -1)
+
+    def _split(self, vector: Array) -> Array:
+        vector = jnp.asarray(vector)
+        return vector.reshape(*vector.shape[:-1], self.count, self.algebra.dim)

@@ -1,0 +1,23 @@
+"""Double precision: what is stepped or differentiated is JAX, and rests on float64."""
+
+from __future__ import annotations
+
+import os
+
+import jax
+
+from polhode.errors import InvalidInput
+
+
+def enable_double_precision() -> None:
+    """Switch JAX to 64 bits for the whole process.
+
+    Raises:
+        InvalidInput: if the environment forbids it explicitly.
+    """
+    if os.environ.get("JAX_ENABLE_X64", "").lower() in ("0", "false", "off", "no", "n", "f"):
+        raise InvalidInput(
+            "`JAX_ENABLE_X64` must not be switched off; got "
+            f"{os.environ['JAX_ENABLE_X64']!r} in the environment. Brackets and integrators need 64 bits: unset it."
+        )
+    jax.config.update("jax_enable_x64", True)

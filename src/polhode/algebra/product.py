@@ -1,0 +1,86 @@
+"""Direct sums of different algebras."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import jax.numpy as jnp
+import numpy as np
+
+from polhode.algebra.base import AbstractLieAlgebra
+from polhode.errors import InvalidInput
+
+Array = Any
+
+
+class Product(AbstractLieAlgebra):
+    """The direct sum of algebras; elements are their coordinates one behind the other (…, dim), likewise the dual."""
+
+    factors: tuple[AbstractLieAlgebra, ...]
+
+    def __init__(self, *factors: AbstractLieAlgebra) -> None:
+        if not factors or not all(isinstance(factor, AbstractLieAlgebra) for factor in factors):
+            raise InvalidInput(f"`Product` must be given algebras, one at least; got {factors!r}.")
+        self.factors = factors
+
+    @property
+    def dim(self) -> int:
+        return sum(factor.dim for factor in self.factors)
+
+    @property
+    def name(self) -> str:
+        return " ⊕ ".join(factor.name for factor in self.factors)
+
+    @property
+    def casimir_names(self) -> tuple[str, ...]:
+        return tuple(f"{name} of {k}" for k, factor in enumerate(self.factors) for name in factor.casimir_names)
+
+    def split(self, vector: Array) -> list[Array]:
+        """Return each factor's coordinates."""
+        ends = np.cumsum([factor.dim for factor in self.factors])[:-1]
+        return jnp.split(jnp.asarray(vector), ends, axis=-1)
+
+    def bracket(self, x: Array, y: Array) -> Array:
+        def one(f: AbstractLieAlgebra, a: Array, b: Array) -> Array:
+            return f.to_vector(f.bracket(f.from_vector(a), f.from_vector(b)))
+
+        return self._each(one, x, y)
+
+    def coadjoint(self, x: Array, mu: Array) -> Array:
+        def one(f: AbstractLieAlgebra, a: Array, b: Array) -> Array:
+            return f.to_dual_vector(f.coadjoint(f.from_vector(a), f.from_dual_vector(b)))
+
+        return self._each(one, x, mu)
+
+    def casimirs(self, mu: Array) -> Array:
+        parts = zip(self.factors, self.split(mu), strict=True)
+        return jnp.concatenate([f.casimirs(f.from_dual_vector(part)) for f, part in parts], axis=-1)
+
+    def exp_change(self, x: Array, mu: Array) -> Array:
+        def one(f: AbstractLieAlgebra, a: Array, b: Array) -> Array:
+            return f.to_dual_vector(f.exp_change(f.from_vector(a), f.from_dual_vector(b)))
+
+        return self._each(one, x, mu)
+
+    def cayley_change(self, x: Array, mu: Array) -> Array:
+        def one(f: AbstractLieAlgebra, a: Array, b: Array) -> Array:
+            return f.to_dual_vector(f.cayley_change(f.from_vector(a), f.from_dual_vector(b)))
+
+        return self._each(one, x, mu)
+
+    def exp(self, x: Array) -> Array:
+        """Return the factors' group elements, a tuple."""
+        return tuple(f.exp(f.from_vector(part)) for f, part in zip(self.factors, self.split(x), strict=True))
+
+    def cayley(self, x: Array) -> Array:
+        return tuple(f.cayley(f.from_vector(part)) for f, part in zip(self.factors, self.split(x), strict=True))
+
+    def coadjoint_action(self, g: Array, mu: Array) -> Array:
+        parts = zip(self.factors, g, self.split(mu), strict=True)
+        moved = [f.to_dual_vector(f.coadjoint_action(one, f.from_dual_vector(part))) for f, one, part in parts]
+        return jnp.concatenate(moved, axis=-1)
+
+    def _each(self, function: Callable[..., Array], x: Array, y: Array) -> Array:
+        parts = zip(self.factors, self.split(x), self.split(y), strict=True)
+        return jnp.concatenate([function(*part) for part in parts], axis=-1)

@@ -1,0 +1,88 @@
+"""se(3): rotations and translations; the dual of the heavy top and of a body in an ideal fluid."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import jax.numpy as jnp
+
+from polhode import rotation
+from polhode.algebra.base import AbstractLieAlgebra
+from polhode.algebra.so3 import SO3
+
+Array = Any
+
+
+class SE3(AbstractLieAlgebra):
+    """Rigid motions, angular part first: [(a, b), (c, d)] = (a × c, a × d + b × c).
+
+    ad*_(a,b) (Π, P) = (Π × a + P × b, P × a), pairing Π · a + P · b. Group elements (…, 7) are a unit quaternion wxyz
+    and the translation behind it: r → R r + d. Casimirs |P|² and Π · P. Generic orbits have dimension 4.
+    """
+
+    @property
+    def dim(self) -> int:
+        return 6
+
+    @property
+    def casimir_names(self) -> tuple[str, ...]:
+        return ("|P|²", "Π·P")
+
+    def bracket(self, x: Array, y: Array) -> Array:
+        (a, b), (c, d) = _parts(x), _parts(y)
+        return jnp.concatenate([jnp.cross(a, c), jnp.cross(a, d) + jnp.cross(b, c)], axis=-1)
+
+    def coadjoint(self, x: Array, mu: Array) -> Array:
+        (a, b), (angular, linear) = _parts(x), _parts(mu)
+        return jnp.concatenate([jnp.cross(angular, a) + jnp.cross(linear, b), jnp.cross(linear, a)], axis=-1)
+
+    def casimirs(self, mu: Array) -> Array:
+        angular, linear = _parts(mu)
+        return jnp.stack([jnp.sum(linear * linear, axis=-1), jnp.sum(angular * linear, axis=-1)], axis=-1)
+
+    def rate(self, x: Array) -> Array:
+        return jnp.linalg.norm(x[..., :3], axis=-1)
+
+    def exp(self, x: Array) -> Array:
+        a, b = _parts(x)
+        square = jnp.sum(a * a, axis=-1, keepdims=True)
+        small = square < 0.01
+        angle = jnp.sqrt(jnp.where(small, 1.0, square))
+        # (1 − cos θ)/θ² and (θ − sin θ)/θ³, by series where they cancel
+        first = 0.5 - square / 24 * (1 - square / 30 * (1 - square / 56 * (1 - square / 90)))
+        second = 1 / 6 - square / 120 * (1 - square / 42 * (1 - square / 72 * (1 - square / 110)))
+        first = jnp.where(small, first, 2.0 * (jnp.sin(0.5 * angle) / angle) ** 2)
+        second = jnp.where(small, second, (angle - jnp.sin(angle)) / angle**3)
+        once = jnp.cross(a, b)
+        return jnp.concatenate([SO3().exp(a), b + first * once + second * jnp.cross(a, once)], axis=-1)
+
+    def coadjoint_action(self, g: Array, mu: Array) -> Array:
+        back = rotation.conjugate(g[..., :4])
+        angular, linear = _parts(mu)
+        angular = angular + jnp.cross(linear, g[..., 4:])
+        return jnp.concatenate([rotation.rotate(back, angular), rotation.rotate(back, linear)], axis=-1)
+
+    def cayley(self, x: Array) -> Array:
+        a, b = _parts(x)
+        # (1 − â/2)⁻¹ b
+        half = 0.5 * a
+        square = jnp.sum(half * half, axis=-1, keepdims=True)
+        shift = (b + jnp.cross(half, b) + half * jnp.sum(half * b, axis=-1, keepdims=True)) / (1.0 + square)
+        return jnp.concatenate([SO3().cayley(a), shift], axis=-1)
+
+    def exp_change(self, x: Array, mu: Array) -> Array:
+        return self._change(SO3().exp_change, self.exp(x)[..., 4:], x, mu)
+
+    def cayley_change(self, x: Array, mu: Array) -> Array:
+        return self._change(SO3().cayley_change, self.cayley(x)[..., 4:], x, mu)
+
+    def _change(self, turned: Callable[[Array, Array], Array], shift: Array, x: Array, mu: Array) -> Array:
+        turn, (angular, linear) = x[..., :3], _parts(mu)
+        arm = jnp.cross(linear, shift)
+        return jnp.concatenate([turned(turn, angular + arm) + arm, turned(turn, linear)], axis=-1)
+
+
+def _parts(x: Array) -> tuple[Array, Array]:
+    x = jnp.asarray(x)
+    return x[..., :3], x[..., 3:]

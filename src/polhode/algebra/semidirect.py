@@ -1,0 +1,77 @@
+"""Semidirect sums: an algebra acting on a vector space, as rotations act on a direction advected by the body."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import jax.numpy as jnp
+import numpy as np
+
+from polhode.algebra.base import AbstractLieAlgebra
+from polhode.errors import InvalidInput
+
+Array = Any
+TOLERANCE = 1e-12  # of the representation's identity, relative to the generators
+
+
+class Semidirect(AbstractLieAlgebra):
+    """[(x, v), (y, w)] = ([x, y], x·w − y·v), the algebra acting on vectors by matrices.
+
+    ad*_(x,v) (μ, a) = (ad*_x μ − v ⋄ a, ρ(x)ᵀ a) with (v ⋄ a)_i = a · ρ_i v. Elements (…, dim + m), the algebra's
+    coordinates first. Source: Marsden, Ratiu & Weinstein, Trans. Amer. Math. Soc. 281 (1984) 147.
+
+    Args:
+        algebra: the algebra that acts.
+        generators: (dim, m, m), the matrices ρ_i by which its basis acts.
+
+    Raises:
+        InvalidInput: if the generators do not represent the algebra, [ρ_i, ρ_j] = Σ c_ijk ρ_k; the indices are named.
+    """
+
+    algebra: AbstractLieAlgebra
+    generators: np.ndarray
+
+    def __init__(self, algebra: AbstractLieAlgebra, generators: Array) -> None:
+        rho = np.array(generators, dtype=float)
+        if rho.ndim != 3 or rho.shape[0] != algebra.dim or rho.shape[1] != rho.shape[2]:
+            raise InvalidInput(f"`generators` must have shape ({algebra.dim}, m, m); got {rho.shape}.")
+        commutators = rho[:, None] @ rho[None] - rho[None] @ rho[:, None]
+        error = np.abs(commutators - np.einsum("ijk,kab->ijab", algebra.structure_constants(), rho)).max(axis=(2, 3))
+        i, j = np.unravel_index(np.argmax(error), error.shape)
+        if not error[i, j] <= TOLERANCE * max(1.0, np.abs(rho).max() ** 2):
+            raise InvalidInput(
+                f"`generators` must represent {algebra.name}: [ρ_i, ρ_j] = Σ c_ijk ρ_k fails for (i, j) = ({i}, {j}), "
+                f"counted from 0, by {error[i, j]:.3g}."
+            )
+        rho.flags.writeable = False
+        self.algebra, self.generators = algebra, rho
+
+    @property
+    def dim(self) -> int:
+        return self.algebra.dim + self.generators.shape[1]
+
+    @property
+    def name(self) -> str:
+        return f"{self.algebra.name} ⋉ R^{self.generators.shape[1]}"
+
+    def bracket(self, x: Array, y: Array) -> Array:
+        (a, v), (b, w) = self._parts(x), self._parts(y)
+        f = self.algebra
+        first = f.to_vector(f.bracket(f.from_vector(a), f.from_vector(b)))
+        second = self._act(a, w) - self._act(b, v)
+        return jnp.concatenate([first, second], axis=-1)
+
+    def coadjoint(self, x: Array, mu: Array) -> Array:
+        (a, v), (m, p) = self._parts(x), self._parts(mu)
+        f = self.algebra
+        first = f.to_dual_vector(f.coadjoint(f.from_vector(a), f.from_dual_vector(m)))
+        diamond = jnp.einsum("...p,ipq,...q->...i", p, self.generators, v)
+        second = jnp.einsum("...i,ipq,...p->...q", a, self.generators, p)
+        return jnp.concatenate([first - diamond, second], axis=-1)
+
+    def _act(self, a: Array, v: Array) -> Array:
+        return jnp.einsum("...i,ipq,...q->...p", a, self.generators, v)
+
+    def _parts(self, x: Array) -> tuple[Array, Array]:
+        x = jnp.asarray(x)
+        return x[..., : self.algebra.dim], x[..., self.algebra.dim :]

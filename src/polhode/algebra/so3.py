@@ -1,0 +1,72 @@
+"""so(3): vectors with the cross product, quaternions as group elements."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import jax.numpy as jnp
+
+from polhode import rotation
+from polhode.algebra.base import AbstractLieAlgebra
+
+Array = Any
+
+
+def half_angle_factors(x: Array) -> tuple[Array, Array]:
+    """Return 2 sin(θ/2)/θ and cos(θ/2), (…, 1), θ = |x|, regular at zero."""
+    square = jnp.sum(x * x, axis=-1, keepdims=True)
+    small = square < 1e-8
+    angle = jnp.sqrt(jnp.where(small, 1.0, square))
+    sine = jnp.where(small, 1.0 - square / 24.0, 2.0 * jnp.sin(0.5 * angle) / angle)
+    return sine, jnp.where(small, 1.0 - square / 8.0, jnp.cos(0.5 * angle))
+
+
+class SO3(AbstractLieAlgebra):
+    """Rotations of space: [x, y] = x × y, ad*_x μ = μ × x, pairing μ · x. Basis: the axes.
+
+    Group elements are unit quaternions wxyz; Ad*_g μ = R(g)ᵀ μ. Casimir |μ|².
+
+    >>> SO3().bracket(jnp.array([1.0, 0, 0]), jnp.array([0.0, 1, 0])).tolist()
+    [0.0, 0.0, 1.0]
+    """
+
+    @property
+    def dim(self) -> int:
+        return 3
+
+    @property
+    def casimir_names(self) -> tuple[str, ...]:
+        return ("|L|²",)
+
+    def bracket(self, x: Array, y: Array) -> Array:
+        return jnp.cross(x, y)
+
+    def coadjoint(self, x: Array, mu: Array) -> Array:
+        return jnp.cross(mu, x)
+
+    def casimirs(self, mu: Array) -> Array:
+        return jnp.sum(jnp.asarray(mu) ** 2, axis=-1, keepdims=True)
+
+    def rate(self, x: Array) -> Array:
+        return jnp.linalg.norm(x, axis=-1)
+
+    def exp(self, x: Array) -> Array:
+        s, c = half_angle_factors(jnp.asarray(x))
+        return jnp.concatenate([c, 0.5 * s * x], axis=-1)
+
+    def coadjoint_action(self, g: Array, mu: Array) -> Array:
+        return rotation.rotate(rotation.conjugate(g), mu)
+
+    def cayley(self, x: Array) -> Array:
+        x = jnp.asarray(x)
+        w = 1.0 / jnp.sqrt(1.0 + 0.25 * jnp.sum(x * x, axis=-1, keepdims=True))
+        return jnp.concatenate([w, 0.5 * w * x], axis=-1)
+
+    def exp_change(self, x: Array, mu: Array) -> Array:
+        s, c = half_angle_factors(x)
+        once = jnp.cross(mu, x)
+        return s * (c * once + 0.5 * s * jnp.cross(once, x))
+
+    def cayley_change(self, x: Array, mu: Array) -> Array:
+        once = jnp.cross(mu, x)
+        return (once + 0.5 * jnp.cross(once, x)) / (1.0 + 0.25 * jnp.sum(x * x, axis=-1, keepdims=True))

@@ -1,0 +1,106 @@
+"""The frame of every integrator: inner steps, compensated sums, counting, and honest failure.
+
+diffrax steps from sample to sample; the solver takes ⌈Δt/step⌉ equal steps between. A method gives the *change* of the
+state over a step, computed without cancellation; changes are added by compensated sums, so that what a method keeps
+drifts by the rounding of small changes, not of whole states. Source: Higham, *Accuracy and Stability of Numerical
+Algorithms*, §4.3; Hairer, McLachlan & Razakarivony, BIT 48 (2008) 231.
+"""
+
+from __future__ import annotations
+
+import abc
+from typing import Any, ClassVar, NamedTuple
+
+import diffrax
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+
+from polhode.systems.base import AbstractLiePoissonSystem
+
+Array = Any
+
+
+class Change(NamedTuple):
+    """What a step does.
+
+    Attributes:
+        state: the state's change.
+        iterations: how often an implicit step evaluated the system; 0 for explicit ones.
+        converged: whether it solved its equation.
+    """
+
+    state: Array
+    iterations: Array
+    converged: Array
+
+
+class Memory(NamedTuple):
+    """What a solver carries along: what the last sums lost, steps and iterations so far."""
+
+    lost: Array
+    steps: Array
+    iterations: Array
+
+
+class AbstractOrbitSolver(diffrax.AbstractSolver):
+    """A one-step method for Lie–Poisson systems.
+
+    Attributes:
+        system: what moves; diffrax hides a term's attributes, so the solver holds it.
+        step_size: the largest step [s].
+        keeps: what the method keeps, in words.
+    """
+
+    system: eqx.AbstractVar[AbstractLiePoissonSystem]
+    step_size: eqx.AbstractVar[Array]
+    keeps: eqx.AbstractClassVar[str]
+
+    term_structure: ClassVar[Any] = diffrax.ODETerm
+    interpolation_cls: ClassVar[Any] = diffrax.LocalLinearInterpolation
+
+    @abc.abstractmethod
+    def change(self, h: Array, state: Array) -> Change:
+        """Return what a step of length h does to the state."""
+
+    @abc.abstractmethod
+    def order(self, terms: Any) -> int:
+        """Return the order of convergence."""
+
+    def init(self, terms: Any, t0: Array, t1: Array, y0: Array, args: Any) -> Memory:
+        return Memory(jnp.zeros_like(y0), jnp.zeros((), int), jnp.zeros((), int))
+
+    def step(
+        self, terms: Any, t0: Array, t1: Array, y0: Array, args: Any, solver_state: Memory, made_jump: Any
+    ) -> tuple[Array, None, dict[str, Array], Memory, Any]:
+        span = terms.contr(t0, t1)
+        # a step that fits but for rounding is not halved
+        count = jnp.maximum(jnp.ceil(jnp.abs(span) / self.step_size * (1.0 - 1e-12)), 1.0).astype(int)
+        h = span / count
+
+        def unfinished(carried: tuple[Array, ...]) -> Array:
+            return (carried[0] < count) & carried[-1]
+
+        def advance(carried: tuple[Array, ...]) -> tuple[Array, ...]:
+            k, state, lost, iterations, _ = carried
+            found = self.change(h, state)
+            wanted = found.state + lost
+            later = state + wanted
+            lost = (state - later) + wanted
+            return k + 1, later, lost, iterations + found.iterations, found.converged
+
+        start = (jnp.zeros((), int), y0, solver_state.lost, solver_state.iterations, jnp.asarray(True))
+        steps, y1, lost, iterations, fine = jax.lax.while_loop(unfinished, advance, start)
+        fine = fine & jnp.all(jnp.isfinite(y1))
+        results: Any = diffrax.RESULTS
+        result = results.where(fine, results.successful, results.nonlinear_divergence)
+        memory = Memory(lost, solver_state.steps + steps, iterations)
+        return y1, None, {"y0": y0, "y1": y1}, memory, result
+
+    def func(self, terms: Any, t0: Array, y0: Array, args: Any) -> Array:
+        return terms.vf(t0, y0, args)
+
+
+def explicit(state: Array) -> Change:
+    """Return the change of a step that solves nothing."""
+    return Change(state, jnp.zeros((), int), jnp.asarray(True))

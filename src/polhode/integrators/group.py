@@ -1,0 +1,33 @@
+"""How the attitude moves with a group element, as a change that does not cancel."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import jax.numpy as jnp
+
+from polhode.algebra.so3 import half_angle_factors
+from polhode.systems.base import attitude_change
+
+Array = Any
+
+
+def attitude_by_exp(attitude: Array | None, x: Array) -> Array | None:
+    """Return the change of attitudes (…, 4) by exp of elements whose first three components are a turn."""
+    if attitude is None:
+        return None
+    turn = x[..., :3]
+    s, c = half_angle_factors(turn)
+    square = jnp.sum(turn * turn, axis=-1, keepdims=True)
+    less = jnp.where(c > 0.0, -0.25 * s * s * square / (1.0 + c), c - 1.0)
+    return attitude_change(attitude, 0.5 * s * turn, less)
+
+
+def attitude_by_cayley(attitude: Array | None, x: Array) -> Array | None:
+    """Return the change of attitudes (…, 4) by Cayley's map."""
+    if attitude is None:
+        return None
+    turn = x[..., :3]
+    tangent = 0.25 * jnp.sum(turn * turn, axis=-1, keepdims=True)
+    w = 1.0 / jnp.sqrt(1.0 + tangent)
+    return attitude_change(attitude, 0.5 * w * turn, -tangent * w * w / (1.0 + w))

@@ -1,0 +1,149 @@
+"""Symmetric midpoint methods that move along the coadjoint orbit by construction."""
+
+from __future__ import annotations
+
+from typing import Any, ClassVar
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+
+from polhode.algebra.matrix import AbstractMatrixAlgebra
+from polhode.errors import InvalidInput
+from polhode.integrators.base import AbstractOrbitSolver, Change
+from polhode.integrators.composition import stages
+from polhode.integrators.fixed_point import fixed_point
+from polhode.integrators.group import attitude_by_cayley, attitude_by_exp
+from polhode.systems.base import AbstractLiePoissonSystem, joined
+
+Array = Any
+
+
+class LieMidpoint(AbstractOrbitSolver):
+    """μ₁ = Ad*_{τ(x)} μ₀ with x = h ξ(μ_middle), composed to order 2 or 4; implicit.
+
+    With τ = exp the middle is Ad*_{exp(x/2)} μ₀; with τ = Cayley's map it is (μ₀ + μ₁)/2, which on so(3) is the
+    implicit midpoint rule. For any algebra with exp, for quadratic groups with Cayley.
+
+    Args:
+        system: any Lie–Poisson system.
+        step_size: largest step [s].
+        order: 2 or 4.
+        coordinates: "cayley", "exp", or None for Cayley where the group has it.
+
+    Source: Engø & Faltinsen, SIAM J. Numer. Anal. 39 (2001) 128; Bogfjellmo & Marthinsen, Found. Comput. Math. 16
+    (2016) 493.
+    """
+
+    system: AbstractLiePoissonSystem
+    step_size: Array
+    own_order: int = eqx.field(static=True)
+    coordinates: str = eqx.field(static=True)
+    keeps: ClassVar[str] = "the coadjoint orbit, hence every Casimir; time reversal"
+
+    def __init__(
+        self, system: AbstractLiePoissonSystem, step_size: Array, order: int = 2, coordinates: str | None = None
+    ) -> None:
+        _check_order(order)
+        if coordinates is None:
+            coordinates = "cayley" if has_cayley(system) else "exp"
+        if coordinates not in ("cayley", "exp"):
+            raise InvalidInput(f"`coordinates` must be 'cayley' or 'exp'; got {coordinates!r}.")
+        if coordinates == "cayley" and not has_cayley(system):
+            system.algebra.cayley(jnp.zeros(system.algebra.element_shape, system.algebra.dtype))
+        self.system, self.step_size, self.own_order, self.coordinates = system, step_size, order, coordinates
+
+    def order(self, terms: Any) -> int:
+        return self.own_order
+
+    def change(self, h: Array, state: Array) -> Change:
+        return _composed(self._stage, self.own_order, h, state)
+
+    def _stage(self, h: Array, state: Array) -> Change:
+        algebra, (attitude, point) = self.system.algebra, self.system.parts(state)
+
+        def middle(x: Array) -> Array:
+            if self.coordinates == "cayley":
+                return point + 0.5 * algebra.cayley_change(x, point)
+            return point + algebra.exp_change(0.5 * x, point)
+
+        start = h * self.system.generator(point)
+        found = fixed_point(lambda x: h * self.system.generator(middle(x)), start, jnp.max(jnp.abs(start)))
+        x = found.value
+        if self.coordinates == "cayley":
+            moved = joined(attitude_by_cayley(attitude, x), algebra.cayley_change(x, point))
+        else:
+            moved = joined(attitude_by_exp(attitude, x), algebra.exp_change(x, point))
+        return Change(moved, found.iterations, found.converged)
+
+
+class IsospectralMidpoint(AbstractOrbitSolver):
+    """W₀ = (1 − x†/2) W̃ (1 + x†/2), W₁ = (1 + x†/2) W̃ (1 − x†/2), x = h ξ(W̃), composed to order 2 or 4; implicit.
+
+    For matrix algebras of quadratic groups, so(n), su(n), sp(n); symplectic on the orbit.
+
+    Source: Modin & Viviani, Found. Comput. Math. 20 (2020) 889.
+    """
+
+    system: AbstractLiePoissonSystem
+    step_size: Array
+    own_order: int = eqx.field(static=True)
+    keeps: ClassVar[str] = "the spectrum, hence every Casimir; the Poisson structure; time reversal"
+
+    def __init__(self, system: AbstractLiePoissonSystem, step_size: Array, order: int = 2) -> None:
+        _check_order(order)
+        if not (isinstance(system.algebra, AbstractMatrixAlgebra) and has_cayley(system)):
+            raise InvalidInput(
+                f"`IsospectralMidpoint` needs so(n), su(n) or sp(n) as matrices; got {system.algebra.name}. "
+                "Take LieMidpoint."
+            )
+        self.system, self.step_size, self.own_order = system, step_size, order
+
+    def order(self, terms: Any) -> int:
+        return self.own_order
+
+    def change(self, h: Array, state: Array) -> Change:
+        return _composed(self._stage, self.own_order, h, state)
+
+    def _stage(self, h: Array, state: Array) -> Change:
+        algebra: Any = self.system.algebra
+        start = h * self.system.generator(state)
+
+        def improved(x: Array) -> Array:
+            return h * self.system.generator(algebra.cayley_middle(x, state))
+
+        found = fixed_point(improved, start, jnp.max(jnp.abs(start)))
+        return Change(algebra.cayley_change(found.value, state), found.iterations, found.converged)
+
+
+def has_cayley(system: AbstractLiePoissonSystem) -> bool:
+    """Whether the system's group has Cayley's map."""
+    algebra = system.algebra
+    zero = jax.ShapeDtypeStruct(algebra.element_shape, algebra.dtype)
+    try:
+        jax.eval_shape(algebra.cayley, zero)
+    except InvalidInput:
+        return False
+    return True
+
+
+def _composed(stage: Any, order: int, h: Array, state: Array) -> Change:
+    if order == 2:
+        return stage(h, state)
+    fractions = jnp.asarray(stages(order))
+
+    def add(k: Array, carried: tuple[Array, Change]) -> tuple[Array, Change]:
+        now, total = carried
+        found = stage(fractions[k] * h, now)
+        total = Change(
+            total.state + found.state, total.iterations + found.iterations, total.converged & found.converged
+        )
+        return now + found.state, total
+
+    none = Change(jnp.zeros_like(state), jnp.zeros((), int), jnp.asarray(True))
+    return jax.lax.fori_loop(0, len(fractions), add, (state, none))[1]
+
+
+def _check_order(order: int) -> None:
+    if order not in (2, 4):
+        raise InvalidInput(f"`order` must be 2 or 4; got {order!r}.")

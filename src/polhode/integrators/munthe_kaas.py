@@ -1,0 +1,58 @@
+"""Runge–Kutta–Munthe-Kaas methods on coadjoint orbits: explicit, for any algebra."""
+
+from __future__ import annotations
+
+from typing import Any, ClassVar
+
+import equinox as eqx
+
+from polhode.errors import InvalidInput
+from polhode.integrators.base import AbstractOrbitSolver, Change, explicit
+from polhode.integrators.group import attitude_by_exp
+from polhode.systems.base import AbstractLiePoissonSystem, joined
+
+Array = Any
+
+
+class MuntheKaas(AbstractOrbitSolver):
+    """μ₁ = Ad*_{exp u} μ₀, u from the midpoint rule (order 2) or Kutta's (order 4) in the algebra; explicit.
+
+    u̇ = dexp⁻¹_{−u} ξ = ξ + ½ [u, ξ] + 1/12 [u, [u, ξ]] − …, cut where the order allows.
+
+    Args:
+        system: any Lie–Poisson system.
+        step_size: largest step [s].
+        order: 2 or 4.
+
+    Source: Munthe-Kaas, Appl. Numer. Math. 29 (1999) 115; Engø & Faltinsen, SIAM J. Numer. Anal. 39 (2001) 128.
+    """
+
+    system: AbstractLiePoissonSystem
+    step_size: Array
+    own_order: int = eqx.field(static=True)
+    keeps: ClassVar[str] = "the coadjoint orbit, hence every Casimir; the energy drifts"
+
+    def __init__(self, system: AbstractLiePoissonSystem, step_size: Array, order: int = 4) -> None:
+        if order not in (2, 4):
+            raise InvalidInput(f"`order` of MuntheKaas must be 2 or 4; got {order!r}.")
+        self.system, self.step_size, self.own_order = system, step_size, order
+
+    def order(self, terms: Any) -> int:
+        return self.own_order
+
+    def change(self, h: Array, state: Array) -> Change:
+        algebra, (attitude, point) = self.system.algebra, self.system.parts(state)
+
+        def slope(u: Array) -> Array:
+            xi = h * self.system.generator(point + algebra.exp_change(u, point))
+            once = algebra.bracket(u, xi)
+            return xi + 0.5 * once + algebra.bracket(u, once) / 12.0
+
+        k1 = h * self.system.generator(point)
+        if self.own_order == 2:
+            u = h * self.system.generator(point + algebra.exp_change(0.5 * k1, point))
+        else:
+            k2 = slope(0.5 * k1)
+            k3 = slope(0.5 * k2)
+            u = (k1 + 2.0 * k2 + 2.0 * k3 + slope(k3)) / 6.0
+        return explicit(joined(attitude_by_exp(attitude, u), algebra.exp_change(u, point)))

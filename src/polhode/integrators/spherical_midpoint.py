@@ -1,0 +1,63 @@
+"""The spherical midpoint method for spins."""
+
+from __future__ import annotations
+
+from typing import Any, ClassVar
+
+import equinox as eqx
+import jax.numpy as jnp
+
+from polhode.algebra.power import Power
+from polhode.algebra.so3 import SO3
+from polhode.errors import InvalidInput
+from polhode.integrators.base import AbstractOrbitSolver, Change
+from polhode.integrators.fixed_point import fixed_point
+from polhode.systems.base import AbstractLiePoissonSystem
+
+Array = Any
+
+
+class SphericalMidpoint(AbstractOrbitSolver):
+    """w₁ − w₀ = h X(|w₀| (w₀ + w₁)/|w₀ + w₁|) on products of spheres; implicit, of order two.
+
+    Args:
+        system: on SO3 or a Power of it, without attitude.
+        step_size: largest step [s].
+
+    Source: McLachlan, Modin & Verdier, Phys. Rev. E 89 (2014) 061301.
+    """
+
+    system: AbstractLiePoissonSystem
+    step_size: Array
+    keeps: ClassVar[str] = "the length of every spin, the Poisson structure; time reversal; linear symmetries' momenta"
+    own_order: int = eqx.field(static=True, default=2)
+
+    def __init__(self, system: AbstractLiePoissonSystem, step_size: Array, order: int = 2) -> None:
+        algebra = system.algebra
+        single = algebra.algebra if isinstance(algebra, Power) else algebra
+        if not isinstance(single, SO3):
+            raise InvalidInput(f"`SphericalMidpoint` needs SO3 or a Power of it; got {algebra.name}. Take LieMidpoint.")
+        if order != 2:
+            raise InvalidInput(f"`order` of SphericalMidpoint must be 2; got {order!r}.")
+        self.system, self.step_size, self.own_order = system, step_size, order
+
+    def order(self, terms: Any) -> int:
+        return self.own_order
+
+    def change(self, h: Array, state: Array) -> Change:
+        attitude, point = self.system.parts(state)
+        if attitude is not None:
+            raise InvalidInput("`SphericalMidpoint` moves momenta only, not an attitude; take LieMidpoint.")
+        length = jnp.linalg.norm(point, axis=-1, keepdims=True)
+
+        def improved(change: Array) -> Array:
+            middle = point + 0.5 * change
+            size = jnp.linalg.norm(middle, axis=-1, keepdims=True)
+            middle = middle * (length / jnp.where(size > 0, size, 1.0))
+            return h * self.system.algebra.coadjoint(self.system.generator(middle), middle)
+
+        start = improved(jnp.zeros_like(point))
+        # the size of the change's terms, which do not vanish where the change does
+        scale = jnp.abs(h) * jnp.max(jnp.abs(self.system.generator(point))) * jnp.max(length)
+        found = fixed_point(improved, start, scale)
+        return Change(*found)

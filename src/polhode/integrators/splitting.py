@@ -1,0 +1,66 @@
+"""Splitting into exact flows."""
+
+from __future__ import annotations
+
+from typing import Any, ClassVar
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+
+from polhode.errors import InvalidInput
+from polhode.integrators.base import AbstractOrbitSolver, Change, explicit
+from polhode.integrators.composition import stages
+from polhode.systems.base import AbstractLiePoissonSystem
+
+Array = Any
+
+
+class Splitting(AbstractOrbitSolver):
+    """The system's exact flows in a symmetric product, composed to order 2, 4 or 6; explicit.
+
+    Args:
+        system: with ``flows``.
+        step_size: largest step [s].
+        order: 2, 4 or 6.
+
+    Raises:
+        InvalidInput: if the system names no flows.
+
+    Source: McLachlan, Phys. Rev. Lett. 71 (1993) 3043; Hairer, Lubich & Wanner, *Geometric Numerical Integration*,
+    VII.5.
+    """
+
+    system: AbstractLiePoissonSystem
+    step_size: Array
+    own_order: int = eqx.field(static=True)
+    keeps: ClassVar[str] = "every Casimir, the orbit, the Poisson structure; time reversal"
+
+    def __init__(self, system: AbstractLiePoissonSystem, step_size: Array, order: int = 2) -> None:
+        stages(order)
+        if not system.flows:
+            raise InvalidInput(
+                f"`Splitting` needs exact flows, and {type(system).__name__} names none; take LieMidpoint."
+            )
+        self.system, self.step_size, self.own_order = system, step_size, order
+
+    def order(self, terms: Any) -> int:
+        return self.own_order
+
+    def change(self, h: Array, state: Array) -> Change:
+        flows = list(self.system.flows.values())
+        parts = [(flow, 0.5) for flow in flows[:-1]]
+        parts = [*parts, (flows[-1], 1.0), *parts[::-1]]
+
+        def stage(h: Array, state: Array, total: Array) -> tuple[Array, Array]:
+            for flow, share in parts:
+                moved = flow(share * h, state)
+                state, total = state + moved, total + moved
+            return state, total
+
+        if self.own_order == 2:
+            return explicit(stage(h, state, jnp.zeros_like(state))[1])
+        fractions = jnp.asarray(stages(self.own_order))
+        carried = (state, jnp.zeros_like(state))
+        carried = jax.lax.fori_loop(0, len(fractions), lambda k, c: stage(fractions[k] * h, *c), carried)
+        return explicit(carried[1])

@@ -1,0 +1,95 @@
+"""Coadjoint orbits: dimension, tangent space, and the Kirillov–Kostant–Souriau form.
+
+ω(ad*_x μ, ad*_y μ) = sign · ⟨μ, [x, y]⟩, so that ω(X_F, X_G) = {F, G} for either sign. Source: Marsden & Ratiu,
+*Introduction to Mechanics and Symmetry*, §14.2–14.4.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import jax.numpy as jnp
+import numpy as np
+
+from polhode.algebra.base import AbstractLieAlgebra
+from polhode.algebra.so3 import SO3
+from polhode.errors import InvalidInput
+from polhode.poisson.brackets import as_points, poisson_tensor
+
+Array = Any
+RANK_TOLERANCE = 1e-10  # of singular values of the Poisson tensor, relative to the largest
+
+
+def orbit_dimension(algebra: AbstractLieAlgebra, mu: Array) -> Array:
+    """Return the dimension (…) of the orbit through μ: the rank of the Poisson tensor, always even."""
+    sizes = np.linalg.svd(np.asarray(poisson_tensor(algebra, mu)), compute_uv=False)
+    largest = np.maximum(sizes[..., :1], np.finfo(float).tiny)
+    dimension = np.sum(sizes > RANK_TOLERANCE * largest, axis=-1)
+    return int(dimension) if dimension.ndim == 0 else dimension
+
+
+def orbit_tangent(algebra: AbstractLieAlgebra, mu: Array) -> Array:
+    """Return an orthonormal basis (d, dim) of the tangent space at one μ, in the coordinates ⟨·, e_i⟩."""
+    mu = _one_point(algebra, mu)
+    _, sizes, rows = np.linalg.svd(np.asarray(poisson_tensor(algebra, mu)))
+    return rows[: int((sizes > RANK_TOLERANCE * max(sizes[0], np.finfo(float).tiny)).sum())]
+
+
+def kks_form(algebra: AbstractLieAlgebra, mu: Array, x: Array, y: Array, sign: int = -1) -> Array:
+    """Return ω(ad*_x μ, ad*_y μ) = sign · ⟨μ, [x, y]⟩ (…) for elements x, y that generate the two tangent vectors."""
+    if sign not in (-1, 1):
+        raise InvalidInput(f"`sign` must be −1 or +1; got {sign!r}.")
+    return sign * algebra.pairing(as_points(algebra, mu), algebra.bracket(jnp.asarray(x), jnp.asarray(y)))
+
+
+def kks_matrix(algebra: AbstractLieAlgebra, mu: Array, sign: int = -1) -> Array:
+    """Return ω(t_a, t_b) (d, d) in the basis of ``orbit_tangent`` at one μ."""
+    tangent = orbit_tangent(algebra, mu)
+    # ad*_x μ = Σ_i x_i c_ijk μ_k: the coordinates of the tangent vector that x moves μ by
+    flow = np.asarray(poisson_tensor(algebra, _one_point(algebra, mu), sign=1))
+    elements = np.linalg.lstsq(flow.T, tangent.T, rcond=None)[0]
+    return sign * elements.T @ flow @ elements
+
+
+def restricted_bracket(algebra: AbstractLieAlgebra, mu: Array, sign: int = -1) -> Array:
+    """Return {t_a, t_b} (d, d): the bracket on the orbit, of coordinates along ``orbit_tangent`` at one μ.
+
+    It is the inverse of −ω there, so that ω(X_F, X_G) = {F, G}.
+    """
+    tangent = orbit_tangent(algebra, mu)
+    return tangent @ np.asarray(poisson_tensor(algebra, _one_point(algebra, mu), sign)) @ tangent.T
+
+
+def symplectic_area(momenta: Array, sign: int = -1) -> float:
+    """Return ∫ω over the part of an SO(3) orbit to the left of a closed curve (n, 3) on it: sign · area/|L|.
+
+    The curve is closed by its first point; its pieces are taken as arcs of great circles, for which the sum of the
+    signed triangles seen from the first point is exact. The area is that modulo the whole sphere, in (−2π, 2π] |L|.
+    """
+    points = np.asarray(momenta, dtype=float)
+    if points.ndim != 2 or points.shape[1] != 3 or len(points) < 3 or not np.isfinite(points).all():
+        raise InvalidInput(f"`momenta` must be at least three finite points (n, 3); got shape {points.shape}.")
+    norms = np.linalg.norm(points, axis=1)
+    if not norms.min() > 0 or np.ptp(norms) > 1e-6 * norms.max():
+        raise InvalidInput("`momenta` must lie on one sphere about the origin, not at it. Check |L| along the curve.")
+    unit = points / norms[:, None]
+    a, b, c = unit[0], unit, np.roll(unit, -1, axis=0)
+    volume = np.einsum("i,ni->n", a, np.cross(b, c))
+    angle = 2.0 * np.arctan2(volume, 1.0 + b @ a + c @ a + np.einsum("ni,ni->n", b, c))
+    solid = math.remainder(float(angle.sum()), 4.0 * math.pi)
+    return sign * float(norms.mean()) * solid
+
+
+def liouville_volume(algebra: AbstractLieAlgebra, mu: Array) -> float:
+    """Return the symplectic volume of the orbit through one μ: 4π|L| on SO(3)."""
+    if not isinstance(algebra, SO3):
+        raise InvalidInput(f"the volume of orbits is known for SO3; got {algebra.name}.")
+    return 4.0 * math.pi * float(jnp.linalg.norm(_one_point(algebra, mu)))
+
+
+def _one_point(algebra: AbstractLieAlgebra, mu: Array) -> Array:
+    mu = as_points(algebra, mu)
+    if mu.shape != algebra.element_shape:
+        raise InvalidInput(f"one point {algebra.element_shape} is needed; got shape {mu.shape}. Loop over points.")
+    return mu

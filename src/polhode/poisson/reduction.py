@@ -1,0 +1,72 @@
+"""Rotations and their momenta: T*SO(3), its two trivialisations, momentum maps, and reduction to so(3)*.
+
+A covector at R is a matrix P (…, 3, 3), paired with velocities by ½ tr(PᵀṘ). Left-trivialised it is the body momentum
+L, ⟨P, R hat(ξ)⟩ = L · ξ; right-trivialised the space momentum π, ⟨P, hat(η) R⟩ = π · η; π = R L.
+Source: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, §13.2–13.4, 15.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from polhode import rotation
+from polhode.errors import InvalidInput
+
+Array = Any
+
+
+def left_trivialize(attitude: Array, covector: Array) -> Array:
+    """Return the body momentum L (…, 3) of covectors P (…, 3, 3) at attitudes (…, 4)."""
+    R = rotation.as_matrix(attitude)
+    return _antisymmetric_part(_transpose(R) @ covector)
+
+
+def right_trivialize(attitude: Array, covector: Array) -> Array:
+    """Return the space momentum π (…, 3) of covectors P (…, 3, 3) at attitudes (…, 4)."""
+    R = rotation.as_matrix(attitude)
+    return _antisymmetric_part(covector @ _transpose(R))
+
+
+def lifted_action(turn: Array, attitude: Array, covector: Array) -> tuple[Array, Array]:
+    """Return the cotangent lift of R → G R: attitude (…, 4) and covector (…, 3, 3) after a turn (…, 4) in space.
+
+    It leaves the body momentum as it is and turns the space momentum by G.
+    """
+    return rotation.multiply(turn, attitude), rotation.as_matrix(turn) @ covector
+
+
+def space_momentum(attitude: Array, momentum: Array) -> Array:
+    """Return π = R L (…, 3), the momentum map of turns in space, from body momenta."""
+    return rotation.rotate(attitude, momentum)
+
+
+def body_momentum(attitude: Array, momentum: Array) -> Array:
+    """Return L = Rᵀ π (…, 3), the momentum map of turns in the body, from space momenta."""
+    return rotation.rotate(rotation.conjugate(attitude), momentum)
+
+
+def reduce(attitude: Array, momentum: Array, side: str = "left") -> Array:
+    """Return the point of so(3)* that is left when turns are divided out of T*SO(3).
+
+    Args:
+        attitude: (…, 4) unit quaternions wxyz, body → space.
+        momentum: (…, 3) in space.
+        side: "left" for Hamiltonians that do not see turns in space (the rigid body; minus bracket, gives the body
+            momentum), "right" for those that do not see turns in the body (plus bracket, gives the space momentum).
+
+    Raises:
+        InvalidInput: for another side.
+    """
+    if side == "left":
+        return body_momentum(attitude, momentum)
+    if side == "right":
+        return momentum
+    raise InvalidInput(f"`side` must be 'left' or 'right', as the Hamiltonian is invariant; got {side!r}.")
+
+
+def _transpose(matrix: Array) -> Array:
+    return matrix.swapaxes(-1, -2)
+
+
+def _antisymmetric_part(matrix: Array) -> Array:
+    return rotation.vee(0.5 * (matrix - _transpose(matrix)))

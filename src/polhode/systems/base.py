@@ -1,0 +1,147 @@
+"""What every system offers; and Lie–Poisson systems, whose equations of motion are written here once."""
+
+from __future__ import annotations
+
+import abc
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+
+from polhode import rotation
+from polhode.algebra.base import AbstractLieAlgebra
+from polhode.algebra.se3 import SE3
+from polhode.algebra.so3 import SO3
+from polhode.errors import InvalidInput
+
+Array = Any
+Flow = Callable[[Array, Array], Array]
+
+
+class Parts(NamedTuple):
+    """A packed state taken apart: attitude (…, 4) or None, and the point of the dual."""
+
+    attitude: Array | None
+    point: Array
+
+
+class AbstractSystem(eqx.Module):
+    """Something with a state that moves and quantities that do not change while it does."""
+
+    @abc.abstractmethod
+    def vector_field(self, t: Array, state: Array) -> Array:
+        """Return the state's rate of change, batched."""
+
+    @abc.abstractmethod
+    def invariants(self, state: Array) -> dict[str, Array]:
+        """Return the conserved quantities at states, by name."""
+
+
+class AbstractLiePoissonSystem(AbstractSystem):
+    """μ̇ = −sign · ad*_{dH} μ on the dual of ``algebra``.
+
+    A state is a point of the dual (…, *element_shape); where the algebra turns a body, on so(3) and se(3), it may have
+    the attitude in front, a unit quaternion wxyz, body → space, which then moves by the same group elements:
+    dR/dt = R hat(dH).
+    """
+
+    algebra: eqx.AbstractVar[AbstractLieAlgebra]
+
+    @property
+    def sign(self) -> int:
+        """−1 for left-invariant systems (bodies), +1 for right-invariant ones (fluids)."""
+        return -1
+
+    @abc.abstractmethod
+    def energy(self, point: Array) -> Array:
+        """Return H (…) at points of the dual."""
+
+    def velocity(self, point: Array) -> Array:
+        """Return dH, an element of the algebra, at points of the dual."""
+        algebra = self.algebra
+        total = jax.grad(lambda mu: jnp.sum(self.energy(mu)))  # batch axes do not mix, so one gradient serves all
+        return algebra.from_gradient(total(jnp.asarray(point, dtype=algebra.dtype)))
+
+    def generator(self, point: Array) -> Array:
+        """Return ξ with μ̇ = ad*_ξ μ."""
+        return -self.sign * self.velocity(point)
+
+    @property
+    def flows(self) -> dict[str, Flow]:
+        """Exact flows of parts of H, named: (time, state) → change of the state; empty where none are known."""
+        return {}
+
+    @property
+    def extra_invariants(self) -> dict[str, Callable[[Array], Array]]:
+        """Conserved functions of the point beside energy and Casimirs, by name."""
+        return {}
+
+    def vector_field(self, t: Array, state: Array) -> Array:
+        attitude, point = self.parts(state)
+        generator = self.generator(point)
+        flow = self.algebra.coadjoint(generator, point)
+        if attitude is None:
+            return flow
+        pure = jnp.concatenate([jnp.zeros((*point.shape[:-1], 1)), 0.5 * generator[..., :3]], axis=-1)
+        return jnp.concatenate([rotation.multiply(attitude, pure), flow], axis=-1)
+
+    def invariants(self, state: Array) -> dict[str, Array]:
+        """Return energy, Casimirs, what else is conserved and, with an attitude, the momentum in space."""
+        attitude, point = self.parts(state)
+        values = {"energy": self.energy(point)}
+        casimirs = self.algebra.casimirs(point)
+        values |= {name: casimirs[..., k] for k, name in enumerate(self.algebra.casimir_names)}
+        values |= {name: function(point) for name, function in self.extra_invariants.items()}
+        if attitude is not None:
+            values |= self.space_vectors(attitude, point)
+        return values
+
+    def space_vectors(self, attitude: Array, point: Array) -> dict[str, Array]:
+        """Return the vectors that stay fixed in space, by name."""
+        if isinstance(self.algebra, SO3):
+            return {"momentum_space": rotation.rotate(attitude, point)}
+        return {"linear_space": rotation.rotate(attitude, point[..., 3:])}
+
+    # ------------------------------------------------------------------ packed states
+
+    @property
+    def carries_attitude(self) -> bool:
+        """Whether a state may have an attitude in front."""
+        return isinstance(self.algebra, SO3 | SE3) and self.sign == -1
+
+    def parts(self, state: Array) -> Parts:
+        """Take a packed state apart.
+
+        Raises:
+            InvalidInput: if its last axes are neither a point's nor, where there is one, attitude and point.
+        """
+        shape, own = jnp.shape(state), self.algebra.element_shape
+        if self.carries_attitude and shape and shape[-1] == 4 + own[0]:
+            return Parts(state[..., :4], state[..., 4:])
+        if shape[len(shape) - len(own) :] != own:
+            longer = f" or (…, {4 + own[0]}) with the attitude in front" if self.carries_attitude else ""
+            raise InvalidInput(
+                f"`state` of {type(self).__name__} must have shape (…, {', '.join(map(str, own))}){longer}; "
+                f"got {shape}."
+            )
+        return Parts(None, state)
+
+
+def joined(attitude: Array | None, point: Array) -> Array:
+    """Return the packed state, or change of one, of attitude and point."""
+    return point if attitude is None else jnp.concatenate([attitude, point], axis=-1)
+
+
+def attitude_change(attitude: Array | None, sine: Array, cosine_less_one: Array) -> Array | None:
+    """Return q p − q for p = (1 + cosine_less_one, sine), without cancellation for small turns.
+
+    Args:
+        attitude: (…, 4) or None.
+        sine: (…, 3), half the turn's axis times its sine.
+        cosine_less_one: (…, 1).
+    """
+    if attitude is None:
+        return None
+    return rotation.multiply(attitude, jnp.concatenate([cosine_less_one, sine], axis=-1))

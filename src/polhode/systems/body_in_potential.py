@@ -1,0 +1,78 @@
+"""A body with a fixed point in a potential that depends on where a fixed direction points in it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import jax
+import jax.numpy as jnp
+
+from polhode import rotation
+from polhode.algebra.base import AbstractLieAlgebra
+from polhode.algebra.se3 import SE3
+from polhode.exact.free_body import FreeMotion
+from polhode.systems.base import AbstractLiePoissonSystem, Flow, joined
+from polhode.systems.free_rigid_body import checked_moments
+
+Array = Any
+
+
+class BodyInPotential(AbstractLiePoissonSystem):
+    """H = ½ Π·I⁻¹Π + V(Γ) on se(3)*: Π̇ = Π × Ω + Γ × ∇V, Γ̇ = Γ × Ω.
+
+    Γ is a direction fixed in space, along the body's axes. State (Π, Γ) (…, 6), or with the attitude (…, 10).
+    Flows: the free body, by its exact solution, and the potential, which kicks Π.
+
+    Args:
+        moments: (3,) principal moments about the fixed point [kg m²].
+        potential: V [J] of one Γ (3,), differentiable by JAX.
+
+    Source: Celledoni, Fassò, Säfström & Zanna, SIAM J. Sci. Comput. 30 (2008) 2084.
+    """
+
+    algebra: AbstractLieAlgebra
+    moments: Array
+    potential: Callable[[Array], Array]
+
+    def __init__(self, moments: Array, potential: Callable[[Array], Array]) -> None:
+        self.algebra, self.moments, self.potential = SE3(), checked_moments(moments), potential
+
+    def energy(self, point: Array) -> Array:
+        angular = point[..., :3]
+        kinetic = 0.5 * jnp.sum(angular * angular / self.moments, axis=-1)
+        return kinetic + self._over_batch(self.potential)(point[..., 3:])
+
+    def velocity(self, point: Array) -> Array:
+        force = self._over_batch(jax.grad(self.potential))(point[..., 3:])
+        return jnp.concatenate([point[..., :3] / self.moments, force], axis=-1)
+
+    @property
+    def flows(self) -> dict[str, Flow]:
+        return {"potential": self._kick, "free body": self._free}
+
+    def _kick(self, time: Array, state: Array) -> Array:
+        attitude, point = self.parts(state)
+        force = self._over_batch(jax.grad(self.potential))(point[..., 3:])
+        kick = time * jnp.cross(point[..., 3:], force)
+        still = None if attitude is None else jnp.zeros_like(attitude)
+        return joined(still, jnp.concatenate([kick, jnp.zeros_like(kick)], axis=-1))
+
+    def _free(self, time: Array, state: Array) -> Array:
+        attitude, point = self.parts(state)
+        angular, direction = point[..., :3], point[..., 3:]
+        turn, later = FreeMotion(self.moments, angular).state(time)
+        # only the turn enters Γ and the attitude: both keep their lengths as exactly as it does
+        pure = turn - jnp.array([1.0, 0.0, 0.0, 0.0])
+        moved = rotation.rotate(rotation.conjugate(turn), direction)
+        change = jnp.concatenate([later - angular, moved - direction], axis=-1)
+        return joined(None if attitude is None else rotation.multiply(attitude, pure), change)
+
+    def _over_batch(self, function: Callable[[Array], Array]) -> Callable[[Array], Array]:
+        def values(direction: Array) -> Array:
+            batched = function
+            for _ in range(jnp.ndim(direction) - 1):
+                batched = jax.vmap(batched)
+            return batched(direction)
+
+        return values

@@ -1,0 +1,72 @@
+"""A rigid body in an ideal fluid at rest at infinity, on se(3)*."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import jax.numpy as jnp
+import numpy as np
+
+from polhode.algebra.base import AbstractLieAlgebra
+from polhode.algebra.se3 import SE3
+from polhode.errors import InvalidInput
+from polhode.systems.base import AbstractLiePoissonSystem, Flow, joined
+from polhode.systems.free_rigid_body import axis_flow
+
+Array = Any
+
+
+class Kirchhoff(AbstractLiePoissonSystem):
+    """H = ½ (Π, P)·M⁻¹(Π, P): Π̇ = Π × Ω + P × U, Ṗ = P × Ω with (Ω, U) = M⁻¹(Π, P).
+
+    Π and P are the impulses of body and fluid. State (Π, P) (…, 6), or with the attitude (…, 10). Where M is diagonal
+    the flows are rotation about each axis and the part of P, which kicks Π.
+
+    Args:
+        inertia: M (6, 6), symmetric positive definite, or its diagonal (6,): moments and masses with what the fluid
+            adds [kg m², kg].
+
+    Raises:
+        InvalidInput: for a matrix that is not symmetric positive definite.
+
+    Source: Lamb, *Hydrodynamics*, ch. VI; Leonard, Automatica 33 (1997) 331.
+    """
+
+    algebra: AbstractLieAlgebra
+    inverse: Array
+    diagonal: bool
+
+    def __init__(self, inertia: Array) -> None:
+        matrix = np.asarray(inertia, dtype=float)
+        matrix = np.diag(matrix) if matrix.shape == (6,) else matrix
+        if matrix.shape != (6, 6) or not np.isfinite(matrix).all():
+            raise InvalidInput(f"`inertia` must be finite, (6, 6) or its diagonal (6,); got shape {matrix.shape}.")
+        if np.abs(matrix - matrix.T).max() > 1e-12 * np.abs(matrix).max() or np.linalg.eigvalsh(matrix)[0] <= 0:
+            raise InvalidInput("`inertia` must be symmetric and positive definite: kinetic energy is never negative.")
+        inverse = np.linalg.inv(matrix)
+        self.algebra, self.inverse = SE3(), jnp.asarray(0.5 * (inverse + inverse.T))
+        self.diagonal = bool((matrix == np.diag(np.diag(matrix))).all())
+
+    @property
+    def moments(self) -> Array:
+        """1/M⁻¹_ii for the angular part."""
+        return 1.0 / jnp.diag(self.inverse)[:3]
+
+    def energy(self, point: Array) -> Array:
+        return 0.5 * jnp.sum(point * self.velocity(point), axis=-1)
+
+    def velocity(self, point: Array) -> Array:
+        return point @ self.inverse
+
+    @property
+    def flows(self) -> dict[str, Flow]:
+        if not self.diagonal:
+            return {}
+        return {f"rotation about axis {k + 1}": axis_flow(self, k) for k in range(3)} | {"drift": self._drift}
+
+    def _drift(self, time: Array, state: Array) -> Array:
+        attitude, point = self.parts(state)
+        linear = point[..., 3:]
+        kick = time * jnp.cross(linear, linear * jnp.diag(self.inverse)[3:])
+        still = None if attitude is None else jnp.zeros_like(attitude)
+        return joined(still, jnp.concatenate([kick, jnp.zeros_like(kick)], axis=-1))

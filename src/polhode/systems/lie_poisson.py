@@ -1,0 +1,90 @@
+"""Any Hamiltonian on the dual of any algebra."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+import numpy as np
+
+from polhode.algebra.base import AbstractLieAlgebra
+from polhode.errors import InvalidInput
+from polhode.systems.base import AbstractLiePoissonSystem
+
+Array = Any
+
+
+class LiePoisson(AbstractLiePoissonSystem):
+    """The motion of a Hamiltonian given as a function of one point.
+
+    Args:
+        algebra: the Lie algebra.
+        hamiltonian: H of one point of the dual, a real scalar; differentiable by JAX.
+        conserved: other functions of one point that the motion keeps, by name; watched, not enforced.
+        sign: −1 for the left-invariant (minus) bracket, +1 for the other.
+
+    Raises:
+        InvalidInput: if H is not a real scalar at one point, or the sign is not ±1.
+
+    >>> from polhode.algebra import SO3
+    >>> body = LiePoisson(SO3(), lambda L: 0.5 * jnp.sum(L**2 / jnp.array([1.0, 2.0, 3.0])))
+    >>> body.vector_field(0.0, jnp.array([1.0, 1.0, 1.0])).round(6).tolist()
+    [-0.166667, 0.666667, -0.5]
+    """
+
+    algebra: AbstractLieAlgebra
+    hamiltonian: Callable[[Array], Array]
+    conserved: dict[str, Callable[[Array], Array]] = eqx.field(default_factory=dict)
+    orientation: int = eqx.field(static=True, default=-1)
+
+    def __init__(
+        self,
+        algebra: AbstractLieAlgebra,
+        hamiltonian: Callable[[Array], Array],
+        conserved: dict[str, Callable[[Array], Array]] | None = None,
+        sign: int = -1,
+    ) -> None:
+        if sign not in (-1, 1):
+            raise InvalidInput(f"`sign` must be −1 (left-invariant) or +1 (right-invariant); got {sign!r}.")
+        self.algebra, self.hamiltonian = algebra, hamiltonian
+        self.conserved, self.orientation = dict(conserved or {}), sign
+        for name, function in {"hamiltonian": hamiltonian, **self.conserved}.items():
+            _check_scalar(algebra, name, function)
+
+    @property
+    def sign(self) -> int:
+        return self.orientation
+
+    @property
+    def extra_invariants(self) -> dict[str, Callable[[Array], Array]]:
+        return {name: self._batched(function) for name, function in self.conserved.items()}
+
+    def energy(self, point: Array) -> Array:
+        return self._batched(self.hamiltonian)(point)
+
+    def _batched(self, function: Callable[[Array], Array]) -> Callable[[Array], Array]:
+        def values(point: Array) -> Array:
+            point = jnp.asarray(point, dtype=self.algebra.dtype)
+            batched = function
+            for _ in self.algebra.batch_shape(point):
+                batched = jax.vmap(batched)
+            return batched(point)
+
+        return values
+
+
+def _check_scalar(algebra: AbstractLieAlgebra, name: str, function: Callable[[Array], Array]) -> None:
+    point = jax.ShapeDtypeStruct(algebra.element_shape, algebra.dtype)
+    try:
+        value = jax.eval_shape(function, point)
+    except Exception as error:
+        raise InvalidInput(
+            f"`{name}` cannot be evaluated at a point of shape {algebra.element_shape}: {error}. "
+            "Write it with jax.numpy for one point."
+        ) from error
+    shape, dtype = getattr(value, "shape", None), getattr(value, "dtype", np.dtype(object))
+    if shape != () or not jnp.issubdtype(dtype, jnp.floating):
+        raise InvalidInput(f"`{name}` must be a real scalar at one point; got shape {shape} of {dtype}.")

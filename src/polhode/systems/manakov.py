@@ -1,0 +1,94 @@
+"""The rigid body in n dimensions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import equinox as eqx
+import jax.numpy as jnp
+import numpy as np
+
+from polhode.algebra.base import AbstractLieAlgebra
+from polhode.algebra.matrix import SO
+from polhode.errors import InvalidInput
+from polhode.systems.base import AbstractLiePoissonSystem, Flow
+
+Array = Any
+
+
+class Manakov(AbstractLiePoissonSystem):
+    """M = ΛΩ + ΩΛ on so(n)*, Ṁ = [M, Ω], H = ½ ⟨M, Ω⟩; state M (…, n, n).
+
+    Integrable: with Lax's pair M + sΛ², Ω + sΛ every coefficient of tr (M + sΛ²)^k is conserved. Flows: rotation in
+    each coordinate plane, from H = Σ_{i<j} M_ij²/2(Λ_i + Λ_j).
+
+    Args:
+        masses: (n,) second moments of mass Λ along the axes [kg m²], sums of any two positive; n ≥ 3.
+
+    Source: Manakov, Funct. Anal. Appl. 10 (1976) 328; Ratiu, Indiana Univ. Math. J. 29 (1980) 609.
+    """
+
+    algebra: AbstractLieAlgebra
+    masses: Array
+    size: int = eqx.field(static=True)
+
+    def __init__(self, masses: Array) -> None:
+        values = np.asarray(masses, dtype=float)
+        if values.ndim != 1 or len(values) < 3 or not np.isfinite(values).all():
+            raise InvalidInput(f"`masses` must be at least three finite numbers (n,); got shape {values.shape}.")
+        sums = np.sort(values)[:2].sum()
+        if not sums > 0:
+            raise InvalidInput(f"`masses` must have positive sums of any two; got the sum {sums:g} kg m².")
+        self.algebra, self.masses, self.size = SO(len(values)), jnp.asarray(values), len(values)
+
+    @property
+    def _sums(self) -> Array:
+        return self.masses[:, None] + self.masses[None, :]
+
+    def energy(self, point: Array) -> Array:
+        return 0.25 * jnp.sum(point * point / self._sums, axis=(-2, -1))
+
+    def velocity(self, point: Array) -> Array:
+        return point / self._sums
+
+    @property
+    def extra_invariants(self) -> dict[str, Callable[[Array], Array]]:
+        """Coefficients of s^j in tr (M + sΛ²)^k, k = 3, …, n, of even degree k − j in M."""
+        pairs = [(k, j) for k in range(3, self.size + 1) for j in range(1, k - 1) if (k - j) % 2 == 0]
+        return {f"s^{j} of tr (M + sΛ²)^{k}": self._coefficient(k, j) for k, j in pairs}
+
+    def _coefficient(self, k: int, j: int) -> Callable[[Array], Array]:
+        def value(point: Array) -> Array:
+            square = jnp.diag(self.masses**2)
+            powers = [jnp.eye(self.size)]  # coefficients of 1, s, … of (M + sΛ²)^m
+            for _ in range(k):
+                longer = [p @ point for p in powers] + [jnp.zeros_like(point)]
+                powers = [
+                    own + (powers[m - 1] @ square if m else 0.0) for m, own in enumerate(longer)
+                ]
+            return jnp.trace(powers[j], axis1=-2, axis2=-1)
+
+        return value
+
+    @property
+    def flows(self) -> dict[str, Flow]:
+        planes = [(i, j) for i in range(self.size) for j in range(i + 1, self.size)]
+        return {f"rotation in plane {i + 1}{j + 1}": self._plane_flow(i, j) for i, j in planes}
+
+    def _plane_flow(self, i: int, j: int) -> Flow:
+        def flow(time: Array, state: Array) -> Array:
+            half = (0.5 * time) * state[..., i, j] / (self.masses[i] + self.masses[j])
+            sine, cosine = jnp.sin(half), jnp.cos(half)
+            s, less = 2.0 * sine * cosine, -2.0 * sine * sine
+            # M ↦ GᵀMG for the turn G = exp(Ω_ij): rows i and j mix, then columns; M_ij itself stays
+            s, less = s[..., None], less[..., None]
+            own = jnp.arange(self.size)
+            others = (own != i) & (own != j)
+            row_i, row_j = state[..., i, :], state[..., j, :]
+            change_i = jnp.where(others, less * row_i - s * row_j, 0.0)
+            change_j = jnp.where(others, less * row_j + s * row_i, 0.0)
+            change = jnp.zeros_like(state).at[..., i, :].set(change_i).at[..., j, :].set(change_j)
+            return change - change.swapaxes(-1, -2)
+
+        return flow
