@@ -6,7 +6,20 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from polhode import algebra, analysis, errors, figures, formats, integrators, poisson, rotation, special, systems
+    from polhode import (
+        algebra,
+        analysis,
+        errors,
+        figures,
+        formats,
+        integrators,
+        poisson,
+        rotation,
+        special,
+        systems,
+        testing,
+    )
+    from polhode.analysis.stability import find_equilibria, stability
     from polhode.bodies import shapes
     from polhode.bodies.atoms import from_atoms
     from polhode.bodies.body import Body, combine
@@ -28,13 +41,15 @@ _HOME = {
     "from_points": "polhode.bodies.points",
     "FreeMotion": "polhode.exact.free_body",
     "Trajectory": "polhode.trajectory",
+    "find_equilibria": "polhode.analysis.stability",
     "simulate": "polhode.simulation",
+    "stability": "polhode.analysis.stability",
 }
 _ROOMS = {"shapes": "polhode.bodies.shapes"} | {
     room: f"polhode.{room}"
     for room in (
         "algebra", "analysis", "errors", "figures", "formats", "integrators", "poisson", "rotation", "special",
-        "systems",
+        "systems", "testing",
     )
 }
 __all__ = [
@@ -47,6 +62,7 @@ __all__ = [
     "combine",
     "errors",
     "figures",
+    "find_equilibria",
     "formats",
     "from_atoms",
     "from_mesh",
@@ -57,7 +73,9 @@ __all__ = [
     "shapes",
     "simulate",
     "special",
+    "stability",
     "systems",
+    "testing",
 ]
 
 

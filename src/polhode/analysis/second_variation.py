@@ -26,7 +26,7 @@ class Leaf(NamedTuple):
 
     Attributes:
         flow: (d, d) linearised flow along ``basis`` [1/s].
-        drift: (k, n) dC A relative to its terms, zero for Casimirs.
+        drift: (k, n) dC A for unit dC, relative to the largest entry of A; zero for Casimirs.
         hessians: (1+k, d, d) second derivatives of H and the C_k along ``basis``.
         terms: (1+k, d, d) the same in absolute values of all entries, which bound the effect of their errors.
         whole: (1+k, n, n) second derivatives on all of the space.
@@ -143,7 +143,7 @@ def scaled_leaf(A: Array, g: Array, H: Array, dC: Array, ddC: Array, tolerance: 
     hessians, size = on_leaf(0.5 * (whole + whole.transpose(0, 2, 1))), np.abs(basis)
     return Leaf(
         flow=basis.T @ A @ basis,
-        drift=gradients @ A / ((np.abs(gradients) @ np.abs(A)).max(initial=0.0) or 1.0),
+        drift=gradients @ A / (np.abs(A).max(initial=0.0) or 1.0),
         hessians=hessians,
         terms=np.einsum("ia,kij,jb->kab", size, np.abs(whole), size),
         whole=whole,

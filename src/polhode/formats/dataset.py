@@ -39,7 +39,7 @@ def as_dataset(trajectory: Trajectory, attributes: dict[str, str] | None = None)
     import xarray as xr
 
     times = np.asarray(trajectory.times)
-    batch = [f"batch_{k}" for k in range(np.ndim(trajectory.states) - 2)]
+    batch = [f"batch_{k}" for k in range(np.ndim(trajectory.invariants["energy"]) - 1)]
     clock = ("time", times, {"units": "s", "long_name": "time"})
     coordinates: dict[str, Any] = {"time": clock, "axis": ("axis", [1, 2, 3])}
     variables: dict[str, Any] = {}
@@ -52,6 +52,10 @@ def as_dataset(trajectory: Trajectory, attributes: dict[str, str] | None = None)
         if values is not None:
             note = {"units": units, "long_name": meaning}
             variables[name] = ([*batch, "time", "axis"], np.asarray(values), note)
+    if trajectory.momentum is None:
+        own = np.ndim(trajectory.states) - 1 - len(batch)
+        dims = [*batch, "time", *(f"component_{k}" for k in range(own))]
+        variables["state"] = (dims, np.asarray(trajectory.states), {"long_name": "point of the dual"})
     for name, values in trajectory.invariants.items():
         units, meaning = _INVARIANTS.get(name, ("", name.replace("_", " ")))
         dims = [*batch, "time", "axis"][: np.ndim(values)]

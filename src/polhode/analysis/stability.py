@@ -1,0 +1,255 @@
+"""Equilibria of any Lie–Poisson system and their stability, by automatic differentiation.
+
+What is differentiated goes to ``energy_casimir``, which judges. Source: Holm, Marsden, Ratiu & Weinstein, Phys. Rep.
+123 (1985) 1; for relative equilibria Simo, Lewis & Marsden, Arch. Rational Mech. Anal. 115 (1991) 15.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+
+from polhode.algebra.casimirs import polynomial_casimirs
+from polhode.algebra.properties import index
+from polhode.analysis.energy_casimir import Stability, energy_casimir
+from polhode.errors import InvalidInput
+from polhode.poisson.brackets import as_points
+from polhode.systems.base import AbstractLiePoissonSystem
+
+Array = Any
+Function = Callable[[Array], Array]
+AT_REST = 1e-8  # of |dH| |μ|: a field below it vanishes, up to the solver that found the point
+DIFFERENTIATION = 1e-12  # relative error of second derivatives by AD of functions of order one
+NULL = 1e-9  # singular values of the linearised flow below it, relative to the largest, vanish
+HIGHEST_DEGREE = 4  # of Casimirs looked for where the algebra does not name enough
+STARTS = 64
+SAME = 1e-6  # distance, in units of |μ|, below which two equilibria are one
+SOLVED = 1e-10
+
+
+def stability(
+    system: AbstractLiePoissonSystem, equilibrium: Array, integrals: Sequence[Function] = ()
+) -> Stability:
+    """Return the verdict on an equilibrium, or on a relative equilibrium if conserved functions are given.
+
+    The spectrum is that of the linearised flow on the leaf. Is the second variation of H + Σ λ C definite there, it
+    proves stability; is an exponent's real part positive, it disproves it. Integrals J whose gradients depend on the
+    Casimirs' at the point, as a top's spin where it sleeps, take part in the sum. With others a motion along their
+    symmetries, dH + Σ λ dC + Σ ω dJ = 0, is judged on the level of J, the symmetries' directions divided out.
+
+    Args:
+        system: any Lie–Poisson system; what it names conserved takes part by itself where its gradient depends on the
+            Casimirs'.
+        equilibrium: one point of the dual, (*element_shape), without attitude.
+        integrals: further conserved functions of one point, real, whose flows commute.
+
+    Raises:
+        InvalidInput: for a wrong shape, or a point that is no (relative) equilibrium.
+
+    >>> from polhode.systems import FreeRigidBody
+    >>> [stability(FreeRigidBody((1.0, 2.0, 3.0)), row).verdict for row in np.eye(3)]
+    ['stable', 'unstable', 'stable']
+    """
+    algebra = system.algebra
+    mu = as_points(algebra, equilibrium)
+    if mu.shape != algebra.element_shape:
+        raise InvalidInput(f"`equilibrium` must be one point {algebra.element_shape}; got shape {mu.shape}.")
+    z = algebra.to_dual_vector(mu)
+    energy, casimirs, names = _functions(system)
+    known = [_in_coordinates(system, function) for function in system.extra_invariants.values()]
+    extra = [_in_coordinates(system, function) for function in integrals]
+    bound = [function for function in (*known, *extra) if _depends(function, casimirs, z)]
+    extra = [function for function in extra if not any(function is other for other in bound)]
+    casimirs, names = _with_integrals(casimirs, names, bound)
+    multipliers = _drift_of_symmetries(system, z, energy, casimirs, extra)
+
+    def augmented(x: Array) -> Array:
+        return energy(x) + sum((w * f(x) for w, f in zip(multipliers, extra, strict=True)), 0.0)
+
+    field = _field(system, augmented)
+    size = np.linalg.norm(jax.grad(augmented)(z)) * np.linalg.norm(z)
+    left = np.linalg.norm(field(z))
+    if left > AT_REST * max(size, np.finfo(float).tiny):
+        kind = "relative equilibrium" if extra else "equilibrium"
+        raise InvalidInput(
+            f"the point is no {kind}: the field there is {left:.3g} where its terms are {size:.3g}. "
+            "Find one by `find_equilibria`, or give the integrals whose symmetries carry it along."
+        )
+    flow = np.asarray(jax.jacfwd(field)(z))
+    g, H = np.asarray(jax.grad(augmented)(z)), np.asarray(jax.hessian(augmented)(z))
+    dC, ddC = np.asarray(jax.jacfwd(casimirs)(z)), np.asarray(jax.hessian(casimirs)(z))
+    if extra:
+        return _judge_relative(system, z, (flow, g, H, dC, ddC), extra, names)
+    rate = max(float(np.abs(g).max()), float(np.abs(flow).max()))
+    family = _on_equilibria(field, casimirs, np.asarray(z), flow, dC, rate)
+    return energy_casimir(
+        flow, g, H, dC, ddC, names, on_equilibria=family, is_equilibrium=True, tolerance=DIFFERENTIATION
+    )
+
+
+def find_equilibria(system: AbstractLiePoissonSystem, state: Array, starts: int = STARTS, seed: int = 0) -> Array:
+    """Return the equilibria on the Casimirs' levels of one point, (m, *element_shape), lowest energy first.
+
+    Levenberg and Marquardt's method from random starts of the point's size; what settles is sharpened and counted once.
+    Where equilibria come in families, members of these. An incomplete list cannot be ruled out: take more starts.
+
+    Args:
+        system: any Lie–Poisson system.
+        state: one point of the dual, not zero.
+        starts: how many random starts.
+        seed: of the random generator.
+
+    Raises:
+        InvalidInput: for a wrong shape or the zero point.
+    """
+    import optimistix
+
+    algebra = system.algebra
+    mu = as_points(algebra, state)
+    if mu.shape != algebra.element_shape or not bool(jnp.any(mu != 0)):
+        raise InvalidInput(f"`state` must be one point {algebra.element_shape} other than zero; got shape {mu.shape}.")
+    level = np.asarray(algebra.to_dual_vector(mu))
+    energy, casimirs, _ = _functions(system)
+    field = _field(system, energy)
+    unit = float(np.linalg.norm(level))
+    rate = float(np.linalg.norm(jax.grad(energy)(jnp.asarray(level)))) or 1.0
+    wanted = casimirs(jnp.asarray(level))
+    slopes = np.linalg.norm(np.asarray(jax.jacfwd(casimirs)(jnp.asarray(level))), axis=1) * unit
+    slopes = np.where(slopes > 0, slopes, 1.0)
+
+    def residual(x: Array, args: Any = None) -> Array:
+        return jnp.concatenate([field(unit * x) / (rate * unit), (casimirs(unit * x) - wanted) / slopes])
+
+    solver = optimistix.LevenbergMarquardt(rtol=1e-10, atol=1e-12)
+    draws = np.random.default_rng(seed).normal(size=(starts, len(level))) / np.sqrt(len(level))
+
+    @jax.jit
+    @jax.vmap
+    def solve(start: Array) -> Array:
+        return optimistix.least_squares(residual, solver, start, max_steps=200, throw=False).value
+
+    jacobian = jax.jit(jax.jacfwd(residual))
+    found: list[np.ndarray] = []
+    for x in np.asarray(solve(jnp.asarray(draws))):
+        if not np.isfinite(x).all():
+            continue
+        for _ in range(3):
+            x = x - np.linalg.lstsq(np.asarray(jacobian(x)), np.asarray(residual(x)), rcond=NULL)[0]
+        good = np.linalg.norm(np.asarray(residual(x))) < SOLVED
+        if good and all(np.linalg.norm(x - other) > SAME for other in found):
+            found.append(x)
+    points = unit * np.array(sorted(found, key=lambda x: float(energy(unit * x)))).reshape(-1, len(level))
+    return np.asarray(algebra.from_dual_vector(jnp.asarray(points)))
+
+
+def _functions(system: AbstractLiePoissonSystem) -> tuple[Function, Function, list[str]]:
+    """Return energy and Casimirs as functions of coordinates ⟨μ, e_i⟩, and the Casimirs' names."""
+    algebra = system.algebra
+    energy = _in_coordinates(system, system.energy)
+    names = list(algebra.casimir_names)
+    if len(names) < index(algebra):
+        polynomials = polynomial_casimirs(algebra, HIGHEST_DEGREE)
+        return energy, lambda x: jnp.stack([p(x) for p in polynomials]), [str(p) for p in polynomials]
+    return energy, lambda x: algebra.casimirs(algebra.from_dual_vector(x)), names
+
+
+def _depends(function: Function, casimirs: Function, z: Array) -> bool:
+    """Whether a function's gradient is a combination of the Casimirs' at z."""
+    gradient, rows = np.asarray(jax.grad(function)(z)), np.asarray(jax.jacfwd(casimirs)(z))
+    size = np.linalg.norm(gradient)
+    if not len(rows) or size == 0.0:
+        return size == 0.0
+    left = gradient - rows.T @ np.linalg.lstsq(rows.T, gradient, rcond=NULL)[0]
+    return bool(np.linalg.norm(left) <= NULL * size)
+
+
+def _with_integrals(casimirs: Function, names: list[str], bound: list[Function]) -> tuple[Function, list[str]]:
+    if not bound:
+        return casimirs, names
+    both = lambda x: jnp.concatenate([casimirs(x), jnp.stack([function(x) for function in bound])])  # noqa: E731
+    return both, [*names, *(f"J{k + 1}" for k in range(len(bound)))]
+
+
+def _in_coordinates(system: AbstractLiePoissonSystem, function: Function) -> Function:
+    return lambda x: function(system.algebra.from_dual_vector(x))
+
+
+def _field(system: AbstractLiePoissonSystem, energy: Function) -> Function:
+    """Return the Hamiltonian field of a function of coordinates; partial derivatives are coordinates of dH."""
+    algebra = system.algebra
+
+    def field(x: Array) -> Array:
+        generator = -system.sign * algebra.from_vector(jax.grad(energy)(x))
+        return algebra.to_dual_vector(algebra.coadjoint(generator, algebra.from_dual_vector(x)))
+
+    return field
+
+
+def _drift_of_symmetries(
+    system: AbstractLiePoissonSystem, z: Array, energy: Function, casimirs: Function, extra: list[Function]
+) -> Array:
+    """Return ω for which the field of H + Σ ω J vanishes, by least squares."""
+    if not extra:
+        return np.zeros(0)
+    columns = np.stack([np.asarray(_field(system, function)(z)) for function in extra], axis=1)
+    return -np.linalg.lstsq(columns, np.asarray(_field(system, energy)(z)), rcond=None)[0]
+
+
+def _judge_relative(
+    system: AbstractLiePoissonSystem, z: Array, matrices: tuple[Array, ...], extra: list[Function], names: list[str]
+) -> Stability:
+    """Judge on the level of the integrals, in coordinates across the directions in which their symmetries move."""
+    flow, g, H, dC, ddC = matrices
+    moves = np.stack([np.asarray(_field(system, function)(z)) for function in extra], axis=1)
+    _, sizes, rows = np.linalg.svd(moves.T)
+    basis = rows[int((sizes > NULL * max(sizes[0], np.finfo(float).tiny)).sum()) :].T
+    dJ = np.stack([np.asarray(jax.grad(function)(z)) for function in extra])
+    ddJ = np.stack([np.asarray(jax.hessian(function)(z)) for function in extra])
+    gradients, hessians = np.concatenate([dC, dJ]), np.concatenate([ddC, ddJ])
+    found = energy_casimir(
+        basis.T @ flow @ basis, g @ basis, basis.T @ H @ basis, gradients @ basis,
+        np.einsum("ia,kij,jb->kab", basis, hessians, basis), [*names, *(f"J{k + 1}" for k in range(len(extra)))],
+        is_equilibrium=True, tolerance=DIFFERENTIATION,
+    )  # fmt: skip
+    if found.direction is None:
+        return found
+    from dataclasses import replace
+
+    return replace(found, direction=basis @ found.direction)
+
+
+def _on_equilibria(
+    field: Function, casimirs: Function, z: np.ndarray, flow: Array, dC: Array, rate: float
+) -> bool:
+    """Whether every direction in which the linearised flow on the leaf vanishes leads to equilibria on the leaf.
+
+    From a point a little off in such a direction Newton's method must come back to an equilibrium at a distance of
+    second order.
+    """
+    _, sizes, rows = np.linalg.svd(dC) if len(dC) else (None, np.zeros(0), np.eye(len(z)))
+    tangent = rows[int((sizes > NULL * max(sizes.max(initial=0.0), np.finfo(float).tiny)).sum()) :].T
+    if not tangent.shape[1]:
+        return False
+    on_leaf = tangent.T @ flow @ tangent
+    _, sizes, rows = np.linalg.svd(on_leaf)
+    still = tangent @ rows[int((sizes > NULL * rate).sum()) :].T
+    if not still.shape[1]:
+        return False
+    level = np.asarray(casimirs(jnp.asarray(z)))
+    residual = jax.jit(lambda x: jnp.concatenate([field(x), casimirs(x) - level]))
+    jacobian = jax.jit(jax.jacfwd(residual))
+    size = np.linalg.norm(z)
+    for way in still.T:
+        off = 1e-3 * size
+        start = z + off * way
+        x = start
+        for _ in range(6):
+            x = x - np.linalg.lstsq(np.asarray(jacobian(x)), np.asarray(residual(x)), rcond=1e-4)[0]
+        settled = np.linalg.norm(np.asarray(field(jnp.asarray(x)))) <= AT_REST * off * rate
+        if not (settled and np.linalg.norm(x - start) < 0.05 * off):
+            return False
+    return True

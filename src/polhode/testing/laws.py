@@ -1,0 +1,30 @@
+"""How a law is stated and found broken."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import jax
+import numpy as np
+
+Array = Any
+
+
+class LawBroken(AssertionError):
+    """A law does not hold; the message names it, the deviation and what it is compared with."""
+
+
+def hold(law: str, left: Array, right: Array, tolerance: float) -> None:
+    """Require two arrays, or nests of them, to agree to a tolerance relative to their size.
+
+    Raises:
+        LawBroken: otherwise, NaN included.
+    """
+    for a, b in zip(jax.tree.leaves(left), jax.tree.leaves(right), strict=True):
+        a, b = np.asarray(a), np.asarray(b)
+        if a.shape != b.shape:
+            raise LawBroken(f"{law}: shapes {a.shape} and {b.shape} differ.")
+        size = max(np.abs(a).max(initial=0.0), np.abs(b).max(initial=0.0), 1.0)
+        off = np.abs(a - b).max(initial=0.0)
+        if not off <= tolerance * size:
+            raise LawBroken(f"{law}: off by {off:.3g} where the values are up to {size:.3g}.")

@@ -1,0 +1,93 @@
+"""Casimirs found by exact algebra: the textbook's, and none where there is none."""
+
+import numpy as np
+import pytest
+
+from polhode import algebra as lie
+from polhode.errors import InvalidInput
+from specimens import ALGEBRAS
+
+EXACT = 1e-12
+
+
+def galilei():
+    """The massless Galilei algebra: turns J, boosts K, momenta P, energy E, as 5×5 matrices on (x, t, 1)."""
+    def unit(i, j):
+        one = np.zeros((5, 5))
+        one[i, j] = 1.0
+        return one
+
+    turns = [unit((k + 2) % 3, (k + 1) % 3) - unit((k + 1) % 3, (k + 2) % 3) for k in range(3)]
+    return lie.from_matrices(
+        np.array([*turns, *(unit(k, 3) for k in range(3)), *(unit(k, 4) for k in range(3)), unit(3, 4)])
+    )
+
+
+def test_rotations_and_rigid_motions():
+    assert list(map(str, lie.polynomial_casimirs(lie.SO3(), 4))) == ["x1² + x2² + x3²"]
+    assert list(map(str, lie.polynomial_casimirs(lie.SE3(), 4))) == ["x1 x4 + x2 x5 + x3 x6", "x4² + x5² + x6²"]
+    assert sorted(map(str, lie.polynomial_casimirs(lie.SO(4), 4))) == [
+        "x1 x6 − x2 x5 + x3 x4", "x1² + x2² + x3² + x4² + x5² + x6²",
+    ]  # fmt: skip
+    assert [str(c) for c in lie.polynomial_casimirs(lie.Heisenberg(2), 3)] == ["x5"]
+    assert [str(c) for c in lie.polynomial_casimirs(lie.SL(2), 4)] == ["4 x1 x2 + x3²"]
+
+
+def test_none_where_there_is_none():
+    assert lie.polynomial_casimirs(lie.AffineLine(), 5) == []
+
+
+def test_galilei_has_momentum_squared_and_its_product_with_the_boost():
+    casimirs = lie.polynomial_casimirs(galilei(), 4)
+    assert [c.degree for c in casimirs] == [2, 4]
+    point = np.random.default_rng(0).normal(size=(20, 10))
+    k, p = point[:, 3:6], point[:, 6:9]
+    wanted = np.stack([np.sum(p * p, axis=1), np.sum(np.cross(k, p) ** 2, axis=1)])
+    for found, values in zip(casimirs, wanted, strict=True):
+        ratio = found(point) / values
+        assert ratio == pytest.approx(ratio[0], rel=1e-9)
+
+
+@pytest.mark.parametrize(("algebra", "degrees"), [(lie.SL(3), [2, 3]), (lie.SU(3), [2, 3]), (lie.Sp(2), [2, 4])],
+                         ids=lambda x: getattr(x, "name", ""))  # fmt: skip
+def test_found_ones_and_known_ones_are_functions_of_each_other(algebra, degrees):
+    casimirs = lie.polynomial_casimirs(algebra, max(degrees))
+    assert [c.degree for c in casimirs] == degrees
+    rng = np.random.default_rng(2)
+    vectors = rng.normal(size=(12, algebra.dim))
+    found = np.stack([c(vectors) for c in casimirs])
+    known = np.asarray(algebra.casimirs(algebra.from_dual_vector(vectors))).T
+    powers = {2: [found[0]], 3: [found[1]], 4: [found[1], found[0] ** 2]}
+    for degree, values in zip(degrees, known, strict=True):
+        columns = np.stack(powers[degree], axis=1)
+        left = values - columns @ np.linalg.lstsq(columns, values, rcond=None)[0]
+        assert np.abs(left).max() < 1e-9 * np.abs(values).max()
+
+
+@pytest.mark.parametrize("algebra", [a for a in ALGEBRAS if a.dim <= 8], ids=lambda a: a.name)
+def test_they_are_constant_on_orbits(algebra):
+    rng = np.random.default_rng(3)
+    mu = algebra.from_dual_vector(rng.normal(size=algebra.dim))
+    moved = mu + algebra.exp_change(algebra.from_vector(0.3 * rng.normal(size=algebra.dim)), mu)
+    for casimir in lie.polynomial_casimirs(algebra, 3):
+        before, after = (float(casimir(algebra.to_dual_vector(m))) for m in (mu, moved))
+        assert after == pytest.approx(before, rel=EXACT, abs=EXACT)
+
+
+def test_a_polynomial_that_is_no_casimir_is_caught():
+    wrong = lie.polynomial_casimirs(lie.SO(4), 2)[0]
+    so3 = lie.SO(3)
+    mu = so3.from_dual_vector(np.array([1.0, 2.0, 3.0]))
+    padded = lambda m: np.concatenate([so3.to_dual_vector(m), so3.to_dual_vector(m)])  # noqa: E731
+    moved = mu + so3.exp_change(so3.from_vector(np.array([0.3, 0.1, 0.2])), mu)
+    assert abs(float(wrong(padded(moved)) - wrong(padded(mu)))) > 1e-3
+
+
+def test_bad_input():
+    with pytest.raises(InvalidInput, match="whole number"):
+        lie.polynomial_casimirs(lie.SO3(), 0)
+    with pytest.raises(InvalidInput, match="lower the degree"):
+        lie.polynomial_casimirs(lie.SO(8), 6)
+    irrational = lie.SO3().structure_constants() * np.sqrt(2.0)
+    with pytest.raises(InvalidInput, match="rational"):
+        lie.polynomial_casimirs(lie.from_structure_constants(irrational), 2)

@@ -1,0 +1,98 @@
+"""Making algebras from constants, matrices, and others; and what is refused."""
+
+import os
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+from polhode import algebra as lie
+from polhode.errors import InvalidInput
+
+EPSILON = lie.SO3().structure_constants()
+
+
+def changed(index, value):
+    constants = EPSILON.copy()
+    constants[index] = value
+    return constants
+
+
+@pytest.mark.parametrize(
+    ("constants", "words"),
+    [
+        (changed((0, 1, 2), -1.0), r"c\[0,1,2\] = -1 and c\[1,0,2\] = -1"),
+        (np.zeros((2, 3, 3)), "shape"),
+        ([["a"]], "real numbers"),
+        (changed((0, 1, 2), np.nan), "finite"),
+        (np.ones((3, 3)), "shape"),
+    ],
+)
+def test_constants_that_are_refused(constants, words):
+    with pytest.raises(InvalidInput, match=words):
+        lie.from_structure_constants(constants)
+
+
+def test_jacobi_names_the_indices():
+    constants = np.zeros((3, 3, 3))
+    constants[0, 1, 0], constants[1, 0, 0] = 1.0, -1.0
+    constants[1, 2, 1], constants[2, 1, 1] = 1.0, -1.0
+    with pytest.raises(InvalidInput, match=r"Jacobi's identity.*\(i, j, k\) = \(\d, \d, \d\)"):
+        lie.from_structure_constants(constants)
+
+
+def test_matrices_that_do_not_close_or_depend():
+    basis = lie.SL(2).basis
+    with pytest.raises(InvalidInput, match=r"\[B_0, B_1\]|\[B_1, B_0\]"):
+        lie.from_matrices(basis[:2])
+    with pytest.raises(InvalidInput, match="independent"):
+        lie.from_matrices(np.concatenate([basis, basis[:1]]))
+    with pytest.raises(InvalidInput, match="shape"):
+        lie.from_matrices(np.ones((2, 3)))
+
+
+def test_matrices_and_constants_agree():
+    made = lie.from_matrices(lie.SL(3).basis)
+    assert made.structure_constants() == pytest.approx(lie.SL(3).structure_constants(), abs=1e-14)
+
+
+def test_semidirect_sum_of_turns_and_vectors_is_se3():
+    generators = EPSILON.transpose(0, 2, 1)  # (ρ_i)_ab = ε_iba: e_i × v
+    made = lie.Semidirect(lie.SO3(), generators)
+    assert made.structure_constants() == pytest.approx(lie.SE3().structure_constants(), abs=1e-15)
+    with pytest.raises(InvalidInput, match="represent"):
+        lie.Semidirect(lie.SO3(), -generators)
+    with pytest.raises(InvalidInput, match="shape"):
+        lie.Semidirect(lie.SO3(), generators[:2])
+
+
+@pytest.mark.parametrize(
+    "make",
+    [lambda: lie.SO(1), lambda: lie.SU(0), lambda: lie.Heisenberg(0), lambda: lie.Power(lie.SO3(), 0),
+     lambda: lie.Product(), lambda: lie.Product(lie.SO3(), 3)],
+)  # fmt: skip
+@pytest.mark.usefixtures("any_type")
+def test_sizes_that_are_refused(make):
+    with pytest.raises(InvalidInput, match="must be"):
+        make()
+
+
+def test_wrong_shapes_are_named():
+    with pytest.raises(InvalidInput, match=r"element of SE3 has shape \(…, 6\)"):
+        lie.SE3().batch_shape(np.zeros(5))
+    with pytest.raises(InvalidInput, match="no Cayley map"):
+        lie.SL(2).cayley(np.zeros((2, 2)))
+
+
+def test_single_precision_set_on_purpose_is_refused():
+    run = subprocess.run(
+        [sys.executable, "-c", "import polhode.algebra"], env=os.environ | {"JAX_ENABLE_X64": "0"},
+        capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert run.returncode != 0 and "JAX_ENABLE_X64" in run.stderr
+
+
+def test_importing_polhode_does_not_import_jax():
+    code = "import sys, polhode; sys.exit('jax' in sys.modules)"
+    assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0

@@ -1,0 +1,89 @@
+"""Every integrator's order by slope, on nonlinear triaxial cases, well above rounding."""
+
+import jax.numpy as jnp
+import numpy as np
+import pytest
+
+import polhode as ph
+from polhode import algebra as lie
+from polhode import systems
+from polhode.integrators import IsospectralMidpoint, LieMidpoint, MoserVeselov, MuntheKaas, SphericalMidpoint, Splitting
+from specimens import in_su3, spins
+
+SLOPE = 0.3
+FLOOR = 1e-13
+SPAN = 4.0
+body = systems.FreeRigidBody((1.0, 2.0, 3.0))
+top = systems.BodyInPotential((1.0, 2.0, 3.0), lambda up: 0.7 * up[2] + 0.3 * up[0])
+fish = systems.Kirchhoff(np.diag([1.0, 2.0, 3.0, 2.0, 3.0, 5.0]) + 0.2)
+four = systems.Manakov((1.0, 2.0, 3.0, 4.0))
+eight = systems.LiePoisson(lie.SU(3), in_su3)
+pair = systems.LiePoisson(lie.Power(lie.SO3(), 2), spins)
+TURNED = np.array([0.5, -0.5, 0.1, 0.7]) / np.linalg.norm([0.5, -0.5, 0.1, 0.7])
+RNG = np.random.default_rng(3)
+SYSTEMS = {"body": body, "top": top, "fish": fish, "four": four, "eight": eight, "pair": pair}
+STARTS = {
+    "body": np.concatenate([TURNED, [0.3, 1.8, 1.5]]),
+    "top": np.concatenate([TURNED, [0.3, 1.8, 1.5, 0.6, 0.0, 0.8]]),
+    "fish": np.concatenate([TURNED, [0.3, 1.8, 1.5, 0.7, -0.2, 0.4]]),
+    "four": np.asarray(four.algebra.from_dual_vector(RNG.normal(size=6))),
+    "eight": np.asarray(eight.algebra.from_dual_vector(RNG.normal(size=8))),
+    "pair": RNG.normal(size=(2, 3)),
+}
+SHORT, LONG = (0.1, 0.05, 0.025), (0.4, 0.2, 0.1)
+CASES = [
+    *(("body", Splitting, k, {}, LONG if k == 6 else SHORT) for k in (2, 4, 6)),
+    *(("body", MoserVeselov, k, {}, LONG if k > 4 else SHORT) for k in (2, 4, 6, 8, 10)),
+    *(("body", MuntheKaas, k, {}, SHORT) for k in (2, 4)),
+    *(("body", LieMidpoint, k, {"coordinates": c}, SHORT) for k in (2, 4) for c in ("cayley", "exp")),
+    *(("top", Splitting, k, {}, LONG if k == 6 else SHORT) for k in (2, 4, 6)),
+    *(("fish", LieMidpoint, k, {"coordinates": c}, SHORT) for k in (2, 4) for c in ("cayley", "exp")),
+    *(("fish", MuntheKaas, k, {}, SHORT) for k in (2, 4)),
+    *(("four", IsospectralMidpoint, k, {}, SHORT) for k in (2, 4)),
+    *(("four", Splitting, k, {}, LONG if k == 6 else SHORT) for k in (2, 4, 6)),
+    *(("eight", IsospectralMidpoint, k, {}, (0.05, 0.025, 0.0125)) for k in (2, 4)),
+    *(("eight", MuntheKaas, k, {}, (0.05, 0.025, 0.0125)) for k in (2, 4)),
+    ("pair", SphericalMidpoint, 2, {}, SHORT),
+    ("pair", LieMidpoint, 4, {}, SHORT),
+]
+
+
+def end(name, method, step, order, **more):
+    system = SYSTEMS[name]
+    solver = method(system, jnp.asarray(step), order=order, **more)
+    return np.asarray(ph.simulate(system, STARTS[name], [0.0, SPAN], method=solver).states[-1])
+
+
+def reference(name):
+    """The exact solution for the free body; elsewhere another method of higher order with a short step."""
+    if name == "body":
+        motion = ph.FreeMotion((1.0, 2.0, 3.0), STARTS["body"][4:], STARTS["body"][:4])
+        return np.concatenate(motion.state(SPAN))
+    return end(name, MuntheKaas, 0.001, 4)
+
+
+@pytest.fixture(scope="module")
+def references():
+    return {name: reference(name) for name in SYSTEMS}
+
+
+@pytest.mark.parametrize(
+    ("name", "method", "order", "more", "steps"), CASES,
+    ids=[f"{s}-{m.__name__}-{k}-{c.get('coordinates', '')}" for s, m, k, c, _ in CASES],
+)  # fmt: skip
+def test_order(name, method, order, more, steps, references):
+    if order == 10:
+        steps = (0.8, 0.4, 0.2)
+    errors = [np.abs(end(name, method, h, order, **more) - references[name]).max() for h in steps]
+    slopes = np.log2(np.array(errors[:-1]) / errors[1:])
+    assert errors[-1] > FLOOR, errors
+    assert slopes[-1] == pytest.approx(order, abs=SLOPE), (errors, slopes)
+
+
+def test_a_method_with_a_wrong_weight_loses_its_order(references):
+    class Lame(MuntheKaas):
+        def change(self, h, state):
+            return super().change(h * (1.0 + 0.01 * h), state)
+
+    errors = [np.abs(end("body", Lame, h, 4) - references["body"]).max() for h in SHORT]
+    assert np.log2(errors[-2] / errors[-1]) < 2.0

@@ -1,0 +1,136 @@
+"""simulate: what it chooses, warns of, refuses, and reports."""
+
+import warnings
+
+import diffrax
+import jax.numpy as jnp
+import numpy as np
+import pytest
+
+import polhode as ph
+from polhode import algebra as lie
+from polhode import systems
+from polhode.errors import InvalidInput, NotConverged
+from polhode.integrators import LieMidpoint, MoserVeselov, SphericalMidpoint, Splitting
+from specimens import in_su3, spins
+
+MOMENTS, MOMENTUM = (1.0, 2.0, 3.0), np.array([0.3, 1.8, 1.5])
+body = systems.FreeRigidBody(MOMENTS)
+START = np.concatenate([[1.0, 0, 0, 0], MOMENTUM])
+TIMES = np.linspace(0.0, 5.0, 11)
+
+
+def test_against_the_exact_motion():
+    found = ph.simulate(body, START, TIMES, order=6)
+    motion = ph.FreeMotion(MOMENTS, MOMENTUM)
+    assert np.abs(found.attitude - motion.attitude(TIMES)).max() < 1e-11
+    assert np.abs(found.momentum - motion.momentum(TIMES)).max() < 1e-11
+    assert np.abs(found.angular_velocity - motion.angular_velocity(TIMES)).max() < 1e-11
+    assert (found.times == TIMES).all() and found.states.shape == (11, 7)
+    assert isinstance(found.states, np.ndarray)
+
+
+def test_a_batch_is_its_members():
+    many = np.stack([START, np.concatenate([[0.5, 0.5, 0.5, 0.5], [2.0, -1.0, 0.4]])]).reshape(2, 1, 7)
+    both = ph.simulate(body, many, TIMES, step=0.02)
+    assert both.states.shape == (2, 1, 11, 7) and both.drift["energy"].shape == (2, 1)
+    for k in range(2):
+        one = ph.simulate(body, many[k, 0], TIMES, step=0.02)
+        assert np.abs(both.states[k, 0] - one.states).max() < 1e-14
+
+
+def test_defaults_go_with_the_system():
+    pair = systems.LiePoisson(lie.Power(lie.SO3(), 2), spins)
+    eight = systems.LiePoisson(lie.SU(3), in_su3)
+    line = systems.LiePoisson(lie.AffineLine(), lambda m: jnp.sum(m**2))
+    from polhode.simulation import _solver
+
+    for system, wanted in ((body, Splitting), (pair, SphericalMidpoint), (eight, LieMidpoint), (line, LieMidpoint)):
+        assert type(_solver(system, None, 0.1, None)) is wanted
+    assert _solver(eight, None, 0.1, None).coordinates == "cayley"
+    assert _solver(line, None, 0.1, None).coordinates == "exp"
+
+
+def test_steps_fit_between_uneven_samples_and_are_counted():
+    found = ph.simulate(body, START, [0.0, 0.1, 0.35, 1.0], LieMidpoint, step=0.1)
+    assert found.statistics["steps"] == 1 + 3 + 7
+    assert found.statistics["iterations"] > found.statistics["steps"]
+
+
+def test_a_diffrax_solver_may_be_given():
+    found = ph.simulate(body, START, TIMES, diffrax.Dopri8())
+    assert np.abs(found.momentum - ph.FreeMotion(MOMENTS, MOMENTUM).momentum(TIMES)).max() < 1e-9
+
+
+def test_equilibria_stay():
+    pair = systems.LiePoisson(lie.Power(lie.SO3(), 2), spins)
+    up = np.array([[0.0, 0, 1], [0, 0, 1]])
+    assert np.abs(ph.simulate(pair, up, TIMES).states - up).max() == 0.0
+    rest = ph.simulate(body, np.zeros(3), TIMES)
+    assert not rest.states.any()
+    well = systems.LiePoisson(lie.SO3(), lambda m: 0.5 * jnp.sum((m - jnp.array([0.3, 0.1, 0.7])) ** 2))
+    near = np.array([0.3, 0.1, 0.7]) * (1 + 1e-15)
+    assert np.abs(ph.simulate(well, near, TIMES, LieMidpoint, step=0.1).states - near).max() < 1e-14
+
+
+def test_a_long_step_draws_a_warning():
+    with pytest.warns(UserWarning, match="turns the fastest rotation by"):
+        ph.simulate(body, START, TIMES, step=2.0)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        ph.simulate(body, START, TIMES)
+
+
+@pytest.mark.filterwarnings("ignore:a step of")
+@pytest.mark.parametrize("method", [LieMidpoint, MoserVeselov])
+def test_a_step_that_does_not_converge_says_so(method):
+    with pytest.raises(NotConverged, match="shorter `step`"):
+        ph.simulate(body, START, [0.0, 20.0], method, step=5.0)
+    found = ph.simulate(body, START, [0.0, 20.0, 40.0], method, step=5.0, throw=False)
+    assert found.status.startswith("not converged")
+    assert not np.isfinite(found.states[-1]).any()
+
+
+def test_as_dataset_and_netcdf(tmp_path):
+    found = ph.simulate(body, START, TIMES)
+    dataset = ph.as_dataset(found)
+    assert dataset["momentum"].dims == ("time", "axis") and dataset["energy"].attrs["drift"] < 1e-3
+    from polhode.formats.dataset import write_dataset
+
+    assert write_dataset(found, tmp_path / "run.nc").stat().st_size > 0
+    kinds = ph.simulate(systems.Manakov((1.0, 2.0, 3.0, 4.0)), np.zeros((4, 4)) + np.triu(np.ones((4, 4)), 1)
+                        - np.tril(np.ones((4, 4)), -1), TIMES)  # fmt: skip
+    assert ph.as_dataset(kinds)["state"].shape == (11, 4, 4)
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda: ph.simulate(body, np.ones(5), TIMES), r"shape \(…, 3\) or \(…, 7\)"),
+        (lambda: ph.simulate(body, [1.0, np.nan, 0.0], TIMES), "finite"),
+        (lambda: ph.simulate(body, np.ones(7), TIMES), "unit quaternion"),
+        (lambda: ph.simulate(body, START, [0.0]), "at least two"),
+        (lambda: ph.simulate(body, START, [0.0, 1.0, 0.5]), "one direction"),
+        (lambda: ph.simulate(body, START, TIMES, step=0.0), "`step` must be a positive"),
+        (lambda: ph.simulate(body, START, TIMES, step=-1.0), "`step` must be a positive"),
+        (lambda: ph.simulate(body, START, TIMES, step=np.nan), "`step` must be a positive"),
+        (lambda: ph.simulate(body, START, TIMES, method="rk4"), "`method` must be"),
+        (lambda: ph.simulate(body, START, TIMES, order=3), "2, 4 or 6"),
+        (lambda: ph.simulate(body, START, TIMES, SphericalMidpoint), "not an attitude"),
+        (lambda: ph.simulate(3.0, START, TIMES), "`system` must be"),
+        (lambda: ph.simulate(systems.LiePoisson(lie.SU(3), in_su3), np.zeros((3, 3)), TIMES, Splitting), "exact flows"),
+        (lambda: systems.LiePoisson(lie.SO3(), lambda m: m), "real scalar"),
+        (lambda: systems.LiePoisson(lie.SO3(), lambda m: 1j * m[0]), "real scalar"),
+        (lambda: systems.LiePoisson(lie.SO3(), lambda m: m[7, 7]), "cannot be evaluated"),
+        (lambda: systems.LiePoisson(lie.SO3(), jnp.sum, sign=0), "sign"),
+        (lambda: systems.FreeRigidBody((1.0, 2.0, -3.0)), "positive"),
+        (lambda: systems.Kirchhoff(np.diag([1.0, 1, 1, 1, 1, -1])), "positive definite"),
+        (lambda: systems.Kirchhoff(np.ones(5)), "shape"),
+        (lambda: systems.Manakov((1.0, 2.0)), "at least three"),
+        (lambda: systems.Manakov((1.0, 2.0, -1.5)), "positive sums"),
+    ],
+)
+@pytest.mark.usefixtures("any_type")
+def test_bad_input(call, words):
+    with pytest.raises(InvalidInput, match=words):
+        call()
