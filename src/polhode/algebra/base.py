@@ -108,9 +108,9 @@ class AbstractLieAlgebra(eqx.Module):
 
     @cached_property
     def _structure_constants(self) -> np.ndarray:
-        basis = self.from_vector(jnp.eye(self.dim))
-        lifted = (basis[:, None], basis[None, :])
-        constants = np.asarray(self.to_vector(self.bracket(*lifted)))
+        with jax.ensure_compile_time_eval():  # asked for inside a jitted function too
+            basis = self.from_vector(jnp.eye(self.dim))
+            constants = np.array(self.to_vector(self.bracket(basis[:, None], basis[None, :])))
         constants.flags.writeable = False
         return constants
 

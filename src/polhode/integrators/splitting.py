@@ -11,7 +11,7 @@ import jax.numpy as jnp
 from polhode.errors import InvalidInput
 from polhode.integrators.base import AbstractOrbitSolver, Change, explicit
 from polhode.integrators.composition import stages
-from polhode.systems.base import AbstractLiePoissonSystem
+from polhode.systems.base import AbstractLiePoissonSystem, components
 
 Array = Any
 
@@ -52,15 +52,23 @@ class Splitting(AbstractOrbitSolver):
         parts = [(flow, 0.5) for flow in flows[:-1]]
         parts = [*parts, (flows[-1], 1.0), *parts[::-1]]
 
-        def stage(h: Array, state: Array, total: Array) -> tuple[Array, Array]:
+        def stage(h: Array, state: Array) -> Array:
+            now, total = components(state), [0.0] * state.shape[-1]
             for flow, share in parts:
-                moved = flow(share * h, state)
-                state, total = state + moved, total + moved
-            return state, total
+                moved = flow(share * h, now)
+                now = tuple(x + d for x, d in zip(now, moved, strict=True))
+                total = [x + d for x, d in zip(total, moved, strict=True)]
+            # XLA would compute the whole stage anew for each use of the sum
+            return jax.lax.optimization_barrier(jnp.stack(total, axis=-1))
 
         if self.own_order == 2:
-            return explicit(stage(h, state, jnp.zeros_like(state))[1])
+            return explicit(stage(h, state))
         fractions = jnp.asarray(stages(self.own_order))
+
+        def add(k: Array, carried: tuple[Array, Array]) -> tuple[Array, Array]:
+            now, total = carried
+            moved = stage(fractions[k] * h, now)
+            return now + moved, total + moved
+
         carried = (state, jnp.zeros_like(state))
-        carried = jax.lax.fori_loop(0, len(fractions), lambda k, c: stage(fractions[k] * h, *c), carried)
-        return explicit(carried[1])
+        return explicit(jax.lax.fori_loop(0, len(fractions), add, carried)[1])

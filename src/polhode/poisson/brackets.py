@@ -84,9 +84,11 @@ def differential(algebra: AbstractLieAlgebra, F: Function) -> Function:
 
 
 def poisson_tensor(algebra: AbstractLieAlgebra, mu: Array, sign: int = -1) -> Array:
-    """Return π_ij = {x_i, x_j} = sign · Σ_k c_ijk μ_k (…, dim, dim) in the coordinates ⟨μ, e_i⟩; for small algebras."""
-    vector = algebra.to_dual_vector(as_points(algebra, mu))
-    return _checked_sign(sign) * jnp.einsum("ijk,...k->...ij", algebra.structure_constants(), vector)
+    """Return π_ij = {x_i, x_j} = sign · ⟨ad*_{e_i} μ, e_j⟩ (…, dim, dim) in the coordinates ⟨μ, e_i⟩."""
+    mu, depth = as_points(algebra, mu), len(algebra.element_shape)
+    basis = algebra.from_vector(jnp.eye(algebra.dim))
+    rows = algebra.coadjoint(basis, jnp.expand_dims(mu, mu.ndim - depth))
+    return _checked_sign(sign) * algebra.to_dual_vector(rows)
 
 
 def as_points(algebra: AbstractLieAlgebra, mu: Array) -> Array:

@@ -17,7 +17,8 @@ from polhode.algebra.so3 import SO3
 from polhode.errors import InvalidInput
 
 Array = Any
-Flow = Callable[[Array, Array], Array]
+Components = tuple[Array, ...]
+Flow = Callable[[Array, Components], Components]
 
 
 class Parts(NamedTuple):
@@ -70,7 +71,11 @@ class AbstractLiePoissonSystem(AbstractSystem):
 
     @property
     def flows(self) -> dict[str, Flow]:
-        """Exact flows of parts of H, named: (time, state) → change of the state; empty where none are known."""
+        """Exact flows of parts of H, named; empty where none are known.
+
+        A flow takes a time and the state's components along its last axis, and gives their changes. Components instead
+        of one array, because XLA on CPU runs scalars of one loop body as one piece of code.
+        """
         return {}
 
     @property
@@ -127,6 +132,11 @@ class AbstractLiePoissonSystem(AbstractSystem):
                 f"got {shape}."
             )
         return Parts(None, state)
+
+
+def components(state: Array) -> Components:
+    """Return the components of states along the last axis."""
+    return tuple(state[..., k] for k in range(state.shape[-1]))
 
 
 def joined(attitude: Array | None, point: Array) -> Array:

@@ -12,7 +12,7 @@ from polhode import rotation
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.se3 import SE3
 from polhode.exact.free_body import FreeMotion
-from polhode.systems.base import AbstractLiePoissonSystem, Flow, joined
+from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, components, joined
 from polhode.systems.free_rigid_body import checked_moments
 
 Array = Any
@@ -51,22 +51,21 @@ class BodyInPotential(AbstractLiePoissonSystem):
     def flows(self) -> dict[str, Flow]:
         return {"potential": self._kick, "free body": self._free}
 
-    def _kick(self, time: Array, state: Array) -> Array:
-        attitude, point = self.parts(state)
-        force = self._over_batch(jax.grad(self.potential))(point[..., 3:])
-        kick = time * jnp.cross(point[..., 3:], force)
-        still = None if attitude is None else jnp.zeros_like(attitude)
-        return joined(still, jnp.concatenate([kick, jnp.zeros_like(kick)], axis=-1))
+    def _kick(self, time: Array, state: Components) -> Components:
+        direction = jnp.stack(state[-3:], axis=-1)
+        kick = time * jnp.cross(direction, self._over_batch(jax.grad(self.potential))(direction))
+        still = jnp.zeros_like(state[0])
+        return (*[still] * (len(state) - 6), *components(kick), still, still, still)
 
-    def _free(self, time: Array, state: Array) -> Array:
-        attitude, point = self.parts(state)
+    def _free(self, time: Array, state: Components) -> Components:
+        attitude, point = self.parts(jnp.stack(state, axis=-1))
         angular, direction = point[..., :3], point[..., 3:]
         turn, later = FreeMotion(self.moments, angular).state(time)
         # only the turn enters Γ and the attitude: both keep their lengths as exactly as it does
         pure = turn - jnp.array([1.0, 0.0, 0.0, 0.0])
         moved = rotation.rotate(rotation.conjugate(turn), direction)
         change = jnp.concatenate([later - angular, moved - direction], axis=-1)
-        return joined(None if attitude is None else rotation.multiply(attitude, pure), change)
+        return components(joined(None if attitude is None else rotation.multiply(attitude, pure), change))
 
     def _over_batch(self, function: Callable[[Array], Array]) -> Callable[[Array], Array]:
         def values(direction: Array) -> Array:

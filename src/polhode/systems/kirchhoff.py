@@ -10,7 +10,7 @@ import numpy as np
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.se3 import SE3
 from polhode.errors import InvalidInput
-from polhode.systems.base import AbstractLiePoissonSystem, Flow, joined
+from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, components
 from polhode.systems.free_rigid_body import axis_flow
 
 Array = Any
@@ -62,11 +62,10 @@ class Kirchhoff(AbstractLiePoissonSystem):
     def flows(self) -> dict[str, Flow]:
         if not self.diagonal:
             return {}
-        return {f"rotation about axis {k + 1}": axis_flow(self, k) for k in range(3)} | {"drift": self._drift}
+        return {f"rotation about axis {k + 1}": axis_flow(self.moments, k) for k in range(3)} | {"drift": self._drift}
 
-    def _drift(self, time: Array, state: Array) -> Array:
-        attitude, point = self.parts(state)
-        linear = point[..., 3:]
+    def _drift(self, time: Array, state: Components) -> Components:
+        linear = jnp.stack(state[-3:], axis=-1)
         kick = time * jnp.cross(linear, linear * jnp.diag(self.inverse)[3:])
-        still = None if attitude is None else jnp.zeros_like(attitude)
-        return joined(still, jnp.concatenate([kick, jnp.zeros_like(kick)], axis=-1))
+        still = jnp.zeros_like(state[0])
+        return (*[still] * (len(state) - 6), *components(kick), still, still, still)

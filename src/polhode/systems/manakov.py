@@ -12,7 +12,7 @@ import numpy as np
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.matrix import SO
 from polhode.errors import InvalidInput
-from polhode.systems.base import AbstractLiePoissonSystem, Flow
+from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, components
 
 Array = Any
 
@@ -77,7 +77,8 @@ class Manakov(AbstractLiePoissonSystem):
         return {f"rotation in plane {i + 1}{j + 1}": self._plane_flow(i, j) for i, j in planes}
 
     def _plane_flow(self, i: int, j: int) -> Flow:
-        def flow(time: Array, state: Array) -> Array:
+        def flow(time: Array, columns: Components) -> Components:
+            state = jnp.stack(columns, axis=-1)
             half = (0.5 * time) * state[..., i, j] / (self.masses[i] + self.masses[j])
             sine, cosine = jnp.sin(half), jnp.cos(half)
             s, less = 2.0 * sine * cosine, -2.0 * sine * sine
@@ -89,6 +90,6 @@ class Manakov(AbstractLiePoissonSystem):
             change_i = jnp.where(others, less * row_i - s * row_j, 0.0)
             change_j = jnp.where(others, less * row_j + s * row_i, 0.0)
             change = jnp.zeros_like(state).at[..., i, :].set(change_i).at[..., j, :].set(change_j)
-            return change - change.swapaxes(-1, -2)
+            return components(change - change.swapaxes(-1, -2))
 
         return flow

@@ -8,7 +8,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.systems.base import AbstractLiePoissonSystem
+from polhode.systems.base import AbstractLiePoissonSystem, components
 from polhode.testing.laws import hold
 
 Array = Any
@@ -52,13 +52,15 @@ def check_system(system: AbstractLiePoissonSystem, seed: int = 0, size: float = 
 def _check_flows(system: AbstractLiePoissonSystem, state: Array, field: Array) -> None:
     if not system.flows:
         return
-    total = sum(flow(jnp.asarray(SHORT), state) for flow in system.flows.values())
+    def moved(flow: Any, time: float, now: Array) -> Array:
+        return jnp.stack(flow(jnp.asarray(time), components(now)), axis=-1)
+
+    total = sum(moved(flow, SHORT, state) for flow in system.flows.values())
     hold("flows of the parts add up to the field", total / SHORT, field, FLOWS)
     casimirs = system.algebra.casimirs
     before = casimirs(system.parts(state).point)
     for name, flow in system.flows.items():
-        once = flow(jnp.asarray(LONG), state)
-        half = flow(jnp.asarray(0.5 * LONG), state)
-        rest = flow(jnp.asarray(0.5 * LONG), state + half)
+        once, half = moved(flow, LONG, state), moved(flow, 0.5 * LONG, state)
+        rest = moved(flow, 0.5 * LONG, state + half)
         hold(f"flow of {name}: two halves make a whole", half + rest, once, EXACT)
         hold(f"flow of {name} keeps the Casimirs", casimirs(system.parts(state + once).point), before, EXACT)
