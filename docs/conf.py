@@ -1,5 +1,7 @@
 """Sphinx: pages in Markdown, those with code cells run at every build, and the reference from docstrings."""
 
+import re
+
 import polhode
 
 project = "polhode"
@@ -17,10 +19,12 @@ autodoc_typehints = "none"  # shapes and units stand in the text; most types are
 napoleon_use_rtype = False
 
 
-def escape_bars(app, what, name, obj, options, lines):
-    """|L| is a norm, not one of reStructuredText's substitutions."""
-    lines[:] = [line if line.lstrip().startswith(">>>") else line.replace("|", r"\|") for line in lines]
+def escape_marks(app, what, name, obj, options, lines):
+    """|L| is a norm and ad* a map: neither is markup."""
+    for n, line in enumerate(lines):
+        if not line.lstrip().startswith(">>>"):
+            lines[n] = re.sub(r"\*(?=element_shape)|(?<=ad)\*|(?<=Ad)\*", r"\\*", line.replace("|", r"\|"))
 
 
 def setup(app):
-    app.connect("autodoc-process-docstring", escape_bars)
+    app.connect("autodoc-process-docstring", escape_marks)

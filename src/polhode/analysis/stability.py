@@ -137,9 +137,13 @@ def find_equilibria(system: AbstractLiePoissonSystem, state: Array, starts: int 
     for x in np.asarray(solve(jnp.asarray(draws))):
         if not np.isfinite(x).all():
             continue
+        left = np.asarray(residual(x))
         for _ in range(3):
-            x = x - np.linalg.lstsq(np.asarray(jacobian(x)), np.asarray(residual(x)), rcond=NULL)[0]
-        good = np.linalg.norm(np.asarray(residual(x))) < SOLVED
+            better = x - np.linalg.lstsq(np.asarray(jacobian(x)), left, rcond=NULL)[0]
+            rest = np.asarray(residual(better))
+            if np.linalg.norm(rest) < np.linalg.norm(left):  # not so beside bifurcations
+                x, left = better, rest
+        good = np.linalg.norm(left) < SOLVED
         if good and all(np.linalg.norm(x - other) > SAME for other in found):
             found.append(x)
     points = unit * np.array(sorted(found, key=lambda x: float(energy(unit * x)))).reshape(-1, len(level))
