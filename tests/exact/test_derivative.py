@@ -72,23 +72,21 @@ def worst_by_family(cases, found):
     return worst
 
 
-def check(count, seed, capsys):
+def check(count, seed, announce):
     cases = [case for case in draw(count, seed, LONGEST) if any(case.momentum)]
     worst = worst_by_family(cases, jacobian(cases))
-    with capsys.disabled():
-        print(f"\nderivatives against the oracle, {len(cases)} cases, worst of the Jacobian's size:")
-        for family, error in worst.items():
-            print(f"  {family:26}{error:10.1e}")
+    lines = [f"derivatives against the oracle, {len(cases)} cases, worst of the Jacobian's size:"]
+    announce("\n".join([*lines, *(f"  {family:26}{error:10.1e}" for family, error in worst.items())]))
     assert not {family: error for family, error in worst.items() if not error <= WORST}
 
 
-def test_derivatives_in_every_family(capsys):
-    check(PER_FAMILY, 5, capsys)
+def test_derivatives_in_every_family(announce):
+    check(PER_FAMILY, 5, announce)
 
 
 @pytest.mark.sweep
-def test_derivatives_in_a_larger_draw(capsys):
-    check(20, 6, capsys)
+def test_derivatives_in_a_larger_draw(announce):
+    check(20, 6, announce)
 
 
 def test_a_wrong_derivative_is_caught():

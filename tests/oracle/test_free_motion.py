@@ -68,12 +68,11 @@ def worst_per_family(cases: list[Case], states: tuple[np.ndarray, np.ndarray], m
     return worst
 
 
-def show(capsys: pytest.CaptureFixture[str], title: str, count: int, worst: dict[str, tuple]) -> None:
+def table(title: str, count: int, worst: dict[str, tuple]) -> str:
     fields = next(iter(worst.values()))._fields
-    with capsys.disabled():
-        print(f"\n{title}, {count} cases, worst in eps:\n{'':28}" + "".join(f"{name:>16}" for name in fields))
-        for family, sizes in worst.items():
-            print(f"  {family:26}" + "".join(f"{size:16.2f}" for size in sizes))
+    lines = [f"{title}, {count} cases, worst in eps:", " " * 28 + "".join(f"{name:>16}" for name in fields)]
+    lines += [f"  {family:26}" + "".join(f"{x:16.2f}" for x in sizes) for family, sizes in worst.items()]
+    return "\n".join(lines)
 
 
 def assert_all_within(worst: dict[str, tuple], bound: float) -> None:
@@ -82,31 +81,31 @@ def assert_all_within(worst: dict[str, tuple], bound: float) -> None:
 
 
 @pytest.mark.parametrize("engine", ENGINES)
-def test_states_are_exact_in_every_family(engine, capsys):
+def test_states_are_exact_in_every_family(engine, announce):
     cases = drawn(SUITE_PER_FAMILY, 1)
     assert len(cases) >= 1000
     worst = worst_per_family(cases, states_of(engine, SUITE_PER_FAMILY, 1), error_in_eps)
-    show(capsys, f"FreeMotion against the oracle, {engine}", len(cases), worst)
+    announce(table(f"FreeMotion against the oracle, {engine}", len(cases), worst))
     assert_all_within(worst, WORST_ERROR)
 
 
 @pytest.mark.parametrize("engine", ENGINES)
-def test_conservation_laws_hold_at_every_time(engine, capsys):
+def test_conservation_laws_hold_at_every_time(engine, announce):
     cases = drawn(SUITE_PER_FAMILY, 1)
     worst = worst_per_family(cases, states_of(engine, SUITE_PER_FAMILY, 1), drift_in_eps)
-    show(capsys, f"Conservation laws, {engine}", len(cases), worst)
+    announce(table(f"Conservation laws, {engine}", len(cases), worst))
     assert_all_within(worst, WORST_ERROR)
 
 
 @pytest.mark.sweep
 @pytest.mark.parametrize("engine", ENGINES)
-def test_sweep_of_all_families(engine, capsys):
+def test_sweep_of_all_families(engine, announce):
     cases = drawn(SWEEP_PER_FAMILY, SWEEP_SEED)
     assert len(cases) >= 20_000
     states = states_of(engine, SWEEP_PER_FAMILY, SWEEP_SEED)
     errors, drifts = (worst_per_family(cases, states, measure) for measure in (error_in_eps, drift_in_eps))
-    show(capsys, f"Sweep against the oracle, {engine}", len(cases), errors)
-    show(capsys, f"Sweep of conservation laws, {engine}", len(cases), drifts)
+    announce(table(f"Sweep against the oracle, {engine}", len(cases), errors))
+    announce(table(f"Sweep of conservation laws, {engine}", len(cases), drifts))
     assert_all_within(errors, WORST_ERROR)
     assert_all_within(drifts, WORST_ERROR)
 
