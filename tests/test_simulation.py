@@ -91,6 +91,12 @@ def test_a_step_that_does_not_converge_says_so(method):
     assert not np.isfinite(found.states[-1]).any()
 
 
+def test_progress_is_shown_on_standard_error(capfd):
+    ph.simulate(body, START, np.linspace(0.0, 1.0, 50), step=0.01, progress=True)
+    out, err = capfd.readouterr()
+    assert "100.00%" in err and not out
+
+
 def test_as_dataset_and_netcdf(tmp_path):
     found = ph.simulate(body, START, TIMES)
     dataset = ph.as_dataset(found)
@@ -110,6 +116,9 @@ def test_as_dataset_and_netcdf(tmp_path):
         (lambda: ph.simulate(body, [1.0, np.nan, 0.0], TIMES), "finite"),
         (lambda: ph.simulate(body, np.ones(7), TIMES), "unit quaternion"),
         (lambda: ph.simulate(body, START, [0.0]), "at least two"),
+        (lambda: ph.simulate(body, START, ["a", "b"]), "must be numbers"),
+        (lambda: systems.BodyInPotential(MOMENTS, lambda up: up), "real scalar"),
+        (lambda: systems.BodyInPotential(MOMENTS, lambda up: np.sin(up[2])), "jax.numpy"),
         (lambda: ph.simulate(body, START, [0.0, 1.0, 0.5]), "one direction"),
         (lambda: ph.simulate(body, START, TIMES, step=0.0), "`step` must be a positive"),
         (lambda: ph.simulate(body, START, TIMES, step=-1.0), "`step` must be a positive"),

@@ -198,10 +198,13 @@ def _checked_state(system: AbstractLiePoissonSystem, state: Array) -> Array:
 
 
 def _checked_times(times: Array) -> np.ndarray:
-    values = np.asarray(times, dtype=float)
+    try:
+        values = np.asarray(times, dtype=float)
+    except (TypeError, ValueError):
+        raise InvalidInput(f"`times` must be numbers [s]; got {times!r}.") from None
     if values.ndim != 1 or len(values) < 2 or not np.isfinite(values).all():
         raise InvalidInput(f"`times` must be at least two finite times (T,); got shape {values.shape}.")
-    gaps = np.diff(values)
+    gaps = np.sign(np.diff(values))
     if not (gaps * gaps[0] > 0).all():
         raise InvalidInput("`times` must advance in one direction, without repetitions.")
     return values

@@ -100,25 +100,31 @@ def four_dimensional_flow(body, equilibrium):
     return np.linalg.eigvals(np.array([[0.5 * np.sum(b * c) for c in columns] for b in basis]))
 
 
-def test_four_dimensional_body_at_a_threshold():
-    """Rotation in plane 12 alone: stable while the other masses lie on one side of both its own."""
-    def verdict(third):
-        body = systems.Manakov((1.0, 2.0, third, 4.0))
-        return ph.stability(body, np.asarray(body.algebra.from_dual_vector(np.array([1.0, 0, 0, 0, 0, 0.05]))))
+def test_intermediate_axis_on_both_sides_of_symmetry():
+    """Axis 1 of (1 + δ, 1, 3): the intermediate one for δ > 0, that of least inertia for δ < 0."""
+    axis = np.array([1.0, 0.0, 0.0])
+    assert ph.stability(systems.FreeRigidBody((1.0 - BESIDE, 1.0, 3.0)), axis).verdict == "stable"
+    above = ph.stability(systems.FreeRigidBody((1.0 + BESIDE, 1.0, 3.0)), axis)
+    assert above.verdict == "unstable"
+    assert above.rate == pytest.approx(np.sqrt(BESIDE * (2.0 - BESIDE) / 3.0) / (1.0 + BESIDE), rel=1e-7)
 
-    assert verdict(3.0).verdict == "stable"
-    assert verdict(1.5).verdict == "unstable"
-    low, high = 1.5, 3.0
-    while high - low > 1e-9:
-        middle = 0.5 * (low + high)
-        low, high = (middle, high) if verdict(middle).verdict == "unstable" else (low, middle)
-    threshold = 0.5 * (low + high)
+
+def test_four_dimensional_body_at_a_threshold():
+    """Rotation in plane 12, a little in plane 34: the third mass decides, at a value found by the exponents."""
+    def case(third):
+        body = systems.Manakov((1.0, 2.0, third, 4.0))
+        return body, np.asarray(body.algebra.from_dual_vector(np.array([1.0, 0, 0, 0, 0, 0.05])))
 
     def grows(third):
-        body = systems.Manakov((1.0, 2.0, third, 4.0))
-        return four_dimensional_flow(body, np.asarray(body.algebra.from_dual_vector(np.array([1.0, 0, 0, 0, 0, 0.05]))))
+        return four_dimensional_flow(*case(third)).real.max() > 1e-6
 
-    assert grows(threshold * (1 - 1e-4)).real.max() > 1e-4 and grows(threshold * (1 + 1e-4)).real.max() < 1e-6
+    low, high = 1.5, 3.0
+    assert grows(low) and not grows(high)
+    while high - low > 1e-12:
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if grows(middle) else (low, middle)
+    assert ph.stability(*case(low * (1 - BESIDE))).verdict == "unstable"
+    assert ph.stability(*case(high * (1 + BESIDE))).verdict == "stable"
 
 
 def test_relative_equilibrium_of_a_symmetric_top():

@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 import equinox as eqx
 import jax
 import jax.numpy as jnp
+import numpy as np
 
 from polhode import rotation
 from polhode.algebra.base import AbstractLieAlgebra
@@ -155,3 +156,20 @@ def attitude_change(attitude: Array | None, sine: Array, cosine_less_one: Array)
     if attitude is None:
         return None
     return rotation.multiply(attitude, jnp.concatenate([cosine_less_one, sine], axis=-1))
+
+
+def check_scalar(name: str, function: Callable[[Array], Array], shape: tuple[int, ...], dtype: Any) -> None:
+    """Refuse a function that does not give one real number at one point of a shape.
+
+    Raises:
+        InvalidInput: with what it gave, or how it failed.
+    """
+    try:
+        value = jax.eval_shape(function, jax.ShapeDtypeStruct(shape, dtype))
+    except Exception as error:
+        raise InvalidInput(
+            f"`{name}` cannot be evaluated at a point of shape {shape}: {error}. Write it with jax.numpy for one point."
+        ) from error
+    got, kind = getattr(value, "shape", None), getattr(value, "dtype", np.dtype(object))
+    if got != () or not jnp.issubdtype(kind, jnp.floating):
+        raise InvalidInput(f"`{name}` must be a real scalar at one point; got shape {got} of {kind}.")

@@ -12,7 +12,7 @@ from polhode import rotation
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.se3 import SE3
 from polhode.exact.free_body import FreeMotion
-from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, components, joined
+from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, check_scalar, components, joined
 from polhode.systems.free_rigid_body import checked_moments
 
 Array = Any
@@ -28,6 +28,9 @@ class BodyInPotential(AbstractLiePoissonSystem):
         moments: (3,) principal moments about the fixed point [kg m²].
         potential: V [J] of one Γ (3,), differentiable by JAX.
 
+    Raises:
+        InvalidInput: for moments that are not positive, or a potential that is not a real scalar.
+
     Source: Celledoni, Fassò, Säfström & Zanna, SIAM J. Sci. Comput. 30 (2008) 2084.
     """
 
@@ -36,6 +39,7 @@ class BodyInPotential(AbstractLiePoissonSystem):
     potential: Callable[[Array], Array]
 
     def __init__(self, moments: Array, potential: Callable[[Array], Array]) -> None:
+        check_scalar("potential", potential, (3,), jnp.float64)
         self.algebra, self.moments, self.potential = SE3(), checked_moments(moments), potential
 
     def energy(self, point: Array) -> Array:

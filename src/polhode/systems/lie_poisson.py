@@ -8,11 +8,10 @@ from typing import Any
 import equinox as eqx
 import jax
 import jax.numpy as jnp
-import numpy as np
 
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.errors import InvalidInput
-from polhode.systems.base import AbstractLiePoissonSystem
+from polhode.systems.base import AbstractLiePoissonSystem, check_scalar
 
 Array = Any
 
@@ -52,7 +51,7 @@ class LiePoisson(AbstractLiePoissonSystem):
         self.algebra, self.hamiltonian = algebra, hamiltonian
         self.conserved, self.orientation = dict(conserved or {}), sign
         for name, function in {"hamiltonian": hamiltonian, **self.conserved}.items():
-            _check_scalar(algebra, name, function)
+            check_scalar(name, function, algebra.element_shape, algebra.dtype)
 
     @property
     def sign(self) -> int:
@@ -75,16 +74,3 @@ class LiePoisson(AbstractLiePoissonSystem):
 
         return values
 
-
-def _check_scalar(algebra: AbstractLieAlgebra, name: str, function: Callable[[Array], Array]) -> None:
-    point = jax.ShapeDtypeStruct(algebra.element_shape, algebra.dtype)
-    try:
-        value = jax.eval_shape(function, point)
-    except Exception as error:
-        raise InvalidInput(
-            f"`{name}` cannot be evaluated at a point of shape {algebra.element_shape}: {error}. "
-            "Write it with jax.numpy for one point."
-        ) from error
-    shape, dtype = getattr(value, "shape", None), getattr(value, "dtype", np.dtype(object))
-    if shape != () or not jnp.issubdtype(dtype, jnp.floating):
-        raise InvalidInput(f"`{name}` must be a real scalar at one point; got shape {shape} of {dtype}.")
