@@ -96,13 +96,17 @@ class AbstractMatrixAlgebra(AbstractLieAlgebra):
         one = jnp.eye(self.size)
         return jnp.linalg.solve(one - 0.5 * x, one + 0.5 * x)
 
+    def exp_change(self, x: Array, mu: Array) -> Array:
+        return self.project(AbstractLieAlgebra.exp_change(self, x, mu))
+
     def cayley_change(self, x: Array, mu: Array) -> Array:
         return self.coadjoint(x, self.cayley_middle(x, mu))
 
     def cayley_middle(self, x: Array, mu: Array) -> Array:
         """Return W̃ with μ = (1 − x†/2) W̃ (1 + x†/2) and Ad*_{cay x} μ = (1 + x†/2) W̃ (1 − x†/2)."""
         one, half = jnp.eye(self.size), 0.5 * adjoint(x)
-        return adjoint(jnp.linalg.solve(one + adjoint(half), adjoint(jnp.linalg.solve(one - half, mu))))
+        found = adjoint(jnp.linalg.solve(one + adjoint(half), adjoint(jnp.linalg.solve(one - half, mu))))
+        return self.project(found)  # rounding must not leave the algebra, step after step
 
     def _power_traces(self, mu: Array, powers: tuple[int, ...]) -> list[Array]:
         traces, power, known = [], mu, 1
