@@ -31,6 +31,11 @@ TURN = 2.0 * math.pi
         ("1 hour", "s", 3600.0),
         ("90 deg", "rad", math.pi / 2),
         ("1e3 g", "kg", 1.0),
+        ("2.5kg", "kg", 2.5),
+        ("+.5 * kg", "kg", 0.5),
+        ("3. m", "m", 3.0),
+        ("5 kg/m**3", "kg/m^3", 5.0),
+        ("2 rad * s^-1", "rad/s", 2.0),
     ],
 )
 def test_values(text, unit, wanted):
@@ -54,6 +59,10 @@ def test_values(text, unit, wanted):
         ("", "kg", "cannot be read"),
         ("kg kg 3 (", "kg", "cannot be read"),
         ("1 blorp", "kg", "cannot be read"),
+        ("60 rpm 2", "rad/s", "cannot be read"),
+        ("60 2 rpm", "rad/s", "cannot be read"),
+        ("60 + 2 kg", "kg", "cannot be read"),
+        ("kg", "kg", "cannot be read"),
         ("2 degC", "kg", "wrong unit|cannot be read"),
     ],
 )

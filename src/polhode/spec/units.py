@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from functools import cache
 from typing import Any
 
@@ -16,6 +17,9 @@ EXAMPLES = {
     "kg*m^2/s": "0.3 kg*m^2/s",
     "kg/m^3": "2700 kg/m^3",
 }
+QUANTITY = re.compile(
+    r"\s*(?P<number>[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|[+-]?(?:nan|inf)(?!\w))\s*\*?\s*(?P<unit>.*)", re.DOTALL
+)
 ANGLES = {"radian", "degree", "turn", "arcminute", "arcsecond", "milliarcsecond", "grade", "revolutions_per_minute",
           "dps", "cpm", "revolutions_per_second"}  # fmt: skip
 
@@ -40,10 +44,15 @@ def parse_quantity(value: Any, unit: str) -> float:
     example = EXAMPLES[unit]
     if isinstance(value, bool) or not isinstance(value, str):
         raise ValueError(f'needs a number with its unit in quotes, like "{example}"; got {value!r}')
-    registry = _registry()
+    registry, parts = _registry(), QUANTITY.match(value)
     try:
-        quantity = registry.Quantity(value)
-        magnitude = float(quantity.magnitude)
+        if parts is None:
+            raise ValueError
+        magnitude = float(parts["number"])
+        # one number and one unit: pint alone would take "60 rpm 2" for 120 rpm
+        unit_text = parts["unit"]
+        unit_text = f"1{unit_text}" if unit_text.startswith("/") else unit_text
+        quantity = registry.Quantity(magnitude, registry.parse_units(unit_text))
     except Exception:  # pint raises errors of many kinds, tokenizer's and its own
         raise ValueError(f'cannot be read as a quantity: {value!r}; write it like "{example}"') from None
     if not math.isfinite(magnitude):
