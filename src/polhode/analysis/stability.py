@@ -7,6 +7,7 @@ What is differentiated goes to ``energy_casimir``, which judges. Source: Holm, M
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import Any
 
 import jax
@@ -62,32 +63,26 @@ def stability(
     energy, casimirs, names = _functions(system)
     known = [_in_coordinates(system, function) for function in system.extra_invariants.values()]
     extra = [_in_coordinates(system, function) for function in integrals]
-    bound = [function for function in (*known, *extra) if _depends(function, casimirs, z)]
-    extra = [function for function in extra if not any(function is other for other in bound)]
-    casimirs, names = _with_integrals(casimirs, names, bound)
-    multipliers = _drift_of_symmetries(system, z, energy, casimirs, extra)
-
-    def augmented(x: Array) -> Array:
-        return energy(x) + sum((w * f(x) for w, f in zip(multipliers, extra, strict=True)), 0.0)
-
-    field = _field(system, augmented)
-    size = np.linalg.norm(jax.grad(augmented)(z)) * np.linalg.norm(z)
-    left = np.linalg.norm(field(z))
-    if left > AT_REST * max(size, np.finfo(float).tiny):
-        kind = "relative equilibrium" if extra else "equilibrium"
-        raise InvalidInput(
-            f"the point is no {kind}: the field there is {left:.3g} where its terms are {size:.3g}. "
-            "Find one by `find_equilibria`, or give the integrals whose symmetries carry it along."
-        )
-    flow = np.asarray(jax.jacfwd(field)(z))
-    g, H = np.asarray(jax.grad(augmented)(z)), np.asarray(jax.hessian(augmented)(z))
-    dC, ddC = np.asarray(jax.jacfwd(casimirs)(z)), np.asarray(jax.hessian(casimirs)(z))
-    if extra:
-        return _judge_relative(system, z, (flow, g, H, dC, ddC), extra, names)
-    rate = max(float(np.abs(g).max()), float(np.abs(flow).max()))
-    family = _on_equilibria(field, casimirs, np.asarray(z), flow, dC, rate)
+    g, H, tensor, constants = _derivatives(system, [energy, casimirs, *known, *extra], z)
+    k = 1 + len(names)
+    bound = [n for n in range(k, len(g)) if _depends(g[n], g[1:k])]
+    free = [n for n in range(k + len(known), len(g)) if n not in bound]
+    weights = np.zeros(len(g))
+    weights[0] = 1.0
+    if free:
+        weights[free] = -np.linalg.lstsq(tensor @ g[free].T, tensor @ g[0], rcond=None)[0]
+    slope, curvature = weights @ g, np.einsum("k,kij->ij", weights, H)
+    _check_at_rest(tensor @ slope, float(np.linalg.norm(slope) * np.linalg.norm(z)), bool(free))
+    flow = tensor @ curvature + np.einsum("jik,i->jk", constants, slope)
+    taking_part = [*range(1, k), *bound]
+    dC, ddC = g[taking_part], H[taking_part]
+    names = [*names, *(f"J{n + 1}" for n in range(len(bound) + len(free)))]
+    if free:
+        return _judge_relative(tensor, (flow, slope, curvature, dC, ddC), (g[free], H[free]), names)
+    rate = max(float(np.abs(slope).max()), float(np.abs(flow).max()))
+    family = _on_equilibria(_field(system, energy), casimirs, np.asarray(z), flow, dC, rate)
     return energy_casimir(
-        flow, g, H, dC, ddC, names, on_equilibria=family, is_equilibrium=True, tolerance=DIFFERENTIATION
+        flow, slope, curvature, dC, ddC, names, on_equilibria=family, is_equilibrium=True, tolerance=DIFFERENTIATION
     )
 
 
@@ -161,21 +156,32 @@ def _functions(system: AbstractLiePoissonSystem) -> tuple[Function, Function, li
     return energy, lambda x: algebra.casimirs(algebra.from_dual_vector(x)), names
 
 
-def _depends(function: Function, casimirs: Function, z: Array) -> bool:
-    """Whether a function's gradient is a combination of the Casimirs' at z."""
-    gradient, rows = np.asarray(jax.grad(function)(z)), np.asarray(jax.jacfwd(casimirs)(z))
+def _derivatives(system: AbstractLiePoissonSystem, functions: list[Function], z: Array) -> tuple[Array, ...]:
+    """Return gradients (m, n) and Hessians (m, n, n) of functions of coordinates, one behind the other, the tensor
+    π_ij = {x_i, x_j} (n, n), whose product with a gradient is the field, and its derivative (n, n, n)."""
+    every = lambda x: jnp.concatenate([jnp.atleast_1d(function(x)) for function in functions])  # noqa: E731
+    gradients, hessians = jax.jit(lambda x: (jax.jacrev(every)(x), jax.hessian(every)(x)))(z)
+    constants = system.sign * system.algebra.structure_constants()
+    return np.asarray(gradients), np.asarray(hessians), constants @ np.asarray(z), constants
+
+
+def _depends(gradient: Array, rows: Array) -> bool:
+    """Whether a gradient is a combination of the rows."""
     size = np.linalg.norm(gradient)
     if not len(rows) or size == 0.0:
-        return size == 0.0
+        return bool(size == 0.0)
     left = gradient - rows.T @ np.linalg.lstsq(rows.T, gradient, rcond=NULL)[0]
     return bool(np.linalg.norm(left) <= NULL * size)
 
 
-def _with_integrals(casimirs: Function, names: list[str], bound: list[Function]) -> tuple[Function, list[str]]:
-    if not bound:
-        return casimirs, names
-    both = lambda x: jnp.concatenate([casimirs(x), jnp.stack([function(x) for function in bound])])  # noqa: E731
-    return both, [*names, *(f"J{k + 1}" for k in range(len(bound)))]
+def _check_at_rest(field: Array, size: float, relative: bool) -> None:
+    left = np.linalg.norm(field)
+    if left > AT_REST * max(size, np.finfo(float).tiny):
+        kind = "relative equilibrium" if relative else "equilibrium"
+        raise InvalidInput(
+            f"the point is no {kind}: the field there is {left:.3g} where its terms are {size:.3g}. "
+            "Find one by `find_equilibria`, or give the integrals whose symmetries carry it along."
+        )
 
 
 def _in_coordinates(system: AbstractLiePoissonSystem, function: Function) -> Function:
@@ -193,37 +199,20 @@ def _field(system: AbstractLiePoissonSystem, energy: Function) -> Function:
     return field
 
 
-def _drift_of_symmetries(
-    system: AbstractLiePoissonSystem, z: Array, energy: Function, casimirs: Function, extra: list[Function]
-) -> Array:
-    """Return ω for which the field of H + Σ ω J vanishes, by least squares."""
-    if not extra:
-        return np.zeros(0)
-    columns = np.stack([np.asarray(_field(system, function)(z)) for function in extra], axis=1)
-    return -np.linalg.lstsq(columns, np.asarray(_field(system, energy)(z)), rcond=None)[0]
-
-
 def _judge_relative(
-    system: AbstractLiePoissonSystem, z: Array, matrices: tuple[Array, ...], extra: list[Function], names: list[str]
+    tensor: Array, matrices: tuple[Array, ...], integrals: tuple[Array, Array], names: list[str]
 ) -> Stability:
     """Judge on the level of the integrals, in coordinates across the directions in which their symmetries move."""
     flow, g, H, dC, ddC = matrices
-    moves = np.stack([np.asarray(_field(system, function)(z)) for function in extra], axis=1)
-    _, sizes, rows = np.linalg.svd(moves.T)
+    dJ, ddJ = integrals
+    _, sizes, rows = np.linalg.svd(dJ @ tensor.T)
     basis = rows[int((sizes > NULL * max(sizes[0], np.finfo(float).tiny)).sum()) :].T
-    dJ = np.stack([np.asarray(jax.grad(function)(z)) for function in extra])
-    ddJ = np.stack([np.asarray(jax.hessian(function)(z)) for function in extra])
-    gradients, hessians = np.concatenate([dC, dJ]), np.concatenate([ddC, ddJ])
     found = energy_casimir(
-        basis.T @ flow @ basis, g @ basis, basis.T @ H @ basis, gradients @ basis,
-        np.einsum("ia,kij,jb->kab", basis, hessians, basis), [*names, *(f"J{k + 1}" for k in range(len(extra)))],
+        basis.T @ flow @ basis, g @ basis, basis.T @ H @ basis, np.concatenate([dC, dJ]) @ basis,
+        np.einsum("ia,kij,jb->kab", basis, np.concatenate([ddC, ddJ]), basis), names,
         is_equilibrium=True, tolerance=DIFFERENTIATION,
     )  # fmt: skip
-    if found.direction is None:
-        return found
-    from dataclasses import replace
-
-    return replace(found, direction=basis @ found.direction)
+    return found if found.direction is None else replace(found, direction=basis @ found.direction)
 
 
 def _on_equilibria(
