@@ -16,6 +16,7 @@ from specimens import in_su3, spins
 
 MOMENTS, MOMENTUM = (1.0, 2.0, 3.0), np.array([0.3, 1.8, 1.5])
 body = systems.FreeRigidBody(MOMENTS)
+other_body = systems.FreeRigidBody((1.0, 2.0, 2.5))
 START = np.concatenate([[1.0, 0, 0, 0], MOMENTUM])
 TIMES = np.linspace(0.0, 5.0, 11)
 
@@ -125,6 +126,8 @@ def test_as_dataset_and_netcdf(tmp_path):
         (lambda: ph.simulate(body, START, TIMES, step=np.nan), "`step` must be a positive"),
         (lambda: ph.simulate(body, START, TIMES, method="rk4"), "`method` must be"),
         (lambda: ph.simulate(body, START, TIMES, order=3), "2, 4 or 6"),
+        (lambda: ph.simulate(body, START, TIMES, Splitting(body, jnp.asarray(0.1)), step=0.1), "made with its own"),
+        (lambda: ph.simulate(body, START, TIMES, Splitting(other_body, jnp.asarray(0.1))), "another system"),
         (lambda: ph.simulate(body, START, TIMES, SphericalMidpoint), "not an attitude"),
         (lambda: ph.simulate(3.0, START, TIMES), "`system` must be"),
         (lambda: ph.simulate(systems.LiePoisson(lie.SU(3), in_su3), np.zeros((3, 3)), TIMES, Splitting), "exact flows"),

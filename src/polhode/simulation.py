@@ -48,9 +48,9 @@ def simulate(
         state: packed (…, n) or (…, *element_shape): point of the dual, with the attitude in front where the system
             carries one and it is wanted. Leading axes are a batch.
         times: (T,) [s], in one direction.
-        method: a class of ``polhode.integrators``, an object of one, or any diffrax solver, which then steps adaptively
-            with tolerance 1e-12. By default splitting into exact flows where the system has them, the spherical
-            midpoint rule for spins, else Lie's midpoint rule.
+        method: a class of ``polhode.integrators``, an object of one, made for this system with its own step and order,
+            or any diffrax solver, which then steps adaptively with tolerance 1e-12. By default splitting into exact
+            flows where the system has them, the spherical midpoint rule for spins, else Lie's midpoint rule.
         step: largest step [s]; by default a twentieth of a radian of the fastest rotation at the start.
         order: of the method, by default its own.
         progress: whether to show it on standard error; by default for long runs on a terminal.
@@ -69,6 +69,8 @@ def simulate(
     rate = fastest_rate(system, state)
     size = float(step) if step is not None else (STEP_ANGLE / rate if rate > 0 else math.inf)
     size = min(size, float(np.ptp(times)))
+    if isinstance(method, AbstractOrbitSolver):
+        _check_made(method, system, step, order)
     solver = _solver(system, method, size, order)
     ours = isinstance(solver, AbstractOrbitSolver)
     if ours and rate * float(solver.step_size) > TOO_LONG:
@@ -109,6 +111,15 @@ def _solver(system: AbstractLiePoissonSystem, method: Any, step: float, order: i
 
 def _rhs(t: Array, state: Array, system: AbstractLiePoissonSystem) -> Array:
     return system.vector_field(t, state)
+
+
+def _check_made(
+    solver: AbstractOrbitSolver, system: AbstractLiePoissonSystem, step: float | None, order: int | None
+) -> None:
+    if step is not None or order is not None:
+        raise InvalidInput("`step` and `order` go with a class of methods; the solver given was made with its own.")
+    if not bool(eqx.tree_equal(solver.system, system)):
+        raise InvalidInput("`method` was made for another system; make it with the one that is simulated.")
 
 
 @eqx.filter_jit
