@@ -89,3 +89,16 @@ def test_dataset_of_a_batch():
 def test_dataset_that_cannot_be_written(tmp_path):
     with pytest.raises(InvalidInput, match="cannot be written"):
         write_dataset(report_on("rest").trajectory, tmp_path / "none" / "motion.nc")
+
+
+def test_the_herpolhode_is_drawn_turn_by_turn():
+    """With three samples a turn in the report, chords of the curve would be far off it."""
+    from polhode.figures.herpolhode import draw_herpolhode
+    from polhode.report import free_body_report
+
+    body = ph.Body.from_moments(1.0, 1.1, 1.2)
+    times = np.linspace(0.0, 400.0, 200)
+    report = free_body_report(body, np.array([0.1, 0.3, 1.0]), np.array([1.0, 0, 0, 0]), times)
+    curve = np.stack(draw_herpolhode(report).axes[0].lines[2].get_data(), axis=-1)
+    turns = np.diff(np.unwrap(np.arctan2(curve[:, 1], curve[:, 0])))
+    assert np.abs(turns).max() < 0.2

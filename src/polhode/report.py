@@ -13,6 +13,7 @@ from polhode.analysis.free_axes import axis_stability
 from polhode.analysis.poinsot import Herpolhode, herpolhode
 from polhode.analysis.precession import Precession, body_precession, space_precession
 from polhode.bodies.body import Body
+from polhode.errors import InvalidInput
 from polhode.exact.free_body import FreeMotion
 from polhode.trajectory import Trajectory
 
@@ -132,6 +133,11 @@ def free_body_report(
         InvalidInput: for a body with a vanishing moment, or values that are not finite.
     """
     motion = FreeMotion(body.principal_moments, momentum, attitude)
+    if motion.energy is None or motion.momentum_norm is None:
+        raise InvalidInput(
+            f"`momentum` {np.asarray(momentum).tolist()} kg m²/s gives an energy beyond the largest number; "
+            "check the rate and its unit."
+        )
     velocity = float(np.linalg.norm(motion.momentum_at_epoch / motion.moments))
     turn = 2.0 * math.pi / velocity if velocity else None
     if times is None:

@@ -15,6 +15,8 @@ from polhode.errors import InvalidInput
 from polhode.report import free_body_report
 from polhode.spec.reading import read_spec
 
+OWN_FILES = {"momentum_sphere.png", "components.png", "herpolhode.png", "motion.nc"}
+
 
 def run_report(path: Path, json: bool, out: Path | None) -> None:
     """Read the spec, compute, write figures and dataset, and print the answers."""
@@ -49,8 +51,17 @@ def _folder_at_once(folder: Path) -> Iterator[Path]:
         raise InvalidInput(why) from None
     try:
         yield draft
+        taken = [folder / file.name for file in draft.iterdir() if (folder / file.name).is_dir()]
+        if taken:
+            raise InvalidInput(f"{taken[0]}: is a folder where a file has to go. Name another folder with --out.")
         folder.mkdir(exist_ok=True)
-        for file in draft.iterdir():
-            file.replace(folder / file.name)
+        written = {file.name for file in draft.iterdir()}
+        for name in OWN_FILES - written:  # an earlier run's, of another motion
+            (folder / name).unlink(missing_ok=True)
+        for name in written:
+            (draft / name).replace(folder / name)
+    except OSError as error:
+        why = f"{folder}: cannot be written ({error.strerror}). Name a folder that you may write to with --out."
+        raise InvalidInput(why) from None
     finally:
         shutil.rmtree(draft, ignore_errors=True)

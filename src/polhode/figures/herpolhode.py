@@ -12,7 +12,8 @@ from polhode.figures import style
 from polhode.report import Report
 
 Array = Any
-PERIODS = 8
+PERIODS, TURNS = 8, 60  # drawn at most
+SAMPLES_PER_TURN = 120
 
 
 def draw_herpolhode(report: Report) -> Figure | None:
@@ -20,10 +21,7 @@ def draw_herpolhode(report: Report) -> Figure | None:
     found = report.herpolhode
     if found is None or found.outer_radius <= 1e-12 * found.plane_distance:
         return None
-    times = np.asarray(report.trajectory.times)
-    if report.motion.period is not None:
-        times = np.linspace(times[0], times[0] + min(times[-1] - times[0], PERIODS * report.motion.period), 4000)
-    curve = herpolhode_curve(report.motion, times) / found.outer_radius
+    curve = herpolhode_curve(report.motion, _times(report)) / found.outer_radius
     figure = style.new_figure()
     axes = figure.add_subplot()
     circle = np.linspace(0.0, 2.0 * np.pi, 400)
@@ -41,3 +39,13 @@ def draw_herpolhode(report: Report) -> Figure | None:
     axes.set_title("Herpolhode, seen against L", fontsize=style.FONT, color=style.DARK)
     style.tidy(axes)
     return figure
+
+
+def _times(report: Report) -> Array:
+    """Return times that follow every turn of the contact point, which the report's own samples need not."""
+    times, period = np.asarray(report.trajectory.times), report.motion.period
+    fastest = float(np.linalg.norm(np.asarray(report.trajectory.angular_velocity), axis=-1).max())
+    fastest += 2.0 * np.pi / period if period is not None else 0.0
+    span = min(float(np.ptp(times)), 2.0 * np.pi * TURNS / fastest, PERIODS * period if period is not None else np.inf)
+    count = int(np.ceil(span * fastest / (2.0 * np.pi) * SAMPLES_PER_TURN)) + 2
+    return np.linspace(times[0], times[0] + span, count)

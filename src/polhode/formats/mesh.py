@@ -9,6 +9,7 @@ import numpy as np
 
 from polhode.bodies.mesh_gate import repaired_mesh
 from polhode.errors import FormatError, InvalidInput
+from polhode.formats.paths import is_file
 
 Array = Any
 SAME_CORNER = 1e-6  # of the mesh's extent: what single precision and printed digits leave between copies of a corner
@@ -32,7 +33,7 @@ def read_mesh(path: str | Path, unit: float, repair: bool = False) -> tuple[Arra
     path = Path(path)
     if not (np.ndim(unit) == 0 and np.isfinite(unit) and unit > 0):
         raise InvalidInput(f"`unit` must be a positive length in metres; got {unit!r}.")
-    if not path.is_file():
+    if not is_file(path):
         raise InvalidInput(f"{path}: no such mesh file. Check the path; it counts from the spec's own folder.")
     import trimesh
 

@@ -7,6 +7,7 @@ from typing import Any
 
 from polhode.bodies.atoms import ATOMIC_MASS_UNIT
 from polhode.errors import FormatError, InvalidInput
+from polhode.formats.paths import is_file
 
 Array = Any
 ANGSTROM = 1e-10  # m
@@ -24,7 +25,7 @@ def read_molecule(path: str | Path) -> tuple[list[str], Array, Array | None]:
         FormatError: if it cannot be read, holds no atoms, or is a periodic crystal.
     """
     path = Path(path)
-    if not path.is_file():
+    if not is_file(path):
         raise InvalidInput(f"{path}: no such molecule file. Check the path; it counts from the spec's own folder.")
     try:
         import ase.io
