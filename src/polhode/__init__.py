@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from polhode.bodies.body import Body, combine
     from polhode.bodies.mesh import from_mesh
     from polhode.bodies.points import from_points
+    from polhode.errors import FormatError, InvalidInput, NotConverged
     from polhode.exact.free_body import FreeMotion
     from polhode.formats.dataset import as_dataset
     from polhode.simulation import simulate
@@ -39,7 +40,10 @@ _HOME = {
     "from_atoms": "polhode.bodies.atoms",
     "from_mesh": "polhode.bodies.mesh",
     "from_points": "polhode.bodies.points",
+    "FormatError": "polhode.errors",
     "FreeMotion": "polhode.exact.free_body",
+    "InvalidInput": "polhode.errors",
+    "NotConverged": "polhode.errors",
     "Trajectory": "polhode.trajectory",
     "find_equilibria": "polhode.analysis.stability",
     "simulate": "polhode.simulation",
@@ -54,7 +58,10 @@ _ROOMS = {"shapes": "polhode.bodies.shapes"} | {
 }
 __all__ = [
     "Body",
+    "FormatError",
     "FreeMotion",
+    "InvalidInput",
+    "NotConverged",
     "Trajectory",
     "algebra",
     "analysis",

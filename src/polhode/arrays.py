@@ -74,8 +74,9 @@ def as_float64(xp: Any, value: Any, name: str) -> Array:
     try:
         native = _library(type(value)) != "numpy"
         return xp.asarray(value if native else np.asarray(value, dtype=np.float64), dtype=xp.float64)
-    except (TypeError, ValueError) as error:
-        raise InvalidInput(f"`{name}` must be an array of numbers; got {value!r} ({error}).") from None
+    except (TypeError, ValueError, OverflowError) as error:
+        shown = repr(value) if len(repr(value)) < 80 else f"{repr(value)[:77]}…"
+        raise InvalidInput(f"`{name}` must be an array of numbers; got {shown} ({error}).") from None
 
 
 def barrier(values: Any) -> Any:
@@ -233,6 +234,31 @@ def custom_derivative(function: Callable[..., Any], rule: Callable[..., Any]) ->
     wrapped = jax.custom_jvp(function)
     wrapped.defjvp(rule)
     return wrapped
+
+
+def forward_columns(function: Callable[..., tuple[Any, ...]]) -> Callable[..., tuple[Any, ...]]:
+    """Return a function of JAX arrays (…, n) → tuple of (…) whose Jacobian is taken forward, a column at a time.
+
+    Multiplying by it is all that is left to either mode, so reverse mode passes through loops of unknown length.
+    """
+    import jax
+    import jax.numpy as jnp
+
+    def rule(primals: tuple[Any, ...], tangents: tuple[Any, ...]) -> tuple[Any, Any]:
+        value, changes = function(*primals), None
+        for k, tangent in enumerate(tangents):
+            units = jnp.eye(tangent.shape[-1])
+            still = [jnp.zeros_like(x) for x in primals]
+
+            def column(unit: Any, k: int = k, still: list[Any] = still) -> tuple[Any, ...]:
+                ways = [*still[:k], jnp.broadcast_to(unit, primals[k].shape), *still[k + 1 :]]
+                return jax.jvp(function, primals, tuple(ways))[1]
+
+            parts = [jnp.sum(jnp.moveaxis(c, 0, -1) * tangent, axis=-1) for c in jax.vmap(column)(units)]
+            changes = parts if changes is None else [x + y for x, y in zip(changes, parts, strict=True)]
+        return value, tuple(changes or ())
+
+    return custom_derivative(function, rule)
 
 
 def first_order_only(values: Any, name: str) -> Any:

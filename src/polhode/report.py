@@ -20,6 +20,7 @@ from polhode.trajectory import Trajectory
 Array = Any
 SAMPLES = 2000
 PERIODS = 10
+LARGEST = 1e200  # of energies and momenta in SI; products of the two stay within the range of numbers
 
 UNITS = {
     "mass": "kg",
@@ -132,10 +133,16 @@ def free_body_report(
     Raises:
         InvalidInput: for a body with a vanishing moment, or values that are not finite.
     """
-    motion = FreeMotion(body.principal_moments, momentum, attitude)
-    if motion.energy is None or motion.momentum_norm is None:
+    if not body.principal_moments[0] > 0:
         raise InvalidInput(
-            f"`momentum` {np.asarray(momentum).tolist()} kg m²/s gives an energy beyond the largest number; "
+            "the body is a thin rod: its moment about its own axis is zero, and its spin about it is undefined. "
+            "Give it a radius, as a cylinder; of a linear molecule, `polhode body` gives the moments."
+        )
+    motion = FreeMotion(body.principal_moments, momentum, attitude)
+    sizes = (motion.energy, motion.momentum_norm)
+    if any(x is None or (x and not 1.0 / LARGEST < x < LARGEST) for x in sizes) or (sizes[1] and not sizes[0]):
+        raise InvalidInput(
+            f"`momentum` {np.asarray(momentum).tolist()} kg m²/s must give an energy and |L| within 1e±200, or none; "
             "check the rate and its unit."
         )
     velocity = float(np.linalg.norm(motion.momentum_at_epoch / motion.moments))

@@ -1,6 +1,7 @@
 """Bodies: laws of composition, moments against mpmath, and deterministic axes."""
 
 import itertools
+import warnings
 
 import array_api_strict as strict
 import mpmath
@@ -206,3 +207,33 @@ def test_arrays_of_other_libraries_are_converted():
     points = ph.from_points(strict.asarray([1.0, 2.0, 3.0]), strict.eye(3))
     assert (points.inertia == ph.from_points([1.0, 2.0, 3.0], np.eye(3)).inertia).all()
     assert (ph.shapes.box(1.0, strict.asarray([1.0, 2.0, 3.0])).inertia == ph.shapes.box(1.0, (1, 2, 3)).inertia).all()
+
+
+def test_placed_takes_a_scipy_rotation_or_only_a_shift():
+    from scipy.spatial.transform import Rotation
+
+    body = ph.Body(2.0, (1.0, 0, 0), np.diag([1.0, 2.0, 2.5]))
+    turn = Rotation.from_rotvec([0.3, -0.2, 0.9])
+    assert (body.placed(turn).inertia == body.placed(turn.as_matrix()).inertia).all()
+    moved = body.placed(translation=(0.0, 3.0, 0.0))
+    assert moved.center_of_mass.tolist() == [1.0, 3.0, 0.0] and (moved.inertia == body.inertia).all()
+
+
+@pytest.mark.parametrize(
+    "make",
+    [
+        lambda: ph.Body.from_moments(1e300, 2e300, 3e300),
+        lambda: ph.Body.from_moments(1e-300, 2e-300, 3e-300),
+        lambda: ph.shapes.sphere(1.0, 1.0).placed(translation=(1e200, 0, 0)),
+        lambda: ph.shapes.sphere(1.0, 1e200),
+        lambda: ph.from_points([1.0, 1.0], [[0, 0, 0], [1e200, 0, 0]]),
+        lambda: ph.from_points([1.0, 1.0], [[0, 0, 0], [1, 0]]),
+        lambda: ph.from_atoms(["H", "H"], [[0, 0, 0], [1, 0]]),
+        lambda: ph.combine(None),
+    ],
+)
+def test_nothing_beyond_the_range_of_bodies_and_no_warning(make, any_type):
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        with pytest.raises(InvalidInput):
+            make()

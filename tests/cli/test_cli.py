@@ -80,7 +80,7 @@ BAD = [
     ('"1 kg*m^2", ', "1, ", "unit in quotes"),
     ('"60 rpm"', '"0 rpm"', "no direction"),
     ("[spin]", 'mass = "-2 kg"\n[spin]', "positive"),
-    ("samples = 20", "samples = 1", "greater than or equal to 2"),
+    ("samples = 20", "samples = 1", "must be at least 2"),
     ("samples = 20", 'until = "-3 s"', "positive"),
     ("about = 2", "", "about"),
     ("[spin]", "[spin", "not TOML"),

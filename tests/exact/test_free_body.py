@@ -181,3 +181,25 @@ def test_bad_times_and_spins():
         ph.FreeMotion.from_body(ph.shapes.box(1.0, (1, 2, 3)))
     with pytest.raises(InvalidInput, match="one-dimensional"):
         ph.FreeMotion(MOMENTS, (1.0, 2.0, 3.0)).sample(1.0)
+
+
+@pytest.mark.parametrize(
+    ("make", "words"),
+    [
+        (lambda: ph.FreeMotion(np.ones((2, 3)), np.ones((3, 3))), "must broadcast"),
+        (lambda: ph.FreeMotion((1.0, 2.0, 3.0), np.ones((3, 3))).state(np.zeros(2)), r"broadcast.*\(N, 1, 3\)"),
+        (lambda: ph.FreeMotion((1.0, 2.0, 3.0), (1.0, 2.0, 3.0)).state(1.7e308), "within the range of numbers"),
+        (lambda: ph.FreeMotion((1.0, 2.0, 3.0), (10**400, 0, 0)), "array of numbers"),
+        (lambda: ph.FreeMotion((1.0, 2.0, 3.0), (1.0, 2.0, 3.0)).sample([]), "not empty"),
+        (lambda: ph.FreeMotion.from_body(ph.shapes.sphere(1.0, 1.0), (1, 0)), "`angular_velocity` must have shape"),
+        (lambda: ph.FreeMotion.from_body(3, (1, 0, 0)), "must be a Body"),
+    ],
+)
+def test_what_does_not_fit_together(make, words, any_type):
+    with pytest.raises(InvalidInput, match=words):
+        make()
+
+
+def test_a_batch_of_none():
+    attitude, momentum = ph.FreeMotion((1.0, 2.0, 3.0), np.zeros((0, 3))).state(1.0)
+    assert attitude.shape == (0, 4) and momentum.shape == (0, 3)

@@ -81,10 +81,66 @@ def test_every_mistake_at_once_with_its_key(read):
         read('moment = ["1 kg"]\nmass = "-1 kg"\nparts = [{shape = "box", mass = "x"}]', "[spinn]\n[time]\nuntil = 3")
     text = str(caught.value)
     wanted = (
-        "5 mistakes", "body.moment: unknown key; did you mean moments?", "body.mass: must be positive",
-        "body.parts[0].mass", "spinn: unknown key; did you mean spin?", "time.until: needs a number",
+        "7 mistakes", "body.moment: unknown key; did you mean moments?", "body.mass: must be positive",
+        "body: mass follows from the parts", "body.parts[0]: a box needs size", "body.parts[0].mass",
+        "spinn: unknown key; did you mean spin?", "time.until: needs a number",
     )  # fmt: skip
     assert not [words for words in wanted if words not in text]
+
+
+def test_wrong_values_hide_no_broken_rule(read):
+    with pytest.raises(InvalidInput) as caught:
+        read('mesh = "a.stl"\ndensty = "1 kg/m^3"', """
+        [spin]
+        rate = "60 Hz"
+        attitude = [0.0, 0.0, 0.0, 0.0]
+        [time]
+        until = "-3 s"
+        samples = 100.0""")
+    wanted = (
+        "8 mistakes", "body: needs mesh_unit", "body: needs exactly one of mass and density", "body.densty: unknown",
+        "spin: rate needs about", "spin.rate: is ambiguous", "spin.attitude: must be a quaternion",
+        "time.until: must be positive", "time.samples: must be a whole number; got 100.0",
+    )  # fmt: skip
+    assert not [words for words in wanted if words not in str(caught.value)]
+
+
+def test_unphysical_bodies_are_said_beside_the_rest(read):
+    with pytest.raises(InvalidInput) as caught:
+        read('moments = ["1 kg*m^2", "1 kg*m^2", "3 kg*m^2"]', "[spin]\nattitude = [0.0, 0.0, 0.0, 0.0]")
+    for words in ("3 mistakes", "I1 + I2 ≥ I3", "must be a quaternion", "needs exactly one of angular_velocity"):
+        assert words in str(caught.value)
+    torus = '{shape = "torus", mass = "1 kg", major_radius = "1 m", minor_radius = "2 m"}'
+    with pytest.raises(InvalidInput) as caught:
+        read(f'parts = [{torus}, {{shape = "box", mass = "1 kg", sise = "1 m"}}]')
+    for words in ("3 mistakes", "body.parts[0]: ", "body.parts[1].sise: unknown key; did you mean size?"):
+        assert words in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("rest", "words"),
+    [
+        ('rate = "1 rpm"\nabout = true', "must be one of 1, 2, 3"),
+        ('rate = "1 rpm"\nabout = 2.0', "must be one of 1, 2, 3"),
+        ('attitude = ["1", "0", "0", "1"]', "four plain numbers"),
+        ('momentum = "1 J*s"', "three quantities in a list"),
+        ('momentum = ["1 J*s", "1 J*s"]', "three quantities in a list"),
+    ],
+)
+def test_values_of_the_wrong_kind(read, rest, words):
+    with pytest.raises(InvalidInput, match=words):
+        read(MOMENTS, f"[spin]\n{rest}")
+
+
+@pytest.mark.parametrize(("key", "value"), [("repair", '"yes"'), ("repair", "1"), ("mesh", "3"), ("parts", '"box"')])
+def test_body_values_of_the_wrong_kind(read, key, value):
+    with pytest.raises(InvalidInput, match=f"body.{key}: must be"):
+        read(f"{key} = {value}")
+
+
+def test_a_byte_order_mark_is_no_mistake(tmp_path):
+    (tmp_path / "mark.toml").write_text(f"[body]\n{MOMENTS}", "utf-8-sig")
+    assert read_spec(tmp_path / "mark.toml").name == "mark"
 
 
 def test_part_measures_and_sources(read):

@@ -16,7 +16,7 @@ Array = Any
 def axis_stability(moments: Array, momentum_norm: float) -> tuple[Stability, Stability, Stability]:
     """Return the verdicts on rotation about the three principal axes at the given |L|.
 
-    About axis i, H − C/I_i with C = ½|L|² is critical; its second variation on the sphere is (1/I_j − 1/I_i) δL_j²
+    About axis i, H − C/I_i with C = ½|L|² is critical; its second variation on the sphere is ½ Σ (1/I_j − 1/I_i) δL_j²
     over the other two axes. Positive about the axis of largest inertia, negative about that of least: both prove
     stability. About the middle axis the signs differ and neighbours leave at the rate
     |L| √((I_i−I_j)(I_k−I_i)/(I_j I_k)) / I_i. The differences are taken before they enter the matrices, so that
@@ -52,7 +52,7 @@ def _about(I: Array, norm: float, i: int) -> Stability:  # noqa: E741
     )
     rate = norm / I[i]
     function = f"H − |L|²/(2·{I[i]:.6g})"
-    terms = f"{curvature[j, j] / I[i]:.6g} δL{j + 1}² + {curvature[k, k] / I[i]:.6g} δL{k + 1}²"
+    terms = _quadratic_form({f"δL{n + 1}²": curvature[n, n] / I[i] for n in (j, k)})
     if norm == 0.0:
         text = "the body is at rest: |L| = 0 is kept"
         return replace(found, verdict="stable", rate=0.0, growth=None, direction=None, certificate=text,
@@ -65,3 +65,13 @@ def _about(I: Array, norm: float, i: int) -> Stability:  # noqa: E741
     if not curvature.any():
         text = f"every axis of a sphere is a rest of L: {function} is constant"
     return replace(found, rate=found.rate * rate, spectrum=found.spectrum * rate, certificate=text)
+
+
+def _quadratic_form(coefficients: dict[str, float]) -> str:
+    """Return ½ Σ c x² in words, without the terms that vanish."""
+    terms = [(value, name) for name, value in coefficients.items() if value]
+    if not terms:
+        return "0"
+    first, *rest = (f"{'−' if value < 0 else '+'} {abs(value):.6g} {name}" for value, name in terms)
+    first = first.removeprefix("+ ").replace("− ", "−")
+    return f"½ ({' '.join([first, *rest])})"

@@ -30,8 +30,12 @@ def from_atoms(symbols: Sequence[str], positions: Array, masses: Array | None = 
         InvalidInput: for unknown symbols, or if ASE is needed and missing.
     """
     symbols = list(symbols)
-    if len(symbols) != len(np.atleast_1d(positions)):
-        raise InvalidInput(f"`symbols` and `positions` must match; got {len(symbols)} and {np.shape(positions)}.")
+    try:
+        shape = np.shape(positions)
+    except ValueError:
+        raise InvalidInput("`positions` must be three numbers for each atom; got rows of different lengths.") from None
+    if shape != (len(symbols), 3):
+        raise InvalidInput(f"`symbols` (n,) and `positions` (n, 3) must match; got {len(symbols)} and {shape}.")
     return from_points(atomic_masses(symbols) if masses is None else masses, positions)
 
 

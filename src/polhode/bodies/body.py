@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -16,6 +17,7 @@ from polhode.rotation import as_matrix, from_matrix, normalize
 Array = Any
 ROUNDING = 64 * np.finfo(float).eps  # what the sums behind an inertia matrix may leave, relative to its entries
 SYMMETRY = 1e-9  # a matrix less symmetric than this was mistyped, not rounded
+LARGEST = 1e150  # SI; beyond it products of two overflow, and no body is near
 TIE = 1e-9  # direction cosines closer than this are equal, so that rounding never decides between two axes
 
 
@@ -53,6 +55,12 @@ class Body:
         if mass is not None and not mass > 0:
             raise InvalidInput(f"`mass` must be positive; got {float(mass):g} kg. Check sign and units.")
         scale = np.abs(inertia).max()
+        far = np.abs(center).max()
+        if max(scale, mass or 0.0) > LARGEST or far > math.sqrt(LARGEST) or 0.0 < scale < 1.0 / LARGEST:
+            raise InvalidInput(
+                f"mass, inertia and squared distances must lie within 1e±150 in SI units; got {scale:.3g} kg m², "
+                f"centre of mass at {far:.3g} m. No body is like that; check the units."
+            )
         if np.abs(inertia - inertia.T).max() > SYMMETRY * scale:
             raise InvalidInput(f"`inertia` must be symmetric; got {inertia.tolist()}. Give J_ij = J_ji.")
         inertia = 0.5 * inertia + 0.5 * inertia.T
@@ -106,16 +114,18 @@ class Body:
         offset = self.center_of_mass - _finite("point", point, (3,))
         return self.inertia + self._known_mass("the inertia about another point") * point_inertia(offset)
 
-    def placed(self, rotation: Array, translation: Array = (0.0, 0.0, 0.0)) -> Body:
+    def placed(self, rotation: Array = (1.0, 0.0, 0.0, 0.0), translation: Array = (0.0, 0.0, 0.0)) -> Body:
         """Return the body turned about the origin, then shifted: r → R r + d, J → R J Rᵀ.
 
         Args:
-            rotation: (4,) unit quaternion wxyz, normalised here, or (3, 3) rotation matrix.
+            rotation: (4,) unit quaternion wxyz, normalised here, (3, 3) rotation matrix, or a scipy Rotation.
             translation: (3,) [m].
 
         Raises:
             InvalidInput: for a matrix that is no rotation.
         """
+        if hasattr(rotation, "as_matrix"):
+            rotation = rotation.as_matrix()
         if np.shape(rotation) == (4,):
             turn = as_matrix(normalize(_finite("rotation", rotation, (4,))))
         else:
@@ -136,7 +146,7 @@ def combine(bodies: Sequence[Body]) -> Body:
     Raises:
         InvalidInput: for an empty list or a body without mass.
     """
-    bodies = [bodies] if isinstance(bodies, Body) else list(bodies)
+    bodies = [bodies] if isinstance(bodies, Body) else list(bodies or [])
     if not bodies:
         raise InvalidInput("`bodies` must name at least one body to combine; got none.")
     if strange := [body for body in bodies if not isinstance(body, Body)]:

@@ -14,6 +14,7 @@ from polhode.bodies.mesh_crossing import crossing_faces, depths
 from polhode.errors import InvalidInput
 
 Array = Any
+FINEST = 1e-30  # m; fifth powers of coordinates must neither overflow nor underflow
 NO_VOLUME = 1e-12  # of the tetrahedra's own size: a flat surface leaves rounding, a foil of 1e-9 of its width far more
 
 
@@ -86,6 +87,9 @@ def as_mesh(vertices: Array, faces: Array) -> tuple[Array, Array]:
         raise InvalidInput(f"`faces` must index the {len(vertices)} vertices from 0; got {found}.")
     if not np.isfinite(vertices).all():
         raise InvalidInput("`vertices` must be finite; got NaN or an infinity. Check the file.")
+    if not FINEST < np.abs(vertices).max() < 1.0 / FINEST:
+        size = np.abs(vertices).max()
+        raise InvalidInput(f"`vertices` must lie within 1e±30 m; the largest coordinate is {size:.3g}. Check the unit.")
     return vertices, faces.astype(np.int64)
 
 

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
 
-from polhode.bodies.body import Body, point_inertia
+from polhode.bodies.body import LARGEST, Body, point_inertia
 from polhode.errors import InvalidInput
 
 Array = Any
@@ -25,16 +26,19 @@ def from_points(masses: Array, positions: Array) -> Body:
     >>> from_points([1.0, 1.0], [[-1, 0, 0], [1, 0, 0]]).principal_moments
     array([0., 2., 2.])
     """
-    if np.iscomplexobj(masses) or np.iscomplexobj(positions):
-        raise InvalidInput("`masses` and `positions` must be real; got complex numbers.")
     try:
-        m, r = np.array(masses, dtype=float), np.array(positions, dtype=float)
-    except (TypeError, ValueError):
-        raise InvalidInput("`masses` and `positions` must be numbers.") from None
+        real = not (np.iscomplexobj(masses) or np.iscomplexobj(positions))
+        m, r = (np.array(x, dtype=float) for x in (masses, positions)) if real else (None, None)
+    except (TypeError, ValueError, OverflowError) as error:
+        raise InvalidInput(f"`masses` (n,) and `positions` (n, 3) must be numbers ({error}).") from None
+    if m is None or r is None:
+        raise InvalidInput("`masses` and `positions` must be real; got complex numbers.")
     if m.ndim != 1 or r.shape != (len(m), 3) or len(m) == 0:
         raise InvalidInput(f"`masses` (n,) and `positions` (n, 3) must match; got {m.shape} and {r.shape}.")
     if not (np.isfinite(m).all() and np.isfinite(r).all()):
         raise InvalidInput("`masses` and `positions` must be finite; got NaN or an infinity.")
+    if np.abs(r).max() > math.sqrt(LARGEST):
+        raise InvalidInput(f"`positions` must lie within 1e75 m; got {np.abs(r).max():.3g} m. Check the unit.")
     if not (m > 0).all():
         raise InvalidInput(f"`masses` must be positive; got {m[~(m > 0)][0]:g} kg. Check sign and units.")
     if (r == r[0]).all():

@@ -17,7 +17,7 @@ from polhode.bodies.body import Body
 from polhode.errors import InvalidInput
 
 Array = Any
-SMALLEST, LARGEST = 1e-100, 1e100  # m or kg; beyond them the squares leave the range of double precision
+SMALLEST, LARGEST = 1e-60, 1e60  # m or kg; no body is near
 
 
 def box(mass: float, size: Array) -> Body:
@@ -101,7 +101,7 @@ def _positive(**named: Any) -> list[float]:
         if array.shape != ():
             raise InvalidInput(f"`{name}` must be one number; got {value!r}.")
         if not SMALLEST < array < LARGEST:
-            raise InvalidInput(f"`{name}` must be positive and finite; got {value!r}. Check sign and units.")
+            raise InvalidInput(f"`{name}` must be positive and finite, within 1e±60; got {value!r}. Check its unit.")
         values.append(float(array))
     return values
 
@@ -111,7 +111,7 @@ def _lengths(name: str, value: Any) -> Array:
     if array.shape != (3,):
         raise InvalidInput(f"`{name}` must be three lengths; got {value!r}.")
     if not ((array > SMALLEST) & (array < LARGEST)).all():
-        raise InvalidInput(f"`{name}` must be positive and finite; got {value!r}. Check signs and units.")
+        raise InvalidInput(f"`{name}` must be positive and finite, within 1e±60 m; got {value!r}. Check its unit.")
     return array
 
 

@@ -21,9 +21,12 @@ OWN_FILES = {"momentum_sphere.png", "components.png", "herpolhode.png", "motion.
 def run_report(path: Path, json: bool, out: Path | None) -> None:
     """Read the spec, compute, write figures and dataset, and print the answers."""
     spec = read_spec(path)
-    folder = out or Path(path.stem)
+    folder = out or Path(path.stem if path.suffix else f"{path.name}_report")
     times = None if spec.until is None else np.linspace(0.0, spec.until, spec.samples)
-    report = free_body_report(spec.body, spec.momentum, spec.attitude, times, spec.samples)
+    try:
+        report = free_body_report(spec.body, spec.momentum, spec.attitude, times, spec.samples)
+    except InvalidInput as error:
+        raise InvalidInput(f"{path}: {error}") from None
     with _folder_at_once(folder) as draft:
         from polhode.figures.drawing import draw_all
         from polhode.formats.dataset import write_dataset

@@ -7,7 +7,15 @@ from typing import Any
 
 import numpy as np
 
-from polhode.arrays import compiled, custom_derivative, is_jax, namespace, stack_last, stop_gradient
+from polhode.arrays import (
+    compiled,
+    custom_derivative,
+    forward_columns,
+    is_jax,
+    namespace,
+    stack_last,
+    stop_gradient,
+)
 from polhode.exact import geometry
 from polhode.exact.derivative import state_tangent
 from polhode.exact.preparation import prepare
@@ -44,9 +52,18 @@ def _columns_of_bodies(moments: Array, momentum: Array, attitude: Array) -> tupl
 def characteristics(moments: Array, momentum: Array) -> geometry.Characteristics:
     """Return the numbers of the motion for arrays (…, 3)."""
     if is_jax(moments, momentum):
-        return compiled(geometry.characteristics, moments)(moments, momentum)
+        return compiled(_differentiable_characteristics, moments)(moments, momentum)
     with np.errstate(all="ignore"):
         return geometry.characteristics(*np.broadcast_arrays(moments, momentum))
+
+
+def _differentiable_characteristics(moments: Array, momentum: Array) -> geometry.Characteristics:
+    shape = np.broadcast_shapes(moments.shape, momentum.shape)
+    xp = namespace(moments, momentum)
+    moments, momentum = xp.broadcast_to(moments, shape), xp.broadcast_to(momentum, shape)
+    codes = geometry.characteristics(*stop_gradient((moments, momentum)))[:2]
+    numbers = forward_columns(lambda *values: tuple(geometry.characteristics(*values)[2:]))(moments, momentum)
+    return geometry.Characteristics(*codes, *numbers)
 
 
 def state(
@@ -90,6 +107,8 @@ def _state_in_blocks(columns: tuple[Array, ...], elapsed: Array, rest: Array) ->
     shape = np.broadcast_shapes(batch, elapsed.shape)
     size, bodies = math.prod(shape), math.prod(batch)
     attitude, momentum = np.empty((size, 4)), np.empty((size, 3))
+    if size == 0:
+        return attitude.reshape(*shape, 4), momentum.reshape(*shape, 3)
     elapsed = np.broadcast_to(elapsed, shape).reshape(-1)
     rest = np.broadcast_to(rest, shape).reshape(-1) if np.any(rest) else None
     flat = [column.reshape(-1) for column in columns]

@@ -5,19 +5,17 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from polhode import rotation
 from polhode.arrays import as_float64, is_traced, namespace, register_node
+from polhode.bodies.body import Body
 from polhode.errors import InvalidInput
 from polhode.exact import evaluation, geometry
 from polhode.special.doubledouble import two_sum
 from polhode.trajectory import Trajectory
-
-if TYPE_CHECKING:
-    from polhode.bodies.body import Body
 
 Array = Any
 UNIT_TOLERANCE = 1e-6  # a quaternion further from unit length is taken for a mistake, not for rounding
@@ -102,11 +100,14 @@ class FreeMotion:
         """
         if (angular_velocity is None) == (momentum is None):
             raise InvalidInput("give exactly one of `angular_velocity` and `momentum` to say how the body spins.")
+        if not isinstance(body, Body):
+            raise InvalidInput(f"`body` must be a Body; got {body!r}. Make one with polhode.shapes, from_mesh or Body.")
         axes = body.principal_axes
         vector = angular_velocity if momentum is None else momentum
         xp = namespace(vector, attitude, epoch, axes)
         axes = as_float64(xp, axes, "principal axes")
-        vector = as_float64(xp, vector, "momentum" if angular_velocity is None else "angular_velocity") @ axes
+        name = "momentum" if angular_velocity is None else "angular_velocity"
+        vector = _last_axis(name, as_float64(xp, vector, name), 3) @ axes
         moments = as_float64(xp, body.principal_moments, "moments")
         principal = vector if angular_velocity is None else vector * moments
         frame = rotation.from_matrix(axes)
@@ -129,9 +130,15 @@ class FreeMotion:
         t = as_float64(xp, t, "t")
         if not is_traced(t) and not bool(xp.all(xp.isfinite(t))):
             raise InvalidInput("`t` must be finite; got NaN or an infinity. Give times in seconds.")
+        _common_shape({"the motion's batch": self.batch_shape, "`t`": tuple(t.shape)})
         elapsed, rest = two_sum(t, -self.epoch)
         arguments = (self.moments, self.momentum_at_epoch, self.attitude_at_epoch)
         attitude, momentum = evaluation.state(self._columns, *arguments, elapsed, rest)
+        if not is_traced(attitude) and not bool(xp.all(xp.isfinite(attitude[..., 0]))):
+            raise InvalidInput(
+                "`t` times the rate of rotation must be within the range of numbers; "
+                f"got times up to {float(xp.max(xp.abs(t))):g} s. Check times and rates."
+            )
         if self.axes is None:
             return attitude, momentum
         frame = rotation.conjugate(rotation.from_matrix(self.axes))
@@ -163,8 +170,8 @@ class FreeMotion:
         """Return the motion at times (T,) [s] as a trajectory, with what its invariants drift by."""
         xp = namespace(times, self.moments)
         times = as_float64(xp, times, "times")
-        if times.ndim != 1:
-            raise InvalidInput(f"`times` must be one-dimensional; got shape {tuple(times.shape)}.")
+        if times.ndim != 1 or times.shape[0] == 0:
+            raise InvalidInput(f"`times` must be one-dimensional and not empty; got shape {tuple(times.shape)}.")
         motion = self._with_time_axis()
         attitude, momentum = motion.state(times)
         velocity = motion._angular_velocity_of(momentum)
@@ -197,8 +204,7 @@ class FreeMotion:
     @property
     def batch_shape(self) -> tuple[int, ...]:
         """The common shape of the bodies, () for one."""
-        shapes = (self.moments.shape[:-1], self.momentum_at_epoch.shape[:-1], self.attitude_at_epoch.shape[:-1])
-        return tuple(np.broadcast_shapes(*shapes, self.epoch.shape))
+        return _batch_shape(self.moments, self.momentum_at_epoch, self.attitude_at_epoch, self.epoch)
 
     @cached_property
     def _numbers(self) -> geometry.Characteristics:
@@ -215,7 +221,9 @@ class FreeMotion:
     def energy(self) -> Any:
         """Kinetic energy E = Σ L_i²/2I_i [J]."""
         xp = namespace(self.moments, self.momentum_at_epoch)
-        return self._answer(0.5 * xp.sum(self.momentum_at_epoch / self.moments * self.momentum_at_epoch, axis=-1))
+        with np.errstate(all="ignore"):
+            energy = 0.5 * xp.sum(self.momentum_at_epoch / self.moments * self.momentum_at_epoch, axis=-1)
+        return self._answer(energy)
 
     @property
     def momentum_norm(self) -> Any:
@@ -319,11 +327,32 @@ def _drift(xp: Any, value: Array, vector: bool) -> Array:
     return xp.max(deviation / xp.where(size > 0, size, 1.0), axis=-1)
 
 
+def _last_axis(name: str, value: Array, size: int) -> Array:
+    if value.ndim == 0 or value.shape[-1] != size:
+        raise InvalidInput(f"`{name}` must have shape (..., {size}); got {tuple(value.shape)}.")
+    return value
+
+
+def _batch_shape(moments: Array, momentum: Array, attitude: Array, epoch: Array) -> tuple[int, ...]:
+    vectors = {"moments": moments, "momentum": momentum, "attitude": attitude}
+    return _common_shape({f"`{k}`": tuple(v.shape[:-1]) for k, v in vectors.items()} | {"`epoch`": tuple(epoch.shape)})
+
+
+def _common_shape(shapes: dict[str, tuple[int, ...]]) -> tuple[int, ...]:
+    try:
+        return tuple(np.broadcast_shapes(*shapes.values()))
+    except ValueError:
+        raise InvalidInput(
+            f"batch axes must broadcast; got {', '.join(f'{name} {shape}' for name, shape in shapes.items())}. "
+            "For all bodies at all times give the bodies a last batch axis of length 1: momentum (N, 1, 3), t (T,)."
+        ) from None
+
+
 def _checked(xp: Any, moments: Array, momentum: Array, attitude: Array, epoch: Array) -> tuple[Array, Array, Array]:
     """Return the inputs with the attitude normalised; refuse bad concrete ones, turn bad traced ones to NaN."""
     for name, value, size in (("moments", moments, 3), ("momentum", momentum, 3), ("attitude", attitude, 4)):
-        if value.ndim == 0 or value.shape[-1] != size:
-            raise InvalidInput(f"`{name}` must have shape (..., {size}); got {tuple(value.shape)}.")
+        _last_axis(name, value, size)
+    _batch_shape(moments, momentum, attitude, epoch)
     length = xp.sqrt(xp.sum(attitude * attitude, axis=-1, keepdims=True))
     good_moments = xp.all((moments > 0) & xp.isfinite(moments), axis=-1, keepdims=True)
     good_length = xp.abs(length - 1.0) < UNIT_TOLERANCE

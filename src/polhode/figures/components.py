@@ -12,30 +12,35 @@ LONGEST = 4  # periods shown; more would only blur
 
 
 def draw_components(report: Report) -> Figure:
-    """Return components of Ω and L against time, at most the first few periods."""
+    """Return components of Ω and L against time, at most the first few periods, which the figure then says."""
     figure = style.new_figure(height=3.4)
     upper, lower = figure.subplots(2, 1, sharex=True)
-    end = float(np.asarray(report.trajectory.times)[-1])
+    whole = end = float(np.asarray(report.trajectory.times)[-1])
     start = float(np.asarray(report.trajectory.times)[0])
     if report.motion.period is not None:
         end = min(end, start + LONGEST * report.motion.period)
+    shown = f", the first {LONGEST} periods" if end < whole else ""
+    slow = _power(np.array([start, end]))
     times = np.linspace(start, end, 1200)
     momentum = report.motion.momentum(times)
     velocity = momentum / np.asarray(report.motion.moments)
     for axes, values, symbol, unit in ((upper, velocity, "Ω", "rad/s"), (lower, momentum, "L", "kg m²/s")):
         power = _power(values)
         for k in range(3):
-            axes.plot(times, values[:, k] / 10.0**power, color=style.AXIS_COLOURS[k], lw=1.1,
+            axes.plot(times / 10.0**slow, values[:, k] / 10.0**power, color=style.AXIS_COLOURS[k], lw=1.1,
                       ls=("-", "--", "-.")[k], label=f"axis {k + 1}")  # fmt: skip
-        factor = f"10$^{{{power}}}$ " if power else ""
-        axes.set_ylabel(f"${symbol}$  [{factor}{unit}]" if symbol == "L" else f"Ω  [{factor}{unit}]")
+        axes.set_ylabel(f"{symbol}  [{_factor(power)}{unit}]")
         axes.axhline(0.0, color=style.LIGHT, lw=0.6, zorder=0)
-        axes.set_xlim(start, end)
+        axes.set_xlim(start / 10.0**slow, end / 10.0**slow)
         style.tidy(axes)
-    lower.set_xlabel("time  [s]")
+    lower.set_xlabel(f"time{shown}  [{_factor(slow)}s]")
     figure.legend(*upper.get_legend_handles_labels(), loc="outside upper center", ncols=3, fontsize=style.FONT - 1,
                   frameon=False, handlelength=2.2)  # fmt: skip
     return figure
+
+
+def _factor(power: int) -> str:
+    return f"10$^{{{power}}}$ " if power else ""
 
 
 def _power(values: np.ndarray) -> int:

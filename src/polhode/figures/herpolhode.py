@@ -33,10 +33,11 @@ def draw_herpolhode(report: Report) -> Figure | None:
     axes.set_aspect("equal")
     axes.set_xlim(-1.12, 1.12)
     axes.set_ylim(-1.12, 1.12)
-    unit = f"[{found.outer_radius:.3g} kg$^{{-1/2}}$ m$^{{-1}}$]"
-    axes.set_xlabel(f"in the invariable plane  {unit}")
-    axes.set_ylabel(f"in the invariable plane  {unit}")
-    axes.set_title("Herpolhode, seen against L", fontsize=style.FONT, color=style.DARK)
+    digits, power = f"{found.outer_radius:.2e}".split("e")
+    unit = f"[{digits}·10$^{{{int(power)}}}$ (kg m²)$^{{-1/2}}$]"
+    axes.set_xlabel(f"first direction across L  {unit}")
+    axes.set_ylabel(f"second direction across L  {unit}")
+    axes.set_title("Herpolhode, L towards the viewer", fontsize=style.FONT, color=style.DARK)
     style.tidy(axes)
     return figure
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from polhode.bodies.mesh_gate import repaired_mesh
 from polhode.errors import FormatError, InvalidInput
-from polhode.formats.paths import is_file
+from polhode.formats.paths import check_is_file
 
 Array = Any
 SAME_CORNER = 1e-6  # of the mesh's extent: what single precision and printed digits leave between copies of a corner
@@ -33,24 +33,34 @@ def read_mesh(path: str | Path, unit: float, repair: bool = False) -> tuple[Arra
     path = Path(path)
     if not (np.ndim(unit) == 0 and np.isfinite(unit) and unit > 0):
         raise InvalidInput(f"`unit` must be a positive length in metres; got {unit!r}.")
-    if not is_file(path):
-        raise InvalidInput(f"{path}: no such mesh file. Check the path; it counts from the spec's own folder.")
-    import trimesh
-
-    try:
-        mesh: Any = trimesh.load(path, force="mesh", process=False)
-        vertices, faces = np.array(mesh.vertices, dtype=float), np.array(getattr(mesh, "faces", ()))
-    except Exception as error:  # trimesh raises whatever its many readers raise
-        why = f"{path}: cannot be read as a mesh ({error}). Is the file whole and its ending right?"
-        raise FormatError(why) from None
+    check_is_file(path, "mesh")
+    vertices, faces = _loaded(path)
     if len(faces) == 0:
-        raise FormatError(f"{path}: holds no triangles. Export it as a surface mesh.")
+        raise FormatError(f"{path}: holds no triangles; it may be cut short. Export it anew, as a surface mesh.")
     if not np.isfinite(vertices).all():
         raise FormatError(f"{path}: a corner is NaN or infinite. Export it anew.")
     vertices, faces = _merged(vertices, faces.astype(np.int64))
     if repair:
         vertices, faces = repaired_mesh(*_filled(*_merged_nearby(vertices, faces)))
     return vertices * unit, faces
+
+
+def _loaded(path: Path) -> tuple[Array, Array]:
+    import trimesh
+
+    ending = path.suffix.lower().lstrip(".")
+    formats = trimesh.exchange.load.mesh_formats()
+    if ending not in formats:
+        known = ", ".join(sorted(formats))
+        raise FormatError(f"{path}: a mesh file must end in one of {known}; got {path.suffix!r}. Convert it to STL.")
+    try:
+        mesh: Any = trimesh.load(path, force="mesh", process=False)
+        return np.array(mesh.vertices, dtype=float), np.array(getattr(mesh, "faces", ()))
+    except ImportError:
+        why = f"{path}: reading .{ending} files needs packages that polhode does not. Convert it to STL, OBJ or PLY."
+    except Exception:  # trimesh raises whatever its many readers raise
+        why = f"{path}: cannot be read as a mesh: it is broken, cut short, or not what its ending says. Export it anew."
+    raise FormatError(why)
 
 
 def _merged(vertices: Array, faces: Array) -> tuple[Array, Array]:

@@ -7,7 +7,7 @@ from typing import Any
 
 from polhode.bodies.atoms import ATOMIC_MASS_UNIT
 from polhode.errors import FormatError, InvalidInput
-from polhode.formats.paths import is_file
+from polhode.formats.paths import check_is_file
 
 Array = Any
 ANGSTROM = 1e-10  # m
@@ -25,8 +25,7 @@ def read_molecule(path: str | Path) -> tuple[list[str], Array, Array | None]:
         FormatError: if it cannot be read, holds no atoms, or is a periodic crystal.
     """
     path = Path(path)
-    if not is_file(path):
-        raise InvalidInput(f"{path}: no such molecule file. Check the path; it counts from the spec's own folder.")
+    check_is_file(path, "molecule")
     try:
         import ase.io
     except ImportError:
@@ -39,7 +38,9 @@ def read_molecule(path: str | Path) -> tuple[list[str], Array, Array | None]:
         why = f"{path}: {error} is no chemical element. Isotopes go as masses into an extended xyz, not as symbols."
         raise FormatError(why) from None
     except Exception as error:  # ASE raises whatever its many readers raise
-        why = f"{path}: cannot be read as a molecule ({error}). Is it in the form its ending says?"
+        reason = str(error).split("ase.io.")[-1].split(": ", 1)[-1]
+        reason = f" ({reason})" if reason else ""
+        why = f"{path}: cannot be read as a molecule{reason}. Is it whole, and in the form its ending says?"
         raise FormatError(why) from None
     if not symbols:
         raise FormatError(f"{path}: holds no atoms.")

@@ -4,10 +4,19 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from polhode.errors import InvalidInput
 
-def is_file(path: Path) -> bool:
-    """Whether a path is a file; names that the system cannot even look up are none."""
+
+def check_is_file(path: Path, kind: str) -> None:
+    """Refuse a path that is no file; names that the system cannot even look up are none.
+
+    Raises:
+        InvalidInput: saying what is there instead.
+    """
     try:
-        return path.is_file()
+        if path.is_file():
+            return
+        found = "is a folder, not a" if path.is_dir() else "no such"
     except OSError:
-        return False
+        found = "no such"
+    raise InvalidInput(f"{path}: {found} {kind} file. Check the path; it counts from the spec's own folder.")

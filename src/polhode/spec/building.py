@@ -1,0 +1,75 @@
+"""From the tables of a spec to a body and its spin."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from polhode import rotation
+from polhode.bodies import shapes
+from polhode.bodies.atoms import from_atoms
+from polhode.bodies.body import Body, combine
+from polhode.bodies.mesh import from_mesh
+from polhode.errors import InvalidInput
+from polhode.formats.mesh import read_mesh
+from polhode.formats.molecule import read_molecule
+from polhode.spec.models import SHAPE_KEYS, BodyTable, PartTable, SpinTable
+
+Array = Any
+TURNS = {"z": np.eye(3), "x": np.eye(3)[[2, 0, 1]], "y": np.eye(3)[[1, 2, 0]]}
+
+
+def build_body(table: BodyTable, folder: Path) -> Body:
+    """Return the body; paths count from the folder.
+
+    Raises:
+        InvalidInput: for values that no body has.
+        FormatError: for files that are not what they should be.
+    """
+    if table.mesh is not None:
+        vertices, faces = read_mesh(folder / table.mesh, table.mesh_unit or 1.0, table.repair)
+        try:
+            return from_mesh(vertices, faces, mass=table.mass, density=table.density, several=table.several)
+        except InvalidInput as error:
+            raise InvalidInput(f"mesh {table.mesh}: {error}") from None
+    if table.moments is not None:
+        return Body.from_moments(*table.moments, mass=table.mass)
+    if table.inertia is not None:
+        return Body(table.mass, (0.0, 0.0, 0.0), table.inertia)
+    if table.molecule is not None:
+        return from_atoms(*read_molecule(folder / table.molecule))
+    return combine([build_part(part) for part in table.parts or []])
+
+
+def build_part(table: PartTable) -> Body:
+    """Return one homogeneous part in its place.
+
+    Raises:
+        InvalidInput: for measures that do not fit each other.
+    """
+    measures = {name: getattr(table, name) for name in SHAPE_KEYS[table.shape]}
+    if table.inner_radius is not None:
+        measures["inner_radius"] = table.inner_radius
+    return getattr(shapes, table.shape)(table.mass, **measures).placed(TURNS[table.axis], table.at)
+
+
+def build_spin(table: SpinTable | None, body: Body) -> tuple[Array, Array]:
+    """Return momentum along and attitude of the principal axes."""
+    axes, moments = body.principal_axes, body.principal_moments
+    given = (1.0, 0.0, 0.0, 0.0) if table is None else table.attitude
+    attitude = rotation.multiply(rotation.normalize(given), rotation.from_matrix(axes))
+    if table is None:
+        return np.zeros(3), attitude
+    if table.momentum is not None or table.angular_velocity is not None:
+        vector = np.array(table.momentum if table.momentum is not None else table.angular_velocity)
+        vector = vector if table.frame == "principal" else vector @ axes
+        return vector if table.momentum is not None else moments * vector, attitude
+    direction = np.zeros(3)
+    about = table.about
+    index = about - 1 if isinstance(about, int) else "xyz".index(str(about))
+    direction[index], direction[(index + 1) % 3] = math.cos(table.tilt), math.sin(table.tilt)
+    velocity = (table.rate or 0.0) * (direction if isinstance(about, int) else direction @ axes)
+    return moments * velocity, attitude

@@ -1,0 +1,89 @@
+"""The kinds of value that a spec holds; each turns to SI and says in plain words what it wants instead."""
+
+from __future__ import annotations
+
+import math
+from typing import Annotated, Any
+
+from pydantic import BeforeValidator, Field, StrictBool, StrictInt
+
+from polhode.spec.units import EXAMPLES, parse_quantity
+
+
+def _reader(unit: str, positive: bool = False) -> BeforeValidator:
+    def read(value: Any) -> float:
+        number = parse_quantity(value, unit)
+        if positive and not number > 0:
+            raise ValueError(f"must be positive; got {value!r}. Check its sign")
+        return number
+
+    return BeforeValidator(read)
+
+
+def _three(unit: str) -> BeforeValidator:
+    example = EXAMPLES[unit]
+
+    def check(value: Any) -> Any:
+        if not isinstance(value, list) or len(value) != 3:
+            raise ValueError(f'needs three quantities in a list, like ["{example}", "{example}", "{example}"]; '
+                             f"got {value!r}")  # fmt: skip
+        return value
+
+    return BeforeValidator(check)
+
+
+def _rows(value: Any) -> Any:
+    if not isinstance(value, list) or len(value) != 3:
+        raise ValueError(f"needs three rows of three moments each, [[…], […], […]]; got {value!r}")
+    return value
+
+
+def _mesh_unit(value: Any) -> float:
+    if not isinstance(value, str):
+        raise ValueError(f'must be a unit of length in quotes, like "mm"; got {value!r}')
+    text = value if any(c.isdigit() for c in value) else f"1 {value}"
+    number = parse_quantity(text, "m")
+    if not number > 0:
+        raise ValueError(f"must be a positive length; got {value!r}")
+    return number
+
+
+def _quaternion(value: Any) -> tuple[float, ...]:
+    plain = isinstance(value, list) and len(value) == 4 and all(type(x) in (int, float) for x in value)
+    if not plain or not all(map(math.isfinite, value)) or not any(value):
+        raise ValueError(f"must be a quaternion [w, x, y, z] of four plain numbers, not all zero; got {value!r}")
+    return tuple(float(x) for x in value)
+
+
+def one_of(*choices: str | int) -> BeforeValidator:
+    """Take one of the choices as it stands: 2, but neither 2.0 nor true for it."""
+    shown = ", ".join(str(c) if isinstance(c, int) else f'"{c}"' for c in choices)
+
+    def check(value: Any) -> Any:
+        if not any(value == c and type(value) is type(c) for c in choices):
+            raise ValueError(f"must be one of {shown}; got {value!r}")
+        return value
+
+    return BeforeValidator(check)
+
+
+Mass = Annotated[float, _reader("kg", positive=True)]
+Density = Annotated[float, _reader("kg/m^3", positive=True)]
+Length = Annotated[float, _reader("m", positive=True)]
+Rate = Annotated[float, _reader("rad/s")]
+Angle = Annotated[float, _reader("rad")]
+Time = Annotated[float, _reader("s")]
+Duration = Annotated[float, _reader("s", positive=True)]
+Coordinate = Annotated[float, _reader("m")]
+Moment = Annotated[float, _reader("kg*m^2")]
+MomentumComponent = Annotated[float, _reader("kg*m^2/s")]
+Lengths = Annotated[tuple[Length, Length, Length], _three("m")]
+Position = Annotated[tuple[Coordinate, Coordinate, Coordinate], _three("m")]
+Moments = Annotated[tuple[Moment, Moment, Moment], _three("kg*m^2")]
+Inertia = Annotated[tuple[Moments, Moments, Moments], BeforeValidator(_rows)]
+Momentum = Annotated[tuple[MomentumComponent, MomentumComponent, MomentumComponent], _three("kg*m^2/s")]
+Rates = Annotated[tuple[Rate, Rate, Rate], _three("rad/s")]
+MeshUnit = Annotated[float, BeforeValidator(_mesh_unit)]
+Quaternion = Annotated[tuple[float, float, float, float], BeforeValidator(_quaternion)]
+Flag = StrictBool
+Samples = Annotated[StrictInt, Field(ge=2, le=10_000_000)]

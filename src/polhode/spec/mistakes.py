@@ -1,0 +1,77 @@
+"""Mistakes in a spec, in words for people."""
+
+from __future__ import annotations
+
+import difflib
+from pathlib import Path
+from typing import Any, get_args
+
+from pydantic import BaseModel, ValidationError
+
+from polhode.spec.models import SpecFile
+from polhode.spec.rules import Location, Mistake
+
+WORDS = {
+    "string_type": "must be text in quotes",
+    "bool_type": "must be true or false",
+    "int_type": "must be a whole number",
+    "list_type": "must be a list, [ … ]",
+    "model_type": "must be a table of keys and values",
+    "greater_than_equal": "must be at least {ge}",
+    "less_than_equal": "must be at most {le}",
+    "too_short": "must have at least {min_length} entry",
+}
+MISSING = {
+    "body": 'is missing; say what rotates, for example moments = ["1 kg*m^2", "2 kg*m^2", "2.5 kg*m^2"] under [body]',
+    "mass": 'is missing; give it like "30 g"',
+    "shape": 'is missing; give it like "box"',
+}
+
+
+def mistakes_of(error: ValidationError) -> list[Mistake]:
+    """Return what pydantic found, worded."""
+    return [(mistake["loc"], _said(mistake)) for mistake in error.errors()]
+
+
+def as_message(path: Path, mistakes: list[Mistake]) -> str:
+    """Return one message that names the file and every mistake."""
+    lines = list(dict.fromkeys(f"  {_key(location)}: {text}" for location, text in mistakes))
+    count = "1 mistake" if len(lines) == 1 else f"{len(lines)} mistakes"
+    return "\n".join([f"{path} has {count}:", *lines])
+
+
+def _key(location: Location) -> str:
+    text = ""
+    for part in location:
+        text += f"[{part}]" if isinstance(part, int) else (f".{part}" if text else str(part))
+    return text or "the file"
+
+
+def _said(mistake: Any) -> str:
+    kind, last = mistake["type"], mistake["loc"][-1]
+    if kind == "extra_forbidden":
+        known = list(_model_at(mistake["loc"][:-1]).model_fields)
+        near = difflib.get_close_matches(str(last), known, n=1)
+        return "unknown key; " + (f"did you mean {near[0]}?" if near else f"known here are {', '.join(known)}")
+    if kind == "missing":
+        return MISSING.get(str(last), "is missing")
+    if kind == "value_error":
+        return mistake["msg"].removeprefix("Value error, ")
+    message = mistake["msg"][0].lower() + mistake["msg"][1:]
+    words = WORDS[kind].format(**mistake.get("ctx", {})) if kind in WORDS else message
+    return f"{words}; got {mistake['input']!r}"
+
+
+def _model_at(location: Location) -> type[BaseModel]:
+    model: type[BaseModel] = SpecFile
+    for part in location:
+        if isinstance(part, str):
+            model = _model_in(model.model_fields[part].annotation) or model
+    return model
+
+
+def _model_in(annotation: Any) -> type[BaseModel] | None:
+    """Return the model named anywhere in an annotation."""
+    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
+        return annotation
+    return next((found for found in map(_model_in, get_args(annotation)) if found), None)

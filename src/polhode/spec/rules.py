@@ -1,0 +1,88 @@
+"""What the fields of a spec ask of each other.
+
+Rules look at the raw tables, at which keys are there: so they speak up beside wrong values, and everything is said at
+once.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from polhode.spec.models import MAY_BE_HOLLOW, SHAPE_KEYS
+from polhode.spec.units import parse_quantity
+
+Location = tuple[str | int, ...]
+Mistake = tuple[Location, str]
+SOURCES = ("mesh", "moments", "inertia", "parts", "molecule")
+WAYS = ("angular_velocity", "momentum", "rate")
+
+
+def broken_rules(table: dict[str, Any]) -> Iterator[Mistake]:
+    """Yield where a spec's tables break a rule, and how it is said."""
+    body = table.get("body")
+    if isinstance(body, dict):
+        yield from ((("body",), text) for text in _body_rules(body))
+        parts = body.get("parts")
+        for k, part in enumerate(parts if isinstance(parts, list) else []):
+            if isinstance(part, dict):
+                yield from ((("body", "parts", k), text) for text in _part_rules(part))
+    spin = table.get("spin")
+    if isinstance(spin, dict):
+        yield from ((("spin",), text) for text in _spin_rules(spin))
+
+
+def _body_rules(body: dict[str, Any]) -> Iterator[str]:
+    sources = [key for key in SOURCES if key in body]
+    if len(sources) != 1:
+        yield f"needs exactly one of mesh, moments, inertia, parts and molecule; got {_listed(sources)}"
+    if "mesh" in body:
+        if "mesh_unit" not in body:
+            yield 'needs mesh_unit, like "mm": mesh files carry no units'
+        if ("mass" in body) == ("density" in body):
+            yield "needs exactly one of mass and density beside a mesh"
+    elif sources:
+        if extra := [key for key in ("mesh_unit", "density", "repair", "several") if key in body]:
+            verb = "goes" if len(extra) == 1 else "go"
+            yield f"{_listed(extra)} {verb} with a mesh, not with {sources[0]}; leave it out"
+        if "mass" in body and sources[0] in ("parts", "molecule"):
+            yield f"mass follows from the {sources[0]}; leave it out"
+
+
+def _part_rules(part: dict[str, Any]) -> Iterator[str]:
+    shape = part.get("shape")
+    if not isinstance(shape, str) or shape not in SHAPE_KEYS:
+        return
+    needed = SHAPE_KEYS[shape]
+    allowed = {*needed, *(("inner_radius",) if shape in MAY_BE_HOLLOW else ())}
+    measures = {key for keys in SHAPE_KEYS.values() for key in keys} | {"inner_radius"}
+    if missing := [key for key in needed if key not in part]:
+        yield f"a {shape} needs {_listed(missing)}"
+    if extra := sorted((measures & set(part)) - allowed):
+        yield f"a {shape} has no {' or '.join(extra)}; it takes {', '.join(needed)}"
+
+
+def _spin_rules(spin: dict[str, Any]) -> Iterator[str]:
+    ways = [key for key in WAYS if key in spin]
+    if len(ways) != 1:
+        yield f"needs exactly one of angular_velocity, momentum and rate; got {_listed(ways)}"
+    if "rate" in spin:
+        if "about" not in spin:
+            yield 'rate needs about = 1, 2 or 3 (principal axis) or "x", "y", "z" (given axis)'
+        if "frame" in spin:
+            yield "frame goes with components; about already says which axis"
+        if "tilt" in spin and _vanishes(spin["rate"]):
+            yield "a spin of zero has no direction to tilt; give a rate, or leave tilt out"
+    elif ways and ("about" in spin or "tilt" in spin):
+        yield f"about and tilt go with rate, not with {ways[0]}"
+
+
+def _vanishes(rate: Any) -> bool:
+    try:
+        return parse_quantity(rate, "rad/s") == 0.0
+    except ValueError:
+        return False
+
+
+def _listed(keys: list[str]) -> str:
+    return " and ".join(keys) or "none"
