@@ -47,9 +47,9 @@ def read_mesh(path: str | Path, unit: float, repair: bool = False) -> tuple[Arra
 
 def _loaded(path: Path) -> tuple[Array, Array]:
     import trimesh
+    from trimesh.exchange.load import mesh_formats
 
-    ending = path.suffix.lower().lstrip(".")
-    formats = trimesh.exchange.load.mesh_formats()
+    ending, formats = path.suffix.lower().lstrip("."), mesh_formats()
     if ending not in formats:
         known = ", ".join(sorted(formats))
         raise FormatError(f"{path}: a mesh file must end in one of {known}; got {path.suffix!r}. Convert it to STL.")
