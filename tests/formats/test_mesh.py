@@ -156,7 +156,7 @@ def test_files_that_are_no_meshes(tmp_path, name, text, words):
 def test_a_file_cut_short(tmp_path):
     path = saved(tmp_path, BOX)
     path.write_bytes(path.read_bytes()[:-60])
-    with pytest.raises(InvalidInput, match=r"mesh\.stl: cannot be read|open"):
+    with pytest.raises(InvalidInput, match=r"mesh\.stl: (cannot be read|holds no triangles)"):
         ph.from_mesh(*read_mesh(path, unit=1.0), mass=1.0)
 
 
