@@ -15,22 +15,22 @@ import numpy as np
 from polhode.algebra.power import Power
 from polhode.algebra.so3 import SO3
 from polhode.errors import InvalidInput, NotConverged
-from polhode.integrators.base import AbstractOrbitSolver, Memory
+from polhode.integrators.adaptive import solve_adaptively
+from polhode.integrators.base import AbstractOrbitSolver
 from polhode.integrators.lie_midpoint import LieMidpoint
 from polhode.integrators.spherical_midpoint import SphericalMidpoint
 from polhode.integrators.splitting import Splitting
-from polhode.systems.base import AbstractLiePoissonSystem
+from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
 from polhode.trajectory import Trajectory
 
 Array = Any
 STEP_ANGLE = 0.05  # rad by which the fastest rotation turns in a default step
 TOO_LONG = 1.0  # rad in a step from which a given step draws a warning
 LONG_RUN = 2_000_000  # steps from which progress is shown, on a terminal
-REFERENCE_TOLERANCE = 1e-12  # of diffrax's own adaptive solvers
 
 
 def simulate(
-    system: AbstractLiePoissonSystem,
+    system: AbstractSystem,
     state: Array,
     times: Array,
     method: type[AbstractOrbitSolver] | diffrax.AbstractSolver | None = None,
@@ -41,57 +41,100 @@ def simulate(
 ) -> Trajectory:
     """Return the motion of a system from a state at the first time, sampled at all times.
 
-    The method takes equal steps from each time to the next, so that samples are steps; nothing is interpolated.
+    Methods of ours take equal steps from each time to the next, so that samples are steps; nothing is interpolated.
+    diffrax's solvers step adaptively with tolerance 1e-12, and end where one of the system's events does: the last
+    sample is then the event's own, and ``status`` names it.
 
     Args:
         system: what moves.
-        state: packed (…, n) or (…, *element_shape): point of the dual, with the attitude in front where the system
-            carries one and it is wanted. Leading axes are a batch.
+        state: packed (…, n) or (…, *element_shape): of a Lie–Poisson system a point of the dual, with the attitude in
+            front where the system carries one and it is wanted. Leading axes are a batch.
         times: (T,) [s], in one direction.
         method: a class of ``polhode.integrators``, an object of one, made for this system with its own step and order,
-            or any diffrax solver, which then steps adaptively with tolerance 1e-12. By default splitting into exact
-            flows where the system has them, the spherical midpoint rule for spins, else Lie's midpoint rule.
+            or any diffrax solver. By default splitting into exact flows where a Lie–Poisson system has them, the
+            spherical midpoint rule for spins, else Lie's midpoint rule; diffrax's ``Dopri8`` for any other system.
         step: largest step [s]; by default a twentieth of a radian of the fastest rotation at the start.
         order: of the method, by default its own.
         progress: whether to show it on standard error; by default for long runs on a terminal.
         throw: raise if an implicit step fails; otherwise the status says so, and states after it are infinite.
 
     Returns:
-        Trajectory with ``invariants`` and their ``drift``, ``statistics`` of steps and iterations.
+        Trajectory with ``invariants``, ``balances`` and their ``drift``, ``statistics`` of steps and iterations.
 
     Raises:
         InvalidInput: for wrong shapes, a state with NaN, times out of order, a step that is not positive.
-        NotConverged: if an implicit step does not converge.
+        NotConverged: if an implicit step does not converge, or adaptive steps shrink to nothing.
     """
-    state, times = _checked_state(system, state), _checked_times(times)
+    if not isinstance(system, AbstractSystem):
+        raise InvalidInput(f"`system` must be one of polhode.systems; got {type(system).__name__}.")
+    state, times = system.check_state(state), _checked_times(times)
     if step is not None and not (np.ndim(step) == 0 and math.isfinite(step) and step > 0):
         raise InvalidInput(f"`step` must be a positive finite time [s]; got {step!r}.")
+    with warnings.catch_warnings():
+        # diffrax warns of complex states in general; our solvers' arithmetic is tested on them
+        warnings.filterwarnings("ignore", message="Complex dtype support in Diffrax")
+        if isinstance(system, AbstractLiePoissonSystem) and not _is_adaptive(method):
+            return _by_equal_steps(system, state, times, method, step, order, progress, throw)
+        solver = _adaptive_solver(system, method, order)
+        motion = solve_adaptively(system, solver, state, times, _meter(bool(progress)), step)
+    if throw and not motion.successful:
+        raise NotConverged(
+            f"{type(solver).__name__} could not hold its tolerance after {motion.steps} steps: the motion runs into a "
+            "singularity or leaves the finite numbers. End it earlier."
+        )
+    status = motion.event or ("successful" if motion.successful else f"not converged: {_why(solver)}")
+    return _trajectory(system, motion.times, motion.states, status, {"steps": motion.steps}, motion.received)
+
+
+def _by_equal_steps(
+    system: AbstractLiePoissonSystem, state: Array, times: np.ndarray, method: Any, step: float | None,
+    order: int | None, progress: bool | None, throw: bool,
+) -> Trajectory:  # fmt: skip
     rate = fastest_rate(system, state)
     size = float(step) if step is not None else (STEP_ANGLE / rate if rate > 0 else math.inf)
     size = min(size, float(np.ptp(times)))
     if isinstance(method, AbstractOrbitSolver):
         _check_made(method, system, step, order)
     solver = _solver(system, method, size, order)
-    ours = isinstance(solver, AbstractOrbitSolver)
-    if ours and rate * float(solver.step_size) > TOO_LONG:
+    if rate * float(solver.step_size) > TOO_LONG:
         warnings.warn(
             f"a step of {float(solver.step_size):.3g} s turns the fastest rotation by "
             f"{rate * float(solver.step_size):.3g} rad; below {TOO_LONG / rate:.3g} s it is resolved.",
-            stacklevel=2,
+            stacklevel=3,
         )
     expected = float(np.ptp(times)) / size
     meter = _meter(progress if progress is not None else expected > LONG_RUN and sys.stderr.isatty())
-    with warnings.catch_warnings():
-        # diffrax warns of complex states in general; our solvers' arithmetic is tested on them
-        warnings.filterwarnings("ignore", message="Complex dtype support in Diffrax")
-        solution = (_solve if ours else _adaptive)(system, solver, state, jnp.asarray(times), meter)
-    return _trajectory(system, solution, times, solver, throw, state)
+    solution = _solve(system, solver, state, jnp.asarray(times), meter)
+    ended, memory = bool(solution.result == diffrax.RESULTS.successful), solution.solver_state
+    statistics = {"steps": int(memory.steps), "iterations": int(memory.iterations)}
+    if throw and not ended:
+        raise NotConverged(
+            f"the {type(solver).__name__} step did not converge, or the state left the finite numbers, after "
+            f"{statistics['steps']} steps. Take a shorter `step`, or an explicit method such as MuntheKaas."
+        )
+    status = "successful" if ended else f"not converged: {_why(solver)}"
+    return _trajectory(system, times, solution.ys, status, statistics, {})
 
 
 def fastest_rate(system: AbstractLiePoissonSystem, state: Array) -> float:
     """Return an upper estimate of the rate [rad/s] at which the group turns at a state."""
     generator = system.generator(system.parts(state).point)
     return float(jnp.max(system.algebra.rate(generator), initial=0.0))
+
+
+def _is_adaptive(method: Any) -> bool:
+    return isinstance(method, diffrax.AbstractSolver) and not isinstance(method, AbstractOrbitSolver)
+
+
+def _adaptive_solver(system: AbstractSystem, method: Any, order: int | None) -> diffrax.AbstractSolver:
+    if method is not None and not _is_adaptive(method):
+        raise InvalidInput(
+            f"`method` must be a diffrax solver for {type(system).__name__}, which is no Lie–Poisson system; "
+            f"got {method!r}. Leave it out for diffrax.Dopri8()."
+        )
+    if order is not None:
+        raise InvalidInput("`order` goes with a class of methods; the solver given has its own.")
+    return diffrax.Dopri8() if method is None else method
 
 
 def _solver(system: AbstractLiePoissonSystem, method: Any, step: float, order: int | None) -> Any:
@@ -102,7 +145,7 @@ def _solver(system: AbstractLiePoissonSystem, method: Any, step: float, order: i
     if isinstance(method, type) and issubclass(method, AbstractOrbitSolver):
         size = jnp.asarray(step, dtype=float)
         return method(system, size) if order is None else method(system, size, order=order)  # type: ignore[call-arg]
-    if isinstance(method, diffrax.AbstractSolver):
+    if isinstance(method, AbstractOrbitSolver):
         if order is not None:
             raise InvalidInput("`order` goes with a class of methods; the solver given has its own.")
         return method
@@ -131,44 +174,29 @@ def _solve(system: Any, solver: Any, state: Array, times: Array, meter: Any) -> 
     )  # fmt: skip
 
 
-def _adaptive(system: Any, solver: Any, state: Array, times: Array, meter: Any) -> Any:
-    controller = diffrax.PIDController(rtol=REFERENCE_TOLERANCE, atol=REFERENCE_TOLERANCE * float(jnp.abs(state).max()))
-    return eqx.filter_jit(diffrax.diffeqsolve)(
-        diffrax.ODETerm(_rhs), solver, times[0], times[-1], None, state, args=system, throw=False,
-        stepsize_controller=controller, saveat=diffrax.SaveAt(ts=times), max_steps=None,
-        progress_meter=meter, adjoint=diffrax.ForwardMode(),
-    )  # fmt: skip
-
-
 def _trajectory(
-    system: AbstractLiePoissonSystem, solution: Any, times: np.ndarray, solver: Any, throw: bool, state: Array
-) -> Trajectory:
-    ended = solution.result == diffrax.RESULTS.successful
-    memory = solution.solver_state
-    statistics = {"steps": int(solution.stats["num_steps"])}
-    if isinstance(memory, Memory):
-        statistics = {"steps": int(memory.steps), "iterations": int(memory.iterations)}
-    status = "successful" if bool(ended) else "not converged: " + _why(solver)
-    if throw and not bool(ended):
-        raise NotConverged(
-            f"the {type(solver).__name__} step did not converge, or the state left the finite numbers, after "
-            f"{statistics['steps']} steps. Take a shorter `step`, or an explicit method such as MuntheKaas."
-        )
-    axis = jnp.ndim(state) - len(system.algebra.element_shape)
-    states = jnp.moveaxis(solution.ys, 0, axis)
-    attitude, point = system.parts(states)
+    system: AbstractSystem, times: np.ndarray, states: Array, status: str, statistics: dict[str, int],
+    received: dict[str, Array],
+) -> Trajectory:  # fmt: skip
+    axis = jnp.ndim(states) - 1 - system.state_axes
+    states = jnp.moveaxis(states, 0, axis)
     invariants = {name: np.asarray(value) for name, value in eqx.filter_jit(system.invariants)(states).items()}
-    vectors = system.carries_attitude
-    velocity = system.velocity(point)[..., :3] if vectors else None
+    balances = eqx.filter_jit(system.balances)(jnp.asarray(times), states)
+    values = {name: np.asarray(balance.value) for name, balance in balances.items()}
+    got = {name: np.moveaxis(np.asarray(value), 0, axis) for name, value in received.items()}
+    vectors = [None if x is None else np.asarray(x) for x in system.vectors(states)]
+    drift = {name: _drift(value, axis) for name, value in invariants.items()}
     return Trajectory(
         system=system,
         times=times,
         states=np.asarray(states),
-        attitude=None if attitude is None else np.asarray(attitude),
-        momentum=np.asarray(point[..., :3]) if vectors else None,
-        angular_velocity=None if velocity is None else np.asarray(velocity),
+        attitude=vectors[0],
+        momentum=vectors[1],
+        angular_velocity=vectors[2],
         invariants=invariants,
-        drift={name: _drift(value, axis) for name, value in invariants.items()},
+        balances=values,
+        received=got,
+        drift=drift | {name: _drift(value - got[name], axis) for name, value in values.items()},
         status=status,
         statistics=statistics,
     )
@@ -191,21 +219,6 @@ def _drift(values: np.ndarray, axis: int) -> Array:
 
 def _meter(wanted: bool) -> Any:
     return diffrax.TqdmProgressMeter() if wanted else diffrax.NoProgressMeter()
-
-
-def _checked_state(system: AbstractLiePoissonSystem, state: Array) -> Array:
-    if not isinstance(system, AbstractLiePoissonSystem):
-        raise InvalidInput(f"`system` must be one of polhode.systems; got {type(system).__name__}.")
-    try:
-        state = jnp.asarray(state, dtype=system.algebra.dtype)
-    except (TypeError, ValueError):
-        raise InvalidInput(f"`state` must be numbers; got {state!r}.") from None
-    attitude, _ = system.parts(state)
-    if not bool(jnp.isfinite(state).all()):
-        raise InvalidInput("`state` must be finite; got NaN or an infinity. Check where it comes from.")
-    if attitude is not None and not bool(jnp.all(jnp.abs(jnp.linalg.norm(attitude, axis=-1) - 1.0) < 1e-6)):
-        raise InvalidInput("`state` must begin with a unit quaternion (w, x, y, z); divide it by its norm.")
-    return state
 
 
 def _checked_times(times: Array) -> np.ndarray:

@@ -20,8 +20,11 @@ class Trajectory:
         momentum: (batch…, T, 3) [kg m²/s, body axes]; None where meaningless.
         angular_velocity: (batch…, T, 3) [rad/s, body axes]; None where meaningless.
         invariants: name → values along the motion, (batch…, T) or (batch…, T, k).
-        drift: name → largest deviation of that invariant from its first sample, relative to its size, (batch…).
-        status: what the method says of itself ("exact", or how a solve ended).
+        balances: name → quantities that change at a known rate, along the motion, (batch…, T).
+        received: name → the integral of that rate from the first time, (batch…, T); dissipated energy is its negative.
+        drift: name → largest deviation of that invariant from its first sample, or of that balance from its first
+            sample and what it received since, relative to its size, (batch…).
+        status: what the method says of itself ("exact", how a solve ended, or the event that ended the motion).
         statistics: how many steps and iterations of implicit steps it took.
     """
 
@@ -32,6 +35,8 @@ class Trajectory:
     momentum: Array | None = None
     angular_velocity: Array | None = None
     invariants: dict[str, Array] = field(default_factory=dict)
+    balances: dict[str, Array] = field(default_factory=dict)
+    received: dict[str, Array] = field(default_factory=dict)
     drift: dict[str, Array] = field(default_factory=dict)
     status: str = "exact"
     statistics: dict[str, int] = field(default_factory=dict)

@@ -20,6 +20,7 @@ from polhode.errors import InvalidInput
 Array = Any
 Components = tuple[Array, ...]
 Flow = Callable[[Array, Components], Components]
+Event = Callable[[Array, Array], Array]
 
 
 class Parts(NamedTuple):
@@ -27,6 +28,32 @@ class Parts(NamedTuple):
 
     attitude: Array | None
     point: Array
+
+
+class Vectors(NamedTuple):
+    """What a body's states mean, for pictures and files; None where meaningless.
+
+    Attributes:
+        attitude: (…, 4) unit quaternions wxyz, body → space.
+        momentum: (…, 3) angular momentum [kg m²/s, body axes].
+        angular_velocity: (…, 3) [rad/s, body axes].
+    """
+
+    attitude: Array | None = None
+    momentum: Array | None = None
+    angular_velocity: Array | None = None
+
+
+class Balance(NamedTuple):
+    """A quantity that is not conserved, but whose rate of change is known independently of its value.
+
+    Attributes:
+        value: (…).
+        rate: (…) per second, such as minus the power of friction for the energy.
+    """
+
+    value: Array
+    rate: Array
 
 
 class AbstractSystem(eqx.Module):
@@ -39,6 +66,40 @@ class AbstractSystem(eqx.Module):
     @abc.abstractmethod
     def invariants(self, state: Array) -> dict[str, Array]:
         """Return the conserved quantities at states, by name."""
+
+    def balances(self, t: Array, state: Array) -> dict[str, Balance]:
+        """Return the quantities whose rate is known, by name; empty where all that is known is conserved.
+
+        ``simulate`` integrates the rates beside the motion and reports by how much the values miss the sum.
+        """
+        return {}
+
+    @property
+    def events(self) -> dict[str, Event]:
+        """What ends the motion, named: functions of t and one state, positive until their zero."""
+        return {}
+
+    @property
+    def state_axes(self) -> int:
+        """How many of a state's last axes are its own."""
+        return 1
+
+    def check_state(self, state: Array) -> Array:
+        """Return states to start from as an array.
+
+        Raises:
+            InvalidInput: where no motion can start from them.
+        """
+        return as_finite_state(state, float)
+
+    def scales(self, state: Array) -> Array:
+        """Return the sizes of the components, to which adaptive steps hold their absolute tolerance."""
+        largest = jnp.max(jnp.abs(state), initial=0.0)
+        return jnp.where(largest > 0, largest, 1.0)
+
+    def vectors(self, state: Array) -> Vectors:
+        """Return attitude, angular momentum and angular velocity at states."""
+        return Vectors()
 
 
 class AbstractLiePoissonSystem(AbstractSystem):
@@ -110,7 +171,29 @@ class AbstractLiePoissonSystem(AbstractSystem):
             return {"momentum_space": rotation.rotate(attitude, point)}
         return {"linear_space": rotation.rotate(attitude, point[..., 3:])}
 
+    def vectors(self, state: Array) -> Vectors:
+        if not self.carries_attitude:
+            return Vectors()
+        attitude, point = self.parts(state)
+        return Vectors(attitude, point[..., :3], self.velocity(point)[..., :3])
+
     # ------------------------------------------------------------------ packed states
+
+    @property
+    def state_axes(self) -> int:
+        return len(self.algebra.element_shape)
+
+    def check_state(self, state: Array) -> Array:
+        """Return states as an array of the algebra's kind.
+
+        Raises:
+            InvalidInput: for wrong shapes, values that are not finite, an attitude that is no unit quaternion.
+        """
+        state = as_finite_state(state, self.algebra.dtype)
+        attitude, _ = self.parts(state)
+        if attitude is not None and not bool(jnp.all(jnp.abs(jnp.linalg.norm(attitude, axis=-1) - 1.0) < 1e-6)):
+            raise InvalidInput("`state` must begin with a unit quaternion (w, x, y, z); divide it by its norm.")
+        return state
 
     @property
     def carries_attitude(self) -> bool:
@@ -133,6 +216,21 @@ class AbstractLiePoissonSystem(AbstractSystem):
                 f"got {shape}."
             )
         return Parts(None, state)
+
+
+def as_finite_state(state: Array, dtype: Any) -> Array:
+    """Return a state as a JAX array.
+
+    Raises:
+        InvalidInput: for what is no number, NaN or an infinity.
+    """
+    try:
+        state = jnp.asarray(state, dtype=dtype)
+    except (TypeError, ValueError):
+        raise InvalidInput(f"`state` must be numbers; got {state!r}.") from None
+    if not bool(jnp.isfinite(state).all()):
+        raise InvalidInput("`state` must be finite; got NaN or an infinity. Check where it comes from.")
+    return state
 
 
 def components(state: Array) -> Components:

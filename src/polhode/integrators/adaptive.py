@@ -1,0 +1,137 @@
+"""Any system by one of diffrax's own solvers with adaptive steps, up to what ends its motion.
+
+The error of a step is held to the tolerance relative to each component's size and to its scale. Balances are integrated
+beside the motion, under the same control.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import diffrax
+import equinox as eqx
+import jax.numpy as jnp
+import numpy as np
+import optimistix
+
+from polhode.errors import InvalidInput
+from polhode.systems.base import AbstractSystem
+
+Array = Any
+TOLERANCE = 1e-12  # of a step, relative; below it rounding of the stages is all that is left
+EVENT_TOLERANCE = 1e-14  # of an event's time, relative and in seconds
+
+
+class AdaptiveMotion(NamedTuple):
+    """What came out, time first.
+
+    Attributes:
+        times: (T,) [s] samples up to the end; the last is the event's own time if one ended the motion.
+        states: (T, …).
+        received: name → what each balance received since the first time, (T, batch…).
+        event: name of what ended the motion, or None.
+        successful: whether it reached its end.
+        steps: how many were taken.
+    """
+
+    times: np.ndarray
+    states: Array
+    received: dict[str, Array]
+    event: str | None
+    successful: bool
+    steps: int
+
+
+class _Carried(NamedTuple):
+    """State over its scales, and what the balances received over theirs."""
+
+    state: Array
+    received: dict[str, Array]
+
+
+def solve_adaptively(
+    system: AbstractSystem, solver: diffrax.AbstractSolver, state: Array, times: np.ndarray, meter: Any = None,
+    step: float | None = None,
+) -> AdaptiveMotion:
+    """Return the motion at times, or up to the first of the system's events.
+
+    Args:
+        system: what moves; its rates may depend on time.
+        solver: one of diffrax's.
+        state: as ``system.check_state`` gives it.
+        times: (T,) [s], in one direction.
+        meter: of diffrax, for progress.
+        step: the largest [s].
+
+    Raises:
+        InvalidInput: if an event has already happened at the start, or for a batch of states with events.
+    """  # fmt: skip
+    _check_events(system, times[0], state)
+    largest = None if step is None else jnp.asarray(float(step))
+    if meter is None:
+        meter = diffrax.NoProgressMeter()
+    solution = _solve(system, solver, state, jnp.asarray(times), largest, meter)
+    results: Any = diffrax.RESULTS
+    ended = bool(solution.result == results.event_occurred)
+    reached = np.isfinite(np.asarray(solution.ts[0])) if ended else np.ones(len(times), bool)
+    ts, ys = times[reached], _taken(solution.ys[0], reached)
+    event = None
+    if ended:
+        event = next(name for name, happened in solution.event_mask.items() if bool(happened))
+        last = float(solution.ts[1][0])
+        before = np.abs(ts - times[0]) < abs(last - times[0])
+        ts, ys = np.append(ts[before], last), _joined(_taken(ys, before), solution.ys[1])
+    fine = ended or bool(solution.result == results.successful)
+    return AdaptiveMotion(ts, ys.state, ys.received, event, fine, int(solution.stats["num_steps"]))
+
+
+def _check_events(system: AbstractSystem, t: float, state: Array) -> None:
+    if system.events and jnp.ndim(state) > system.state_axes:
+        raise InvalidInput(
+            f"`state` of {type(system).__name__} must be one state, as each motion ends at a time of its own; "
+            f"got shape {jnp.shape(state)}. Simulate them one by one."
+        )
+    for name, event in system.events.items():
+        if not float(event(jnp.asarray(t), state)) > 0.0:
+            raise InvalidInput(
+                f"`state` is at or past the event that ends the motion: {name}. Start before it happens."
+            )
+
+
+@eqx.filter_jit
+def _solve(
+    system: AbstractSystem, solver: Any, state: Array, times: Array, largest: Array | None, meter: Any
+) -> Any:  # fmt: skip
+    scale = system.scales(state)
+    start = system.balances(times[0], state)
+    sizes = {name: jnp.where(balance.value != 0, jnp.abs(balance.value), 1.0) for name, balance in start.items()}
+
+    def rates(t: Array, y: _Carried, args: Any) -> _Carried:
+        now = y.state * scale
+        received = {name: balance.rate / sizes[name] for name, balance in system.balances(t, now).items()}
+        return _Carried(system.vector_field(t, now) / scale, received)
+
+    def ends(event: Any) -> Any:
+        return lambda t, y, args, **more: event(t, y.state * scale)
+
+    functions = {name: ends(event) for name, event in system.events.items()}
+    root = optimistix.Bisection(EVENT_TOLERANCE, EVENT_TOLERANCE)
+    solution = diffrax.diffeqsolve(
+        diffrax.ODETerm(rates), solver, times[0], times[-1], None,
+        _Carried(state / scale, {name: jnp.zeros_like(size) for name, size in sizes.items()}), throw=False,
+        stepsize_controller=diffrax.PIDController(rtol=TOLERANCE, atol=TOLERANCE, dtmax=largest),
+        saveat=diffrax.SaveAt(subs=[diffrax.SubSaveAt(ts=times), diffrax.SubSaveAt(t1=True)]),
+        event=diffrax.Event(functions, root, direction=False) if functions else None,
+        max_steps=None, progress_meter=meter, adjoint=diffrax.ForwardMode(),
+    )  # fmt: skip
+    whole = lambda y: _Carried(y.state * scale, {name: y.received[name] * size for name, size in sizes.items()})  # noqa: E731
+    return eqx.tree_at(lambda s: s.ys, solution, [whole(y) for y in solution.ys])
+
+
+def _taken(ys: _Carried, which: np.ndarray) -> _Carried:
+    return _Carried(ys.state[which], {name: value[which] for name, value in ys.received.items()})
+
+
+def _joined(ys: _Carried, last: _Carried) -> _Carried:
+    received = {name: jnp.concatenate([value, last.received[name]]) for name, value in ys.received.items()}
+    return _Carried(jnp.concatenate([ys.state, last.state]), received)
