@@ -1,0 +1,79 @@
+"""Running closed forms over batches: NumPy in blocks that stay in cache."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from polhode.arrays import is_jax, namespace, stop_gradient
+
+Array = Any
+Evaluation = Callable[[tuple[Array, ...], Array, Array | None], tuple[Array, ...]]
+BLOCK = 4096  # states at a time: some thirty live arrays of this length fit a second-level cache
+BODIES = 16384  # bodies at a time: set-up is thousands of calls, whose overhead outweighs the cache
+# glibc returns freed memory to the system above a threshold that it raises to the largest block freed so far; without
+# this one, every block's temporaries would be faulted in anew, which costs a third of the time
+np.empty(3_000_000)
+LONG_RUN = 256  # consecutive times of one body from which its constants are worth handling as scalars
+
+
+def columns_in_blocks(prepare: Callable[..., tuple[Array, ...]], arguments: tuple[Array, ...]) -> tuple[Array, ...]:
+    """Return what ``prepare`` makes of arrays (…, k), as flat columns of their common batch shape."""
+    shape = np.broadcast_shapes(*(v.shape[:-1] for v in arguments))
+    if is_jax(*arguments):
+        xp = namespace(*arguments)
+        return prepare(*stop_gradient(tuple(xp.broadcast_to(v, (*shape, v.shape[-1])) for v in arguments)))
+    flat = [np.broadcast_to(v, (*shape, v.shape[-1])).reshape(-1, v.shape[-1]) for v in arguments]
+    with np.errstate(all="ignore"):
+        parts = [prepare(*(v[k : k + BODIES] for v in flat)) for k in range(0, max(len(flat[0]), 1), BODIES)]
+    columns = parts[0] if len(parts) == 1 else [np.concatenate(column) for column in zip(*parts, strict=True)]
+    return tuple(np.asarray(column).reshape(shape) for column in columns)
+
+
+def state_in_blocks(
+    evaluate: Evaluation, columns: tuple[Array, ...], elapsed: Array, rest: Array
+) -> tuple[Array, Array]:
+    """Return attitude (…, 4) and momentum (…, 3) at the elapsed times, which broadcast against the columns."""
+    batch = columns[0].shape
+    shape = np.broadcast_shapes(batch, elapsed.shape)
+    size, bodies = math.prod(shape), math.prod(batch)
+    attitude, momentum = np.empty((size, 4)), np.empty((size, 3))
+    if size == 0:
+        return attitude.reshape(*shape, 4), momentum.reshape(*shape, 3)
+    elapsed = np.broadcast_to(elapsed, shape).reshape(-1)
+    rest = np.broadcast_to(rest, shape).reshape(-1) if np.any(rest) else None
+    flat = [column.reshape(-1) for column in columns]
+    run = _constant_run(batch, shape)
+    scalar = bodies == 1 or run >= LONG_RUN
+    index = np.broadcast_to(np.arange(bodies).reshape(batch), shape).reshape(-1) if bodies not in (1, size) else None
+
+    def columns_of(block: slice) -> tuple[Array, ...]:
+        if scalar:
+            return tuple(c[0 if index is None else index[block.start]] for c in flat)
+        return tuple(c[block if index is None else index[block]] for c in flat)
+
+    with np.errstate(all="ignore"):
+        for low in range(0, size, run if scalar else size):
+            top = min(low + (run if scalar else size), size)
+            for start in range(low, top, BLOCK):
+                block = slice(start, min(start + BLOCK, top))
+                values = evaluate(columns_of(block), elapsed[block], None if rest is None else rest[block])
+                for k in range(4):
+                    attitude[block, k] = values[k]
+                for k in range(3):
+                    momentum[block, k] = values[4 + k]
+    return attitude.reshape(*shape, 4), momentum.reshape(*shape, 3)
+
+
+def _constant_run(batch: tuple[int, ...], shape: tuple[int, ...]) -> int:
+    """Return how many consecutive entries of the broadcast shape belong to one body."""
+    run = 1
+    padded = (1,) * (len(shape) - len(batch)) + batch
+    for mine, whole in zip(reversed(padded), reversed(shape), strict=True):
+        if mine != 1:
+            break
+        run *= whole
+    return max(run, 1)
