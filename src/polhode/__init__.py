@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from polhode.bodies.points import from_points
     from polhode.errors import FormatError, InvalidInput, NotConverged
     from polhode.exact.free_body import FreeMotion
+    from polhode.exact.lagrange_top import LagrangeMotion
     from polhode.formats.dataset import as_dataset
     from polhode.simulation import simulate
     from polhode.trajectory import Trajectory
@@ -43,6 +44,7 @@ _HOME = {
     "FormatError": "polhode.errors",
     "FreeMotion": "polhode.exact.free_body",
     "InvalidInput": "polhode.errors",
+    "LagrangeMotion": "polhode.exact.lagrange_top",
     "NotConverged": "polhode.errors",
     "Trajectory": "polhode.trajectory",
     "find_equilibria": "polhode.analysis.stability",
@@ -61,6 +63,7 @@ __all__ = [
     "FormatError",
     "FreeMotion",
     "InvalidInput",
+    "LagrangeMotion",
     "NotConverged",
     "Trajectory",
     "algebra",

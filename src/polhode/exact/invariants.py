@@ -14,10 +14,11 @@ def norm(xp: Any, vector: Array) -> Array:
     return largest[..., 0] * xp.sqrt(xp.sum(unit * unit, axis=-1))
 
 
-def drift(xp: Any, value: Array, vector: bool) -> Array:
-    """Return the largest deviation from the first sample relative to the first sample's size."""
+def drift(xp: Any, value: Array, vector: bool, size: Array | None = None) -> Array:
+    """Return the largest deviation from the first sample relative to a size (…, 1), or to the first sample's own."""
     if vector:
-        size, deviation = norm(xp, value[..., :1, :]), norm(xp, value - value[..., :1, :])
+        own, deviation = norm(xp, value[..., :1, :]), norm(xp, value - value[..., :1, :])
     else:
-        size, deviation = xp.abs(value[..., :1]), xp.abs(value - value[..., :1])
+        own, deviation = xp.abs(value[..., :1]), xp.abs(value - value[..., :1])
+    size = own if size is None else size
     return xp.max(deviation / xp.where(size > 0, size, 1.0), axis=-1)

@@ -116,9 +116,9 @@ def _complementary_spinor(
     root, upper, lower, periodic = nome
     side = xp.where(u[0] < 0, -1.0, 1.0)
     f, g = u[0] * side, u[1] * side
-    e0 = _decay(f, g, upper, lower)
+    e0 = exponential_decay(f, g, upper, lower)
     distance = xp.maximum(0.5 - f, 0.0 * f)
-    R = periodic * _decay(distance, ((0.5 - distance) - f) * periodic - g, upper, lower)
+    R = periodic * exponential_decay(distance, ((0.5 - distance) - f) * periodic - g, upper, lower)
     s, c = sine_cosine_turns(turns - xp.round(turns))
     q = root * root
     q2, q4 = q * q, q * q * q * q
@@ -143,7 +143,7 @@ def _complementary_spinor(
     return c * ar - s * ai, c * ai + s * ar, odd * (c * br - s * bi), odd * (c * bi + s * br)
 
 
-def _decay(x: Array, rest: Array, upper: Array, lower: Array) -> Array:
+def exponential_decay(x: Array, rest: Array, upper: Array, lower: Array) -> Array:
     """Return exp(−(x + rest)(upper + lower)) with the exponent's product exact in its leading part."""
     xp = namespace(x)
     high, low = split_halves(x)

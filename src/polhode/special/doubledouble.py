@@ -146,16 +146,33 @@ def distil(terms: list[Array], passes: int = 5) -> DoubleDouble:
 
     Source: Ogita, Rump & Oishi, SIAM J. Sci. Comput. 26 (2005) 1955, Algorithm 4.8 (SumK).
     """
-
-    def sweep(x: tuple[Array, ...]) -> tuple[Array, ...]:
-        out, running = [], x[0]
-        for term in x[1:]:
-            running, error = two_sum(running, term)
-            out.append(error)
-        return (*out, running)
-
-    x = iterate(passes, sweep, tuple(terms), like=next((t for t in terms if is_jax(t)), terms[0]))
+    x = iterate(passes, _sweep, tuple(terms), like=next((t for t in terms if is_jax(t)), terms[0]))
     rest = x[0]
     for term in x[1:-1]:
         rest = rest + term
     return two_sum(x[-1], rest)
+
+
+def compress(terms: list[Array], count: int = 4) -> list[Array]:
+    """Return the sum of the terms as an expansion of ``count`` floats, largest last, correct to eps^count of its size.
+
+    Exact zero stays exact zero. Each sweep moves the sum's leading part to the end, as in ``distil``.
+    """
+    if len(terms) <= count:
+        return terms
+    x = iterate(count + 1, _sweep, tuple(terms), like=next((t for t in terms if is_jax(t)), terms[0]))
+    return list(x[-count:])
+
+
+def expansion_times_expansion(x: Iterable[Array], y: Iterable[Array]) -> list[Array]:
+    """Return the exact product of two sums of floats as a sum of floats."""
+    y = list(y)
+    return [part for factor in y for part in expansion_product(x, factor)]
+
+
+def _sweep(x: tuple[Array, ...]) -> tuple[Array, ...]:
+    out, running = [], x[0]
+    for term in x[1:]:
+        running, error = two_sum(running, term)
+        out.append(error)
+    return (*out, running)

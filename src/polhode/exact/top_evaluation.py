@@ -1,0 +1,61 @@
+"""Running the Lagrange top's closed form over batches, on JAX with its derivative."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from polhode.arrays import compiled, custom_derivative, is_jax, namespace, stack_last, stop_gradient
+from polhode.errors import InvalidInput
+from polhode.exact import top_geometry
+from polhode.exact.blocks import columns_in_blocks, state_in_blocks
+from polhode.exact.top_preparation import prepare_top
+from polhode.exact.top_series import evaluate
+
+Array = Any
+Arguments = tuple[Array, Array, Array, Array]
+
+
+def top_columns(arguments: Arguments) -> tuple[Array, ...]:
+    """Return the constants of motion of moments (…, 3), mgl (…, 1), momentum (…, 3), attitude (…, 4) as columns."""
+    return columns_in_blocks(_columns_of_tops, arguments)
+
+
+def _columns_of_tops(*arguments: Array) -> tuple[Array, ...]:
+    return prepare_top(*arguments).motion
+
+
+def top_numbers(arguments: Arguments) -> top_geometry.TopCharacteristics:
+    """Return the numbers of the motion."""
+    xp = namespace(*arguments)
+    shape = np.broadcast_shapes(*(v.shape[:-1] for v in arguments))
+    spread = [xp.broadcast_to(v, (*shape, v.shape[-1])) for v in arguments]
+    with np.errstate(all="ignore"):
+        return top_geometry.top_characteristics(*spread)
+
+
+def top_state(columns: tuple[Array, ...], arguments: Arguments, elapsed: Array, rest: Array) -> tuple[Array, Array]:
+    """Return attitude (…, 4) and momentum (…, 3) at the elapsed times, which broadcast against the columns."""
+    if is_jax(elapsed, *columns):
+        return compiled(_differentiable_state, elapsed)(columns, arguments, elapsed, rest)
+    return state_in_blocks(evaluate, columns, elapsed, rest)
+
+
+def _differentiable_state(
+    columns: tuple[Array, ...], arguments: Arguments, elapsed: Array, rest: Array
+) -> tuple[Array, Array]:
+    flow = custom_derivative(_stacked, _stacked_rule)
+    return flow(*arguments, elapsed, rest, stop_gradient(columns))
+
+
+def _stacked(
+    moments: Array, mgl: Array, momentum: Array, attitude: Array, elapsed: Array, rest: Array,
+    columns: tuple[Array, ...],
+) -> tuple[Array, Array]:  # fmt: skip
+    parts = evaluate(columns, elapsed, rest)
+    return stack_last(parts[:4]), stack_last(parts[4:])
+
+
+def _stacked_rule(primals: tuple[Any, ...], tangents: tuple[Any, ...]) -> tuple[Any, Any]:
+    raise InvalidInput("`LagrangeMotion` cannot be differentiated yet; take differences of its states.")

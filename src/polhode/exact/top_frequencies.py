@@ -1,0 +1,98 @@
+"""The three frequencies of a Lagrange top: nutation, and the mean turns of α and β, by arithmetic–geometric means.
+
+α and β turn by c'/2t and c/2s, whose means over a nutation are complete integrals of the third kind. Each has two
+forms, one for either side of the pole that it looks at, so that nothing cancels. Source: Carlson, SIAM J. Math. Anal. 8
+(1977) 231; Klein & Sommerfeld, *Theorie des Kreisels*, ch. VI.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+from polhode.arrays import namespace
+from polhode.exact.top_reduction import TopReduction
+from polhode.exact.top_roots import TurningPoints
+from polhode.special import doubledouble as dd
+from polhode.special.agm import third_kind_agm
+from polhode.special.doubledouble import DoubleDouble
+
+Array = Any
+
+
+class TopFrequencies(NamedTuple):
+    """Rates by τ = t/I1 in scaled units; all but the signs and flags are double-double."""
+
+    half_root: DoubleDouble  # W = ½√A: x = x0 + W τ
+    nutation: DoubleDouble  # ϖ = ½ agm(√A, √B) = πW/2K, zero on the separatrix
+    alpha: DoubleDouble  # linear rates of the phases of α and β beside their theta quotients
+    beta: DoubleDouble
+    sign_alpha: Array  # sgn c' and sgn c, +1 for zero
+    sign_beta: Array
+    spin: DoubleDouble  # ν I1, the spin that I3 ≠ I1 adds, by τ
+    permanent: Array  # the momentum stays: sleeping, hanging, rest
+    separatrix: Array
+    steady: Array  # the tilt stays
+
+
+def top_frequencies(top: TopReduction, points: TurningPoints) -> TopFrequencies:
+    """Return the frequencies of reduced tops."""
+    xp = namespace(top.reversed)
+    a = top.momentum[2]
+    upright = (top.s0[0] == 0) | (top.t0[0] == 0)
+    permanent = (top.w2[0] == 0) & (upright | ((top.G[0] == 0) & (a == 0)))
+    separatrix = ~(points.B[0] > 0) & ~permanent
+    one = dd.from_float(xp.ones_like(a))
+    root_A, root_B = dd.sqrt(points.A), dd.sqrt(points.B)
+    tame = permanent | separatrix
+    square_alpha, square_beta, first_alpha, first_beta = _starts(top, points)
+    starts = [dd.where(tame, one, v) for v in (root_A, root_B, square_alpha, square_beta)]
+    # α's and β's sums share the mean: one run over both
+    both = [tuple(xp.stack([x, y]) for x, y in zip(*pair, strict=True))
+            for pair in ((starts[0], starts[0]), (starts[1], starts[1]), (starts[2], starts[3]))]  # fmt: skip
+    mean, totals = third_kind_agm(*both)
+    nutation = dd.scale((mean[0][0, ...], mean[1][0, ...]), 0.5)
+    total_alpha, total_beta = ((totals[0][k, ...], totals[1][k, ...]) for k in (0, 1))
+    sign_alpha = xp.where(top.c_plus[0] >= 0, 1.0, -1.0)
+    sign_beta = xp.where(top.c[0] >= 0, 1.0, -1.0)
+    c_plus, c = dd.scale(top.c_plus, sign_alpha), dd.scale(top.c, sign_beta)
+    alpha = _drift(top.G, c_plus, points.Z_plus, points.t1, points.t2, points.d, nutation, total_alpha, first_alpha)
+    beta = _drift(top.G, c, points.Z_minus, points.s2, points.s1, points.d, nutation, total_beta, first_beta)
+    beta = dd.where(first_beta, dd.negate(beta), beta)
+    zero = dd.from_float(xp.zeros_like(a))
+    alpha = dd.where(separatrix, dd.scale(c_plus, 0.25), alpha)
+    beta = dd.where(separatrix, zero, beta)
+    I1, I3 = top.moments
+    spin = dd.divide(dd.multiply_float(dd.two_sum(I1, -I3), a), dd.from_float(I3))
+    return TopFrequencies(
+        dd.scale(root_A, 0.5), dd.where(separatrix, zero, nutation), dd.scale(alpha, sign_alpha),
+        dd.scale(beta, sign_beta), sign_alpha, sign_beta, spin, permanent, separatrix, ~(points.d[0] > 0) & ~tame,
+    )  # fmt: skip
+
+
+def _starts(top: TopReduction, points: TurningPoints) -> tuple[Any, ...]:
+    """Return p² at the start of either sum, and whether either takes the form that starts from Z."""
+    first_alpha = points.Z_plus[0] <= 2.0 * points.A[0]
+    first_beta = dd.multiply(top.G, points.s2)[0] <= points.Z_minus[0]
+    square_alpha = dd.where(
+        first_alpha, points.Z_plus, dd.divide(dd.multiply(points.A, points.t2), points.t1)
+    )
+    square_beta = dd.where(first_beta, points.Z_minus, dd.divide(dd.multiply(points.s1, points.B), points.s2))
+    # c = 0 through the upper pole: the factor of the sum vanishes, and p² must only not be zero
+    idle = first_beta & (top.c[0] == 0)
+    square_beta = dd.where(idle, points.A, square_beta)
+    return square_alpha, square_beta, first_alpha, first_beta
+
+
+def _drift(
+    G: DoubleDouble, c: DoubleDouble, Z: DoubleDouble, near: DoubleDouble, far: DoubleDouble, d: DoubleDouble,
+    nutation: DoubleDouble, total: DoubleDouble, first: Array,
+) -> DoubleDouble:  # fmt: skip
+    """Return cG/(4Z) Σ in the first form, |c|/(2 near) [1 − d/(2 far) Σ] − ϖ in the second."""
+    xp = namespace(first)
+    idle = c[0] == 0
+    one = dd.from_float(xp.ones_like(c[0]))
+    inner = dd.divide(dd.multiply(c, G), dd.where(idle, one, Z))
+    outer = dd.scale(dd.divide(c, dd.where(idle, one, near)), 0.5)
+    share = dd.scale(dd.multiply(dd.divide(d, far), total), 0.5)
+    second = dd.subtract(dd.multiply(outer, dd.subtract(one, share)), nutation)
+    return dd.where(first, dd.scale(dd.multiply(inner, total), 0.25), second)
