@@ -30,6 +30,11 @@ def in_su3(point):
 SYSTEMS = [
     systems.FreeRigidBody((1.0, 2.0, 3.0)),
     systems.BodyInPotential((1.0, 2.0, 3.0), lambda up: 0.7 * up[2] + 0.1 * up[0] ** 2),
+    systems.HeavyTop((1.0, 2.0, 3.0), 0.7, (1.0, 2.0, 0.5)),
+    systems.HeavyTop((2.0, 1.0, 2.0), 0.7, (0.6, 0.0, -0.8)),
+    systems.BrunBody((1.0, 2.0, 3.0), 0.7),
+    systems.Gyrostat((1.0, 2.0, 3.0), (0.1, 0.2, 0.5)),
+    systems.DoubleBracket((1.0, 2.0, 3.0), 0.3),
     systems.Kirchhoff((1.0, 2.0, 3.0, 2.0, 3.0, 5.0)),
     systems.Kirchhoff(np.diag([1.0, 2.0, 3.0, 2.0, 3.0, 5.0]) + 0.1),
     systems.Manakov((1.0, 2.0, 3.0)),

@@ -9,6 +9,7 @@ from typing import Any
 
 import diffrax
 import equinox as eqx
+import jax
 import jax.numpy as jnp
 import numpy as np
 
@@ -180,12 +181,15 @@ def _trajectory(
 ) -> Trajectory:  # fmt: skip
     axis = jnp.ndim(states) - 1 - system.state_axes
     states = jnp.moveaxis(states, 0, axis)
-    invariants = {name: np.asarray(value) for name, value in eqx.filter_jit(system.invariants)(states).items()}
+    invariants = {name: np.asarray(value) for name, value in _invariants(system, states).items()}
+    # what holds on other leaves only is NaN on this one
+    invariants = {name: value for name, value in invariants.items() if not np.isnan(value).all()}
     balances = eqx.filter_jit(system.balances)(jnp.asarray(times), states)
     values = {name: np.asarray(balance.value) for name, balance in balances.items()}
     got = {name: np.moveaxis(np.asarray(value), 0, axis) for name, value in received.items()}
     vectors = [None if x is None else np.asarray(x) for x in system.vectors(states)]
-    drift = {name: _drift(value, axis) for name, value in invariants.items()}
+    terms = _terms(system, jnp.take(states, 0, axis=axis)) if jnp.isrealobj(states) else {}
+    drift = {name: _drift(value, axis, terms.get(name)) for name, value in invariants.items()}
     return Trajectory(
         system=system,
         times=times,
@@ -196,24 +200,44 @@ def _trajectory(
         invariants=invariants,
         balances=values,
         received=got,
-        drift=drift | {name: _drift(value - got[name], axis) for name, value in values.items()},
+        drift=drift | {name: _drift(values[name] - value, axis) for name, value in got.items()},
         status=status,
         statistics=statistics,
     )
+
+
+@eqx.filter_jit
+def _invariants(system: AbstractSystem, states: Array) -> dict[str, Array]:
+    return system.invariants(states)
+
+
+@eqx.filter_jit
+def _terms(system: AbstractSystem, state: Array) -> dict[str, Array]:
+    """Return Σ |x ∂C/∂x| of each scalar invariant C at states: the size of its terms, which may cancel in its value."""
+
+    def of_one(x: Array) -> dict[str, Array]:
+        slopes = jax.jacfwd(system.invariants)(x)
+        return {k: jnp.sum(jnp.abs(s * x)) for k, s in slopes.items() if jnp.ndim(s) == jnp.ndim(x)}
+
+    for _ in range(jnp.ndim(state) - system.state_axes):
+        of_one = jax.vmap(of_one)
+    return of_one(state)
 
 
 def _why(solver: Any) -> str:
     return f"{type(solver).__name__} failed"
 
 
-def _drift(values: np.ndarray, axis: int) -> Array:
-    """Return the largest deviation from the first sample, relative to the larger of its size and that of the motion."""
+def _drift(values: np.ndarray, axis: int, terms: Array | None = None) -> Array:
+    """Return the largest deviation from the first sample, relative to its size, or that of its terms if larger."""
     vector = values.ndim > axis + 1
     first = np.take(values, [0], axis=axis)
     off, size = np.abs(values - first), np.abs(first)
     if vector:
         off, size = np.linalg.norm(off, axis=-1), np.linalg.norm(size, axis=-1)
     size = np.take(size, 0, axis=axis)
+    if terms is not None:
+        size = np.maximum(size, np.nan_to_num(np.asarray(terms)))
     return np.max(off, axis=axis) / np.where(size > 0, size, 1.0)
 
 

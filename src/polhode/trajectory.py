@@ -23,7 +23,7 @@ class Trajectory:
         balances: name → quantities that change at a known rate, along the motion, (batch…, T).
         received: name → the integral of that rate from the first time, (batch…, T); dissipated energy is its negative.
         drift: name → largest deviation of that invariant from its first sample, or of that balance from its first
-            sample and what it received since, relative to its size, (batch…).
+            sample and what it received since, relative to its size or that of its terms, (batch…).
         status: what the method says of itself ("exact", how a solve ended, or the event that ended the motion).
         statistics: how many steps and iterations of implicit steps it took.
     """

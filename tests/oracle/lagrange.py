@@ -165,9 +165,9 @@ def period_and_turns(top: Spherical, cubic: fmpq_poly, bits: int) -> Nutation:
 def _legendre(top: Spherical, cubic: fmpq_poly) -> Nutation:
     c, c_plus = arb(top.c), arb(top.c + 2 * top.a)
     integral = fmpq_poly([x * cubic.denom() for x in cubic.coeffs()]).numer()
-    roots = sorted((r.real for r, count in integral.complex_roots() for _ in range(count)), key=lambda x: -float(x.mid()))
+    roots = [r.real for r, count in integral.complex_roots() for _ in range(count)]
     # float only sorts what is well apart; close roots are put in order exactly
-    roots = sorted(roots, key=_Ordered)
+    roots = sorted(sorted(roots, key=lambda x: -float(x.mid())), key=_Ordered)
     s1, s2 = roots[0], roots[1]
     d = s1 - s2
     A, m1 = (arb(top.G) * (s1 - roots[2]), (s2 - roots[2]) / (s1 - roots[2])) if top.G else (-arb(cubic[2]), arb(1))

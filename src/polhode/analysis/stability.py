@@ -17,6 +17,8 @@ import numpy as np
 from polhode.algebra.casimirs import polynomial_casimirs
 from polhode.algebra.properties import index
 from polhode.analysis.energy_casimir import Stability, energy_casimir
+from polhode.analysis.first_method import first_method
+from polhode.analysis.second_variation import null_space
 from polhode.errors import InvalidInput
 from polhode.poisson.brackets import as_points
 from polhode.systems.base import AbstractLiePoissonSystem
@@ -40,13 +42,14 @@ def stability(
     The spectrum is that of the linearised flow on the leaf. Is the second variation of H + Σ λ C definite there, it
     proves stability; is an exponent's real part positive, it disproves it. Integrals J whose gradients depend on the
     Casimirs' at the point, as a top's spin where it sleeps, take part in the sum. With others a motion along their
-    symmetries, dH + Σ λ dC + Σ ω dJ = 0, is judged on the level of J, the symmetries' directions divided out.
+    symmetries, dH + Σ λ dC + Σ ω dJ = 0, is judged on the level of J, the symmetries' directions divided out. Where
+    energy is lost the exponents alone decide, Lyapunov's first method.
 
     Args:
         system: any Lie–Poisson system; what it names conserved takes part by itself where its gradient depends on the
             Casimirs'.
         equilibrium: one point of the dual, (*element_shape), without attitude.
-        integrals: further conserved functions of one point, real, whose flows commute.
+        integrals: further conserved functions of one point, real, whose flows commute; none where energy is lost.
 
     Raises:
         InvalidInput: for a wrong shape, or a point that is no (relative) equilibrium.
@@ -61,6 +64,8 @@ def stability(
         raise InvalidInput(f"`equilibrium` must be one point {algebra.element_shape}; got shape {mu.shape}.")
     z = algebra.to_dual_vector(mu)
     energy, casimirs, names = _functions(system)
+    if not system.conserves_energy:
+        return _judge_dissipative(system, casimirs, z)
     known = [_in_coordinates(system, function) for function in system.extra_invariants.values()]
     extra = [_in_coordinates(system, function) for function in integrals]
     g, H, tensor, constants = _derivatives(system, [energy, casimirs, *known, *extra], z)
@@ -197,6 +202,20 @@ def _field(system: AbstractLiePoissonSystem, energy: Function) -> Function:
         return algebra.to_dual_vector(algebra.coadjoint(generator, algebra.from_dual_vector(x)))
 
     return field
+
+
+def _judge_dissipative(system: AbstractLiePoissonSystem, casimirs: Function, z: Array) -> Stability:
+    """Judge by the exponents alone, those of the field that moves the system, on the leaf."""
+    field = lambda x: _moved(system, x)  # noqa: E731
+    linearization, rows = np.asarray(jax.jacfwd(field)(z)), np.asarray(jax.jacfwd(casimirs)(z))
+    left = np.linalg.norm(np.asarray(field(z)))
+    _check_at_rest(np.asarray(field(z)), float(np.abs(linearization).max() * np.linalg.norm(z)) or left, False)
+    return first_method(linearization, null_space(rows, NULL * np.abs(rows).max(initial=0.0)), DIFFERENTIATION)
+
+
+def _moved(system: AbstractLiePoissonSystem, x: Array) -> Array:
+    point = system.algebra.from_dual_vector(x)
+    return system.algebra.to_dual_vector(system.algebra.coadjoint(system.generator(point), point))
 
 
 def _judge_relative(

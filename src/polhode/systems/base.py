@@ -21,6 +21,7 @@ Array = Any
 Components = tuple[Array, ...]
 Flow = Callable[[Array, Components], Components]
 Event = Callable[[Array, Array], Array]
+UNIT = 1e-6  # a quaternion further from unit length is taken for a mistake, not for rounding
 
 
 class Parts(NamedTuple):
@@ -132,6 +133,11 @@ class AbstractLiePoissonSystem(AbstractSystem):
         return -self.sign * self.velocity(point)
 
     @property
+    def conserves_energy(self) -> bool:
+        """Whether ``generator`` is that of H alone; where it is not, the energy stands among ``balances``."""
+        return True
+
+    @property
     def flows(self) -> dict[str, Flow]:
         """Exact flows of parts of H, named; empty where none are known.
 
@@ -157,7 +163,7 @@ class AbstractLiePoissonSystem(AbstractSystem):
     def invariants(self, state: Array) -> dict[str, Array]:
         """Return energy, Casimirs, what else is conserved and, with an attitude, the momentum in space."""
         attitude, point = self.parts(state)
-        values = {"energy": self.energy(point)}
+        values = {"energy": self.energy(point)} if self.conserves_energy else {}
         casimirs = self.algebra.casimirs(point)
         values |= {name: casimirs[..., k] for k, name in enumerate(self.algebra.casimir_names)}
         values |= {name: function(point) for name, function in self.extra_invariants.items()}
@@ -190,10 +196,7 @@ class AbstractLiePoissonSystem(AbstractSystem):
             InvalidInput: for wrong shapes, values that are not finite, an attitude that is no unit quaternion.
         """
         state = as_finite_state(state, self.algebra.dtype)
-        attitude, _ = self.parts(state)
-        if attitude is not None and not bool(jnp.all(jnp.abs(jnp.linalg.norm(attitude, axis=-1) - 1.0) < 1e-6)):
-            raise InvalidInput("`state` must begin with a unit quaternion (w, x, y, z); divide it by its norm.")
-        return state
+        return state if self.parts(state).attitude is None else check_unit_attitude(state)
 
     @property
     def carries_attitude(self) -> bool:
@@ -218,11 +221,11 @@ class AbstractLiePoissonSystem(AbstractSystem):
         return Parts(None, state)
 
 
-def as_finite_state(state: Array, dtype: Any) -> Array:
+def as_finite_state(state: Array, dtype: Any, length: int | None = None) -> Array:
     """Return a state as a JAX array.
 
     Raises:
-        InvalidInput: for what is no number, NaN or an infinity.
+        InvalidInput: for what is no number, NaN or an infinity, or a last axis not of the length.
     """
     try:
         state = jnp.asarray(state, dtype=dtype)
@@ -230,6 +233,19 @@ def as_finite_state(state: Array, dtype: Any) -> Array:
         raise InvalidInput(f"`state` must be numbers; got {state!r}.") from None
     if not bool(jnp.isfinite(state).all()):
         raise InvalidInput("`state` must be finite; got NaN or an infinity. Check where it comes from.")
+    if length is not None and state.shape[-1:] != (length,):
+        raise InvalidInput(f"`state` must have shape (…, {length}); got {state.shape}.")
+    return state
+
+
+def check_unit_attitude(state: Array) -> Array:
+    """Return states that begin with a quaternion.
+
+    Raises:
+        InvalidInput: if it is not of unit length.
+    """
+    if not bool(jnp.all(jnp.abs(jnp.linalg.norm(state[..., :4], axis=-1) - 1.0) < UNIT)):
+        raise InvalidInput("`state` must begin with a unit quaternion (w, x, y, z); divide it by its norm.")
     return state
 
 

@@ -8,11 +8,10 @@ from typing import Any
 import jax
 import jax.numpy as jnp
 
-from polhode import rotation
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.se3 import SE3
-from polhode.exact.free_body import FreeMotion
-from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, check_scalar, components, joined
+from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, check_scalar, components
+from polhode.systems.free_flow import free_flow
 from polhode.systems.free_rigid_body import checked_moments
 
 Array = Any
@@ -22,7 +21,7 @@ class BodyInPotential(AbstractLiePoissonSystem):
     """H = ½ Π·I⁻¹Π + V(Γ) on se(3)*: Π̇ = Π × Ω + Γ × ∇V, Γ̇ = Γ × Ω.
 
     Γ is a direction fixed in space, along the body's axes. State (Π, Γ) (…, 6), or with the attitude (…, 10).
-    Flows: the free body, by its exact solution, and the potential, which kicks Π.
+    Flows: the free body, exactly, and the potential, which kicks Π.
 
     Args:
         moments: (3,) principal moments about the fixed point [kg m²].
@@ -62,14 +61,7 @@ class BodyInPotential(AbstractLiePoissonSystem):
         return (*[still] * (len(state) - 6), *components(kick), still, still, still)
 
     def _free(self, time: Array, state: Components) -> Components:
-        attitude, point = self.parts(jnp.stack(state, axis=-1))
-        angular, direction = point[..., :3], point[..., 3:]
-        turn, later = FreeMotion(self.moments, angular).state(time)
-        # only the turn enters Γ and the attitude: both keep their lengths as exactly as it does
-        pure = turn - jnp.array([1.0, 0.0, 0.0, 0.0])
-        moved = rotation.rotate(rotation.conjugate(turn), direction)
-        change = jnp.concatenate([later - angular, moved - direction], axis=-1)
-        return components(joined(None if attitude is None else rotation.multiply(attitude, pure), change))
+        return free_flow(self.moments, time, state)
 
     def _over_batch(self, function: Callable[[Array], Array]) -> Callable[[Array], Array]:
         def values(direction: Array) -> Array:

@@ -41,8 +41,8 @@ class FreeRigidBody(AbstractLiePoissonSystem):
         return {f"rotation about axis {k + 1}": axis_flow(self.moments, k) for k in range(3)}
 
 
-def axis_flow(moments: Array, axis: int) -> Flow:
-    """Return the flow of L_i²/2I_i: all vectors turn about axis i by −tL_i/I_i, the attitude by the inverse.
+def axis_flow(moments: Array, axis: int, offset: Array | float = 0.0) -> Flow:
+    """Return the flow of (L_i − h)²/2I_i: vectors turn about axis i by −t(L_i − h)/I_i, the attitude by the inverse.
 
     Components are those of one or more vectors, the first the momentum, with a quaternion in front or without.
     """
@@ -51,7 +51,7 @@ def axis_flow(moments: Array, axis: int) -> Flow:
     def flow(time: Array, state: Components) -> Components:
         start = len(state) % 3 and 4
         # from a quarter of the angle, so that neither cosine less one cancels, without a branch
-        quarter = (0.25 * time / moments[i]) * state[start + i]
+        quarter = (0.25 * time / moments[i]) * (state[start + i] - offset)
         s, c = jnp.sin(quarter), jnp.cos(quarter)
         sine, less_half = 2.0 * s * c, -2.0 * s * s
         s, less = 2.0 * sine * (1.0 + less_half), -2.0 * sine * sine

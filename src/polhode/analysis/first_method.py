@@ -1,0 +1,48 @@
+"""Lyapunov's first method: stability by the exponents of the linearised flow."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from scipy.linalg import eig
+
+from polhode.analysis.energy_casimir import Stability
+
+Array = Any
+
+
+def first_method(linearization: Array, basis: Array | None = None, tolerance: float = 1e-12) -> Stability:
+    """Return the verdict on an equilibrium from the derivative of any vector field there.
+
+    Exponents with negative real parts throughout prove stability, asymptotic on the given directions; one with a
+    positive real part disproves it. Between the two the derivative alone decides nothing.
+
+    Args:
+        linearization: (n, n) [1/s].
+        basis: (n, k) orthonormal directions that the flow keeps, as those within a leaf; all if left out.
+        tolerance: relative error of the entries.
+
+    Source: Lyapunov 1892; Khalil, *Nonlinear Systems*, theorem 4.7.
+    """
+    A = np.asarray(linearization, dtype=float)
+    basis = np.eye(len(A)) if basis is None else np.asarray(basis)
+    inner = basis.T @ A @ basis
+    if not inner.size:
+        return Stability("stable", 0.0, None, None, "the leaf is a point", np.zeros(0, complex))
+    found: Any = eig(inner, left=True, right=True)
+    spectrum, left, right = found
+    alignment = np.abs(np.einsum("ik,ik->k", left.conj(), right))
+    unsure = tolerance * np.abs(inner).max() / np.maximum(alignment, np.finfo(float).tiny)
+    k = int(np.argmax(spectrum.real))
+    rate = float(spectrum[k].real)
+    if rate > unsure[k]:
+        way = right[:, k] * np.exp(-1j * np.angle(right[np.argmax(np.abs(right[:, k])), k]))
+        direction = basis @ way.real
+        text = f"an exponent has the real part {rate:.6g}/s: neighbours grow as exp({rate:.6g}/s · t)"
+        return Stability("unstable", rate, "exponential", direction / np.linalg.norm(direction), text, spectrum)
+    if (spectrum.real < -unsure).all():
+        text = f"every exponent has a negative real part, {rate:.6g}/s at most: neighbours return"
+        return Stability("stable", rate, None, None, text, spectrum)
+    text = "no exponent has a real part that is surely positive, but not all surely negative ones: "
+    return Stability("undecided", 0.0, None, None, text + "terms of higher order decide", spectrum)

@@ -1,0 +1,74 @@
+"""A body with a fixed point in a central field, to second order: Brun's problem."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import jax.numpy as jnp
+import numpy as np
+
+from polhode.algebra.base import AbstractLieAlgebra
+from polhode.algebra.se3 import SE3
+from polhode.errors import InvalidInput
+from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow
+from polhode.systems.free_flow import free_flow
+from polhode.systems.free_rigid_body import checked_moments
+from polhode.systems.top_integrals import Integral
+
+Array = Any
+
+
+class BrunBody(AbstractLiePoissonSystem):
+    """H = ½ Π·I⁻¹Π + ½ ε Γ·IΓ on se(3)*: Π̇ = Π × Ω + ε Γ × IΓ, Γ̇ = Γ × Ω.
+
+    Not a heavy top: the potential is quadratic in Γ, as of a body pinned at its centre of mass in a far mass's field,
+    ε = 3GM/R³ with Γ towards the mass. Integrable, with Clebsch's integral ½|Π|² − ½ ε det I Γ·I⁻¹Γ. State (Π, Γ)
+    (…, 6), or with the attitude (…, 10). Flows: the free body, exactly, and the field, which kicks Π.
+
+    Args:
+        moments: (3,) principal moments about the fixed point [kg m²].
+        strength: ε [1/s²], of either sign.
+
+    Raises:
+        InvalidInput: for moments that are not positive, or a strength that is not finite.
+
+    Source: de Brun 1893; Clebsch, Math. Ann. 3 (1871) 238; Bogoyavlenskii, Math. USSR Izv. 25 (1985) 207.
+    """
+
+    algebra: AbstractLieAlgebra
+    moments: Array
+    strength: Array
+
+    def __init__(self, moments: Array, strength: float) -> None:
+        if not (np.ndim(strength) == 0 and np.isfinite(strength)):
+            raise InvalidInput(f"`strength` must be one finite number [1/s²]; got {strength!r}.")
+        self.algebra, self.moments, self.strength = SE3(), checked_moments(moments), jnp.asarray(float(strength))
+
+    def energy(self, point: Array) -> Array:
+        angular, up = point[..., :3], point[..., 3:]
+        return 0.5 * jnp.sum(angular**2 / self.moments + self.strength * self.moments * up**2, axis=-1)
+
+    def velocity(self, point: Array) -> Array:
+        angular, up = point[..., :3], point[..., 3:]
+        return jnp.concatenate([angular / self.moments, self.strength * self.moments * up], axis=-1)
+
+    @property
+    def extra_invariants(self) -> dict[str, Integral]:
+        moments = self.moments
+        # det I / I_k without the quotient
+        cofactors = jnp.stack([moments[1] * moments[2], moments[2] * moments[0], moments[0] * moments[1]])
+
+        def clebsch(point: Array) -> Array:
+            return 0.5 * jnp.sum(point[..., :3] ** 2 - self.strength * cofactors * point[..., 3:] ** 2, axis=-1)
+
+        return {"Clebsch's integral": clebsch}
+
+    @property
+    def flows(self) -> dict[str, Flow]:
+        return {"field": self._kick, "free body": lambda time, state: free_flow(self.moments, time, state)}
+
+    def _kick(self, time: Array, state: Components) -> Components:
+        x, y, z = state[-3:]
+        a, b, c = (time * self.strength * self.moments[k] for k in range(3))
+        still = jnp.zeros_like(x)
+        return (*[still] * (len(state) - 6), (c - b) * y * z, (a - c) * z * x, (b - a) * x * y, still, still, still)

@@ -1,0 +1,63 @@
+"""Energy lost inside a body that keeps its angular momentum: double-bracket dissipation."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import jax.numpy as jnp
+import numpy as np
+
+from polhode.algebra.base import AbstractLieAlgebra
+from polhode.algebra.so3 import SO3
+from polhode.errors import InvalidInput
+from polhode.systems.base import AbstractLiePoissonSystem, Balance
+from polhode.systems.free_rigid_body import checked_moments
+
+Array = Any
+
+
+class DoubleBracket(AbstractLiePoissonSystem):
+    """Π̇ = Π × Ω + α Π × (Π × Ω): |Π|² is kept exactly, the energy falls by Ė = −α |Π × Ω|².
+
+    A coadjoint motion with ξ = Ω + α Π × Ω, which also moves the attitude, so that the momentum stays in space, as with
+    losses inside the body. Every motion but those from the other axes ends in rotation about the axis of largest
+    inertia: the major-axis rule, Explorer 1's lesson. State Π (…, 3), or with the attitude (…, 7).
+
+    Args:
+        moments: (3,) principal moments [kg m²], positive.
+        rate: α [s/(kg m²)], not negative.
+
+    Raises:
+        InvalidInput: for moments that are not positive, or a rate that is negative or not finite.
+
+    Source: Brockett, Linear Algebra Appl. 146 (1991) 79; Bloch, Krishnaprasad, Marsden & Ratiu, Commun. Math. Phys. 175
+    (1996) 1; Thomson & Reiter, J. Astronaut. Sci. 7 (1960) 29 for Explorer 1.
+    """
+
+    algebra: AbstractLieAlgebra
+    moments: Array
+    rate: Array
+
+    def __init__(self, moments: Array, rate: float) -> None:
+        if not (np.ndim(rate) == 0 and np.isfinite(rate) and rate >= 0):
+            raise InvalidInput(f"`rate` must be finite and not negative [s/(kg m²)]; got {rate!r}.")
+        self.algebra, self.moments, self.rate = SO3(), checked_moments(moments), jnp.asarray(float(rate))
+
+    def energy(self, point: Array) -> Array:
+        return 0.5 * jnp.sum(point * point / self.moments, axis=-1)
+
+    def velocity(self, point: Array) -> Array:
+        return point / self.moments
+
+    def generator(self, point: Array) -> Array:
+        velocity = self.velocity(point)
+        return velocity + self.rate * jnp.cross(point, velocity)
+
+    @property
+    def conserves_energy(self) -> bool:
+        return False
+
+    def balances(self, t: Array, state: Array) -> dict[str, Balance]:
+        point = self.parts(state).point
+        lost = self.rate * jnp.sum(jnp.cross(point, self.velocity(point)) ** 2, axis=-1)
+        return {"energy": Balance(self.energy(point), -lost)}

@@ -1,0 +1,163 @@
+"""The heavy top: a body turning about a fixed point under its weight."""
+
+from __future__ import annotations
+
+import warnings
+from typing import Any
+
+import equinox as eqx
+import jax.numpy as jnp
+import numpy as np
+
+from polhode import rotation
+from polhode.algebra.base import AbstractLieAlgebra
+from polhode.algebra.se3 import SE3
+from polhode.bodies.body import Body, principal_axes
+from polhode.errors import InvalidInput
+from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow
+from polhode.systems.free_flow import free_flow
+from polhode.systems.free_rigid_body import checked_moments
+from polhode.systems.top_integrals import Integral, integrable_case, leaf_integral
+
+Array = Any
+STANDARD_GRAVITY = 9.80665  # m/s², by definition
+AT_PIVOT = 1e-12  # of the radius of gyration: a centre of mass nearer to the pivot is there but for rounding
+UPRIGHT = 1e-6  # Γ may miss the direction that the attitude gives by this much
+
+
+class HeavyTop(AbstractLiePoissonSystem):
+    """H = ½ Π·I⁻¹Π + mgl Γ·χ on se(3)*: Π̇ = Π × Ω + mgl Γ × χ, Γ̇ = Γ × Ω.
+
+    Γ = Rᵀe_z is the upward direction along the body's axes, χ the direction from the fixed point to the centre of mass.
+    State (Π, Γ) (…, 6), or with the attitude (…, 10). The orbits |Γ|², Π·Γ = const have four dimensions, so a third
+    integral beside H makes a top integrable; where one is known it stands in ``invariants`` under its name. Flows: the
+    free body, exactly, and the weight, which kicks Π.
+
+    Args:
+        moments: (3,) principal moments about the fixed point [kg m²].
+        mgl: weight times the distance from fixed point to centre of mass [N m]; zero is the free body.
+        axis: (3,) χ along the principal axes, normalised here.
+        axes: (3, 3) principal axes by columns in some given frame, for ``state``; the identity if left out.
+
+    Raises:
+        InvalidInput: for moments that are not positive, an axis of no direction, or values that are not finite.
+
+    Source: Audin, *Spinning Tops*, ch. I; Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, §1.4 and §15.10.
+    """
+
+    algebra: AbstractLieAlgebra
+    moments: Array
+    mgl: Array
+    axis: Array
+    axes: Array
+    case: tuple[str, int] | None = eqx.field(static=True)
+
+    def __init__(self, moments: Array, mgl: float, axis: Array = (0.0, 0.0, 1.0), axes: Array | None = None) -> None:
+        size = np.linalg.norm(np.asarray(axis, dtype=float)) if np.shape(axis) == (3,) else np.nan
+        if not (np.isfinite(size) and size > 0):
+            raise InvalidInput(f"`axis` must be a direction (3,), from fixed point to centre of mass; got {axis!r}.")
+        if not (np.ndim(mgl) == 0 and np.isfinite(mgl)):
+            raise InvalidInput(f"`mgl` must be one finite number [N m]; got {mgl!r}.")
+        self.algebra, self.moments = SE3(), checked_moments(moments)
+        self.mgl, self.axis = jnp.asarray(float(mgl)), jnp.asarray(np.asarray(axis, dtype=float) / size)
+        self.axes = jnp.eye(3) if axes is None else jnp.asarray(axes, dtype=float)
+        self.case = integrable_case(np.asarray(self.moments), float(mgl), np.asarray(self.axis))
+
+    @classmethod
+    def from_body(cls, body: Body, pivot: Array, gravity: float = STANDARD_GRAVITY) -> HeavyTop:
+        """Return the top that a body makes about a fixed point, along its principal axes there.
+
+        A fixed point at the centre of mass leaves the free body; a warning says so.
+
+        Args:
+            body: with its mass.
+            pivot: (3,) the fixed point [m, given axes of the body].
+            gravity: [m/s²], positive.
+
+        Raises:
+            InvalidInput: for a body without mass, or gravity that is not positive.
+        """
+        if not (np.ndim(gravity) == 0 and np.isfinite(gravity) and gravity > 0):
+            raise InvalidInput(f"`gravity` must be positive and finite [m/s²]; got {gravity!r}.")
+        moments, axes = principal_axes(body.about(pivot))
+        arm = (body.center_of_mass - np.asarray(pivot, dtype=float)) @ axes
+        length, mass = float(np.linalg.norm(arm)), float(body.mass or 0.0)
+        if length <= AT_PIVOT * np.sqrt(moments[2] / mass):
+            warnings.warn("the fixed point is the centre of mass: the weight has no torque, the body is free.",
+                          stacklevel=2)  # fmt: skip
+            return cls(moments, 0.0, axes=axes)
+        return cls(moments, mass * gravity * length, arm, axes)
+
+    def state(
+        self,
+        attitude: Array = (1.0, 0.0, 0.0, 0.0),
+        angular_velocity: Array | None = None,
+        momentum: Array | None = None,
+    ) -> Array:
+        """Return packed states (…, 10) from attitude and spin in the given axes.
+
+        Args:
+            attitude: (…, 4) unit quaternion wxyz, given axes → space, z up.
+            angular_velocity: (…, 3) [rad/s, given axes]; this, ``momentum``, or neither for rest.
+            momentum: (…, 3) about the fixed point [kg m²/s, given axes].
+
+        Raises:
+            InvalidInput: if both are given.
+        """
+        if angular_velocity is not None and momentum is not None:
+            raise InvalidInput("give `angular_velocity` or `momentum`, not both.")
+        given = rotation.normalize(jnp.asarray(attitude, dtype=float))
+        turned = rotation.multiply(given, rotation.from_matrix(self.axes))
+        vector = angular_velocity if momentum is None else momentum
+        spin = jnp.zeros(3) if vector is None else jnp.asarray(vector, dtype=float) @ self.axes
+        spin = spin if momentum is not None else spin * self.moments
+        up = rotation.rotate(rotation.conjugate(turned), jnp.array([0.0, 0.0, 1.0]))
+        shape = np.broadcast_shapes(turned.shape[:-1], spin.shape[:-1])
+        parts = (jnp.broadcast_to(x, (*shape, x.shape[-1])) for x in (turned, spin, up))
+        return jnp.concatenate(list(parts), axis=-1)
+
+    def check_state(self, state: Array) -> Array:
+        state = super().check_state(state)
+        attitude, point = self.parts(state)
+        if attitude is not None:
+            up = rotation.rotate(rotation.conjugate(attitude), jnp.array([0.0, 0.0, 1.0]))
+            if not bool(jnp.all(jnp.abs(up - point[..., 3:]) < UPRIGHT)):
+                raise InvalidInput(
+                    "`state` must end with Γ, the upward direction along the body's axes as its attitude has it, "
+                    "Rᵀe_z. Make it by `top.state(attitude, angular_velocity)`."
+                )
+        return state
+
+    def energy(self, point: Array) -> Array:
+        angular, up = point[..., :3], point[..., 3:]
+        return 0.5 * jnp.sum(angular * angular / self.moments, axis=-1) + self.mgl * jnp.sum(up * self.axis, axis=-1)
+
+    def velocity(self, point: Array) -> Array:
+        angular = point[..., :3]
+        return jnp.concatenate([angular / self.moments, jnp.broadcast_to(self.mgl * self.axis, angular.shape)], axis=-1)
+
+    @property
+    def extra_invariants(self) -> dict[str, Integral]:
+        return {} if self.case is None else self._integral_of(self.case)
+
+    def _integral_of(self, case: tuple[str, int]) -> dict[str, Integral]:
+        name, function, on_leaf = leaf_integral(case, self.moments, self.mgl, self.axis)
+        return {} if on_leaf else {name: function}
+
+    def invariants(self, state: Array) -> dict[str, Array]:
+        """Return energy, Casimirs and the third integral; one that holds on Π·Γ = 0 alone is NaN elsewhere."""
+        values = super().invariants(state)
+        if self.case is not None:
+            name, function, on_leaf = leaf_integral(self.case, self.moments, self.mgl, self.axis)
+            values |= {name: function(self.parts(state).point)} if on_leaf else {}
+        return values
+
+    @property
+    def flows(self) -> dict[str, Flow]:
+        return {"weight": self._kick, "free body": lambda time, state: free_flow(self.moments, time, state)}
+
+    def _kick(self, time: Array, state: Components) -> Components:
+        x, y, z = state[-3:]
+        a, b, c = (time * self.mgl * self.axis[k] for k in range(3))
+        still = jnp.zeros_like(x)
+        return (*[still] * (len(state) - 6), y * c - z * b, z * a - x * c, x * b - y * a, still, still, still)
