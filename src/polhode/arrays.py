@@ -73,6 +73,9 @@ def as_float64(xp: Any, value: Any, name: str) -> Array:
         raise InvalidInput(f"`{name}` must be real and float64; got {dtype}. Convert it to float64{hint}.")
     try:
         native = _library(type(value)) != "numpy"
+        kind = "f" if native else np.asarray(value).dtype.kind
+        if kind in "SUMm" or (kind == "O" and any(x is None for x in np.asarray(value).flat)):
+            raise TypeError("text, dates and None are no numbers")
         return xp.asarray(value if native else np.asarray(value, dtype=np.float64), dtype=xp.float64)
     except (TypeError, ValueError, OverflowError) as error:
         shown = repr(value) if len(repr(value)) < 80 else f"{repr(value)[:77]}…"
@@ -236,16 +239,18 @@ def custom_derivative(function: Callable[..., Any], rule: Callable[..., Any]) ->
     return wrapped
 
 
-def forward_columns(function: Callable[..., tuple[Any, ...]]) -> Callable[..., tuple[Any, ...]]:
+def forward_columns(function: Callable[..., tuple[Any, ...]], name: str) -> Callable[..., tuple[Any, ...]]:
     """Return a function of JAX arrays (…, n) → tuple of (…) whose Jacobian is taken forward, a column at a time.
 
-    Multiplying by it is all that is left to either mode, so reverse mode passes through loops of unknown length.
+    Multiplying by it is all that is left to either mode, so reverse mode passes through loops of unknown length. A
+    second derivative is refused, with the name.
     """
     import jax
     import jax.numpy as jnp
 
     def rule(primals: tuple[Any, ...], tangents: tuple[Any, ...]) -> tuple[Any, Any]:
         value, changes = function(*primals), None
+        primals = first_order_only(primals, name)
         for k, tangent in enumerate(tangents):
             units = jnp.eye(tangent.shape[-1])
             still = [jnp.zeros_like(x) for x in primals]
@@ -256,7 +261,8 @@ def forward_columns(function: Callable[..., tuple[Any, ...]]) -> Callable[..., t
 
             parts = [jnp.sum(jnp.moveaxis(c, 0, -1) * tangent, axis=-1) for c in jax.vmap(column)(units)]
             changes = parts if changes is None else [x + y for x, y in zip(changes, parts, strict=True)]
-        return value, tuple(changes or ())
+        # where there is no value there is no derivative
+        return value, tuple(jnp.where(jnp.isfinite(v), c, jnp.nan) for v, c in zip(value, changes or (), strict=True))
 
     return custom_derivative(function, rule)
 

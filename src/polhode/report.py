@@ -20,6 +20,7 @@ from polhode.trajectory import Trajectory
 Array = Any
 SAMPLES = 2000
 PERIODS = 10
+EXACT_TURNS = 2.0**50
 LARGEST = 1e200  # of energies and momenta in SI; products of the two stay within the range of numbers
 
 UNITS = {
@@ -93,9 +94,21 @@ class Report:
                 "herpolhode": None if self.herpolhode is None else self.herpolhode._asdict(),
                 "axes": [_axis(k, motion.moments[k], found) for k, found in enumerate(self.stability)],
                 "drift": self.trajectory.drift,
+                "notes": self.notes,
                 "units": UNITS,
             }
         )
+
+    @property
+    def notes(self) -> list[str]:
+        """What a reader should know beside the numbers."""
+        fastest = max(self.motion.precession_rate or 0.0, 2.0 * math.pi / (self.motion.period or math.inf),
+                      2.0 * math.pi / (self.rotation_period or math.inf))  # fmt: skip
+        turns = float(np.abs(np.asarray(self.trajectory.times)).max()) * fastest / (2.0 * math.pi)
+        if turns <= EXACT_TURNS:
+            return []
+        note = f"the times reach {turns:.1e} turns; beyond 2⁵⁰ the error of the attitude grows with them, and the spin "
+        return [note + "itself, known to 16 digits, no longer says how the body lies."]
 
     @property
     def summary(self) -> str:
@@ -142,8 +155,8 @@ def free_body_report(
     sizes = (motion.energy, motion.momentum_norm)
     if any(x is None or (x and not 1.0 / LARGEST < x < LARGEST) for x in sizes) or (sizes[1] and not sizes[0]):
         raise InvalidInput(
-            f"`momentum` {np.asarray(momentum).tolist()} kg m²/s must give an energy and |L| within 1e±200, or none; "
-            "check the rate and its unit."
+            f"the spin must give an energy and |L| within 1e±200, or none; its momentum is "
+            f"{np.asarray(momentum).tolist()} kg m²/s. Check the rate and its unit."
         )
     velocity = float(np.linalg.norm(motion.momentum_at_epoch / motion.moments))
     turn = 2.0 * math.pi / velocity if velocity else None
@@ -211,5 +224,7 @@ _SENTENCES = {
     ),
     "short-axis": lambda m: "Short-axis mode: " + _mode(m),
     "long-axis": lambda m: "Long-axis mode: " + _mode(m),
-    "separatrix": lambda m: "Exactly on the separatrix: the body turns over once and never again.",
+    "separatrix": lambda m: (
+        "Exactly on the separatrix: in all of time L goes once from one end of the intermediate axis to the other."
+    ),
 }

@@ -98,7 +98,8 @@ def test_wrong_values_hide_no_broken_rule(read):
         until = "-3 s"
         samples = 100.0""")
     wanted = (
-        "8 mistakes", "body: needs mesh_unit", "body: needs exactly one of mass and density", "body.densty: unknown",
+        "9 mistakes", "a.stl: no such mesh file",
+        "body: needs mesh_unit", "body: needs exactly one of mass and density", "body.densty: unknown",
         "spin: rate needs about", "spin.rate: is ambiguous", "spin.attitude: must be a quaternion",
         "time.until: must be positive", "time.samples: must be a whole number; got 100.0",
     )  # fmt: skip
@@ -108,13 +109,41 @@ def test_wrong_values_hide_no_broken_rule(read):
 def test_unphysical_bodies_are_said_beside_the_rest(read):
     with pytest.raises(InvalidInput) as caught:
         read('moments = ["1 kg*m^2", "1 kg*m^2", "3 kg*m^2"]', "[spin]\nattitude = [0.0, 0.0, 0.0, 0.0]")
-    for words in ("3 mistakes", "I1 + I2 ≥ I3", "must be a quaternion", "needs exactly one of angular_velocity"):
+    for words in ("2 mistakes", "I1 + I2 ≥ I3", "must be a quaternion"):
         assert words in str(caught.value)
     torus = '{shape = "torus", mass = "1 kg", major_radius = "1 m", minor_radius = "2 m"}'
     with pytest.raises(InvalidInput) as caught:
         read(f'parts = [{torus}, {{shape = "box", mass = "1 kg", sise = "1 m"}}]')
     for words in ("3 mistakes", "body.parts[0]: ", "body.parts[1].sise: unknown key; did you mean size?"):
         assert words in str(caught.value)
+
+
+def test_the_source_of_a_body_is_tried_beside_other_mistakes_in_its_table(read):
+    with pytest.raises(InvalidInput) as caught:
+        read('moments = ["1 kg*m^2", "1 kg*m^2", "3 kg*m^2"]\nmass = "1 lbf"\nbogus = 1', '[spin]\nrate = "3 Hz"')
+    for words in ("5 mistakes", "I1 + I2 ≥ I3", "body.mass", "body.bogus", "spin.rate", "spin: rate needs about"):
+        assert words in str(caught.value)
+
+
+def test_quarter_turns_of_tilt_are_exact(read):
+    quarters = {"90 deg": [0, 0, 1], "180 deg": [0, -1, 0], "360 deg": [0, 1, 0], "0.25 rev": [0, 0, 1]}
+    for tilt, wanted in quarters.items():
+        spec = read(MOMENTS, f'[spin]\nrate = "2 rad/s"\nabout = 2\ntilt = "{tilt}"')
+        assert (spec.momentum / spec.body.principal_moments).tolist() == [2.0 * x for x in wanted]
+
+
+def test_rest_may_have_an_attitude(read):
+    spec = read(MOMENTS, "[spin]\nattitude = [0.5, 0.5, 0.5, 0.5]")
+    assert not spec.momentum.any()
+    axes = ph.rotation.from_matrix(spec.body.principal_axes)
+    turned = ph.rotation.multiply(spec.attitude, ph.rotation.conjugate(axes))
+    assert turned == pytest.approx([0.5, 0.5, 0.5, 0.5], abs=1e-15)
+
+
+@pytest.mark.parametrize("unit", ['""', '"kg"', '"5 mm"', '"MM"', "5"])
+def test_mesh_units_are_units_of_length_alone(read, unit):
+    with pytest.raises(InvalidInput, match='must be a unit of length alone, in quotes, like "mm"'):
+        read(f'mesh = "a.stl"\nmass = "1 kg"\nmesh_unit = {unit}')
 
 
 @pytest.mark.parametrize(

@@ -36,6 +36,10 @@ def from_atoms(symbols: Sequence[str], positions: Array, masses: Array | None = 
         raise InvalidInput("`positions` must be three numbers for each atom; got rows of different lengths.") from None
     if shape != (len(symbols), 3):
         raise InvalidInput(f"`symbols` (n,) and `positions` (n, 3) must match; got {len(symbols)} and {shape}.")
+    distinct, first = np.unique(np.asarray(positions, dtype=float), axis=0, return_index=True)
+    if len(distinct) < len(symbols):
+        twice = min(set(range(len(symbols))) - set(first.tolist()))
+        raise InvalidInput(f"atoms must be apart; atom {twice + 1} ({symbols[twice]}) is where another one is.")
     return from_points(atomic_masses(symbols) if masses is None else masses, positions)
 
 
@@ -50,5 +54,5 @@ def atomic_masses(symbols: Sequence[str]) -> Array:
         ) from None
     unknown = [symbol for symbol in symbols if symbol not in numbers or symbol == "X"]
     if unknown:
-        raise InvalidInput(f"`symbols` must be chemical elements; got {unknown[0]!r}.")
+        raise InvalidInput(f"`symbols` must be chemical elements; got {unknown[0]!r}. Give `masses` for other atoms.")
     return np.array([table[numbers[symbol]] for symbol in symbols]) * ATOMIC_MASS_UNIT

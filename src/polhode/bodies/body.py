@@ -175,14 +175,16 @@ def check_moments(moments: Array) -> None:
     I1, I2, I3 = moments
     shown = ", ".join(f"{x:.6g}" for x in moments)
     if not I3 > 0:
-        raise InvalidInput(f"`moments` must not all vanish; got ({shown}) kg m². A point has no attitude.")
+        raise InvalidInput(f"the principal moments must not all vanish; got ({shown}) kg m². A point has no attitude.")
     if I1 < -ROUNDING * I3:
         raise InvalidInput(
-            f"`moments` must not be negative; got ({shown}) kg m². Check the signs of the products of inertia."
+            f"the principal moments must not be negative; got ({shown}) kg m². "
+            "Check signs and sizes of the products of inertia."
         )
     if I1 + I2 < I3 * (1.0 - ROUNDING):
         raise InvalidInput(
-            f"`moments` must satisfy I1 + I2 ≥ I3; got ({shown}) kg m². No rigid body has these; check units and order."
+            f"the principal moments must satisfy I1 + I2 ≥ I3; got ({shown}) kg m². No rigid body has these; "
+            "check units and order."
         )
 
 

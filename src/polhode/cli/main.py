@@ -66,6 +66,9 @@ def main(arguments: list[str] | None = None) -> Any:
     except BrokenPipeError:
         sys.stderr.close()
         sys.exit(1)
+    except OSError as error:
+        sys.stderr.write(f"polhode: the output cannot be written: {error.strerror}. Check disk and destination.\n")
+        sys.exit(2)
 
 
 if __name__ == "__main__":

@@ -30,7 +30,9 @@ def print_report(values: dict[str, Any]) -> None:
     _body_table(console, values)
     _axes_table(console, values)
     _motion_table(console, values)
-    console.print("Written:", ", ".join(values["files"]), style="dim", highlight=False)
+    for note in values["notes"]:
+        console.print(f"Note: {note}", style="yellow")
+    console.print("Written:", _escaped(", ".join(values["files"])), style="dim", highlight=False)
 
 
 def _escaped(text: str) -> str:
@@ -48,8 +50,9 @@ def _body_table(console: Console, values: dict[str, Any]) -> None:
     table = _table("Body", "", "")
     table.show_header = False
     table.add_row("mass", _number(values["mass"], "kg"))
-    table.add_row("centre of mass", _vector(values["center_of_mass"], "m"))
-    table.add_row("principal moments", _vector(values["principal_moments"], "kg m²"))
+    size = math.sqrt(max(values["principal_moments"]) / values["mass"]) if values["mass"] else 0.0
+    table.add_row("centre of mass", _vector(values["center_of_mass"], "m", size))
+    table.add_row("principal moments", _distinct(values["principal_moments"], "kg m²"))
     for k, column in enumerate(zip(*values["principal_axes"], strict=True)):
         table.add_row(f"principal axis {k + 1}", _vector(column, "") + "  (given axes)")
     console.print(table)
@@ -96,8 +99,15 @@ def _number(value: float | None, unit: str) -> str:
     return "–" if value is None else f"{value:.8g} {unit}".rstrip()
 
 
-def _vector(values: Any, unit: str) -> str:
-    largest = max(abs(x) for x in values)
+def _distinct(values: Any, unit: str) -> str:
+    """Return numbers with as many digits as it takes to tell apart those that differ."""
+    ways = ([f"{x:.{digits}g}" for x in values] for digits in range(6, 18))
+    shown = next(way for way in ways if len(set(way)) == len(set(values)))
+    return f"({', '.join(shown)}) {unit}"
+
+
+def _vector(values: Any, unit: str, size: float = 0.0) -> str:
+    largest = max(size, *(abs(x) for x in values))
     cleaned = [0.0 if abs(x) < 1e-15 * largest else x for x in values]
     return "(" + ", ".join(f"{x:.6g}" for x in cleaned) + f") {unit}".rstrip()
 

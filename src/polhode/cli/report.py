@@ -15,7 +15,15 @@ from polhode.errors import InvalidInput
 from polhode.report import free_body_report
 from polhode.spec.reading import read_spec
 
-OWN_FILES = {"momentum_sphere.png", "components.png", "herpolhode.png", "motion.nc"}
+FIGURES = {"momentum_sphere.png", "components.png", "herpolhode.png"}
+
+
+def is_ours(path: Path) -> bool:
+    """Whether a file is a figure of polhode's, as its PNG header says."""
+    if not path.is_file():
+        return False
+    with path.open("rb") as file:
+        return b"polhode" in file.read(400)
 
 
 def run_report(path: Path, json: bool, out: Path | None) -> None:
@@ -32,7 +40,7 @@ def run_report(path: Path, json: bool, out: Path | None) -> None:
         from polhode.formats.dataset import write_dataset
 
         files = draw_all(report, draft)
-        files.append(write_dataset(report.trajectory, draft / "motion.nc", {"title": spec.name}))
+        files.append(write_dataset(report.trajectory, draft / "motion.nc", {"title": spec.name}, spec.body))
         names = [file.name for file in files]
     values = {"name": spec.name, **report.as_json_dict(), "files": [str(folder / name) for name in names]}
     if json:
@@ -59,8 +67,9 @@ def _folder_at_once(folder: Path) -> Iterator[Path]:
             raise InvalidInput(f"{taken[0]}: is a folder where a file has to go. Name another folder with --out.")
         folder.mkdir(exist_ok=True)
         written = {file.name for file in draft.iterdir()}
-        for name in OWN_FILES - written:  # an earlier run's, of another motion
-            (folder / name).unlink(missing_ok=True)
+        for name in FIGURES - written:  # an earlier run's, of another motion
+            if is_ours(folder / name):
+                (folder / name).unlink()
         for name in written:
             (draft / name).replace(folder / name)
     except OSError as error:

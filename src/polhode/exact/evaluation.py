@@ -46,7 +46,7 @@ def _differentiable_characteristics(moments: Array, momentum: Array) -> geometry
     xp = namespace(moments, momentum)
     moments, momentum = xp.broadcast_to(moments, shape), xp.broadcast_to(momentum, shape)
     codes = geometry.characteristics(*stop_gradient((moments, momentum)))[:2]
-    numbers = forward_columns(lambda *values: tuple(geometry.characteristics(*values)[2:]))(moments, momentum)
+    numbers = forward_columns(lambda *x: tuple(geometry.characteristics(*x)[2:]), "FreeMotion")(moments, momentum)
     return geometry.Characteristics(*codes, *numbers)
 
 

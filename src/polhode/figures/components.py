@@ -20,32 +20,20 @@ def draw_components(report: Report) -> Figure:
     if report.motion.period is not None:
         end = min(end, start + LONGEST * report.motion.period)
     shown = f", the first {LONGEST} periods" if end < whole else ""
-    slow = _power(np.array([start, end]))
+    slow = style.power_of_ten((start, end))
     times = np.linspace(start, end, 1200)
     momentum = report.motion.momentum(times)
     velocity = momentum / np.asarray(report.motion.moments)
     for axes, values, symbol, unit in ((upper, velocity, "Ω", "rad/s"), (lower, momentum, "L", "kg m²/s")):
-        power = _power(values)
+        power = style.power_of_ten(values)
         for k in range(3):
             axes.plot(times / 10.0**slow, values[:, k] / 10.0**power, color=style.AXIS_COLOURS[k], lw=1.1,
                       ls=("-", "--", "-.")[k], label=f"axis {k + 1}")  # fmt: skip
-        axes.set_ylabel(f"{symbol}  [{_factor(power)}{unit}]")
+        axes.set_ylabel(f"{symbol}  [{style.factor(power)}{unit}]")
         axes.axhline(0.0, color=style.LIGHT, lw=0.6, zorder=0)
         axes.set_xlim(start / 10.0**slow, end / 10.0**slow)
         style.tidy(axes)
-    lower.set_xlabel(f"time{shown}  [{_factor(slow)}s]")
+    lower.set_xlabel(f"time{shown}  [{style.factor(slow)}s]")
     figure.legend(*upper.get_legend_handles_labels(), loc="outside upper center", ncols=3, fontsize=style.FONT - 1,
                   frameon=False, handlelength=2.2)  # fmt: skip
     return figure
-
-
-def _factor(power: int) -> str:
-    return f"10$^{{{power}}}$ " if power else ""
-
-
-def _power(values: np.ndarray) -> int:
-    """Return the power of ten to take out of the axis, a multiple of three, zero for handy numbers."""
-    largest = float(np.abs(values).max())
-    if largest == 0.0 or 1e-2 <= largest < 1e4:
-        return 0
-    return 3 * int(np.floor(np.log10(largest) / 3.0))

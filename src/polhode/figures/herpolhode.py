@@ -21,20 +21,21 @@ def draw_herpolhode(report: Report) -> Figure | None:
     found = report.herpolhode
     if found is None or found.outer_radius <= 1e-12 * found.plane_distance:
         return None
-    curve = herpolhode_curve(report.motion, _times(report)) / found.outer_radius
+    power = style.power_of_ten(found.outer_radius)
+    outer = found.outer_radius / 10.0**power
+    curve = herpolhode_curve(report.motion, _times(report)) / 10.0**power
     figure = style.new_figure()
     axes = figure.add_subplot()
     circle = np.linspace(0.0, 2.0 * np.pi, 400)
-    for radius in {found.inner_radius / found.outer_radius, 1.0}:
+    for radius in {found.inner_radius / 10.0**power, outer}:
         axes.plot(radius * np.cos(circle), radius * np.sin(circle), color=style.VERMILION, lw=0.7, ls="--")
     axes.plot(*curve.T, color=style.BLUE, lw=0.9)
     axes.plot(*curve[0], "o", ms=3.5, color=style.BLUE, mec="white", mew=0.5)
     axes.plot(0.0, 0.0, "+", color=style.DARK, ms=6, mew=0.8)
     axes.set_aspect("equal")
-    axes.set_xlim(-1.12, 1.12)
-    axes.set_ylim(-1.12, 1.12)
-    digits, power = f"{found.outer_radius:.2e}".split("e")
-    unit = f"[{digits}·10$^{{{int(power)}}}$ (kg m²)$^{{-1/2}}$]"
+    axes.set_xlim(-1.12 * outer, 1.12 * outer)
+    axes.set_ylim(-1.12 * outer, 1.12 * outer)
+    unit = f"[{style.factor(power)}(kg m²)$^{{-1/2}}$]"
     axes.set_xlabel(f"first direction across L  {unit}")
     axes.set_ylabel(f"second direction across L  {unit}")
     axes.set_title("Herpolhode, L towards the viewer", fontsize=style.FONT, color=style.DARK)

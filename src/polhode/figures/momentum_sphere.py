@@ -16,8 +16,11 @@ VIEW = np.array([0.80, 0.46, 0.38]) / np.linalg.norm([0.80, 0.46, 0.38])
 POLHODES = (0.08, 0.25, 0.5, 0.75)  # of the way from an axis to the separatrix
 
 
-def draw_momentum_sphere(report: Report) -> Figure:
-    """Return the sphere |L| = const seen obliquely, far side dimmed; axes are the principal ones."""
+def draw_momentum_sphere(report: Report) -> Figure | None:
+    """Return the sphere |L| = const seen obliquely, far side dimmed; axes are the principal ones. None at rest."""
+    norm = report.motion.momentum_norm
+    if not norm:
+        return None
     figure = style.new_figure()
     axes = figure.add_subplot()
     moments = np.asarray(report.motion.moments)
@@ -25,24 +28,23 @@ def draw_momentum_sphere(report: Report) -> Figure:
     circle = np.linspace(0.0, 2.0 * np.pi, 400)
     axes.fill(np.cos(circle), np.sin(circle), color="#f4f4f4", zorder=-5)
     axes.plot(np.cos(circle), np.sin(circle), color=style.LIGHT, lw=0.8)
-    for curve in _family(moments):
+    family = _family(moments)
+    for curve in family:
         _draw(axes, frame, curve, style.GREY, 0.5)
     for curve in _separatrix(moments):
         _draw(axes, frame, curve, style.VERMILION, 0.9)
-    norm = report.motion.momentum_norm
-    if norm:
-        unit = np.asarray(report.trajectory.momentum) / norm
-        span = report.motion.period
-        if span is not None:
-            unit = report.motion.momentum(np.linspace(0.0, span, 2000)) / norm
-        _draw(axes, frame, unit, style.BLUE, 1.8)
-        _mark(axes, frame, unit[0])
+    unit, span = np.asarray(report.trajectory.momentum) / norm, report.motion.period
+    if span is not None:
+        unit = report.motion.momentum(np.linspace(0.0, span, 2000)) / norm
+    _draw(axes, frame, unit, style.BLUE, 1.8)
+    _mark(axes, frame, unit[0])
     for k in range(3):
         _label(axes, frame, k)
-    handles = [
-        axes.plot([], [], color=style.BLUE, lw=1.8, label="this motion")[0],
-        axes.plot([], [], color=style.GREY, lw=0.5, label="other polhodes")[0],
-    ]
+    still = report.motion.regime in ("permanent", "spherical")
+    dot: Any = {"marker": "o", "ls": "", "ms": 4, "mec": "white"} if still else {"lw": 1.8}
+    handles = [axes.plot([], [], color=style.BLUE, label="this motion", **dot)[0]]
+    if family:
+        handles.append(axes.plot([], [], color=style.GREY, lw=0.5, label="other polhodes")[0])
     if moments[0] < moments[1] < moments[2]:
         handles.insert(1, axes.plot([], [], color=style.VERMILION, lw=0.9, label="separatrix")[0])
     axes.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, -0.01), ncols=3, fontsize=style.FONT - 1,
@@ -120,4 +122,4 @@ def _label(axes: Any, frame: Array, k: int) -> None:
     axes.plot([x], [y], ".", color=style.DARK, ms=2.5, zorder=4)
     beyond = reach + 0.10 / size
     axes.text(beyond * x, beyond * y, f"$L_{k + 1}$", fontsize=style.FONT + 1, ha="center", va="center",
-              color=style.DARK, zorder=6)  # fmt: skip
+              color=style.DARK, zorder=6, bbox={"fc": "white", "ec": "none", "pad": 0.6, "alpha": 0.85})  # fmt: skip

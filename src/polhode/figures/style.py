@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
@@ -24,6 +25,19 @@ def new_figure(width: float = COLUMN, height: float = COLUMN) -> Figure:
     return figure
 
 
+def power_of_ten(values: Any) -> int:
+    """Return the power of ten to take out of an axis, a multiple of three, zero for handy numbers."""
+    largest = float(np.max(np.abs(values)))
+    if largest == 0.0 or 1e-2 <= largest < 1e4:
+        return 0
+    return 3 * int(np.floor(np.log10(largest) / 3.0))
+
+
+def factor(power: int) -> str:
+    """Return the power of ten as it stands before an axis's unit."""
+    return f"10$^{{{power}}}$ " if power else ""
+
+
 def tidy(axes: Any) -> None:
     """Give axes the house's fonts and thin spines."""
     axes.tick_params(labelsize=FONT - 1, colors=DARK, width=0.6, length=2.5)
@@ -36,5 +50,6 @@ def tidy(axes: Any) -> None:
 
 def save(figure: Figure, path: Path) -> Path:
     """Write the figure in the form its ending names."""
-    figure.savefig(path, dpi=DOTS_PER_INCH, facecolor="white")
+    kinds = {".png": {"Software": "polhode"}, ".svg": {"Creator": "polhode"}, ".pdf": {"Creator": "polhode"}}
+    figure.savefig(path, dpi=DOTS_PER_INCH, facecolor="white", metadata=kinds.get(path.suffix))
     return path

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import contextlib
-import os
-import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from polhode.bodies.body import Body
 from polhode.errors import InvalidInput
 from polhode.trajectory import Trajectory
 
@@ -27,7 +26,9 @@ _INVARIANTS = {
 }
 
 
-def as_dataset(trajectory: Trajectory, attributes: dict[str, str] | None = None) -> xarray.Dataset:
+def as_dataset(
+    trajectory: Trajectory, attributes: dict[str, str] | None = None, body: Body | None = None
+) -> xarray.Dataset:
     """Return a trajectory as an xarray Dataset whose variables carry units and frames.
 
     Dimensions are ``body`` axes (``batch_0``, …) if any, ``time``, ``quaternion`` (w, x, y, z) and ``axis`` (1, 2, 3).
@@ -35,6 +36,7 @@ def as_dataset(trajectory: Trajectory, attributes: dict[str, str] | None = None)
     Args:
         trajectory: plain arrays.
         attributes: global attributes to add.
+        body: whose principal axes the trajectory is along; its mass properties are added.
     """
     import xarray as xr
 
@@ -63,28 +65,50 @@ def as_dataset(trajectory: Trajectory, attributes: dict[str, str] | None = None)
         if name in trajectory.drift and not batch:
             note["drift"] = float(trajectory.drift[name])
         variables[name] = (dims, np.asarray(values), note)
+    if body is not None:
+        variables |= _body_variables(body)
+        coordinates["given_axis"] = ("given_axis", ["x", "y", "z"])
+        for name in ("attitude", *_VECTORS):
+            if name in variables:
+                variables[name][2]["comment"] = "body axes are the principal ones; principal_axes has them"
     header = {"Conventions": "CF-1.11", "source": "polhode", "status": trajectory.status} | (attributes or {})
     return xr.Dataset(variables, coordinates, header)
 
 
-def write_dataset(trajectory: Trajectory, path: str | Path, attributes: dict[str, str] | None = None) -> Path:
+def _body_variables(body: Body) -> dict[str, Any]:
+    found: dict[str, Any] = {
+        "principal_moments": ("axis", body.principal_moments,
+                              {"units": "kg m2", "long_name": "moments about the principal axes"}),
+        "principal_axes": (("given_axis", "axis"), body.principal_axes,
+                           {"units": "1", "long_name": "principal axes, by columns, in the given ones"}),
+        "center_of_mass": ("given_axis", body.center_of_mass,
+                           {"units": "m", "long_name": "centre of mass in the given axes"}),
+    }  # fmt: skip
+    if body.mass is not None:
+        found["mass"] = ((), body.mass, {"units": "kg", "long_name": "mass"})
+    return found
+
+
+def write_dataset(
+    trajectory: Trajectory, path: str | Path, attributes: dict[str, str] | None = None, body: Body | None = None
+) -> Path:
     """Write a trajectory as NetCDF; the file appears whole or not at all.
 
     Raises:
         InvalidInput: if the folder cannot be written to.
     """
     path = Path(path)
-    dataset = as_dataset(trajectory, attributes)
+    dataset = as_dataset(trajectory, attributes, body)
+    draft = path.with_name(f".{path.name}.part")
     try:
-        handle, name = tempfile.mkstemp(dir=path.parent, suffix=".part")
+        draft.touch()
     except OSError as error:
         why = f"{path}: cannot be written ({error.strerror}). Choose a folder that you may write to."
         raise InvalidInput(why) from None
-    os.close(handle)
     try:
-        dataset.to_netcdf(name, engine="h5netcdf")
-        Path(name).replace(path)
+        dataset.to_netcdf(draft, engine="h5netcdf")
+        draft.replace(path)
     finally:
         with contextlib.suppress(FileNotFoundError):
-            Path(name).unlink()
+            draft.unlink()
     return path

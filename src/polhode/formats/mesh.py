@@ -41,7 +41,10 @@ def read_mesh(path: str | Path, unit: float, repair: bool = False) -> tuple[Arra
         raise FormatError(f"{path}: a corner is NaN or infinite. Export it anew.")
     vertices, faces = _merged(vertices, faces.astype(np.int64))
     if repair:
-        vertices, faces = repaired_mesh(*_filled(*_merged_nearby(vertices, faces)))
+        try:
+            vertices, faces = repaired_mesh(*_filled(*_merged_nearby(vertices, faces)))
+        except InvalidInput as error:
+            raise InvalidInput(f"{path}: {error}") from None
     return vertices * unit, faces
 
 
@@ -49,7 +52,7 @@ def _loaded(path: Path) -> tuple[Array, Array]:
     import trimesh
     from trimesh.exchange.load import mesh_formats
 
-    ending, formats = path.suffix.lower().lstrip("."), mesh_formats()
+    ending, formats = path.suffix.lower().lstrip("."), mesh_formats() - {"xyz", "stl_ascii"}
     if ending not in formats:
         known = ", ".join(sorted(formats))
         raise FormatError(f"{path}: a mesh file must end in one of {known}; got {path.suffix!r}. Convert it to STL.")

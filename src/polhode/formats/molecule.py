@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 from typing import Any
 
@@ -38,9 +39,9 @@ def read_molecule(path: str | Path) -> tuple[list[str], Array, Array | None]:
         why = f"{path}: {error} is no chemical element. Isotopes go as masses into an extended xyz, not as symbols."
         raise FormatError(why) from None
     except Exception as error:  # ASE raises whatever its many readers raise
-        reason = str(error).split("ase.io.")[-1].split(": ", 1)[-1]
-        reason = f" ({reason})" if reason else ""
-        why = f"{path}: cannot be read as a molecule{reason}. Is it whole, and in the form its ending says?"
+        counted = re.search(r"Frame has \d+ atoms, expected \d+", str(error))
+        reason = f" ({counted[0][0].lower()}{counted[0][1:]})" if counted else ""
+        why = f"{path}: cannot be read as a molecule{reason}: it is broken, cut short, or not what its ending says."
         raise FormatError(why) from None
     if not symbols:
         raise FormatError(f"{path}: holds no atoms.")

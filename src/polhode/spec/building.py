@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import contextlib
 import math
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -31,17 +33,25 @@ def build_body(table: BodyTable, folder: Path) -> Body:
     """
     if table.mesh is not None:
         vertices, faces = read_mesh(folder / table.mesh, table.mesh_unit or 1.0, table.repair)
-        try:
+        with _of_file("mesh", table.mesh):
             return from_mesh(vertices, faces, mass=table.mass, density=table.density, several=table.several)
-        except InvalidInput as error:
-            raise InvalidInput(f"mesh {table.mesh}: {error}") from None
     if table.moments is not None:
         return Body.from_moments(*table.moments, mass=table.mass)
     if table.inertia is not None:
         return Body(table.mass, (0.0, 0.0, 0.0), table.inertia)
     if table.molecule is not None:
-        return from_atoms(*read_molecule(folder / table.molecule))
+        atoms = read_molecule(folder / table.molecule)
+        with _of_file("molecule", table.molecule):
+            return from_atoms(*atoms)
     return combine([build_part(part) for part in table.parts or []])
+
+
+@contextlib.contextmanager
+def _of_file(kind: str, name: str) -> Iterator[None]:
+    try:
+        yield
+    except InvalidInput as error:
+        raise InvalidInput(f"{kind} {name}: {error}") from None
 
 
 def build_part(table: PartTable) -> Body:
@@ -61,7 +71,7 @@ def build_spin(table: SpinTable | None, body: Body) -> tuple[Array, Array]:
     axes, moments = body.principal_axes, body.principal_moments
     given = (1.0, 0.0, 0.0, 0.0) if table is None else table.attitude
     attitude = rotation.multiply(rotation.normalize(given), rotation.from_matrix(axes))
-    if table is None:
+    if table is None or not (table.momentum or table.angular_velocity or table.rate):
         return np.zeros(3), attitude
     if table.momentum is not None or table.angular_velocity is not None:
         vector = np.array(table.momentum if table.momentum is not None else table.angular_velocity)
@@ -70,6 +80,15 @@ def build_spin(table: SpinTable | None, body: Body) -> tuple[Array, Array]:
     direction = np.zeros(3)
     about = table.about
     index = about - 1 if isinstance(about, int) else "xyz".index(str(about))
-    direction[index], direction[(index + 1) % 3] = math.cos(table.tilt), math.sin(table.tilt)
+    direction[index], direction[(index + 1) % 3] = _cosine_and_sine(table.tilt)
     velocity = (table.rate or 0.0) * (direction if isinstance(about, int) else direction @ axes)
     return moments * velocity, attitude
+
+
+def _cosine_and_sine(angle: float) -> tuple[float, float]:
+    """Return both, exact for whole quarter turns, whose angle itself is not."""
+    quarters = angle / (0.5 * math.pi)
+    nearest = round(quarters)
+    if nearest and abs(quarters - nearest) <= 4.0 * np.finfo(float).eps * abs(quarters):
+        return ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))[nearest % 4]
+    return math.cos(angle), math.sin(angle)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Annotated, Any
 
-from pydantic import BeforeValidator, Field, StrictBool, StrictInt
+from pydantic import AfterValidator, BeforeValidator, Field, StrictBool, StrictInt
 
 from polhode.spec.units import EXAMPLES, parse_quantity
 
@@ -14,7 +14,7 @@ def _reader(unit: str, positive: bool = False) -> BeforeValidator:
     def read(value: Any) -> float:
         number = parse_quantity(value, unit)
         if positive and not number > 0:
-            raise ValueError(f"must be positive; got {value!r}. Check its sign")
+            raise ValueError(f"must be positive; got {value!r}. Check number and unit")
         return number
 
     return BeforeValidator(read)
@@ -32,6 +32,12 @@ def _three(unit: str) -> BeforeValidator:
     return BeforeValidator(check)
 
 
+def _not_negative(value: float) -> float:
+    if value < 0:
+        raise ValueError(f"must not be negative; got {value:g} kg m². Check its sign")
+    return value
+
+
 def _rows(value: Any) -> Any:
     if not isinstance(value, list) or len(value) != 3:
         raise ValueError(f"needs three rows of three moments each, [[…], […], […]]; got {value!r}")
@@ -39,13 +45,13 @@ def _rows(value: Any) -> Any:
 
 
 def _mesh_unit(value: Any) -> float:
-    if not isinstance(value, str):
-        raise ValueError(f'must be a unit of length in quotes, like "mm"; got {value!r}')
-    text = value if any(c.isdigit() for c in value) else f"1 {value}"
-    number = parse_quantity(text, "m")
-    if not number > 0:
-        raise ValueError(f"must be a positive length; got {value!r}")
-    return number
+    wrong = ValueError(f'must be a unit of length alone, in quotes, like "mm"; got {value!r}')
+    if not isinstance(value, str) or not value or any(c.isdigit() for c in value):
+        raise wrong
+    try:
+        return parse_quantity(f"1 {value}", "m")
+    except ValueError:
+        raise wrong from None
 
 
 def _quaternion(value: Any) -> tuple[float, ...]:
@@ -76,11 +82,13 @@ Time = Annotated[float, _reader("s")]
 Duration = Annotated[float, _reader("s", positive=True)]
 Coordinate = Annotated[float, _reader("m")]
 Moment = Annotated[float, _reader("kg*m^2")]
+NotNegative = Annotated[Moment, AfterValidator(_not_negative)]
 MomentumComponent = Annotated[float, _reader("kg*m^2/s")]
 Lengths = Annotated[tuple[Length, Length, Length], _three("m")]
 Position = Annotated[tuple[Coordinate, Coordinate, Coordinate], _three("m")]
-Moments = Annotated[tuple[Moment, Moment, Moment], _three("kg*m^2")]
-Inertia = Annotated[tuple[Moments, Moments, Moments], BeforeValidator(_rows)]
+Moments = Annotated[tuple[NotNegative, NotNegative, NotNegative], _three("kg*m^2")]
+InertiaRow = Annotated[tuple[Moment, Moment, Moment], _three("kg*m^2")]
+Inertia = Annotated[tuple[InertiaRow, InertiaRow, InertiaRow], BeforeValidator(_rows)]
 Momentum = Annotated[tuple[MomentumComponent, MomentumComponent, MomentumComponent], _three("kg*m^2/s")]
 Rates = Annotated[tuple[Rate, Rate, Rate], _three("rad/s")]
 MeshUnit = Annotated[float, BeforeValidator(_mesh_unit)]

@@ -15,7 +15,7 @@ from polhode.errors import FormatError, InvalidInput
 from polhode.spec.building import build_body, build_part, build_spin
 from polhode.spec.mistakes import as_message, mistakes_of
 from polhode.spec.models import BodyTable, PartTable, SpecFile
-from polhode.spec.rules import Location, Mistake, broken_rules
+from polhode.spec.rules import SOURCES, Location, Mistake, broken_rules
 
 Array = Any
 
@@ -78,7 +78,11 @@ def _read_toml(path: Path) -> dict[str, Any]:
 def _built_body(
     raw: Any, folder: Path, mistakes: list[Mistake]
 ) -> tuple[Body | None, list[tuple[Location, InvalidInput]]]:
-    """Return the body, or what of it no body has; parts that are right in themselves are tried on their own."""
+    """Return the body, or what of it no body has.
+
+    Beside mistakes, what is right in itself is tried on its own: each part, and the source of the body with its other
+    keys as if they were right.
+    """
 
     def clean(location: Location) -> bool:
         return not any(where[: len(location)] == location for where, _ in mistakes)
@@ -91,9 +95,15 @@ def _built_body(
         location = ("body", "parts", k)
         if clean(location):
             errors += _tried(location, lambda part=part: build_part(PartTable.model_validate(part)))[1]
-    if errors or not clean(("body",)):
+    sources = [key for key in SOURCES if key in raw]
+    if errors or len(sources) != 1 or not clean(("body", sources[0])):
         return None, errors
-    return _tried(("body",), lambda: build_body(BodyTable.model_validate(raw), folder))
+    kept = {key: value for key, value in raw.items() if key in BodyTable.model_fields and clean(("body", key))}
+    if "mesh" in kept:
+        kept = {"mesh_unit": "m", **kept}
+        if ("mass" in kept) == ("density" in kept):
+            kept = {key: value for key, value in kept.items() if key != "density"} | {"mass": "1 kg"}
+    return _tried(("body",), lambda: build_body(BodyTable.model_validate(kept), folder))
 
 
 def _tried(location: Location, build: Callable[[], Body]) -> tuple[Body | None, list[tuple[Location, InvalidInput]]]:

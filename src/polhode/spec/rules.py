@@ -64,7 +64,7 @@ def _part_rules(part: dict[str, Any]) -> Iterator[str]:
 
 def _spin_rules(spin: dict[str, Any]) -> Iterator[str]:
     ways = [key for key in WAYS if key in spin]
-    if len(ways) != 1:
+    if len(ways) > 1 or (not ways and {"frame", "about", "tilt"} & set(spin)):
         yield f"needs exactly one of angular_velocity, momentum and rate; got {_listed(ways)}"
     if "rate" in spin:
         if "about" not in spin:

@@ -53,13 +53,17 @@ def parse_quantity(value: Any, unit: str) -> float:
         unit_text = parts["unit"]
         unit_text = f"1{unit_text}" if unit_text.startswith("/") else unit_text
         quantity = registry.Quantity(magnitude, registry.parse_units(unit_text))
-    except Exception:  # pint raises errors of many kinds, tokenizer's and its own
+    except Exception as error:  # pint raises errors of many kinds, tokenizer's and its own
+        if unknown := getattr(error, "unit_names", None):
+            raise ValueError(_unknown_unit(unknown, value, example)) from None
         raise ValueError(f'cannot be read as a quantity: {value!r}; write it like "{example}"') from None
     if not math.isfinite(magnitude):
         raise ValueError(f"must be finite; got {value!r}")
     names = set(dict(quantity.unit_items()))
     if unit == "rad/s":
         _refuse_cycles(value, names)
+    if unit == "kg*m^2/s" and any("hertz" in name for name in names):
+        raise ValueError(f'is ambiguous: {value!r} may mean turns or radians; write it like "{example}"')
     if not names:
         raise ValueError(f'needs a unit, like "{example}"; got {value!r}')
     try:
@@ -72,9 +76,18 @@ def parse_quantity(value: Any, unit: str) -> float:
     return result
 
 
+def _unknown_unit(names: Any, value: str, example: str) -> str:
+    """Say which unit is not known, and which one spelt alike is."""
+    name = names if isinstance(names, str) else next(iter(names))
+    near = next((x for x in (name.lower(), name.capitalize(), name.upper()) if x in _registry()), None)
+    hint = f"did you mean {near}?" if near else f'write it like "{example}"'
+    return f"names a unit that is not known, {name!r}, in {value!r}; {hint}"
+
+
 def _refuse_cycles(value: str, names: set[str]) -> None:
     """An angular rate in Hz or 1/s leaves open whether turns or radians are meant, a factor of 2π."""
     if any("hertz" in name for name in names):
         raise ValueError(f'is ambiguous: {value!r} may mean turns or radians; write "rev/s", "rpm" or "rad/s"')
-    if names and not any(name in ANGLES or name.endswith(("radian", "degree", "turn", "rev")) for name in names):
+    plane = names - {"steradian"}
+    if names and not any(name in ANGLES or name.endswith(("radian", "degree", "turn", "rev")) for name in plane):
         raise ValueError(f'is not an angular rate: {value!r} names no angle; write "rad/s", "deg/s" or "rpm"')

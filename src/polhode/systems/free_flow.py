@@ -90,7 +90,8 @@ def composed(first: Components, second: Components) -> Components:
 def _series(inverse: Components, time: Array, momentum: Components) -> Components:
     """Return Σ_{k ≥ 1} of the quaternion's Taylor terms: q' = ½ q Ω, L' = L × Ω."""
     zero = jnp.zeros_like(momentum[0])
-    L, turn = [momentum], [(zero + 1.0, zero, zero, zero)]
+    L: list[Components] = [momentum]
+    turn: list[Components] = [(zero + 1.0, zero, zero, zero)]
     velocity = [tuple(time * i * x for i, x in zip(inverse, momentum, strict=True))]
     for k in range(ORDER):
         if k + 1 < ORDER:
@@ -98,8 +99,7 @@ def _series(inverse: Components, time: Array, momentum: Components) -> Component
             L.append(tuple(sum(t[n] for t in terms) * (1.0 / (k + 1)) for n in range(3)))
             velocity.append(tuple(time * i * x for i, x in zip(inverse, L[-1], strict=True)))
         terms = [_times_pure(turn[j], velocity[k - j]) for j in range(k + 1)]
-        a, b, c, d = (sum(t[n] for t in terms) * (0.5 / (k + 1)) for n in range(4))
-        turn.append((a, b, c, d))
+        turn.append(tuple(sum(t[n] for t in terms) * (0.5 / (k + 1)) for n in range(4)))
     # from the smallest term up
     return tuple(sum(term[n] for term in turn[:0:-1]) for n in range(4))
 
