@@ -11,7 +11,7 @@ Source: Whittaker, Analytical Dynamics, §71-73, in Cayley-Klein parameters.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from math import ceil
 from operator import mul
 from typing import NamedTuple
@@ -24,7 +24,11 @@ ACCURATE_BITS = 160
 """48 digits of every entry, and of L relative to its largest value."""
 STEP = 0.5
 """Fastest rate times the length of one Taylor step."""
-DECAYED = 150
+SMALL_TILT = 0.5
+"""Largest 1 − cos θ up to which the slow quantities beside the vertical are used."""
+MOST_GROWTH = 300.0
+"""Exponent by which a motion magnifies errors: a passage of the upright from 1e-65 and back."""
+DECAYED = 92
 """Exponent of what is left of tilt and momentum when a top on the separatrix counts as upright."""
 Complex = tuple[int, int]
 
@@ -113,7 +117,7 @@ def _carried(top: Spherical, tau: fmpq, bits: int) -> tuple[acb, acb, acb]:
     if top.w2 == 0 and (s == 0 or t == 0 or top.G == 0):
         half = _turn(arb(top.a * tau) / 2)
         return alpha * half, beta / half, w / (half * half) if top.G == 0 else w
-    cubic = fmpq_poly([-c * c, 2 * _F(top), 2 * top.G - top.a**2 - top.w2 + top.G * s, -top.G])
+    cubic = cubic_of(top)
     slope = cubic.derivative()
     if cubic(s) == 0 and slope(s) == 0:
         rate_alpha, rate_beta = arb(c_plus * tau / (2 * t)), arb(c * tau / (2 * s))
@@ -134,19 +138,24 @@ def _F(top: Spherical) -> fmpq:
     return top.w2 - top.G * top.s - top.a * top.c
 
 
+def cubic_of(top: Spherical) -> fmpq_poly:
+    """u̇² as a polynomial in s = 1 − u."""
+    return fmpq_poly([-top.c**2, 2 * _F(top), 2 * top.G - top.a**2 - top.w2 + top.G * top.s, -top.G])
+
+
 def _turn(angle: arb) -> acb:
     return acb(0, angle).exp()
 
 
 def _towards_upright(top: Spherical, tau: fmpq, bits: int) -> tuple[acb, acb, acb]:
     """On the separatrix tilt and momentum die like e^-λτ; what is left is spin about the vertical."""
-    decay = (arb(top.G) - arb(top.a) ** 2 / 4).sqrt()
+    decay = (arb(top.G) / 2 - arb(top.a) ** 2 / 4).sqrt()
     start = arb(top.s) if top.s else arb(1)
     enough = (DECAYED + 2 * start.log().abs_upper() + 10) / decay
     if abs(arb(tau)) <= enough:
         return taylor(top, arb(tau), bits)
     arrival = fmpq(int(enough.abs_upper().ceil().unique_fmpz()) if enough > 1 else 1) * (1 if tau > 0 else -1)
-    alpha, _, _ = taylor(top, arb(arrival), bits)
+    alpha, _, _ = taylor(top, arb(arrival), 140, growth=1.2 * float(enough * decay))
     return alpha * _turn(arb(top.a * (tau - arrival)) / 2), acb(0), acb(0)
 
 
@@ -165,9 +174,7 @@ def period_and_turns(top: Spherical, cubic: fmpq_poly, bits: int) -> Nutation:
 def _legendre(top: Spherical, cubic: fmpq_poly) -> Nutation:
     c, c_plus = arb(top.c), arb(top.c + 2 * top.a)
     integral = fmpq_poly([x * cubic.denom() for x in cubic.coeffs()]).numer()
-    roots = [r.real for r, count in integral.complex_roots() for _ in range(count)]
-    # float only sorts what is well apart; close roots are put in order exactly
-    roots = sorted(sorted(roots, key=lambda x: -float(x.mid())), key=_Ordered)
+    roots = sorted((root.real for root, count in integral.complex_roots() for _ in range(count)), key=_Ordered)
     s1, s2 = roots[0], roots[1]
     d = s1 - s2
     A, m1 = (arb(top.G) * (s1 - roots[2]), (s2 - roots[2]) / (s1 - roots[2])) if top.G else (-arb(cubic[2]), arb(1))
@@ -194,42 +201,91 @@ class _Ordered:
         return bool(self.value > other.value)
 
 
-def taylor(top: Spherical, tau: arb, bits: int) -> tuple[acb, acb, acb]:
-    """Return α, β, w after ``tau`` by power series, over q/|q|."""
+def taylor(top: Spherical, tau: arb, bits: int, growth: float = MOST_GROWTH) -> tuple[acb, acb, acb]:
+    """Return α, β, w after ``tau`` by power series, over q/|q|; errors grow by e^``growth`` at most."""
     size = arb(top.w2 + top.a**2 + 2 * abs(top.G)).sqrt()
+    if top.G > 0 and _highest_tilt(top) < SMALL_TILT:
+        return _taylor_beside_upright(top, tau, bits, size)
+    norm = arb(top.size).sqrt()
+    scaled = [arb(v) / norm for v in (*top.alpha, *top.beta)] + [arb(x) / size for x in top.w]
+    rates = [size / 2, arb(top.a) / 2, arb(top.G) / size]
+    ar, ai, br, bi, wr, wi = _stepped(_step, scaled, rates, tau, size, bits + _lost_bits(top, size), growth)
+    return acb(ar, ai), acb(br, bi), acb(wr, wi) * size
+
+
+def _lost_bits(top: Spherical, size: arb) -> int:
+    """Bits by which the momentum is smaller than the unit of the fixed-point numbers."""
     largest = arb(max(abs(top.a), abs(top.w[0]), abs(top.w[1])))
+    return ceil(float((size / largest).log()) / 0.69) if largest > 0 else 0
+
+
+def _highest_tilt(top: Spherical) -> float:
+    """Return the largest 1 − cos θ of the motion."""
+    cubic = cubic_of(top)
+    integral = fmpq_poly([x * cubic.denom() for x in cubic.coeffs()]).numer()
+    with ctx.workprec(200):
+        return float(min((root.real.mid() for root, _ in integral.complex_roots()), key=_Ordered))
+
+
+def _taylor_beside_upright(top: Spherical, tau: arb, bits: int, size: arb) -> tuple[acb, acb, acb]:
+    """The same where the tilt stays small, in quantities that are as slow as the nutation.
+
+    β'' = (κ − G|β|²) β with κ = G/2 − a²/4 − (|w|² − G s)/4 follows from the first-order equations; A = α e^{−iaτ/2}
+    turns only as fast as |β|² lets it: A' = −½ conj(2β' + iaβ) β A/|α|². Near the threshold of the sleeping top all of
+    these are far slower than the spin.
+    """
+    norm = arb(top.size).sqrt()
+    a, G = arb(top.a), arb(top.G)
+    alpha, beta = (acb(arb(v[0]), arb(v[1])) / norm for v in (top.alpha, top.beta))
+    w = acb(arb(top.w[0]), arb(top.w[1]))
+    kappa = arb(top.G / 2 - top.a**2 / 4 - (top.w2 - top.G * top.s) / 4)
+    tilt = arb(_highest_tilt(top))
+    slope = (w * alpha - acb(0, 1) * a * beta) / 2  # β'
+    largest = (tilt / 2).sqrt()
+    rate = abs(kappa).sqrt() + (G * tilt).sqrt() + abs(a) * tilt + abs(slope) / largest
+    values = [v for x in (beta / largest, slope / (largest * rate), alpha) for v in (x.real, x.imag)]
+    ratios = [rate, kappa / rate, G * largest**2 / rate, largest**2 * rate, largest**2 * a / 2]
+    br, bi, vr, vi, ar, ai = _stepped(_slow_step, values, [*ratios, largest**2], tau, rate, bits + 40)
+    alpha = acb(ar, ai) * _turn(a * tau / 2)
+    beta, slope = acb(br, bi) * largest, acb(vr, vi) * largest * rate
+    return alpha, beta, (2 * slope + acb(0, 1) * a * beta) / alpha
+
+
+def _stepped(
+    step: Callable[[list[int], list[int], int], list[int]], values: list[arb], rates: list[arb], tau: arb, size: arb,
+    bits: int, growth: float = MOST_GROWTH,
+) -> list[arb]:  # fmt: skip
+    """Take equal steps of about STEP/size; ``rates`` come to ``step`` times its length."""
     turn = float(size * abs(tau))
     steps = max(1, ceil(turn / STEP))
-    small = float((size / largest).log()) / 0.69 if largest > 0 else 0.0
-    work = bits + 24 + ceil(1.45 * min(turn, 4000.0)) + ceil(small) + 2 * (steps + 1).bit_length()
-    # growth is e^turn at most, and by far not that for spins that only turn
+    # growth is e^turn at most, and past a few hundred of it by far not that: the separatrix is left before
+    work = bits + 24 + ceil(1.45 * min(turn, growth)) + 2 * (steps + 1).bit_length()
     unit = fmpz(1) << work
-    h = tau / steps
-    norm = arb(top.size).sqrt()
 
     def fixed(value: arb) -> int:
         return int((value * unit + arb("0.5")).mid().floor().unique_fmpz())
 
     with ctx.workprec(work + 200):
-        pair = lambda v: [fixed(arb(v[0]) / norm), fixed(arb(v[1]) / norm)]  # noqa: E731
-        scaled_w = [fixed(arb(x) / size) for x in top.w]
-        values = [*pair(top.alpha), *pair(top.beta), *scaled_w]
-        rate, spin = fixed(h * size / 2), fixed(h * arb(top.a) / 2)
-        pull = fixed(h * arb(top.G) / size)
+        h = tau / steps
+        now, scaled = [fixed(v) for v in values], [fixed(h * r) for r in rates[: 5 if len(rates) > 3 else 3]]
+        scaled += [fixed(r) for r in rates[5:]]
         for _ in range(steps):
-            values = _step(values, rate, spin, pull, work)
-        ar, ai, br, bi, wr, wi = (arb(x) / arb(unit) for x in values)
-        return acb(ar, ai), acb(br, bi), acb(wr, wi) * size
+            now = step(now, scaled, work)
+        return [arb(x) / arb(unit) for x in now]
 
 
-def _step(values: list[int], rate: int, spin: int, pull: int, bits: int) -> list[int]:
-    """One step; coefficients carry h^k. ``rate`` = |L| h/2, ``spin`` = a h/2, ``pull`` = G h/|L|, over 2^bits."""
+def _unfinished(series: list[list[int]]) -> bool:
+    return len(series[0]) < 5 or any(abs(s[k]) > 1 for s in series for k in (-1, -2, -3))
+
+
+def _step(values: list[int], rates: list[int], bits: int) -> list[int]:
+    """One step; coefficients carry h^k. ``rates`` = |L| h/2, a h/2, G h/|L|, over 2^bits."""
     series = [[x] for x in values]
     ar, ai, br, bi, wr, wi = series
-    order = 0
-    while order < 4 or any(abs(s[k]) > 1 for s in series for k in (-1, -2, -3)):
+    rate, spin, pull = rates
+    dot = _dot(bits)
+    while _unfinished(series):
         dbr, dbi, dar, dai = br[::-1], bi[::-1], ar[::-1], ai[::-1]
-        dot = lambda x, y: sum(map(mul, x, y)) >> bits  # noqa: E731
         new = (
             -rate * (dot(wr, dbr) + dot(wi, dbi)) - spin * ai[-1],
             -rate * (dot(wr, dbi) - dot(wi, dbr)) + spin * ar[-1],
@@ -238,7 +294,63 @@ def _step(values: list[int], rate: int, spin: int, pull: int, bits: int) -> list
             pull * (dot(ar, dbr) + dot(ai, dbi)),
             pull * (dot(ar, dbi) - dot(ai, dbr)),
         )
-        order += 1
+        order = len(ar)
         for s, x in zip(series, new, strict=True):
             s.append((x >> bits) // order)
     return [sum(s) for s in series]
+
+
+def _dot(bits: int) -> Callable[[list[int], list[int]], int]:
+    return lambda x, y: sum(map(mul, x, y)) >> bits
+
+
+def _slow_step(values: list[int], rates: list[int], bits: int) -> list[int]:
+    """One step of β, β', A and 1/|α|² beside the vertical, all scaled to order one."""
+    br, bi, vr, vi, ar, ai = series = [[x] for x in values]
+    move, pull, quartic, turn, spin, tilt = rates
+    dot = _dot(bits)
+    square: list[int] = []  # |β|², scaled
+    mr: list[int] = []  # conj(2β' + iaβ) β /2, times h
+    mi: list[int] = []
+    inverse: list[int] = []  # 1/|α|²
+    nr: list[int] = []
+    ni: list[int] = []
+    while _unfinished(series):
+        dbr, dbi = br[::-1], bi[::-1]
+        square.append(dot(br, dbr) + dot(bi, dbi))
+        real, imaginary = dot(vr, dbr) + dot(vi, dbi), dot(vr, dbi) - dot(vi, dbr)
+        mr.append(turn * real >> bits)
+        mi.append(turn * imaginary - spin * square[-1] >> bits)
+        one = (1 << bits) if not inverse else 0
+        # (1 − |β|²)/|α|² = 1, order by order
+        rest = one + (tilt * dot(square[:0:-1], inverse) >> bits)
+        inverse.append((rest << bits) // ((1 << bits) - (tilt * square[0] >> bits)))
+        back = inverse[::-1]
+        nr.append(dot(mr, back))
+        ni.append(dot(mi, back))
+        dnr, dni, down = nr[::-1], ni[::-1], square[::-1]
+        new = (
+            move * vr[-1], move * vi[-1],
+            pull * br[-1] - quartic * dot(br, down), pull * bi[-1] - quartic * dot(bi, down),
+            (-(dot(dnr, ar) - dot(dni, ai))) << bits, (-(dot(dnr, ai) + dot(dni, ar))) << bits,
+        )  # fmt: skip
+        order = len(br)
+        for s, x in zip(series, new, strict=True):
+            s.append((x >> bits) // order)
+    return [sum(s) for s in series]
+
+
+def largest_momentum(
+    moments: Sequence[Exact], mgl: Exact, momentum: Sequence[Exact], attitude: Sequence[Exact]
+) -> arb:
+    """Return the largest |L| of the whole motion: that at the lowest centre of mass."""
+    weight = exact(mgl)
+    top = spherical(exact(moments[0]), weight, momentum, attitude)
+    top = half_turned(top) if weight < 0 else top
+    square = arb(top.w2 + top.a**2)
+    if top.G != 0 and not (top.w2 == 0 and top.s in (0, 2)):
+        cubic = cubic_of(top)
+        integral = fmpq_poly([x * cubic.denom() for x in cubic.coeffs()]).numer()
+        lowest = min((root.real for root, _ in integral.complex_roots()), key=_Ordered)
+        square = square + arb(top.G) * (lowest - arb(top.s))
+    return square.nonnegative_part().sqrt()

@@ -41,7 +41,7 @@ def top_frequencies(top: TopReduction, points: TurningPoints) -> TopFrequencies:
     upright = (top.s0[0] == 0) | (top.t0[0] == 0)
     permanent = (top.w2[0] == 0) & (upright | ((top.G[0] == 0) & (a == 0)))
     separatrix = ~(points.B[0] > 0) & ~permanent
-    one = dd.from_float(xp.ones_like(a))
+    one = dd.one_like(a)
     root_A, root_B = dd.sqrt(points.A), dd.sqrt(points.B)
     tame = permanent | separatrix
     square_alpha, square_beta, first_alpha, first_beta = _starts(top, points)
@@ -88,9 +88,8 @@ def _drift(
     nutation: DoubleDouble, total: DoubleDouble, first: Array,
 ) -> DoubleDouble:  # fmt: skip
     """Return cG/(4Z) Σ in the first form, |c|/(2 near) [1 − d/(2 far) Σ] − ϖ in the second."""
-    xp = namespace(first)
     idle = c[0] == 0
-    one = dd.from_float(xp.ones_like(c[0]))
+    one = dd.one_like(c[0])
     inner = dd.divide(dd.multiply(c, G), dd.where(idle, one, Z))
     outer = dd.scale(dd.divide(c, dd.where(idle, one, near)), 0.5)
     share = dd.scale(dd.multiply(dd.divide(d, far), total), 0.5)

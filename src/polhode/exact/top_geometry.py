@@ -68,7 +68,7 @@ def _characteristics(top: TopReduction, points: TurningPoints, rates: TopFrequen
 
 def _cosine(xp: Any, s: DoubleDouble, t: DoubleDouble) -> Array:
     """Return u from the smaller of 1 − u and 1 + u."""
-    one = dd.from_float(xp.ones_like(s[0]))
+    one = dd.one_like(s[0])
     return xp.where(s[0] < t[0], dd.subtract(one, s)[0], dd.subtract(t, one)[0])
 
 

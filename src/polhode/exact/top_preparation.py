@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-from polhode.arrays import choose, compiled, namespace, split_halves
+from polhode.arrays import barrier, choose, compiled, namespace, split_halves
 from polhode.exact.top_frequencies import TopFrequencies, top_frequencies
 from polhode.exact.top_reduction import TopReduction, reduce_top
 from polhode.exact.top_roots import TurningPoints, turning_points
@@ -43,10 +43,10 @@ class _Arguments(NamedTuple):
 
 def prepare_top(moments: Array, mgl: Array, momentum: Array, attitude: Array) -> PreparedTop:
     """Return the constants of motion of tops with arrays (…, 3), (…, 1), (…, 3) and (…, 4) of one batch shape."""
-    top = compiled(reduce_top, moments)(moments, mgl, momentum, attitude)
-    points = compiled(turning_points, moments)(top)
-    rates = compiled(top_frequencies, moments)(top, points)
-    arguments = compiled(_arguments, moments)(top, points, rates)
+    top = barrier(compiled(reduce_top, moments)(moments, mgl, momentum, attitude))
+    points = barrier(compiled(turning_points, moments)(top))
+    rates = barrier(compiled(top_frequencies, moments)(top, points))
+    arguments = barrier(compiled(_arguments, moments)(top, points, rates))
     axial = momentum[..., 2]
     return PreparedTop(compiled(_motion, moments)(top, points, rates, arguments, axial), top, points, rates)
 
@@ -61,7 +61,7 @@ def _arguments(top: TopReduction, points: TurningPoints, rates: TopFrequencies) 
     q = small * nome_per_parameter(small, xp.sqrt(1.0 - small))
     theta3 = 1.0 + 2.0 * (q + q**4 + q**9)
     still = permanent | rates.steady
-    v_a, v_b, w_a, w_b, x0 = _integrals(top, points, still | separatrix)
+    v_a, v_b, w_a, w_b, x0 = _integrals(top, points, still)
     scale = 1.0 / (theta3 * theta3)  # π/2K of the smaller quarter period
     v_a = xp.where(separatrix, xp.atan2(xp.sqrt(t1), xp.sqrt(d)), v_a)
     v_b = xp.where(separatrix | (s2 == 0), 0.0, v_b)
@@ -82,7 +82,7 @@ def _integrals(top: TopReduction, points: TurningPoints, idle: Array) -> tuple[A
     G, d, A, B, s1, s2, t1, t2 = (
         top.G, points.d, points.A, points.B, points.s1, points.s2, points.t1, points.t2,
     )  # fmt: skip
-    one = dd.from_float(xp.ones_like(d[0]))
+    one = dd.one_like(d[0])
     over = dd.divide
     pairs = (
         (over(d, t2), over(dd.multiply(d, points.Z_plus), dd.multiply(A, t2))),
@@ -135,7 +135,7 @@ def _motion(
     argument_rate = xp.where(full, rates.nutation[0], rates.half_root[0] / (theta3 * theta3))
     argument_rate = xp.where(permanent, 0.0, argument_rate)
     linear = _linear_rates(rates, at)
-    motion = TopMotion(
+    motion = barrier(TopMotion(
         full, split_rate(*turns[0]), split_rate(*turns[1]), split_rate(*third), start, coefficients[:16],
         coefficients[16],
         (q, upper, lower + period[1], *(xp.where(separatrix | full, 0.0, y / math.pi) for y in (at.y_alpha, at.y_beta)),
@@ -143,7 +143,7 @@ def _motion(
         (xp.where(permanent, 1.0, rates.sign_alpha), xp.where(permanent, 1.0, rates.sign_beta)),
         (2.0 * argument_rate * top.momentum_scale, 2.0 * (linear[0] + linear[1]) * top.momentum_scale),
         (1.0 + zero, zero, 1.0 + zero, zero), axial, xp.where(top.reversed, -1.0, 1.0),
-    )  # fmt: skip
+    ))  # fmt: skip
     return flatten(motion._replace(phases=_constant_phases(top, motion, linear, argument_rate)))
 
 

@@ -40,7 +40,7 @@ def turning_points(top: TopReduction) -> TurningPoints:
     xp = namespace(top.reversed)
     G = top.G
     weightless = ~(G[0] > 0)
-    safe = dd.where(weightless, dd.from_float(xp.ones_like(G[0])), G)
+    safe = dd.where(weightless, dd.one_like(G[0]), G)
     p2, c2 = dd.square(top.p), dd.square(top.c)
     a = dd.from_float(top.momentum[2])
     f1 = dd.subtract(dd.scale(dd.multiply(a, top.twist), 2.0), dd.multiply(G, dd.multiply(top.s0, top.t0)))
@@ -91,7 +91,7 @@ def _polished(xp: Any, start: Array, cubic: tuple[DoubleDouble, ...]) -> DoubleD
 def _quotient(x: DoubleDouble, y: DoubleDouble) -> DoubleDouble:
     """Return x / y, and zero for x = 0 whatever y."""
     zero = x[0] == 0
-    return dd.where(zero, x, dd.divide(x, dd.where(zero, dd.from_float(1.0 + 0.0 * x[0]), y)))
+    return dd.where(zero, x, dd.divide(x, dd.where(zero, dd.one_like(x[0]), y)))
 
 
 def _larger_and_smaller(

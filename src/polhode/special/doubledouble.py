@@ -74,6 +74,14 @@ def from_float(a: Array) -> DoubleDouble:
     return a, 0.0 * a
 
 
+def one_like(a: Array) -> DoubleDouble:
+    """Return 1 in the shape of a finite array.
+
+    XLA folds sums with two literal constants, (1 + b) − 1 → b, which would undo ``two_sum``; this one is no literal.
+    """
+    return 1.0 + 0.0 * a, 0.0 * a
+
+
 def add(x: DoubleDouble, y: DoubleDouble) -> DoubleDouble:
     """Return x + y."""
     s, e = two_sum(x[0], y[0])

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from polhode.arrays import iterate, namespace
+from polhode.arrays import iterate
 from polhode.special import doubledouble as dd
 from polhode.special.doubledouble import DoubleDouble
 
@@ -17,8 +17,7 @@ def first_kind(x: DoubleDouble, y: DoubleDouble) -> DoubleDouble:
 
     Source: Carlson, Numer. Algorithms 10 (1995) 13, duplication.
     """
-    xp = namespace(*x, *y)
-    one = dd.from_float(xp.ones_like(x[0]))
+    one = dd.one_like(x[0])
 
     def step(now: tuple[Array, ...]) -> tuple[Array, ...]:
         a, b, c = now[0:2], now[2:4], now[4:6]
