@@ -20,5 +20,5 @@ def drift(xp: Any, value: Array, vector: bool, size: Array | None = None) -> Arr
         own, deviation = norm(xp, value[..., :1, :]), norm(xp, value - value[..., :1, :])
     else:
         own, deviation = xp.abs(value[..., :1]), xp.abs(value - value[..., :1])
-    size = own if size is None else size
-    return xp.max(deviation / xp.where(size > 0, size, 1.0), axis=-1)
+    scale = own if size is None else size
+    return xp.max(deviation / xp.where(scale > 0, scale, 1.0), axis=-1)

@@ -1,0 +1,76 @@
+"""Steady precession of a Lagrange top, and the spin at which it sleeps."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+from polhode.errors import InvalidInput
+
+
+class SteadyPrecession(NamedTuple):
+    """Rates of steady precession [rad/s] at one tilt and spin; ``fast`` is None for a level axis."""
+
+    slow: float
+    fast: float | None
+
+
+def steady_precession(
+    moments: tuple[float, float, float], mgl: float, tilt: float, spin: float
+) -> SteadyPrecession | None:
+    """Return the rates at which the axis precesses at constant tilt, None where the spin is too slow for any.
+
+    The roots of I1 cos θ φ̇² − I3 ω3 φ̇ + mgl = 0; the smaller one is mgl over the rest, so that nothing cancels.
+
+    Args:
+        moments: (I1, I1, I3) about the pivot [kg m²].
+        mgl: weight times the distance from the pivot to the centre of mass, along the axis [N m].
+        tilt: θ of the axis from the upward vertical, strictly between 0 and π [rad].
+        spin: ω3, the component of the angular velocity along the axis [rad/s].
+
+    Raises:
+        InvalidInput: for unequal I1, I2, a tilt outside (0, π), or values that are not finite.
+
+    Source: Klein & Sommerfeld, *Theorie des Kreisels*, ch. IV; Whittaker, *Analytical Dynamics*, §72.
+
+    >>> rates = steady_precession((1.0, 1.0, 0.5), 1.0, math.pi / 3, 5.0)
+    >>> round(rates.slow, 15), round(rates.fast, 14)
+    (0.438447187191169, 4.56155281280883)
+    """
+    I1, I3 = _checked(moments, mgl)
+    if not (0.0 < tilt < math.pi and math.isfinite(spin)):
+        raise InvalidInput(f"`tilt` must lie between 0 and π, and `spin` be finite; got {tilt!r} rad, {spin!r} rad/s.")
+    quadratic, momentum = I1 * math.cos(tilt), I3 * spin
+    if abs(math.cos(tilt)) < 1e-16:
+        return SteadyPrecession(mgl / momentum, None) if momentum else None
+    square = momentum * momentum - 4.0 * quadratic * mgl
+    if square < 0.0:
+        return None
+    larger = 0.5 * (momentum + math.copysign(math.sqrt(square), momentum))
+    if larger == 0.0:
+        return SteadyPrecession(0.0, 0.0)
+    return SteadyPrecession(mgl / larger, larger / quadratic)
+
+
+def sleeping_threshold(moments: tuple[float, float, float], mgl: float) -> float:
+    """Return the spin |ω3| [rad/s] from which the upright top is stable, 2 √(I1 mgl)/I3; zero for a hanging one.
+
+    At the threshold itself the quadratic terms are silent and the quartic ones keep the top upright.
+
+    >>> round(sleeping_threshold((1.0, 1.0, 0.5), 1.0), 12)
+    4.0
+    """
+    I1, I3 = _checked(moments, mgl)
+    return 2.0 * math.sqrt(I1) * math.sqrt(mgl) / I3 if mgl > 0.0 else 0.0
+
+
+def _checked(moments: tuple[float, float, float], mgl: float) -> tuple[float, float]:
+    I1, I2, I3 = (float(v) for v in moments)
+    if not (I1 == I2 and I1 > 0.0 and I3 > 0.0 and math.isfinite(I1) and math.isfinite(I3)):
+        raise InvalidInput(
+            f"`moments` must be (I1, I1, I3), positive, the first two equal; got {(I1, I2, I3)} kg m². "
+            "Put the axis of symmetry third and check units."
+        )
+    if not math.isfinite(mgl):
+        raise InvalidInput(f"`mgl` must be finite; got {mgl!r} N m.")
+    return I1, I3
