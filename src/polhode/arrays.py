@@ -298,3 +298,20 @@ def register_node(kind: type, fields: tuple[str, ...], like: Any) -> None:
 
     jax.tree_util.register_pytree_node(kind, lambda x: (tuple(getattr(x, name) for name in fields), None), build)
     _nodes.add(kind)
+
+
+def derivative_columns(function: Callable[..., tuple[Any, ...]], arguments: tuple[Any, ...]) -> tuple[Any, ...]:
+    """Return the derivatives of an elementwise function of equally shaped JAX arrays by each of them.
+
+    The columns lie along a new first axis of every output.
+    """
+    import jax
+    import jax.numpy as jnp
+
+    count = len(arguments)
+
+    def along(k: Any) -> tuple[Any, ...]:
+        changes = tuple(jnp.where(k == j, 1.0, 0.0) + jnp.zeros_like(a) for j, a in enumerate(arguments))
+        return jax.jvp(function, arguments, changes)[1]
+
+    return jax.vmap(along)(jnp.arange(count))

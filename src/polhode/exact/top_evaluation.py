@@ -7,11 +7,11 @@ from typing import Any
 import numpy as np
 
 from polhode.arrays import compiled, custom_derivative, is_jax, namespace, stack_last, stop_gradient
-from polhode.errors import InvalidInput
 from polhode.exact import top_geometry
 from polhode.exact.blocks import columns_in_blocks, state_in_blocks
 from polhode.exact.top_preparation import prepare_top
 from polhode.exact.top_series import evaluate
+from polhode.exact.top_tangent import top_tangent
 
 Array = Any
 Arguments = tuple[Array, Array, Array, Array]
@@ -58,4 +58,13 @@ def _stacked(
 
 
 def _stacked_rule(primals: tuple[Any, ...], tangents: tuple[Any, ...]) -> tuple[Any, Any]:
-    raise InvalidInput("`LagrangeMotion` cannot be differentiated yet; take differences of its states.")
+    """The columns are constants here: what they change by is in the tangent."""
+    value = _stacked(*primals)
+    shape = value[0].shape[:-1]
+    xp = namespace(value[0])
+
+    def spread(values: tuple[Array, ...]) -> tuple[Array, ...]:
+        vectors = (xp.broadcast_to(v, (*shape, v.shape[-1])) for v in values[:4])
+        return (*vectors, xp.broadcast_to(values[4], shape))
+
+    return value, top_tangent(spread(primals), spread(tangents))

@@ -64,7 +64,8 @@ def reduce_top(moments: Array, mgl: Array, momentum: Array, attitude: Array) -> 
     weight = xp.ldexp(xp.ldexp(weight, moment_exponent - momentum_exponent), -momentum_exponent)
     scales = xp.ldexp(one, momentum_exponent), xp.ldexp(one, momentum_exponent - moment_exponent)
     L, q = (L1, L2, L3), (w, x, y, z)
-    return TopReduction(*((I1, I3), L, q, *_invariants(I1, weight, L, q), turned, *scales))
+    parts = ((I1, I3), L, q, *_invariants(I1, weight, L, q), turned, *scales)
+    return TopReduction._make(parts)
 
 
 def _momentum_exponent(xp: Any, I1: Array, weight: Array, momentum: tuple[Array, ...]) -> Array:

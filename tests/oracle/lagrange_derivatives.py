@@ -1,0 +1,36 @@
+"""Derivatives of the Lagrange top by central differences of its oracle at many digits."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from flint import arb, ctx, fmpq
+
+from oracle.lagrange import reference_top
+from oracle.lagrange_families import TopCase
+from oracle.reference import exact
+
+STEP_BITS = 120
+"""h = 2^-120: its square, magnified by a passage of the upright from 1e-9 cubed, is still below 1e-40."""
+BITS = 330
+"""Of every state, so that differences keep 60 digits."""
+
+
+def reference_change(case: TopCase, direction: Sequence[float]) -> list[float]:
+    """Return the change of quaternion (4) and momentum (3) at the case's time.
+
+    Args:
+        case: with I1 = I2.
+        direction: rates of change of I1, I3, mgl, momentum (3), attitude (4) and time.
+    """
+    start = [case.moments[0], case.moments[2], case.mgl, *case.momentum, *case.attitude, case.time]
+    step = fmpq(1, 2) ** STEP_BITS
+
+    def state(sense: int) -> list[arb]:
+        I1, I3, mgl, *rest = (exact(x) + sense * step * exact(d) for x, d in zip(start, direction, strict=True))
+        found = reference_top((I1, I1, I3), mgl, rest[:3], rest[3:7], rest[7], bits=BITS)
+        return [*found.quaternion, *found.momentum]
+
+    ahead, behind = state(1), state(-1)
+    with ctx.workprec(2 * BITS):
+        return [float((x - y) / (2 * arb(step))) for x, y in zip(ahead, behind, strict=True)]
