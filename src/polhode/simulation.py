@@ -84,7 +84,7 @@ def simulate(
             "singularity or leaves the finite numbers. End it earlier."
         )
     status = motion.event or ("successful" if motion.successful else f"not converged: {_why(solver)}")
-    return _trajectory(system, motion.times, motion.states, status, {"steps": motion.steps}, motion.received)
+    return trajectory_of(system, motion.times, motion.states, status, {"steps": motion.steps}, motion.received)
 
 
 def _by_equal_steps(
@@ -114,7 +114,7 @@ def _by_equal_steps(
             f"{statistics['steps']} steps. Take a shorter `step`, or an explicit method such as MuntheKaas."
         )
     status = "successful" if ended else f"not converged: {_why(solver)}"
-    return _trajectory(system, times, solution.ys, status, statistics, {})
+    return trajectory_of(system, times, solution.ys, status, statistics, {})
 
 
 def fastest_rate(system: AbstractLiePoissonSystem, state: Array) -> float:
@@ -175,10 +175,11 @@ def _solve(system: Any, solver: Any, state: Array, times: Array, meter: Any) -> 
     )  # fmt: skip
 
 
-def _trajectory(
+def trajectory_of(
     system: AbstractSystem, times: np.ndarray, states: Array, status: str, statistics: dict[str, int],
     received: dict[str, Array],
 ) -> Trajectory:  # fmt: skip
+    """Return samples, time first, as a trajectory with all that the system says of them."""
     axis = jnp.ndim(states) - 1 - system.state_axes
     states = jnp.moveaxis(states, 0, axis)
     invariants = {name: np.asarray(value) for name, value in _invariants(system, states).items()}

@@ -77,8 +77,8 @@ def solve_adaptively(
     ts, ys = times[reached], _taken(solution.ys[0], reached)
     event = None
     if ended:
-        event = next(name for name, happened in solution.event_mask.items() if bool(happened))
-        last = float(solution.ts[1][0])
+        last, final = float(solution.ts[1][0]), solution.ys[1].state[0]
+        event = min(system.events, key=lambda name: float(system.events[name](jnp.asarray(last), final)))
         before = np.abs(ts - times[0]) < abs(last - times[0])
         ts, ys = np.append(ts[before], last), _joined(_taken(ys, before), solution.ys[1])
     fine = ended or bool(solution.result == results.successful)
@@ -111,21 +111,22 @@ def _solve(
         received = {name: balance.rate / sizes[name] for name, balance in system.balances(t, now).items()}
         return _Carried(system.vector_field(t, now) / scale, received)
 
-    def ends(event: Any) -> Any:
-        return lambda t, y, args, **more: event(t, y.state * scale)
+    def lowest(t: Array, y: _Carried, args: Any, **more: Any) -> Array:
+        # one function whose zero is the first of all, as bisection seeks the zero of one
+        return jnp.min(jnp.stack([event(t, y.state * scale) for event in system.events.values()]))
 
-    functions = {name: ends(event) for name, event in system.events.items()}
     root = optimistix.Bisection(EVENT_TOLERANCE, EVENT_TOLERANCE)
     solution = diffrax.diffeqsolve(
         diffrax.ODETerm(rates), solver, times[0], times[-1], None,
         _Carried(state / scale, {name: jnp.zeros_like(size) for name, size in sizes.items()}), throw=False,
         stepsize_controller=diffrax.PIDController(rtol=TOLERANCE, atol=TOLERANCE, dtmax=largest),
         saveat=diffrax.SaveAt(subs=[diffrax.SubSaveAt(ts=times), diffrax.SubSaveAt(t1=True)]),
-        event=diffrax.Event(functions, root, direction=False) if functions else None,
+        event=diffrax.Event(lowest, root, direction=False) if system.events else None,
         max_steps=None, progress_meter=meter, adjoint=diffrax.ForwardMode(),
     )  # fmt: skip
     whole = lambda y: _Carried(y.state * scale, {name: y.received[name] * size for name, size in sizes.items()})  # noqa: E731
-    return eqx.tree_at(lambda s: s.ys, solution, [whole(y) for y in solution.ys])
+    saved: Any = solution.ys
+    return eqx.tree_at(lambda s: s.ys, solution, [whole(y) for y in saved])
 
 
 def _taken(ys: _Carried, which: np.ndarray) -> _Carried:

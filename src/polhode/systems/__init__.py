@@ -1,27 +1,46 @@
-"""Systems that move: Hamiltonians on the duals of Lie algebras."""
+"""Systems that move: Hamiltonians on the duals of Lie algebras, and what is none."""
 
-from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
+from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem, Balance
 from polhode.systems.body_in_potential import BodyInPotential
 from polhode.systems.brun_body import BrunBody
 from polhode.systems.double_bracket import DoubleBracket
+from polhode.systems.euler_disk import EulerDisk
 from polhode.systems.free_rigid_body import FreeRigidBody
 from polhode.systems.gyrostat import Gyrostat, TorquedGyrostat
 from polhode.systems.heavy_top import HeavyTop
 from polhode.systems.kirchhoff import Kirchhoff
 from polhode.systems.lie_poisson import LiePoisson
 from polhode.systems.manakov import Manakov
+from polhode.systems.rolling_dissipation import (
+    AirLayer,
+    BoundaryLayer,
+    DrillingFriction,
+    DryContourFriction,
+    RollingCouple,
+    RollingDissipation,
+    ViscousContourFriction,
+)
 
 __all__ = [
     "AbstractLiePoissonSystem",
     "AbstractSystem",
+    "AirLayer",
+    "Balance",
     "BodyInPotential",
+    "BoundaryLayer",
     "BrunBody",
     "DoubleBracket",
+    "DrillingFriction",
+    "DryContourFriction",
+    "EulerDisk",
     "FreeRigidBody",
     "Gyrostat",
     "HeavyTop",
     "Kirchhoff",
     "LiePoisson",
     "Manakov",
+    "RollingCouple",
+    "RollingDissipation",
     "TorquedGyrostat",
+    "ViscousContourFriction",
 ]

@@ -1,0 +1,79 @@
+"""Legendre functions on the cut of a degree ν that may be complex, but whose ν(ν+1) is real: P_ν(cos θ).
+
+With −ν(ν+1) = κ the series of ₂F₁(−ν, ν+1; 1; x), x = (1 − cos θ)/2, has real terms, whatever ν is. Beyond x = ½ it is
+continued in 1 − x, where it has a logarithm. Source: NIST DLMF 14.3.1, 15.2.1, 15.8.10.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from polhode.arrays import namespace
+
+Array = Any
+TERMS = 64  # of series in x ≤ ½, whose terms fall as xⁿ/n: the rest is below 1e-19 of the sum
+EULER = 0.57721566490153286061
+
+
+class LegendreFunction(NamedTuple):
+    """P_ν(cos θ) as coefficients of its two series, made by ``legendre_function``.
+
+    Attributes:
+        near: (n,) of xⁿ.
+        far: (n,) of (1 − x)ⁿ beside the logarithm: near · (2ψ(n+1) − ψ(n−ν) − ψ(n+ν+1)).
+        sine: sin(π(ν+1))/π, the weight of the second solution.
+    """
+
+    near: Array
+    far: Array
+    sine: Array
+
+    def values(self, tilt: Array) -> tuple[Array, Array]:
+        """Return P_ν(cos θ) and its derivative by θ, at angles 0 ≤ θ < π, any shape."""
+        xp = namespace(tilt)
+        x, y = xp.sin(0.5 * tilt) ** 2, xp.cos(0.5 * tilt) ** 2
+        slope = 0.5 * xp.sin(tilt)  # dx/dθ = −dy/dθ
+        below = x <= 0.5
+        u = xp.where(below, x, 0.5)
+        v = xp.where(below, 0.5, y)
+        first, d_first = _sum(self.near, u)
+        with_log, d_with_log = _sum(self.near, v)
+        rest, d_rest = _sum(self.far, v)
+        log = xp.log(v)
+        second = self.sine * (rest - log * with_log)
+        d_second = -self.sine * (d_rest - log * d_with_log - with_log / v)
+        return xp.where(below, first, second), slope * xp.where(below, d_first, d_second)
+
+
+def legendre_function(kappa: float) -> LegendreFunction:
+    """Return P_ν for ν(ν+1) = −κ < 0.
+
+    >>> round(float(legendre_function(2.0).values(np.asarray(1.0))[0]), 12)
+    1.59239232636
+    """
+    from scipy.special import digamma
+
+    nu = -0.5 + np.sqrt(complex(0.25 - kappa))
+    near, far = [1.0], []
+    for n in range(TERMS):
+        pair = digamma(n - nu) + digamma(n + nu + 1.0)
+        far.append(near[n] * float((2.0 * _digamma(n + 1) - pair).real))
+        near.append(near[n] * (n * (n + 1.0) + kappa) / (n + 1.0) ** 2)
+    sine = float((np.sin(np.pi * (nu + 1.0)) / np.pi).real)
+    return LegendreFunction(np.array(near[:TERMS]), np.array(far), np.asarray(sine))
+
+
+def _digamma(n: int) -> float:
+    return math.fsum([-EULER, *(1.0 / k for k in range(1, n))])
+
+
+def _sum(coefficients: Array, x: Array) -> tuple[Array, Array]:
+    """Return a power series and its derivative, by Horner's rule."""
+    value, slope = coefficients[TERMS - 1] + 0.0 * x, 0.0 * x
+    for n in range(TERMS - 2, -1, -1):
+        slope = value + x * slope
+        value = coefficients[n] + x * value
+    return value, slope

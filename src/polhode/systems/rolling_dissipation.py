@@ -1,0 +1,201 @@
+"""What slows a spinning disk: one class for each law that has been proposed, all of them summable.
+
+A law states a power P as a function of the tilt α towards the table and of the rate Ω at which the contact point goes
+round. On the slow manifold of a thin disk, E = (3/2) mga α and Ω = √(mga/(Aα)), so that P ∝ α^(−q) gives
+α ∝ (t0 − t)^n with n = 1/(1 + q): each law has an exponent of its own, and no exponent stands anywhere but here.
+
+Source: Moffatt, Nature 404 (2000) 833; Bildsten, Phys. Rev. E 66 (2002) 056309; Leine, Arch. Appl. Mech. 79 (2009)
+1063.
+"""
+
+from __future__ import annotations
+
+import abc
+import math
+from collections.abc import Sequence
+from typing import Any, ClassVar
+
+import equinox as eqx
+import jax.numpy as jnp
+import numpy as np
+
+from polhode.errors import InvalidInput
+from polhode.systems.rolling_mechanics import RollingMechanics
+
+Array = Any
+STOPPING = 30.0  # no couple brakes a rate faster than this many √(g/(a sin θ)), see ``couples``
+
+
+class RollingDissipation(eqx.Module):
+    """A law of dissipation.
+
+    Attributes:
+        exponent: n of α ∝ (t0 − t)^n; negative where there is no finite t0 and α ∝ t^n.
+        vertical: whether its couple is vertical and brakes the turning of the disk on its contact; otherwise the couple
+            is horizontal and brakes the contact point on its way round the rim.
+    """
+
+    exponent: eqx.AbstractClassVar[float]
+    vertical: eqx.AbstractClassVar[bool]
+
+    @abc.abstractmethod
+    def power(self, disk: RollingMechanics, tilt: Array, precession: Array) -> Array:
+        """Return P ≥ 0 [W] at tilt α [rad] and rate of precession Ω ≥ 0 [rad/s], any shape."""
+
+
+class AirLayer(RollingDissipation):
+    """P = πμga²/α²: shear of the air under the disk, laminar through the whole gap; n = 1/3.
+
+    Args:
+        viscosity: μ of the air, dynamic [Pa s]; 1.8e-5 at room temperature.
+
+    Source: Moffatt (2000), eq. 4.
+    """
+
+    exponent: ClassVar[float] = 1 / 3
+    vertical: ClassVar[bool] = False
+    viscosity: Array
+
+    def __init__(self, viscosity: float) -> None:
+        self.viscosity = _positive("viscosity", viscosity, "Pa s")
+
+    def power(self, disk: RollingMechanics, tilt: Array, precession: Array) -> Array:
+        return math.pi * self.viscosity * disk.gravity * disk.radius**2 / tilt**2
+
+
+class BoundaryLayer(RollingDissipation):
+    """P = kΩ^(5/2): shear of the air in a layer thinner than the gap; n = 4/9.
+
+    Args:
+        coefficient: k [W s^(5/2)].
+
+    Source: Bildsten (2002).
+    """
+
+    exponent: ClassVar[float] = 4 / 9
+    vertical: ClassVar[bool] = False
+    coefficient: Array
+
+    def __init__(self, coefficient: float) -> None:
+        self.coefficient = _positive("coefficient", coefficient, "W s^(5/2)")
+
+    def power(self, disk: RollingMechanics, tilt: Array, precession: Array) -> Array:
+        return self.coefficient * precession**2 * jnp.sqrt(precession)
+
+
+class ViscousContourFriction(RollingDissipation):
+    """P = kΩ²: a couple against the contact's way round the rim, in proportion to its rate; n = 1/2.
+
+    Args:
+        coefficient: k [W s²].
+
+    Source: Leine (2009), §4.
+    """
+
+    exponent: ClassVar[float] = 1 / 2
+    vertical: ClassVar[bool] = False
+    coefficient: Array
+
+    def __init__(self, coefficient: float) -> None:
+        self.coefficient = _positive("coefficient", coefficient, "W s²")
+
+    def power(self, disk: RollingMechanics, tilt: Array, precession: Array) -> Array:
+        return self.coefficient * precession**2
+
+
+class DryContourFriction(RollingDissipation):
+    """P = k mga Ω: the same with a constant couple; n = 2/3.
+
+    Args:
+        coefficient: k, without unit.
+
+    Source: Leine (2009), §4.
+    """
+
+    exponent: ClassVar[float] = 2 / 3
+    vertical: ClassVar[bool] = False
+    coefficient: Array
+
+    def __init__(self, coefficient: float) -> None:
+        self.coefficient = _positive("coefficient", coefficient, "1")
+
+    def power(self, disk: RollingMechanics, tilt: Array, precession: Array) -> Array:
+        return self.coefficient * disk.mass * disk.gravity * disk.radius * precession
+
+
+class RollingCouple(RollingDissipation):
+    """P = k mg Ω sin α: the classical couple of rolling friction, on the rate at which the disk itself turns; n = 2.
+
+    Args:
+        arm: k, its lever arm [m].
+    """
+
+    exponent: ClassVar[float] = 2.0
+    vertical: ClassVar[bool] = False
+    arm: Array
+
+    def __init__(self, arm: float) -> None:
+        self.arm = _positive("arm", arm, "m")
+
+    def power(self, disk: RollingMechanics, tilt: Array, precession: Array) -> Array:
+        return self.arm * disk.mass * disk.gravity * precession * jnp.sin(tilt)
+
+
+class DrillingFriction(RollingDissipation):
+    """P = k mg Ω α²: dry friction of the contact patch on which the disk turns; α ∝ t^(−2), and no finite end.
+
+    Args:
+        arm: k, its lever arm, a size of the patch [m].
+
+    Source: Leine (2009), §4.
+    """
+
+    exponent: ClassVar[float] = -2.0
+    vertical: ClassVar[bool] = True
+    arm: Array
+
+    def __init__(self, arm: float) -> None:
+        self.arm = _positive("arm", arm, "m")
+
+    def power(self, disk: RollingMechanics, tilt: Array, precession: Array) -> Array:
+        return self.arm * disk.mass * disk.gravity * precession * tilt**2
+
+
+def couples(
+    disk: RollingMechanics, laws: Sequence[RollingDissipation], theta: Array, w2: Array, w3: Array
+) -> tuple[Array, Array]:
+    """Return (τ2, τ3) [N m], the couples of all laws along e2 and e3.
+
+    A horizontal couple Q (e3 − c/s e2) works on the rate ψ̇ = ω3 − ω2 c/s, a vertical one on ω·z, and Q = −P/rate.
+    Where the rate vanishes that does not exist; there the couple is capped so that it brakes the rate no faster than by
+    e in a thirtieth of the time √(a sin θ/g). A disk that still precesses loses exactly P.
+
+    Args:
+        disk: its constants.
+        laws: any.
+        theta: tilt [rad], any shape.
+        w2: ω2 [rad/s].
+        w3: ω3 [rad/s].
+    """
+    s, c = jnp.sin(theta), jnp.cos(theta)
+    tau2 = tau3 = jnp.zeros_like(w2)
+    tilt, precession = jnp.minimum(theta, jnp.pi - theta), jnp.abs(w2) / s
+    for law in laws:
+        n2, n3 = (s, c) if law.vertical else (-c / s, jnp.ones_like(s))
+        rate = n2 * w2 + n3 * w3
+        response = disk.accelerations(n2, n3)
+        cap = STOPPING * jnp.sqrt(disk.gravity / (disk.radius * s)) / (n2 * response[0] + n3 * response[1])
+        power, square = law.power(disk, tilt, precession), rate * rate
+        capped = power >= cap * square
+        Q = -rate * jnp.where(capped, cap, power / jnp.where(capped, 1.0, square))
+        tau2, tau3 = tau2 + n2 * Q, tau3 + n3 * Q
+    return tau2, tau3
+
+
+def _positive(name: str, value: Array, unit: str) -> Array:
+    number = np.asarray(value, dtype=float)
+    if number.shape != () or not (np.isfinite(number) and number > 0):
+        raise InvalidInput(
+            f"`{name}` must be a positive finite number [{unit}]; got {value!r}. Leave the law out where it is zero."
+        )
+    return jnp.asarray(number)

@@ -1,0 +1,112 @@
+"""Newton's and Euler's laws for a disk that rolls on a plane, in the frame of its contact, and what follows from them.
+
+e1 is horizontal, e2 leads up the face from the contact, e3 is the disk's axis; s, c stand for sin θ, cos θ. With the
+moments A, C about the centre, half the thickness b and M = [[A+mb², −mab], [−mab, C+ma²]]:
+
+(A+ma²+mb²) θ̈ = (A+mb²) ω2² c/s + mab ω2² − (C+ma²) ω2ω3 − mab ω2ω3 c/s − mg(ac − bs),
+M (ω2, ω3)˙ = θ̇ (Cω3 − (A+mb²) ω2 c/s − mab ω2, ma² ω2 + mab ω2 c/s) + (τ2, τ3).
+
+Source: Routh, *Advanced Rigid Dynamics* (1905), §244; thick: Le Saux, Leine & Glocker, J. Nonlinear Sci. 15 (2005) 27.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+
+Array = Any
+
+
+class RollingMechanics(eqx.Module):
+    """A disk's constants and its equations of motion.
+
+    Attributes:
+        mass: m [kg].
+        radius: a [m].
+        half_thickness: b [m].
+        diametral_moment: A [kg m²], about a diameter through the centre.
+        axial_moment: C [kg m²].
+        gravity: g [m/s²].
+    """
+
+    mass: Array
+    radius: Array
+    half_thickness: Array
+    diametral_moment: Array
+    axial_moment: Array
+    gravity: Array
+
+    @property
+    def _constants(self) -> tuple[Array, ...]:
+        return self.mass, self.radius, self.half_thickness, self.diametral_moment, self.axial_moment
+
+    def tilt_acceleration(self, theta: Array, w2: Array, w3: Array) -> Array:
+        """Return θ̈ [rad/s²], on which neither θ̇ nor the couples act; it vanishes in steady motion."""
+        m, a, b, A, C = self._constants
+        s, c = jnp.sin(theta), jnp.cos(theta)
+        inner = (A + m * b * b) * w2 * w2 * c / s + m * a * b * w2 * (w2 - w3 * c / s) - (C + m * a * a) * w2 * w3
+        return (inner - m * self.gravity * (a * c - b * s)) / (A + m * a * a + m * b * b)
+
+    def transport(self, theta: Array, w2: Array, w3: Array) -> tuple[Array, Array]:
+        """Return d(ω2, ω3)/dθ without couples: linear in both, whence two linear integrals."""
+        m, a, b, A, C = self._constants
+        cot = jnp.cos(theta) / jnp.sin(theta)
+        tau2 = C * w3 - (A + m * b * b) * w2 * cot - m * a * b * w2
+        return self.accelerations(tau2, m * a * (a + b * cot) * w2)
+
+    def accelerations(self, tau2: Array, tau3: Array) -> tuple[Array, Array]:
+        """Return M⁻¹τ, what couples along e2 and e3 do to ω2 and ω3."""
+        m, a, b, A, C = self._constants
+        p, q, r = A + m * b * b, C + m * a * a, m * a * b
+        det = A * C + m * a * a * A + m * b * b * C  # pq − r² without cancellation
+        return (q * tau2 + r * tau3) / det, (r * tau2 + p * tau3) / det
+
+    def nutation_squared(self, theta: Array, w2: Array, w3: Array) -> Array:
+        """Return the square of the nutation's frequency [rad²/s²] about a steady motion; negative where unstable."""
+        by_theta, by_w2, by_w3 = jax.grad(self.tilt_acceleration, argnums=(0, 1, 2))(theta, w2, w3)
+        d2, d3 = self.transport(theta, w2, w3)
+        return -(by_theta + by_w2 * d2 + by_w3 * d3)
+
+    def energy(self, theta: Array, w1: Array, w2: Array, w3: Array) -> Array:
+        """Return kinetic and potential energy [J], above that of the disk lying flat."""
+        m, a, b, A, C = self._constants
+        speed = (b * w2 - a * w3) ** 2 + (a * a + b * b) * w1 * w1
+        height = a * jnp.sin(theta) - 2.0 * b * jnp.sin(0.5 * theta) ** 2
+        return 0.5 * (A * (w1 * w1 + w2 * w2) + C * w3 * w3 + m * speed) + m * self.gravity * height
+
+    def normal_force(self, theta: Array, w1: Array, w2: Array, w3: Array) -> Array:
+        """Return N = m [g + (ac − bs) θ̈ − (as + bc) θ̇²] [N], with which the plane pushes."""
+        a, b = self.radius, self.half_thickness
+        s, c = jnp.sin(theta), jnp.cos(theta)
+        lift = (a * c - b * s) * self.tilt_acceleration(theta, w2, w3) - (a * s + b * c) * w1 * w1
+        return self.mass * (self.gravity + lift)
+
+    def precession_at_rest(self, theta: Array) -> Array:
+        """Return φ̇² [rad²/s²] of the steady motion whose centre is at rest: mga/(A sin θ) of a thin disk."""
+        m, a, b, A, C = self._constants
+        s, c = jnp.sin(theta), jnp.cos(theta)
+        return m * self.gravity * (a * c - b * s) / (A * s * c - C * s * s * b / a)
+
+    def steady_spin(self, theta: Array, precession: Array) -> Array:
+        """Return ω3 [rad/s] of steady motion at φ̇; not finite where nothing precesses."""
+        m, a, b, A, C = self._constants
+        s, c = jnp.sin(theta), jnp.cos(theta)
+        forced = ((A + m * b * b) * c + m * a * b * s) * s * precession**2 - m * self.gravity * (a * c - b * s)
+        return forced / (((C + m * a * a) * s + m * a * b * c) * precession)
+
+    def steady_precessions(self, theta: Array, w3: Array) -> tuple[Array, Array]:
+        """Return both φ̇ [rad/s] of steady motion with the spin ω3; NaN where there is none.
+
+        Thin: A φ̇² c − (C+ma²) φ̇ ω3 = mga c/s.
+        """
+        m, a, b, A, C = self._constants
+        s, c = jnp.sin(theta), jnp.cos(theta)
+        p = ((A + m * b * b) * c + m * a * b * s) * s
+        q = ((C + m * a * a) * s + m * a * b * c) * w3
+        r = m * self.gravity * (a * c - b * s)
+        # the larger root without cancellation, the other by the product of both
+        larger = 0.5 * (q + jnp.where(q < 0, -1.0, 1.0) * jnp.sqrt(q * q + 4.0 * p * r))
+        return larger / p, -r / larger
