@@ -74,8 +74,12 @@ class RollingMechanics(eqx.Module):
         """Return kinetic and potential energy [J], above that of the disk lying flat."""
         m, a, b, A, C = self._constants
         speed = (b * w2 - a * w3) ** 2 + (a * a + b * b) * w1 * w1
-        height = a * jnp.sin(theta) - 2.0 * b * jnp.sin(0.5 * theta) ** 2
-        return 0.5 * (A * (w1 * w1 + w2 * w2) + C * w3 * w3 + m * speed) + m * self.gravity * height
+        return 0.5 * (A * (w1 * w1 + w2 * w2) + C * w3 * w3 + m * speed) + self.potential_energy(theta)
+
+    def potential_energy(self, theta: Array) -> Array:
+        """Return V [J], zero for the disk lying flat."""
+        height = self.radius * jnp.sin(theta) - 2.0 * self.half_thickness * jnp.sin(0.5 * theta) ** 2
+        return self.mass * self.gravity * height
 
     def normal_force(self, theta: Array, w1: Array, w2: Array, w3: Array) -> Array:
         """Return N = m [g + (ac − bs) θ̈ − (as + bc) θ̇²] [N], with which the plane pushes."""

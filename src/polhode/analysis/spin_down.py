@@ -1,0 +1,323 @@
+"""How a spinning disk ends: the finite-time singularity of its tilt, and what happens instead just before it.
+
+The tilt would vanish as (t0 − t)^n with the rate of precession growing as (t0 − t)^(−n/2) without bound. In time itself
+no solver gets near: steps shrink to nothing, and t0 − t is a difference of almost equal numbers. Here the clock runs by
+dt = (3V/2P) dλ with the potential energy V and the power P, so that V ∝ e^(−λ) on the slow manifold: t0 lies at
+infinity, and equal steps of λ are equal steps of log(t0 − t). Time is counted anew in each of them and summed from the
+end, so that t0 − t keeps its relative accuracy. (The total energy would be no such clock: it tends to what is left in
+the spin.)
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import diffrax
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+import numpy as np
+import optimistix
+
+from polhode.analysis.power_law import PowerLaw, Singularity, fit_singularity, power_law
+from polhode.errors import InvalidInput, NotConverged
+from polhode.integrators.adaptive import TOLERANCE, solve_adaptively
+from polhode.simulation import trajectory_of
+from polhode.systems.euler_disk import EulerDisk
+from polhode.trajectory import Trajectory
+
+Array = Any
+ASYMPTOTIC_END = 0.3  # |θ̇|/(θ|φ̇|), beyond which the tilt falls as fast as the disk goes round
+ASYMPTOTIC_FIT = 0.02  # the same, up to which exponents are fitted
+END_OF_REGIME = "end of asymptotic regime"
+FALL = 20.0  # √(a/g), in which a disk that has left the asymptotic regime lies flat or has taken off
+FALL_SAMPLES = 32
+FEWEST = 8  # samples to fit
+STEPS_PER_RADIAN = 4.0  # of precession, of Dopri8 at its tolerance: measured
+
+
+@dataclass(frozen=True)
+class SpinDown:
+    """How a disk ended.
+
+    Attributes:
+        trajectory: all samples [s from the start], with states, attitude, energy and what it received.
+        remaining: (T,) t0 − t [s], not by subtraction; negative from the asymptotic t0 on. None without a finite t0.
+        adiabaticity: (T,) |θ̇|/(θ|φ̇|).
+        end: asymptotic t0 [s from the start], None if the motion has no finite one.
+        end_uncertainty: [s].
+        tilt: fit of α ∝ (t0 − t)^n over the samples with an adiabaticity below 0.02; without a finite t0 of α ∝ t^n.
+        precession: the same of Ω, −n/2 in theory.
+        precession_by_tilt: fit of Ω ∝ α^k, −1/2 in theory.
+        events: name → time [s from the start], in order: "end of asymptotic regime", "flat", "lift-off", "on edge".
+            Empty if the tilt fell by as much, or took as many steps, as was asked for before any of them.
+        energy_balance: largest |E(t) + dissipated − E(0)| / E(0).
+    """
+
+    trajectory: Trajectory
+    remaining: Array | None
+    adiabaticity: Array
+    end: float | None
+    end_uncertainty: float | None
+    tilt: PowerLaw
+    precession: PowerLaw
+    precession_by_tilt: PowerLaw
+    events: dict[str, float]
+    energy_balance: float
+
+    @property
+    def first_event(self) -> str | None:
+        """Name of what happened first."""
+        return next(iter(self.events), None)
+
+
+def spin_down(
+    disk: EulerDisk, state: Array, decades: float = 4.0, samples_per_decade: int = 32, most_steps: int = 1_000_000
+) -> SpinDown:
+    """Follow a disk to its end.
+
+    The full equations are integrated by the clock λ as long as the motion is asymptotic, then in time, until the disk
+    lies flat or takes off.
+
+    Args:
+        disk: with at least one law of dissipation.
+        state: (8,), as of ``disk.rolling_state``; elsewhere than on the slow manifold it nutates.
+        decades: of the tilt to follow it for at most.
+        samples_per_decade: of the tilt.
+        most_steps: to stop after, where weak dissipation lets the disk go round for ever.
+
+    Raises:
+        InvalidInput: for a disk without dissipation, or a start that is not in the asymptotic regime.
+        NotConverged: if a step underflows.
+
+    >>> from polhode.systems import EulerDisk, ViscousContourFriction
+    >>> disk = EulerDisk(mass=0.4, radius=0.04, dissipation=[ViscousContourFriction(2e-7)])
+    >>> found = spin_down(disk, disk.rolling_state(tilt=0.05))
+    >>> print(f"{found.tilt.exponent:.3f}", list(found.events))
+    0.501 ['end of asymptotic regime', 'flat']
+
+    Source: Moffatt, Nature 404 (2000) 833; Leine, Arch. Appl. Mech. 79 (2009) 1063, for the exponents.
+    """
+    start = _checked_start(disk, state, decades, samples_per_decade)
+    run = _Run([start], [0.0], [0.0], 0)
+    over = _asymptotic(disk, run, decades, samples_per_decade, most_steps)
+    regular = len(run.states)
+    events: dict[str, float] = {}
+    if over:
+        events[_ended_by(disk, run.states[-1])] = math.fsum(run.spans)
+    if END_OF_REGIME in events:
+        last = _fall(disk, run)
+        if last is not None:
+            events[last] = math.fsum(run.spans)
+    states = jnp.stack(run.states)
+    received = {"energy": -jnp.cumsum(jnp.asarray(run.lost))}
+    status = next(reversed(events), "successful")
+    trajectory = trajectory_of(disk, np.cumsum(run.spans), states, status, {"steps": run.steps}, received)
+    ratio = np.asarray(adiabaticity(disk, states))
+    fitted = _fitted(ratio[:regular])
+    tilt, rate = np.asarray(states[:, 0]), np.abs(np.asarray(disk.precession(states)))
+    spans = np.asarray(run.spans)
+    found = fit_singularity(spans[fitted][1:], tilt[fitted])
+    distance = _distances(spans, fitted, found)
+    finite = found.law.exponent > 0.0
+    return SpinDown(
+        trajectory=trajectory,
+        remaining=distance if finite else None,
+        adiabaticity=ratio,
+        end=math.fsum([*spans[: fitted.stop], found.distance]) if finite else None,
+        end_uncertainty=found.uncertainty if finite else None,
+        tilt=found.law,
+        precession=power_law(distance[fitted], rate[fitted]),
+        precession_by_tilt=power_law(tilt[fitted], rate[fitted]),
+        events=events,
+        energy_balance=float(trajectory.drift["energy"]),
+    )
+
+
+def adiabaticity(disk: EulerDisk, state: Array) -> Array:
+    """Return |θ̇|/(θ|φ̇|) of states (…, 8): by how much of itself the tilt falls in a radian of precession."""
+    theta = jnp.minimum(state[..., 0], jnp.pi - state[..., 0])
+    return jnp.abs(state[..., 5]) / (theta * jnp.abs(disk.precession(state)))
+
+
+def adiabatic_end(disk: EulerDisk, tilt: float) -> float | None:
+    """Return t0 [s] by energy alone, ∫ dE/P along steady motions whose centre is at rest; None where it diverges.
+
+    For a thin uniform disk and one law this is, to first order in the tilt, the t0 in the literature. Source: Moffatt
+    (2000); Leine (2009), §4.
+    """
+    from scipy.integrate import quad
+
+    if not any(law.exponent > 0.0 for law in disk.dissipation):
+        return None
+
+    @jax.jit
+    def slowness(depth: Array) -> Array:
+        theta = tilt * jnp.exp(-depth)
+        packed = lambda x: _at_rest(disk, x)  # noqa: E731
+        slope = jax.grad(lambda x: disk.energy(packed(x)))(theta)
+        return theta * slope / disk.power(packed(theta))
+
+    deepest = 40.0 / min(1.0 / law.exponent for law in disk.dissipation if law.exponent > 0.0)
+    return float(quad(lambda x: float(slowness(x)), 0.0, deepest, epsrel=1e-10, limit=500)[0])
+
+
+def _at_rest(disk: EulerDisk, theta: Array) -> Array:
+    rate = jnp.sqrt(disk.mechanics.precession_at_rest(theta)) * jnp.sin(theta)
+    zero = jnp.zeros_like(theta)
+    spin = rate * disk.mechanics.half_thickness / disk.mechanics.radius
+    return jnp.stack([theta, zero, zero, zero, zero, zero, rate, spin])
+
+
+@dataclass
+class _Run:
+    """What has been sampled so far: states, and between each and the one before the time and the energy lost."""
+
+    states: list[Array]
+    spans: list[float]
+    lost: list[float]
+    steps: int
+
+
+class _Leg(NamedTuple):
+    """State over its own scales at the start of a leg, time and loss since, over a tick of the clock and E there."""
+
+    state: Array
+    time: Array
+    lost: Array
+
+
+def _asymptotic(disk: EulerDisk, run: _Run, decades: float, samples_per_decade: int, most_steps: int) -> bool:
+    """Follow the motion by its own clock from sample to sample; return whether an event ended it."""
+    length = jnp.asarray(math.log(10.0) / samples_per_decade)
+    for _ in range(math.ceil(decades * samples_per_decade)):
+        turn = abs(float(disk.precession(run.states[-1]) * _tick(disk, run.states[-1]) * length))
+        if run.steps + STEPS_PER_RADIAN * turn > most_steps:
+            return False
+        final, ended, fine, steps = _leg(disk, run.states[-1], length)
+        run.steps += int(steps)
+        if not bool(fine):
+            raise NotConverged(
+                f"the solver could not hold its tolerance after {run.steps} steps. Start at a smaller tilt."
+            )
+        run.states.append(final.state)
+        run.spans.append(float(final.time))
+        run.lost.append(float(final.lost))
+        if bool(ended):
+            return True
+    return False
+
+
+@eqx.filter_jit
+def _leg(disk: EulerDisk, state: Array, length: Array) -> tuple[_Leg, Array, Array, Array]:
+    """Return state, duration and loss of a leg, whether an event ended it, success and number of steps."""
+    clock, first_energy = _tick(disk, state), disk.energy(state)
+
+    def rates(t: Array, y: _Leg, args: Any) -> _Leg:
+        now = _unscaled(disk, y.state)
+        field, slowness = disk.vector_field(t, now), _tick(disk, now)
+        change = jax.jvp(lambda x: _scaled(disk, x), (now,), (field,))[1]
+        lost = 1.5 * disk.mechanics.potential_energy(now[0])
+        return _Leg(slowness * change, slowness / clock, lost / first_energy)
+
+    def lowest(t: Array, y: _Leg, args: Any, **more: Any) -> Array:
+        return _margin(disk, _unscaled(disk, y.state))
+
+    zero = jnp.zeros(())
+    solution = diffrax.diffeqsolve(
+        diffrax.ODETerm(rates), diffrax.Dopri8(), zero, length, None, _Leg(_scaled(disk, state), zero, zero),
+        stepsize_controller=diffrax.PIDController(rtol=TOLERANCE, atol=TOLERANCE),
+        event=diffrax.Event(lowest, optimistix.Bisection(1e-14, 1e-14), direction=False),
+        max_steps=None, adjoint=diffrax.ForwardMode(), throw=False,
+    )  # fmt: skip
+    results: Any = diffrax.RESULTS
+    ended = solution.result == results.event_occurred
+    last: Any = jax.tree.map(lambda x: x[-1], solution.ys)
+    leg = _Leg(_unscaled(disk, last.state), last.time * clock, last.lost * first_energy)
+    return leg, ended, ended | (solution.result == results.successful), solution.stats["num_steps"]
+
+
+def _tick(disk: EulerDisk, state: Array) -> Array:
+    """Return the time [s] in which dissipation takes as much energy as goes with the tilt."""
+    return 1.5 * disk.mechanics.potential_energy(state[0]) / disk.power(state)
+
+
+def _margin(disk: EulerDisk, state: Array) -> Array:
+    """Return what is left until the first of the events."""
+    ends = [event(jnp.zeros(()), state) for event in disk.events.values()]
+    return jnp.min(jnp.stack([*ends, ASYMPTOTIC_END - adiabaticity(disk, state)]))
+
+
+def _ended_by(disk: EulerDisk, state: Array) -> str:
+    margins = {name: float(event(jnp.zeros(()), state)) for name, event in disk.events.items()}
+    margins[END_OF_REGIME] = ASYMPTOTIC_END - float(adiabaticity(disk, state))
+    return min(margins, key=lambda name: margins[name])
+
+
+def _scaled(disk: EulerDisk, state: Array) -> Array:
+    """Return log θ, angles, contact in radii, and rates over √(gθ/a): of order one however small the tilt."""
+    unit = jnp.sqrt(disk.mechanics.gravity * state[0] / disk.mechanics.radius)
+    place = state[3:5] / disk.mechanics.radius
+    return jnp.concatenate([jnp.log(state[:1]), state[1:3], place, state[5:] / unit])
+
+
+def _unscaled(disk: EulerDisk, scaled: Array) -> Array:
+    theta = jnp.exp(scaled[:1])
+    unit = jnp.sqrt(disk.mechanics.gravity * theta / disk.mechanics.radius)
+    return jnp.concatenate([theta, scaled[1:3], scaled[3:5] * disk.mechanics.radius, scaled[5:] * unit])
+
+
+def _fall(disk: EulerDisk, run: _Run) -> str | None:
+    """Follow the disk in time to what ends its motion, and return the event's name, None if there is none."""
+    far = FALL * math.sqrt(float(disk.mechanics.radius / disk.mechanics.gravity))
+    start = run.states[-1]
+    first = solve_adaptively(disk, diffrax.Dopri8(), start, np.linspace(0.0, far, FALL_SAMPLES))
+    motion = solve_adaptively(disk, diffrax.Dopri8(), start, np.linspace(0.0, first.times[-1], FALL_SAMPLES))
+    run.states.extend(motion.states[1:])
+    run.spans.extend(np.diff(motion.times))
+    run.lost.extend(-np.diff(np.asarray(motion.received["energy"])))
+    run.steps += first.steps
+    return first.event
+
+
+def _fitted(ratio: Array) -> slice:
+    """Return the samples to fit: up to the last one that is deep enough in the asymptotic regime."""
+    deep = np.flatnonzero(ratio < ASYMPTOTIC_FIT)
+    if len(deep) < FEWEST or len(deep) < deep[-1] - deep[0]:
+        raise InvalidInput(
+            f"only {len(deep)} samples lie deep enough in the asymptotic regime for a fit: the dissipation is too "
+            "strong at this tilt, or the disk nutates. Start at a larger tilt, or on the slow manifold by "
+            "`rolling_state`."
+        )
+    return slice(int(deep[0]), int(deep[-1]) + 1)
+
+
+def _distances(spans: Array, fitted: slice, found: Singularity) -> Array:
+    """Return the distance of all samples from the singularity in time, counted from the sample next to it."""
+    elapsed = np.cumsum(spans)
+    if found.law.exponent < 0.0:
+        return elapsed - elapsed[fitted.start] + found.distance
+    before = np.append(np.cumsum(spans[1 : fitted.stop][::-1])[::-1], 0.0) + found.distance
+    return np.append(before, found.distance - np.cumsum(spans[fitted.stop :]))
+
+
+def _checked_start(disk: EulerDisk, state: Array, decades: float, samples_per_decade: int) -> Array:
+    if not isinstance(disk, EulerDisk) or not disk.dissipation:
+        raise InvalidInput("`disk` must be an EulerDisk with `dissipation`: without it the disk rolls for ever.")
+    if not (math.isfinite(decades) and decades > 0.0 and samples_per_decade >= 2):
+        raise InvalidInput(
+            "`decades` must be positive and `samples_per_decade` at least 2; "
+            f"got {decades!r} and {samples_per_decade!r}."
+        )
+    start = disk.check_state(state)
+    if jnp.ndim(start) != 1:
+        raise InvalidInput(f"`state` must be one state (8,); got shape {jnp.shape(start)}.")
+    ratio = float(adiabaticity(disk, start))
+    if not (float(_margin(disk, start)) > 0.0 and float(disk.power(start)) > 0.0):
+        raise InvalidInput(
+            f"`state` is not in the asymptotic regime: |θ̇|/(θ|φ̇|) is {ratio:.3g}, at most {ASYMPTOTIC_END} is, with "
+            "contact and dissipation. Take `disk.rolling_state(tilt)`, or `simulate` until it gets there."
+        )
+    return start
