@@ -19,11 +19,10 @@ import equinox as eqx
 import jax
 import jax.numpy as jnp
 import numpy as np
-import optimistix
 
 from polhode.analysis.power_law import PowerLaw, Singularity, fit_singularity, power_law
 from polhode.errors import InvalidInput, NotConverged
-from polhode.integrators.adaptive import TOLERANCE, solve_adaptively
+from polhode.integrators.adaptive import TOLERANCE, EventBisection, solve_adaptively
 from polhode.simulation import trajectory_of
 from polhode.systems.euler_disk import EulerDisk
 from polhode.trajectory import Trajectory
@@ -229,7 +228,7 @@ def _leg(disk: EulerDisk, state: Array, length: Array) -> tuple[_Leg, Array, Arr
     solution = diffrax.diffeqsolve(
         diffrax.ODETerm(rates), diffrax.Dopri8(), zero, length, None, _Leg(_scaled(disk, state), zero, zero),
         stepsize_controller=diffrax.PIDController(rtol=TOLERANCE, atol=TOLERANCE),
-        event=diffrax.Event(lowest, optimistix.Bisection(1e-14, 1e-14), direction=False),
+        event=diffrax.Event(lowest, EventBisection(), direction=False),
         max_steps=None, adjoint=diffrax.ForwardMode(), throw=False,
     )  # fmt: skip
     results: Any = diffrax.RESULTS

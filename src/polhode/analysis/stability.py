@@ -18,10 +18,12 @@ from polhode.algebra.casimirs import polynomial_casimirs
 from polhode.algebra.properties import index
 from polhode.analysis.energy_casimir import Stability, energy_casimir
 from polhode.analysis.first_method import first_method
+from polhode.analysis.rolling import rolling_stability
 from polhode.analysis.second_variation import null_space
 from polhode.errors import InvalidInput
 from polhode.poisson.brackets import as_points
 from polhode.systems.base import AbstractLiePoissonSystem
+from polhode.systems.euler_disk import EulerDisk
 
 Array = Any
 Function = Callable[[Array], Array]
@@ -35,7 +37,7 @@ SOLVED = 1e-10
 
 
 def stability(
-    system: AbstractLiePoissonSystem, equilibrium: Array, integrals: Sequence[Function] = ()
+    system: AbstractLiePoissonSystem | EulerDisk, equilibrium: Array, integrals: Sequence[Function] = ()
 ) -> Stability:
     """Return the verdict on an equilibrium, or on a relative equilibrium if conserved functions are given.
 
@@ -47,8 +49,8 @@ def stability(
 
     Args:
         system: any Lie–Poisson system; what it names conserved takes part by itself where its gradient depends on the
-            Casimirs'.
-        equilibrium: one point of the dual, (*element_shape), without attitude.
+            Casimirs'. Or a rolling disk, whose linear integrals take the Casimirs' place, see ``rolling_stability``.
+        equilibrium: one point of the dual, (*element_shape), without attitude; of a disk a state of steady motion.
         integrals: further conserved functions of one point, real, whose flows commute; none where energy is lost.
 
     Raises:
@@ -58,6 +60,10 @@ def stability(
     >>> [stability(FreeRigidBody((1.0, 2.0, 3.0)), row).verdict for row in np.eye(3)]
     ['stable', 'unstable', 'stable']
     """
+    if isinstance(system, EulerDisk):
+        return rolling_stability(system, equilibrium)
+    if not isinstance(system, AbstractLiePoissonSystem):
+        raise InvalidInput(f"`system` must be a Lie–Poisson system or an EulerDisk; got {type(system).__name__}.")
     algebra = system.algebra
     mu = as_points(algebra, equilibrium)
     if mu.shape != algebra.element_shape:

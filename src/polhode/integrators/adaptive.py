@@ -19,7 +19,7 @@ from polhode.systems.base import AbstractSystem
 
 Array = Any
 TOLERANCE = 1e-12  # of a step, relative; below it rounding of the stages is all that is left
-EVENT_TOLERANCE = 1e-14  # of an event's time, relative and in seconds
+EVENT_TOLERANCE = 1e-15  # of an event's time, relative: a few roundings
 
 
 class AdaptiveMotion(NamedTuple):
@@ -40,6 +40,20 @@ class AdaptiveMotion(NamedTuple):
     event: str | None
     successful: bool
     steps: int
+
+
+class EventBisection(optimistix.Bisection):
+    """Bisection until the time is known to rounding, whatever the scale of the function that vanishes there."""
+
+    def __init__(self) -> None:
+        super().__init__(rtol=EVENT_TOLERANCE, atol=0.0)
+
+    def terminate(
+        self, fn: Any, y: Array, args: Any, options: Any, state: Any, tags: Any
+    ) -> tuple[Array, optimistix.RESULTS]:
+        width = jnp.abs(state.upper - state.lower)
+        narrow = width <= self.rtol * jnp.maximum(jnp.abs(state.upper), jnp.abs(state.lower))
+        return narrow, optimistix.RESULTS.successful
 
 
 class _Carried(NamedTuple):
@@ -115,13 +129,12 @@ def _solve(
         # one function whose zero is the first of all, as bisection seeks the zero of one
         return jnp.min(jnp.stack([event(t, y.state * scale) for event in system.events.values()]))
 
-    root = optimistix.Bisection(EVENT_TOLERANCE, EVENT_TOLERANCE)
     solution = diffrax.diffeqsolve(
         diffrax.ODETerm(rates), solver, times[0], times[-1], None,
         _Carried(state / scale, {name: jnp.zeros_like(size) for name, size in sizes.items()}), throw=False,
         stepsize_controller=diffrax.PIDController(rtol=TOLERANCE, atol=TOLERANCE, dtmax=largest),
         saveat=diffrax.SaveAt(subs=[diffrax.SubSaveAt(ts=times), diffrax.SubSaveAt(t1=True)]),
-        event=diffrax.Event(lowest, root, direction=False) if system.events else None,
+        event=diffrax.Event(lowest, EventBisection(), direction=False) if system.events else None,
         max_steps=None, progress_meter=meter, adjoint=diffrax.ForwardMode(),
     )  # fmt: skip
     whole = lambda y: _Carried(y.state * scale, {name: y.received[name] * size for name, size in sizes.items()})  # noqa: E731

@@ -19,7 +19,7 @@ from polhode.systems.rolling_mechanics import RollingMechanics
 
 Array = Any
 STANDARD_GRAVITY = 9.80665  # m/s²
-FLAT = 1e-8  # rad: the rim of a disk as large as a wheel is then lifted by nanometres, less than any table is rough
+FLAT = 1e-6  # rad: the rim of a coin is then lifted by tens of nanometres, less than any table is rough
 ROLLING_TOLERANCE = 1e-6  # of the speeds: a given velocity that misses the rolling one by more is a mistake
 STEADY_TOLERANCE = 1e-9
 

@@ -179,12 +179,14 @@ def couples(
     """
     s, c = jnp.sin(theta), jnp.cos(theta)
     tau2 = tau3 = jnp.zeros_like(w2)
-    tilt, precession = jnp.minimum(theta, jnp.pi - theta), jnp.abs(w2) / s
+    # a step may try θ < 0 before the event there is found: all must stay finite
+    size = jnp.abs(s)
+    tilt, precession = jnp.minimum(theta, jnp.pi - theta), jnp.abs(w2) / size
     for law in laws:
         n2, n3 = (s, c) if law.vertical else (-c / s, jnp.ones_like(s))
         rate = n2 * w2 + n3 * w3
         response = disk.accelerations(n2, n3)
-        cap = STOPPING * jnp.sqrt(disk.gravity / (disk.radius * s)) / (n2 * response[0] + n3 * response[1])
+        cap = STOPPING * jnp.sqrt(disk.gravity / (disk.radius * size)) / (n2 * response[0] + n3 * response[1])
         power, square = law.power(disk, tilt, precession), rate * rate
         capped = power >= cap * square
         Q = -rate * jnp.where(capped, cap, power / jnp.where(capped, 1.0, square))
