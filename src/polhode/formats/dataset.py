@@ -20,7 +20,7 @@ _VECTORS = {
     "angular_velocity": ("rad s-1", "angular velocity along the body axes"),
 }
 _INVARIANTS = {
-    "energy": ("J", "kinetic energy"),
+    "energy": ("J", "energy"),
     "momentum_norm": ("kg m2 s-1", "magnitude of the angular momentum"),
     "momentum_space": ("kg m2 s-1", "angular momentum along the space axes"),
 }
@@ -41,7 +41,8 @@ def as_dataset(
     import xarray as xr
 
     times = np.asarray(trajectory.times)
-    batch = [f"batch_{k}" for k in range(np.ndim(trajectory.invariants["energy"]) - 1)]
+    own = getattr(trajectory.system, "state_axes", 1)
+    batch = [f"batch_{k}" for k in range(np.ndim(trajectory.states) - 1 - own)]
     clock = ("time", times, {"units": "s", "long_name": "time"})
     coordinates: dict[str, Any] = {"time": clock, "axis": ("axis", [1, 2, 3])}
     variables: dict[str, Any] = {}
@@ -54,11 +55,17 @@ def as_dataset(
         if values is not None:
             note = {"units": units, "long_name": meaning}
             variables[name] = ([*batch, "time", "axis"], np.asarray(values), note)
-    if trajectory.momentum is None:
-        own = np.ndim(trajectory.states) - 1 - len(batch)
+    named = getattr(trajectory.system, "components", {})
+    for k, (name, (units, meaning)) in enumerate(named.items()):
+        note = {"units": units, "long_name": meaning}
+        variables[name] = ([*batch, "time"], np.asarray(trajectory.states)[..., k], note)
+    if trajectory.momentum is None and not named:
         dims = [*batch, "time", *(f"component_{k}" for k in range(own))]
         variables["state"] = (dims, np.asarray(trajectory.states), {"long_name": "point of the dual"})
-    for name, values in trajectory.invariants.items():
+    for name, values in trajectory.received.items():
+        note = {"units": _INVARIANTS.get(name, ("", ""))[0], "long_name": f"{name.replace('_', ' ')} received"}
+        variables[f"{name}_received"] = ([*batch, "time"], np.asarray(values), note)
+    for name, values in (trajectory.invariants | trajectory.balances).items():
         units, meaning = _INVARIANTS.get(name, ("", name.replace("_", " ")))
         dims = [*batch, "time", "axis"][: np.ndim(values)]
         note: dict[str, Any] = {"units": units, "long_name": meaning}

@@ -81,6 +81,11 @@ class AbstractSystem(eqx.Module):
         return {}
 
     @property
+    def components(self) -> dict[str, tuple[str, str]]:
+        """Name → unit and meaning of each component of a state, for files; empty where they have no names."""
+        return {}
+
+    @property
     def state_axes(self) -> int:
         """How many of a state's last axes are its own."""
         return 1

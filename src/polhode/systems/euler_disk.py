@@ -68,7 +68,7 @@ class EulerDisk(AbstractSystem):
         axial_moment: float | None = None,
         diametral_moment: float | None = None,
         gravity: float = STANDARD_GRAVITY,
-        dissipation: Sequence[RollingDissipation] = (),
+        dissipation: Sequence[RollingDissipation] | RollingDissipation = (),
     ) -> None:
         m, a, g = (_positive(*x) for x in (("mass", mass, "kg"), ("radius", radius, "m"), ("gravity", gravity, "m/s²")))
         h = float(np.asarray(thickness, dtype=float))
@@ -200,6 +200,19 @@ class EulerDisk(AbstractSystem):
             "lift-off": lambda t, state: self.normal_force(state) / weight,
         }
         return ends if self.is_thin else ends | {"on edge": lambda t, state: jnp.cos(state[0])}
+
+    @property
+    def components(self) -> dict[str, tuple[str, str]]:
+        return {
+            "tilt": ("rad", "angle between face and plane"),
+            "heading": ("rad", "direction of the horizontal diameter"),
+            "face": ("rad", "turn of what is printed on the face"),
+            "contact_x": ("m", "point of contact"),
+            "contact_y": ("m", "point of contact"),
+            "tilt_rate": ("rad s-1", "angular velocity about the horizontal diameter"),
+            "rise_rate": ("rad s-1", "angular velocity about the diameter up the face"),
+            "spin": ("rad s-1", "angular velocity about the disk's axis"),
+        }
 
     # ------------------------------------------------------------------ where to start
 
