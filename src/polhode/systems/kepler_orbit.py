@@ -1,0 +1,177 @@
+"""Kepler's orbit: where the attracting centre stands as seen from a body that goes round it."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+import numpy as np
+
+from polhode.errors import InvalidInput
+
+Array = Any
+TURN = 2.0 * math.pi
+NEWTON_STEPS = 6  # from the start below five come within three roundings for any e < 1
+SERIES_TERMS = 9  # of E − sin E up to one radian, to rounding
+# E − sin E = Σ ± E^(2k+1)/(2k+1)!, k = 1, 2, …
+SERIES = tuple((-1.0) ** (k + 1) / math.factorial(2 * k + 1) for k in range(1, SERIES_TERMS + 1))
+
+
+class KeplerOrbit(eqx.Module):
+    """Two bodies under gravity: E − e sin E = M, r/a = 1 − e cos E, M = n t + M0.
+
+    In space the orbit lies in the x-y plane, runs towards +y at the periapsis on +x, and has its normal along +z.
+
+    Args:
+        mean_motion: n [rad/s], positive.
+        eccentricity: 0 ≤ e < 1.
+        mean_anomaly: M0 at t = 0 [rad].
+
+    Raises:
+        InvalidInput: outside these ranges.
+
+    Source: Murray & Dermott, *Solar System Dynamics* (1999), sections 2.3–2.4.
+
+    >>> halley = KeplerOrbit(mean_motion=2 * math.pi / 75.3, eccentricity=0.967)
+    >>> round(float(halley.distance_ratio(0.0)), 6), round(float(halley.distance_ratio(0.5 * 75.3)), 6)
+    (0.033, 1.967)
+    """
+
+    mean_motion: Array
+    eccentricity: Array
+    mean_anomaly_at_start: Array
+
+    def __init__(self, mean_motion: float, eccentricity: float, mean_anomaly: float = 0.0) -> None:
+        self.mean_motion = checked_number("mean_motion", mean_motion, above=0.0, unit="rad/s")
+        self.eccentricity = checked_number("eccentricity", eccentricity, least=0.0)
+        if not self.eccentricity < 1.0:
+            raise InvalidInput(f"`eccentricity` must be below 1; got {eccentricity!r}. Only ellipses come round again.")
+        self.mean_anomaly_at_start = checked_number("mean_anomaly", mean_anomaly, unit="rad")
+
+    @classmethod
+    def from_semi_major_axis(
+        cls, semi_major_axis: float, gravitational_parameter: float, eccentricity: float, mean_anomaly: float = 0.0
+    ) -> KeplerOrbit:
+        """Return the orbit with n² a³ = GM.
+
+        Args:
+            semi_major_axis: a [m].
+            gravitational_parameter: GM of both bodies together [m³/s²].
+            eccentricity: 0 ≤ e < 1.
+            mean_anomaly: M0 at t = 0 [rad].
+        """
+        a = checked_number("semi_major_axis", semi_major_axis, above=0.0, unit="m")
+        gm = checked_number("gravitational_parameter", gravitational_parameter, above=0.0, unit="m³/s²")
+        return cls(float(jnp.sqrt(gm / a) / a), eccentricity, mean_anomaly)
+
+    @property
+    def period(self) -> Array:
+        """2π/n [s]."""
+        return TURN / self.mean_motion
+
+    def mean_anomaly(self, t: Array) -> Array:
+        """Return M at times (…) [rad], growing without bound."""
+        return self.mean_motion * t + self.mean_anomaly_at_start
+
+    def eccentric_anomaly(self, t: Array) -> Array:
+        """Return E at times (…) [rad], growing without bound."""
+        within, turns = _reduced(self.mean_anomaly(t))
+        return solve_kepler(within, self.eccentricity) + turns
+
+    def true_anomaly(self, t: Array) -> Array:
+        """Return f at times (…) [rad], growing without bound."""
+        within, turns = _reduced(self.mean_anomaly(t))
+        return true_from_eccentric(solve_kepler(within, self.eccentricity), self.eccentricity) + turns
+
+    def distance_ratio(self, t: Array) -> Array:
+        """Return r/a at times (…)."""
+        within, _ = _reduced(self.mean_anomaly(t))
+        return ratio_from_eccentric(solve_kepler(within, self.eccentricity), self.eccentricity)
+
+    def direction(self, t: Array) -> Array:
+        """Return the unit vector (…, 3) from the attracting centre to the body, in space."""
+        within, _ = _reduced(self.mean_anomaly(t))
+        e, half = self.eccentricity, 0.5 * solve_kepler(within, self.eccentricity)
+        sine, cosine = jnp.sin(half), jnp.cos(half)
+        ratio = (1.0 - e) + 2.0 * e * sine * sine
+        x = ((1.0 - e) - 2.0 * sine * sine) / ratio
+        y = 2.0 * jnp.sqrt((1.0 - e) * (1.0 + e)) * sine * cosine / ratio
+        return jnp.stack([x, y, jnp.zeros_like(x)], axis=-1)
+
+
+def ratio_from_eccentric(eccentric: Array, eccentricity: Array) -> Array:
+    """Return r/a = 1 − e cos E, without cancellation at the periapsis of a needle."""
+    sine = jnp.sin(0.5 * eccentric)
+    return (1.0 - eccentricity) + 2.0 * eccentricity * sine * sine
+
+
+def true_from_eccentric(eccentric: Array, eccentricity: Array) -> Array:
+    """Return f of E in [−π, π]: tan f/2 = √((1+e)/(1−e)) tan E/2."""
+    half = 0.5 * eccentric
+    y = jnp.sqrt(1.0 + eccentricity) * jnp.sin(half)
+    return 2.0 * jnp.arctan2(y, jnp.sqrt(1.0 - eccentricity) * jnp.cos(half))
+
+
+@jax.custom_jvp
+def solve_kepler(mean_anomaly: Array, eccentricity: Array) -> Array:
+    """Return E of M in [−π, π] by Kepler's equation.
+
+    On [0, π] the equation is convex, so that Newton's steps from above its root go down to it and never past it, for
+    any e < 1. The start is the least of three bounds from above: sin E ≤ 1, sin E ≤ E and E − sin E ≥ E³/π². The
+    equation is written (1−e) E + e (E − sin E) = M, in which nothing cancels where e is near one and M near zero.
+    """
+    M, e = jnp.abs(mean_anomaly), eccentricity
+    cubic = jnp.cbrt(math.pi**2 * M / jnp.where(e > 0, e, 1.0))
+    E = jnp.minimum(jnp.minimum(M + e, M / (1.0 - e)), jnp.where(e > 0, cubic, jnp.inf))
+    E = jnp.minimum(E, math.pi)
+    for _ in range(NEWTON_STEPS):
+        sine = jnp.sin(0.5 * E)
+        slope = (1.0 - e) + 2.0 * e * sine * sine
+        E = E - (((1.0 - e) * E - M) + e * _less_sine(E)) / slope
+    return jnp.copysign(jnp.clip(E, 0.0, math.pi), mean_anomaly)
+
+
+@solve_kepler.defjvp
+def _solve_kepler_jvp(primals: tuple[Array, Array], tangents: tuple[Array, Array]) -> tuple[Array, Array]:
+    # (1 − e cos E) dE = dM + sin E de, so that no step is differentiated
+    E = solve_kepler(*primals)
+    return E, (tangents[0] + jnp.sin(E) * tangents[1]) / ratio_from_eccentric(E, primals[1])
+
+
+def _less_sine(angle: Array) -> Array:
+    """Return E − sin E to its last digits."""
+    square = jnp.where(angle < 1.0, angle, 0.0) ** 2
+    series = jnp.zeros_like(square)
+    for term in SERIES[::-1]:
+        series = term + square * series
+    return jnp.where(angle < 1.0, angle * square * series, angle - jnp.sin(angle))
+
+
+def _reduced(mean_anomaly: Array) -> tuple[Array, Array]:
+    """Return M within [−π, π] and the whole turns left out [rad]."""
+    turns = TURN * jnp.round(jax.lax.stop_gradient(mean_anomaly) / TURN)
+    return mean_anomaly - turns, turns
+
+
+def checked_number(
+    name: str, value: float, above: float | None = None, least: float | None = None, unit: str = ""
+) -> Array:
+    """Return a finite number as an array.
+
+    Raises:
+        InvalidInput: for anything else, or one out of range.
+    """
+    rule = "a finite number" + (f" above {above:g}" if above is not None else "")
+    rule += f" not below {least:g}" if least is not None else ""
+    try:
+        number = np.asarray(value, dtype=float)
+    except (TypeError, ValueError):
+        number = np.asarray(math.nan)
+    good = number.shape == () and math.isfinite(number)
+    if not (good and (above is None or number > above) and (least is None or number >= least)):
+        unit = f" [{unit}]" if unit else ""
+        raise InvalidInput(f"`{name}` must be {rule}{unit}; got {value!r}. Check its size and sign.")
+    return jnp.asarray(number)
