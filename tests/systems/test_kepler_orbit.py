@@ -84,7 +84,7 @@ def test_derivatives_by_eccentricity_are_those_of_differences_and_finite_at_peri
         with mpmath.workdps(60):
             h = mpmath.mpf(10) ** -20
             low, high = (
-                mpmath.findroot(lambda E, e=near, M=mpmath.mpf(M): E - e * mpmath.sin(E) - M, true_eccentric(M, e))
+                mpmath.findroot(lambda E, e=near, M=M: E - e * mpmath.sin(E) - mpmath.mpf(M), true_eccentric(M, e))
                 for near in (mpmath.mpf(e) - h, mpmath.mpf(e) + h)
             )
             assert abs(slope - (high - low) / (2 * h)) < DERIVATIVE * abs(slope)

@@ -1,4 +1,5 @@
 """Systems that move: Hamiltonians on the duals of Lie algebras, and what is none."""
+"""Systems that move: Hamiltonians on the duals of Lie algebras, bodies under torques, spins on orbits."""
 
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem, Balance
 from polhode.systems.body_in_potential import BodyInPotential
@@ -8,6 +9,7 @@ from polhode.systems.euler_disk import EulerDisk
 from polhode.systems.free_rigid_body import FreeRigidBody
 from polhode.systems.gyrostat import Gyrostat, TorquedGyrostat
 from polhode.systems.heavy_top import HeavyTop
+from polhode.systems.kepler_orbit import KeplerOrbit
 from polhode.systems.kirchhoff import Kirchhoff
 from polhode.systems.lie_poisson import LiePoisson
 from polhode.systems.manakov import Manakov
@@ -20,10 +22,14 @@ from polhode.systems.rolling_dissipation import (
     RollingDissipation,
     ViscousContourFriction,
 )
+from polhode.systems.spin_orbit import SpinOrbit
+from polhode.systems.torqued_body import TorquedBody
+from polhode.systems.torques import AbstractTorque, GravityGradient, LinearDrag, QuadraticDrag
 
 __all__ = [
     "AbstractLiePoissonSystem",
     "AbstractSystem",
+    "AbstractTorque",
     "AirLayer",
     "Balance",
     "BodyInPotential",
@@ -34,13 +40,19 @@ __all__ = [
     "DryContourFriction",
     "EulerDisk",
     "FreeRigidBody",
+    "GravityGradient",
     "Gyrostat",
     "HeavyTop",
+    "KeplerOrbit",
     "Kirchhoff",
     "LiePoisson",
+    "LinearDrag",
     "Manakov",
+    "QuadraticDrag",
     "RollingCouple",
     "RollingDissipation",
+    "SpinOrbit",
+    "TorquedBody",
     "TorquedGyrostat",
     "ViscousContourFriction",
 ]

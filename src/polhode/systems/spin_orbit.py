@@ -1,0 +1,113 @@
+"""The spin of a moon or planet on an eccentric orbit."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import jax.numpy as jnp
+
+from polhode.bodies.body import Body
+from polhode.errors import InvalidInput
+from polhode.systems.base import AbstractSystem, Balance, as_finite_state
+from polhode.systems.kepler_orbit import KeplerOrbit, checked_number
+
+Array = Any
+
+
+class SpinOrbit(AbstractSystem):
+    """θ̈ + ½ n² ω0² (a/r)³ sin 2(θ − f) = 0, ω0² = 3(B − A)/C; state (θ, θ̇) (…, 2).
+
+    The body turns about its axis of largest moment C, which stays along the orbit's normal; θ is the angle of its axis
+    of least moment A from the direction of the periapsis [rad], θ̇ its rate in space [rad/s]. Nothing is conserved: the
+    energy per C, ½ θ̇² − ¼ n² ω0² (a/r)³ cos 2(θ − f), changes as r and f do.
+
+    Args:
+        asphericity: ω0, not negative; at most √3, as no body has B − A > C.
+        eccentricity: 0 ≤ e < 1.
+        mean_motion: n [rad/s].
+        mean_anomaly: of the orbit at t = 0 [rad]; zero is the periapsis.
+
+    Raises:
+        InvalidInput: outside these ranges.
+
+    Source: Goldreich & Peale, Astron. J. 71 (1966) 425; Wisdom, Peale & Mignard, Icarus 58 (1984) 137, eq. (1).
+
+    >>> hyperion = SpinOrbit(asphericity=0.89, eccentricity=0.1)
+    >>> hyperion.vector_field(0.0, jnp.array([math.pi / 4, 1.0])).round(6).tolist()
+    [1.0, -0.543278]
+    """
+
+    asphericity: Array
+    orbit: KeplerOrbit
+
+    def __init__(
+        self, asphericity: float, eccentricity: float, mean_motion: float = 1.0, mean_anomaly: float = 0.0
+    ) -> None:
+        self.asphericity = checked_number("asphericity", asphericity, least=0.0)
+        if not self.asphericity**2 <= 3.0 * (1.0 + 1e-12):
+            raise InvalidInput(
+                f"`asphericity` must be at most √3, as B − A ≤ C; got {asphericity!r}. It is √(3(B − A)/C)."
+            )
+        self.orbit = KeplerOrbit(mean_motion, eccentricity, mean_anomaly)
+
+    @classmethod
+    def from_body(cls, body: Body, orbit: KeplerOrbit) -> SpinOrbit:
+        """Return the system of a body on an orbit, its axis of largest moment along the orbit's normal."""
+        least, middle, largest = (float(moment) for moment in body.principal_moments)
+        asphericity = math.sqrt(3.0 * (middle - least) / largest)
+        return cls(
+            asphericity, float(orbit.eccentricity), float(orbit.mean_motion), float(orbit.mean_anomaly_at_start)
+        )
+
+    @property
+    def eccentricity(self) -> Array:
+        """Eccentricity e of the orbit."""
+        return self.orbit.eccentricity
+
+    @property
+    def mean_motion(self) -> Array:
+        """Mean motion n of the orbit [rad/s]."""
+        return self.orbit.mean_motion
+
+    def vector_field(self, t: Array, state: Array) -> Array:
+        angle, rate = state[..., 0], state[..., 1]
+        phase = 2.0 * (angle - self.orbit.true_anomaly(t))
+        return jnp.stack([rate, -0.5 * self._strength(t) * jnp.sin(phase)], axis=-1)
+
+    def _strength(self, t: Array) -> Array:
+        return (self.mean_motion * self.asphericity) ** 2 / self.orbit.distance_ratio(t) ** 3
+
+    def invariants(self, state: Array) -> dict[str, Array]:
+        """Return none; the energy stands among the balances."""
+        return {}
+
+    def balances(self, t: Array, state: Array) -> dict[str, Balance]:
+        """Return the energy per moment C [rad²/s²], which changes by ∂H/∂t along the orbit.
+
+        With ḟ = n √(1−e²) (a/r)² and ṙ/a = n e sin f/√(1−e²).
+        """
+        angle, rate = state[..., 0], state[..., 1]
+        n, e, ratio, f = self.mean_motion, self.eccentricity, self.orbit.distance_ratio(t), self.orbit.true_anomaly(t)
+        root, phase, depth = jnp.sqrt((1.0 - e) * (1.0 + e)), 2.0 * (angle - f), 0.25 * self._strength(t)
+        outward, around = n * e * jnp.sin(f) / root, n * root / ratio**2
+        energy = 0.5 * rate**2 - depth * jnp.cos(phase)
+        growth = depth * (3.0 * outward / ratio * jnp.cos(phase) - 2.0 * around * jnp.sin(phase))
+        return {"energy": Balance(energy, growth)}
+
+    def check_state(self, state: Array) -> Array:
+        """Return states as an array.
+
+        Raises:
+            InvalidInput: for a wrong last axis or values that are not finite.
+        """
+        state = as_finite_state(state, float)
+        if jnp.shape(state)[-1:] != (2,):
+            raise InvalidInput(
+                f"`state` of SpinOrbit must have shape (…, 2), angle [rad] and rate [rad/s]; got {jnp.shape(state)}."
+            )
+        return state
+
+    def scales(self, state: Array) -> Array:
+        """Return one radian, and one radian in the time 1/n."""
+        return jnp.stack([jnp.ones(()), self.mean_motion])
