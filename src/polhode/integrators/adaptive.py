@@ -132,7 +132,10 @@ def _solve(
     solution = diffrax.diffeqsolve(
         diffrax.ODETerm(rates), solver, times[0], times[-1], None,
         _Carried(state / scale, {name: jnp.zeros_like(size) for name, size in sizes.items()}), throw=False,
-        stepsize_controller=diffrax.PIDController(rtol=TOLERANCE, atol=TOLERANCE, dtmax=largest),
+        # steps end on the samples: between steps diffrax interpolates, with a hundred times a step's error
+        stepsize_controller=diffrax.ClipStepSizeController(
+            diffrax.PIDController(rtol=TOLERANCE, atol=TOLERANCE, dtmax=largest), step_ts=times
+        ),
         saveat=diffrax.SaveAt(subs=[diffrax.SubSaveAt(ts=times), diffrax.SubSaveAt(t1=True)]),
         event=diffrax.Event(lowest, EventBisection(), direction=False) if system.events else None,
         max_steps=None, progress_meter=meter, adjoint=diffrax.ForwardMode(),
