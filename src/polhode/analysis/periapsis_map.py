@@ -1,0 +1,112 @@
+"""The motion of a spin from one periapsis to the next, as a symplectic composition of drifts and kicks.
+
+When the kicks come and how strong they are does not depend on the spin, so they are tabulated once for an orbit. Time
+is the mean anomaly here, and p = θ̇/n. The steps are equal in eccentric anomaly, which crowds them where the torque is
+strong; as they do not depend on the state either, unequal steps leave each one symplectic and of its order.
+"""
+
+from __future__ import annotations
+
+import math
+from functools import partial
+from typing import Any, NamedTuple
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+
+from polhode.integrators.composition import stages
+from polhode.systems.kepler_orbit import ratio_from_eccentric, solve_kepler, true_from_eccentric
+from polhode.systems.spin_orbit import SpinOrbit
+
+Array = Any
+TURN = 2.0 * math.pi
+ORDER = 6
+
+
+class Table(NamedTuple):
+    """One orbit: drift, kick, drift, kick, …, and one drift more.
+
+    Attributes:
+        drifts: (K,) lengths before each kick [rad of mean anomaly].
+        kicks: (K,) ½ ω0² (a/r)³ times the kick's length.
+        phases: (K,) 2f at the kicks.
+        last_drift: after the last kick.
+    """
+
+    drifts: Array
+    kicks: Array
+    phases: Array
+    last_drift: Array
+
+
+def tabulate(system: SpinOrbit, steps: int) -> Table:
+    """Return the orbit in a number of steps, each of nine kicks."""
+    e = system.eccentricity
+    edges = TURN * np.arange(steps + 1) / steps
+    edges -= float(e) * np.sin(edges)
+    sizes = np.diff(edges)[:, None] * stages(ORDER)
+    middles = edges[:-1, None] + np.cumsum(sizes, axis=1) - 0.5 * sizes
+    sizes, middles = sizes.ravel(), middles.ravel()
+    eccentric = solve_kepler(jnp.asarray(middles - TURN * np.round(middles / TURN)), e)
+    strength = 0.5 * system.asphericity**2 / ratio_from_eccentric(eccentric, e) ** 3
+    drifts = 0.5 * (np.append(0.0, sizes) + np.append(sizes, 0.0))
+    phases = 2.0 * true_from_eccentric(eccentric, e)
+    return Table(jnp.asarray(drifts[:-1]), strength * sizes, phases, jnp.asarray(drifts[-1]))
+
+
+@partial(jax.jit, static_argnames="periods")
+def section(table: Table, states: Array, periods: int) -> Array:
+    """Return (θ, p) after each period (periods, …, 2), angles within [−π, π]."""
+
+    def kick(state: tuple[Array, Array], row: tuple[Array, ...]) -> tuple[tuple[Array, Array], None]:
+        (q, p), (drift, strength, phase) = state, row
+        q = q + drift * p
+        return (q, p - strength * jnp.sin(2.0 * q - phase)), None
+
+    def orbit(state: tuple[Array, Array], _: None) -> tuple[tuple[Array, Array], Array]:
+        (q, p), _ = jax.lax.scan(kick, state, table[:3])
+        q = _wrapped(q + table.last_drift * p)
+        return (q, p), jnp.stack([q, p], axis=-1)
+
+    return jax.lax.scan(orbit, (states[..., 0], states[..., 1]), None, length=periods)[1]
+
+
+@partial(jax.jit, static_argnames=("periods", "renormalise"))
+def carry_neighbours(
+    table: Table, states: Array, neighbours: Array, periods: int, renormalise: bool
+) -> tuple[Array, Array]:
+    """Return neighbours after all periods (…, 2, k), and by the logarithm of what they grew in each (periods, …, k).
+
+    Args:
+        table: of the orbit.
+        states: (…, 2) angle θ and p.
+        neighbours: (…, 2, k) small differences from the states.
+        periods: how many orbits.
+        renormalise: whether to bring them back to length one after each period.
+    """
+
+    def kick(state: tuple[Array, ...], row: tuple[Array, ...]) -> tuple[tuple[Array, ...], None]:
+        (q, p, dq, dp), (drift, strength, phase) = state, row
+        q, dq = q + drift * p, dq + drift * dp
+        angle = 2.0 * q - phase
+        dp = dp - (2.0 * strength * jnp.cos(angle))[..., None] * dq
+        return (q, p - strength * jnp.sin(angle), dq, dp), None
+
+    def orbit(state: tuple[Array, ...], _: None) -> tuple[tuple[Array, ...], Array]:
+        before = jnp.hypot(state[2], state[3])
+        (q, p, dq, dp), _ = jax.lax.scan(kick, state, table[:3])
+        q, dq = _wrapped(q + table.last_drift * p), dq + table.last_drift * dp
+        growth = jnp.hypot(dq, dp) / before
+        if renormalise:
+            length = jnp.hypot(dq, dp)
+            dq, dp = dq / length, dp / length
+        return (q, p, dq, dp), jnp.log(growth)
+
+    start = (states[..., 0], states[..., 1], neighbours[..., 0, :], neighbours[..., 1, :])
+    (_, _, dq, dp), growth = jax.lax.scan(orbit, start, None, length=periods)
+    return jnp.stack([dq, dp], axis=-2), growth
+
+
+def _wrapped(angle: Array) -> Array:
+    return angle - TURN * jnp.round(angle / TURN)

@@ -1,0 +1,176 @@
+"""The spin-orbit problem from periapsis to periapsis: sections, Lyapunov exponents, resonances and their overlap."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import jax.numpy as jnp
+import numpy as np
+
+from polhode.analysis.periapsis_map import Table, carry_neighbours, section, tabulate
+from polhode.errors import InvalidInput
+from polhode.systems.spin_orbit import SpinOrbit
+
+Array = Any
+TURN = 2.0 * math.pi
+STEPS = 128  # per orbit, over √(1 − e): sections of regular motion are then right to 1e-10 after ten orbits
+FEWEST_NODES = 64  # of the trapezoidal rule for a resonance's strength
+DECAY = 60.0  # e-foldings by which that rule's error, exponentially small in its nodes, is pressed down
+
+
+@dataclass(frozen=True)
+class Resonance:
+    """A commensurability of spin and orbit: θ̇ = p n on average.
+
+    Attributes:
+        order: p, turns per orbit.
+        rate: p n [rad/s].
+        strength: H(p, e), the mean of (a/r)³ cos 2(f − pM) over an orbit.
+        half_width: n ω0 √|H| [rad/s], of the zone of libration in θ̇; also the frequency of small librations.
+        stable_angle: θ at periapsis about which the spin librates [rad], 0 or π/2, and its opposite; None for H = 0.
+    """
+
+    order: float
+    rate: float
+    strength: float
+    half_width: float
+    stable_angle: float | None
+
+
+def poincare_section(system: SpinOrbit, states: Array, periods: int, steps: int | None = None) -> Array:
+    """Return the states at one periapsis after another, (…, periods + 1, 2), the given ones first.
+
+    Args:
+        system: the spin-orbit problem.
+        states: (…, 2) angle θ [rad] and rate θ̇ [rad/s] at a periapsis.
+        periods: how many orbits.
+        steps: per orbit; by default 128/√(1 − e). Spins much faster than three turns an orbit need more.
+
+    Returns:
+        Angles within [−π, π], from the direction of the periapsis, and rates.
+
+    Raises:
+        InvalidInput: for states of another shape, or numbers that are not positive integers.
+
+    Source: Wisdom, Peale & Mignard, Icarus 58 (1984) 137, section 3.
+
+    >>> libration = poincare_section(SpinOrbit(0.2, 0.1), [0.1, 1.0], 200)
+    >>> libration.shape, bool(abs(libration[:, 0]).max() < 0.2)
+    ((201, 2), True)
+    """
+    start, table = _start(system, states), _table(system, steps)
+    points = section(table, start, _counted("periods", periods))
+    points = np.moveaxis(np.concatenate([np.asarray(start)[None], np.asarray(points)]), 0, -2)
+    return points * np.array([1.0, float(system.mean_motion)])
+
+
+def tangent_map(system: SpinOrbit, states: Array, periods: int = 1, steps: int | None = None) -> Array:
+    """Return the derivative (…, 2, 2) of (θ, θ̇/n) after some periods by (θ, θ̇/n) at a periapsis; its determinant is 1.
+
+    Args:
+        system: the spin-orbit problem.
+        states: (…, 2) angle [rad] and rate [rad/s] at a periapsis.
+        periods: how many orbits.
+        steps: per orbit, as in ``poincare_section``.
+    """
+    start, table = _start(system, states), _table(system, steps)
+    sides = jnp.broadcast_to(jnp.eye(2), (*start.shape, 2))
+    grown, _ = carry_neighbours(table, start, sides, _counted("periods", periods), False)
+    return np.asarray(grown)
+
+
+def lyapunov_exponent(system: SpinOrbit, states: Array, periods: int, steps: int | None = None) -> Array:
+    """Return the estimates (…, periods) [1/s] of the largest Lyapunov exponent after each period; the last is the best.
+
+    ln |δ(t)|/t for a neighbour δ = (δθ, δθ̇/n) carried by the tangent map. In a chaotic zone it settles at a positive
+    value; where the motion is quasi-periodic it falls as ln t/t.
+
+    Args:
+        system: the spin-orbit problem.
+        states: (…, 2) angle [rad] and rate [rad/s] at a periapsis.
+        periods: how many orbits.
+        steps: per orbit, as in ``poincare_section``.
+
+    Source: Wisdom, Peale & Mignard, Icarus 58 (1984) 137, section 4; Benettin et al., Meccanica 15 (1980) 9.
+    """
+    start, table = _start(system, states), _table(system, steps)
+    side = jnp.full((*start.shape, 1), math.sqrt(0.5))
+    _, growth = carry_neighbours(table, start, side, _counted("periods", periods), True)
+    times = TURN / float(system.mean_motion) * np.arange(1, periods + 1)
+    return np.moveaxis(np.cumsum(np.asarray(growth)[..., 0], axis=0), 0, -1) / times
+
+
+def resonances(system: SpinOrbit, largest: float = 3.0) -> list[Resonance]:
+    """Return the resonances p = 1/2, 1, 3/2, … up to the largest order.
+
+    θ̇ = p n + γ̇ obeys γ̈ = −½ n² ω0² H sin 2γ on average over an orbit, a pendulum, as long as the resonances are apart.
+
+    Source: Goldreich & Peale, Astron. J. 71 (1966) 425, eqs. (10)–(15).
+
+    >>> [(r.order, round(r.strength, 4)) for r in resonances(SpinOrbit(0.02, 0.206), 1.5)]  # Mercury
+    [(0.5, -0.1025), (1.0, 0.8954), (1.5, 0.6543)]
+    """
+    n, e = float(system.mean_motion), float(system.eccentricity)
+    found = []
+    for order in np.arange(0.5, largest + 0.25, 0.5):
+        strength = resonance_strength(float(order), e)
+        width = n * float(system.asphericity) * math.sqrt(abs(strength))
+        angle = None if strength == 0.0 else 0.0 if strength > 0.0 else 0.5 * math.pi
+        found.append(Resonance(float(order), float(order) * n, strength, width, angle))
+    return found
+
+
+def resonance_strength(order: float, eccentricity: float) -> float:
+    """Return H(p, e) = (1/2π) ∫ (a/r)³ cos 2(f − pM) dM over one orbit, 2p an integer.
+
+    By the trapezoidal rule in eccentric anomaly, where dM = (r/a) dE and the integrand is periodic and analytic up to
+    Im E = arccosh 1/e: the error is exponentially small.
+
+    Args:
+        order: p, half an integer.
+        eccentricity: 0 ≤ e < 1.
+
+    Raises:
+        InvalidInput: for an order that is no half-integer, or an orbit that is no ellipse.
+    """
+    e, p = float(eccentricity), float(order)
+    if not (2.0 * p).is_integer():
+        raise InvalidInput(f"`order` of a resonance must be half an integer; got {order!r}. It is turns per orbit.")
+    if not 0.0 <= e < 1.0:
+        raise InvalidInput(f"`eccentricity` must be within 0 ≤ e < 1; got {eccentricity!r}.")
+    count = FEWEST_NODES + 16 * math.ceil(abs(p)) + (math.ceil(DECAY / math.acosh(1.0 / e)) if e > 1e-16 else 0)
+    E = TURN * np.arange(count) / count
+    sine = np.sin(0.5 * E)
+    ratio = (1.0 - e) + 2.0 * e * sine**2
+    way = ((1.0 - e) - 2.0 * sine**2 + 1j * math.sqrt((1.0 - e) * (1.0 + e)) * np.sin(E)) / ratio  # exp(i f)
+    values = (way**2 * np.exp(-2j * p * (E - e * np.sin(E)))).real / ratio**2
+    strength = math.fsum(values) / count
+    # what is left of a sum that vanishes, as those of a circular orbit do, is rounding
+    return 0.0 if abs(strength) < 4e-16 * float(np.abs(values).max()) else strength
+
+
+def overlap_threshold(eccentricity: Array) -> Array:
+    """Return the asphericity 1/(2 + √(14 e)) from which the zones of p = 1 and p = 3/2 touch: chaos between them.
+
+    Chirikov's criterion with H(1) ≈ 1 and H(3/2) ≈ 7e/2.
+
+    Source: Wisdom, Peale & Mignard, Icarus 58 (1984) 137, eq. (9).
+    """
+    return 1.0 / (2.0 + np.sqrt(14.0 * np.asarray(eccentricity, dtype=float)))
+
+
+def _table(system: SpinOrbit, steps: int | None) -> Table:
+    default = math.ceil(STEPS / math.sqrt(1.0 - float(system.eccentricity)))
+    return tabulate(system, default if steps is None else _counted("steps", steps))
+
+
+def _start(system: SpinOrbit, states: Array) -> Array:
+    return system.check_state(states) / jnp.stack([jnp.ones(()), system.mean_motion])
+
+
+def _counted(name: str, value: int) -> int:
+    if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < 1:
+        raise InvalidInput(f"`{name}` must be a positive integer; got {value!r}.")
+    return int(value)
