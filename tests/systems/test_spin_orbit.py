@@ -1,5 +1,7 @@
 """The spin-orbit problem against the pendulum, the whole body, and its own energy."""
 
+import jax
+import jax.numpy as jnp
 import numpy as np
 import pytest
 from scipy.special import ellipk
@@ -46,11 +48,13 @@ def test_the_energy_changes_as_the_orbit_demands():
     assert found.drift["energy"].shape == (3,) and found.drift["energy"].max() < MOTION
     assert np.ptp(found.balances["energy"], axis=-1).min() > 0.1
 
-    class Bent(SpinOrbit):
-        def vector_field(self, t, state):
-            return super().vector_field(t, state) * np.array([1.0, 1.0 + 1e-6])
 
-    assert ph.simulate(Bent(0.89, 0.4), states, times).drift["energy"].min() > 1e-8
+@pytest.mark.parametrize(("factor", "kept"), [(1.0, True), (1.0 + 1e-9, False)])
+def test_the_rate_of_the_energy_is_its_derivative_along_the_motion(factor, kept):
+    system, t, state = SpinOrbit(0.89, 0.4), jnp.asarray(0.7), jnp.array([0.5, 1.3])
+    field = system.vector_field(t, state) * jnp.array([1.0, factor])
+    _, slope = jax.jvp(lambda t, y: system.balances(t, y)["energy"].value, (t, state), (jnp.ones(()), field))
+    assert (abs(slope - system.balances(t, state)["energy"].rate) < 1e-14) == kept
 
 
 def test_from_body_takes_sorted_moments():

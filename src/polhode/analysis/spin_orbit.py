@@ -54,7 +54,7 @@ def poincare_section(system: SpinOrbit, states: Array, periods: int, steps: int 
     Raises:
         InvalidInput: for states of another shape, or numbers that are not positive integers.
 
-    Source: Wisdom, Peale & Mignard, Icarus 58 (1984) 137, section 3.
+    Source: Wisdom, Peale & Mignard, Icarus 58 (1984) 137.
 
     >>> libration = poincare_section(SpinOrbit(0.2, 0.1), [0.1, 1.0], 200)
     >>> libration.shape, bool(abs(libration[:, 0]).max() < 0.2)
@@ -93,7 +93,7 @@ def lyapunov_exponent(system: SpinOrbit, states: Array, periods: int, steps: int
         periods: how many orbits.
         steps: per orbit, as in ``poincare_section``.
 
-    Source: Wisdom, Peale & Mignard, Icarus 58 (1984) 137, section 4; Benettin et al., Meccanica 15 (1980) 9.
+    Source: Wisdom, Peale & Mignard, Icarus 58 (1984) 137; Benettin et al., Meccanica 15 (1980) 9.
     """
     start, table = _start(system, states), _table(system, steps)
     side = jnp.full((*start.shape, 1), math.sqrt(0.5))
@@ -107,10 +107,10 @@ def resonances(system: SpinOrbit, largest: float = 3.0) -> list[Resonance]:
 
     θ̇ = p n + γ̇ obeys γ̈ = −½ n² ω0² H sin 2γ on average over an orbit, a pendulum, as long as the resonances are apart.
 
-    Source: Goldreich & Peale, Astron. J. 71 (1966) 425, eqs. (10)–(15).
+    Source: Goldreich & Peale, Astron. J. 71 (1966) 425; Murray & Dermott, *Solar System Dynamics*, ch. 5.
 
     >>> [(r.order, round(r.strength, 4)) for r in resonances(SpinOrbit(0.02, 0.206), 1.5)]  # Mercury
-    [(0.5, -0.1025), (1.0, 0.8954), (1.5, 0.6543)]
+    [(0.5, -0.1025), (1.0, 0.8954), (1.5, 0.6552)]
     """
     n, e = float(system.mean_motion), float(system.eccentricity)
     found = []
@@ -156,7 +156,7 @@ def overlap_threshold(eccentricity: Array) -> Array:
 
     Chirikov's criterion with H(1) ≈ 1 and H(3/2) ≈ 7e/2.
 
-    Source: Wisdom, Peale & Mignard, Icarus 58 (1984) 137, eq. (9).
+    Source: Wisdom, Peale & Mignard, Icarus 58 (1984) 137; Chirikov, Phys. Rep. 52 (1979) 263.
     """
     return 1.0 / (2.0 + np.sqrt(14.0 * np.asarray(eccentricity, dtype=float)))
 

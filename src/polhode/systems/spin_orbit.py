@@ -31,10 +31,10 @@ class SpinOrbit(AbstractSystem):
     Raises:
         InvalidInput: outside these ranges.
 
-    Source: Goldreich & Peale, Astron. J. 71 (1966) 425; Wisdom, Peale & Mignard, Icarus 58 (1984) 137, eq. (1).
+    Source: Goldreich & Peale, Astron. J. 71 (1966) 425; Wisdom, Peale & Mignard, Icarus 58 (1984) 137.
 
     >>> hyperion = SpinOrbit(asphericity=0.89, eccentricity=0.1)
-    >>> hyperion.vector_field(0.0, jnp.array([math.pi / 4, 1.0])).round(6).tolist()
+    >>> [round(float(x), 6) for x in hyperion.vector_field(0.0, jnp.array([math.pi / 4, 1.0]))]
     [1.0, -0.543278]
     """
 

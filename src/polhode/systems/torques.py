@@ -88,7 +88,7 @@ class GravityGradient(AbstractTorque):
         orbit: of the body's centre of mass about the attracting centre.
         moments: (3,) principal moments of the body [kg m²].
 
-    Source: Hughes, *Spacecraft Attitude Dynamics* (1986), section 8.1.
+    Source: Hughes, *Spacecraft Attitude Dynamics* (1986), ch. 8.
     """
 
     orbit: KeplerOrbit
@@ -121,7 +121,7 @@ class GravityGradient(AbstractTorque):
 
         It is H − n π_z of the inertial motion; w is the velocity relative to the orbit's frame and ẑ its normal.
 
-        Source: Hughes, *Spacecraft Attitude Dynamics*, section 9.1.
+        Source: Hughes, *Spacecraft Attitude Dynamics*, ch. 9.
         """
         n = self.orbit.mean_motion
         relative = self.relative_velocity(attitude, angular_velocity)
