@@ -101,12 +101,7 @@ class SpinOrbit(AbstractSystem):
         Raises:
             InvalidInput: for a wrong last axis or values that are not finite.
         """
-        state = as_finite_state(state, float)
-        if jnp.shape(state)[-1:] != (2,):
-            raise InvalidInput(
-                f"`state` of SpinOrbit must have shape (…, 2), angle [rad] and rate [rad/s]; got {jnp.shape(state)}."
-            )
-        return state
+        return as_finite_state(state, float, length=2)
 
     def scales(self, state: Array) -> Array:
         """Return one radian, and one radian in the time 1/n."""

@@ -10,12 +10,11 @@ import numpy as np
 
 from polhode import rotation
 from polhode.errors import InvalidInput
-from polhode.systems.base import AbstractSystem, Balance, Parts, Vectors, as_finite_state, joined
+from polhode.systems.base import AbstractSystem, Balance, Parts, Vectors, as_finite_state, check_unit_attitude, joined
 from polhode.systems.free_rigid_body import checked_moments
 from polhode.systems.torques import AbstractTorque, GravityGradient
 
 Array = Any
-UNIT_TOLERANCE = 1e-6  # a quaternion further from unit length is taken for a mistake, not for rounding
 
 
 class TorquedBody(AbstractSystem):
@@ -86,7 +85,7 @@ class TorquedBody(AbstractSystem):
         energy = 0.5 * jnp.sum(momentum * velocity, axis=-1)
         balances = {
             "kinetic_energy": Balance(energy, jnp.sum(torque * velocity, axis=-1)),
-            "momentum_squared": Balance(jnp.sum(momentum**2, axis=-1), 2.0 * jnp.sum(torque * momentum, axis=-1)),
+            "|L|²": Balance(jnp.sum(momentum**2, axis=-1), 2.0 * jnp.sum(torque * momentum, axis=-1)),
         }
         gravity = [torque for torque in self.torques if isinstance(torque, GravityGradient)]
         if attitude is not None and len(gravity) == 1 and gravity[0].circular:
@@ -102,12 +101,7 @@ class TorquedBody(AbstractSystem):
             InvalidInput: for wrong shapes, values that are not finite, an attitude that is no unit quaternion.
         """
         state = as_finite_state(state, float)
-        attitude, _ = self.parts(state)
-        if attitude is not None:
-            off = jnp.abs(jnp.linalg.norm(attitude, axis=-1) - 1.0)
-            if not bool(jnp.all(off < UNIT_TOLERANCE)):
-                raise InvalidInput("`state` must begin with a unit quaternion (w, x, y, z); divide it by its norm.")
-        return state
+        return state if self.parts(state).attitude is None else check_unit_attitude(state)
 
     def scales(self, state: Array) -> Array:
         """Return one for the attitude, and for the momentum its size, or that which the torques give it from rest."""
