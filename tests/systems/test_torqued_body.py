@@ -9,7 +9,7 @@ import pytest
 import polhode as ph
 from polhode import rotation
 from polhode.errors import InvalidInput
-from polhode.systems import GravityGradient, KeplerOrbit, LinearDrag, QuadraticDrag, TorquedBody
+from polhode.systems import AbstractTorque, GravityGradient, KeplerOrbit, LinearDrag, QuadraticDrag, TorquedBody
 
 MOMENTS = (1.0, 2.0, 2.6)
 TILTED = rotation.normalize(np.array([0.9, 0.1, -0.2, 0.3]))
@@ -46,6 +46,28 @@ def test_without_torques_it_is_the_free_body():
     assert np.abs(found.attitude - motion.attitude(TIMES)).max() < MOTION
     assert np.abs(found.angular_velocity - motion.angular_velocity(TIMES)).max() < MOTION
     assert max(found.drift.values()) < MOTION
+
+
+class FixedInSpace(AbstractTorque):
+    """A user's own."""
+
+    vector: jax.Array
+
+    @property
+    def needs_attitude(self):
+        return True
+
+    def torque(self, t, attitude, angular_velocity):
+        return rotation.rotate(rotation.conjugate(attitude), jnp.sin(t)[..., None] * self.vector)
+
+
+def test_a_torque_of_ones_own_adds_up_in_space():
+    vector, momentum = np.array([0.3, -0.5, 1.0]), np.array([0.3, 1.8, 1.5])
+    found = ph.simulate(TorquedBody(MOMENTS, [FixedInSpace(jnp.array(vector))]), [*TILTED, *momentum], TIMES)
+    exact = rotation.rotate(TILTED, momentum) + (1.0 - np.cos(TIMES))[:, None] * vector
+    assert np.abs(rotation.rotate(found.attitude, found.momentum) - exact).max() < MOTION
+    assert max(found.drift.values()) < MOTION
+    assert ph.as_dataset(found)["momentum"].shape == (17, 3)
 
 
 def worst_balance(system, t, state):

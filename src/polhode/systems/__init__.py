@@ -1,4 +1,3 @@
-"""Systems that move: Hamiltonians on the duals of Lie algebras, and what is none."""
 """Systems that move: Hamiltonians on the duals of Lie algebras, bodies under torques, spins on orbits."""
 
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem, Balance

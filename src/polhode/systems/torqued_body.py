@@ -70,7 +70,7 @@ class TorquedBody(AbstractSystem):
 
     def torque(self, t: Array, attitude: Array | None, angular_velocity: Array) -> Array:
         """Return the sum of all torques (…, 3) [N m, body axes]."""
-        still = jnp.zeros_like(angular_velocity)
+        t, still = jnp.asarray(t), jnp.zeros_like(angular_velocity)
         return sum((torque.torque(t, attitude, angular_velocity) for torque in self.torques), still)
 
     def invariants(self, state: Array) -> dict[str, Array]:

@@ -35,7 +35,7 @@ class AbstractTorque(eqx.Module):
         """Return τ (…, 3) [N m, body axes].
 
         Args:
-            t: times that broadcast with the batch [s].
+            t: one time (), or one for each state (…) [s]; beside vectors write ``t[..., None]``.
             attitude: (…, 4) unit quaternions wxyz, body → space; None where the state carries none.
             angular_velocity: Ω (…, 3) [rad/s, body axes].
         """
