@@ -13,7 +13,7 @@ from polhode.figures.components import draw_components
 from polhode.figures.drawing import draw_all
 from polhode.figures.momentum_sphere import draw_momentum_sphere
 from polhode.formats.dataset import as_dataset, write_dataset
-from polhode.report import free_body_report
+from polhode.report.free_body import free_body_report
 
 IDENTITY = (1.0, 0.0, 0.0, 0.0)
 REGIMES = {
@@ -94,7 +94,7 @@ def test_dataset_that_cannot_be_written(tmp_path):
 def test_the_herpolhode_is_drawn_turn_by_turn():
     """With three samples a turn in the report, chords of the curve would be far off it."""
     from polhode.figures.herpolhode import draw_herpolhode
-    from polhode.report import free_body_report
+    from polhode.report.free_body import free_body_report
 
     body = ph.Body.from_moments(1.0, 1.1, 1.2)
     times = np.linspace(0.0, 400.0, 200)
@@ -107,7 +107,7 @@ def test_the_herpolhode_is_drawn_turn_by_turn():
 def test_the_dataset_relates_principal_axes_to_the_given_ones(tmp_path):
     body = ph.Body(2.0, (1.0, 2.0, 3.0), [[3.0, 1.0, 0.0], [1.0, 3.0, 0.0], [0.0, 0.0, 3.5]])
     report = free_body_report(body, np.array([0.1, 0.2, 0.3]), IDENTITY)
-    path = write_dataset(report.trajectory, tmp_path / "motion.nc", body=body)
+    path = write_dataset(report.trajectory, tmp_path / "motion.nc", frame=report.frame)
     with xr.open_dataset(path, engine="h5netcdf") as data:
         moments, axes = data["principal_moments"].values, data["principal_axes"].values
         assert axes @ np.diag(moments) @ axes.T == pytest.approx(np.asarray(body.inertia), abs=1e-14)

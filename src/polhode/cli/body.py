@@ -4,16 +4,19 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from polhode.cli.render import as_json, print_body
-from polhode.report import body_json
+from polhode.cli.render import as_json, print_report
+from polhode.errors import InvalidInput
+from polhode.report.free_body import body_json
+from polhode.report.wording import body_section
 from polhode.spec.reading import read_spec
 
 
 def run_body(path: Path, json: bool) -> None:
     """Print the mass properties of the spec's body."""
     spec = read_spec(path)
-    values = {"name": spec.name, **body_json(spec.body)}
+    if spec.body is None:
+        raise InvalidInput(f"{path}: has no [body]; its system brings sizes of its own. Ask for the report.")
     if json:
-        print(as_json(values))
+        print(as_json({"name": spec.name, **body_json(spec.body)}))
     else:
-        print_body(values)
+        print_report(spec.name, "", [body_section(spec.body)], [], [])

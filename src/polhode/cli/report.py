@@ -8,14 +8,10 @@ import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
-import numpy as np
-
 from polhode.cli.render import as_json, print_report
-from polhode.errors import InvalidInput
-from polhode.report import free_body_report
+from polhode.errors import InvalidInput, NotConverged
+from polhode.report.choice import report_of
 from polhode.spec.reading import read_spec
-
-FIGURES = {"momentum_sphere.png", "components.png", "herpolhode.png"}
 
 
 def is_ours(path: Path) -> bool:
@@ -30,23 +26,21 @@ def run_report(path: Path, json: bool, out: Path | None) -> None:
     """Read the spec, compute, write figures and dataset, and print the answers."""
     spec = read_spec(path)
     folder = out or Path(path.stem if path.suffix else f"{path.name}_report")
-    times = None if spec.until is None else np.linspace(0.0, spec.until, spec.samples)
     try:
-        report = free_body_report(spec.body, spec.momentum, spec.attitude, times, spec.samples)
-    except InvalidInput as error:
-        raise InvalidInput(f"{path}: {error}") from None
+        report = report_of(spec)
+    except (InvalidInput, NotConverged) as error:
+        raise type(error)(f"{path}: {error}") from None
     with _folder_at_once(folder) as draft:
         from polhode.figures.drawing import draw_all
         from polhode.formats.dataset import write_dataset
 
         files = draw_all(report, draft)
-        files.append(write_dataset(report.trajectory, draft / "motion.nc", {"title": spec.name}, spec.body))
-        names = [file.name for file in files]
-    values = {"name": spec.name, **report.as_json_dict(), "files": [str(folder / name) for name in names]}
+        files.append(write_dataset(report.trajectory, draft / "motion.nc", {"title": spec.name}, report.frame))
+        names = [str(folder / file.name) for file in files]
     if json:
-        print(as_json(values))
+        print(as_json({"name": spec.name, **report.as_json_dict(), "files": names}))
     else:
-        print_report(values)
+        print_report(spec.name, report.summary, report.sections(), report.notes, names)
 
 
 @contextlib.contextmanager
@@ -67,9 +61,9 @@ def _folder_at_once(folder: Path) -> Iterator[Path]:
             raise InvalidInput(f"{taken[0]}: is a folder where a file has to go. Name another folder with --out.")
         folder.mkdir(exist_ok=True)
         written = {file.name for file in draft.iterdir()}
-        for name in FIGURES - written:  # an earlier run's, of another motion
-            if is_ours(folder / name):
-                (folder / name).unlink()
+        for path in folder.glob("*.png"):  # an earlier run's, of another motion
+            if path.name not in written and is_ours(path):
+                path.unlink()
         for name in written:
             (draft / name).replace(folder / name)
     except OSError as error:

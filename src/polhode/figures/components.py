@@ -6,12 +6,12 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from polhode.figures import style
-from polhode.report import Report
+from polhode.report.free_body import FreeBodyReport
 
 LONGEST = 4  # periods shown; more would only blur
 
 
-def draw_components(report: Report) -> Figure:
+def draw_components(report: FreeBodyReport) -> Figure:
     """Return components of Ω and L against time, at most the first few periods, which the figure then says."""
     figure = style.new_figure(height=3.4)
     upper, lower = figure.subplots(2, 1, sharex=True)

@@ -2,23 +2,36 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
+
+from matplotlib.figure import Figure
 
 from polhode.figures import style
+from polhode.figures.axis_locus import draw_axis_locus
 from polhode.figures.components import draw_components
 from polhode.figures.herpolhode import draw_herpolhode
 from polhode.figures.momentum_sphere import draw_momentum_sphere
-from polhode.report import Report
+from polhode.figures.top_motion import draw_top_motion
+from polhode.report.base import AbstractReport
+from polhode.report.free_body import FreeBodyReport
+from polhode.report.tops import LagrangeTopReport, TopReport
 
-
-def draw_all(report: Report, folder: Path, ending: str = "png") -> list[Path]:
-    """Write every figure that the report has into an existing folder and return their paths."""
-    makers = {
+FIGURES: dict[type, dict[str, Callable[[Any], Figure | None]]] = {
+    FreeBodyReport: {
         "momentum_sphere": draw_momentum_sphere,
         "components": draw_components,
         "herpolhode": draw_herpolhode,
-    }
-    figures = {name: make(report) for name, make in makers.items()}
+    },
+    TopReport: {"axis_locus": draw_axis_locus, "motion": draw_top_motion},
+    LagrangeTopReport: {"axis_locus": draw_axis_locus, "motion": draw_top_motion},
+}
+
+
+def draw_all(report: AbstractReport, folder: Path, ending: str = "png") -> list[Path]:
+    """Write every figure that the report has into an existing folder and return their paths."""
+    figures = {name: make(report) for name, make in FIGURES[type(report)].items()}
     return [
         style.save(figure, folder / f"{name}.{ending}") for name, figure in figures.items() if figure is not None
     ]

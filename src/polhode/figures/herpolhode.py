@@ -9,14 +9,14 @@ from matplotlib.figure import Figure
 
 from polhode.analysis.poinsot import herpolhode_curve
 from polhode.figures import style
-from polhode.report import Report
+from polhode.report.free_body import FreeBodyReport
 
 Array = Any
 PERIODS, TURNS = 8, 60  # drawn at most
 SAMPLES_PER_TURN = 120
 
 
-def draw_herpolhode(report: Report) -> Figure | None:
+def draw_herpolhode(report: FreeBodyReport) -> Figure | None:
     """Return the herpolhode between its two circles; None where the contact point stays or there is no motion."""
     found = report.herpolhode
     if found is None or found.outer_radius <= 1e-12 * found.plane_distance:
@@ -43,7 +43,7 @@ def draw_herpolhode(report: Report) -> Figure | None:
     return figure
 
 
-def _times(report: Report) -> Array:
+def _times(report: FreeBodyReport) -> Array:
     """Return times that follow every turn of the contact point, which the report's own samples need not."""
     times, period = np.asarray(report.trajectory.times), report.motion.period
     fastest = float(np.linalg.norm(np.asarray(report.trajectory.angular_velocity), axis=-1).max())

@@ -9,35 +9,33 @@ from matplotlib.figure import Figure
 
 from polhode.exact.free_body import FreeMotion
 from polhode.figures import style
-from polhode.report import Report
+from polhode.figures.sphere import draw_curve, mark_point, sphere_axes, view_frame
+from polhode.report.free_body import FreeBodyReport
 
 Array = Any
-VIEW = np.array([0.80, 0.46, 0.38]) / np.linalg.norm([0.80, 0.46, 0.38])
+VIEW = (0.80, 0.46, 0.38)
 POLHODES = (0.08, 0.25, 0.5, 0.75)  # of the way from an axis to the separatrix
 
 
-def draw_momentum_sphere(report: Report) -> Figure | None:
+def draw_momentum_sphere(report: FreeBodyReport) -> Figure | None:
     """Return the sphere |L| = const seen obliquely, far side dimmed; axes are the principal ones. None at rest."""
     norm = report.motion.momentum_norm
     if not norm:
         return None
     figure = style.new_figure()
-    axes = figure.add_subplot()
+    axes = sphere_axes(figure)
     moments = np.asarray(report.motion.moments)
-    frame = _view_frame()
-    circle = np.linspace(0.0, 2.0 * np.pi, 400)
-    axes.fill(np.cos(circle), np.sin(circle), color="#f4f4f4", zorder=-5)
-    axes.plot(np.cos(circle), np.sin(circle), color=style.LIGHT, lw=0.8)
+    frame = view_frame(VIEW)
     family = _family(moments)
     for curve in family:
-        _draw(axes, frame, curve, style.GREY, 0.5)
+        draw_curve(axes, frame, curve, style.GREY, 0.5)
     for curve in _separatrix(moments):
-        _draw(axes, frame, curve, style.VERMILION, 0.9)
+        draw_curve(axes, frame, curve, style.VERMILION, 0.9)
     unit, span = np.asarray(report.trajectory.momentum) / norm, report.motion.period
     if span is not None:
         unit = report.motion.momentum(np.linspace(0.0, span, 2000)) / norm
-    _draw(axes, frame, unit, style.BLUE, 1.8)
-    _mark(axes, frame, unit[0])
+    draw_curve(axes, frame, unit, style.BLUE, 1.8)
+    mark_point(axes, frame, unit[0])
     for k in range(3):
         _label(axes, frame, k)
     still = report.motion.regime in ("permanent", "spherical")
@@ -50,18 +48,7 @@ def draw_momentum_sphere(report: Report) -> Figure | None:
     axes.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, -0.01), ncols=3, fontsize=style.FONT - 1,
                 frameon=False, handlelength=1.6, columnspacing=1.2)  # fmt: skip
     axes.set_title("Momentum sphere, body axes", fontsize=style.FONT, color=style.DARK)
-    axes.set_aspect("equal")
-    axes.set_xlim(-1.36, 1.36)
-    axes.set_ylim(-1.3, 1.36)
-    axes.axis("off")
     return figure
-
-
-def _view_frame() -> Array:
-    """Return right, up and towards the viewer as rows; the third axis points up the page."""
-    right = np.cross([0.0, 0.0, 1.0], VIEW)
-    right = right / np.linalg.norm(right)
-    return np.stack([right, np.cross(VIEW, right), VIEW])
 
 
 def _family(moments: Array) -> list[Array]:
@@ -97,21 +84,6 @@ def _separatrix(moments: Array) -> list[Array]:
     return [
         np.stack([np.cos(turn) * b / size, np.sin(turn), side * np.cos(turn) * a / size], axis=-1) for side in (1, -1)
     ]
-
-
-def _draw(axes: Any, frame: Array, curve: Array, colour: str, width: float) -> None:
-    x, y, depth = frame @ curve.T
-    for front in (False, True):
-        seen = (depth >= 0.0) == front
-        # keep one neighbour so that both halves meet at the rim
-        wide = seen | np.roll(seen, 1)
-        axes.plot(np.where(wide, x, np.nan), np.where(wide, y, np.nan), color=colour, lw=width,
-                  alpha=1.0 if front else 0.25, zorder=3 if front else 1, solid_capstyle="round")  # fmt: skip
-
-
-def _mark(axes: Any, frame: Array, point: Array) -> None:
-    x, y, depth = frame @ point
-    axes.plot([x], [y], "o", ms=4, color=style.BLUE, mec="white", mew=0.6, zorder=5, alpha=1.0 if depth >= 0 else 0.4)
 
 
 def _label(axes: Any, frame: Array, k: int) -> None:

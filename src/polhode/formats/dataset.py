@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import contextlib
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -15,6 +15,7 @@ from polhode.trajectory import Trajectory
 if TYPE_CHECKING:
     import xarray
 
+Array = Any
 _VECTORS = {
     "momentum": ("kg m2 s-1", "angular momentum along the body axes"),
     "angular_velocity": ("rad s-1", "angular velocity along the body axes"),
@@ -26,8 +27,29 @@ _INVARIANTS = {
 }
 
 
+class BodyFrame(NamedTuple):
+    """The body's axes that a trajectory is along, and what goes with them.
+
+    Attributes:
+        moments: (3,) principal moments [kg m²], about the centre of mass or a fixed point.
+        axes: (3, 3) principal axes by columns in the given ones.
+        center_of_mass: (3,) [m, given axes].
+        mass: [kg] or None.
+    """
+
+    moments: Array
+    axes: Array
+    center_of_mass: Array
+    mass: float | None
+
+    @classmethod
+    def of(cls, body: Body) -> BodyFrame:
+        """Return the principal axes of a body at its centre of mass."""
+        return cls(body.principal_moments, body.principal_axes, body.center_of_mass, body.mass)
+
+
 def as_dataset(
-    trajectory: Trajectory, attributes: dict[str, str] | None = None, body: Body | None = None
+    trajectory: Trajectory, attributes: dict[str, str] | None = None, frame: BodyFrame | None = None
 ) -> xarray.Dataset:
     """Return a trajectory as an xarray Dataset whose variables carry units and frames.
 
@@ -36,7 +58,7 @@ def as_dataset(
     Args:
         trajectory: plain arrays.
         attributes: global attributes to add.
-        body: whose principal axes the trajectory is along; its mass properties are added.
+        frame: the principal axes that the trajectory is along; they are added with the mass properties.
     """
     import xarray as xr
 
@@ -72,8 +94,8 @@ def as_dataset(
         if name in trajectory.drift and not batch:
             note["drift"] = float(trajectory.drift[name])
         variables[name] = (dims, np.asarray(values), note)
-    if body is not None:
-        variables |= _body_variables(body)
+    if frame is not None:
+        variables |= _frame_variables(frame)
         coordinates["given_axis"] = ("given_axis", ["x", "y", "z"])
         for name in ("attitude", *_VECTORS):
             if name in variables:
@@ -82,22 +104,22 @@ def as_dataset(
     return xr.Dataset(variables, coordinates, header)
 
 
-def _body_variables(body: Body) -> dict[str, Any]:
+def _frame_variables(frame: BodyFrame) -> dict[str, Any]:
     found: dict[str, Any] = {
-        "principal_moments": ("axis", body.principal_moments,
+        "principal_moments": ("axis", np.asarray(frame.moments),
                               {"units": "kg m2", "long_name": "moments about the principal axes"}),
-        "principal_axes": (("given_axis", "axis"), body.principal_axes,
+        "principal_axes": (("given_axis", "axis"), np.asarray(frame.axes),
                            {"units": "1", "long_name": "principal axes, by columns, in the given ones"}),
-        "center_of_mass": ("given_axis", body.center_of_mass,
+        "center_of_mass": ("given_axis", np.asarray(frame.center_of_mass),
                            {"units": "m", "long_name": "centre of mass in the given axes"}),
     }  # fmt: skip
-    if body.mass is not None:
-        found["mass"] = ((), body.mass, {"units": "kg", "long_name": "mass"})
+    if frame.mass is not None:
+        found["mass"] = ((), frame.mass, {"units": "kg", "long_name": "mass"})
     return found
 
 
 def write_dataset(
-    trajectory: Trajectory, path: str | Path, attributes: dict[str, str] | None = None, body: Body | None = None
+    trajectory: Trajectory, path: str | Path, attributes: dict[str, str] | None = None, frame: BodyFrame | None = None
 ) -> Path:
     """Write a trajectory as NetCDF; the file appears whole or not at all.
 
@@ -105,7 +127,7 @@ def write_dataset(
         InvalidInput: if the folder cannot be written to.
     """
     path = Path(path)
-    dataset = as_dataset(trajectory, attributes, body)
+    dataset = as_dataset(trajectory, attributes, frame)
     draft = path.with_name(f".{path.name}.part")
     try:
         draft.touch()

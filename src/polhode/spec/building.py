@@ -66,9 +66,8 @@ def build_part(table: PartTable) -> Body:
     return getattr(shapes, table.shape)(table.mass, **measures).placed(TURNS[table.axis], table.at)
 
 
-def build_spin(table: SpinTable | None, body: Body) -> tuple[Array, Array]:
-    """Return momentum along and attitude of the principal axes."""
-    axes, moments = body.principal_axes, body.principal_moments
+def build_spin(table: SpinTable | None, moments: Array, axes: Array) -> tuple[Array, Array]:
+    """Return momentum (3,) along and attitude (4,) of principal axes (3, 3) with their moments (3,)."""
     given = (1.0, 0.0, 0.0, 0.0) if table is None else table.attitude
     attitude = rotation.multiply(rotation.normalize(given), rotation.from_matrix(axes))
     if table is None or not (table.momentum or table.angular_velocity or table.rate):

@@ -61,6 +61,19 @@ def _quaternion(value: Any) -> tuple[float, ...]:
     return tuple(float(x) for x in value)
 
 
+def _direction(value: Any) -> tuple[float, ...]:
+    good = isinstance(value, list) and len(value) == 3 and all(type(x) in (int, float) for x in value)
+    if not good or not all(map(math.isfinite, value)) or not any(value):
+        raise ValueError(f"must be a direction [x, y, z] of three plain numbers, not all zero; got {value!r}")
+    return tuple(float(x) for x in value)
+
+
+def _plain(value: Any) -> float:
+    if type(value) not in (int, float) or not math.isfinite(value):
+        raise ValueError(f"must be a plain finite number, without unit or quotes; got {value!r}")
+    return float(value)
+
+
 def one_of(*choices: str | int) -> BeforeValidator:
     """Take one of the choices as it stands: 2, but neither 2.0 nor true for it."""
     shown = ", ".join(str(c) if isinstance(c, int) else f'"{c}"' for c in choices)
@@ -94,4 +107,11 @@ Rates = Annotated[tuple[Rate, Rate, Rate], _three("rad/s")]
 MeshUnit = Annotated[float, BeforeValidator(_mesh_unit)]
 Quaternion = Annotated[tuple[float, float, float, float], BeforeValidator(_quaternion)]
 Flag = StrictBool
+Direction = Annotated[tuple[float, float, float], BeforeValidator(_direction)]
+Acceleration = Annotated[float, _reader("m/s^2", positive=True)]
+Torque = Annotated[float, _reader("N*m")]
+LinearDragCoefficient = Annotated[float, _reader("N*m*s", positive=True)]
+QuadraticDragCoefficient = Annotated[float, _reader("N*m*s^2", positive=True)]
+PositiveMoment = Annotated[float, _reader("kg*m^2", positive=True)]
+Plain = Annotated[float, BeforeValidator(_plain)]
 Samples = Annotated[StrictInt, Field(ge=2, le=10_000_000)]

@@ -22,15 +22,14 @@ WORDS = {
     "too_short": "must have at least {min_length} entry",
 }
 MISSING = {
-    "body": 'is missing; say what rotates, for example moments = ["1 kg*m^2", "2 kg*m^2", "2.5 kg*m^2"] under [body]',
     "mass": 'is missing; give it like "30 g"',
     "shape": 'is missing; give it like "box"',
 }
 
 
-def mistakes_of(error: ValidationError) -> list[Mistake]:
-    """Return what pydantic found, worded."""
-    return [(mistake["loc"], _said(mistake)) for mistake in error.errors()]
+def mistakes_of(error: ValidationError, root: type[BaseModel] = SpecFile, at: Location = ()) -> list[Mistake]:
+    """Return what pydantic found in a model, worded, with the model's own place in the file."""
+    return [((*at, *mistake["loc"]), _said(mistake, root)) for mistake in error.errors()]
 
 
 def as_message(path: Path, mistakes: list[Mistake]) -> str:
@@ -47,10 +46,10 @@ def _key(location: Location) -> str:
     return text or "the file"
 
 
-def _said(mistake: Any) -> str:
+def _said(mistake: Any, root: type[BaseModel]) -> str:
     kind, last = mistake["type"], mistake["loc"][-1]
     if kind == "extra_forbidden":
-        known = list(_model_at(mistake["loc"][:-1]).model_fields)
+        known = list(_model_at(mistake["loc"][:-1], root).model_fields)
         near = difflib.get_close_matches(str(last), known, n=1)
         return "unknown key; " + (f"did you mean {near[0]}?" if near else f"known here are {', '.join(known)}")
     if kind == "missing":
@@ -62,8 +61,7 @@ def _said(mistake: Any) -> str:
     return f"{words}; got {mistake['input']!r}"
 
 
-def _model_at(location: Location) -> type[BaseModel]:
-    model: type[BaseModel] = SpecFile
+def _model_at(location: Location, model: type[BaseModel]) -> type[BaseModel]:
     for part in location:
         if isinstance(part, str):
             model = _model_in(model.model_fields[part].annotation) or model

@@ -103,6 +103,6 @@ class SpecFile(Strict):
     """The whole file."""
 
     name: str | None = None
-    body: BodyTable
+    body: BodyTable | None = None
     spin: SpinTable | None = None
     time: TimeTable = TimeTable()

@@ -14,8 +14,9 @@ from polhode.bodies.body import Body
 from polhode.errors import FormatError, InvalidInput
 from polhode.spec.building import build_body, build_part, build_spin
 from polhode.spec.mistakes import as_message, mistakes_of
-from polhode.spec.models import BodyTable, PartTable, SpecFile
+from polhode.spec.models import BodyTable, PartTable, SpecFile, SpinTable
 from polhode.spec.rules import SOURCES, Location, Mistake, broken_rules
+from polhode.spec.systems import SYSTEMS, SystemTable
 
 Array = Any
 
@@ -26,19 +27,23 @@ class Spec:
 
     Attributes:
         name: what to call the body.
-        body: its mass properties.
-        momentum: (3,) at time zero [kg m²/s, principal axes]; zero where the file has no spin.
-        attitude: (4,) wxyz, principal axes → space, at time zero.
+        body: its mass properties; None where the system has sizes of its own.
+        spin: as it stands in the file, None for rest.
         until: end of the samples [s], None for the report's own choice.
         samples: how many.
+        system: what moves, None for the free body.
     """
 
     name: str
-    body: Body
-    momentum: Array
-    attitude: Array
+    body: Body | None
+    spin: SpinTable | None
     until: float | None
     samples: int
+    system: SystemTable | None = None
+
+    def start(self, moments: Array, axes: Array) -> tuple[Array, Array]:
+        """Return momentum (3,) along, and attitude (4,) of, principal axes by columns in the given ones."""
+        return build_spin(self.spin, moments, axes)
 
 
 def read_spec(path: str | Path) -> Spec:
@@ -50,18 +55,35 @@ def read_spec(path: str | Path) -> Spec:
     """
     path = Path(path)
     table = _read_toml(path)
-    mistakes, model = list(broken_rules(table)), None
+    raw = table.pop("system", None)
+    raw = {"kind": raw} if isinstance(raw, str) else raw
+    mistakes, model = list(broken_rules(table | ({} if raw is None else {"system": raw}))), None
+    system, found = (None, []) if raw is None else _system(raw)
+    mistakes += found
     try:
         model = SpecFile.model_validate(table)
     except ValidationError as error:
         mistakes += mistakes_of(error)
     body, unphysical = _built_body(table.get("body"), path.parent, mistakes)
-    if model is None or body is None or mistakes or unphysical:
+    if model is None or mistakes or unphysical:
         found = mistakes + [(location, str(error)) for location, error in unphysical]
         of_files = not mistakes and all(isinstance(error, FormatError) for _, error in unphysical)
         raise (FormatError if of_files else InvalidInput)(as_message(path, found))
-    momentum, attitude = build_spin(model.spin, body)
-    return Spec(model.name or path.stem, body, momentum, attitude, model.time.until, model.time.samples)
+    return Spec(model.name or path.stem, body, model.spin, model.time.until, model.time.samples, system)
+
+
+def _system(raw: Any) -> tuple[SystemTable | None, list[Mistake]]:
+    kinds = ", ".join(SYSTEMS)
+    if not isinstance(raw, dict):
+        return None, [(("system",), f'must be a table, or one of its kinds, {kinds}; got {raw!r}')]
+    kind = raw.get("kind")
+    if not isinstance(kind, str) or kind not in SYSTEMS:
+        got = "it is missing" if kind is None else f"got {kind!r}"
+        return None, [(("system", "kind"), f"must be one of {kinds}; {got}")]
+    try:
+        return SYSTEMS[kind].model_validate(raw), []
+    except ValidationError as error:
+        return None, mistakes_of(error, SYSTEMS[kind], ("system",))
 
 
 def _read_toml(path: Path) -> dict[str, Any]:

@@ -10,11 +10,13 @@ from collections.abc import Iterator
 from typing import Any
 
 from polhode.spec.models import MAY_BE_HOLLOW, SHAPE_KEYS
+from polhode.spec.systems import SYSTEMS
 from polhode.spec.units import parse_quantity
 
 Location = tuple[str | int, ...]
 Mistake = tuple[Location, str]
 SOURCES = ("mesh", "moments", "inertia", "parts", "molecule")
+NO_BODY = 'is missing; say what rotates, like moments = ["1 kg*m^2", "2 kg*m^2", "2.5 kg*m^2"] under [body]'
 WAYS = ("angular_velocity", "momentum", "rate")
 
 
@@ -28,8 +30,24 @@ def broken_rules(table: dict[str, Any]) -> Iterator[Mistake]:
             if isinstance(part, dict):
                 yield from ((("body", "parts", k), text) for text in _part_rules(part))
     spin = table.get("spin")
+    yield from _system_rules(table)
     if isinstance(spin, dict):
         yield from ((("spin",), text) for text in _spin_rules(spin))
+
+
+def _system_rules(table: dict[str, Any]) -> Iterator[Mistake]:
+    system = table.get("system")
+    kind = system.get("kind") if isinstance(system, dict) else None
+    model = SYSTEMS.get(kind) if isinstance(kind, str) else None
+    takes = model.takes if model else ("body", "spin", "time")
+    if "body" in takes and "body" not in table:
+        yield ("body",), NO_BODY
+    for key in ("body", "spin", "time"):
+        if key in table and key not in takes:
+            yield (key,), f"does not go with the system {kind}, which takes its own keys in [system]; leave it out"
+    spin = table.get("spin")
+    if isinstance(system, dict) and "lean" in system and isinstance(spin, dict) and "attitude" in spin:
+        yield ("system", "lean"), "goes without spin.attitude, which already says how the body lies; leave out one"
 
 
 def _body_rules(body: dict[str, Any]) -> Iterator[str]:

@@ -16,6 +16,10 @@ EXAMPLES = {
     "kg*m^2": "1.2 g*cm^2",
     "kg*m^2/s": "0.3 kg*m^2/s",
     "kg/m^3": "2700 kg/m^3",
+    "m/s^2": "9.81 m/s^2",
+    "N*m": "0.1 N*m",
+    "N*m*s": "0.01 N*m*s",
+    "N*m*s^2": "0.01 N*m*s^2",
 }
 QUANTITY = re.compile(
     r"\s*(?P<number>[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|[+-]?(?:nan|inf)(?!\w))\s*\*?\s*(?P<unit>.*)", re.DOTALL

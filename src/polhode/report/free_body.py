@@ -1,10 +1,10 @@
-"""The plain answers about a freely rotating body: what command, page and sweep all use."""
+"""The plain answers about a freely rotating body."""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -15,6 +15,9 @@ from polhode.analysis.precession import Precession, body_precession, space_prece
 from polhode.bodies.body import Body
 from polhode.errors import InvalidInput
 from polhode.exact.free_body import FreeMotion
+from polhode.formats.dataset import BodyFrame
+from polhode.report.base import AbstractReport, Listing, Section, plain
+from polhode.report.wording import angle, body_section, drifts, number, stability_values, verdicts
 from polhode.trajectory import Trajectory
 
 Array = Any
@@ -49,9 +52,10 @@ UNITS = {
 
 
 @dataclass(frozen=True)
-class Report:
+class FreeBodyReport(AbstractReport):
     """Everything said about one body and its motion; undefined or infinite values are None."""
 
+    kind: ClassVar[str] = "free-body"
     body: Body
     motion: FreeMotion
     trajectory: Trajectory
@@ -62,46 +66,75 @@ class Report:
     rotation_period: float | None
     twist_per_flip: float | None
 
-    def as_json_dict(self) -> dict[str, Any]:
-        """Return the report as plain lists, numbers, strings and None, SI units throughout."""
+    @property
+    def frame(self) -> BodyFrame:
+        return BodyFrame.of(self.body)
+
+    def values(self) -> dict[str, Any]:
         motion = self.motion
         tumbling = motion.tumbling_periods
-        return _plain(
-            {
-                **body_summary(self.body),
-                "angular_velocity": motion.momentum_at_epoch / motion.moments,
-                "momentum": motion.momentum_at_epoch,
-                "energy": motion.energy,
-                "momentum_norm": motion.momentum_norm,
-                "regime": motion.regime,
-                "summary": self.summary,
-                "encircled_axis": None if motion.encircled_axis is None else motion.encircled_axis + 1,
-                "modulus": motion.modulus,
-                "polhode_period": motion.period,
-                "rotation_period": self.rotation_period,
-                "flip_interval": motion.flip_interval,
-                "twist_per_flip": self.twist_per_flip,
-                "precession_rate": motion.precession_rate,
-                "precession_per_period": motion.precession_per_period,
-                "precession": {
-                    "body": None if self.precession_body is None else self.precession_body._asdict(),
-                    "space": None if self.precession_space is None else self.precession_space._asdict(),
-                },
-                "geometric_phase": motion.geometric_phase,
-                "action": motion.action,
-                "tumbling_periods": {"P_phi": tumbling[0], "P_psi": tumbling[1]},
-                "long_axis_period": motion.long_axis_period,
-                "herpolhode": None if self.herpolhode is None else self.herpolhode._asdict(),
-                "axes": [_axis(k, motion.moments[k], found) for k, found in enumerate(self.stability)],
-                "drift": self.trajectory.drift,
-                "notes": self.notes,
-                "units": UNITS,
-            }
-        )
+        return {
+            **body_summary(self.body),
+            "angular_velocity": motion.momentum_at_epoch / motion.moments,
+            "momentum": motion.momentum_at_epoch,
+            "energy": motion.energy,
+            "momentum_norm": motion.momentum_norm,
+            "regime": motion.regime,
+            "encircled_axis": None if motion.encircled_axis is None else motion.encircled_axis + 1,
+            "modulus": motion.modulus,
+            "polhode_period": motion.period,
+            "rotation_period": self.rotation_period,
+            "flip_interval": motion.flip_interval,
+            "twist_per_flip": self.twist_per_flip,
+            "precession_rate": motion.precession_rate,
+            "precession_per_period": motion.precession_per_period,
+            "precession": {
+                "body": None if self.precession_body is None else self.precession_body._asdict(),
+                "space": None if self.precession_space is None else self.precession_space._asdict(),
+            },
+            "geometric_phase": motion.geometric_phase,
+            "action": motion.action,
+            "tumbling_periods": {"P_phi": tumbling[0], "P_psi": tumbling[1]},
+            "long_axis_period": motion.long_axis_period,
+            "herpolhode": None if self.herpolhode is None else self.herpolhode._asdict(),
+            "axes": [
+                {"axis": k + 1, "moment": motion.moments[k], **stability_values(found)}
+                for k, found in enumerate(self.stability)
+            ],
+            "units": UNITS,
+        }
+
+    def sections(self) -> list[Section | Listing]:
+        motion, found = self.motion, self.herpolhode
+        tumbling = [x for x in motion.tumbling_periods if x is not None]
+        radii = None if found is None else (
+            f"{found.inner_radius:.6g} to {found.outer_radius:.6g}, in a plane {found.plane_distance:.6g} "
+            "from the centre, 1/√(kg m²)"
+        )  # fmt: skip
+        lines = [
+            ("regime", motion.regime),
+            ("energy", number(motion.energy, "J")),
+            ("|L|", number(motion.momentum_norm, "kg m²/s")),
+            ("polhode period T", number(motion.period, "s")),
+            ("rotation period", number(self.rotation_period, "s")),
+            ("flip interval T/2", number(motion.flip_interval, "s")),
+            ("turn about L per flip", angle(self.twist_per_flip)),
+            ("precession in the body", _precession(self.precession_body)),
+            ("precession in space", _precession(self.precession_space)),
+            ("precession per period", angle(motion.precession_per_period)),
+            ("geometric phase", angle(motion.geometric_phase)),
+            ("action", number(motion.action, "J s")),
+            ("tumbling periods P_φ, P_ψ", ", ".join(f"{x:.8g} s" for x in tumbling) or None),
+            ("long-axis period P₁", number(motion.long_axis_period, "s")),
+            ("herpolhode radii", radii),
+            ("drift", drifts(self.trajectory.drift)),
+        ]
+        stable = {str(k + 1): found for k, found in enumerate(self.stability)}
+        axes = verdicts("Rotation about each principal axis, at this |L|", "axis", stable)
+        return [body_section(self.body), axes, Section("Motion", lines)]
 
     @property
     def notes(self) -> list[str]:
-        """What a reader should know beside the numbers."""
         fastest = max(self.motion.precession_rate or 0.0, 2.0 * math.pi / (self.motion.period or math.inf),
                       2.0 * math.pi / (self.rotation_period or math.inf))  # fmt: skip
         turns = float(np.abs(np.asarray(self.trajectory.times)).max()) * fastest / (2.0 * math.pi)
@@ -112,7 +145,6 @@ class Report:
 
     @property
     def summary(self) -> str:
-        """The motion in a sentence or two."""
         return _SENTENCES[self.motion.regime](self.motion)
 
 
@@ -128,12 +160,12 @@ def body_summary(body: Body) -> dict[str, Any]:
 
 def body_json(body: Body) -> dict[str, Any]:
     """Return the mass properties as plain lists and numbers."""
-    return _plain(body_summary(body))
+    return plain(body_summary(body))
 
 
 def free_body_report(
     body: Body, momentum: Array, attitude: Array, times: Array | None = None, samples: int = SAMPLES
-) -> Report:
+) -> FreeBodyReport:
     """Return the report on a body's free motion.
 
     Args:
@@ -164,7 +196,7 @@ def free_body_report(
         span = motion.period or turn or 0.1
         times = np.linspace(0.0, PERIODS * span, samples)
     twist = motion.precession_per_period
-    return Report(
+    return FreeBodyReport(
         body=body,
         motion=motion,
         trajectory=motion.sample(times),
@@ -177,33 +209,8 @@ def free_body_report(
     )
 
 
-def _axis(index: int, moment: float, found: Stability) -> dict[str, Any]:
-    exponents = [[float(x.real), float(x.imag)] for x in found.spectrum]
-    return {
-        "axis": index + 1,
-        "moment": moment,
-        "verdict": found.verdict,
-        "rate": found.rate,
-        "growth": found.growth,
-        "direction": found.direction,
-        "exponents": exponents,
-        "certificate": found.certificate,
-    }
-
-
-def _plain(value: Any) -> Any:
-    """Return nested data as JSON has it; numbers that are not finite become None."""
-    if isinstance(value, dict):
-        return {key: _plain(item) for key, item in value.items()}
-    if isinstance(value, np.ndarray):
-        return _plain(value.tolist())
-    if isinstance(value, list | tuple):
-        return [_plain(item) for item in value]
-    if isinstance(value, bool | str) or value is None:
-        return value
-    if isinstance(value, int | np.integer):
-        return int(value)
-    return float(value) if math.isfinite(value) else None
+def _precession(value: Precession | None) -> str | None:
+    return None if value is None else f"{value.rate:.8g} rad/s {value.sense}"
 
 
 def _mode(motion: FreeMotion) -> str:

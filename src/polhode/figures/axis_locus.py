@@ -1,0 +1,58 @@
+"""Where a top's axis points: its path on the sphere, between the circles that bound it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from polhode import rotation
+from polhode.figures import style
+from polhode.figures.sphere import draw_curve, mark_point, sphere_axes, view_frame
+from polhode.report.tops import LagrangeTopReport, TopReport
+
+Array = Any
+VIEW = (0.62, -0.62, 0.48)
+PERIODS = 8  # drawn at most
+SAMPLES = 6000
+
+
+def draw_axis_locus(report: TopReport) -> Figure:
+    """Return the path of the axis on the unit sphere, space axes, up on the page."""
+    figure = style.new_figure()
+    axes = sphere_axes(figure)
+    frame = view_frame(VIEW)
+    curve, limits, words = _path(report)
+    for height in limits:
+        turn = np.linspace(0.0, 2.0 * np.pi, 400)
+        radius = np.sqrt(max(0.0, 1.0 - height * height))
+        circle = np.stack([radius * np.cos(turn), radius * np.sin(turn), np.full(400, height)], axis=-1)
+        draw_curve(axes, frame, circle, style.VERMILION, 0.7)
+    draw_curve(axes, frame, curve, style.BLUE, 1.2)
+    mark_point(axes, frame, curve[0])
+    up = frame @ np.array([0.0, 0.0, 1.0])
+    axes.annotate("", (1.22 * up[0], 1.22 * up[1]), (up[0], up[1]),
+                  arrowprops={"arrowstyle": "->", "color": style.DARK, "lw": 0.8})  # fmt: skip
+    axes.text(1.28 * up[0], 1.28 * up[1], "up", fontsize=style.FONT, ha="center", va="bottom", color=style.DARK)
+    handles = [axes.plot([], [], color=style.BLUE, lw=1.2, label="axis of the top")[0]]
+    if limits:
+        handles.append(axes.plot([], [], color=style.VERMILION, lw=0.7, label="limits of its tilt")[0])
+    axes.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, -0.01), ncols=2, fontsize=style.FONT - 1,
+                frameon=False, handlelength=1.6)  # fmt: skip
+    axes.set_title(words, fontsize=style.FONT, color=style.DARK)
+    return figure
+
+
+def _path(report: TopReport) -> tuple[Array, list[float], str]:
+    """Return the path (T, 3), heights of the bounding circles, and what it is."""
+    if not isinstance(report, LagrangeTopReport):
+        return report.axis_in_space, [], "Path of the axis, space axes"
+    exact = report.exact
+    start, end = float(report.trajectory.times[0]), float(report.trajectory.times[-1])
+    shown = ""
+    if exact.nutation_period is not None and end - start > PERIODS * exact.nutation_period:
+        end, shown = start + PERIODS * exact.nutation_period, f", first {PERIODS} nutations"
+    attitude = exact.attitude(np.linspace(start, end, SAMPLES))
+    limits = [x for x in exact.nutation_limits if x is not None and abs(x) < 1.0]
+    return rotation.rotate(attitude, np.array([0.0, 0.0, 1.0])), limits, f"Path of the axis: {exact.regime}{shown}"

@@ -1,0 +1,50 @@
+"""Curves on a sphere seen obliquely, the far side dimmed."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from polhode.figures import style
+
+Array = Any
+
+
+def sphere_axes(figure: Figure) -> Any:
+    """Return axes with the sphere's disk."""
+    axes = figure.add_subplot()
+    circle = np.linspace(0.0, 2.0 * np.pi, 400)
+    axes.fill(np.cos(circle), np.sin(circle), color="#f4f4f4", zorder=-5)
+    axes.plot(np.cos(circle), np.sin(circle), color=style.LIGHT, lw=0.8)
+    axes.set_aspect("equal")
+    axes.set_xlim(-1.36, 1.36)
+    axes.set_ylim(-1.3, 1.36)
+    axes.axis("off")
+    return axes
+
+
+def view_frame(view: Array) -> Array:
+    """Return right, up and towards the viewer as rows; the third axis points up the page."""
+    towards = np.asarray(view) / np.linalg.norm(view)
+    right = np.cross([0.0, 0.0, 1.0], towards)
+    right = right / np.linalg.norm(right)
+    return np.stack([right, np.cross(towards, right), towards])
+
+
+def draw_curve(axes: Any, frame: Array, curve: Array, colour: str, width: float) -> None:
+    """Draw a curve (T, 3) on the unit sphere."""
+    x, y, depth = frame @ curve.T
+    for front in (False, True):
+        seen = (depth >= 0.0) == front
+        # keep one neighbour so that both halves meet at the rim
+        wide = seen | np.roll(seen, 1)
+        axes.plot(np.where(wide, x, np.nan), np.where(wide, y, np.nan), color=colour, lw=width,
+                  alpha=1.0 if front else 0.25, zorder=3 if front else 1, solid_capstyle="round")  # fmt: skip
+
+
+def mark_point(axes: Any, frame: Array, point: Array) -> None:
+    """Draw where the motion starts."""
+    x, y, depth = frame @ point
+    axes.plot([x], [y], "o", ms=4, color=style.BLUE, mec="white", mew=0.6, zorder=5, alpha=1.0 if depth >= 0 else 0.4)

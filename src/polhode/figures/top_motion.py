@@ -1,0 +1,49 @@
+"""A top's tilt and angular velocity over time."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from polhode.figures import style
+from polhode.report.tops import LagrangeTopReport, TopReport
+
+PERIODS = 6  # shown at most
+
+
+def draw_top_motion(report: TopReport) -> Figure:
+    """Return tilt and components of Ω along the principal axes against time."""
+    times, tilt, velocity, words = _series(report)
+    figure = style.new_figure(height=3.4)
+    upper, lower = figure.subplots(2, 1, sharex=True)
+    slow = style.power_of_ten((times[0], times[-1]))
+    upper.plot(times / 10.0**slow, np.degrees(tilt), color=style.DARK, lw=1.1)
+    upper.set_ylabel("tilt of the axis  [°]")
+    power = style.power_of_ten(velocity)
+    for k in range(3):
+        lower.plot(times / 10.0**slow, velocity[:, k] / 10.0**power, color=style.AXIS_COLOURS[k], lw=1.0,
+                   ls=("-", "--", "-.")[k], label=f"axis {k + 1}")  # fmt: skip
+    lower.set_ylabel(f"Ω  [{style.factor(power)}rad/s]")
+    lower.set_xlabel(f"time{words}  [{style.factor(slow)}s]")
+    for axes in (upper, lower):
+        axes.set_xlim(times[0] / 10.0**slow, times[-1] / 10.0**slow)
+        style.tidy(axes)
+    figure.legend(*lower.get_legend_handles_labels(), loc="outside upper center", ncols=3, fontsize=style.FONT - 1,
+                  frameon=False, handlelength=2.2)  # fmt: skip
+    return figure
+
+
+def _series(report: TopReport) -> tuple[np.ndarray, np.ndarray, np.ndarray, str]:
+    times = np.asarray(report.trajectory.times)
+    if isinstance(report, LagrangeTopReport):
+        exact, period = report.exact, report.exact.nutation_period
+        end, words = times[-1], ""
+        if period is not None and times[-1] - times[0] > PERIODS * period:
+            end, words = times[0] + PERIODS * period, f", first {PERIODS} nutations"
+        times = np.linspace(times[0], end, 2000)
+        attitude, momentum = exact.state(times)
+        w, x, y, z = (attitude[:, k] for k in range(4))
+        return times, 2.0 * np.arctan2(np.hypot(x, y), np.hypot(w, z)), momentum / exact.moments, words
+    axis = report.axis_in_space
+    tilt = np.arctan2(np.hypot(axis[:, 0], axis[:, 1]), axis[:, 2])
+    return times, tilt, np.asarray(report.trajectory.angular_velocity), ""

@@ -1,0 +1,346 @@
+"""The plain answers about tops: a body turning about a fixed point under its weight."""
+
+from __future__ import annotations
+
+import math
+import warnings
+from dataclasses import dataclass, replace
+from typing import Any, ClassVar
+
+import numpy as np
+
+from polhode import rotation
+from polhode.analysis.energy_casimir import Stability
+from polhode.analysis.stability import stability
+from polhode.errors import InvalidInput
+from polhode.exact.lagrange_top import LagrangeMotion
+from polhode.exact.steady_precession import SteadyPrecession, sleeping_threshold, steady_precession
+from polhode.formats.dataset import BodyFrame
+from polhode.report.base import AbstractReport, Listing, Section
+from polhode.report.wording import (
+    angle,
+    axes_lines,
+    distinct,
+    drifts,
+    number,
+    rate,
+    stability_values,
+    vector,
+    verdicts,
+)
+from polhode.simulation import simulate
+from polhode.spec.reading import Spec
+from polhode.spec.systems import HeavyTopTable, LagrangeTopTable
+from polhode.systems.heavy_top import HeavyTop
+from polhode.trajectory import Trajectory
+
+Array = Any
+PERIODS = 10
+ALONG = 1e-9  # sine of the angle up to which the line to the centre of mass counts as a principal axis
+
+
+@dataclass(frozen=True)
+class TopReport(AbstractReport):
+    """What both kinds of top have: the body about its pivot, the path of its axis, and its upright and hanging rest.
+
+    Attributes:
+        top: moments, axis and weight at the pivot.
+        pivot: (3,) [m, given axes].
+        verdicts: on the axis upright and hanging, at the spin about it that the motion starts with.
+        free: whether the fixed point is the centre of mass.
+    """
+
+    kind: ClassVar[str] = "heavy-top"
+    spec: Spec
+    top: HeavyTop
+    pivot: Array
+    trajectory: Trajectory
+    verdicts: dict[str, Stability]
+    free: bool
+
+    @property
+    def frame(self) -> BodyFrame:
+        body = self.spec.body
+        center, mass = (np.zeros(3), None) if body is None else (body.center_of_mass, body.mass)
+        return BodyFrame(np.asarray(self.top.moments), np.asarray(self.top.axes), center, mass)
+
+    @property
+    def axis_in_space(self) -> Array:
+        """(T, 3) unit vector from the fixed point to the centre of mass."""
+        return rotation.rotate(np.asarray(self.trajectory.attitude), np.asarray(self.top.axis))
+
+    @property
+    def notes(self) -> list[str]:
+        note = "the fixed point is the centre of mass: the weight has no torque, the body is free."
+        return [note] if self.free else []
+
+    @property
+    def summary(self) -> str:
+        low, high = np.degrees(np.arccos(np.clip(self.axis_in_space[:, 2].max(), -1, 1))), np.degrees(
+            np.arccos(np.clip(self.axis_in_space[:, 2].min(), -1, 1)))  # fmt: skip
+        case = "" if self.top.case is None else f" It is {self.top.case[0]}'s case, with a third integral."
+        return f"The axis to the centre of mass leans between {low:.5g}° and {high:.5g}° from the vertical.{case}"
+
+    def _invariants(self, values: dict[str, Any]) -> dict[str, Any]:
+        """Return what is kept, the Casimirs of se(3)* called by what they are here."""
+        names = {"|P|²": "|Γ|²", "Π·P": "vertical_momentum"}
+        return {names.get(name, name): value for name, value in values.items() if name != "linear_space"}
+
+    def values(self) -> dict[str, Any]:
+        tilt = np.arccos(np.clip(self.axis_in_space[:, 2], -1.0, 1.0))
+        first = {name: np.asarray(value)[0] for name, value in self._invariants(self.trajectory.invariants).items()}
+        return {
+            "mass": self.frame.mass,
+            "center_of_mass": self.frame.center_of_mass,
+            "pivot": self.pivot,
+            "principal_moments": np.asarray(self.top.moments),
+            "principal_axes": np.asarray(self.top.axes),
+            "axis": np.asarray(self.top.axis),
+            "mgl": float(self.top.mgl),
+            "integrable_case": None if self.top.case is None else self.top.case[0],
+            "tilt": {"smallest": tilt.min(), "largest": tilt.max()},
+            "invariants": first,
+            "equilibria": {name: stability_values(found) for name, found in self.verdicts.items()},
+            "status": self.trajectory.status,
+            "units": UNITS,
+        }
+
+    def sections(self) -> list[Section | Listing]:
+        values = self.values()
+        body = Section("Body about the fixed point", [
+            ("mass", number(values["mass"], "kg")),
+            ("fixed point", vector(self.pivot, "m") + "  (given axes)"),
+            ("principal moments there", distinct(values["principal_moments"], "kg m²")),
+            *axes_lines(values["principal_axes"]),
+            ("centre of mass along", vector(values["axis"]) + "  (principal axes)"),
+            ("weight × distance mgl", number(values["mgl"], "N m")),
+            ("integrable case", values["integrable_case"] or "none"),
+        ])  # fmt: skip
+        return [body, verdicts("Axis to the centre of mass at rest", "position", self.verdicts), self.motion()]
+
+    def motion(self) -> Section:
+        """Return what is said of the motion."""
+        values = self.values()
+        kept = [(name.replace("_", " "), vector(x) if np.ndim(x) else number(float(x)))
+                for name, x in values["invariants"].items()]  # fmt: skip
+        lean = values["tilt"]
+        lines = [("smallest tilt", angle(lean["smallest"])), ("largest tilt", angle(lean["largest"]))]
+        return Section("Motion", [*lines, *kept, ("drift", drifts(self._invariants(self.trajectory.drift)))])
+
+
+UNITS = {
+    "mass": "kg", "center_of_mass": "m, given axes", "pivot": "m, given axes",
+    "principal_moments": "kg m², about the pivot", "principal_axes": "columns, in the given frame",
+    "axis": "direction from pivot to centre of mass, principal axes", "mgl": "N m", "tilt": "rad",
+    "invariants": "SI", "equilibria.rate": "1/s", "nutation_limits": "cos of the tilt", "nutation_period": "s",
+    "precession_per_period": "rad", "spin_per_period": "rad", "precession_rate": "rad/s", "spin_rate": "rad/s",
+    "steady_precession": "rad/s", "sleeping_threshold": "rad/s", "spin": "rad/s", "start_tilt": "rad",
+}  # fmt: skip
+
+
+@dataclass(frozen=True)
+class LagrangeTopReport(TopReport):
+    """The symmetric top, exactly.
+
+    Attributes:
+        exact: its motion in closed form.
+        steady: rates of steady precession at the tilt and spin of the start.
+        threshold: spin from which the upright top is stable [rad/s].
+    """
+
+    kind: ClassVar[str] = "lagrange-top"
+    exact: LagrangeMotion
+    steady: SteadyPrecession | None
+    threshold: float
+
+    @property
+    def summary(self) -> str:
+        exact, period = self.exact, self.exact.nutation_period
+        words = _REGIMES[exact.regime]
+        if period is None:
+            return words
+        mean = exact.precession_rate
+        turn = "" if mean is None else f" and precesses at {mean:.6g} rad/s on average"
+        return f"{words} It nutates every {period:.6g} s{turn}."
+
+    def values(self) -> dict[str, Any]:
+        exact = self.exact
+        return super().values() | {
+            "regime": exact.regime,
+            "energy": exact.energy,
+            "spin": float(exact.momentum_at_epoch[2] / exact.moments[2]),
+            "start_tilt": math.acos(max(-1.0, min(1.0, float(self.axis_in_space[0, 2])))),
+            "nutation_limits": exact.nutation_limits,
+            "nutation_period": exact.nutation_period,
+            "precession_per_period": exact.precession_per_period,
+            "spin_per_period": exact.spin_per_period,
+            "precession_rate": exact.precession_rate,
+            "spin_rate": exact.spin_rate,
+            "steady_precession": None if self.steady is None else self.steady._asdict(),
+            "sleeping_threshold": self.threshold,
+        }
+
+    def motion(self) -> Section:
+        values = self.values()
+        low, high = self.exact.nutation_limits
+        limits = None if low is None else (
+            f"{math.degrees(math.acos(high)):.8g}° to {math.degrees(math.acos(low)):.8g}°"
+        )  # fmt: skip
+        steady = None if self.steady is None else ", ".join(
+            f"{name} {value:.8g} rad/s" for name, value in self.steady._asdict().items() if value is not None
+        )  # fmt: skip
+        return Section("Motion", [
+            ("regime", values["regime"]),
+            ("spin about the axis", rate(values["spin"])),
+            ("spin from which it sleeps", rate(self.threshold)),
+            ("tilt", limits),
+            ("nutation period T", number(values["nutation_period"], "s")),
+            ("precession per period Δφ", angle(values["precession_per_period"])),
+            ("own turn per period Δψ", angle(values["spin_per_period"])),
+            ("mean precession", rate(values["precession_rate"])),
+            ("mean own turn", rate(values["spin_rate"])),
+            ("steady precession at this tilt", steady),
+            ("energy", number(values["energy"], "J")),
+            ("vertical momentum", number(self.exact.vertical_momentum, "kg m²/s")),
+            ("axial momentum", number(self.exact.axial_momentum, "kg m²/s")),
+            ("drift", drifts(self.trajectory.drift)),
+        ])  # fmt: skip
+
+
+_REGIMES = {
+    "rest": "The top is at rest.",
+    "sleeping": "The top sleeps upright.",
+    "hanging": "The top hangs and spins.",
+    "steady": "The top precesses steadily at constant tilt.",
+    "free": "No weight: a free symmetric body.",
+    "planar": "The top swings in a plane like a pendulum.",
+    "undulating": "The axis undulates, always onward.",
+    "cusp": "The axis halts in cusps.",
+    "loop": "The axis turns back in loops.",
+    "separatrix": "The axis comes to rest upright, in infinite time.",
+}
+
+
+def heavy_top_report(spec: Spec, table: HeavyTopTable, times: Array | None) -> TopReport:
+    """Return the report on any body about a fixed point, by splitting into exact flows.
+
+    Raises:
+        InvalidInput: for a body without mass.
+    """
+    top, free = _top(spec, table)
+    momentum, attitude = _start(spec, table, top)
+    state = top.state(rotation.multiply(attitude, rotation.conjugate(rotation.from_matrix(np.asarray(top.axes)))),
+                      momentum=np.asarray(top.axes) @ momentum)  # fmt: skip
+    if times is None:
+        times = np.linspace(0.0, PERIODS * _natural_period(top, momentum), spec.samples)
+    trajectory = simulate(top, state, times, step=table.step, order=table.order)
+    return TopReport(spec, top, np.asarray(table.pivot), trajectory, _verdicts(top, momentum), free)
+
+
+def lagrange_top_report(spec: Spec, table: LagrangeTopTable, times: Array | None) -> LagrangeTopReport:
+    """Return the report on a symmetric body about a point of its axis, exactly.
+
+    Raises:
+        InvalidInput: for a body without mass, or one not symmetric about the line to its centre of mass.
+    """
+    top, free = _top(spec, table)
+    top = _axis_third(top)
+    momentum, attitude = _start(spec, table, top)
+    exact = LagrangeMotion(np.asarray(top.moments), float(top.mgl), momentum, attitude)
+    if times is None:
+        span = exact.nutation_period or _natural_period(top, momentum)
+        times = np.linspace(0.0, PERIODS * span, spec.samples)
+    moments = (float(top.moments[0]), float(top.moments[0]), float(top.moments[2]))
+    axis = rotation.rotate(exact.state(0.0)[0], np.array([0.0, 0.0, 1.0]))
+    tilt = math.acos(max(-1.0, min(1.0, float(axis[2]))))
+    spin = float(momentum[2]) / moments[2]
+    steady = steady_precession(moments, float(top.mgl), tilt, spin) if 1e-12 < tilt < math.pi - 1e-12 else None
+    return LagrangeTopReport(
+        spec, top, np.asarray(table.pivot), exact.sample(times), _verdicts(top, momentum), free,
+        exact, steady, sleeping_threshold(moments, float(top.mgl)),
+    )  # fmt: skip
+
+
+def _top(spec: Spec, table: HeavyTopTable | LagrangeTopTable) -> tuple[HeavyTop, bool]:
+    """Return the top and whether it is free, its fixed point being the centre of mass."""
+    assert spec.body is not None
+    if spec.body.mass is None:
+        raise InvalidInput("`body.mass` is needed for the weight of a top; give it beside moments or inertia.")
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        top = HeavyTop.from_body(spec.body, table.pivot, table.gravity)
+    return top, bool(caught)
+
+
+def _start(spec: Spec, table: HeavyTopTable | LagrangeTopTable, top: HeavyTop) -> tuple[Array, Array]:
+    """Return momentum along and attitude of the principal axes; with ``lean`` the axis leans towards −y."""
+    axes = np.asarray(top.axes)
+    momentum, attitude = spec.start(np.asarray(top.moments), axes)
+    if table.lean is None:
+        return momentum, attitude
+    axis = axes @ np.asarray(top.axis)
+    upright = rotation.normalize(_shortest(axis))
+    half = 0.5 * table.lean
+    leaning = rotation.multiply(np.array([math.cos(half), math.sin(half), 0.0, 0.0]), upright)
+    return momentum, rotation.multiply(leaning, rotation.from_matrix(axes))
+
+
+def _shortest(axis: Array) -> Array:
+    """Return the shortest turn, as a quaternion of any length, that brings a unit vector upright."""
+    if axis[2] < -1.0 + 1e-15:
+        return np.array([0.0, 1.0, 0.0, 0.0])
+    return np.array([1.0 + axis[2], axis[1], -axis[0], 0.0])
+
+
+def _axis_third(top: HeavyTop) -> HeavyTop:
+    """Return a symmetric top along axes whose third points to the centre of mass, moments of the others equal."""
+    moments, axes = np.asarray(top.moments), np.asarray(top.axes)
+    case, k = top.case or ("none", 0)
+    axis = np.asarray(top.axis)
+    if case == "Euler":  # any axis of symmetry will do
+        pairs = [k for k in range(3) if moments[(k + 1) % 3] == moments[(k + 2) % 3]]
+        case, k = ("Lagrange", pairs[0]) if pairs else ("none", 0)
+        axis = np.eye(3)[k]
+    if case != "Lagrange":
+        raise InvalidInput(
+            f"the body is not symmetric about the line from pivot to centre of mass; its moments there are "
+            f"{distinct(moments)} kg m², the line {vector(axis)} along their axes. Ask for kind = \"heavy-top\"."
+        )
+    if k < 0:
+        first = np.cross(axis, np.eye(3)[np.argmin(np.abs(axis))])
+        first = first / np.linalg.norm(first)
+        turned = np.stack([first, np.cross(axis, first), axis], axis=-1)
+        return HeavyTop(moments, float(top.mgl), (0.0, 0.0, 1.0), axes @ turned)
+    i, j = (k + 1) % 3, (k + 2) % 3
+    side = -1.0 if axis[k] < 0 else 1.0
+    turned = np.stack([np.eye(3)[i], side * np.eye(3)[j], side * np.eye(3)[k]], axis=-1)
+    return HeavyTop((moments[i], moments[i], moments[k]), float(top.mgl), (0.0, 0.0, 1.0), axes @ turned)
+
+
+def _verdicts(top: HeavyTop, momentum: Array) -> dict[str, Stability]:
+    """Return verdicts on the axis upright and hanging; spinning where it is a principal axis, else at rest."""
+    axis = np.asarray(top.axis)
+    k = int(np.argmax(np.abs(axis)))
+    along = np.linalg.norm(np.delete(axis, k)) <= ALONG
+    spin = float(momentum[k] * axis[k] / top.moments[k]) if along else 0.0
+    if float(top.mgl) == 0.0:
+        return {}
+    words = f"at {abs(spin):.6g} rad/s" if spin else "at rest"
+    point = np.concatenate([axis * float(top.moments[k]) * spin, axis])
+    found = {"upright": stability(top, point), "hanging": stability(top, point * np.repeat([1, -1], 3))}
+    return {f"{name}, {words}": _in_a_tops_words(verdict) for name, verdict in found.items()}
+
+
+def _in_a_tops_words(found: Stability) -> Stability:
+    """Return a verdict with the Casimirs of se(3)* called by what they are here."""
+    text = found.certificate.replace("|P|²", "|Γ|²").replace("Π·P", "Π·Γ").replace("J1", "Π·χ")
+    return replace(found, certificate=text)
+
+
+def _natural_period(top: HeavyTop, momentum: Array) -> float:
+    """Return the time of a small swing, or of a turn where there is no weight."""
+    largest = float(np.max(np.asarray(top.moments)))
+    if float(top.mgl) != 0.0:
+        return 2.0 * math.pi * math.sqrt(largest / abs(float(top.mgl)))
+    turn = float(np.linalg.norm(momentum / np.asarray(top.moments)))
+    return 2.0 * math.pi / turn if turn else 0.1
