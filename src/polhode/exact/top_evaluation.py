@@ -10,20 +10,24 @@ from polhode.arrays import compiled, custom_derivative, is_jax, namespace, stack
 from polhode.exact import top_geometry
 from polhode.exact.blocks import columns_in_blocks, state_in_blocks
 from polhode.exact.top_preparation import prepare_top
-from polhode.exact.top_series import evaluate
-from polhode.exact.top_tangent import top_tangent
+from polhode.exact.top_series import ENTRIES, evaluate
+from polhode.exact.top_tangent import TangentData, tangent_data, top_tangent
 
 Array = Any
 Arguments = tuple[Array, Array, Array, Array]
 
 
 def top_columns(arguments: Arguments) -> tuple[Array, ...]:
-    """Return the constants of motion of moments (…, 3), mgl (…, 1), momentum (…, 3), attitude (…, 4) as columns."""
+    """Return the constants of motion of moments (…, 3), mgl (…, 1), momentum (…, 3), attitude (…, 4) as columns.
+
+    On JAX what the derivative needs follows what evaluation needs.
+    """
     return columns_in_blocks(_columns_of_tops, arguments)
 
 
 def _columns_of_tops(*arguments: Array) -> tuple[Array, ...]:
-    return prepare_top(*arguments).motion
+    prepared = prepare_top(*arguments)
+    return (*prepared.motion, *tangent_data(prepared)) if is_jax(*arguments) else prepared.motion
 
 
 def top_numbers(arguments: Arguments) -> top_geometry.TopCharacteristics:
@@ -53,7 +57,7 @@ def _stacked(
     moments: Array, mgl: Array, momentum: Array, attitude: Array, elapsed: Array, rest: Array,
     columns: tuple[Array, ...],
 ) -> tuple[Array, Array]:  # fmt: skip
-    parts = evaluate(columns, elapsed, rest)
+    parts = evaluate(columns[:ENTRIES], elapsed, rest)
     return stack_last(parts[:4]), stack_last(parts[4:])
 
 
@@ -63,8 +67,7 @@ def _stacked_rule(primals: tuple[Any, ...], tangents: tuple[Any, ...]) -> tuple[
     shape = value[0].shape[:-1]
     xp = namespace(value[0])
 
-    def spread(values: tuple[Array, ...]) -> tuple[Array, ...]:
-        vectors = (xp.broadcast_to(v, (*shape, v.shape[-1])) for v in values[:4])
-        return (*vectors, xp.broadcast_to(values[4], shape))
-
-    return value, top_tangent(spread(primals), spread(tangents))
+    vectors = (xp.broadcast_to(v, (*shape, v.shape[-1])) for v in tangents[:4])
+    data = TangentData(*(xp.broadcast_to(v, shape) for v in primals[6][ENTRIES:]))
+    time, change = (xp.broadcast_to(v[4], shape) for v in (primals, tangents))
+    return value, top_tangent(data, time, (*vectors, change))

@@ -113,7 +113,7 @@ def _motion(
     """Return the flattened ``TopMotion``."""
     xp = namespace(top.reversed)
     permanent, separatrix = rates.permanent, rates.separatrix
-    turns = [turns_per_time(top, v) for v in _phase_rates(top, rates)]
+    turns = [_turns_per_time(top, v) for v in _phase_rates(top, rates)]
     zero = xp.zeros_like(axial)
     full, q, theta3 = at.full, at.q, at.theta3
     pi = tuple(c + zero for c in dd.PI)
@@ -156,8 +156,7 @@ def _phase_rates(top: TopReduction, rates: TopFrequencies) -> tuple[DoubleDouble
     return dd.where(rates.permanent, own, alpha), dd.where(rates.permanent, dd.negate(own), beta)
 
 
-def turns_per_time(top: TopReduction, rate: DoubleDouble) -> DoubleDouble:
-    """Return a rate by τ as turns per time."""
+def _turns_per_time(top: TopReduction, rate: DoubleDouble) -> DoubleDouble:
     zero = 0.0 * rate[0]
     inverse = dd.divide(tuple(c + zero for c in dd.INVERSE_TWO_PI), dd.from_float(top.moments[0]))
     return dd.scale(dd.multiply(rate, inverse), top.rate_scale)

@@ -15,6 +15,7 @@ from polhode.special.circular import SplitRate, reduced_phase, sine_cosine_turns
 from polhode.special.doubledouble import fast_two_sum, two_sum
 
 Array = Any
+ENTRIES = 45  # of a flattened motion
 Numerators = tuple[Array, ...]  # A, B and their derivatives by z or x', real and imaginary parts, phases in turns
 TERMS = 4  # of each series: q^16 is below 1e-21
 

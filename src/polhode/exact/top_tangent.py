@@ -9,11 +9,11 @@ differentiated as they stand; nothing here takes the root of anything that may v
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import Any, NamedTuple
 
 from polhode.arrays import derivative_columns, first_order_only, namespace, split_halves
 from polhode.exact.top_flow import flow, slopes
-from polhode.exact.top_preparation import PreparedTop, prepare_top, turns_per_time
+from polhode.exact.top_preparation import PreparedTop
 from polhode.special import doubledouble as dd
 from polhode.special.circular import reduced_phase, split_rate
 
@@ -21,92 +21,131 @@ Array = Any
 LARGEST_EXPONENT = 300.0  # of a growing perturbation that is followed
 
 
-def top_tangent(values: tuple[Array, ...], changes: tuple[Array, ...]) -> tuple[Array, Array]:
+class TangentData(NamedTuple):
+    """What the derivative needs of a prepared top, one plain array each."""
+
+    I1: Array
+    I3: Array
+    L1: Array
+    L2: Array
+    L3: Array
+    w: Array
+    x: Array
+    y: Array
+    z: Array
+    size: Array
+    G: Array
+    D: Array
+    tilt: Array  # largest 1 − cos θ
+    nutation: Array
+    nutation_rest: Array
+    alpha: Array
+    alpha_rest: Array
+    beta: Array
+    beta_rest: Array
+    spin: Array
+    spin_rest: Array
+    sign_alpha: Array
+    sign_beta: Array
+    permanent: Array
+    separatrix: Array
+    reversed: Array
+    momentum_scale: Array
+    rate_scale: Array
+
+
+def tangent_data(prepared: PreparedTop) -> TangentData:
+    """Return the data of a prepared top."""
+    _, top, points, rates = prepared
+    xp = namespace(top.reversed)
+    tilt = xp.where(rates.permanent, top.s0[0], points.s1[0])
+    return TangentData(
+        *top.moments, *top.momentum, *top.quaternion, top.size[0], top.G[0], top.D[0], tilt, *rates.nutation,
+        *rates.alpha, *rates.beta, *rates.spin, rates.sign_alpha, rates.sign_beta, rates.permanent, rates.separatrix,
+        top.reversed, top.momentum_scale, top.rate_scale,
+    )  # fmt: skip
+
+
+def top_tangent(top: TangentData, time: Array, changes: tuple[Array, ...]) -> tuple[Array, Array]:
     """Return the changes of attitude (…, 4) and momentum (…, 3).
 
     I1 = I2 is one quantity: its change is the mean of the first two moments' changes.
 
     Args:
-        values: moments (…, 3), mgl (…, 1), momentum (…, 3), attitude (…, 4) and time (…), of one batch shape.
-        changes: of the values, likewise; the result is linear in them.
+        top: with entries of the batch shape.
+        time: (…) since the epoch.
+        changes: of moments (…, 3), mgl (…, 1), momentum (…, 3), attitude (…, 4) and time (…); the result is linear in
+            them.
     """
-    xp = namespace(*values)
-    *given, time = first_order_only(tuple(values), "LagrangeMotion")
-    prepared = prepare_top(*given)
-    top = prepared.top
-    start, start_change, I1_change, I3_change = _scaled(xp, prepared, given, changes)
-    rest, count, phases = _reduced_time(xp, prepared, time)
-    D, tilt = top.D[0], xp.where(prepared.rates.permanent, top.s0[0], prepared.points.s1[0])
-    period = xp.where(prepared.rates.separatrix | prepared.rates.permanent, 0.0, math.pi / prepared.rates.nutation[0])
-    # one period more on everything: what each adds
-    whole = derivative_columns(lambda *s: flow(s, period, D, tilt), start)
+    xp = namespace(time, *changes)
+    *entries, time = first_order_only((*top, time), "LagrangeMotion")
+    top = TangentData(*entries)
+    start, start_change, I1_change, I3_change = _scaled(xp, top, changes)
+    rest, count, phases = _reduced_time(xp, top, time)
+    endless = top.separatrix | top.permanent
+    period = xp.where(endless, 0.0, math.pi / xp.where(endless, 1.0, top.nutation))
+    whole = derivative_columns(lambda *s: flow(s, period, top.D, top.tilt), start)
+    # one period more adds the same to every change
     once = _turned_back(_applied(whole, start_change), phases[0])
-    added = [x - y for x, y in zip(once, start_change[:6], strict=True)]
-    grown = [x + count * y for x, y in zip(start_change[:6], added, strict=True)]
-    short = derivative_columns(lambda *s: flow(s, rest, D, tilt), start)
-    later = flow(start, rest, D, tilt)
+    grown = [x + count * (y - x) for x, y in zip(start_change[:6], once, strict=True)]
+    short = derivative_columns(lambda *s: flow(s, rest, top.D, top.tilt), start)
+    later = flow(start, rest, top.D, top.tilt)
     moved = _applied(short, (*grown, *start_change[6:]))
     times = (time, changes[4], I1_change, I3_change)
-    return _assembled(xp, prepared, (later, moved, start, start_change), times, phases)
+    return _assembled(xp, top, (later, moved, start, start_change), times, phases)
 
 
 def _scaled(
-    xp: Any, prepared: PreparedTop, given: list[Array], changes: tuple[Array, ...]
+    xp: Any, top: TangentData, changes: tuple[Array, ...]
 ) -> tuple[tuple[Array, ...], tuple[Array, ...], Array, Array]:
     """Return (α, β, w, G, a), its change, and those of I1 and I3, in the units of the reduction."""
-    top = prepared.top
     d_moments, d_mgl, d_momentum, d_attitude = changes[:4]
     sense = xp.where(top.reversed, -1.0, 1.0)
-    L1, L2, L3 = top.momentum
     dL1, dL2, dL3 = (d_momentum[..., k] / top.momentum_scale for k in range(3))
     dL2, dL3 = sense * dL2, sense * dL3
     unit = top.rate_scale / top.momentum_scale  # of the inverse moment
     dI1, dI3 = 0.5 * (d_moments[..., 0] + d_moments[..., 1]) * unit, d_moments[..., 2] * unit
-    I1 = top.moments[0]
-    weight, d_weight = (
-        sense * v[..., 0] / top.momentum_scale / top.rate_scale for v in (given[1], d_mgl)
-    )  # fmt: skip
-    dG = 2.0 * (d_weight * I1 + weight * dI1)
+    d_weight = sense * d_mgl[..., 0] / top.momentum_scale / top.rate_scale
+    dG = 2.0 * d_weight * top.I1 + top.G * (dI1 / top.I1)
     w, x, y, z = (d_attitude[..., k] for k in range(4))
     change = tuple(xp.where(top.reversed, p, q) for p, q in ((-x, w), (w, x), (z, y), (-y, z)))
-    size = xp.sqrt(top.size[0])
-    q = tuple(v / size for v in top.quaternion)
+    size = xp.sqrt(top.size)
+    q = tuple(v / size for v in (top.w, top.x, top.y, top.z))
     along = sum(u * v for u, v in zip(q, change, strict=True))
     dq = tuple((v - u * along) / size for u, v in zip(q, change, strict=True))
-    zero = 0.0 * L1
-    start = (q[0], q[3], q[1], q[2], L1, L2, top.G[0] + zero, L3)
-    return start, (dq[0], dq[3], dq[1], dq[2], dL1, dL2, dG + zero, dL3), dI1, dI3
+    start = (q[0], q[3], q[1], q[2], top.L1, top.L2, top.G, top.L3)
+    return start, (dq[0], dq[3], dq[1], dq[2], dL1, dL2, dG, dL3), dI1, dI3
 
 
-def _reduced_time(xp: Any, prepared: PreparedTop, time: Array) -> tuple[Array, Array, tuple[Any, ...]]:
+def _reduced_time(xp: Any, top: TangentData, time: Array) -> tuple[Array, Array, tuple[Any, ...]]:
     """Return τ less whole periods, their number, and the phases of α and β: per period, and in all.
 
     Without a period none is taken out, and a top that goes upright is followed no farther than it can be.
     """
-    top, rates = prepared.top, prepared.rates
-    endless = rates.separatrix | rates.permanent
-    zero = 0.0 * top.moments[0]
-    pi = (dd.PI[0] + zero, dd.PI[1] + zero)
-    per_time = dd.divide(dd.scale(rates.nutation, top.rate_scale), dd.multiply_float(pi, top.moments[0]))
-    per_time = dd.where(endless, (zero, zero), per_time)
+    endless = top.separatrix | top.permanent
+    zero = (0.0 * top.I1, 0.0 * top.I1)
+    nutation = dd.where(endless, dd.one_like(top.I1), (top.nutation, top.nutation_rest))
+    pi = (dd.PI[0] + zero[0], dd.PI[1] + zero[0])
+    per_time = dd.divide(dd.scale(nutation, top.rate_scale), dd.multiply_float(pi, top.I1))
     halves = split_halves(time)
-    fraction, low, count = reduced_phase(split_rate(*per_time), halves)
-    nutation = xp.where(endless, 1.0, rates.nutation[0])
-    all_of_it = time * top.rate_scale / top.moments[0]
-    growth = xp.sqrt(xp.abs(top.D[0])) + xp.sqrt(xp.abs(top.G[0]))
+    fraction, low, count = reduced_phase(split_rate(*dd.where(endless, zero, per_time)), halves)
+    growth = xp.sqrt(xp.abs(top.D)) + xp.sqrt(top.G)
     longest = LARGEST_EXPONENT / xp.where(growth > 0, growth, 1.0)
-    kept = xp.minimum(xp.maximum(all_of_it, -longest), longest)
-    followed = xp.where(rates.separatrix & (growth > 0), kept, all_of_it)
-    rest = xp.where(endless, followed, (fraction + low) * math.pi / nutation)
-    safe = dd.where(endless, dd.one_like(nutation), rates.nutation)
+    elapsed = time * top.rate_scale / top.I1
+    followed = xp.minimum(xp.maximum(elapsed, -longest), longest)
+    followed = xp.where(endless & (growth > 0), followed, elapsed)
+    rest = xp.where(endless, followed, (fraction + low) * math.pi / nutation[0])
+    inverse = dd.divide((dd.INVERSE_TWO_PI[0] + zero[0], dd.INVERSE_TWO_PI[1] + zero[0]), dd.from_float(top.I1))
+    half_spin = dd.scale(dd.multiply((top.spin, top.spin_rest), inverse), 0.5 * top.rate_scale)
     once, total = [], []
-    for linear, sign, sense in ((rates.alpha, rates.sign_alpha, 0.5), (rates.beta, rates.sign_beta, -0.5)):
-        turn = dd.scale(dd.add(dd.divide(linear, safe), dd.from_float(sign)), 0.5)  # of a period, in turns
-        turn = dd.where(endless, dd.scale(turn, 0.0), turn)
-        spin = split_rate(*turns_per_time(top, dd.scale(rates.spin, sense)))
+    for linear, sign, sense in (
+        ((top.alpha, top.alpha_rest), top.sign_alpha, 1.0), ((top.beta, top.beta_rest), top.sign_beta, -1.0),
+    ):  # fmt: skip
+        turn = dd.scale(dd.add(dd.divide(linear, nutation), dd.from_float(sign)), 0.5)  # of a period, in turns
+        turn = dd.where(endless, zero, turn)
         a, b, _ = reduced_phase(split_rate(*turn), split_halves(count))
-        c, d, _ = reduced_phase(spin, halves)
-        once.append(turn[0] - xp.round(turn[0]) + turn[1])
+        c, d, _ = reduced_phase(split_rate(*dd.scale(half_spin, sense)), halves)
+        once.append((turn[0] - xp.round(turn[0])) + turn[1])
         total.append((a + c) + (b + d))
     return rest, count, (tuple(once), tuple(total))
 
@@ -127,12 +166,11 @@ def _turned_back(change: list[Array], turns: tuple[Array, Array]) -> list[Array]
     return out
 
 
-def _assembled(xp: Any, prepared: PreparedTop, motion: Any, times: Any, phases: Any) -> tuple[Array, Array]:
+def _assembled(xp: Any, top: TangentData, motion: Any, times: Any, phases: Any) -> tuple[Array, Array]:
     """Add the changes of τ = t/I1 and of the spin ν t, turn by the phases, and go back to the given axes and units."""
     later, moved, start, start_change = motion
     time, d_time, dI1, dI3 = times
-    top = prepared.top
-    I1, I3 = top.moments
+    I1, I3 = top.I1, top.I3
     a, da = start[7], start_change[7]
     scaled, d_scaled = time * top.rate_scale, d_time * top.rate_scale
     d_tau = (d_scaled - scaled * (dI1 / I1)) / I1
