@@ -121,7 +121,7 @@ def check(engine: str, count: int, seed: int, announce) -> None:
     assert not {family: sizes for family, sizes in worst.items() if not max(sizes) <= WORST_ERROR}
 
 
-@pytest.mark.parametrize("engine", ENGINES)
+@pytest.mark.parametrize("engine", ["numpy", "jax"])
 def test_states_are_exact_in_every_family(engine, announce):
     assert len(drawn(SUITE_PER_FAMILY, 1)) >= 200
     check(engine, SUITE_PER_FAMILY, 1, announce)
@@ -158,7 +158,7 @@ def test_the_error_does_not_grow_with_time():
     assert max(max(sizes) for sizes in worst.values()) <= WORST_ERROR
 
 
-PERIODIC = ("generic", "cusp", "fast_loop", "near_steady", "spherical_pendulum", "through_bottom", "near_separatrix")
+PERIODIC = ("generic", "cusp", "fast_loop", "huge_spin", "spherical_pendulum", "through_bottom")
 
 
 def test_taylor_series_confirm_the_periods_and_turns():
@@ -177,7 +177,7 @@ def test_taylor_series_confirm_the_periods_and_turns():
 
 def test_a_reversed_axis_is_negative_weight():
     """Series with G < 0 as they stand equal those of the half-turned top."""
-    for case in drawn(2, 4)[:20]:
+    for case in (case for case in drawn(2, 4) if case.family in PERIODIC):
         top = spherical(exact(case.moments[0]), -exact(case.mgl), case.momentum, case.attitude)
         with ctx.workprec(800):
             alpha, beta, w = taylor(top, arb(3), 160)

@@ -51,7 +51,8 @@ def flow(start: Start, tau: Array, D: Array, tilt: Array) -> tuple[Array, ...]:
 
 def _steps(xp: Any, rate: Array, tau: Array) -> Array:
     """Return the number of steps, the same for all of a batch."""
-    count = xp.ceil(stop_gradient(xp.max(rate * xp.abs(tau))) / STEP)
+    turn = rate * xp.abs(tau)
+    count = xp.ceil(stop_gradient(xp.max(xp.where(turn > 0, turn, 0.0))) / STEP)  # NaN counts for nothing
     return xp.asarray(xp.minimum(xp.maximum(count, 1.0), float(MOST_STEPS)), dtype=xp.int64)
 
 

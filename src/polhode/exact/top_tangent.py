@@ -18,7 +18,8 @@ from polhode.special import doubledouble as dd
 from polhode.special.circular import reduced_phase, split_rate
 
 Array = Any
-LARGEST_EXPONENT = 300.0  # of a growing perturbation that is followed
+LONGEST = 2500.0  # rate × time up to which a top without a period is followed
+NEAR = 1e-5  # m1 below which float64 cannot follow a whole nutation: its errors are some eps/m1²
 
 
 class TangentData(NamedTuple):
@@ -37,6 +38,7 @@ class TangentData(NamedTuple):
     G: Array
     D: Array
     tilt: Array  # largest 1 − cos θ
+    m1: Array  # complementary parameter, the distance from the separatrix
     nutation: Array
     nutation_rest: Array
     alpha: Array
@@ -59,8 +61,9 @@ def tangent_data(prepared: PreparedTop) -> TangentData:
     _, top, points, rates = prepared
     xp = namespace(top.reversed)
     tilt = xp.where(rates.permanent, top.s0[0], points.s1[0])
+    m1 = xp.where(rates.permanent, 1.0, points.B[0] / points.A[0])
     return TangentData(
-        *top.moments, *top.momentum, *top.quaternion, top.size[0], top.G[0], top.D[0], tilt, *rates.nutation,
+        *top.moments, *top.momentum, *top.quaternion, top.size[0], top.G[0], top.D[0], tilt, m1, *rates.nutation,
         *rates.alpha, *rates.beta, *rates.spin, rates.sign_alpha, rates.sign_beta, rates.permanent, rates.separatrix,
         top.reversed, top.momentum_scale, top.rate_scale,
     )  # fmt: skip
@@ -69,7 +72,8 @@ def tangent_data(prepared: PreparedTop) -> TangentData:
 def top_tangent(top: TangentData, time: Array, changes: tuple[Array, ...]) -> tuple[Array, Array]:
     """Return the changes of attitude (…, 4) and momentum (…, 3).
 
-    I1 = I2 is one quantity: its change is the mean of the first two moments' changes.
+    I1 = I2 is one quantity: its change is the mean of the first two moments' changes. NaN where it cannot be had: past
+    the first half nutation with m1 < 1e-5, and far in time on the separatrix, asleep or hanging.
 
     Args:
         top: with entries of the batch shape.
@@ -87,7 +91,9 @@ def top_tangent(top: TangentData, time: Array, changes: tuple[Array, ...]) -> tu
     whole = derivative_columns(lambda *s: flow(s, period, top.D, top.tilt), start)
     # one period more adds the same to every change
     once = _turned_back(_applied(whole, start_change), phases[0])
-    grown = [x + count * (y - x) for x, y in zip(start_change[:6], once, strict=True)]
+    lost = (count != 0.0) & (top.m1 < NEAR)
+    factor = xp.where(lost, math.nan, count)
+    grown = [x + xp.where(count == 0.0, 0.0, factor * (y - x)) for x, y in zip(start_change[:6], once, strict=True)]
     short = derivative_columns(lambda *s: flow(s, rest, top.D, top.tilt), start)
     later = flow(start, rest, top.D, top.tilt)
     moved = _applied(short, (*grown, *start_change[6:]))
@@ -120,7 +126,7 @@ def _scaled(
 def _reduced_time(xp: Any, top: TangentData, time: Array) -> tuple[Array, Array, tuple[Any, ...]]:
     """Return τ less whole periods, their number, and the phases of α and β: per period, and in all.
 
-    Without a period none is taken out, and a top that goes upright is followed no farther than it can be.
+    Without a period none is taken out, and the rest is NaN where it is too long to be followed.
     """
     endless = top.separatrix | top.permanent
     zero = (0.0 * top.I1, 0.0 * top.I1)
@@ -129,11 +135,9 @@ def _reduced_time(xp: Any, top: TangentData, time: Array) -> tuple[Array, Array,
     per_time = dd.divide(dd.scale(nutation, top.rate_scale), dd.multiply_float(pi, top.I1))
     halves = split_halves(time)
     fraction, low, count = reduced_phase(split_rate(*dd.where(endless, zero, per_time)), halves)
-    growth = xp.sqrt(xp.abs(top.D)) + xp.sqrt(top.G)
-    longest = LARGEST_EXPONENT / xp.where(growth > 0, growth, 1.0)
+    rate = xp.sqrt(top.L1 * top.L1 + top.L2 * top.L2 + top.L3 * top.L3 + 2.0 * top.G)
     elapsed = time * top.rate_scale / top.I1
-    followed = xp.minimum(xp.maximum(elapsed, -longest), longest)
-    followed = xp.where(endless & (growth > 0), followed, elapsed)
+    followed = xp.where(xp.abs(elapsed) * rate > LONGEST, math.nan, elapsed)
     rest = xp.where(endless, followed, (fraction + low) * math.pi / nutation[0])
     inverse = dd.divide((dd.INVERSE_TWO_PI[0] + zero[0], dd.INVERSE_TWO_PI[1] + zero[0]), dd.from_float(top.I1))
     half_spin = dd.scale(dd.multiply((top.spin, top.spin_rest), inverse), 0.5 * top.rate_scale)
