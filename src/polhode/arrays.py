@@ -123,8 +123,11 @@ def split_halves(a: Any) -> tuple[Any, Any]:
     return high, a - high
 
 
-def iterate(count: int, step: Callable[[Any], Any], state: Any, like: Any) -> Any:
-    """Apply ``step`` ``count`` times: a rolled loop where ``like`` is a JAX array, as unrolled loops compile slowly."""
+def iterate(count: Any, step: Callable[[Any], Any], state: Any, like: Any) -> Any:
+    """Apply ``step`` ``count`` times: a rolled loop where ``like`` is a JAX array, as unrolled loops compile slowly.
+
+    There the count may itself be a traced integer.
+    """
     if not is_jax(like):
         for _ in range(count):
             state = step(state)

@@ -19,6 +19,7 @@ LONGEST = 6.0
 REFUSED = {"separatrix", "near_separatrix", "sleeping", "hanging", "weightless_special", "scaled", "below",
            "not_quite_unit", "planar_pendulum"}  # fmt: skip
 """Families that may hold a top without a period, or nearly so, for which long times give NaN."""
+QUICK = ("generic", "cusp", "steady", "near_steady", "near_hanging", "spherical_pendulum", "below")
 NEAR_THRESHOLD = 1e-10
 """Of tops beside the threshold, whose slow nutation differs from none by little that float64 holds."""
 SAME = 1e-12
@@ -68,22 +69,31 @@ def worst_by_family(cases, found):
 
 @pytest.fixture(scope="module")
 def drawn():
-    cases = draw_tops(1, 7, LONGEST)
+    cases = [case for case in draw_tops(1, 7, LONGEST) if case.family in QUICK]
     return cases, jacobians(cases)
 
 
-def test_derivatives_are_finite_or_refused_whole(drawn):
-    for case, jacobian in zip(*drawn, strict=True):
+@pytest.mark.sweep
+def test_derivatives_in_every_family(announce):
+    """Right where finite; finite but for tops without a period, or nearly so."""
+    cases = draw_tops(1, 7, LONGEST)
+    found = jacobians(cases)
+    check(cases, found, announce)
+    for case, jacobian in zip(cases, found, strict=True):
         assert np.isfinite(jacobian).all() or (case.family in REFUSED and np.isnan(jacobian).any()), case
 
 
 def test_derivatives_agree_with_the_oracle(drawn, announce):
-    pairs = [(c, j) for c, j in zip(*drawn, strict=True) if np.isfinite(j).all() and "separatrix" not in c.family]
-    assert len(pairs) > 18
+    assert np.isfinite(drawn[1]).all()
+    check(*drawn, announce)
+
+
+def check(cases, found, announce):
+    pairs = [(c, j) for c, j in zip(cases, found, strict=True) if np.isfinite(j).all() and "separatrix" not in c.family]
     worst = worst_by_family(*zip(*pairs, strict=True))
     lines = ["derivatives of the Lagrange top, worst of the Jacobian's size:"]
     announce("\n".join([*lines, *(f"  {family:26}{error:10.1e}" for family, error in worst.items())]))
-    assert worst.pop("near_threshold") <= NEAR_THRESHOLD
+    assert worst.pop("near_threshold", 0.0) <= NEAR_THRESHOLD
     assert not {family: error for family, error in worst.items() if not error <= WORST}
 
 
