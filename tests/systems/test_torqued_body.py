@@ -67,7 +67,9 @@ def test_a_torque_of_ones_own_adds_up_in_space():
     exact = rotation.rotate(TILTED, momentum) + (1.0 - np.cos(TIMES))[:, None] * vector
     assert np.abs(rotation.rotate(found.attitude, found.momentum) - exact).max() < MOTION
     assert max(found.drift.values()) < MOTION
-    assert ph.as_dataset(found)["momentum"].shape == (17, 3)
+    dataset = ph.as_dataset(found)
+    assert dataset["momentum"].shape == (17, 3) and dataset["kinetic_energy"].attrs["drift"] < MOTION
+    assert (dataset["kinetic_energy_received"].values == found.received["kinetic_energy"]).all()
 
 
 def worst_balance(system, t, state):

@@ -22,6 +22,9 @@ _VECTORS = {
 }
 _INVARIANTS = {
     "energy": ("J", "energy"),
+    "kinetic_energy": ("J", "kinetic energy"),
+    "jacobi_integral": ("J", "Jacobi integral in the orbit's frame"),
+    "energy_per_moment": ("rad2 s-2", "energy per moment about the spin's axis"),
     "momentum_norm": ("kg m2 s-1", "magnitude of the angular momentum"),
     "momentum_space": ("kg m2 s-1", "angular momentum along the space axes"),
 }
