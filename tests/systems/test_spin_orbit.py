@@ -45,16 +45,16 @@ def test_the_energy_changes_as_the_orbit_demands():
     times = np.linspace(0.0, 20.0, 11)
     states = np.array([[0.1, 1.0], [2.0, 1.5], [0.0, 0.4]])
     found = ph.simulate(SpinOrbit(0.89, 0.4), states, times)
-    assert found.drift["energy"].shape == (3,) and found.drift["energy"].max() < MOTION
-    assert np.ptp(found.balances["energy"], axis=-1).min() > 0.1
+    assert found.drift["energy_per_moment"].shape == (3,) and found.drift["energy_per_moment"].max() < MOTION
+    assert np.ptp(found.balances["energy_per_moment"], axis=-1).min() > 0.1
 
 
 @pytest.mark.parametrize(("factor", "kept"), [(1.0, True), (1.0 + 1e-9, False)])
 def test_the_rate_of_the_energy_is_its_derivative_along_the_motion(factor, kept):
     system, t, state = SpinOrbit(0.89, 0.4), jnp.asarray(0.7), jnp.array([0.5, 1.3])
     field = system.vector_field(t, state) * jnp.array([1.0, factor])
-    _, slope = jax.jvp(lambda t, y: system.balances(t, y)["energy"].value, (t, state), (jnp.ones(()), field))
-    assert (abs(slope - system.balances(t, state)["energy"].rate) < 1e-14) == kept
+    _, slope = jax.jvp(lambda t, y: system.balances(t, y)["energy_per_moment"].value, (t, state), (jnp.ones(()), field))
+    assert (abs(slope - system.balances(t, state)["energy_per_moment"].rate) < 1e-14) == kept
 
 
 def test_from_body_takes_sorted_moments():

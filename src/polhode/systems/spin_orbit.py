@@ -93,7 +93,7 @@ class SpinOrbit(AbstractSystem):
         outward, around = n * e * jnp.sin(f) / root, n * root / ratio**2
         energy = 0.5 * rate**2 - depth * jnp.cos(phase)
         growth = depth * (3.0 * outward / ratio * jnp.cos(phase) - 2.0 * around * jnp.sin(phase))
-        return {"energy": Balance(energy, growth)}
+        return {"energy_per_moment": Balance(energy, growth)}
 
     def check_state(self, state: Array) -> Array:
         """Return states as an array.
