@@ -51,10 +51,9 @@ def test_the_map_keeps_area_in_chaos_too():
     rng = np.random.default_rng(4)
     states = np.stack([rng.uniform(-np.pi, np.pi, 40), rng.uniform(0.0, 3.0, 40)], axis=-1)
     for system in (HYPERION, SpinOrbit(0.5, 0.7)):
-        for periods, steps in ((1, None), (2, 9)):
-            matrices = tangent_map(system, states, periods, steps)
-            size = np.abs(matrices).max(axis=(-2, -1)) ** 2
-            assert np.abs((np.linalg.det(matrices) - 1.0) / np.maximum(size, 1.0)).max() < AREA
+        matrices = tangent_map(system, states, 2, steps=20)  # area needs no accuracy
+        size = np.abs(matrices).max(axis=(-2, -1)) ** 2
+        assert np.abs((np.linalg.det(matrices) - 1.0) / np.maximum(size, 1.0)).max() < AREA
 
 
 def test_the_tangent_map_is_the_derivative_of_the_section():

@@ -47,6 +47,8 @@ def test_the_energy_changes_as_the_orbit_demands():
     found = ph.simulate(SpinOrbit(0.89, 0.4), states, times)
     assert found.drift["energy_per_moment"].shape == (3,) and found.drift["energy_per_moment"].max() < MOTION
     assert np.ptp(found.balances["energy_per_moment"], axis=-1).min() > 0.1
+    dataset = ph.as_dataset(found)
+    assert (dataset["rate"].values == found.states[..., 1]).all() and dataset["angle"].attrs["units"] == "rad"
 
 
 @pytest.mark.parametrize(("factor", "kept"), [(1.0, True), (1.0 + 1e-9, False)])
