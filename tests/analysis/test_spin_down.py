@@ -4,9 +4,10 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
+import polhode as ph
 from polhode.analysis.power_law import fit_singularity, power_law
 from polhode.analysis.spin_down import END_OF_REGIME, adiabatic_end, spin_down
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, NotConverged
 from polhode.systems import (
     AirLayer,
     BoundaryLayer,
@@ -65,7 +66,7 @@ def test_each_law_has_its_exponent(law, coefficient, exponent, decades):
 
 
 def test_the_wrong_exponent_is_told_apart():
-    """2.0 and 2/3 are as far apart as laws go; an air layer seen as viscous friction would miss by half."""
+    """The tolerances above tell neighbouring laws apart, and α^(−1/2) from 1/α."""
     disk = disk_with(ViscousContourFriction=2e-8)
     found = spin_down(disk, disk.rolling_state(TILT))
     assert abs(found.tilt.exponent / (4 / 9) - 1) > 0.1
@@ -79,16 +80,25 @@ def test_laws_add_up():
     times, tilt = found.remaining, found.trajectory.states[:, 0]
     inside = np.flatnonzero(found.adiabaticity < 0.02)
     slopes = np.diff(np.log(tilt[inside])) / np.diff(np.log(times[inside]))
-    assert slopes[0] > 0.6 and slopes[-10:].mean() < 0.45 and found.tilt.uncertainty > 0.02
-    assert abs(found.end / adiabatic_end(disk, 0.05) - 1) < 0.05
+    assert slopes[0] > 1.0 > 0.75 > slopes[-25:-15].mean()
+    assert abs(found.end / adiabatic_end(disk, 0.05) - 1) < 0.01
+    assert found.tilt.exponent < 0.75 and found.tilt.uncertainty > 0.02
     assert found.energy_balance < BALANCE
 
 
 def test_drilling_alone_has_no_end():
-    disk = disk_with(DrillingFriction=5e-3)
-    found = spin_down(disk, disk.rolling_state(0.1), 1.0)
-    assert found.end is None and found.remaining is None and adiabatic_end(disk, 0.1) is None
-    assert abs(found.tilt.exponent + 2.0) < 0.02 and found.energy_balance < BALANCE
+    """By energy alone the tilt would fall as t⁻²; in the full motion the disk first stops turning on its contact."""
+    disk = disk_with(DrillingFriction=1e-3)
+    start = disk.rolling_state(0.1)
+    assert adiabatic_end(EulerDisk(MASS, RADIUS, dissipation=[DrillingFriction(1e-3)]), 0.1) is None
+    found = ph.simulate(disk, start, np.linspace(0.0, 0.6, 13))
+    s, c = np.sin(found.states[:, 0]), np.cos(found.states[:, 0])
+    vertical = found.states[:, 6] * s + found.states[:, 7] * c
+    assert vertical[0] > 1.0 and abs(vertical[-1]) < 1e-6
+    assert found.states[-1, 0] > 0.097 and found.drift["energy"] < BALANCE
+    assert float(disk.power(jnp.asarray(found.states[-1]))) < 1e-9 * float(disk.power(start))
+    with pytest.raises(NotConverged, match="takes nothing any more"):
+        spin_down(disk, start)
 
 
 def test_foretold_ends_are_those_of_the_literature():
@@ -113,7 +123,7 @@ def test_fits_find_what_was_put_in():
     found = fit_singularity(np.diff(since), since**-2.0)
     assert abs(found.law.exponent + 2.0) < 1e-6 and abs(found.distance - 1.0) < 1e-4
     bent = power_law(ahead, ahead**0.4 * (1 + 0.1 * ahead))
-    assert 1e-4 < abs(bent.exponent - 0.4) < 4 * bent.uncertainty
+    assert abs(bent.exponent - 0.4) < bent.uncertainty and bent.uncertainty > 1e-3
 
 
 @pytest.mark.parametrize(

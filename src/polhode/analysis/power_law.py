@@ -1,8 +1,8 @@
 """Exponents of power laws from samples of a motion, with what is uncertain about them.
 
-The samples are exact, but a law is only approached: what a fit misses is no noise. The uncertainty of an exponent is
-therefore half of what the fits of the first and the second half of the samples differ by, or the standard error where
-that is larger.
+The samples are exact, but a law is only approached: what a fit misses is no noise. Exponents are therefore those of the
+second half of the samples, which is nearer to the law, and their uncertainty is half of what the fits of both halves
+differ by, or the standard error where that is larger.
 """
 
 from __future__ import annotations
@@ -55,9 +55,8 @@ def power_law(x: Array, y: Array) -> PowerLaw:
     """
     p, q = np.log(x), np.log(y)
     half = len(p) // 2
-    slope, error, _ = _line(p, q)
-    split = 0.5 * abs(_line(p[:half], q[:half])[0] - _line(p[half:], q[half:])[0])
-    return PowerLaw(slope, max(error, split), len(p))
+    early, (slope, error, _) = _line(p[:half], q[:half])[0], _line(p[half:], q[half:])
+    return PowerLaw(slope, max(error, 0.5 * abs(slope - early)), len(p))
 
 
 def fit_singularity(spans: Array, y: Array) -> Singularity:
@@ -70,19 +69,18 @@ def fit_singularity(spans: Array, y: Array) -> Singularity:
     ahead = np.append(np.cumsum(spans[::-1])[::-1], 0.0)
     since = np.append(0.0, np.cumsum(spans))
     q = np.log(y)
-    gone, misses = _nearest(since, q)
-    left, rest = _nearest(ahead, q)
-    times, distance = (ahead, left) if rest <= misses else (since, gone)
-    slope, error, _ = _line(np.log(times + distance), q)
+    misses, rest = _nearest(since, q)[1], _nearest(ahead, q)[1]
+    times = ahead if rest <= misses else since
     half = len(q) // 2
-    slopes, distances = [], []
+    fits, distances = [], []
     for part in (slice(None, half), slice(half, None)):
         own = times[part]
         offset = _nearest(own - own.min(), q[part])[0]
-        slopes.append(_line(np.log(own - own.min() + offset), q[part])[0])
+        fits.append(_line(np.log(own - own.min() + offset), q[part]))
         distances.append(offset - own.min())
-    law = PowerLaw(slope, max(error, 0.5 * abs(slopes[0] - slopes[1])), len(q))
-    return Singularity(law, distance, 0.5 * abs(distances[0] - distances[1]))
+    (early, *_), (slope, error, _) = fits
+    law = PowerLaw(slope, max(error, 0.5 * abs(slope - early)), len(q))
+    return Singularity(law, distances[1], 0.5 * abs(distances[0] - distances[1]))
 
 
 def _nearest(times: Array, q: Array) -> tuple[float, float]:

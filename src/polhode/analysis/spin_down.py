@@ -34,6 +34,7 @@ END_OF_REGIME = "end of asymptotic regime"
 FALL = 20.0  # √(a/g), in which a disk that has left the asymptotic regime lies flat or has taken off
 FALL_SAMPLES = 32
 FEWEST = 8  # samples to fit
+LEG_STEPS = 100_000  # of one sample to the next: then nothing is lost any more
 STEPS_PER_RADIAN = 4.0  # of precession, of Dopri8 at its tolerance: measured
 
 
@@ -89,7 +90,7 @@ def spin_down(
 
     Raises:
         InvalidInput: for a disk without dissipation, or a start that is not in the asymptotic regime.
-        NotConverged: if a step underflows.
+        NotConverged: if the dissipation comes to an end before the motion does.
 
     >>> from polhode.systems import EulerDisk, ViscousContourFriction
     >>> disk = EulerDisk(mass=0.4, radius=0.04, dissipation=[ViscousContourFriction(2e-7)])
@@ -157,7 +158,8 @@ def adiabatic_end(disk: EulerDisk, tilt: float) -> float | None:
         theta = tilt * jnp.exp(-depth)
         packed = lambda x: _at_rest(disk, x)  # noqa: E731
         slope = jax.grad(lambda x: disk.energy(packed(x)))(theta)
-        return theta * slope / disk.power(packed(theta))
+        rate = jnp.sqrt(disk.mechanics.precession_at_rest(theta))
+        return theta * slope / sum(law.power(disk.mechanics, theta, rate) for law in disk.dissipation)
 
     deepest = 40.0 / min(1.0 / law.exponent for law in disk.dissipation if law.exponent > 0.0)
     return float(quad(lambda x: float(slowness(x)), 0.0, deepest, epsrel=1e-10, limit=500)[0])
@@ -199,7 +201,8 @@ def _asymptotic(disk: EulerDisk, run: _Run, decades: float, samples_per_decade: 
         run.steps += int(steps)
         if not bool(fine):
             raise NotConverged(
-                f"the solver could not hold its tolerance after {run.steps} steps. Start at a smaller tilt."
+                f"no end in sight after {run.steps} steps: the dissipation takes nothing any more, as drilling "
+                "friction does once the disk has stopped turning about the vertical. Use `simulate`, or add a law."
             )
         run.states.append(final.state)
         run.spans.append(float(final.time))
@@ -229,7 +232,7 @@ def _leg(disk: EulerDisk, state: Array, length: Array) -> tuple[_Leg, Array, Arr
         diffrax.ODETerm(rates), diffrax.Dopri8(), zero, length, None, _Leg(_scaled(disk, state), zero, zero),
         stepsize_controller=diffrax.PIDController(rtol=TOLERANCE, atol=TOLERANCE),
         event=diffrax.Event(lowest, EventBisection(), direction=False),
-        max_steps=None, adjoint=diffrax.ForwardMode(), throw=False,
+        max_steps=LEG_STEPS, adjoint=diffrax.ForwardMode(), throw=False,
     )  # fmt: skip
     results: Any = diffrax.RESULTS
     ended = solution.result == results.event_occurred

@@ -142,7 +142,10 @@ class RollingCouple(RollingDissipation):
 
 
 class DrillingFriction(RollingDissipation):
-    """P = k mg Ω α²: dry friction of the contact patch on which the disk turns; α ∝ t^(−2), and no finite end.
+    """P = k mg Ω α²: dry friction of the contact patch on which the disk turns; no finite end.
+
+    By energy alone α ∝ t^(−2). In the full motion the couple stops the turning about the vertical long before the tilt
+    has changed, and takes nothing from then on.
 
     Args:
         arm: k, its lever arm, a size of the patch [m].
