@@ -19,6 +19,7 @@ from polhode.systems.base import AbstractSystem
 
 Array = Any
 TOLERANCE = 1e-12  # of a step, relative; below it rounding of the stages is all that is left
+TIME_ROUNDING = 1e-16  # of the times: shorter steps do not advance
 EVENT_TOLERANCE = 1e-15  # of an event's time, relative: a few roundings
 
 
@@ -129,13 +130,13 @@ def _solve(
         # one function whose zero is the first of all, as bisection seeks the zero of one
         return jnp.min(jnp.stack([event(t, y.state * scale) for event in system.events.values()]))
 
+    least = TIME_ROUNDING * jnp.max(jnp.abs(times))
+    control = diffrax.PIDController(rtol=TOLERANCE, atol=TOLERANCE, dtmin=least, dtmax=largest, force_dtmin=False)
+    # samples are steps: interpolation between steps costs three digits
     solution = diffrax.diffeqsolve(
         diffrax.ODETerm(rates), solver, times[0], times[-1], None,
         _Carried(state / scale, {name: jnp.zeros_like(size) for name, size in sizes.items()}), throw=False,
-        # steps end on the samples: between steps diffrax interpolates, with a hundred times a step's error
-        stepsize_controller=diffrax.ClipStepSizeController(
-            diffrax.PIDController(rtol=TOLERANCE, atol=TOLERANCE, dtmax=largest), step_ts=times
-        ),
+        stepsize_controller=diffrax.ClipStepSizeController(control, step_ts=times),
         saveat=diffrax.SaveAt(subs=[diffrax.SubSaveAt(ts=times), diffrax.SubSaveAt(t1=True)]),
         event=diffrax.Event(lowest, EventBisection(), direction=False) if system.events else None,
         max_steps=None, progress_meter=meter, adjoint=diffrax.ForwardMode(),
