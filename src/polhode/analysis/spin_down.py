@@ -96,7 +96,7 @@ def spin_down(
     >>> disk = EulerDisk(mass=0.4, radius=0.04, dissipation=[ViscousContourFriction(2e-7)])
     >>> found = spin_down(disk, disk.rolling_state(tilt=0.05))
     >>> print(f"{found.tilt.exponent:.3f}", list(found.events))
-    0.501 ['end of asymptotic regime', 'flat']
+    0.500 ['end of asymptotic regime', 'flat']
 
     Source: Moffatt, Nature 404 (2000) 833; Leine, Arch. Appl. Mech. 79 (2009) 1063, for the exponents.
     """
