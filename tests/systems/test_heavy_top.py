@@ -173,7 +173,8 @@ def test_a_fixed_point_at_the_centre_of_mass_is_the_free_body():
 
 def verdict(spin, mgl=1.0, moments=(1.0, 1.0, 0.5)):
     top = HeavyTop(moments, mgl)
-    return ph.stability(top, np.array([0.0, 0.0, moments[2] * spin, 0.0, 0.0, 1.0])).verdict
+    assert top.upright(spin).tolist() == [0.0, 0.0, moments[2] * spin, 0.0, 0.0, 1.0]
+    return ph.stability(top, top.upright(spin)).verdict
 
 
 def test_sleeping_threshold():
@@ -192,6 +193,7 @@ def test_sleeping_threshold():
         (lambda: HeavyTop.from_body(ph.Body.from_moments(1, 2, 3), (0, 0, 0)), "mass"),
         (lambda: HeavyTop.from_body(ph.shapes.sphere(1.0, 1.0), (0, 0, 1), gravity=-1.0), "`gravity`"),
         (lambda: HeavyTop((1.0, 2.0, 3.0), 1.0).check_state([1, 0, 0, 0, 1, 1, 1, 0, 1, 0]), "Rᵀe_z"),
+        (lambda: HeavyTop((1.0, 2.0, 3.0), 1.0, (0, 1, 1)).upright(2.0), "`spin` must be zero"),
         (lambda: BrunBody((1.0, 2.0, 3.0), np.inf), "`strength`"),
     ],
 )

@@ -31,12 +31,11 @@ from polhode.report.wording import (
 from polhode.simulation import simulate
 from polhode.spec.reading import Spec
 from polhode.spec.systems import HeavyTopTable, LagrangeTopTable
-from polhode.systems.heavy_top import HeavyTop
+from polhode.systems.heavy_top import ALONG, HeavyTop
 from polhode.trajectory import Trajectory
 
 Array = Any
 PERIODS = 10
-ALONG = 1e-9  # sine of the angle up to which the line to the centre of mass counts as a principal axis
 
 
 @dataclass(frozen=True)
@@ -326,8 +325,7 @@ def _verdicts(top: HeavyTop, momentum: Array) -> dict[str, Stability]:
     if float(top.mgl) == 0.0:
         return {}
     words = f"at {abs(spin):.6g} rad/s" if spin else "at rest"
-    point = np.concatenate([axis * float(top.moments[k]) * spin, axis])
-    found = {"upright": stability(top, point), "hanging": stability(top, point * np.repeat([1, -1], 3))}
+    found = {"upright": stability(top, top.upright(spin)), "hanging": stability(top, top.upright(spin, hanging=True))}
     return {f"{name}, {words}": _in_a_tops_words(verdict) for name, verdict in found.items()}
 
 

@@ -22,6 +22,7 @@ from polhode.systems.top_integrals import Integral, integrable_case, leaf_integr
 Array = Any
 STANDARD_GRAVITY = 9.80665  # m/s², by definition
 AT_PIVOT = 1e-12  # of the radius of gyration: a centre of mass nearer to the pivot is there but for rounding
+ALONG = 1e-9  # sine of the angle up to which the line to the centre of mass counts as a principal axis
 UPRIGHT = 1e-6  # Γ may miss the direction that the attitude gives by this much
 
 
@@ -115,6 +116,24 @@ class HeavyTop(AbstractLiePoissonSystem):
         shape = np.broadcast_shapes(turned.shape[:-1], spin.shape[:-1])
         parts = (jnp.broadcast_to(x, (*shape, x.shape[-1])) for x in (turned, spin, up))
         return jnp.concatenate(list(parts), axis=-1)
+
+    def upright(self, spin: float = 0.0, hanging: bool = False) -> Array:
+        """Return the point (6,) of standing rotation about the vertical axis to the centre of mass, up or down.
+
+        Args:
+            spin: about χ [rad/s]; other than zero only where χ is a principal axis.
+            hanging: with the centre of mass below.
+
+        Raises:
+            InvalidInput: for a spin about a line that is no principal axis.
+        """
+        momentum = self.moments * spin * self.axis
+        if bool(jnp.linalg.norm(jnp.cross(momentum, self.axis)) > ALONG * jnp.linalg.norm(momentum)):
+            raise InvalidInput(
+                f"`spin` must be zero: the line to the centre of mass, {np.asarray(self.axis).tolist()}, is no principal "
+                "axis, and the body does not stand spinning about it."
+            )
+        return jnp.concatenate([momentum, -self.axis if hanging else self.axis])
 
     def check_state(self, state: Array) -> Array:
         state = super().check_state(state)
