@@ -130,8 +130,8 @@ class HeavyTop(AbstractLiePoissonSystem):
         momentum = self.moments * spin * self.axis
         if bool(jnp.linalg.norm(jnp.cross(momentum, self.axis)) > ALONG * jnp.linalg.norm(momentum)):
             raise InvalidInput(
-                f"`spin` must be zero: the line to the centre of mass, {np.asarray(self.axis).tolist()}, is no principal "
-                "axis, and the body does not stand spinning about it."
+                f"`spin` must be zero: the line to the centre of mass, {np.asarray(self.axis).tolist()}, is no "
+                "principal axis, and the body does not stand spinning about it."
             )
         return jnp.concatenate([momentum, -self.axis if hanging else self.axis])
 
