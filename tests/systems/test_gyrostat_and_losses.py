@@ -99,17 +99,17 @@ def test_bad_input(make, words):
         make()
 
 
-@pytest.mark.parametrize("rotor", [(0.3, 0.0, 0.0), (0.1, -0.4, 0.2), (0.0, 1.3, 0.4)])
-def test_energy_casimir_and_spectrum_agree_on_gyrostats(rotor):
+def test_energy_casimir_and_spectrum_agree_on_gyrostats():
     """Against δΠ̇ = δΠ × Ω + Π × δΠ/I on the sphere, and a definite (1/I − λ) across Π, with Ω = λΠ."""
-    system, moments = Gyrostat(MOMENTS, rotor), np.array(MOMENTS)
+    rotor, moments = (0.1, -0.2, 0.1), np.array(MOMENTS)
+    system = Gyrostat(MOMENTS, rotor)
     found = ph.find_equilibria(system, np.array([0.5, 0.6, 0.62]))
-    assert len(found) >= 2
+    assert len(found) in (4, 6)
     for point in found:
         velocity = (point - rotor) / moments
         cross = lambda v: np.array([[0, -v[2], v[1]], [v[2], 0, -v[0]], [-v[1], v[0], 0]])  # noqa: E731
         growth = np.linalg.eigvals(-cross(velocity) + cross(point) / moments).real.max()
         basis = np.linalg.svd(point[None])[2][1:].T
         curvature = np.linalg.eigvalsh(basis.T @ np.diag(1 / moments - velocity @ point / (point @ point)) @ basis)
-        verdict = ph.stability(system, point).verdict
-        assert verdict == ("stable" if curvature.prod() > 0 else "unstable") and (growth > 1e-6) == (verdict == "unstable")
+        unstable = ph.stability(system, point).verdict == "unstable"
+        assert unstable == (curvature.prod() < 0) == (growth > 1e-6)
