@@ -1,5 +1,7 @@
 """The house keeps its promises: examples in the README run, version and changelog agree, files stay small."""
 
+import doctest
+import importlib
 import re
 from pathlib import Path
 
@@ -19,6 +21,18 @@ PAGES = [page for page in PAGES if FENCE.search(page.read_text("utf-8"))]
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
 def test_python_in_the_docs_runs(page):
     exec(compile("\n".join(FENCE.findall(page.read_text("utf-8"))), page.name, "exec"), {})
+
+
+def modules_with_examples():
+    for path in sorted((ROOT / "src").rglob("*.py")):
+        if ">>>" in path.read_text("utf-8"):
+            yield ".".join(path.relative_to(ROOT / "src").with_suffix("").parts)
+
+
+@pytest.mark.parametrize("name", modules_with_examples())
+def test_examples_in_docstrings(name):
+    found = doctest.testmod(importlib.import_module(name))
+    assert found.attempted and not found.failed
 
 
 def test_links_in_the_docs_lead_somewhere():

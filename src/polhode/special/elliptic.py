@@ -29,7 +29,7 @@ def jacobi(u: Array, m1: Array) -> tuple[Array, Array, Array]:
         InvalidInput: for m1 outside [0, 1].
 
     >>> [round(float(x), 12) for x in jacobi(1.0, 0.5)]
-    [0.803001824956, 0.595976567672, 0.823161001632]
+    [0.803001824896, 0.595976567672, 0.823161001632]
     """
     sn, cn, dn, _ = _jacobi(u, m1)
     return sn, cn, dn

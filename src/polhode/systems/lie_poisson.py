@@ -30,8 +30,8 @@ class LiePoisson(AbstractLiePoissonSystem):
 
     >>> from polhode.algebra import SO3
     >>> body = LiePoisson(SO3(), lambda L: 0.5 * jnp.sum(L**2 / jnp.array([1.0, 2.0, 3.0])))
-    >>> body.vector_field(0.0, jnp.array([1.0, 1.0, 1.0])).round(6).tolist()
-    [-0.166667, 0.666667, -0.5]
+    >>> (6.0 * body.vector_field(0.0, jnp.array([1.0, 1.0, 1.0]))).round(9).tolist()
+    [-1.0, 4.0, -3.0]
     """
 
     algebra: AbstractLieAlgebra
