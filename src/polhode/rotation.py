@@ -38,14 +38,18 @@ def _parts(value: Array) -> list[Array]:
 def multiply(p: Array, q: Array) -> Array:
     """Return the Hamilton product p q, shape (…, 4): first q, then p."""
     xp, (p, q) = _arrays(p=p, q=q)
-    (a, b, c, d), (w, x, y, z) = _parts(p), _parts(q)
-    parts = (
+    return xp.stack(product_of_parts(_parts(p), _parts(q)), axis=-1)
+
+
+def product_of_parts(p: tuple[Array, ...], q: tuple[Array, ...]) -> tuple[Array, ...]:
+    """Return the four components of p q from those of p and q, where they are kept apart."""
+    (a, b, c, d), (w, x, y, z) = p, q
+    return (
         ((a * w - b * x) - c * y) - d * z,
         ((a * x + b * w) + c * z) - d * y,
         ((a * y - b * z) + c * w) + d * x,
         ((a * z + b * y) - c * x) + d * w,
     )
-    return xp.stack(parts, axis=-1)
 
 
 def conjugate(quaternion: Array) -> Array:

@@ -13,6 +13,7 @@ from polhode.arrays import choose, compiled, namespace, split_halves
 from polhode.exact.frequencies import Frequencies, canonical_frequencies
 from polhode.exact.reduction import Reduction, canonical_reduction
 from polhode.exact.spinor import Motion, flatten, start_spinor
+from polhode.rotation import product_of_parts
 from polhode.special import doubledouble as dd
 from polhode.special.circular import split_rate
 from polhode.special.doubledouble import DoubleDouble
@@ -185,7 +186,7 @@ def _matrices(
     for k in range(4):
         scalar = xp.where(constant, one if k == 0 else zero, relative[0][k])
         vector = tuple(xp.where(constant, axis[i] if k == 1 else zero, turned[k][i]) for i in range(3))
-        columns.append(_quaternion_product(start, (scalar, *vector)))
+        columns.append(product_of_parts(start, (scalar, *vector)))
     size = rates.G[0] * body.momentum_scale
     to_momentum = tuple(
         tuple(
@@ -211,13 +212,3 @@ def _rotation_axis(moments: Array, momentum: Array) -> tuple[Array, ...]:
     size = xp.sqrt(xp.sum(omega * omega, axis=-1))
     size = xp.where(size > 0, size, 1.0)
     return tuple(omega[..., i] / size for i in range(3))
-
-
-def _quaternion_product(p: tuple[Array, ...], q: tuple[Array, ...]) -> tuple[Array, ...]:
-    (a, b, c, d), (w, x, y, z) = p, q
-    return (
-        ((a * w - b * x) - c * y) - d * z,
-        ((a * x + b * w) + c * z) - d * y,
-        ((a * y - b * z) + c * w) + d * x,
-        ((a * z + b * y) - c * x) + d * w,
-    )

@@ -12,6 +12,7 @@ from typing import Any
 import jax
 import jax.numpy as jnp
 
+from polhode.rotation import product_of_parts
 from polhode.systems.base import Components
 
 Array = Any
@@ -79,12 +80,12 @@ def turned_attitude(turn: Components, attitude: Components) -> Components:
     correction = -0.5 * _excess(turn)
     w, *rest = turn
     unit = (w + correction * (1.0 + w), *(x + correction * x for x in rest))
-    return _product(attitude, unit)
+    return product_of_parts(attitude, unit)
 
 
 def composed(first: Components, second: Components) -> Components:
     """Return p q − 1 from p − 1 and q − 1."""
-    return tuple(a + b + c for a, b, c in zip(first, second, _product(first, second), strict=True))
+    return tuple(a + b + c for a, b, c in zip(first, second, product_of_parts(first, second), strict=True))
 
 
 def _series(inverse: Components, time: Array, momentum: Components) -> Components:
@@ -112,16 +113,6 @@ def _excess(turn: Components) -> Array:
 
 def _cross(a: Components, b: Components) -> Components:
     return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
-
-
-def _product(p: Components, q: Components) -> Components:
-    (a, b, c, d), (w, x, y, z) = p, q
-    return (
-        ((a * w - b * x) - c * y) - d * z,
-        ((a * x + b * w) + c * z) - d * y,
-        ((a * y - b * z) + c * w) + d * x,
-        ((a * z + b * y) - c * x) + d * w,
-    )
 
 
 def _times_pure(q: Components, v: Components) -> Components:
