@@ -6,6 +6,7 @@ R(p q) = R(p) R(q). Formulas: Shuster, J. Astronaut. Sci. 41 (1993) 439, with th
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from polhode.arrays import as_float64, is_traced, namespace
@@ -41,7 +42,7 @@ def multiply(p: Array, q: Array) -> Array:
     return xp.stack(product_of_parts(_parts(p), _parts(q)), axis=-1)
 
 
-def product_of_parts(p: tuple[Array, ...], q: tuple[Array, ...]) -> tuple[Array, ...]:
+def product_of_parts(p: Sequence[Array], q: Sequence[Array]) -> tuple[Array, ...]:
     """Return the four components of p q from those of p and q, where they are kept apart."""
     (a, b, c, d), (w, x, y, z) = p, q
     return (
