@@ -252,20 +252,19 @@ def forward_columns(function: Callable[..., tuple[Any, ...]], name: str) -> Call
     import jax.numpy as jnp
 
     def rule(primals: tuple[Any, ...], tangents: tuple[Any, ...]) -> tuple[Any, Any]:
-        value, changes = function(*primals), None
-        primals = first_order_only(primals, name)
-        for k, tangent in enumerate(tangents):
-            units = jnp.eye(tangent.shape[-1])
-            still = [jnp.zeros_like(x) for x in primals]
+        value, primals = function(*primals), first_order_only(primals, name)
+        sizes = [x.shape[-1] for x in primals]
+        starts = [sum(sizes[:k]) for k in range(len(sizes))]
 
-            def column(unit: Any, k: int = k, still: list[Any] = still) -> tuple[Any, ...]:
-                ways = [*still[:k], jnp.broadcast_to(unit, primals[k].shape), *still[k + 1 :]]
-                return jax.jvp(function, primals, tuple(ways))[1]
+        def column(unit: Any) -> tuple[Any, ...]:
+            parts = (unit[k : k + n] for k, n in zip(starts, sizes, strict=True))
+            ways = tuple(jnp.broadcast_to(part, x.shape) for part, x in zip(parts, primals, strict=True))
+            return jax.jvp(function, primals, ways)[1]
 
-            parts = [jnp.sum(jnp.moveaxis(c, 0, -1) * tangent, axis=-1) for c in jax.vmap(column)(units)]
-            changes = parts if changes is None else [x + y for x, y in zip(changes, parts, strict=True)]
+        columns = jax.vmap(column)(jnp.eye(sum(sizes)))
+        changes = [jnp.sum(jnp.moveaxis(c, 0, -1) * jnp.concatenate(tangents, axis=-1), axis=-1) for c in columns]
         # where there is no value there is no derivative
-        return value, tuple(jnp.where(jnp.isfinite(v), c, jnp.nan) for v, c in zip(value, changes or (), strict=True))
+        return value, tuple(jnp.where(jnp.isfinite(v), c, jnp.nan) for v, c in zip(value, changes, strict=True))
 
     return custom_derivative(function, rule)
 

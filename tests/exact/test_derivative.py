@@ -185,10 +185,11 @@ def test_meaning_has_derivatives_in_either_mode():
     moments, momentum = (1.0, 2.0, 3.0), (0.3, 1.8, 1.5)
     with jax.enable_x64(True):
         arrays = jnp.array(moments), jnp.array(momentum)
-        found = jax.grad(lambda I, L: ph.FreeMotion(I, L).period, argnums=(0, 1))(*arrays)  # noqa: E741
-        action = lambda L: ph.FreeMotion(arrays[0], L).action  # noqa: E731
-        forward = jax.jvp(action, (arrays[1],), (jnp.array([0.1, 0.7, -0.4]),))[1]
-        reverse = jax.jit(jax.grad(action))(arrays[1])
+        answers = lambda I, L: jnp.stack([ph.FreeMotion(I, L).period, ph.FreeMotion(I, L).action])  # noqa: E731, E741
+        of_moments, of_momentum = jax.jit(jax.jacrev(answers, argnums=(0, 1)))(*arrays)
+        way = jnp.array([0.1, 0.7, -0.4])
+        forward = jax.jit(lambda I, L, d: jax.jvp(lambda x: answers(I, x), (L,), (d,))[1])(*arrays, way)[1]  # noqa: E741
+    found, reverse = (of_moments[0], of_momentum[0]), of_momentum[1]
 
     def period(*x):
         (i1, i2, i3), (l1, l2, l3) = x[:3], x[3:]

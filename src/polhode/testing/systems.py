@@ -55,15 +55,17 @@ def check_system(system: AbstractLiePoissonSystem, seed: int = 0, size: float = 
 def _check_flows(system: AbstractLiePoissonSystem, state: Array, field: Array) -> None:
     if not system.flows:
         return
-    def moved(flow: Any, time: float, now: Array) -> Array:
-        return jnp.stack(flow(jnp.asarray(time), components(now)), axis=-1)
+    def compiled(flow: Any) -> Any:
+        moved = jax.jit(lambda time, now: jnp.stack(flow(time, components(now)), axis=-1))
+        return lambda time, now: moved(jnp.asarray(time), now)
 
-    total = sum(moved(flow, SHORT, state) for flow in system.flows.values())
+    flows = {name: compiled(flow) for name, flow in system.flows.items()}
+    total = sum(moved(SHORT, state) for moved in flows.values())
     hold("flows of the parts add up to the field", total / SHORT, field, FLOWS)
     casimirs = system.algebra.casimirs
     before = casimirs(system.parts(state).point)
-    for name, flow in system.flows.items():
-        once, half = moved(flow, LONG, state), moved(flow, 0.5 * LONG, state)
-        rest = moved(flow, 0.5 * LONG, state + half)
+    for name, moved in flows.items():
+        once, half = moved(LONG, state), moved(0.5 * LONG, state)
+        rest = moved(0.5 * LONG, state + half)
         hold(f"flow of {name}: two halves make a whole", half + rest, once, EXACT)
         hold(f"flow of {name} keeps the Casimirs", casimirs(system.parts(state + once).point), before, EXACT)
