@@ -74,6 +74,18 @@ def _plain(value: Any) -> float:
     return float(value)
 
 
+def _positive(value: float) -> float:
+    if not value > 0:
+        raise ValueError(f"must be positive; got {value:g}. Check its sign, or leave it out")
+    return value
+
+
+def _below_one(value: float) -> float:
+    if not 0 <= value < 1:
+        raise ValueError(f"must be at least 0 and below 1, as an ellipse's; got {value:g}")
+    return value
+
+
 def one_of(*choices: str | int) -> BeforeValidator:
     """Take one of the choices as it stands: 2, but neither 2.0 nor true for it."""
     shown = ", ".join(str(c) if isinstance(c, int) else f'"{c}"' for c in choices)
@@ -115,3 +127,5 @@ QuadraticDragCoefficient = Annotated[float, _reader("N*m*s^2", positive=True)]
 PositiveMoment = Annotated[float, _reader("kg*m^2", positive=True)]
 Plain = Annotated[float, BeforeValidator(_plain)]
 Samples = Annotated[StrictInt, Field(ge=2, le=10_000_000)]
+PositivePlain = Annotated[Plain, AfterValidator(_positive)]
+Eccentricity = Annotated[Plain, AfterValidator(_below_one)]

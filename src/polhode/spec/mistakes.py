@@ -24,6 +24,9 @@ WORDS = {
 MISSING = {
     "mass": 'is missing; give it like "30 g"',
     "shape": 'is missing; give it like "box"',
+    "rotor_axis": "is missing; give it like [0.0, 0.0, 1.0], along the given axes",
+    "rotor_moment": 'is missing; give it like "0.02 kg*m^2"',
+    "rotor_rate": 'is missing; give it like "6000 rpm", relative to the body',
 }
 
 

@@ -48,6 +48,8 @@ def _system_rules(table: dict[str, Any]) -> Iterator[Mistake]:
     spin = table.get("spin")
     if isinstance(system, dict) and "lean" in system and isinstance(spin, dict) and "attitude" in spin:
         yield ("system", "lean"), "goes without spin.attitude, which already says how the body lies; leave out one"
+    if isinstance(system, dict) and kind in RULES:
+        yield from RULES[kind](system)
 
 
 def _body_rules(body: dict[str, Any]) -> Iterator[str]:
@@ -93,6 +95,25 @@ def _spin_rules(spin: dict[str, Any]) -> Iterator[str]:
             yield "a spin of zero has no direction to tilt; give a rate, or leave tilt out"
     elif ways and ("about" in spin or "tilt" in spin):
         yield f"about and tilt go with rate, not with {ways[0]}"
+
+
+def _gyrostat_rules(system: dict[str, Any]) -> Iterator[Mistake]:
+    if "motor_torque" in system and system.get("rotor_drive") == "constant-rate":
+        yield ("system", "motor_torque"), 'turns a rotor that is free; give rotor_drive = "free", or leave one out'
+
+
+def _damped_rules(system: dict[str, Any]) -> Iterator[Mistake]:
+    outer = [key for key in ("linear_drag", "quadratic_drag", "orbital_period", "eccentricity") if key in system]
+    if "damping" in system and outer:
+        text = f"is for losses inside, which keep L, and goes without {_listed(outer)}; leave out one or the other"
+        yield ("system", "damping"), text
+    elif not {"damping", "linear_drag", "quadratic_drag"} & set(system):
+        yield ("system",), f"needs damping, or linear_drag or quadratic_drag or both; got {_listed(outer)}"
+    elif "eccentricity" in system and "orbital_period" not in system:
+        yield ("system", "eccentricity"), 'goes with orbital_period; give it like "90 min", or leave eccentricity out'
+
+
+RULES = {"gyrostat": _gyrostat_rules, "damped-body": _damped_rules}
 
 
 def _vanishes(rate: Any) -> bool:

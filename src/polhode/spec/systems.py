@@ -4,7 +4,21 @@ from __future__ import annotations
 
 from typing import Annotated, ClassVar, Literal
 
-from polhode.spec.fields import Acceleration, Angle, Duration, Position, one_of
+from polhode.spec.fields import (
+    Acceleration,
+    Angle,
+    Direction,
+    Duration,
+    Eccentricity,
+    LinearDragCoefficient,
+    Position,
+    PositiveMoment,
+    PositivePlain,
+    QuadraticDragCoefficient,
+    Rate,
+    Torque,
+    one_of,
+)
 from polhode.spec.models import Strict
 
 STANDARD_GRAVITY = 9.80665  # m/s²
@@ -40,7 +54,40 @@ class LagrangeTopTable(SystemTable):
     lean: Angle | None = None
 
 
+class GyrostatTable(SystemTable):
+    """A body with a rotor inside; the body's inertia includes the rotor's.
+
+    Attributes:
+        rotor_axis: in the given axes, of any length.
+        rotor_rate: relative to the body.
+        rotor_drive: free beside a motor torque and constant-rate otherwise, where it is left out.
+    """
+
+    rotor_axis: Direction
+    rotor_moment: PositiveMoment
+    rotor_rate: Rate
+    rotor_drive: Annotated[Literal["constant-rate", "free"], one_of("constant-rate", "free")] | None = None
+    motor_torque: Torque | None = None
+    step: Duration | None = None
+
+
+class DampedBodyTable(SystemTable):
+    """A body that loses energy, inside or by drag.
+
+    Attributes:
+        damping: α |L| of the double bracket.
+    """
+
+    damping: PositivePlain | None = None
+    linear_drag: LinearDragCoefficient | None = None
+    quadratic_drag: QuadraticDragCoefficient | None = None
+    orbital_period: Duration | None = None
+    eccentricity: Eccentricity | None = None
+
+
 SYSTEMS: dict[str, type[SystemTable]] = {
     "heavy-top": HeavyTopTable,
     "lagrange-top": LagrangeTopTable,
+    "gyrostat": GyrostatTable,
+    "damped-body": DampedBodyTable,
 }

@@ -188,6 +188,13 @@ class AbstractLiePoissonSystem(AbstractSystem):
         attitude, point = self.parts(state)
         return Vectors(attitude, point[..., :3], self.velocity(point)[..., :3])
 
+    def scales(self, state: Array) -> Array:
+        """Return one for the attitude, and for the point its size."""
+        attitude, point = self.parts(state)
+        largest = jnp.max(jnp.abs(point), initial=0.0)
+        scale = jnp.where(largest > 0, largest, 1.0)
+        return scale if attitude is None else jnp.concatenate([jnp.ones(4), jnp.full(point.shape[-1], scale)])
+
     # ------------------------------------------------------------------ packed states
 
     @property

@@ -100,6 +100,12 @@ class TorquedGyrostat(AbstractSystem):
     def check_state(self, state: Array) -> Array:
         return check_unit_attitude(as_finite_state(state, float, length=8))
 
+    def scales(self, state: Array) -> Array:
+        """Return one for the attitude, and for momenta their size, or that which the motor gives the rotor in a turn."""
+        largest = jnp.maximum(jnp.max(jnp.abs(state[..., 4:]), initial=0.0),
+                              jnp.sqrt(jnp.abs(self.torque) * self.rotor_moment))  # fmt: skip
+        return jnp.concatenate([jnp.ones(4), jnp.full(4, jnp.where(largest > 0, largest, 1.0))])
+
     def vectors(self, state: Array) -> Vectors:
         return Vectors(state[..., :4], state[..., 4:7], self._velocity(state))
 

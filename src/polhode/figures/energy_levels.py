@@ -1,0 +1,69 @@
+"""Levels of the energy on the momentum sphere, which undamped motions follow."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+
+from polhode.figures import style
+from polhode.figures.sphere import view_frame
+
+Array = Any
+VIEW = (0.80, 0.46, 0.38)
+FAMILY = 9  # levels drawn
+REACH = 1.36  # of the page from the sphere's centre
+MARKS = {"stable": ("o", style.GREEN), "unstable": ("X", style.VERMILION), "undecided": ("s", style.ORANGE)}
+
+
+def draw_levels(axes: Any, frame: Array, energy: Callable[[Array], Array], values: Sequence[float] | None,
+                colour: str, width: float) -> None:  # fmt: skip
+    """Draw where a function of unit vectors (…, 3) has the values, by default evenly spread ones; far side dimmed."""
+    off, turn = np.meshgrid(np.linspace(0.0, 0.5 * np.pi, 121), np.linspace(0.0, 2.0 * np.pi, 361))
+    x, y, depth = np.sin(off) * np.cos(turn), np.sin(off) * np.sin(turn), np.cos(off)
+    sides = [energy(np.stack([x, y, side * depth], axis=-1) @ frame) for side in (-1.0, 1.0)]
+    low, high = min(map(np.min, sides)), max(map(np.max, sides))
+    if not high - low > 1e-12 * max(abs(low), abs(high)):
+        return
+    if values is None:
+        values = low + (high - low) * (np.arange(FAMILY) + 0.5) / FAMILY
+    inner = sorted(v for v in values if low < v < high)
+    for heights, strength, order in zip(sides, (0.25, 1.0), (1, 2), strict=True):
+        if inner:
+            axes.contour(x, y, heights, levels=inner, colors=colour, linewidths=width, linestyles="solid",
+                         alpha=strength, zorder=order)  # fmt: skip
+
+
+def mark_verdict(axes: Any, frame: Array, point: Array, verdict: str) -> None:
+    """Mark an equilibrium at a unit vector."""
+    x, y, depth = frame @ point
+    shape, colour = MARKS[verdict]
+    axes.plot([x], [y], shape, ms=5, color=colour, mec="white", mew=0.6, zorder=6, alpha=1.0 if depth >= 0 else 0.4)
+
+
+def label_axes(axes: Any, frame: Array, names: Sequence[str] = ("$L_1$", "$L_2$", "$L_3$")) -> None:
+    """Draw the ends of the body's axes."""
+    for k, name in enumerate(names):
+        x, y, _ = frame @ np.eye(3)[k]
+        size = np.hypot(x, y)
+        reach, beyond = 1.0 + 0.12 / size, 1.0 + 0.22 / size
+        axes.plot([x, reach * x], [y, reach * y], color=style.DARK, lw=0.7, zorder=4)
+        axes.text(beyond * x, beyond * y, name, fontsize=style.FONT + 1, ha="center", va="center", color=style.DARK,
+                  zorder=6, bbox={"fc": "white", "ec": "none", "pad": 0.6, "alpha": 0.85})  # fmt: skip
+
+
+def legend_of(axes: Any, lines: Sequence[tuple[str, str, float]], verdicts: Sequence[str]) -> None:
+    """Draw the legend of lines (label, colour, width) and of verdicts marked."""
+    handles = [axes.plot([], [], color=colour, lw=width, label=label)[0] for label, colour, width in lines]
+    for word in MARKS:
+        if word in verdicts:
+            shape, colour = MARKS[word]
+            handles.append(axes.plot([], [], shape, color=colour, ms=5, mec="white", mew=0.6, label=word)[0])
+    axes.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, -0.01), ncols=3, fontsize=style.FONT - 1,
+                frameon=False, handlelength=1.6, columnspacing=1.2)  # fmt: skip
+
+
+def default_frame() -> Array:
+    """Return the frame of the usual view."""
+    return view_frame(VIEW)
