@@ -14,6 +14,7 @@ from polhode.report.damped_body import DampedBodyReport
 
 Array = Any
 FINEST = 0.05  # rad between points of a curve that is drawn as one
+COARSEST = 0.6  # rad between samples up to which they are joined; beyond, lines would show what is not there
 
 
 def draw_damped_sphere(report: DampedBodyReport) -> Figure | None:
@@ -27,13 +28,18 @@ def draw_damped_sphere(report: DampedBodyReport) -> Figure | None:
     figure = style.new_figure()
     axes, frame = sphere_axes(figure), default_frame()
     draw_levels(axes, frame, lambda u: np.sum(u * u / moments, axis=-1), None, style.GREY, 0.5)
-    draw_curve(axes, frame, _smooth(unit), style.BLUE, 0.6)
+    joined = np.linalg.norm(np.diff(unit, axis=0), axis=-1).max(initial=0.0) < COARSEST
+    if joined:
+        draw_curve(axes, frame, _smooth(unit), style.BLUE, 0.6)
+    else:
+        x, y, depth = frame @ unit.T
+        axes.plot(x[depth >= 0], y[depth >= 0], ".", ms=1.2, mew=0, color=style.BLUE, zorder=3)
     label_axes(axes, frame)
     for k, found in enumerate(report.axes):
         for side in (1.0, -1.0):
             mark_verdict(axes, frame, side * np.eye(3)[k], found.verdict)
     mark_point(axes, frame, unit[0])
-    lines = [("direction of L", style.BLUE, 0.9), ("levels of energy", style.GREY, 0.5)]
+    lines = [("direction of L" if joined else "L at the samples", style.BLUE, 0.9), ("levels of energy", style.GREY, 0.5)]
     legend_of(axes, lines, [found.verdict for found in report.axes])
     words = "Momentum sphere" if report.inside else "Direction of L"
     axes.set_title(f"{words}, body axes", fontsize=style.FONT, color=style.DARK)

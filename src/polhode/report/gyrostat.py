@@ -50,7 +50,7 @@ UNITS = {
     "precession_rate": "rad/s, in space", "equilibria.rate": "1/s", "equilibria.spin": "rad/s, positive along L",
     "equilibria.energy": "J", "equilibria.along": "direction of L", "final.rotor_momentum": "kg m²/s",
     "final.rotor_rate": "rad/s, relative to the body", "final.angular_velocity": "rad/s", "final.energy": "J",
-    "final.time": "s",
+    "final.time": "s", "final.motor_work": "J",
 }  # fmt: skip
 
 
@@ -146,6 +146,11 @@ class GyrostatReport(AbstractReport):
         return 0.5 * np.sum(self.moments * np.asarray(self.trajectory.angular_velocity) ** 2, axis=-1)
 
     @property
+    def motor_work(self) -> float | None:
+        """What the motor put into body and rotor up to the end [J]; None without one."""
+        return float(self.trajectory.received["energy"][-1]) if self.motor else None
+
+    @property
     def summary(self) -> str:
         if not self.equilibria:
             return "Body and rotor have no momentum together."
@@ -204,6 +209,7 @@ class GyrostatReport(AbstractReport):
                 "rotor_rate": self.rotor_rate[-1],
                 "rotor_momentum": self.rotor_momentum[-1],
                 "energy": self.energy[-1],
+                "motor_work": self.motor_work,
             },
             "status": self.trajectory.status,
             "units": UNITS,
@@ -237,6 +243,7 @@ class GyrostatReport(AbstractReport):
             ("Ω at the end", vector(final["angular_velocity"], "rad/s")),
             ("rotor against the body at the end", rate(float(final["rotor_rate"]))),
             ("energy of the carrier at the end", number(float(final["energy"]), "J") if self.motor else None),
+            ("work of the motor", number(self.motor_work, "J")),
             ("drift", drifts(self.trajectory.drift)),
         ]
         parts: list[Section | Listing] = [body_section(self.body), about_rotor]
@@ -331,15 +338,16 @@ def _extremum(moments: Array, along: Array, multiplier: float) -> str:
 
 def _check_fits(body: Body, axis: Array, moment: float) -> None:
     """Refuse a rotor whose inertia, at least that of a thin disk, leaves none that a carrier could have."""
+    inertia = body.inertia - 0.5 * moment * (np.eye(3) + np.outer(axis, axis))
     try:
-        rest = Body(None, (0.0, 0.0, 0.0), body.inertia - 0.5 * moment * (np.eye(3) + np.outer(axis, axis)))
+        fits = bool(Body(None, (0.0, 0.0, 0.0), inertia).principal_moments[0] > 0)
     except InvalidInput:
-        rest = None
-    along = float(axis @ body.inertia @ axis)
-    if rest is None or not rest.principal_moments[0] > 0 or not along > moment:
+        fits = False
+    if not fits or not axis @ body.inertia @ axis > moment:
         raise InvalidInput(
-            f"`system.rotor_moment` must leave something of the body, whose inertia includes the rotor's; got "
-            f"{moment:.6g} kg m² of {along:.6g} kg m² about rotor_axis. Check both, and that [body] has the rotor in it."
+            f"`system.rotor_moment` must be that of a part of the body; got {moment:.6g} kg m², beside which the body "
+            f"would be left with moments of at most {vector(principal_axes(inertia)[0])} kg m². No body has these; check "
+            "rotor_moment and rotor_axis, and that [body] has the rotor in it."
         )
 
 
