@@ -33,7 +33,7 @@ def reports(tmp_path_factory):
 
 def test_all_are_there(reports):
     free = "t_handle t_handle_parts book smartphone water earth apophis spacecraft"
-    assert set(reports) == set(free.split()) | {"top", "gyroscope"}
+    assert set(reports) == set(free.split()) | {"top", "gyroscope", "explorer_1", "dual_spin"}
 
 
 def test_files_open(reports):
@@ -110,3 +110,25 @@ def test_water_has_its_rotational_constants(reports):
     # h/(8π²I) of this geometry, in GHz: 822, 436, 285 to a percent (Herzberg's A_e, B_e, C_e)
     constants = 6.62607015e-34 / (8 * np.pi**2 * np.array(reports["water"]["principal_moments"])) / 1e9
     assert constants == pytest.approx([822.0, 437.0, 285.0], rel=0.01)
+
+
+def test_explorer_1_ends_in_a_flat_spin(reports):
+    report = reports["explorer_1"]
+    # a solid cylinder: r²/2 about its axis, (3r² + l²)/12 across
+    ratio = (0.076**2 / 2) / ((3 * 0.076**2 + 2.03**2) / 12)
+    assert [axis["verdict"] for axis in report["axes"]] == ["unstable", "stable", "stable"]
+    assert np.degrees(report["start"]["angle_to_major_axis"]) == pytest.approx(90.0, abs=2.0)
+    assert report["end"]["angle_to_major_axis"] < 1e-4 and max(report["drift"].values()) < 1e-12
+    start, end = (np.linalg.norm(report[when]["angular_velocity"]) for when in ("start", "end"))
+    assert end / start == pytest.approx(ratio, rel=1e-3)
+    assert report["end"]["energy"] / report["start"]["energy"] == pytest.approx(ratio, rel=0.06)
+
+
+def test_the_drum_holds_the_dual_spin_satellite(reports):
+    report = reports["dual_spin"]
+    assert report["rotor"]["moment"] == pytest.approx(200 * 1.1**2 / 2)
+    held, other = report["equilibria"]
+    assert held["extremum"] == "minimum" and held["verdict"] == "stable" and held["along"] == [1.0, 0.0, 0.0]
+    assert other["extremum"] == "maximum"
+    assert np.array(report["principal_axes"])[:, 0].tolist() == [0.0, 0.0, 1.0]
+    assert report["rotor_axis_to_momentum"]["largest"] < np.radians(7.0) and max(report["drift"].values()) < 1e-13

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -39,8 +40,8 @@ def draw_damped_sphere(report: DampedBodyReport) -> Figure | None:
         for side in (1.0, -1.0):
             mark_verdict(axes, frame, side * np.eye(3)[k], found.verdict)
     mark_point(axes, frame, unit[0])
-    lines = [("direction of L" if joined else "L at the samples", style.BLUE, 0.9), ("levels of energy", style.GREY, 0.5)]
-    legend_of(axes, lines, [found.verdict for found in report.axes])
+    path = "direction of L" if joined else "L at the samples"
+    legend_of(axes, [(path, style.BLUE, 0.9), ("levels of energy", style.GREY, 0.5)], [found.verdict for found in report.axes])
     words = "Momentum sphere" if report.inside else "Direction of L"
     axes.set_title(f"{words}, body axes", fontsize=style.FONT, color=style.DARK)
     return figure
@@ -53,7 +54,7 @@ def _smooth(unit: Array) -> Array:
     if count == 1:
         return unit
     part = (np.arange(count) / count)[:, None]
-    path = np.concatenate([a + part * (b - a) for a, b in zip(unit[:-1], unit[1:], strict=True)] + [unit[-1:]])
+    path = np.concatenate([a + part * (b - a) for a, b in pairwise(unit)] + [unit[-1:]])
     return path / np.linalg.norm(path, axis=-1, keepdims=True)
 
 

@@ -13,7 +13,6 @@ from polhode.figures.sphere import view_frame
 Array = Any
 VIEW = (0.80, 0.46, 0.38)
 FAMILY = 9  # levels drawn
-REACH = 1.36  # of the page from the sphere's centre
 MARKS = {"stable": ("o", style.GREEN), "unstable": ("X", style.VERMILION), "undecided": ("s", style.ORANGE)}
 
 
@@ -26,9 +25,8 @@ def draw_levels(axes: Any, frame: Array, energy: Callable[[Array], Array], value
     low, high = min(map(np.min, sides)), max(map(np.max, sides))
     if not high - low > 1e-12 * max(abs(low), abs(high)):
         return
-    if values is None:
-        values = low + (high - low) * (np.arange(FAMILY) + 0.5) / FAMILY
-    inner = sorted(v for v in values if low < v < high)
+    spread = low + (high - low) * (np.arange(FAMILY) + 0.5) / FAMILY
+    inner = sorted(v for v in (spread if values is None else values) if low < v < high)
     for heights, strength, order in zip(sides, (0.25, 1.0), (1, 2), strict=True):
         if inner:
             axes.contour(x, y, heights, levels=inner, colors=colour, linewidths=width, linestyles="solid",

@@ -97,9 +97,8 @@ class DampedBodyReport(AbstractReport):
     @property
     def time_constant(self) -> float | None:
         """Of the last approach to the major axis, or of the spin about it that drag brakes, at the start [s]."""
-        found = _time_constant(self.axes[2]) if self.axes else None
         if self.inside or not self.axes:
-            return found
+            return _time_constant(self.axes[2]) if self.axes else None
         moment, spin = self.body.principal_moments[2], self.momentum_norm[0] / self.body.principal_moments[2]
         return float(moment / ((self.table.linear_drag or 0.0) + (self.table.quadratic_drag or 0.0) * spin))
 
@@ -107,18 +106,21 @@ class DampedBodyReport(AbstractReport):
     def summary(self) -> str:
         if not self.axes and not self.momentum_norm.any():
             return "The body is at rest."
+        if not self.axes:
+            return "The body starts at rest; gravity turns it."
         first, last = np.degrees(self.angle_to_major_axis[[0, -1]])
-        spent = f"{self.energy[-1] / self.energy[0]:.4g} of its energy" if self.energy[0] else "all its energy from orbit"
-        kept = "and keeps its momentum" if self.inside else (
-            f"and {self.momentum_norm[-1] / self.momentum_norm[0]:.4g} of its momentum" if self.axes else ""
-        )  # fmt: skip
-        return f"L goes from {first:.5g}° to {last:.5g}° from the major axis; the body ends with {spent} {kept}".rstrip() + "."
+        spent, left = (values[-1] / values[0] for values in (self.energy, self.momentum_norm))
+        kept = "all" if self.inside else f"{left:.4g}"
+        return (
+            f"L goes from {first:.5g}° to {last:.5g}° from the major axis; the body ends with {spent:.4g} of its energy "
+            f"and {kept} of its momentum."
+        )
 
     @property
     def notes(self) -> list[str]:
         notes = []
         if self.inside and self.axes and self.angle_to_major_axis[-1] > math.radians(1.0):
-            at = [k for k in (0, 1) if _along(self.trajectory.momentum[0], k) > 1.0 - ON_AXIS**2]
+            at = [k for k in (0, 1) if _off(np.asarray(self.trajectory.momentum)[0], k) <= ON_AXIS]
             why = f"it starts exactly on axis {at[0] + 1}, where nothing pushes it off" if at else "it has not settled"
             notes.append(f"{why}; " + ("give spin.tilt." if at else "give a later time.until."))
         elif self.cut:
@@ -275,17 +277,17 @@ def _end(
         return table.orbital_period or 1.0, False
     norm, turn = float(np.linalg.norm(momentum)), 2.0 * math.pi / float(np.linalg.norm(momentum / moments))
     if table.damping is None:
-        spin = norm / moments[2]
-        wanted = DECAYS * moments[2] / ((table.linear_drag or 0.0) + (table.quadratic_drag or 0.0) * spin)
+        spin = norm / float(moments[2])
+        wanted = DECAYS * float(moments[2]) / ((table.linear_drag or 0.0) + (table.quadratic_drag or 0.0) * spin)
     else:
         wanted = SETTLED * (_time_constant(axes[2]) or turn)
         for k in (0, 1):
-            off = math.acos(min(1.0, math.sqrt(_along(momentum, k))))
+            off = _off(momentum, k)
             if axes[k].verdict == "unstable" and ON_AXIS < off < 1.0:
                 wanted += math.log(1.0 / off) / axes[k].rate
     return min(wanted, MOST_TURNS * turn), wanted > MOST_TURNS * turn
 
 
-def _along(momentum: Array, k: int) -> float:
-    """Return the share of |L|² that lies along axis k."""
-    return float(momentum[k] ** 2 / np.sum(np.asarray(momentum) ** 2))
+def _off(momentum: Array, k: int) -> float:
+    """Return the angle between a momentum and axis k, either end [rad]."""
+    return math.atan2(float(np.linalg.norm(np.delete(momentum, k))), abs(float(momentum[k])))

@@ -302,7 +302,8 @@ def steady_rotations(moments: Array, rotor: Array, norm: float) -> list[Equilibr
         return []
     system, k = Gyrostat(moments, rotor), _symmetry(moments, rotor)
     if k is None:
-        points = [(point, False) for point in find_equilibria(system, norm * np.eye(3)[0])]
+        level = -norm * _unit(rotor) if rotor.any() else norm * np.eye(3)[0]  # where the body does not rest
+        points = [(point, False) for point in find_equilibria(system, level)]
     elif (moments == moments[0]).all() and not rotor.any():
         points = [(norm * np.eye(3)[0], True)]
     else:
@@ -346,8 +347,8 @@ def _check_fits(body: Body, axis: Array, moment: float) -> None:
     if not fits or not axis @ body.inertia @ axis > moment:
         raise InvalidInput(
             f"`system.rotor_moment` must be that of a part of the body; got {moment:.6g} kg m², beside which the body "
-            f"would be left with moments of at most {vector(principal_axes(inertia)[0])} kg m². No body has these; check "
-            "rotor_moment and rotor_axis, and that [body] has the rotor in it."
+            f"would be left with moments of at most {vector(principal_axes(inertia)[0])} kg m². No body has these; "
+            "check rotor_moment and rotor_axis, and that [body] has the rotor in it."
         )
 
 
@@ -391,7 +392,8 @@ def _span(table: GyrostatTable, moments: Array, velocity: Array, total: Array) -
     turning = max(float(np.linalg.norm(velocity)), float(np.linalg.norm(total)) / float(np.max(moments)))
     if turning:
         return TURNS * 2.0 * math.pi / turning
-    return math.sqrt(4.0 * math.pi * TURNS * table.rotor_moment / abs(table.motor_torque)) if table.motor_torque else 1.0
+    torque = abs(table.motor_torque or 0.0)
+    return math.sqrt(4.0 * math.pi * TURNS * table.rotor_moment / torque) if torque else 1.0
 
 
 def _unit(values: Array) -> Array:

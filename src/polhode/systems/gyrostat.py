@@ -101,7 +101,7 @@ class TorquedGyrostat(AbstractSystem):
         return check_unit_attitude(as_finite_state(state, float, length=8))
 
     def scales(self, state: Array) -> Array:
-        """Return one for the attitude, and for momenta their size, or that which the motor gives the rotor in a turn."""
+        """Return one for the attitude, and for momenta their size, or what a turn under the motor gives the rotor."""
         largest = jnp.maximum(jnp.max(jnp.abs(state[..., 4:]), initial=0.0),
                               jnp.sqrt(jnp.abs(self.torque) * self.rotor_moment))  # fmt: skip
         return jnp.concatenate([jnp.ones(4), jnp.full(4, jnp.where(largest > 0, largest, 1.0))])
