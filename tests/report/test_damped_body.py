@@ -101,7 +101,8 @@ def test_in_orbit_the_balances_close(report):
 
 
 def test_rest_spheres_and_starts_on_an_axis(report, tmp_path):
-    in_orbit = report(TRIAXIAL, 'linear_drag = "1e-5 N*m*s"\norbital_period = "90 min"', "attitude = [0.9, 0.1, 0.2, 0.3]")
+    drag = 'linear_drag = "1e-5 N*m*s"\norbital_period = "90 min"'
+    in_orbit = report(TRIAXIAL, drag, "attitude = [0.9, 0.1, 0.2, 0.3]")
     assert in_orbit.summary == "The body starts at rest; gravity turns it." and in_orbit.momentum_norm[-1] > 1e-5
     json.dumps(in_orbit.as_json_dict(), allow_nan=False)
     rest = report(TRIAXIAL, "damping = 0.1")

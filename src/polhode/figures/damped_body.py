@@ -41,7 +41,8 @@ def draw_damped_sphere(report: DampedBodyReport) -> Figure | None:
             mark_verdict(axes, frame, side * np.eye(3)[k], found.verdict)
     mark_point(axes, frame, unit[0])
     path = "direction of L" if joined else "L at the samples"
-    legend_of(axes, [(path, style.BLUE, 0.9), ("levels of energy", style.GREY, 0.5)], [found.verdict for found in report.axes])
+    lines = [(path, style.BLUE, 0.9), ("levels of energy", style.GREY, 0.5)]
+    legend_of(axes, lines, [found.verdict for found in report.axes])
     words = "Momentum sphere" if report.inside else "Direction of L"
     axes.set_title(f"{words}, body axes", fontsize=style.FONT, color=style.DARK)
     return figure

@@ -112,8 +112,8 @@ class DampedBodyReport(AbstractReport):
         spent, left = (values[-1] / values[0] for values in (self.energy, self.momentum_norm))
         kept = "all" if self.inside else f"{left:.4g}"
         return (
-            f"L goes from {first:.5g}° to {last:.5g}° from the major axis; the body ends with {spent:.4g} of its energy "
-            f"and {kept} of its momentum."
+            f"L goes from {first:.5g}° to {last:.5g}° from the major axis; the body ends with {spent:.4g} of its "
+            f"energy and {kept} of its momentum."
         )
 
     @property
