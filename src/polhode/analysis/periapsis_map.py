@@ -57,7 +57,7 @@ def tabulate(system: SpinOrbit, steps: int) -> Table:
 
 @partial(jax.jit, static_argnames="periods")
 def section(table: Table, states: Array, periods: int) -> Array:
-    """Return (θ, p) after each period (periods, …, 2), angles within [−π, π]."""
+    """Return (θ, p) after each period and the whole turns taken out of θ since the last (periods, …, 3), |θ| ≤ π."""
 
     def kick(state: tuple[Array, Array], row: tuple[Array, ...]) -> tuple[tuple[Array, Array], None]:
         (q, p), (drift, strength, phase) = state, row
@@ -66,8 +66,9 @@ def section(table: Table, states: Array, periods: int) -> Array:
 
     def orbit(state: tuple[Array, Array], _: None) -> tuple[tuple[Array, Array], Array]:
         (q, p), _ = jax.lax.scan(kick, state, table[:3])
-        q = _wrapped(q + table.last_drift * p)
-        return (q, p), jnp.stack([q, p], axis=-1)
+        whole = q + table.last_drift * p
+        q = _wrapped(whole)
+        return (q, p), jnp.stack([q, p, jnp.round((whole - q) / TURN)], axis=-1)
 
     return jax.lax.scan(orbit, (states[..., 0], states[..., 1]), None, length=periods)[1]
 

@@ -60,8 +60,8 @@ def poincare_section(system: SpinOrbit, states: Array, periods: int, steps: int 
     >>> libration.shape, bool(abs(libration[:, 0]).max() < 0.2)
     ((201, 2), True)
     """
-    start, table = _start(system, states), _table(system, steps)
-    points = section(table, start, _counted("periods", periods))
+    start, table = scaled_start(system, states), table_of(system, steps)
+    points = section(table, start, counted("periods", periods))[..., :2]
     points = np.moveaxis(np.concatenate([np.asarray(start)[None], np.asarray(points)]), 0, -2)
     return points * np.array([1.0, float(system.mean_motion)])
 
@@ -75,9 +75,9 @@ def tangent_map(system: SpinOrbit, states: Array, periods: int = 1, steps: int |
         periods: how many orbits.
         steps: per orbit, as in ``poincare_section``.
     """
-    start, table = _start(system, states), _table(system, steps)
+    start, table = scaled_start(system, states), table_of(system, steps)
     sides = jnp.broadcast_to(jnp.eye(2), (*start.shape, 2))
-    grown, _ = carry_neighbours(table, start, sides, _counted("periods", periods), False)
+    grown, _ = carry_neighbours(table, start, sides, counted("periods", periods), False)
     return np.asarray(grown)
 
 
@@ -95,9 +95,9 @@ def lyapunov_exponent(system: SpinOrbit, states: Array, periods: int, steps: int
 
     Source: Wisdom, Peale & Mignard, Icarus 58 (1984) 137; Benettin et al., Meccanica 15 (1980) 9.
     """
-    start, table = _start(system, states), _table(system, steps)
+    start, table = scaled_start(system, states), table_of(system, steps)
     side = jnp.full((*start.shape, 1), math.sqrt(0.5))
-    _, growth = carry_neighbours(table, start, side, _counted("periods", periods), True)
+    _, growth = carry_neighbours(table, start, side, counted("periods", periods), True)
     times = TURN / float(system.mean_motion) * np.arange(1, periods + 1)
     return np.moveaxis(np.cumsum(np.asarray(growth)[..., 0], axis=0), 0, -1) / times
 
@@ -161,16 +161,16 @@ def overlap_threshold(eccentricity: Array) -> Array:
     return 1.0 / (2.0 + np.sqrt(14.0 * np.asarray(eccentricity, dtype=float)))
 
 
-def _table(system: SpinOrbit, steps: int | None) -> Table:
+def table_of(system: SpinOrbit, steps: int | None) -> Table:
     default = math.ceil(STEPS / math.sqrt(1.0 - float(system.eccentricity)))
-    return tabulate(system, default if steps is None else _counted("steps", steps))
+    return tabulate(system, default if steps is None else counted("steps", steps))
 
 
-def _start(system: SpinOrbit, states: Array) -> Array:
+def scaled_start(system: SpinOrbit, states: Array) -> Array:
     return system.check_state(states) / jnp.stack([jnp.ones(()), system.mean_motion])
 
 
-def _counted(name: str, value: int) -> int:
+def counted(name: str, value: int) -> int:
     if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < 1:
         raise InvalidInput(f"`{name}` must be a positive integer; got {value!r}.")
     return int(value)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import Annotated, Any
 
 from pydantic import AfterValidator, BeforeValidator, Field, StrictBool, StrictInt
@@ -80,10 +81,13 @@ def _positive(value: float) -> float:
     return value
 
 
-def _below_one(value: float) -> float:
-    if not 0 <= value < 1:
-        raise ValueError(f"must be at least 0 and below 1, as an ellipse's; got {value:g}")
-    return value
+def _within(least: float, most: float, what: str) -> Callable[[float], float]:
+    def check(value: float) -> float:
+        if not least <= value <= most:
+            raise ValueError(f"must be within {least:g} to {most:.6g}, {what}; got {value!r}. Check it")
+        return value
+
+    return check
 
 
 def one_of(*choices: str | int) -> BeforeValidator:
@@ -128,4 +132,8 @@ PositiveMoment = Annotated[float, _reader("kg*m^2", positive=True)]
 Plain = Annotated[float, BeforeValidator(_plain)]
 Samples = Annotated[StrictInt, Field(ge=2, le=10_000_000)]
 PositivePlain = Annotated[Plain, AfterValidator(_positive)]
-Eccentricity = Annotated[Plain, AfterValidator(_below_one)]
+GravitationalParameter = Annotated[float, _reader("m^3/s^2", positive=True)]
+Eccentricity = Annotated[Plain, AfterValidator(_within(0.0, 0.99, "an ellipse that is no needle"))]
+Asphericity = Annotated[Plain, AfterValidator(_within(0.0, math.sqrt(3.0), "√(3(B − A)/C), as B − A ≤ C"))]
+SpinRatio = Annotated[Plain, AfterValidator(_within(-30.0, 30.0, "turns per orbit, where resonances may be felt"))]
+Orbits = Annotated[StrictInt, Field(ge=1, le=100_000)]

@@ -27,6 +27,7 @@ MISSING = {
     "rotor_axis": "is missing; give it like [0.0, 0.0, 1.0], along the given axes",
     "rotor_moment": 'is missing; give it like "0.02 kg*m^2"',
     "rotor_rate": 'is missing; give it like "6000 rpm", relative to the body',
+    "eccentricity": "is missing; give it like 0.1, zero for a circle",
 }
 
 

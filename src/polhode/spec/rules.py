@@ -40,7 +40,9 @@ def _system_rules(table: dict[str, Any]) -> Iterator[Mistake]:
     kind = system.get("kind") if isinstance(system, dict) else None
     model = SYSTEMS.get(kind) if isinstance(kind, str) else None
     takes = model.takes if model else ("body", "spin", "time")
-    if "body" in takes and "body" not in table:
+    if isinstance(system, dict) and kind == "spin-orbit":
+        yield from _spin_orbit_rules(system, "body" in table)
+    elif "body" in takes and "body" not in table:
         yield ("body",), NO_BODY
     for key in ("body", "spin", "time"):
         if key in table and key not in takes:
@@ -50,6 +52,22 @@ def _system_rules(table: dict[str, Any]) -> Iterator[Mistake]:
         yield ("system", "lean"), "goes without spin.attitude, which already says how the body lies; leave out one"
     if isinstance(system, dict) and kind in RULES:
         yield from RULES[kind](system)
+
+
+def _spin_orbit_rules(system: dict[str, Any], has_body: bool) -> Iterator[Mistake]:
+    """Yield what the shape and the orbit are asked for, which each go by one way of two."""
+    if has_body and "asphericity" in system:
+        yield ("system", "asphericity"), "goes without [body], whose moments already give it; leave out one"
+    if not has_body and "asphericity" not in system:
+        yield ("body",), f"{NO_BODY}, or asphericity, √(3(B − A)/C), like 0.89 under [system]"
+    axis = [key for key in ("semi_major_axis", "gravitational_parameter") if key in system]
+    if "orbital_period" in system and axis:
+        yield ("system", "orbital_period"), f"goes without {_listed(axis)}; leave out one or the other"
+    elif "orbital_period" not in system and len(axis) != 2:
+        yield ("system",), (
+            'needs orbital_period, like "21.28 day", or semi_major_axis and gravitational_parameter together; '
+            f"got {_listed(axis)}"
+        )
 
 
 def _body_rules(body: dict[str, Any]) -> Iterator[str]:

@@ -7,15 +7,20 @@ from typing import Annotated, ClassVar, Literal
 from polhode.spec.fields import (
     Acceleration,
     Angle,
+    Asphericity,
     Direction,
     Duration,
     Eccentricity,
+    GravitationalParameter,
+    Length,
     LinearDragCoefficient,
+    Orbits,
     Position,
     PositiveMoment,
     PositivePlain,
     QuadraticDragCoefficient,
     Rate,
+    SpinRatio,
     Torque,
     one_of,
 )
@@ -83,6 +88,18 @@ class DampedBodyTable(SystemTable):
     quadratic_drag: QuadraticDragCoefficient | None = None
     orbital_period: Duration | None = None
     eccentricity: Eccentricity | None = None
+class SpinOrbitTable(SystemTable):
+    """A moon or planet that turns upright on an eccentric orbit; its shape from [body] or by ``asphericity``."""
+
+    takes: ClassVar[tuple[str, ...]] = ("body", "time")
+    eccentricity: Eccentricity
+    orbital_period: Duration | None = None
+    semi_major_axis: Length | None = None
+    gravitational_parameter: GravitationalParameter | None = None
+    asphericity: Asphericity | None = None
+    angle: Angle = 0.0
+    spin_ratio: SpinRatio = 1.0
+    section_orbits: Orbits = 300
 
 
 SYSTEMS: dict[str, type[SystemTable]] = {
@@ -90,4 +107,5 @@ SYSTEMS: dict[str, type[SystemTable]] = {
     "lagrange-top": LagrangeTopTable,
     "gyrostat": GyrostatTable,
     "damped-body": DampedBodyTable,
+    "spin-orbit": SpinOrbitTable,
 }

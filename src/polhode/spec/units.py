@@ -20,6 +20,7 @@ EXAMPLES = {
     "N*m": "0.1 N*m",
     "N*m*s": "0.01 N*m*s",
     "N*m*s^2": "0.01 N*m*s^2",
+    "m^3/s^2": "3.986e14 m^3/s^2",
 }
 QUANTITY = re.compile(
     r"\s*(?P<number>[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|[+-]?(?:nan|inf)(?!\w))\s*\*?\s*(?P<unit>.*)", re.DOTALL

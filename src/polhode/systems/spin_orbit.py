@@ -110,6 +110,13 @@ class SpinOrbit(AbstractSystem):
         """
         return as_finite_state(state, float, length=2)
 
+    @property
+    def components(self) -> dict[str, tuple[str, str]]:
+        return {
+            "angle": ("rad", "angle of the long axis from the direction of the periapsis"),
+            "rate": ("rad s-1", "rate of that angle"),
+        }
+
     def scales(self, state: Array) -> Array:
         """Return one radian, and one radian in the time 1/n."""
         return jnp.stack([jnp.ones(()), self.mean_motion])
