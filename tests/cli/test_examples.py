@@ -33,7 +33,8 @@ def reports(tmp_path_factory):
 
 def test_all_are_there(reports):
     free = "t_handle t_handle_parts book smartphone water earth apophis spacecraft"
-    assert set(reports) == set(free.split()) | {"top", "gyroscope", "explorer_1", "dual_spin"}
+    others = {"top", "gyroscope", "explorer_1", "dual_spin", "hyperion"}
+    assert set(reports) == set(free.split()) | others
 
 
 def test_files_open(reports):
@@ -63,6 +64,18 @@ def test_tops(reports):
     assert gyroscope["integrable_case"] is None and max(gyroscope["drift"].values()) < 1e-11
     assert gyroscope["mgl"] == pytest.approx(9.80665 * 0.147 * np.hypot(0.035, 0.04 / 147), rel=1e-12)
     assert np.radians(75) < gyroscope["tilt"]["smallest"] < np.radians(80) < gyroscope["tilt"]["largest"]
+
+
+def test_hyperion_is_chaotic(reports):
+    # Wisdom, Peale & Mignard (1984): ω0 = 0.89, threshold 0.31, exponent about 0.1 n, e-folding in about 1.5 orbits
+    report = reports["hyperion"]
+    a, b = 190.0, 145.0  # semi-axes: (B − A)/C = (a² − b²)/(a² + b²)
+    assert report["asphericity"] == pytest.approx(np.sqrt(3 * (a**2 - b**2) / (a**2 + b**2)), abs=1e-4)
+    assert report["verdict"] == "chaotic" and report["chaos_expected"] and report["libration"] is None
+    assert report["small_eccentricity_threshold"] == pytest.approx(0.31, abs=0.005)
+    assert report["lyapunov_exponent"] / report["mean_motion"] == pytest.approx(0.12, abs=0.02)
+    assert report["orbital_period"] == pytest.approx(21.28 * DAY, rel=1e-14)
+    assert max(report["drift"].values()) < 1e-11
 
 
 def test_t_handle_mesh_and_parts_agree(reports):

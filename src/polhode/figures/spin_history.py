@@ -8,8 +8,8 @@ from matplotlib.figure import Figure
 from polhode.figures import style
 from polhode.report.spin_orbit import DAY, SpinOrbitReport, ratio
 
-LONGEST = 30  # orbits shown at most
-COARSE = 20  # samples per orbit below which a line between them would mislead
+MOST = 20_000  # samples shown
+COARSE = 16  # samples per orbit, or turn, below which a line between them would mislead
 
 
 def draw_spin_history(report: SpinOrbitReport) -> Figure:
@@ -17,11 +17,11 @@ def draw_spin_history(report: SpinOrbitReport) -> Figure:
     system, n = report.system, float(report.system.mean_motion)
     period = float(system.orbit.period)
     turns = np.asarray(report.trajectory.times) / period
-    shown = turns <= LONGEST * (1.0 + 1e-12)
-    words = "" if shown.all() else f", the first {LONGEST}"
-    angle, rate = np.asarray(report.trajectory.states)[shown].T
-    turns, order = turns[shown], _order(report)
-    form = "-" if len(turns) < 2 or turns[1] - turns[0] < 1.0 / COARSE else "."
+    words = "" if len(turns) <= MOST else f", first {MOST} samples"
+    angle, rate = np.asarray(report.trajectory.states)[:MOST].T
+    turns, order = turns[:MOST], _order(report)
+    fastest = max(1.0, float(np.abs(rate).max()) / n)
+    form = "-" if (turns[1] - turns[0]) * fastest < 1.0 / COARSE else "."
     figure = style.new_figure(height=3.4)
     upper, lower = figure.subplots(2, 1, sharex=True)
     name = {0.0: "θ", 1.0: "θ − n t"}.get(order, f"θ − {ratio(order).replace(':', '/').removesuffix('/1')} n t")

@@ -15,6 +15,7 @@ from polhode.report.spin_orbit import SpinOrbitReport, ratio
 Array = Any
 WIDE, WHOLE = 0.25, (-0.2, 3.2)  # half-width of a zone from which all of them are shown, and these rates
 FEEBLE = 0.05  # of the widest zone: narrower ones do not set what is shown
+CROWDED = 0.04  # of the height: names closer to each other than that would overlap
 STARTS = 22  # rates of the family, at the long axis along and across the periapsis' direction each
 
 
@@ -35,26 +36,28 @@ def draw_spin_section(report: SpinOrbitReport) -> Figure:
     axes.set_xlabel("θ at periapsis  [°]")
     axes.set_ylabel("$\\dot{θ}$/n  [turns per orbit]")
     handles, labels = axes.get_legend_handles_labels()
-    handles.append(_zones(report, side, low, high))
-    figure.legend(handles, [*labels, "zones of resonances"], loc="outside upper center", ncols=3,
-                  fontsize=style.FONT - 1, frameon=False, handlelength=1.0, markerscale=3.0,
-                  columnspacing=1.2)  # fmt: skip
+    if zones := _zones(report, side, low, high):
+        handles, labels = [*handles, zones], [*labels, "zones of resonances"]
+    figure.legend(handles, labels, loc="outside upper center", ncols=3, fontsize=style.FONT - 1, frameon=False,
+                  handlelength=1.0, markerscale=3.0, columnspacing=1.2)  # fmt: skip
     style.tidy(axes)
     return figure
 
 
 def _zones(report: SpinOrbitReport, side: Any, low: float, high: float) -> Any:
-    """Draw a bar for each zone in sight, neighbours beside each other so that an overlap shows."""
+    """Draw a bar for each zone in sight, neighbours beside each other so that an overlap shows; None without any."""
     n = float(report.system.mean_motion)
-    handle = side.plot([], [], "-", color=style.VERMILION, lw=1.4)[0]
+    handle, named = None, -np.inf
     for k, found in enumerate(report.resonances):
         width = found.half_width / n
         if not low < found.order < high or width == 0.0:
             continue
         x = k % 2
-        side.plot([x, x], [found.order - width, found.order + width], color=style.VERMILION, lw=1.4)
+        (handle,) = side.plot([x, x], [found.order - width, found.order + width], color=style.VERMILION, lw=1.4)
         side.plot([x - 0.25, x + 0.25], [found.order] * 2, color=style.VERMILION, lw=1.4)
-        side.text(1.8, found.order, ratio(found.order), fontsize=style.FONT - 1, va="center", color=style.DARK)
+        if found.order - named > CROWDED * (high - low):
+            side.text(1.8, found.order, ratio(found.order), fontsize=style.FONT - 1, va="center", color=style.DARK)
+            named = found.order
     side.set(xlim=(-0.6, 3.4))
     side.axis("off")
     return handle
@@ -72,7 +75,7 @@ def _window(report: SpinOrbitReport, rates: Array) -> tuple[float, float]:
     elif widest < WIDE:
         order = min(near, key=lambda p: abs(p - mean))
         low, high = order - 3.0 * widths[order], order + 3.0 * widths[order]
-    pad = 0.05 * (high - low)
+    pad = 0.05 * (max(high, float(rates.max())) - min(low, float(rates.min())))
     return min(low, float(rates.min()) - pad), max(high, float(rates.max()) + pad)
 
 

@@ -28,6 +28,7 @@ Array = Any
 PERIODS = 30
 DAY = 86400.0
 LISTED = (3.0, 10.0)  # orders up to which resonances are listed: at least, and at most where spin or orbit are faster
+LARGEST = 1e100  # of rates in rad/s; their squares stay within the range of numbers
 TOLERANCE = 1e-12  # of the samples' adaptive steps
 
 UNITS = {
@@ -122,12 +123,14 @@ class SpinOrbitReport(AbstractReport):
 
     def sections(self) -> list[Section | Listing]:
         body = [] if self.body is None else [body_section(self.body)]
-        return [*body, self._orbit(), self._listing(), self._motion()]
+        return [*body, self._orbit(), *self._listing(), self._motion()]
 
     def _orbit(self) -> Section:
         values = self.values()
         period = values["orbital_period"]
-        if self.threshold is None:
+        if values["asphericity"] == 0.0:
+            chaos = "no: A = B, and gravity has no hold on the spin"
+        elif self.threshold is None:
             chaos = "no: on a circular orbit the spin is a pendulum, and no pendulum is chaotic"
         elif self.chaos_expected:
             chaos = f"yes: zones of resonances overlap from ω0 = {self.threshold:.4g} on"
@@ -141,14 +144,15 @@ class SpinOrbitReport(AbstractReport):
             ("chaos expected", chaos),
         ])  # fmt: skip
 
-    def _listing(self) -> Listing:
+    def _listing(self) -> list[Listing]:
         n = float(self.system.mean_motion)
         rows = []
         for found in self.resonances:
-            stable = "–" if found.stable_angle is None else f"{math.degrees(found.stable_angle):.0f}°"
-            rows.append((ratio(found.order), f"{found.strength:.6g}", f"{found.half_width / n:.4g} n", stable))
+            if found.stable_angle is not None and found.half_width > 0.0:
+                stable = f"{math.degrees(found.stable_angle):.0f}°"
+                rows.append((ratio(found.order), f"{found.strength:.6g}", f"{found.half_width / n:.4g} n", stable))
         heads = ("turns : orbits", "strength H", "half-width", "long axis at periapsis")
-        return Listing("Resonances of spin and orbit", heads, rows)
+        return [Listing("Resonances of spin and orbit", heads, rows)] if rows else []
 
     def _motion(self) -> Section:
         values, motion = self.values(), self.motion
@@ -211,7 +215,7 @@ def spin_orbit_report(spec: Spec, table: SpinOrbitTable, times: Array | None) ->
     """Return the report on a spin that starts at periapsis.
 
     Raises:
-        InvalidInput: for a body without extent.
+        InvalidInput: for an orbit so slow or fast that the squares of its rates leave the numbers.
     """
     system = _system(spec, table)
     n = float(system.mean_motion)
@@ -236,14 +240,15 @@ def _system(spec: Spec, table: SpinOrbitTable) -> SpinOrbit:
         orbit = KeplerOrbit.from_semi_major_axis(
             table.semi_major_axis, table.gravitational_parameter, table.eccentricity
         )
-    if table.asphericity is not None:
-        return SpinOrbit(table.asphericity, table.eccentricity, float(orbit.mean_motion))
-    assert spec.body is not None
-    if not spec.body.principal_moments[2] > 0.0:
+    n = float(orbit.mean_motion)
+    if not 1.0 / LARGEST < n < LARGEST:
         raise InvalidInput(
-            "`body` must have extent: all its moments are zero, so gravity has no hold on its angle. "
-            "Give it a shape, or asphericity under [system] instead."
+            f"the orbit must have a mean motion within 1e±100 rad/s; it is {n:g} rad/s. Check `system.orbital_period`, "
+            "or `system.semi_major_axis` and `system.gravitational_parameter`, and their units."
         )
+    if table.asphericity is not None:
+        return SpinOrbit(table.asphericity, table.eccentricity, n)
+    assert spec.body is not None
     return SpinOrbit.from_body(spec.body, orbit)
 
 

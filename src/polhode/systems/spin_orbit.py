@@ -70,13 +70,6 @@ class SpinOrbit(AbstractSystem):
         """Mean motion n of the orbit [rad/s]."""
         return self.orbit.mean_motion
 
-    @property
-    def components(self) -> dict[str, tuple[str, str]]:
-        return {
-            "angle": ("rad", "from the direction of the periapsis to the axis of least moment"),
-            "rate": ("rad s-1", "angular velocity about the orbit's normal"),
-        }
-
     def vector_field(self, t: Array, state: Array) -> Array:
         angle, rate = state[..., 0], state[..., 1]
         phase = 2.0 * (angle - self.orbit.true_anomaly(t))
