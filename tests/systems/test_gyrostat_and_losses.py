@@ -11,6 +11,7 @@ from polhode.systems import DoubleBracket, FreeRigidBody, Gyrostat, TorquedGyros
 
 MOMENTS = (1.0, 2.0, 3.0)
 BALANCE = 1e-10
+ROUNDING = 4 * 2.0**-52  # of an energy that has settled
 START = np.array([1.0, 0.0, 0.0, 0.0, 1.0, 0.1, 0.2])
 
 
@@ -64,7 +65,7 @@ def test_losses_inside_end_at_the_major_axis():
     assert max(found.drift[name] for name in ("|L|²", "momentum_space")) < 1e-13
     assert np.abs(found.momentum[-1]) == pytest.approx([0, 0, np.linalg.norm(found.momentum[0])], abs=1e-6)
     energy = found.balances["energy"]
-    assert (np.diff(energy) <= 1e-15).all() and energy[-1] == pytest.approx(energy[0] / 3.0, rel=1e-3)
+    assert (np.diff(energy) <= ROUNDING * energy[0]).all() and energy[-1] == pytest.approx(energy[0] / 3.0, rel=1e-3)
 
 
 def test_energy_falls_at_the_stated_rate():
