@@ -141,7 +141,7 @@ def test_figures_show_the_path_or_samples_alone(report, tmp_path):
         ('linear_drag = "1 N*m*s"\neccentricity = 0.1', ["1 mistake", "system.eccentricity: goes with orbital_period"]),
         ('linear_drag = "1 N*m"\nquadratic_drag = "-1 N*m*s^2"\norbital_period = "90 min"\neccentricity = 1.0',
          ["3 mistakes", "linear_drag: has the wrong unit", "quadratic_drag: must be positive",
-          "eccentricity: must be at least 0 and below 1"]),
+          "eccentricity: must be within 0 to 0.99"]),
         ('damping = "0.1"', ["system.damping: must be a plain finite number"]),
         ("damping = -0.1\nextra = 1", ["system.damping: must be positive; got -0.1", "system.extra: unknown key"]),
     ],
