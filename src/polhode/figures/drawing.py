@@ -26,6 +26,7 @@ FIGURES: dict[str, dict[str, tuple[str, str]]] = {
         "motion": ("damped_body", "draw_damped_motion"),
     },
     "spin-orbit": {"section": ("spin_section", "draw_spin_section"), "motion": ("spin_history", "draw_spin_history")},
+    "euler-disk": {"tilt": ("disk_end", "draw_disk_end"), "contact_path": ("contact_path", "draw_contact_path")},
 }
 
 

@@ -17,7 +17,7 @@ MAKERS = {
     "gyrostat": ("gyrostat", "gyrostat_report"),
     "damped-body": ("damped_body", "damped_body_report"),
     "spin-orbit": ("spin_orbit", "spin_orbit_report"),
-    "euler-disk": ("euler_disk", "euler_disk_report"),
+    "euler-disk": ("disk_motion", "euler_disk_report"),
 }
 
 

@@ -88,6 +88,19 @@ def _within(least: float, most: float, what: str) -> Callable[[float], float]:
         return value
 
     return check
+def _thickness(value: float) -> float:
+    if value < 0:
+        raise ValueError(f"must not be negative; got {value:g} m. Check its sign, or leave it out for a thin disk")
+    return value
+
+
+def _standing(value: float) -> float:
+    if not 0.0 < value < math.pi:
+        raise ValueError(
+            f"must lie between 0 and 180 deg; got {math.degrees(value):g} deg. A disk that lies flat touches with all "
+            "of its face and does not roll: start at a small tilt, such as 5 deg"
+        )
+    return value
 
 
 def one_of(*choices: str | int) -> BeforeValidator:
@@ -137,3 +150,8 @@ Eccentricity = Annotated[Plain, AfterValidator(_within(0.0, 0.99, "an ellipse th
 Asphericity = Annotated[Plain, AfterValidator(_within(0.0, math.sqrt(3.0), "√(3(B − A)/C), as B − A ≤ C"))]
 SpinRatio = Annotated[Plain, AfterValidator(_within(-30.0, 30.0, "turns per orbit, where resonances may be felt"))]
 Orbits = Annotated[StrictInt, Field(ge=1, le=100_000)]
+Thickness = Annotated[float, _reader("m"), AfterValidator(_thickness)]
+Tilt = Annotated[Angle, AfterValidator(_standing)]
+Viscosity = Annotated[float, _reader("Pa*s", positive=True)]
+Speed = Annotated[float, _reader("m/s")]
+Velocity = Annotated[tuple[Speed, Speed, Speed], _three("m/s")]

@@ -28,6 +28,9 @@ MISSING = {
     "rotor_moment": 'is missing; give it like "0.02 kg*m^2"',
     "rotor_rate": 'is missing; give it like "6000 rpm", relative to the body',
     "eccentricity": "is missing; give it like 0.1, zero for a circle",
+    "radius": 'is missing; give it like "38 mm"',
+    "tilt": 'is missing; give it like "10 deg"',
+    "law": 'is missing; give it like "air-layer"',
 }
 
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
+from polhode.spec.disk_rules import disk_rules
 from polhode.spec.models import MAY_BE_HOLLOW, SHAPE_KEYS
 from polhode.spec.systems import SYSTEMS
 from polhode.spec.units import parse_quantity
@@ -131,7 +132,7 @@ def _damped_rules(system: dict[str, Any]) -> Iterator[Mistake]:
         yield ("system", "eccentricity"), 'goes with orbital_period; give it like "90 min", or leave eccentricity out'
 
 
-RULES = {"gyrostat": _gyrostat_rules, "damped-body": _damped_rules}
+RULES = {"gyrostat": _gyrostat_rules, "damped-body": _damped_rules, "euler-disk": disk_rules}
 
 
 def _vanishes(rate: Any) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, ClassVar, Literal
 
+from polhode.spec.dissipation import LawTable
 from polhode.spec.fields import (
     Acceleration,
     Angle,
@@ -14,6 +15,7 @@ from polhode.spec.fields import (
     GravitationalParameter,
     Length,
     LinearDragCoefficient,
+    Mass,
     Orbits,
     Position,
     PositiveMoment,
@@ -21,7 +23,10 @@ from polhode.spec.fields import (
     QuadraticDragCoefficient,
     Rate,
     SpinRatio,
+    Thickness,
+    Tilt,
     Torque,
+    Velocity,
     one_of,
 )
 from polhode.spec.models import Strict
@@ -88,6 +93,8 @@ class DampedBodyTable(SystemTable):
     quadratic_drag: QuadraticDragCoefficient | None = None
     orbital_period: Duration | None = None
     eccentricity: Eccentricity | None = None
+
+
 class SpinOrbitTable(SystemTable):
     """A moon or planet that turns upright on an eccentric orbit; its shape from [body] or by ``asphericity``."""
 
@@ -102,10 +109,38 @@ class SpinOrbitTable(SystemTable):
     section_orbits: Orbits = 300
 
 
+class EulerDiskTable(SystemTable):
+    """A disk that rolls on a plane; it starts in steady motion unless ``tilt_rate`` is given.
+
+    Attributes:
+        tilt: between face and plane.
+        heading: of the horizontal diameter.
+        precession: of the contact; by default that at which the centre is at rest.
+        spin: about the axis; follows from precession.
+        center_velocity: along space axes; checked against rolling.
+    """
+
+    takes: ClassVar[tuple[str, ...]] = ("time",)
+    mass: Mass
+    radius: Length
+    thickness: Thickness = 0.0
+    axial_moment: PositiveMoment | None = None
+    diametral_moment: PositiveMoment | None = None
+    gravity: Acceleration = STANDARD_GRAVITY
+    tilt: Tilt
+    heading: Angle = 0.0
+    precession: Rate | None = None
+    spin: Rate | None = None
+    tilt_rate: Rate | None = None
+    center_velocity: Velocity | None = None
+    dissipation: list[LawTable] = []
+
+
 SYSTEMS: dict[str, type[SystemTable]] = {
     "heavy-top": HeavyTopTable,
     "lagrange-top": LagrangeTopTable,
     "gyrostat": GyrostatTable,
     "damped-body": DampedBodyTable,
     "spin-orbit": SpinOrbitTable,
+    "euler-disk": EulerDiskTable,
 }

@@ -21,6 +21,10 @@ EXAMPLES = {
     "N*m*s": "0.01 N*m*s",
     "N*m*s^2": "0.01 N*m*s^2",
     "m^3/s^2": "3.986e14 m^3/s^2",
+    "m/s": "1 m/s",
+    "Pa*s": "1.8e-5 Pa*s",
+    "W*s^2": "2e-8 W*s^2",
+    "W*s^2.5": "2e-9 W*s^2.5",
 }
 QUANTITY = re.compile(
     r"\s*(?P<number>[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|[+-]?(?:nan|inf)(?!\w))\s*\*?\s*(?P<unit>.*)", re.DOTALL
