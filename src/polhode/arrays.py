@@ -302,18 +302,20 @@ def register_node(kind: type, fields: tuple[str, ...], like: Any) -> None:
     _nodes.add(kind)
 
 
-def derivative_columns(function: Callable[..., tuple[Any, ...]], arguments: tuple[Any, ...]) -> tuple[Any, ...]:
-    """Return the derivatives of an elementwise function of equally shaped JAX arrays by each of them.
+def derivative_columns(
+    function: Callable[..., tuple[Any, ...]], arguments: tuple[Any, ...]
+) -> tuple[tuple[Any, ...], tuple[Any, ...]]:
+    """Return an elementwise function of equally shaped JAX arrays and its derivatives by each of them.
 
-    The columns lie along a new first axis of every output.
+    The columns lie along a new first axis of every derivative.
     """
     import jax
     import jax.numpy as jnp
 
     count = len(arguments)
 
-    def along(k: Any) -> tuple[Any, ...]:
+    def along(k: Any) -> tuple[tuple[Any, ...], tuple[Any, ...]]:
         changes = tuple(jnp.where(k == j, 1.0, 0.0) + jnp.zeros_like(a) for j, a in enumerate(arguments))
-        return jax.jvp(function, arguments, changes)[1]
+        return jax.jvp(function, arguments, changes)
 
-    return jax.vmap(along)(jnp.arange(count))
+    return jax.vmap(along, out_axes=(None, 0))(jnp.arange(count))

@@ -70,4 +70,4 @@ def _stacked_rule(primals: tuple[Any, ...], tangents: tuple[Any, ...]) -> tuple[
     vectors = (xp.broadcast_to(v, (*shape, v.shape[-1])) for v in tangents[:4])
     data = TangentData(*(xp.broadcast_to(v, shape) for v in primals[6][ENTRIES:]))
     time, change = (xp.broadcast_to(v[4], shape) for v in (primals, tangents))
-    return value, top_tangent(data, time, (*vectors, change))
+    return value, top_tangent(data, time, value, (*vectors, change))

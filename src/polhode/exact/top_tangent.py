@@ -1,9 +1,9 @@
 """The derivative of a Lagrange top's attitude and momentum along perturbations of all that it is given.
 
-Over a whole nutation the motion is a turn about the vertical and one about the axis, so that perturbations grow by the
-same nilpotent amount each time: with M the derivative of the flow over one period and S those turns,
-(S⁻¹M)ⁿ = 1 + n (S⁻¹M − 1). The Jacobian of n periods and a rest is put together from two short flows that are
-differentiated as they stand; nothing here takes the root of anything that may vanish.
+Whole nutations add what the Hessian of the action says, each the same, and the rest is one short flow that is
+differentiated as it stands; nothing takes the root of anything that may vanish. Which nutations count as whole is
+chosen so that the flow is not led upright and back down beside the separatrix, where float64 would lose the way. A top
+without a period stands or comes to stand, and goes on by its linear equations.
 """
 
 from __future__ import annotations
@@ -12,18 +12,21 @@ import math
 from typing import Any, NamedTuple
 
 from polhode.arrays import derivative_columns, first_order_only, namespace, split_halves
+from polhode.exact import top_standing
 from polhode.exact.top_flow import flow, slopes
+from polhode.exact.top_periods import Invariants, Nutation, added_by_nutation
 from polhode.exact.top_preparation import PreparedTop
 from polhode.special import doubledouble as dd
 from polhode.special.circular import reduced_phase, split_rate
+from polhode.special.doubledouble import DoubleDouble
 
 Array = Any
-LONGEST = 2500.0  # rate × time up to which a top without a period is followed
-NEAR = 1e-5  # m1 below which float64 cannot follow a whole nutation: its errors are some eps/m1²
+Vector = tuple[Array, Array, Array]  # α, β, w or their changes, complex
+UPRIGHT = 16.0  # λ times the time from the lowest point at which a top on the separatrix counts as upright: |β|² < 1e-13
 
 
 class TangentData(NamedTuple):
-    """What the derivative needs of a prepared top, one plain array each."""
+    """What the derivative needs of a prepared top, one plain array each; pairs of ``…`` and ``…_rest`` are one number."""
 
     I1: Array
     I3: Array
@@ -36,9 +39,17 @@ class TangentData(NamedTuple):
     z: Array
     size: Array
     G: Array
+    G_rest: Array
     D: Array
+    D_rest: Array
+    c: Array
+    energy: Array
+    s2: Array
+    d: Array
+    A: Array
+    B: Array
     tilt: Array  # largest 1 − cos θ
-    m1: Array  # complementary parameter, the distance from the separatrix
+    place: Array  # of the epoch in the nutation, in periods from the lowest point; on the separatrix λτ
     nutation: Array
     nutation_rest: Array
     alpha: Array
@@ -51,60 +62,79 @@ class TangentData(NamedTuple):
     sign_beta: Array
     permanent: Array
     separatrix: Array
+    hanging: Array
     reversed: Array
     momentum_scale: Array
     rate_scale: Array
 
 
+class _Course(NamedTuple):
+    """How the motion is cut up: whole nutations, one flow, and standing."""
+
+    count: Array
+    rest: Array  # τ of the flow
+    tau: DoubleDouble
+    phases: tuple[Array, Array]  # of α and β, apart from the flow's, in turns
+
+
 def tangent_data(prepared: PreparedTop) -> TangentData:
     """Return the data of a prepared top."""
-    _, top, points, rates = prepared
+    motion, top, points, rates = prepared
     xp = namespace(top.reversed)
-    tilt = xp.where(rates.permanent, top.s0[0], points.s1[0])
-    m1 = xp.where(rates.permanent, 1.0, points.B[0] / points.A[0])
+    a = dd.from_float(top.momentum[2])
+    permanent, separatrix = rates.permanent, rates.separatrix
+    endless = permanent | separatrix
+    hanging = permanent & (top.s0[0] > 0)
+    safe = lambda v, x: xp.where(endless, x, v[0])  # noqa: E731
+    square = dd.square(a)
+    # 4κ about the vertical at which the top stands
+    D = dd.where(hanging, dd.negate(dd.add(dd.scale(top.G, 2.0), square)), top.D)
+    place = xp.where(motion[0], 2.0 * motion[10], motion[10])
     return TangentData(
-        *top.moments, *top.momentum, *top.quaternion, top.size[0], top.G[0], top.D[0], tilt, m1, *rates.nutation,
-        *rates.alpha, *rates.beta, *rates.spin, rates.sign_alpha, rates.sign_beta, rates.permanent, rates.separatrix,
-        top.reversed, top.momentum_scale, top.rate_scale,
+        *top.moments, *top.momentum, *top.quaternion, top.size[0], *top.G, *D, top.c[0],
+        dd.add(top.F, dd.multiply(a, top.c))[0], safe(points.s2, 0.0), safe(points.d, 0.0), safe(points.A, 1.0),
+        safe(points.B, 1.0), xp.where(permanent, top.s0[0], points.s1[0]), place, *rates.nutation, *rates.alpha,
+        *rates.beta, *rates.spin, rates.sign_alpha, rates.sign_beta, permanent, separatrix, hanging, top.reversed,
+        top.momentum_scale, top.rate_scale,
     )  # fmt: skip
 
 
-def top_tangent(top: TangentData, time: Array, changes: tuple[Array, ...]) -> tuple[Array, Array]:
+def top_tangent(
+    top: TangentData, time: Array, state: tuple[Array, Array], changes: tuple[Array, ...]
+) -> tuple[Array, Array]:
     """Return the changes of attitude (…, 4) and momentum (…, 3).
 
-    I1 = I2 is one quantity: its change is the mean of the first two moments' changes. NaN where it cannot be had: past
-    the first half nutation with m1 < 1e-5, and far in time on the separatrix, asleep or hanging.
+    I1 = I2 is one quantity: its change is the mean of the first two moments' changes.
 
     Args:
         top: with entries of the batch shape.
         time: (…) since the epoch.
+        state: attitude (…, 4) and momentum (…, 3) at the time.
         changes: of moments (…, 3), mgl (…, 1), momentum (…, 3), attitude (…, 4) and time (…); the result is linear in
             them.
     """
     xp = namespace(time, *changes)
-    *entries, time = first_order_only((*top, time), "LagrangeMotion")
+    *entries, attitude, momentum, time = first_order_only((*top, *state, time), "LagrangeMotion")
     top = TangentData(*entries)
-    start, start_change, I1_change, I3_change = _scaled(xp, top, changes)
-    rest, count, phases = _reduced_time(xp, top, time)
-    endless = top.separatrix | top.permanent
-    period = xp.where(endless, 0.0, math.pi / xp.where(endless, 1.0, top.nutation))
-    whole = derivative_columns(lambda *s: flow(s, period, top.D, top.tilt), start)
-    # one period more adds the same to every change
-    once = _turned_back(_applied(whole, start_change), phases[0])
-    lost = (count != 0.0) & (top.m1 < NEAR)
-    factor = xp.where(lost, math.nan, count)
-    grown = [x + xp.where(count == 0.0, 0.0, factor * (y - x)) for x, y in zip(start_change[:6], once, strict=True)]
-    short = derivative_columns(lambda *s: flow(s, rest, top.D, top.tilt), start)
-    later = flow(start, rest, top.D, top.tilt)
-    moved = _applied(short, (*grown, *start_change[6:]))
-    times = (time, changes[4], I1_change, I3_change)
-    return _assembled(xp, top, (later, moved, start, start_change), times, phases)
+    G, a = top.G, top.L3
+    start, change, (dG, da, dI1, dI3) = _scaled(xp, top, changes)
+    course = _course(xp, top, time)
+    invariants = _invariants(xp, top, start, change, dG, da)
+    nutation = Nutation(G, a, top.c, top.energy, top.s2, top.d, top.A, top.B)
+    added = added_by_nutation(nutation, start, invariants)
+    grown = [x + xp.where(course.count == 0.0, 0.0, course.count * y) for x, y in zip(change, added, strict=True)]
+    parts = tuple(f(v) for v in start for f in (xp.real, xp.imag))
+    later, columns = derivative_columns(lambda *s: flow(s, course.rest, top.D, top.tilt), (*parts, G, a))
+    moved = _applied(columns, (*(f(v) for v in grown for f in (xp.real, xp.imag)), dG, da))
+    stood = _stood(xp, top, course, (start, _paired(later)), (change, moved), invariants)
+    endless = top.permanent | top.separatrix
+    moved = tuple(xp.where(endless, x, y) for x, y in zip(stood, moved, strict=True))
+    times = (time, changes[4], dI1, dI3)
+    return _assembled(xp, top, (attitude, momentum), moved, da, times, course.phases)
 
 
-def _scaled(
-    xp: Any, top: TangentData, changes: tuple[Array, ...]
-) -> tuple[tuple[Array, ...], tuple[Array, ...], Array, Array]:
-    """Return (α, β, w, G, a), its change, and those of I1 and I3, in the units of the reduction."""
+def _scaled(xp: Any, top: TangentData, changes: tuple[Array, ...]) -> tuple[Vector, Vector, tuple[Array, ...]]:
+    """Return (α, β, w), its change, and those of G, a, I1 and I3, in the units of the reduction."""
     d_moments, d_mgl, d_momentum, d_attitude = changes[:4]
     sense = xp.where(top.reversed, -1.0, 1.0)
     dL1, dL2, dL3 = (d_momentum[..., k] / top.momentum_scale for k in range(3))
@@ -119,15 +149,22 @@ def _scaled(
     q = tuple(v / size for v in (top.w, top.x, top.y, top.z))
     along = sum(u * v for u, v in zip(q, change, strict=True))
     dq = tuple((v - u * along) / size for u, v in zip(q, change, strict=True))
-    start = (q[0], q[3], q[1], q[2], top.L1, top.L2, top.G, top.L3)
-    return start, (dq[0], dq[3], dq[1], dq[2], dL1, dL2, dG, dL3), dI1, dI3
+    start = (q[0] + 1j * q[3], q[1] + 1j * q[2], top.L1 + 1j * top.L2)
+    return start, (dq[0] + 1j * dq[3], dq[1] + 1j * dq[2], dL1 + 1j * dL2), (dG, dL3, dI1, dI3)
 
 
-def _reduced_time(xp: Any, top: TangentData, time: Array) -> tuple[Array, Array, tuple[Any, ...]]:
-    """Return τ less whole periods, their number, and the phases of α and β: per period, and in all.
+def _invariants(xp: Any, top: TangentData, start: Vector, change: Vector, dG: Array, da: Array) -> Invariants:
+    """Return the changes of ε = |w|² − G s, c = 2 Im β̄αw − a s, a and G."""
+    alpha, beta, w = start
+    d_alpha, d_beta, d_w = change
+    conj = xp.conj
+    s, ds = 2.0 * xp.real(conj(beta) * beta), 4.0 * xp.real(conj(beta) * d_beta)
+    d_twist = conj(d_beta) * (alpha * w) + (conj(beta) * w) * d_alpha + (conj(beta) * alpha) * d_w
+    energy = 2.0 * xp.real(conj(w) * d_w) - top.G * ds - s * dG
+    return Invariants(energy, 2.0 * xp.imag(d_twist) - top.L3 * ds - s * da, da, dG)
 
-    Without a period none is taken out, and the rest is NaN where it is too long to be followed.
-    """
+
+def _course(xp: Any, top: TangentData, time: Array) -> _Course:
     endless = top.separatrix | top.permanent
     zero = (0.0 * top.I1, 0.0 * top.I1)
     nutation = dd.where(endless, dd.one_like(top.I1), (top.nutation, top.nutation_rest))
@@ -135,64 +172,115 @@ def _reduced_time(xp: Any, top: TangentData, time: Array) -> tuple[Array, Array,
     per_time = dd.divide(dd.scale(nutation, top.rate_scale), dd.multiply_float(pi, top.I1))
     halves = split_halves(time)
     fraction, low, count = reduced_phase(split_rate(*dd.where(endless, zero, per_time)), halves)
-    rate = xp.sqrt(top.L1 * top.L1 + top.L2 * top.L2 + top.L3 * top.L3 + 2.0 * top.G)
-    elapsed = time * top.rate_scale / top.I1
-    followed = xp.where(xp.abs(elapsed) * rate > LONGEST, math.nan, elapsed)
-    rest = xp.where(endless, followed, (fraction + low) * math.pi / nutation[0])
-    inverse = dd.divide((dd.INVERSE_TWO_PI[0] + zero[0], dd.INVERSE_TWO_PI[1] + zero[0]), dd.from_float(top.I1))
-    half_spin = dd.scale(dd.multiply((top.spin, top.spin_rest), inverse), 0.5 * top.rate_scale)
-    once, total = [], []
-    for linear, sign, sense in (
-        ((top.alpha, top.alpha_rest), top.sign_alpha, 1.0), ((top.beta, top.beta_rest), top.sign_beta, -1.0),
-    ):  # fmt: skip
-        turn = dd.scale(dd.add(dd.divide(linear, nutation), dd.from_float(sign)), 0.5)  # of a period, in turns
-        turn = dd.where(endless, zero, turn)
-        a, b, _ = reduced_phase(split_rate(*turn), split_halves(count))
-        c, d, _ = reduced_phase(split_rate(*dd.scale(half_spin, sense)), halves)
-        once.append((turn[0] - xp.round(turn[0])) + turn[1])
-        total.append((a + c) + (b + d))
-    return rest, count, (tuple(once), tuple(total))
+    more = _nutations_more(xp, top.place, fraction + low)
+    count, fraction = xp.where(endless, 0.0, count + more), fraction - more
+    tau = dd.divide(dd.scale(dd.from_float(time), top.rate_scale), dd.from_float(top.I1))
+    rate = 0.5 * xp.sqrt(xp.where(top.separatrix, xp.abs(top.D), 1.0))
+    end = top.place + rate * tau[0]
+    end = xp.minimum(xp.maximum(end, xp.minimum(top.place, -UPRIGHT)), xp.maximum(top.place, UPRIGHT))
+    climb = xp.where(top.separatrix, xp.where(xp.abs(end) < UPRIGHT, tau[0], (end - top.place) / rate), 0.0)
+    rest = xp.where(endless, climb, (fraction + low) * math.pi / nutation[0])
+    return _Course(count, rest, tau, _phases(xp, top, nutation, halves, count))
 
 
-def _applied(columns: tuple[Array, ...], change: tuple[Array, ...]) -> list[Array]:
-    """Return Σ_k column k × change k of every output."""
-    return [sum(c[k, ...] * x for k, x in enumerate(change)) for c in columns]
+def _nutations_more(xp: Any, place: Array, fraction: Array) -> Array:
+    """Return the whole nutations to take out beside those that leave ``fraction``.
+
+    From one side of the lowest point to the other, the way leads down and up again or through the top; by e^K per half
+    nutation the former loses twice the shorter leg, the latter twice what is left of a half nutation.
+    """
+    end = place + fraction
+    more = xp.round(end)
+    end = end - more
+    here, there = 2.0 * xp.abs(place), 2.0 * xp.abs(end)
+    over = (place * end < 0) & (1.0 - here - there < xp.minimum(here, there))
+    return more + xp.where(over, xp.where(end > 0, 1.0, -1.0), 0.0)
 
 
-def _turned_back(change: list[Array], turns: tuple[Array, Array]) -> list[Array]:
-    """Return (α, β, w) less the phases of one period."""
-    xp = namespace(*change)
+def _phases(
+    xp: Any, top: TangentData, nutation: DoubleDouble, halves: tuple[Array, Array], count: Array
+) -> tuple[Array, Array]:
+    """Return the turns of α and β in whole nutations, by the spin that I3 ≠ I1 adds, and while standing."""
+    zero = 0.0 * top.I1
+    endless = top.separatrix | top.permanent
+    inverse = dd.divide((dd.INVERSE_TWO_PI[0] + zero, dd.INVERSE_TWO_PI[1] + zero), dd.from_float(top.I1))
+    half_spin = dd.scale((top.spin, top.spin_rest), 0.5)
     out: list[Array] = []
-    for k, angle in enumerate((turns[0], turns[1], turns[1] - turns[0])):
-        c, s = xp.cos(2.0 * math.pi * angle), xp.sin(2.0 * math.pi * angle)
-        x, y = change[2 * k], change[2 * k + 1]
-        out += [x * c + y * s, y * c - x * s]
-    return out
+    for linear, sign, sense, stands in (
+        ((top.alpha, top.alpha_rest), top.sign_alpha, 1.0, endless & ~top.hanging),
+        ((top.beta, top.beta_rest), top.sign_beta, -1.0, top.hanging),
+    ):  # fmt: skip
+        turn = dd.scale(dd.add(dd.divide(linear, nutation), dd.from_float(sign)), 0.5)  # of a nutation, in turns
+        turn = dd.where(endless, (zero, zero), turn)
+        own = dd.add(dd.scale(half_spin, sense), dd.from_float(xp.where(stands, 0.5 * sense * top.L3, 0.0)))
+        x, x_rest, _ = reduced_phase(split_rate(*turn), split_halves(count))
+        y, y_rest, _ = reduced_phase(split_rate(*dd.scale(dd.multiply(own, inverse), top.rate_scale)), halves)
+        out.append((x + y) + (x_rest + y_rest))
+    return out[0], out[1]
 
 
-def _assembled(xp: Any, top: TangentData, motion: Any, times: Any, phases: Any) -> tuple[Array, Array]:
-    """Add the changes of τ = t/I1 and of the spin ν t, turn by the phases, and go back to the given axes and units."""
-    later, moved, start, start_change = motion
+def _applied(columns: tuple[Array, ...], change: tuple[Array, ...]) -> Vector:
+    """Return Σ_k column k × change k of every output."""
+    return _paired(tuple(sum(c[k, ...] * x for k, x in enumerate(change)) for c in columns))
+
+
+def _paired(parts: tuple[Array, ...]) -> Vector:
+    ar, ai, br, bi, wr, wi = parts
+    return ar + 1j * ai, br + 1j * bi, wr + 1j * wi
+
+
+def _stood(
+    xp: Any, top: TangentData, course: _Course, values: tuple[Vector, Vector], changes: tuple[Vector, Vector],
+    by: Invariants,
+) -> Vector:  # fmt: skip
+    """Return the changes of a top that stands, from the epoch on or from the end of its climb, α's phase ½aτ taken off."""
+    permanent, hanging = top.permanent, top.hanging
+    begin = xp.where(permanent, 0.0, course.rest)
+    now, change = (tuple(xp.where(permanent, x, y) for x, y in zip(*v, strict=True)) for v in (values, changes))
+    growth = top_standing.growth(dd.scale((top.D, top.D_rest), 0.25), course.tau, begin, ~permanent)
+    sense = xp.where(hanging, -1.0, 1.0)
+    a, da = sense * top.L3, sense * by.a
+    of = da, xp.where(hanging, 2.0 * da, by.c + 2.0 * da)
+    found = top_standing.upright_change(
+        sense * top.G, a, top_standing.reversed_axis(hanging, now), top_standing.reversed_axis(hanging, change), of,
+        growth,
+    )  # fmt: skip
+    # α's phase of the climb is in the flow
+    back = xp.exp(-0.5j * a * begin)
+    found = (found[0] * back, found[1], found[2] * xp.conj(back))
+    idle = top_standing.resting_change(values[0], changes[0], (by.G, by.a), course.tau[0])
+    resting = (top.G == 0) & (top.L3 == 0)
+    return tuple(
+        xp.where(resting, x, y) for x, y in zip(idle, top_standing.given_axis(hanging, found), strict=True)
+    )
+
+
+def _assembled(
+    xp: Any, top: TangentData, state: tuple[Array, Array], moved: Vector, da: Array, times: Any,
+    phases: tuple[Array, Array],
+) -> tuple[Array, Array]:  # fmt: skip
+    """Turn by the phases, add the changes of τ = t/I1 and of the spin ν t, and go back to the given axes and units."""
     time, d_time, dI1, dI3 = times
-    I1, I3 = top.I1, top.I3
-    a, da = start[7], start_change[7]
+    I1, I3, a = top.I1, top.I3, top.L3
     scaled, d_scaled = time * top.rate_scale, d_time * top.rate_scale
     d_tau = (d_scaled - scaled * (dI1 / I1)) / I1
     spin = a * (I1 - I3) / (I1 * I3)
     d_spin = da * (I1 - I3) / (I1 * I3) + a * (dI1 / (I1 * I1) - dI3 / (I3 * I3))
     d_half = 0.5 * (d_spin * scaled + spin * d_scaled)
-    flowed = slopes((*later, *start[6:]))
-    moved = [x + v * d_tau for x, v in zip(moved, flowed, strict=True)]
+    turned, sense = top.reversed, xp.where(top.reversed, -1.0, 1.0)
+    w, x, y, z = (state[0][..., k] for k in range(4))
+    wr, wi = state[1][..., 0] / top.momentum_scale, sense * state[1][..., 1] / top.momentum_scale
+    now = (xp.where(turned, -x, w), xp.where(turned, -y, z), xp.where(turned, w, x), xp.where(turned, z, y), wr, wi)
+    flowed = _paired(slopes((*now, top.G, a)))
+    first, second = phases
     out: list[Array] = []
-    turns = (phases[1][0], phases[1][1], phases[1][1] - phases[1][0])
-    for k, (angle, share) in enumerate(zip(turns, (1.0, -1.0, -2.0), strict=True)):
-        x, y = later[2 * k], later[2 * k + 1]
-        dx, dy = moved[2 * k] - share * d_half * y, moved[2 * k + 1] + share * d_half * x
-        c, s = xp.cos(2.0 * math.pi * angle), xp.sin(2.0 * math.pi * angle)
-        out += [dx * c - dy * s, dx * s + dy * c]
+    for value, slope, change, turn, share in zip(
+        _paired(now), flowed, moved, (first, second, second - first), (1.0, -1.0, -2.0), strict=True
+    ):
+        angle = 2.0 * math.pi * turn
+        change = change * (xp.cos(angle) + 1j * xp.sin(angle)) + slope * d_tau + 1j * value * (share * d_half)
+        out += [xp.real(change), xp.imag(change)]
     ar, ai, br, bi, wr, wi = out
-    sense = xp.where(top.reversed, -1.0, 1.0)
-    turned = top.reversed
     attitude = (
         xp.where(turned, br, ar), xp.where(turned, -ar, br), xp.where(turned, -ai, bi), xp.where(turned, bi, ai),
     )  # fmt: skip

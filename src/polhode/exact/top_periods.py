@@ -1,0 +1,102 @@
+"""What whole nutations of a Lagrange top add to a perturbation: the Hessian of the action, in closed form.
+
+After one nutation T the motion is back but for phases θ_α, θ_β of α and β. T and both phases are first derivatives of the
+action J(ε, c, a, G) = ∮ √f/(s t) ds with f = s t (ε + G s) − (c + a s)² = u̇², ε = |w|² − G s:
+T = 2 J_ε, θ_α = ½(a T − J_a), θ_β = −J_c − θ_α. Of its second derivatives the poles drop out: all are sums of
+I_k = ∮ s^k f^{−3/2} ds, finite parts, which the complete integrals B = ∫cos²/Δ and D = ∫sin²/Δ give with no difference
+that cancels, whatever roots of f coincide, at the steady top and beside the separatrix.
+Source: Arnold, *Mathematical Methods of Classical Mechanics*, §50, for action and angles; DLMF 19.2 and 19.25(i).
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+from polhode.arrays import namespace
+from polhode.special.carlson import carlson_rd
+
+Array = Any
+SMALL_PARAMETER = 0.1  # up to which (D − B)/m is summed as a series
+TERMS = 18  # of it: 0.1^18
+
+
+class Nutation(NamedTuple):
+    """A top's invariants and turning points, one plain array each, each as sharp as it can be had."""
+
+    G: Array
+    a: Array
+    c: Array  # p_φ − L3
+    energy: Array  # ε
+    s2: Array  # 1 − u2
+    d: Array  # u2 − u1
+    A: Array  # G (u3 − u1)
+    B: Array  # G (u3 − u2)
+
+
+class Invariants(NamedTuple):
+    """Changes of ε, c, a and G."""
+
+    energy: Array
+    c: Array
+    a: Array
+    G: Array
+
+
+def moments_of_nutation(top: Nutation) -> tuple[tuple[Array, ...], Array]:
+    """Return I_0 … I_3 and the period T by τ."""
+    xp = namespace(top.A)
+    m, m1 = top.G * top.d / top.A, top.B / top.A
+    one = xp.ones_like(m1)
+    # D = R_D(0, m1, 1)/3, B = m1 R_D(0, 1, m1)/3
+    both = carlson_rd(xp.zeros_like(xp.stack([m1, m1])), xp.stack([m1, one]), xp.stack([one, m1])) / 3.0
+    D, B = both[0], m1 * both[1]
+    small = m < SMALL_PARAMETER
+    gap = xp.where(small, _gap(m), (D - B) / xp.where(small, 1.0, m))
+    third = xp.where(m < 0.5, gap - (B + D) - 2.0 * m1 * D, (m1 * (1.0 - 2.0 * m) * D - (1.0 + m) * B) / (m + m1 * small))
+    inverse = top.G / top.B  # 1/(u3 − u2)
+    scale = 4.0 / (top.A * xp.sqrt(top.A))
+    q0, q1 = scale * third * inverse * inverse, scale * (B + 2.0 * m1 * D) * inverse
+    q2, q3 = -scale * (B + (1.0 - 2.0 * m) * D), -scale * (B + 2.0 * m1 * D) * top.d
+    s = top.s2
+    moments = (q0, s * q0 + q1, s * (s * q0 + 2.0 * q1) + q2, s * (s * (s * q0 + 3.0 * q1) + 3.0 * q2) + q3)
+    return moments, 4.0 * (B + D) / xp.sqrt(top.A)
+
+
+def _gap(m: Array) -> Array:
+    """Return (D − B)/m = ∫ sin² cos² Δ^−3 by its power series."""
+    ratios = [(n + 1.5) * (n + 1.5) / ((n + 1.0) * (n + 3.0)) for n in range(TERMS)]
+    total = 1.0 + 0.0 * m
+    for ratio in ratios[::-1]:
+        total = 1.0 + ratio * m * total
+    return 0.19634954084936207 * total  # π/16
+
+
+def added_by_nutation(
+    top: Nutation, start: tuple[Array, Array, Array], change: Invariants
+) -> tuple[Array, Array, Array]:
+    """Return what one nutation adds to the changes of α, β and w, after its phases are turned back.
+
+    That is −ẏ δT and the turns by δθ_α and δθ_β, with a δT taken out of each where it cancels.
+
+    Args:
+        top: the nutation.
+        start: α, β and w, complex.
+        change: of the invariants.
+    """
+    (I0, I1, I2, I3), period = moments_of_nutation(top)
+    G, a, c, energy = top[:4]
+    e_c, e_a = 0.5 * (c * I0 + a * I1), 0.5 * (c * I1 + a * I2)
+    de, dc, da, dG = change
+    dT = 2.0 * (0.25 * (I2 - 2.0 * I1) * de + e_c * dc + e_a * da + 0.25 * (I3 - 2.0 * I2) * dG)
+    mixed = energy * I1 + G * I2
+    dJc = e_c * de - (energy * I0 + G * I1) * dc - mixed * da + e_a * dG
+    dJa = e_a * de - mixed * dc - (energy * I2 + G * I3) * da + 0.5 * (c * I2 + a * I3) * dG
+    alpha, beta, w = start
+    namespace_of = namespace(period)
+    turned = 0.5 * (dJa - period * da)
+    conj = namespace_of.conj
+    return (
+        0.5 * conj(w) * beta * dT - 1j * alpha * turned,
+        -0.5 * w * alpha * dT + 1j * beta * (turned - dJc),
+        -G * conj(alpha) * beta * dT + 1j * w * (2.0 * turned - dJc - a * dT),
+    )
