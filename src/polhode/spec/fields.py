@@ -88,6 +88,8 @@ def _within(least: float, most: float, what: str) -> Callable[[float], float]:
         return value
 
     return check
+
+
 def _thickness(value: float) -> float:
     if value < 0:
         raise ValueError(f"must not be negative; got {value:g} m. Check its sign, or leave it out for a thin disk")

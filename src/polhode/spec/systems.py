@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Annotated, ClassVar, Literal
 
+from pydantic import Field
+
 from polhode.spec.dissipation import LawTable
 from polhode.spec.fields import (
     Acceleration,
@@ -133,7 +135,7 @@ class EulerDiskTable(SystemTable):
     spin: Rate | None = None
     tilt_rate: Rate | None = None
     center_velocity: Velocity | None = None
-    dissipation: list[LawTable] = []
+    dissipation: Annotated[list[LawTable], Field(default_factory=list)]
 
 
 SYSTEMS: dict[str, type[SystemTable]] = {
