@@ -33,7 +33,7 @@ def reports(tmp_path_factory):
 
 def test_all_are_there(reports):
     free = "t_handle t_handle_parts book smartphone water earth apophis spacecraft"
-    others = {"top", "gyroscope", "explorer_1", "dual_spin", "hyperion"}
+    others = {"top", "gyroscope", "explorer_1", "dual_spin", "hyperion", "euler_disk"}
     assert set(reports) == set(free.split()) | others
 
 
@@ -76,6 +76,19 @@ def test_hyperion_is_chaotic(reports):
     assert report["lyapunov_exponent"] / report["mean_motion"] == pytest.approx(0.12, abs=0.02)
     assert report["orbital_period"] == pytest.approx(21.28 * DAY, rel=1e-14)
     assert max(report["drift"].values()) < 1e-11
+
+
+def test_the_disk_ends_by_air(reports):
+    disk = reports["euler_disk"]
+    down, (air, couple) = disk["spin_down"], disk["laws"]
+    # a cylinder by hand
+    assert disk["diametral_moment"] == pytest.approx(0.4387 * (0.0381**2 / 4 + 0.0127**2 / 12), rel=1e-12)
+    assert disk["steady"]["stability"]["verdict"] == "stable" and list(down["events"])[-1] == "flat"
+    # rolling friction at first, air in the end
+    assert couple["share"] > 0.9 and down["dominant_law"] == air["law"] == "air-layer"
+    assert 60.0 < down["end"] < 120.0 and abs(disk["end_time"] - down["end"]) < 0.1
+    assert 1 / 3 < down["tilt_exponent"]["fitted"] < 0.4 and down["energy_balance"] < 1e-10
+    assert disk["normal_force_minimum_of_weight"] > 0.15 and len(disk["notes"]) == 2
 
 
 def test_t_handle_mesh_and_parts_agree(reports):

@@ -76,7 +76,7 @@ def _bar(figure: Figure, panels: Any, clock: Array, words: str, ends: bool) -> N
 
 def _faded(axes: Any, line: Array, shade: Array, colour: str, order: int) -> None:
     """Draw a line (T, 2) that grows from pale to full colour, and where it ends."""
-    pieces = np.stack([line[:-1], line[1:]], axis=1)
+    pieces: Any = np.stack([line[:-1], line[1:]], axis=1)
     drawn = LineCollection(pieces, colors=_fade(colour)(shade[1:]), linewidths=1.1, zorder=order, capstyle="round")
     axes.add_collection(drawn)
     axes.plot(*line[-1], "o", ms=4.5, color=colour, mec="white", mew=0.6, zorder=5)

@@ -20,13 +20,14 @@ BELOW = 3.0  # factor by which a panel reaches beyond what comes before the fall
 
 def draw_disk_end(report: EulerDiskReport) -> Figure:
     """Return tilt and rate of precession, with fits and events where the motion has a finite end."""
-    states = np.asarray(report.trajectory.states)
+    found, motion = report.spin_down, report.trajectory if report.laws else report.path
+    states = np.asarray(motion.states)
     tilt, precession = np.degrees(states[:, 0]), np.asarray(report.disk.precession(states))
     figure = style.new_figure(height=3.8)
     panels = figure.subplots(2, 1, sharex=True)
-    found = report.spin_down
     if found is None or found.remaining is None:
-        _against_time(panels, np.asarray(report.trajectory.times), (tilt, precession))
+        words = "" if motion.times[-1] == report.trajectory.times[-1] else ", first turns"
+        _against_time(panels, np.asarray(motion.times), (tilt, precession), words)
     else:
         _towards_the_end(panels, found, (tilt, np.abs(precession)))
         figure.legend(*panels[0].get_legend_handles_labels(), loc="outside upper center", ncols=2,
@@ -39,7 +40,7 @@ def draw_disk_end(report: EulerDiskReport) -> Figure:
     return figure
 
 
-def _against_time(panels: Any, times: Array, values: tuple[Array, Array]) -> None:
+def _against_time(panels: Any, times: Array, values: tuple[Array, Array], words: str) -> None:
     slow = style.power_of_ten((times[0], times[-1]))
     for axes, y in zip(panels, values, strict=True):
         axes.plot(times / 10.0**slow, y, color=style.BLUE, lw=1.0)
@@ -47,7 +48,7 @@ def _against_time(panels: Any, times: Array, values: tuple[Array, Array]) -> Non
             middle = float(np.mean(y))
             axes.set_ylim(*sorted((0.9 * middle, 1.1 * middle)))
     panels[1].set_xlim(times[0] / 10.0**slow, times[-1] / 10.0**slow)
-    panels[1].set_xlabel(f"time  [{style.factor(slow)}s]")
+    panels[1].set_xlabel(f"time{words}  [{style.factor(slow)}s]")
 
 
 def _towards_the_end(panels: Any, found: SpinDown, values: tuple[Array, Array]) -> None:

@@ -149,9 +149,7 @@ def _dense(disk: EulerDisk, state: Array, since: float, span: float, samples: in
     return Path(np.concatenate(times), np.concatenate(states), status)
 
 
-def _shares(
-    table: EulerDiskTable, disk: EulerDisk, trajectory: Trajectory, found: SpinDown | None
-) -> list[LawShare]:
+def _shares(table: EulerDiskTable, disk: EulerDisk, trajectory: Trajectory, found: SpinDown | None) -> list[LawShare]:
     """Return what each law takes."""
     states = jnp.asarray(trajectory.states)
     tilt = jnp.minimum(states[:, 0], jnp.pi - states[:, 0])

@@ -95,7 +95,7 @@ class EulerDiskReport(AbstractReport):
         end_by_energy: t0 by energy alone [s], None where it diverges or there is no such end.
         path: the last turns of the contact of a motion that is followed to its end, else the first ones.
         opening: of a motion that is followed to its end, the first turn.
-        thresholds: speed [m/s] and rate [rad/s] above which upright rolling and spinning are stable; None if not upright.
+        thresholds: speed [m/s] and rate [rad/s] above which upright rolling and spinning are stable; None elsewhere.
     """
 
     kind: ClassVar[str] = "euler-disk"
@@ -227,7 +227,7 @@ class EulerDiskReport(AbstractReport):
     def sections(self) -> list[Section | Listing]:
         steady = self.steady
         rest = [] if steady is None else [
-            verdicts("This steady motion without dissipation, in tilt and rates", "motion", {
+            verdicts("Steady rolling at this tilt and precession without dissipation, in tilt and rates", "motion", {
                 f"tilt {math.degrees(float(steady.state[0])):.6g}°": steady.verdict,
             })
         ]  # fmt: skip
@@ -251,7 +251,7 @@ class EulerDiskReport(AbstractReport):
             ("turning of what is printed on it", rate(start["face_rate"])),
             ("spin about the axis", rate(start["spin"])),
             ("rate of the tilt", rate(start["tilt_rate"])),
-            ("nutation", None if not ratio else (rate(steady["nutation"]) or "") + of_precession),
+            ("small nutation", None if not ratio else (rate(steady["nutation"]) or "") + of_precession),
             ("rolls stably upright from", number(values["critical_rolling_speed"], "m/s")),
             ("spins stably upright from", rate(values["critical_spin_rate"])),
             ("energy", number(start["energy"], "J")),
@@ -287,7 +287,8 @@ class EulerDiskReport(AbstractReport):
 
     def _motion(self) -> Section:
         first, last = self.energies
-        force = f"{self.lowest_force:.6g} N = {self.lowest_force / (self.table.mass * self.table.gravity):.4g} of the weight"
+        lowest = self.lowest_force
+        force = f"{lowest:.6g} N = {lowest / (self.table.mass * self.table.gravity):.4g} of the weight"
         kept = "energy balance" if self.laws else "drift"
         return Section("Motion", [
             ("turns of the contact", number(self.turns)),

@@ -14,25 +14,22 @@ RATES = ("precession", "spin")
 
 def disk_rules(system: dict[str, Any]) -> Iterator[tuple[tuple[str | int, ...], str]]:
     """Yield where a raw table [system] of a disk breaks a rule, and how it is said."""
-    thickness, radius, tilt = (_value(system.get(key), unit) for key, unit in
-                               (("thickness", "m"), ("radius", "m"), ("tilt", "rad")))  # fmt: skip
-    if thickness is not None and radius is not None and radius > 0 and thickness > 2.0 * radius:
-        yield ("system", "thickness"), (
-            f"must be at most the diameter, {2.0 * radius:.6g} m: a disk is not thicker than wide; got "
-            f"{system['thickness']!r}. Check whether radius is a diameter, and the units"
+    measures = (("thickness", "m"), ("radius", "m"), ("tilt", "rad"))
+    thickness, radius, tilt = (_value(system.get(key), unit) for key, unit in measures)
+    if thickness is not None and radius is not None and 0.0 < 2.0 * radius < thickness:
+        text = f"must be at most the diameter, {2.0 * radius:.6g} m: a disk is not thicker than wide; got "
+        yield (
+            ("system", "thickness"),
+            f"{text}{system['thickness']!r}. Check whether radius is a diameter, and the units",
         )
     if thickness and tilt is not None and 0.5 * math.pi <= tilt < math.pi:
-        yield ("system", "tilt"), (
-            f"of a thick disk must be less than 90 deg; got {system['tilt']!r}. Beyond it rolls on its other rim: "
-            "turn it over"
-        )
+        text = f"of a thick disk must be less than 90 deg; got {system['tilt']!r}. Beyond it rolls on its other rim: "
+        yield ("system", "tilt"), f"{text}turn it over"
     if "spin" in system and "precession" not in system:
         yield ("system", "spin"), "goes with precession, which it follows from; give precession, or both to be checked"
     if "tilt_rate" in system and (missing := [key for key in RATES if key not in system]):
-        yield ("system", "tilt_rate"), (
-            f"is for a start that is not steady, and needs {' and '.join(missing)} beside it; leave it out for a "
-            "steady one"
-        )
+        text = f"is for a start that is not steady, and needs {' and '.join(missing)} beside it; leave it out else"
+        yield ("system", "tilt_rate"), text
     laws = system.get("dissipation")
     for k, law in enumerate(laws if isinstance(laws, list) else []):
         if isinstance(law, dict):

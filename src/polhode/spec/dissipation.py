@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import Annotated, Any, Literal, NamedTuple
 
-from pydantic import BeforeValidator, ValidationInfo
+from pydantic import BeforeValidator
 
 from polhode.spec.fields import Length, Viscosity, one_of
 from polhode.spec.models import Strict
@@ -48,8 +48,8 @@ LAWS = {
 KEYS = ("viscosity", "coefficient", "arm")
 
 
-def _coefficient(value: Any, info: ValidationInfo) -> float:
-    """Return it in the unit of its law; of a law that is wrong or takes none, nothing more is asked."""
+def _coefficient(value: Any, info: Any) -> float:
+    """Return it in the unit of its law, which pydantic has read before; a wrong law asks nothing more of it."""
     law = LAWS.get(info.data.get("law", ""))
     if law is None or law.key != "coefficient":
         return 0.0

@@ -135,7 +135,7 @@ class EulerDiskTable(SystemTable):
     spin: Rate | None = None
     tilt_rate: Rate | None = None
     center_velocity: Velocity | None = None
-    dissipation: Annotated[list[LawTable], Field(default_factory=list)]
+    dissipation: list[LawTable] = Field(default_factory=list)
 
 
 SYSTEMS: dict[str, type[SystemTable]] = {
