@@ -65,7 +65,7 @@ def _centers(report: EulerDiskReport, states: Array) -> Array:
 
 def _bar(figure: Figure, panels: Any, clock: Array, words: str, ends: bool) -> None:
     """Say what the strength of the colour means."""
-    norm = Normalize(*sorted((float(clock[0]), float(clock[-1]))))
+    norm = Normalize(float(clock.min()), float(clock.max()))
     bar = figure.colorbar(ScalarMappable(norm, _fade(style.DARK, reverse=ends)), ax=panels, fraction=0.05, pad=0.02)
     bar.set_label(words, size=style.FONT)
     bar.ax.tick_params(labelsize=style.FONT - 1, width=0.6, length=2.5)
