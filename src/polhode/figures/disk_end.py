@@ -69,7 +69,7 @@ def _towards_the_end(panels: Any, found: SpinDown, values: tuple[Array, Array]) 
                      label="samples fitted")  # fmt: skip
         for name, time in found.events.items():
             _mark(axes, name, time, found)
-        before = y[: first + found.tilt.samples]
+        before = y[np.asarray(found.trajectory.times) <= min(found.events.values(), default=np.inf)]
         axes.set_ylim(before.min() / BELOW, before.max() * BELOW)
         axes.yaxis.set_major_locator(LogLocator(10, subs=(1.0, 3.0)))
         axes.yaxis.set_major_formatter(FormatStrFormatter("%g"))
