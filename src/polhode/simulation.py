@@ -93,7 +93,7 @@ def _by_equal_steps(
 ) -> Trajectory:  # fmt: skip
     rate = fastest_rate(system, state)
     size = float(step) if step is not None else (STEP_ANGLE / rate if rate > 0 else math.inf)
-    size = min(size, float(np.ptp(times)))
+    size = min(size, float(np.abs(np.diff(times)).max()))  # no step is longer than from sample to sample
     if isinstance(method, AbstractOrbitSolver):
         _check_made(method, system, step, order)
     solver = _solver(system, method, size, order)

@@ -73,7 +73,7 @@ def drawn():
     return cases, jacobians(cases)
 
 
-@pytest.mark.sweep
+@pytest.mark.long
 def test_derivatives_in_every_family(announce):
     """Right where finite; finite but for tops without a period, or nearly so."""
     cases = draw_tops(1, 7, LONGEST)

@@ -127,7 +127,7 @@ def test_states_are_exact_in_every_family(engine, announce):
     check(engine, SUITE_PER_FAMILY, 1, announce)
 
 
-@pytest.mark.sweep
+@pytest.mark.long
 @pytest.mark.parametrize("engine", ENGINES)
 def test_sweep_of_all_families(engine, announce):
     check(engine, SWEEP_PER_FAMILY, 2024, announce)

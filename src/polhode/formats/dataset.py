@@ -25,6 +25,13 @@ _INVARIANTS = {
     "kinetic_energy": ("J", "kinetic energy"),
     "jacobi_integral": ("J", "Jacobi integral in the orbit's frame"),
     "energy_per_moment": ("rad2 s-2", "energy per moment about the spin's axis"),
+    "vertical_momentum": ("kg m2 s-1", "angular momentum about the vertical"),
+    "axial_momentum": ("kg m2 s-1", "angular momentum about the top's axis"),
+    "|Γ|²": ("1", "squared length of the upward direction"),
+    "Lagrange's Π·χ": ("kg m2 s-1", "angular momentum about the axis to the centre of mass"),
+    "Kovalevskaya's integral": ("s-4", "Kovalevskaya's integral"),
+    "Goryachev and Chaplygin's integral": ("s-3", "Goryachev and Chaplygin's integral"),
+    "Euler's |Π|²": ("kg2 m4 s-2", "squared angular momentum"),
     "momentum_norm": ("kg m2 s-1", "magnitude of the angular momentum"),
     "momentum_space": ("kg m2 s-1", "angular momentum along the space axes"),
 }

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import warnings
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any, ClassVar
 
 import numpy as np
@@ -28,7 +28,7 @@ from polhode.report.wording import (
     vector,
     verdicts,
 )
-from polhode.simulation import simulate
+from polhode.simulation import STEP_ANGLE, fastest_rate, simulate
 from polhode.spec.reading import Spec
 from polhode.spec.systems import HeavyTopTable, LagrangeTopTable
 from polhode.systems.heavy_top import ALONG, HeavyTop
@@ -47,6 +47,7 @@ class TopReport(AbstractReport):
         pivot: (3,) [m, given axes].
         verdicts: on the axis upright and hanging, at the spin about it that the motion starts with.
         free: whether the fixed point is the centre of mass.
+        warned: what the integrator had to say.
     """
 
     kind: ClassVar[str] = "heavy-top"
@@ -56,6 +57,7 @@ class TopReport(AbstractReport):
     trajectory: Trajectory
     verdicts: dict[str, Stability]
     free: bool
+    warned: tuple[str, ...] = ()
 
     @property
     def frame(self) -> BodyFrame:
@@ -71,23 +73,21 @@ class TopReport(AbstractReport):
     @property
     def notes(self) -> list[str]:
         note = "the fixed point is the centre of mass: the weight has no torque, the body is free."
-        return [note] if self.free else []
+        found = [note] if self.free else []
+        return found + [str(warning) for warning in self.warned]
 
     @property
     def summary(self) -> str:
+        if self.free:
+            return "The fixed point is the centre of mass: the body turns freely."
         low, high = np.degrees(np.arccos(np.clip(self.axis_in_space[:, 2].max(), -1, 1))), np.degrees(
             np.arccos(np.clip(self.axis_in_space[:, 2].min(), -1, 1)))  # fmt: skip
         case = "" if self.top.case is None else f" It is {self.top.case[0]}'s case, with a third integral."
         return f"The axis to the centre of mass leans between {low:.5g}° and {high:.5g}° from the vertical.{case}"
 
-    def _invariants(self, values: dict[str, Any]) -> dict[str, Any]:
-        """Return what is kept, the Casimirs of se(3)* called by what they are here."""
-        names = {"|P|²": "|Γ|²", "Π·P": "vertical_momentum"}
-        return {names.get(name, name): value for name, value in values.items() if name != "linear_space"}
-
     def values(self) -> dict[str, Any]:
         tilt = np.arccos(np.clip(self.axis_in_space[:, 2], -1.0, 1.0))
-        first = {name: np.asarray(value)[0] for name, value in self._invariants(self.trajectory.invariants).items()}
+        first = {name: np.asarray(value)[0] for name, value in self.trajectory.invariants.items()}
         return {
             "mass": self.frame.mass,
             "center_of_mass": self.frame.center_of_mass,
@@ -101,7 +101,7 @@ class TopReport(AbstractReport):
             "invariants": first,
             "equilibria": {name: stability_values(found) for name, found in self.verdicts.items()},
             "status": self.trajectory.status,
-            "units": UNITS,
+            "units": UNITS | {f"invariants.{name}": INVARIANT_UNITS[name] for name in first},
         }
 
     def sections(self) -> list[Section | Listing]:
@@ -115,26 +115,37 @@ class TopReport(AbstractReport):
             ("weight × distance mgl", number(values["mgl"], "N m")),
             ("integrable case", values["integrable_case"] or "none"),
         ])  # fmt: skip
-        return [body, verdicts("Axis to the centre of mass at rest", "position", self.verdicts), self.motion()]
+        standing = [verdicts("Axis to the centre of mass at rest", "position", self.verdicts)] if self.verdicts else []
+        return [body, *standing, self.motion()]
 
     def motion(self) -> Section:
         """Return what is said of the motion."""
         values = self.values()
-        kept = [(name.replace("_", " "), vector(x) if np.ndim(x) else number(float(x)))
+        kept = [(name.replace("_", " "), number(float(x), INVARIANT_UNITS[name]))
                 for name, x in values["invariants"].items()]  # fmt: skip
         lean = values["tilt"]
-        lines = [("smallest tilt", angle(lean["smallest"])), ("largest tilt", angle(lean["largest"]))]
-        return Section("Motion", [*lines, *kept, ("drift", drifts(self._invariants(self.trajectory.drift)))])
+        lines = [("smallest tilt sampled", angle(lean["smallest"])), ("largest tilt sampled", angle(lean["largest"]))]
+        return Section("Motion", [*lines, *kept, ("drift", drifts(self.trajectory.drift))])
 
 
 UNITS = {
     "mass": "kg", "center_of_mass": "m, given axes", "pivot": "m, given axes",
     "principal_moments": "kg m², about the pivot", "principal_axes": "columns, in the given frame",
-    "axis": "direction from pivot to centre of mass, principal axes", "mgl": "N m", "tilt": "rad",
-    "invariants": "SI", "equilibria.rate": "1/s", "nutation_limits": "cos of the tilt", "nutation_period": "s",
-    "precession_per_period": "rad", "spin_per_period": "rad", "precession_rate": "rad/s", "spin_rate": "rad/s",
-    "steady_precession": "rad/s", "sleeping_threshold": "rad/s", "spin": "rad/s", "start_tilt": "rad",
+    "axis": "direction from pivot to centre of mass, principal axes", "mgl": "N m", "tilt": "rad, of the samples",
+    "equilibria.rate": "1/s",
 }  # fmt: skip
+LAGRANGE_UNITS = {
+    "energy": "J", "nutation_limits": "cos of the tilt", "nutation_period": "s", "precession_per_period": "rad",
+    "spin_per_period": "rad", "precession_rate": "rad/s", "spin_rate": "rad/s", "steady_precession": "rad/s",
+    "sleeping_threshold": "rad/s", "spin": "rad/s", "start_tilt": "rad",
+}  # fmt: skip
+INVARIANT_UNITS = {
+    "energy": "J", "vertical_momentum": "kg m²/s", "axial_momentum": "kg m²/s", "|Γ|²": "",
+    "Euler's |Π|²": "kg² m⁴/s²", "Lagrange's Π·χ": "kg m²/s", "Kovalevskaya's integral": "1/s⁴",
+    "Goryachev and Chaplygin's integral": "1/s³",
+}  # fmt: skip
+NAMES = {"|P|²": "|Γ|²", "Π·P": "vertical_momentum"}  # the Casimirs of se(3)*, called by what they are here
+MOST_STEPS = 30_000_000  # some ten minutes
 
 
 @dataclass(frozen=True)
@@ -148,17 +159,19 @@ class LagrangeTopReport(TopReport):
     """
 
     kind: ClassVar[str] = "lagrange-top"
-    exact: LagrangeMotion
-    steady: SteadyPrecession | None
-    threshold: float
+    exact: LagrangeMotion = field(kw_only=True)
+    steady: SteadyPrecession | None = field(kw_only=True)
+    threshold: float = field(kw_only=True)
 
     @property
     def summary(self) -> str:
         exact, period = self.exact, self.exact.nutation_period
         words = _REGIMES[exact.regime]
+        if exact.regime == "sleeping" and abs(self.values()["spin"]) < self.threshold:
+            words = "The top stands upright, spinning too slowly to sleep: the least push fells it."
         if period is None:
             return words
-        mean = exact.precession_rate
+        mean = None if exact.regime == "planar" else exact.precession_rate
         turn = "" if mean is None else f" and precesses at {mean:.6g} rad/s on average"
         return f"{words} It nutates every {period:.6g} s{turn}."
 
@@ -173,10 +186,12 @@ class LagrangeTopReport(TopReport):
             "nutation_period": exact.nutation_period,
             "precession_per_period": exact.precession_per_period,
             "spin_per_period": exact.spin_per_period,
-            "precession_rate": exact.precession_rate,
-            "spin_rate": exact.spin_rate,
+            # in a plane both only jump by half turns, through the verticals
+            "precession_rate": None if exact.regime == "planar" else exact.precession_rate,
+            "spin_rate": None if exact.regime == "planar" else exact.spin_rate,
             "steady_precession": None if self.steady is None else self.steady._asdict(),
             "sleeping_threshold": self.threshold,
+            "units": super().values()["units"] | LAGRANGE_UNITS,
         }
 
     def motion(self) -> Section:
@@ -232,8 +247,28 @@ def heavy_top_report(spec: Spec, table: HeavyTopTable, times: Array | None) -> T
                       momentum=np.asarray(top.axes) @ momentum)  # fmt: skip
     if times is None:
         times = np.linspace(0.0, PERIODS * _natural_period(top, momentum), spec.samples)
-    trajectory = simulate(top, state, times, step=table.step, order=table.order)
-    return TopReport(spec, top, np.asarray(table.pivot), trajectory, _verdicts(top, momentum), free)
+    _check_length(top, state, times, table.step)
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always", UserWarning)
+        trajectory = _called(simulate(top, state, times, step=table.step, order=table.order))
+    warned = tuple(str(warning.message) for warning in caught)
+    return TopReport(spec, top, np.asarray(table.pivot), trajectory, _verdicts(top, momentum), free, warned)
+
+
+def _check_length(top: HeavyTop, state: Array, times: Array, step: float | None) -> None:
+    rate = fastest_rate(top, state)
+    steps = float(np.ptp(times)) / (step or (STEP_ANGLE / rate if rate else np.inf))
+    if steps > MOST_STEPS:
+        raise InvalidInput(
+            f"`time.until` of {float(times[-1]):g} s would take {steps:.1e} steps; at most {MOST_STEPS:.0e} are "
+            'taken here. Check the unit, give a shorter time or a longer `step`, or kind = "lagrange-top" if it is one.'
+        )
+
+
+def _called(trajectory: Trajectory) -> Trajectory:
+    """Return the trajectory with its invariants called by what they are for a top."""
+    rename = lambda values: {NAMES.get(k, k): v for k, v in values.items() if k != "linear_space"}  # noqa: E731
+    return replace(trajectory, invariants=rename(trajectory.invariants), drift=rename(trajectory.drift))
 
 
 def lagrange_top_report(spec: Spec, table: LagrangeTopTable, times: Array | None) -> LagrangeTopReport:
@@ -256,7 +291,7 @@ def lagrange_top_report(spec: Spec, table: LagrangeTopTable, times: Array | None
     steady = steady_precession(moments, float(top.mgl), tilt, spin) if 1e-12 < tilt < math.pi - 1e-12 else None
     return LagrangeTopReport(
         spec, top, np.asarray(table.pivot), exact.sample(times), _verdicts(top, momentum), free,
-        exact, steady, sleeping_threshold(moments, float(top.mgl)),
+        exact=exact, steady=steady, threshold=sleeping_threshold(moments, float(top.mgl)),
     )  # fmt: skip
 
 
@@ -279,9 +314,17 @@ def _start(spec: Spec, table: HeavyTopTable | LagrangeTopTable, top: HeavyTop) -
         return momentum, attitude
     axis = axes @ np.asarray(top.axis)
     upright = rotation.normalize(_shortest(axis))
-    half = 0.5 * table.lean
-    leaning = rotation.multiply(np.array([math.cos(half), math.sin(half), 0.0, 0.0]), upright)
+    if float(top.mgl) == 0.0:
+        raise InvalidInput("`system.lean` needs a centre of mass apart from the fixed point; leave it out.")
+    leaning = rotation.multiply(np.array([*_half_turn(table.lean), 0.0, 0.0]), upright)
     return momentum, rotation.multiply(leaning, rotation.from_matrix(axes))
+
+
+def _half_turn(angle: float) -> tuple[float, float]:
+    """Return cosine and sine of half an angle from 0 to π, exact at its ends and alike at π/2."""
+    if abs(angle - 0.5 * math.pi) < 1e-15:
+        return math.sqrt(0.5), math.sqrt(0.5)
+    return (0.0, 1.0) if abs(angle - math.pi) < 1e-15 else (math.cos(0.5 * angle), math.sin(0.5 * angle))
 
 
 def _shortest(axis: Array) -> Array:

@@ -90,6 +90,12 @@ def _within(least: float, most: float, what: str) -> Callable[[float], float]:
     return check
 
 
+def _lean(value: float) -> float:
+    if not 0.0 <= value <= math.pi * (1.0 + 1e-15):
+        raise ValueError(f"must lie from 0 to 180 deg; got {math.degrees(value):g} deg. Check it")
+    return value
+
+
 def _thickness(value: float) -> float:
     if value < 0:
         raise ValueError(f"must not be negative; got {value:g} m. Check its sign, or leave it out for a thin disk")
@@ -153,6 +159,7 @@ Asphericity = Annotated[Plain, AfterValidator(_within(0.0, math.sqrt(3.0), "√(
 SpinRatio = Annotated[Plain, AfterValidator(_within(-30.0, 30.0, "turns per orbit, where resonances may be felt"))]
 Orbits = Annotated[StrictInt, Field(ge=1, le=100_000)]
 Thickness = Annotated[float, _reader("m"), AfterValidator(_thickness)]
+Lean = Annotated[Angle, AfterValidator(_lean)]
 Tilt = Annotated[Angle, AfterValidator(_standing)]
 Viscosity = Annotated[float, _reader("Pa*s", positive=True)]
 Speed = Annotated[float, _reader("m/s")]

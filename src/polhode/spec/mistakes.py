@@ -24,6 +24,7 @@ WORDS = {
 MISSING = {
     "mass": 'is missing; give it like "30 g"',
     "shape": 'is missing; give it like "box"',
+    "pivot": 'is missing; give the fixed point like ["0 mm", "0 mm", "-35 mm"], in the given axes',
     "rotor_axis": "is missing; give it like [0.0, 0.0, 1.0], along the given axes",
     "rotor_moment": 'is missing; give it like "0.02 kg*m^2"',
     "rotor_rate": 'is missing; give it like "6000 rpm", relative to the body',

@@ -51,6 +51,10 @@ def _system_rules(table: dict[str, Any]) -> Iterator[Mistake]:
     spin = table.get("spin")
     if isinstance(system, dict) and "lean" in system and isinstance(spin, dict) and "attitude" in spin:
         yield ("system", "lean"), "goes without spin.attitude, which already says how the body lies; leave out one"
+    body = table.get("body")
+    if kind in ("heavy-top", "lagrange-top") and isinstance(body, dict) and "mass" not in body:
+        if "moments" in body or "inertia" in body:
+            yield ("body",), f'needs mass, like "120 g", for the weight of a {kind}'
     if isinstance(system, dict) and kind in RULES:
         yield from RULES[kind](system)
 
@@ -127,7 +131,8 @@ def _damped_rules(system: dict[str, Any]) -> Iterator[Mistake]:
         text = f"is for losses inside, which keep L, and goes without {_listed(outer)}; leave out one or the other"
         yield ("system", "damping"), text
     elif not {"damping", "linear_drag", "quadratic_drag"} & set(system):
-        yield ("system",), f"needs damping, or linear_drag or quadratic_drag or both; got {_listed(outer)}"
+        text = 'needs damping, like 0.01, or linear_drag, like "0.01 N*m*s", or quadratic_drag'
+        yield ("system",), f"{text}; got {_listed(outer)}"
     elif "eccentricity" in system and "orbital_period" not in system:
         yield ("system", "eccentricity"), 'goes with orbital_period; give it like "90 min", or leave eccentricity out'
 

@@ -15,6 +15,7 @@ from polhode.spec.fields import (
     Duration,
     Eccentricity,
     GravitationalParameter,
+    Lean,
     Length,
     LinearDragCoefficient,
     Mass,
@@ -53,7 +54,7 @@ class HeavyTopTable(SystemTable):
 
     pivot: Position
     gravity: Acceleration = STANDARD_GRAVITY
-    lean: Angle | None = None
+    lean: Lean | None = None
     step: Duration | None = None
     order: Order = 4
 
@@ -63,7 +64,7 @@ class LagrangeTopTable(SystemTable):
 
     pivot: Position
     gravity: Acceleration = STANDARD_GRAVITY
-    lean: Angle | None = None
+    lean: Lean | None = None
 
 
 class GyrostatTable(SystemTable):

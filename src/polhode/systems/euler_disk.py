@@ -320,8 +320,8 @@ class EulerDisk(AbstractSystem):
         shown = np.asarray(theta).tolist()
         if not (np.sin(theta) > FLAT).all() or not ((theta > 0.0) & (theta < math.pi)).all():
             raise InvalidInput(
-                f"the tilt must lie between 0 and π; got {shown} rad. A disk that lies flat touches with all of its "
-                "face and does not roll: start at a small tilt, such as 0.1 rad."
+                f"the tilt must lie between 1e-6 and π − 1e-6; got {shown} rad. A disk that lies flat touches with all "
+                "of its face and does not roll: start at a small tilt, such as 0.1 rad."
             )
         if not self.is_thin and not (theta < 0.5 * math.pi).all():
             raise InvalidInput(
