@@ -120,17 +120,19 @@ def top_tangent(
     start, change, (dG, da, dI1, dI3) = _scaled(xp, top, changes)
     course = _course(xp, top, time)
     invariants = _invariants(xp, top, start, change, dG, da)
-    nutation = Nutation(G, a, top.c, top.energy, top.s2, top.d, top.A, top.B)
-    added = added_by_nutation(nutation, start, invariants)
-    grown = [x + xp.where(course.count == 0.0, 0.0, course.count * y) for x, y in zip(change, added, strict=True)]
     parts = tuple(f(v) for v in start for f in (xp.real, xp.imag))
     later, columns = derivative_columns(lambda *s: flow(s, course.rest, top.D, top.tilt), (*parts, G, a))
-    moved = _applied(columns, (*(f(v) for v in grown for f in (xp.real, xp.imag)), dG, da))
+    moved = _applied(columns, (*(f(v) for v in change for f in (xp.real, xp.imag)), dG, da))
     stood = _stood(xp, top, course, (start, _paired(later)), (change, moved), invariants)
     endless = top.permanent | top.separatrix
     moved = tuple(xp.where(endless, x, y) for x, y in zip(stood, moved, strict=True))
+    now = _spherical(xp, top, attitude, momentum)
+    # where the motion is now, as a flow from the start would lose what is large along it
+    nutation = Nutation(G, a, top.c, top.energy, top.s2, top.d, top.A, top.B)
+    added = added_by_nutation(nutation, now, invariants)
+    added = tuple(xp.where(course.count == 0.0, 0.0, course.count * x) for x in added)
     times = (time, changes[4], dI1, dI3)
-    return _assembled(xp, top, (attitude, momentum), moved, da, times, course.phases)
+    return _assembled(xp, top, now, (moved, added), da, times, course.phases)
 
 
 def _scaled(xp: Any, top: TangentData, changes: tuple[Array, ...]) -> tuple[Vector, Vector, tuple[Array, ...]]:
@@ -186,14 +188,15 @@ def _course(xp: Any, top: TangentData, time: Array) -> _Course:
 def _nutations_more(xp: Any, place: Array, fraction: Array) -> Array:
     """Return the whole nutations to take out beside those that leave ``fraction``.
 
-    From one side of the lowest point to the other, the way leads down and up again or through the top; by e^K per half
-    nutation the former loses twice the shorter leg, the latter twice what is left of a half nutation.
+    From one side of the lowest point to the other, the way leads down and up again or through the top. Changes grow by
+    e^K in half a nutation: the former loses the shorter leg twice, as growth that is undone; the latter what a rounding
+    of the start grows by until the end.
     """
     end = place + fraction
     more = xp.round(end)
     end = end - more
     here, there = 2.0 * xp.abs(place), 2.0 * xp.abs(end)
-    over = (place * end < 0) & (1.0 - here - there < xp.minimum(here, there))
+    over = (place * end < 0) & (2.0 - 2.0 * here - there < 2.0 * xp.minimum(here, there))
     return more + xp.where(over, xp.where(end > 0, 1.0, -1.0), 0.0)
 
 
@@ -245,6 +248,8 @@ def _stood(
         sense * top.G, a, top_standing.reversed_axis(hanging, now), top_standing.reversed_axis(hanging, change), of,
         growth,
     )  # fmt: skip
+    climbing = top.separatrix & (growth.elapsed == 0.0)
+    found = tuple(xp.where(climbing, x, y) for x, y in zip(change, found, strict=True))
     # α's phase of the climb is in the flow
     back = xp.exp(-0.5j * a * begin)
     found = (found[0] * back, found[1], found[2] * xp.conj(back))
@@ -255,11 +260,23 @@ def _stood(
     )
 
 
+def _spherical(xp: Any, top: TangentData, attitude: Array, momentum: Array) -> Vector:
+    """Return α, β, w of a state, in the units and on the axis of the reduction."""
+    turned, sense = top.reversed, xp.where(top.reversed, -1.0, 1.0)
+    w, x, y, z = (attitude[..., k] for k in range(4))
+    L1, L2 = momentum[..., 0] / top.momentum_scale, sense * momentum[..., 1] / top.momentum_scale
+    given = (xp.where(turned, -x, w), xp.where(turned, -y, z), xp.where(turned, w, x), xp.where(turned, z, y), L1, L2)
+    return _paired(given)
+
+
 def _assembled(
-    xp: Any, top: TangentData, state: tuple[Array, Array], moved: Vector, da: Array, times: Any,
+    xp: Any, top: TangentData, now: Vector, changes: tuple[Vector, Vector], da: Array, times: Any,
     phases: tuple[Array, Array],
 ) -> tuple[Array, Array]:  # fmt: skip
-    """Turn by the phases, add the changes of τ = t/I1 and of the spin ν t, and go back to the given axes and units."""
+    """Return the changes of attitude and momentum on the given axes and in the given units.
+
+    The flow's change is turned by the phases; those by whole nutations, by τ = t/I1 and by the spin ν t are added.
+    """
     time, d_time, dI1, dI3 = times
     I1, I3, a = top.I1, top.I3, top.L3
     scaled, d_scaled = time * top.rate_scale, d_time * top.rate_scale
@@ -267,20 +284,18 @@ def _assembled(
     spin = a * (I1 - I3) / (I1 * I3)
     d_spin = da * (I1 - I3) / (I1 * I3) + a * (dI1 / (I1 * I1) - dI3 / (I3 * I3))
     d_half = 0.5 * (d_spin * scaled + spin * d_scaled)
-    turned, sense = top.reversed, xp.where(top.reversed, -1.0, 1.0)
-    w, x, y, z = (state[0][..., k] for k in range(4))
-    wr, wi = state[1][..., 0] / top.momentum_scale, sense * state[1][..., 1] / top.momentum_scale
-    now = (xp.where(turned, -x, w), xp.where(turned, -y, z), xp.where(turned, w, x), xp.where(turned, z, y), wr, wi)
-    flowed = _paired(slopes((*now, top.G, a)))
+    flowed = _paired(slopes((*(f(v) for v in now for f in (xp.real, xp.imag)), top.G, a)))
     first, second = phases
     out: list[Array] = []
-    for value, slope, change, turn, share in zip(
-        _paired(now), flowed, moved, (first, second, second - first), (1.0, -1.0, -2.0), strict=True
+    for value, slope, moved, added, turn, share in zip(
+        now, flowed, *changes, (first, second, second - first), (1.0, -1.0, -2.0), strict=True
     ):
         angle = 2.0 * math.pi * turn
-        change = change * (xp.cos(angle) + 1j * xp.sin(angle)) + slope * d_tau + 1j * value * (share * d_half)
+        change = moved * (xp.cos(angle) + 1j * xp.sin(angle)) + added
+        change = change + (slope * d_tau + 1j * value * (share * d_half))
         out += [xp.real(change), xp.imag(change)]
     ar, ai, br, bi, wr, wi = out
+    turned, sense = top.reversed, xp.where(top.reversed, -1.0, 1.0)
     attitude = (
         xp.where(turned, br, ar), xp.where(turned, -ar, br), xp.where(turned, -ai, bi), xp.where(turned, bi, ai),
     )  # fmt: skip
