@@ -1,7 +1,7 @@
 """What whole nutations of a Lagrange top add to a perturbation: the Hessian of the action, in closed form.
 
-After one nutation T the motion is back but for phases θ_α, θ_β of α and β. T and both phases are first derivatives of the
-action J(ε, c, a, G) = ∮ √f/(s t) ds with f = s t (ε + G s) − (c + a s)² = u̇², ε = |w|² − G s:
+After one nutation T the motion is back but for phases θ_α, θ_β of α and β. T and both phases are first derivatives of
+the action J(ε, c, a, G) = ∮ √f/(s t) ds with f = s t (ε + G s) − (c + a s)² = u̇², ε = |w|² − G s:
 T = 2 J_ε, θ_α = ½(a T − J_a), θ_β = −J_c − θ_α. Of its second derivatives the poles drop out: all are sums of
 I_k = ∮ s^k f^{−3/2} ds, finite parts, which the complete integrals B = ∫cos²/Δ and D = ∫sin²/Δ give with no difference
 that cancels, whatever roots of f coincide, at the steady top and beside the separatrix.
@@ -52,7 +52,8 @@ def moments_of_nutation(top: Nutation) -> tuple[tuple[Array, ...], Array]:
     D, B = both[0], m1 * both[1]
     small = m < SMALL_PARAMETER
     gap = xp.where(small, _gap(m), (D - B) / xp.where(small, 1.0, m))
-    third = xp.where(m < 0.5, gap - (B + D) - 2.0 * m1 * D, (m1 * (1.0 - 2.0 * m) * D - (1.0 + m) * B) / (m + m1 * small))
+    other = (m1 * (1.0 - 2.0 * m) * D - (1.0 + m) * B) / (m + m1 * small)
+    third = xp.where(m < 0.5, gap - (B + D) - 2.0 * m1 * D, other)
     inverse = top.G / top.B  # 1/(u3 − u2)
     scale = 4.0 / (top.A * xp.sqrt(top.A))
     q0, q1 = scale * third * inverse * inverse, scale * (B + 2.0 * m1 * D) * inverse

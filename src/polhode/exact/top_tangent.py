@@ -22,11 +22,11 @@ from polhode.special.doubledouble import DoubleDouble
 
 Array = Any
 Vector = tuple[Array, Array, Array]  # α, β, w or their changes, complex
-UPRIGHT = 16.0  # λ times the time from the lowest point at which a top on the separatrix counts as upright: |β|² < 1e-13
+UPRIGHT = 16.0  # λ times the time from the lowest point when a top on the separatrix counts as upright: |β|² < 1e-13
 
 
 class TangentData(NamedTuple):
-    """What the derivative needs of a prepared top, one plain array each; pairs of ``…`` and ``…_rest`` are one number."""
+    """What the derivative needs of a prepared top, a plain array each; pairs of ``…`` and ``…_rest`` are one number."""
 
     I1: Array
     I3: Array
@@ -236,7 +236,7 @@ def _stood(
     xp: Any, top: TangentData, course: _Course, values: tuple[Vector, Vector], changes: tuple[Vector, Vector],
     by: Invariants,
 ) -> Vector:  # fmt: skip
-    """Return the changes of a top that stands, from the epoch on or from the end of its climb, α's phase ½aτ taken off."""
+    """Return the changes of a top that stands, from the epoch or the end of its climb on, α's phase ½aτ taken off."""
     permanent, hanging = top.permanent, top.hanging
     begin = xp.where(permanent, 0.0, course.rest)
     now, change = (tuple(xp.where(permanent, x, y) for x, y in zip(*v, strict=True)) for v in (values, changes))
