@@ -73,7 +73,6 @@ def test_a_pivot_at_the_centre_of_mass_is_said(read):
     ("body", "system", "rest", "words"),
     [
         (BOX, lagrange(), "", ["not symmetric about the line from pivot", 'kind = "heavy-top"']),
-        ('moments = ["1 kg*m^2", "1 kg*m^2", "1 kg*m^2"]', lagrange(), "", ["`body.mass` is needed"]),
     ],
 )
 def test_bodies_that_are_no_such_top(read, body, system, rest, words):
@@ -101,3 +100,28 @@ def test_specs_that_say_it_wrong(read, system, rest, words):
     with pytest.raises(InvalidInput) as caught:
         read(CONE, system, rest)
     assert not [word for word in words if word not in str(caught.value)], str(caught.value)
+
+
+def test_moments_without_mass_have_no_weight(read):
+    with pytest.raises(InvalidInput) as caught:
+        read('moments = ["1 kg*m^2", "1 kg*m^2", "1 kg*m^2"]', lagrange("foo = 3"), '[spin]\nrate = "1 rpm"')
+    for words in ("3 mistakes", "needs mass", "system.foo: unknown key", "rate needs about"):
+        assert words in str(caught.value)
+
+
+def test_a_run_too_long_is_refused_before_it_starts(read):
+    long = '[spin]\nrate = "9 rad/s"\nabout = "z"\n[time]\nuntil = "1e12 s"'
+    spec = read(CONE, f'[system]\nkind = "heavy-top"\n{PIVOT}', long)
+    with pytest.raises(InvalidInput, match="would take .* steps"):
+        report_of(spec)
+
+
+@pytest.mark.parametrize(
+    ("lean", "spin", "regime"), [("180 deg", 5, "hanging"), ("0 deg", 1, "sleeping"), ("90 deg", 0, "planar")]
+)
+def test_whole_quarter_leans_are_exact(read, lean, spin, regime):
+    report = report_of(read(CONE, lagrange(f'lean = "{lean}"'), f'[spin]\nrate = "{spin} rad/s"\nabout = "z"'))
+    values = report.as_json_dict()
+    assert values["regime"] == regime and ("too slowly" in values["summary"]) == (regime == "sleeping")
+    if regime == "planar":
+        assert values["precession_rate"] is None and values["steady_precession"] is None

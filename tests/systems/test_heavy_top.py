@@ -71,7 +71,7 @@ def test_all_invariants_over_many_steps(name):
     check_drift(run(name, 10_000), name, 10_000)
 
 
-@pytest.mark.sweep
+@pytest.mark.long
 @pytest.mark.parametrize("name", INTEGRABLE)
 def test_all_invariants_over_a_million_steps(name):
     check_drift(run(name, 1_000_000), name, 1_000_000)
