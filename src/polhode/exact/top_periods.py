@@ -52,8 +52,8 @@ def moments_of_nutation(top: Nutation) -> tuple[tuple[Array, ...], Array]:
     D, B = both[0], m1 * both[1]
     small = m < SMALL_PARAMETER
     gap = xp.where(small, _gap(m), (D - B) / xp.where(small, 1.0, m))
-    other = (m1 * (1.0 - 2.0 * m) * D - (1.0 + m) * B) / (m + m1 * small)
-    third = xp.where(m < 0.5, gap - (B + D) - 2.0 * m1 * D, other)
+    near_saddle = (m1 * (1.0 - 2.0 * m) * D - (1.0 + m) * B) / xp.where(m < 0.5, 1.0, m)
+    third = xp.where(m < 0.5, gap - (B + D) - 2.0 * m1 * D, near_saddle)
     inverse = top.G / top.B  # 1/(u3 − u2)
     scale = 4.0 / (top.A * xp.sqrt(top.A))
     q0, q1 = scale * third * inverse * inverse, scale * (B + 2.0 * m1 * D) * inverse
@@ -93,9 +93,8 @@ def added_by_nutation(
     dJc = e_c * de - (energy * I0 + G * I1) * dc - mixed * da + e_a * dG
     dJa = e_a * de - mixed * dc - (energy * I2 + G * I3) * da + 0.5 * (c * I2 + a * I3) * dG
     alpha, beta, w = start
-    namespace_of = namespace(period)
     turned = 0.5 * (dJa - period * da)
-    conj = namespace_of.conj
+    conj = namespace(period).conj
     return (
         0.5 * conj(w) * beta * dT - 1j * alpha * turned,
         -0.5 * w * alpha * dT + 1j * beta * (turned - dJc),

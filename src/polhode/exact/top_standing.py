@@ -60,11 +60,11 @@ def growth(kappa: DoubleDouble, tau: DoubleDouble, begin: Array, falling: Array)
     return Growth(elapsed[0], kappa[0], C, xp.where(some, S, elapsed[0]), decay)
 
 
-def upright_change(G: Array, a: Array, now: Vector, change: Vector, of: tuple[Array, Array], by: Growth) -> Vector:
+def upright_change(a: Array, now: Vector, change: Vector, of: tuple[Array, Array], by: Growth) -> Vector:
     """Return the changes of α, β, w at σ beside a top that stands or goes upright, α's own phase ½aσ taken off.
 
     Args:
-        G, a: of the top.
+        a: of the top.
         now: α, β, w at σ = 0.
         change: of them.
         of: changes of a and of c' = p_φ + a.

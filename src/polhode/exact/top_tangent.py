@@ -22,11 +22,11 @@ from polhode.special.doubledouble import DoubleDouble
 
 Array = Any
 Vector = tuple[Array, Array, Array]  # α, β, w or their changes, complex
-UPRIGHT = 16.0  # λ times the time from the lowest point when a top on the separatrix counts as upright: |β|² < 1e-13
+UPRIGHT = 13.0  # λ times the time from the lowest point at which a top on the separatrix stands: |β|² is 1e-11 there
 
 
 class TangentData(NamedTuple):
-    """What the derivative needs of a prepared top, a plain array each; pairs of ``…`` and ``…_rest`` are one number."""
+    """What the derivative needs of a prepared top, one plain array each; ``…`` and ``…_rest`` are one number."""
 
     I1: Array
     I3: Array
@@ -245,10 +245,9 @@ def _stood(
     a, da = sense * top.L3, sense * by.a
     of = da, xp.where(hanging, 2.0 * da, by.c + 2.0 * da)
     found = top_standing.upright_change(
-        sense * top.G, a, top_standing.reversed_axis(hanging, now), top_standing.reversed_axis(hanging, change), of,
-        growth,
-    )  # fmt: skip
-    climbing = top.separatrix & (growth.elapsed == 0.0)
+        a, top_standing.reversed_axis(hanging, now), top_standing.reversed_axis(hanging, change), of, growth
+    )
+    climbing = top.separatrix & (begin == course.tau[0])
     found = tuple(xp.where(climbing, x, y) for x, y in zip(change, found, strict=True))
     # α's phase of the climb is in the flow
     back = xp.exp(-0.5j * a * begin)
