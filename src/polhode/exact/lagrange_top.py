@@ -46,7 +46,7 @@ class LagrangeMotion:
         epoch: (…) time at which these hold [s].
 
     Batch axes of all five are broadcast against each other, and times against them. JAX arrays in, JAX arrays out, with
-    ``jit`` and ``vmap``.
+    ``jit``, ``vmap`` and first derivatives.
 
     Scalar answers such as ``nutation_period`` are floats for one top, None where infinite or undefined; in batches they
     are arrays with inf where infinite and NaN where undefined.
