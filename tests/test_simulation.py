@@ -76,10 +76,11 @@ def test_equilibria_stay():
 
 def test_a_long_step_draws_a_warning():
     with pytest.warns(UserWarning, match="turns the fastest rotation by"):
-        ph.simulate(body, START, TIMES, step=2.0)
+        ph.simulate(body, START, np.array([0.0, 10.0]), step=2.0)
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         ph.simulate(body, START, TIMES)
+        ph.simulate(body, START, TIMES, step=2.0)  # samples are nearer than that
 
 
 @pytest.mark.filterwarnings("ignore:a step of")
