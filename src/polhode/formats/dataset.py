@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import contextlib
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from polhode.bodies.body import Body
+from polhode.bodies.frame import BodyFrame
 from polhode.errors import InvalidInput
 from polhode.trajectory import Trajectory
 
@@ -35,27 +35,6 @@ _INVARIANTS = {
     "momentum_norm": ("kg m2 s-1", "magnitude of the angular momentum"),
     "momentum_space": ("kg m2 s-1", "angular momentum along the space axes"),
 }
-
-
-class BodyFrame(NamedTuple):
-    """The body's axes that a trajectory is along, and what goes with them.
-
-    Attributes:
-        moments: (3,) principal moments [kg m²], about the centre of mass or a fixed point.
-        axes: (3, 3) principal axes by columns in the given ones.
-        center_of_mass: (3,) [m, given axes].
-        mass: [kg] or None.
-    """
-
-    moments: Array
-    axes: Array
-    center_of_mass: Array
-    mass: float | None
-
-    @classmethod
-    def of(cls, body: Body) -> BodyFrame:
-        """Return the principal axes of a body at its centre of mass."""
-        return cls(body.principal_moments, body.principal_axes, body.center_of_mass, body.mass)
 
 
 def as_dataset(
@@ -123,6 +102,9 @@ def _frame_variables(frame: BodyFrame) -> dict[str, Any]:
         "center_of_mass": ("given_axis", np.asarray(frame.center_of_mass),
                            {"units": "m", "long_name": "centre of mass in the given axes"}),
     }  # fmt: skip
+    if frame.pivot is not None:
+        note = {"units": "m", "long_name": "fixed point in the given axes"}
+        found["pivot"] = ("given_axis", np.asarray(frame.pivot), note)
     if frame.mass is not None:
         found["mass"] = ((), frame.mass, {"units": "kg", "long_name": "mass"})
     return found

@@ -8,7 +8,7 @@ from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 
-from polhode.formats.dataset import BodyFrame
+from polhode.bodies.frame import BodyFrame
 from polhode.trajectory import Trajectory
 
 Array = Any

@@ -14,8 +14,8 @@ import numpy as np
 from polhode.analysis.energy_casimir import Stability
 from polhode.analysis.first_method import first_method
 from polhode.bodies.body import Body
+from polhode.bodies.frame import BodyFrame
 from polhode.errors import InvalidInput
-from polhode.formats.dataset import BodyFrame
 from polhode.report.base import AbstractReport, Listing, Section
 from polhode.report.free_body import body_summary
 from polhode.report.wording import angle, body_section, drifts, number, stability_values, vector, verdicts

@@ -11,7 +11,7 @@ import numpy as np
 from polhode.analysis.energy_casimir import Stability
 from polhode.analysis.power_law import PowerLaw
 from polhode.analysis.spin_down import ASYMPTOTIC_FIT, SpinDown
-from polhode.formats.dataset import BodyFrame
+from polhode.bodies.frame import BodyFrame
 from polhode.report.base import AbstractReport, Listing, Section
 from polhode.report.wording import angle, drifts, number, rate, stability_values, verdicts
 from polhode.spec.dissipation import LAWS

@@ -13,9 +13,9 @@ from polhode.analysis.free_axes import axis_stability
 from polhode.analysis.poinsot import Herpolhode, herpolhode
 from polhode.analysis.precession import Precession, body_precession, space_precession
 from polhode.bodies.body import Body
+from polhode.bodies.frame import BodyFrame
 from polhode.errors import InvalidInput
 from polhode.exact.free_body import FreeMotion
-from polhode.formats.dataset import BodyFrame
 from polhode.report.base import AbstractReport, Listing, Section, plain
 from polhode.report.wording import angle, body_section, drifts, number, stability_values, verdicts
 from polhode.trajectory import Trajectory

@@ -12,8 +12,8 @@ from polhode import rotation
 from polhode.analysis.energy_casimir import Stability
 from polhode.analysis.stability import find_equilibria, stability
 from polhode.bodies.body import Body, principal_axes
+from polhode.bodies.frame import BodyFrame
 from polhode.errors import InvalidInput
-from polhode.formats.dataset import BodyFrame
 from polhode.report.base import AbstractReport, Listing, Section
 from polhode.report.wording import (
     angle,

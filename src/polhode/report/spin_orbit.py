@@ -13,8 +13,8 @@ import numpy as np
 from polhode.analysis.spin_motion import SpinMotion, spin_motion
 from polhode.analysis.spin_orbit import Resonance, overlap_threshold, resonances
 from polhode.bodies.body import Body
+from polhode.bodies.frame import BodyFrame
 from polhode.errors import InvalidInput
-from polhode.formats.dataset import BodyFrame
 from polhode.report.base import AbstractReport, Listing, Section
 from polhode.report.wording import body_section, drifts, number
 from polhode.simulation import simulate

@@ -12,10 +12,10 @@ import numpy as np
 from polhode import rotation
 from polhode.analysis.energy_casimir import Stability
 from polhode.analysis.stability import stability
+from polhode.bodies.frame import BodyFrame
 from polhode.errors import InvalidInput
 from polhode.exact.lagrange_top import LagrangeMotion
 from polhode.exact.steady_precession import SteadyPrecession, sleeping_threshold, steady_precession
-from polhode.formats.dataset import BodyFrame
 from polhode.report.base import AbstractReport, Listing, Section
 from polhode.report.wording import (
     angle,
@@ -63,7 +63,7 @@ class TopReport(AbstractReport):
     def frame(self) -> BodyFrame:
         body = self.spec.body
         center, mass = (np.zeros(3), None) if body is None else (body.center_of_mass, body.mass)
-        return BodyFrame(np.asarray(self.top.moments), np.asarray(self.top.axes), center, mass)
+        return BodyFrame(np.asarray(self.top.moments), np.asarray(self.top.axes), center, mass, self.pivot)
 
     @property
     def axis_in_space(self) -> Array:

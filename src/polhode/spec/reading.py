@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import tomllib
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from pydantic import ValidationError
 
 from polhode.bodies.body import Body
+from polhode.bodies.surface import Surface
 from polhode.errors import FormatError, InvalidInput
+from polhode.formats.labels import AttitudeLabels
 from polhode.spec.building import build_body, build_part, build_spin
 from polhode.spec.mistakes import as_message, mistakes_of
 from polhode.spec.models import BodyTable, PartTable, SpecFile, SpinTable
@@ -32,6 +34,8 @@ class Spec:
         until: end of the samples [s], None for the report's own choice.
         samples: how many.
         system: what moves, None for the free body.
+        labels: what attitude files say of it.
+        surface: what the body looks like, in the given axes; None where only its moments are known.
     """
 
     name: str
@@ -40,6 +44,8 @@ class Spec:
     until: float | None
     samples: int
     system: SystemTable | None = None
+    labels: AttitudeLabels = field(default_factory=AttitudeLabels)
+    surface: Surface | None = None
 
     def start(self, moments: Array, axes: Array) -> tuple[Array, Array]:
         """Return momentum (3,) along, and attitude (4,) of, principal axes by columns in the given ones."""

@@ -1,0 +1,39 @@
+"""The axes that a motion is given along, and where they stand in the body."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from polhode.bodies.body import Body
+
+Array = Any
+
+
+class BodyFrame(NamedTuple):
+    """The body's axes that a trajectory is along, and what goes with them.
+
+    Attributes:
+        moments: (3,) principal moments [kg m²], about the centre of mass or a fixed point.
+        axes: (3, 3) principal axes by columns in the given ones.
+        center_of_mass: (3,) [m, given axes].
+        mass: [kg] or None.
+        pivot: (3,) fixed point [m, given axes]; None for a body that turns about its centre of mass.
+    """
+
+    moments: Array
+    axes: Array
+    center_of_mass: Array
+    mass: float | None
+    pivot: Array | None = None
+
+    @classmethod
+    def of(cls, body: Body) -> BodyFrame:
+        """Return the principal axes of a body at its centre of mass."""
+        return cls(body.principal_moments, body.principal_axes, body.center_of_mass, body.mass)
+
+    @property
+    def origin(self) -> Array:
+        """(3,) the point that the body turns about [m, given axes]."""
+        return np.asarray(self.center_of_mass if self.pivot is None else self.pivot)

@@ -1,0 +1,34 @@
+"""What an attitude file says about whose attitude it holds, in which frames, since when."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class AttitudeLabels:
+    """The labels of an attitude history; a trajectory read from a file has them as its system.
+
+    Attributes:
+        object_name: what turns.
+        object_id: its international designator, or any id.
+        center: the body whose vicinity it is in, or None.
+        reference_frame: the space axes.
+        body_frame: the body's axes.
+        epoch: calendar date and time of the trajectory's time zero, ISO 8601, without zone.
+        time_system: of that epoch: "UTC", "TAI", "TT", "TDB" or "GPS".
+        originator: who made the file.
+        spice_id: NAIF's negative number of a spacecraft, for SPICE; its frame is that times 1000.
+        comments: lines of text.
+    """
+
+    object_name: str = "BODY"
+    object_id: str = "1900-000A"
+    center: str | None = None
+    reference_frame: str = "EME2000"
+    body_frame: str = "SC_BODY_1"
+    epoch: str = "2000-01-01T00:00:00"
+    time_system: str = "UTC"
+    originator: str = "POLHODE"
+    spice_id: int = -999
+    comments: tuple[str, ...] = ()
