@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import contextlib
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from polhode.bodies.frame import BodyFrame
-from polhode.errors import InvalidInput
+from polhode.formats.paths import written_whole
 from polhode.trajectory import Trajectory
 
 if TYPE_CHECKING:
@@ -116,20 +115,10 @@ def write_dataset(
     """Write a trajectory as NetCDF; the file appears whole or not at all.
 
     Raises:
-        InvalidInput: if the folder cannot be written to.
+        InvalidInput: if the file cannot be written there.
     """
     path = Path(path)
     dataset = as_dataset(trajectory, attributes, frame)
-    draft = path.with_name(f".{path.name}.part")
-    try:
-        draft.touch()
-    except OSError as error:
-        why = f"{path}: cannot be written ({error.strerror}). Choose a folder that you may write to."
-        raise InvalidInput(why) from None
-    try:
+    with written_whole(path) as draft:
         dataset.to_netcdf(draft, engine="h5netcdf")
-        draft.replace(path)
-    finally:
-        with contextlib.suppress(FileNotFoundError):
-            draft.unlink()
     return path

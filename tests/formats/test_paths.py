@@ -1,0 +1,72 @@
+"""Files that appear whole or not at all."""
+
+from pathlib import Path
+
+import pytest
+
+from polhode.errors import InvalidInput
+from polhode.formats.paths import written_whole
+
+
+def names(folder):
+    return sorted(path.name for path in folder.iterdir())
+
+
+def test_a_file_takes_its_place_when_all_is_written(tmp_path):
+    path = tmp_path / "motion.csv"
+    path.write_text("earlier")
+    with written_whole(path) as draft:
+        assert draft.name == path.name and draft.parent.parent == tmp_path
+        draft.write_text("later")
+        assert path.read_text() == "earlier"
+    assert path.read_text() == "later" and names(tmp_path) == ["motion.csv"]
+
+
+def test_what_fails_leaves_the_file_as_it_was(tmp_path):
+    path = tmp_path / "motion.csv"
+    path.write_text("earlier")
+    with pytest.raises(ZeroDivisionError), written_whole(path) as draft:
+        draft.write_text("half")
+        raise ZeroDivisionError
+    assert path.read_text() == "earlier" and names(tmp_path) == ["motion.csv"]
+
+
+def test_stores_are_replaced_and_other_folders_are_not(tmp_path):
+    for text in ("first", "second"):
+        with written_whole(tmp_path / "store", "mark") as draft:
+            draft.mkdir()
+            (draft / "mark").write_text(text)
+    assert (tmp_path / "store" / "mark").read_text() == "second" and names(tmp_path) == ["store"]
+    (tmp_path / "photos").mkdir()
+    for store in (None, "mark"):
+        with pytest.raises(InvalidInput, match="photos: is a folder"), written_whole(tmp_path / "photos", store):
+            pytest.fail("nothing may be written")
+    assert names(tmp_path) == ["photos", "store"]
+
+
+@pytest.mark.parametrize("where", ["missing/motion.csv", "file/motion.csv"])
+def test_a_missing_folder_is_one_error(tmp_path, where):
+    (tmp_path / "file").touch()
+    with pytest.raises(InvalidInput, match=r"motion\.csv: cannot be written, as .* is no folder"):
+        with written_whole(tmp_path / where):
+            pytest.fail("nothing may be written")
+    assert names(tmp_path) == ["file"]
+
+
+def test_folders_that_nobody_may_write_to():
+    with pytest.raises(InvalidInput, match="cannot be written"), written_whole("/proc/motion.csv"):
+        pytest.fail("nothing may be written")
+    assert not Path("/proc/motion.csv").exists()
+
+
+def test_devices_stay_what_they_are():
+    with pytest.raises(InvalidInput, match="no file that could be replaced"), written_whole("/dev/null"):
+        pytest.fail("nothing may be written")
+    assert Path("/dev/null").is_char_device()
+
+
+def test_what_the_system_refuses_within_is_one_error_too(tmp_path):
+    with pytest.raises(InvalidInput, match=r"motion\.csv: cannot be written \(No space left on device\)"):
+        with written_whole(tmp_path / "motion.csv"), Path("/dev/full").open("w") as full:
+            full.write("x" * 100_000)
+    assert names(tmp_path) == []
