@@ -1,0 +1,159 @@
+"""Attitude histories as CCSDS Attitude Ephemeris Messages, written in version 2.0, keyword = value.
+
+A is the space frame and B the body's. The quaternion from A to B is that of the rotation which takes the axes of A to
+those of B, so it is polhode's body → space quaternion with the scalar moved to the end.
+
+Source: CCSDS 504.0-B-2, Attitude Data Messages (2024), sections 4, 6 and annex F; "504" below.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any, TextIO
+
+import numpy as np
+
+from polhode import rotation
+from polhode.bodies.frame import BodyFrame
+from polhode.errors import InvalidInput
+from polhode.formats.epochs import TIME_SYSTEMS, as_text, later, read_epoch
+from polhode.formats.given_axes import along_given_axes, single_attitude
+from polhode.formats.labels import AttitudeLabels
+from polhode.formats.paths import written_whole
+from polhode.trajectory import Trajectory
+
+Array = Any
+TYPES = {None: "QUATERNION", "derivative": "QUATERNION/DERIVATIVE", "angular velocity": "QUATERNION/ANGVEL"}
+CHUNK = 50_000  # lines that are in memory as text at once
+LONGEST_LINE = 254  # 504, 6.6.1
+
+
+def write_aem(
+    trajectory: Trajectory,
+    path: str | Path,
+    labels: AttitudeLabels | None = None,
+    frame: BodyFrame | None = None,
+    rates: str | None = None,
+) -> Path:
+    """Write an attitude history as CCSDS AEM 2.0; the file appears whole or not at all.
+
+    Quaternions have 16 significant digits, the most that the standard allows, epochs picoseconds. Text is in capitals,
+    as the standard wants it.
+
+    Args:
+        trajectory: of one body, at ascending times counted from the labels' epoch.
+        path: where to.
+        labels: whose attitude it is, in which frames, since when; by default those it was read with, if it was.
+        frame: the principal axes that the trajectory is along; the file is about the given ones.
+        rates: "angular velocity" (along the body axes, in deg/s), "derivative" (of the quaternion), or None.
+
+    Raises:
+        InvalidInput: for motions without attitude or the rates asked for, batches, times that do not ascend by a
+            picosecond at least, labels that the format cannot hold, and where the file cannot be written.
+    """
+    if rates not in TYPES:
+        raise InvalidInput(f'`rates` must be None, "derivative" or "angular velocity"; got {rates!r}.')
+    if labels is None:
+        labels = trajectory.system if isinstance(trajectory.system, AttitudeLabels) else AttitudeLabels()
+    trajectory = along_given_axes(trajectory, frame)
+    columns = _columns(trajectory, single_attitude(trajectory, "an AEM"), rates)
+    whole, picoseconds = later(_epoch(labels), trajectory.times)
+    _check_ascending(whole, picoseconds)
+    ends = as_text(whole[[0, -1]], picoseconds[[0, -1]], labels.time_system)
+    head = _head(labels, TYPES[rates], *ends)
+    with written_whole(path) as draft, draft.open("w", encoding="ascii", newline="\n") as file:
+        file.writelines(f"{line}\n" for line in head)
+        _write_lines(file, whole, picoseconds, labels.time_system, columns)
+        file.write("DATA_STOP\n")
+    return Path(path)
+
+
+def _check_ascending(whole: Array, picoseconds: Array) -> None:
+    steps = np.diff(whole)
+    ascending = (steps > 0) | ((steps == 0) & (np.diff(picoseconds) > 0))
+    if not ascending.all():
+        k = int(np.argmin(ascending))
+        raise InvalidInput(
+            f"`times` of an AEM must ascend, by a picosecond at least; sample {k + 1} does not come after sample {k}. "
+            "Leave one out."
+        )
+
+
+def _columns(trajectory: Trajectory, attitude: Array, rates: str | None) -> Array:
+    parts = [_scalar_last(attitude)]
+    if rates is not None:
+        if trajectory.angular_velocity is None:
+            raise InvalidInput(f"`rates` {rates!r} need an angular velocity, and this motion has none. Leave them out.")
+        velocity = np.asarray(trajectory.angular_velocity)
+        if rates == "derivative":
+            spin = np.concatenate([np.zeros_like(velocity[:, :1]), velocity], axis=-1)
+            parts.append(_scalar_last(0.5 * rotation.multiply(attitude, spin)))
+        else:
+            parts.append(np.degrees(velocity))
+    columns = np.concatenate(parts, axis=-1) + 0.0  # 504, 6.8.5: −0 is not supported
+    if not np.isfinite(columns).all():
+        raise InvalidInput("an AEM holds finite numbers only; the trajectory has others. Leave those samples out.")
+    return columns
+
+
+def _scalar_last(quaternion: Array) -> Array:
+    return np.concatenate([quaternion[:, 1:], quaternion[:, :1]], axis=-1)
+
+
+def _epoch(labels: AttitudeLabels) -> tuple[int, int]:
+    if labels.time_system not in TIME_SYSTEMS:
+        known = ", ".join(TIME_SYSTEMS)
+        raise InvalidInput(f"`time_system` must be one of {known}; got {labels.time_system!r}.")
+    try:
+        return read_epoch(labels.epoch, labels.time_system)
+    except ValueError as error:
+        raise InvalidInput(f"`epoch` {error}.") from None
+
+
+def _head(labels: AttitudeLabels, kind: str, start: str, stop: str) -> Iterator[str]:
+    yield "CCSDS_AEM_VERS = 2.0"
+    yield "COMMENT Made by polhode"
+    yield f"CREATION_DATE = {datetime.now(UTC):%Y-%m-%dT%H:%M:%S}"
+    yield _line("ORIGINATOR", "originator", labels.originator)
+    yield ""
+    yield "META_START"
+    for comment in labels.comments:
+        yield _printable(f"COMMENT {comment}", "comments", comment)
+    yield _line("OBJECT_NAME", "object_name", labels.object_name)
+    yield _line("OBJECT_ID", "object_id", labels.object_id)
+    if labels.center is not None:
+        yield _line("CENTER_NAME", "center", labels.center)
+    yield _line("REF_FRAME_A", "reference_frame", labels.reference_frame)
+    yield _line("REF_FRAME_B", "body_frame", labels.body_frame)
+    yield f"TIME_SYSTEM = {labels.time_system}"
+    yield f"START_TIME = {start}"
+    yield f"STOP_TIME = {stop}"
+    yield f"ATTITUDE_TYPE = {kind}"
+    if kind.endswith("ANGVEL"):
+        yield _line("ANGVEL_FRAME", "body_frame", labels.body_frame)
+    yield "META_STOP"
+    yield ""
+    yield "DATA_START"
+
+
+def _line(keyword: str, name: str, value: str) -> str:
+    if not value.strip():
+        raise InvalidInput(f"`{name}` must not be empty in an AEM. Give it, or leave it out for its default.")
+    return _printable(f"{keyword} = {value.upper()}", name, value)
+
+
+def _printable(line: str, name: str, value: str) -> str:
+    if not (value.isascii() and value.isprintable() and len(line) <= LONGEST_LINE):
+        raise InvalidInput(f"`{name}` must be one line of printable ASCII, at most 200 characters, in an AEM; "
+                           f"got {value!r}. Write it in ASCII.")  # fmt: skip
+    return line
+
+
+def _write_lines(file: TextIO, whole: Array, picoseconds: Array, time_system: str, columns: Array) -> None:
+    form = "%s" + " % .15e" * columns.shape[1] + "\n"
+    for begin in range(0, len(columns), CHUNK):
+        part = slice(begin, begin + CHUNK)
+        epochs = as_text(whole[part], picoseconds[part], time_system)
+        file.writelines(form % (epoch, *row) for epoch, row in zip(epochs, columns[part].tolist(), strict=True))

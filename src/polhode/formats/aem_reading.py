@@ -1,0 +1,161 @@
+"""CCSDS Attitude Ephemeris Messages read as trajectories, versions 1.0 and 2.0, keyword = value."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from polhode.errors import FormatError, InvalidInput
+from polhode.formats.aem_attitudes import Meaning, attitudes
+from polhode.formats.aem_segments import Segment, plain, read_segments, refuse
+from polhode.formats.epochs import shortest, since
+from polhode.formats.labels import AttitudeLabels
+from polhode.trajectory import Trajectory
+
+Array = Any
+# frames that are fixed in the spacecraft or a part of it: 504, annex B3, the SANA registry of spacecraft body frames
+_BODY_FRAME = re.compile(
+    "(SC BODY|ACC|ACTUATOR|AST|CSS|DSS|ESA|GYRO FRAME|IMU FRAME|INSTRUMENT|MTA|RW|SA|SENSOR|STARTRACKER|TAM)( .*)?"
+)
+_ROTATION_SEQUENCE = re.compile(r"([XYZ])(?!\1)([XYZ])(?!\2)[XYZ]")
+_SAME = ("OBJECT_NAME", "OBJECT_ID", "REF_FRAME_A", "REF_FRAME_B", "TIME_SYSTEM", "ATTITUDE_DIR")
+
+
+def read_aem(path: str | Path, segment: int | None = None) -> Trajectory:
+    """Return the attitude history in a CCSDS AEM, version 1.0 or 2.0.
+
+    Times count in seconds from the first START_TIME, leap seconds included. The attitude takes body to space, the frame
+    that names a part of a spacecraft being the body's, else the second. The angular velocity, where the file has it or
+    derivatives that it follows from, is along the body axes; there is no momentum. Segments of the same object and
+    frames are joined, each over its useable time; the angular velocity is None then unless all of them have it. The
+    labels are the trajectory's system.
+
+    Args:
+        path: the file.
+        segment: which one to read alone, counted from 0.
+
+    Raises:
+        InvalidInput: if the file is missing, or has no such segment.
+        FormatError: naming the line, if it is no AEM or leaves open what it means.
+    """
+    path = Path(path)
+    segments = read_segments(path)
+    if segment is not None:
+        if not 0 <= segment < len(segments):
+            raise InvalidInput(f"`segment` must be from 0 to {len(segments) - 1} in {path}; got {segment}.")
+        segments = [segments[segment]]
+    if len({tuple(plain(one.values.get(name, "")) for name in _SAME) for one in segments}) > 1:
+        raise FormatError(f"{path}: its {len(segments)} segments are about different objects, frames or time systems. "
+                          "Choose one with `segment`, counted from 0.")  # fmt: skip
+    start = segments[0].epoch("START_TIME")
+    times, attitude, velocity = _joined([_history(one, start, alone=len(segments) == 1) for one in segments], segments)
+    return Trajectory(_labels(segments[0]), times, attitude, attitude, angular_velocity=velocity, status="read")
+
+
+def _history(one: Segment, start: tuple[int, int], alone: bool) -> tuple[Array, Array, Array | None]:
+    """Return times, attitude and angular velocity of one segment, over its useable time if it is not alone."""
+    meaning = _meaning(one)
+    try:
+        attitude, velocity = attitudes(meaning, one.columns)
+    except ValueError as error:
+        what, k = error.args
+        refuse(one.path, int(one.numbers[k]), what)
+    times = since(start, one.whole, one.picoseconds)
+    within = np.ones(len(times), dtype=bool)
+    if not alone:
+        for keyword, sign in (("USEABLE_START_TIME", 1.0), ("USEABLE_STOP_TIME", -1.0)):
+            if keyword in one.values:
+                second, picosecond = one.epoch(keyword)
+                bound = since(start, np.array([second]), np.array([picosecond]))
+                within &= sign * times >= sign * bound
+    return times[within], attitude[within], None if velocity is None else velocity[within]
+
+
+def _joined(
+    parts: list[tuple[Array, Array, Array | None]], segments: list[Segment]
+) -> tuple[Array, Array, Array | None]:
+    """Return histories one after another; where one ends when the next begins, the next one's sample stays."""
+    for k in range(len(parts) - 1):
+        times, following = parts[k][0], parts[k + 1][0]
+        if len(times) and len(following) and times[-1] == following[0]:
+            times, attitude, velocity = parts[k]
+            parts[k] = times[:-1], attitude[:-1], None if velocity is None else velocity[:-1]
+    times = np.concatenate([part[0] for part in parts])
+    if (np.diff(times) <= 0).any():
+        refuse(segments[0].path, None, "its segments overlap in time. Choose one with `segment`, counted from 0")
+    rates = [part[2] for part in parts if part[2] is not None]
+    velocity = np.concatenate(rates) if len(rates) == len(parts) else None
+    return times, np.concatenate([part[1] for part in parts]), velocity
+
+
+def _frames(one: Segment) -> tuple[str, str, bool]:
+    """Return the space frame, the body's, and whether the rotation is from body to space."""
+    a, b = one.values["REF_FRAME_A"], one.values["REF_FRAME_B"]
+    first_is_body = bool(_BODY_FRAME.fullmatch(plain(a))) and not _BODY_FRAME.fullmatch(plain(b))
+    direction = plain(one.values.get("ATTITUDE_DIR", "" if one.old else "A2B"))
+    if direction not in ("A2B", "B2A"):
+        one.wrong("ATTITUDE_DIR", f"must be A2B or B2A in version 1.0; got {direction or 'nothing'!r}")
+    if direction == "B2A" and not one.old:
+        one.wrong("ATTITUDE_DIR", "is of version 1.0; in version 2.0 the rotation is from A to B")
+    return *((b, a) if first_is_body else (a, b)), first_is_body == (direction == "A2B")
+
+
+def _meaning(one: Segment) -> Meaning:
+    space, body, backward = _frames(one)
+    family, _, rates = one.kind.partition("/")
+    if family == "SPIN":
+        if backward:
+            one.wrong("ATTITUDE_TYPE", "of spin data wants the body as frame B and space as frame A; here it is the "
+                                       "other way round")  # fmt: skip
+        return Meaning(one.kind)
+    sequence = _sequence(one) if family == "EULER_ANGLE" else None
+    if rates != "ANGVEL":
+        return Meaning(one.kind, sequence, _scalar_first(one, family), False, backward)
+    if one.old and backward:
+        one.wrong("ATTITUDE_TYPE", "with rates leaves open in version 1.0 which frame they are of when the rotation is "
+                                   "from body to space. Have it written in version 2.0")  # fmt: skip
+    keyword = "RATE_FRAME" if one.old else "ANGVEL_FRAME"
+    frame = plain(one.values.get(keyword, ""))
+    names = {"REF FRAME A": one.values["REF_FRAME_A"], "REF FRAME B": one.values["REF_FRAME_B"]}
+    frame = plain(names.get(frame, frame))
+    if frame not in (plain(space), plain(body)):
+        one.wrong(keyword, f"must be one of the two frames, as there are velocities; got {frame or 'nothing'!r}")
+    return Meaning(one.kind, sequence, _scalar_first(one, family), frame == plain(space), backward)
+
+
+def _scalar_first(one: Segment, family: str) -> bool:
+    if family != "QUATERNION":
+        return False
+    place = plain(one.values.get("QUATERNION_TYPE", "" if one.old else "LAST"))
+    if place not in ("FIRST", "LAST"):
+        one.wrong("QUATERNION_TYPE", f"must say FIRST or LAST, where the scalar is, in version 1.0; "
+                                     f"got {place or 'nothing'!r}")  # fmt: skip
+    if place == "FIRST" and not one.old:
+        one.wrong("QUATERNION_TYPE", "is of version 1.0; in version 2.0 the scalar is the last")
+    return place == "FIRST"
+
+
+def _sequence(one: Segment) -> str:
+    given = one.values.get("EULER_ROT_SEQ", "")
+    sequence = given.upper().translate(str.maketrans("123", "XYZ"))
+    if not _ROTATION_SEQUENCE.fullmatch(sequence):
+        one.wrong("EULER_ROT_SEQ", f"must be three axes, neighbours different, like ZXZ; got {given or 'nothing'!r}")
+    return sequence
+
+
+def _labels(one: Segment) -> AttitudeLabels:
+    space, body, _ = _frames(one)
+    return AttitudeLabels(
+        object_name=one.values["OBJECT_NAME"],
+        object_id=one.values["OBJECT_ID"],
+        center=one.values.get("CENTER_NAME"),
+        reference_frame=space,
+        body_frame=body,
+        epoch=shortest(one.epoch("START_TIME"), one.time_system),
+        time_system=one.time_system,
+        originator=one.values.get("ORIGINATOR", "UNKNOWN"),
+        comments=tuple(one.comments),
+    )

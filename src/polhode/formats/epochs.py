@@ -1,0 +1,122 @@
+"""Calendar epochs as attitude files write them, and seconds between them that no leap second spoils.
+
+An instant is a pair of whole numbers: seconds of its own time system since 1970-01-01T00:00:00 of it, and picoseconds.
+UTC counts its leap seconds, so that differences are SI seconds in it as in the uniform systems.
+"""
+
+from __future__ import annotations
+
+import bisect
+import functools
+import re
+from datetime import date, timedelta
+from typing import Any
+
+import numpy as np
+
+from polhode.errors import InvalidInput
+
+Array = Any
+TIME_SYSTEMS = ("UTC", "TAI", "TT", "TDB", "TCB", "TCG", "GPS")
+PICO = 10**12
+_FORM = re.compile(r"(\d{4})-(?:(\d\d)-(\d\d)|(\d{3}))T(\d\d):(\d\d):(\d\d)(?:\.(\d+))?Z?", re.ASCII)
+_ORIGIN = date(1970, 1, 1)
+# days that begin after a leap second, IERS Bulletin C; none has been announced since that of 2016-12-31
+_AFTER_LEAPS = [
+    (date(year, month, 1) - _ORIGIN).days
+    for month, years in ((7, (1972, 1981, 1982, 1983, 1985, 1992, 1993, 1994, 1997, 2012, 2015)),
+                         (1, (*range(1973, 1981), 1988, 1990, 1991, 1996, 1999, 2006, 2009, 2017)))
+    for year in years
+]  # fmt: skip
+_AFTER_LEAPS.sort()
+_LEAPS = np.array([86400 * day + k for k, day in enumerate(_AFTER_LEAPS)])
+_FIRST_UTC = (date(1972, 1, 1) - _ORIGIN).days
+
+
+def read_epoch(text: str, time_system: str) -> tuple[int, int]:
+    """Return an instant from ``YYYY-MM-DDThh:mm:ss[.d…][Z]`` or the like with the day of the year, ``YYYY-DDDT…``.
+
+    Digits beyond picoseconds are rounded.
+
+    Raises:
+        ValueError: in words, for what is no such epoch.
+    """
+    found = _FORM.fullmatch(text)
+    if not found:
+        raise ValueError(f'must be an epoch like "2026-03-01T12:00:00.5" or "2026-060T12:00:00.5"; got {text!r}')
+    day = _day(*found.group(1, 2, 3, 4))
+    hour, minute, second = (int(found[k]) for k in (5, 6, 7))
+    leaps = 0
+    if time_system == "UTC":
+        if day < _FIRST_UTC:
+            raise ValueError(f"lies before 1972, when UTC had no seconds of constant length; got {text!r}. Use TAI")
+        leaps = bisect.bisect_right(_AFTER_LEAPS, day)
+    longest = 59
+    if second == 60 and (hour, minute, time_system) == (23, 59, "UTC") and day + 1 in _AFTER_LEAPS:
+        longest = 60
+    if hour > 23 or minute > 59 or second > longest:
+        raise ValueError(f"has no such time of day in {time_system}; got {text!r}")
+    whole = 86400 * day + 3600 * hour + 60 * minute + second + leaps
+    digits = found[8] or ""
+    carry, picoseconds = divmod((int(digits.ljust(13, "0")[:13]) + 5) // 10, PICO)
+    return whole + carry, picoseconds
+
+
+@functools.lru_cache(maxsize=64)  # lines of a file lie on few days
+def _day(year: str, month: str | None, day: str | None, day_of_year: str | None) -> int:
+    try:
+        if day_of_year is None:
+            return (date(int(year), int(month or 0), int(day or 0)) - _ORIGIN).days
+        found = date(int(year), 1, 1) + timedelta(int(day_of_year) - 1)
+        if found.year != int(year):
+            raise ValueError
+        return (found - _ORIGIN).days
+    except (ValueError, OverflowError):
+        named = f"{month}-{day}" if day_of_year is None else f"day {day_of_year}"
+        raise ValueError(f"has no such day; got {named} of {year}") from None
+
+
+def later(epoch: tuple[int, int], times: Array) -> tuple[Array, Array]:
+    """Return the instants at times (T,) [s] after an epoch, rounded to picoseconds: whole seconds and picoseconds (T,).
+
+    Raises:
+        InvalidInput: for times that are not finite, or beyond the years that four digits write.
+    """
+    times = np.asarray(times, dtype=float)
+    least, most = ((date(year, 1, 1) - _ORIGIN).days * 86400 - epoch[0] for year in (1, 9999))
+    if not ((times >= least) & (times <= most)).all():
+        raise InvalidInput("`times` must be finite and lead to years from 1 to 9998, of four digits; check them.")
+    floor = np.floor(times)
+    carry, picoseconds = np.divmod(np.rint((times - floor) * PICO).astype(np.int64) + epoch[1], PICO)
+    return floor.astype(np.int64) + carry + epoch[0], picoseconds
+
+
+def since(epoch: tuple[int, int], whole: Array, picoseconds: Array) -> Array:
+    """Return the time (T,) [s] from an epoch to instants."""
+    return (np.asarray(whole) - epoch[0]) + (np.asarray(picoseconds) - epoch[1]) / PICO
+
+
+def as_text(whole: Array, picoseconds: Array, time_system: str) -> list[str]:
+    """Return instants (T,) as ``YYYY-MM-DDThh:mm:ss.dddddddddddd``, leap seconds as 23:59:60.
+
+    Raises:
+        InvalidInput: for UTC before 1972.
+    """
+    whole = np.asarray(whole)
+    within = np.zeros(whole.shape, dtype=bool)
+    if time_system == "UTC":
+        if (whole < 86400 * _FIRST_UTC).any():
+            raise InvalidInput("UTC before 1972 had no seconds of constant length. Choose the time system TAI.")
+        begun = np.searchsorted(_LEAPS, whole, side="right")
+        within = whole == _LEAPS[np.maximum(begun, 1) - 1]
+        whole = whole - begun
+    labels = np.datetime_as_string(whole.astype("datetime64[s]")).tolist()
+    return [
+        f"{label[:-2]}60.{rest:012d}" if leap else f"{label}.{rest:012d}"
+        for label, rest, leap in zip(labels, np.asarray(picoseconds).tolist(), within.tolist(), strict=True)
+    ]
+
+
+def shortest(epoch: tuple[int, int], time_system: str) -> str:
+    """Return one instant without zeros at its end."""
+    return as_text(np.array([epoch[0]]), np.array([epoch[1]]), time_system)[0].rstrip("0").rstrip(".")
