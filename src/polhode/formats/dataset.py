@@ -1,13 +1,16 @@
-"""Trajectories as labelled arrays with units, and as NetCDF files."""
+"""Trajectories as labelled arrays with units, and as NetCDF files and Zarr stores."""
 
 from __future__ import annotations
 
+import dataclasses
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from polhode.bodies.frame import BodyFrame
+from polhode.errors import InvalidInput
+from polhode.formats.labels import AttitudeLabels
 from polhode.formats.paths import written_whole
 from polhode.trajectory import Trajectory
 
@@ -67,18 +70,21 @@ def as_dataset(
             variables[name] = ([*batch, "time", "axis"], np.asarray(values), note)
     named = getattr(trajectory.system, "components", {})
     for k, (name, (units, meaning)) in enumerate(named.items()):
-        note = {"units": units, "long_name": meaning}
+        note = {"units": units, "long_name": meaning, "role": "state", "place": k}
         variables[name] = ([*batch, "time"], np.asarray(trajectory.states)[..., k], note)
-    if trajectory.momentum is None and not named:
+    labels = trajectory.system if isinstance(trajectory.system, AttitudeLabels) else None
+    if trajectory.momentum is None and not named and labels is None:
         dims = [*batch, "time", *(f"component_{k}" for k in range(own))]
         variables["state"] = (dims, np.asarray(trajectory.states), {"long_name": "point of the dual"})
     for name, values in trajectory.received.items():
-        note = {"units": _INVARIANTS.get(name, ("", ""))[0], "long_name": f"{name.replace('_', ' ')} received"}
+        units, meaning = invariant_unit(name), f"{name.replace('_', ' ')} received"
+        note = {"units": units, "long_name": meaning, "role": "received"}
         variables[f"{name}_received"] = ([*batch, "time"], np.asarray(values), note)
     for name, values in (trajectory.invariants | trajectory.balances).items():
         units, meaning = _INVARIANTS.get(name, ("", name.replace("_", " ")))
         dims = [*batch, "time", "axis"][: np.ndim(values)]
-        note: dict[str, Any] = {"units": units, "long_name": meaning}
+        role = "invariant" if name in trajectory.invariants else "balance"
+        note: dict[str, Any] = {"units": units, "long_name": meaning, "role": role}
         if name in trajectory.drift and not batch:
             note["drift"] = float(trajectory.drift[name])
         variables[name] = (dims, np.asarray(values), note)
@@ -88,8 +94,21 @@ def as_dataset(
         for name in ("attitude", *_VECTORS):
             if name in variables:
                 variables[name][2]["comment"] = "body axes are the principal ones; principal_axes has them"
-    header = {"Conventions": "CF-1.11", "source": "polhode", "status": trajectory.status} | (attributes or {})
-    return xr.Dataset(variables, coordinates, header)
+    header = {"Conventions": "CF-1.11", "source": "polhode", "status": trajectory.status}
+    return xr.Dataset(variables, coordinates, header | label_attributes(labels) | (attributes or {}))
+
+
+def invariant_unit(name: str) -> str:
+    """Return the unit of an invariant or balance, or nothing where it is not known by name."""
+    return _INVARIANTS.get(name, ("", ""))[0]
+
+
+def label_attributes(labels: AttitudeLabels | None) -> dict[str, str]:
+    """Return labels as global attributes of a dataset, as ``read_dataset`` takes them back; none without labels."""
+    if labels is None:
+        return {}
+    found = {key: value for key, value in dataclasses.asdict(labels).items() if value is not None}
+    return {key: "\n".join(value) if key == "comments" else str(value) for key, value in found.items()}
 
 
 def _frame_variables(frame: BodyFrame) -> dict[str, Any]:
@@ -121,4 +140,24 @@ def write_dataset(
     dataset = as_dataset(trajectory, attributes, frame)
     with written_whole(path) as draft:
         dataset.to_netcdf(draft, engine="h5netcdf")
+    return path
+
+
+def write_zarr(
+    trajectory: Trajectory, path: str | Path, attributes: dict[str, str] | None = None, frame: BodyFrame | None = None
+) -> Path:
+    """Write a trajectory as a Zarr store (format 2), a folder; it appears whole or not at all.
+
+    Raises:
+        InvalidInput: if it cannot be written there, or zarr is not installed.
+    """
+    try:
+        import zarr  # noqa: F401
+    except ImportError:
+        raise InvalidInput('Zarr stores need zarr, which is not installed; `pip install "polhode[zarr]"`.') from None
+    path = Path(path)
+    dataset = as_dataset(trajectory, attributes, frame)
+    with written_whole(path, store=".zgroup") as draft:
+        # format 3 has no settled form for the text that names a quaternion's components
+        dataset.to_zarr(draft, zarr_format=2, consolidated=True)
     return path

@@ -1,0 +1,159 @@
+"""Trajectories as CSV: one line that names columns with their units, then numbers that read back bit for bit.
+
+Source: RFC 4180 for the form.
+"""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from polhode.bodies.frame import BodyFrame
+from polhode.errors import FormatError, InvalidInput
+from polhode.formats.dataset import invariant_unit
+from polhode.formats.given_axes import along_given_axes
+from polhode.formats.paths import check_is_file, written_whole
+from polhode.trajectory import Trajectory
+
+Array = Any
+CHUNK = 50_000  # rows that are in memory as Python's numbers at once
+_VECTORS = {"angular_velocity": ("omega", "rad s-1"), "momentum": ("L", "kg m2 s-1")}
+
+
+def write_csv(trajectory: Trajectory, path: str | Path, frame: BodyFrame | None = None) -> Path:
+    """Write one body's motion as a table: time, attitude, angular velocity, momentum, then what else is known of it.
+
+    Columns are named like ``time [s]``, ``q_w``, ``omega_1 [rad s-1]``, ``L_1 [kg m2 s-1]``; numbers have the digits
+    that they need to be read back exactly.
+
+    Args:
+        trajectory: of one body.
+        path: where to.
+        frame: the principal axes that the trajectory is along, for a table along the given ones, whose columns end in
+            x, y and z; without it the table is along the trajectory's own axes, 1, 2 and 3.
+
+    Raises:
+        InvalidInput: for batches, and where the file cannot be written.
+    """
+    columns = _columns(along_given_axes(trajectory, frame), "123" if frame is None else "xyz")
+    table = np.stack([values for _, values in columns], axis=-1)
+    # RFC 4180 ends lines with CR LF, as the csv module does by itself
+    with written_whole(path) as draft, draft.open("w", encoding="utf-8", newline="") as file:
+        writer = csv.writer(file)
+        writer.writerow([name for name, _ in columns])
+        for begin in range(0, len(table), CHUNK):
+            writer.writerows(table[begin : begin + CHUNK].tolist())
+    return Path(path)
+
+
+def _columns(trajectory: Trajectory, axes: str) -> list[tuple[str, Array]]:
+    times = np.asarray(trajectory.times, dtype=float)
+    found: list[tuple[str, Array]] = [("time [s]", times)]
+
+    def add(values: Array, names: list[str]) -> None:
+        values = np.asarray(values, dtype=float).reshape(len(times), -1) if len(times) else np.zeros((0, len(names)))
+        found.extend(zip(names, values.T, strict=True))
+
+    own = getattr(trajectory.system, "state_axes", 1)
+    if np.ndim(trajectory.states) - own != 1:
+        shape = np.shape(trajectory.states)[: -1 - own]
+        raise InvalidInput(f"a CSV file holds one body; got a batch of shape {shape}. Write a dataset instead.")
+    if trajectory.attitude is not None:
+        add(trajectory.attitude, [f"q_{part}" for part in "wxyz"])
+    for attribute, (symbol, unit) in _VECTORS.items():
+        if (values := getattr(trajectory, attribute)) is not None:
+            add(values, [f"{symbol}_{axis} [{unit}]" for axis in axes])
+    named = getattr(trajectory.system, "components", {})
+    if named:
+        add(trajectory.states, [_named(name, unit) for name, (unit, _) in named.items()])
+    elif trajectory.momentum is None and trajectory.attitude is None:
+        add(trajectory.states, [f"state_{k}" for k in range(int(np.prod(np.shape(trajectory.states)[1:])))])
+    for name, values in (trajectory.invariants | trajectory.balances).items():
+        count = 1 if np.ndim(values) == 1 else np.shape(values)[1]
+        ends = [""] if np.ndim(values) == 1 else [f"_{part}" for part in ("xyz" if count == 3 else range(count))]
+        add(values, [_named(f"{name}{end}", invariant_unit(name)) for end in ends])
+    for name, values in trajectory.received.items():
+        add(values, [_named(f"{name}_received", invariant_unit(name))])
+    return found
+
+
+def _named(name: str, unit: str) -> str:
+    return f"{name} [{unit}]" if unit not in ("", "1") else name
+
+
+def read_csv(path: str | Path) -> Trajectory:
+    """Return the motion in a table that ``write_csv`` wrote, bit for bit.
+
+    Columns that are neither attitude, angular velocity nor momentum are among the invariants, under their names. The
+    system is the file's name.
+
+    Raises:
+        InvalidInput: if the file is missing.
+        FormatError: naming the line, if it is no such table.
+    """
+    path = Path(path)
+    check_is_file(path, "CSV")
+    names, table = _read_table(path)
+    columns = dict(zip(names, table.T, strict=True))
+    if "time [s]" not in columns:
+        raise FormatError(f'{path}, line 1: a column must be named "time [s]"; got {", ".join(names)[:120]}.')
+
+    def taken(wanted: list[str]) -> Array | None:
+        if not all(name in columns for name in wanted):
+            return None
+        return np.stack([columns.pop(name) for name in wanted], axis=-1)
+
+    times = columns.pop("time [s]")
+    attitude = taken([f"q_{part}" for part in "wxyz"])
+
+    def vector(attribute: str) -> Array | None:
+        symbol, unit = _VECTORS[attribute]
+        own, given = (taken([f"{symbol}_{axis} [{unit}]" for axis in axes]) for axes in ("123", "xyz"))
+        return given if own is None else own
+
+    velocity, momentum = vector("angular_velocity"), vector("momentum")
+    parts = [part for part in (attitude, momentum) if part is not None]
+    if not parts:
+        parts = [np.stack(list(columns.values()), axis=-1) if columns else times[:, None]]
+    states = np.concatenate(parts, axis=-1)
+    others = {name.partition(" [")[0]: values for name, values in columns.items()}
+    return Trajectory(path.name, times, states, attitude, momentum, velocity, others, status="read")
+
+
+def _read_table(path: Path) -> tuple[list[str], Array]:
+    try:
+        with path.open(encoding="utf-8-sig", newline="") as file:
+            names = next(csv.reader([file.readline()]), [])
+            if len(set(names)) != len(names) or not names:
+                raise FormatError(f"{path}, line 1: must name the columns, each once; got {names!r}.")
+            begin = file.tell()
+            if not file.readline().strip():
+                return names, np.zeros((0, len(names)))
+            file.seek(begin)
+            try:
+                table = np.loadtxt(file, delimiter=",", ndmin=2, comments=None)
+            except ValueError:
+                table = None
+            if table is not None and table.shape[1] == len(names):
+                return names, table
+            file.seek(begin)
+            raise FormatError(f"{path}, {_first_wrong(file, len(names))}.")
+    except UnicodeDecodeError:
+        raise FormatError(f"{path}: is not UTF-8 text, so it is no table of polhode's.") from None
+
+
+def _first_wrong(rows: Iterable[str], count: int) -> str:
+    for number, row in enumerate(rows, 2):
+        words = row.strip().split(",")
+        if len(words) != count:
+            return f"line {number}: must have {count} numbers, as line 1 has names; got {len(words)}"
+        for word in words:
+            try:
+                float(word)
+            except ValueError:
+                return f"line {number}: must be a number; got {word!r}"
+    return "line 2: must be numbers"

@@ -1,0 +1,54 @@
+"""Attitudes as SciPy's rotations, which apply to vectors as polhode's do: body → space."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from polhode import rotation
+from polhode.bodies.frame import BodyFrame
+from polhode.errors import InvalidInput
+from polhode.formats.given_axes import along_given_axes, single_attitude
+from polhode.trajectory import Trajectory
+
+if TYPE_CHECKING:
+    from scipy.spatial.transform import Rotation, RotationSpline
+
+
+def as_rotation(trajectory: Trajectory, frame: BodyFrame | None = None) -> Rotation:
+    """Return the attitude (T,) of one body as SciPy's ``Rotation``; ``.apply(v_body)`` gives v_space.
+
+    Args:
+        trajectory: of one body.
+        frame: the principal axes that the trajectory is along, for rotations of the given ones; without it they are of
+            the trajectory's own axes.
+
+    Raises:
+        InvalidInput: for motions without attitude, batches, and trajectories without samples.
+    """
+    return rotation.as_scipy(single_attitude(along_given_axes(trajectory, frame), "a Rotation"))
+
+
+def as_rotation_spline(trajectory: Trajectory, frame: BodyFrame | None = None) -> RotationSpline:
+    """Return SciPy's interpolating spline through the attitude of one body; its rates are along the body axes.
+
+    Between samples it is as good as they are close; ``FreeMotion`` and ``LagrangeMotion`` are exact at any time.
+
+    Args:
+        trajectory: of one body, at two times or more that ascend.
+        frame: as of ``as_rotation``.
+
+    Raises:
+        InvalidInput: as ``as_rotation``, and for times that do not ascend.
+    """
+    from scipy.spatial.transform import RotationSpline
+
+    turns, times = as_rotation(trajectory, frame), np.asarray(trajectory.times)
+    ascending = np.diff(times) > 0
+    if not (len(ascending) and ascending.all()):
+        what = "got one"
+        if len(ascending):
+            what = f"sample {int(np.argmin(ascending)) + 1} does not come after the one before"
+        raise InvalidInput(f"`times` of a spline must be two or more that ascend; {what}. Leave out what repeats.")
+    return RotationSpline(times, turns)

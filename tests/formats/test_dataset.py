@@ -1,0 +1,146 @@
+"""NetCDF and Zarr: bit for bit, by xarray alone, with units that are units."""
+
+import re
+from dataclasses import fields, replace
+
+import numpy as np
+import pint
+import pytest
+import xarray as xr
+
+import polhode as ph
+from polhode import formats
+from polhode.bodies.frame import BodyFrame
+from polhode.errors import FormatError, InvalidInput
+from polhode.formats.dataset import label_attributes
+
+pytest.importorskip("zarr")
+MOTION = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5), attitude=(0.5, -0.5, 0.1, 0.7))
+TIMES = np.linspace(0.0, 20.0, 101)
+BATCH = ph.FreeMotion((1.0, 2.0, 3.0), np.random.default_rng(0).normal(size=(4, 1, 3)))
+LABELS = formats.AttitudeLabels('a </script> = "b" Größe', center="EARTH", comments=("two", "lines"), spice_id=-77)
+WAYS = {"nc": formats.write_dataset, "zarr": formats.write_zarr}
+
+
+def check_identical(found, wanted):
+    for one in fields(wanted):
+        if one.name in ("system", "statistics"):
+            continue
+        ours, theirs = getattr(found, one.name), getattr(wanted, one.name)
+        if isinstance(theirs, dict):
+            assert ours.keys() == theirs.keys()
+            for key in theirs:
+                assert np.array_equal(ours[key], np.asarray(theirs[key]))
+        elif theirs is None or isinstance(theirs, str):
+            assert ours == theirs
+        else:
+            assert np.array_equal(ours, np.asarray(theirs)) and ours.dtype == np.float64
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("ending", WAYS)
+def test_what_is_read_is_what_was_written(tmp_path, ending):
+    trajectory, frame = MOTION.sample(TIMES), BodyFrame.of(ph.shapes.box(2.0, (1.0, 2.0, 3.0)))
+    header = {"title": "a box"} | label_attributes(LABELS)
+    path = WAYS[ending](trajectory, tmp_path / f"motion.{ending}", header, frame)
+    found = formats.read_dataset(path)
+    check_identical(found, trajectory)
+    assert (found.system.title, found.system.labels) == ("a box", LABELS)
+    assert all(np.array_equal(a, b) for a, b in zip(found.system.frame[:4], frame[:4], strict=True))
+    assert found.system.frame.pivot is None
+    again = formats.read_dataset(WAYS[ending](found, tmp_path / f"again.{ending}", header, frame))
+    check_identical(again, trajectory)
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("ending", WAYS)
+def test_xarray_reads_it_alone(tmp_path, ending):
+    path = WAYS[ending](MOTION.sample(TIMES), tmp_path / f"motion.{ending}")
+    with xr.open_dataset(path, engine="h5netcdf" if ending == "nc" else "zarr") as dataset:
+        assert dataset.time.dtype == np.float64
+        assert np.array_equal(dataset.attitude.sel(quaternion="w"), MOTION.attitude(TIMES)[:, 0])
+        assert dataset.identical(ph.as_dataset(MOTION.sample(TIMES)))
+
+
+@pytest.mark.parametrize("ending", WAYS)
+def test_batches(tmp_path, ending):
+    trajectory = BATCH.sample(TIMES)
+    found = formats.read_dataset(WAYS[ending](trajectory, tmp_path / f"batch.{ending}"))
+    check_identical(replace(found, drift={}), replace(trajectory, drift={}))
+    assert found.attitude.shape[0] == 4
+
+
+def test_motions_with_states_of_their_own(tmp_path):
+    """A rolling disk has named parts and energy that is lost, matrices have states of two axes."""
+    disk = ph.systems.EulerDisk(0.4, 0.04, dissipation=ph.systems.DryContourFriction(1e-4))
+    rolling = np.array([0.5, 0.0, 0.0, 0.0, 0.0, 0.0, 8.0, 0.5])
+    matrices = ph.systems.Manakov((1.0, 2.0, 3.0, 4.0))
+    point = np.triu(np.arange(16.0).reshape(4, 4), 1)
+    for system, state in ((disk, rolling), (matrices, point - point.T)):
+        trajectory = ph.simulate(system, state, np.linspace(0.0, 0.1, 5))
+        found = formats.read_dataset(formats.write_dataset(trajectory, tmp_path / "motion.nc"))
+        check_identical(found, trajectory)
+        again = formats.read_dataset(formats.write_dataset(found, tmp_path / "again.nc"))
+        check_identical(again, trajectory)
+
+
+@pytest.mark.parametrize("ending", WAYS)
+def test_empty_trajectories(tmp_path, ending):
+    empty = ph.Trajectory(None, np.zeros(0), np.zeros((0, 7)), np.zeros((0, 4)), np.zeros((0, 3)), np.zeros((0, 3)))
+    found = formats.read_dataset(WAYS[ending](empty, tmp_path / f"empty.{ending}"))
+    assert found.times.shape == (0,) and found.attitude.shape == (0, 4)
+
+
+def test_units_are_units():
+    registry = pint.UnitRegistry()
+    dataset = ph.as_dataset(MOTION.sample(TIMES), frame=BodyFrame.of(ph.shapes.box(2.0, (1.0, 2.0, 3.0))))
+    wanted = {"momentum": "kg*m**2/s", "energy": "J", "angular_velocity": "1/s", "principal_moments": "kg*m**2"}
+    for name, variable in {**dataset.data_vars, "time": dataset.time}.items():
+        # CF writes powers without a sign and products with a blank
+        written = re.sub(r"([A-Za-z]+)(-?\d+)", r"\1**\2", variable.attrs["units"]).replace(" ", "*")
+        unit = registry.parse_units(written if written != "1" else "")
+        if name in wanted:
+            assert unit.is_compatible_with(wanted[name])
+    assert dataset.attrs["Conventions"].startswith("CF-")
+
+
+def test_an_attitude_file_becomes_a_dataset(tmp_path):
+    aem = formats.write_aem(MOTION.sample(TIMES), tmp_path / "motion.aem", rates="derivative")
+    read = formats.read_aem(aem)
+    found = formats.read_dataset(formats.write_dataset(read, tmp_path / "motion.nc"))
+    assert found.system.labels == read.system and np.array_equal(found.attitude, read.attitude)
+    assert "state" not in ph.as_dataset(read)
+
+
+def test_what_is_no_dataset_of_ours(tmp_path):
+    with pytest.raises(InvalidInput, match="no such NetCDF file"):
+        formats.read_dataset(tmp_path / "missing.nc")
+    with pytest.raises(InvalidInput, match="no Zarr store"):
+        formats.read_dataset(tmp_path)
+    (tmp_path / "text.nc").write_text("no")
+    with pytest.raises(FormatError, match="broken or cut short"):
+        formats.read_dataset(tmp_path / "text.nc")
+    xr.Dataset({"a": 1.0}).to_netcdf(tmp_path / "other.nc", engine="h5netcdf")
+    with pytest.raises(FormatError, match="none that polhode wrote"):
+        formats.read_dataset(tmp_path / "other.nc")
+
+
+@pytest.mark.parametrize("ending", WAYS)
+def test_places_that_cannot_be_written(tmp_path, ending):
+    (tmp_path / "folder").mkdir()
+    for place in ("/proc/motion", tmp_path / "missing" / "motion", tmp_path / "folder"):
+        with pytest.raises(InvalidInput, match=r"cannot be written|is a folder"):
+            WAYS[ending](MOTION.sample(TIMES), place)
+    assert [path.name for path in tmp_path.iterdir()] == ["folder"] and list((tmp_path / "folder").iterdir()) == []
+
+
+def test_a_store_is_replaced(tmp_path):
+    for count in (10, 20):
+        path = formats.write_zarr(MOTION.sample(TIMES[:count]), tmp_path / "motion.zarr")
+    assert len(formats.read_dataset(path).times) == 20
+
+
+def test_zarr_missing_is_one_error(tmp_path, monkeypatch):
+    monkeypatch.setitem(__import__("sys").modules, "zarr", None)
+    with pytest.raises(InvalidInput, match=r"polhode\[zarr\]"):
+        formats.write_zarr(MOTION.sample(TIMES), tmp_path / "motion.zarr")
