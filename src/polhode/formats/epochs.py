@@ -22,14 +22,14 @@ PICO = 10**12
 _FORM = re.compile(r"(\d{4})-(?:(\d\d)-(\d\d)|(\d{3}))T(\d\d):(\d\d):(\d\d)(?:\.(\d+))?Z?", re.ASCII)
 _ORIGIN = date(1970, 1, 1)
 # days that begin after a leap second, IERS Bulletin C; none has been announced since that of 2016-12-31
-_AFTER_LEAPS = [
+AFTER_LEAPS = [
     (date(year, month, 1) - _ORIGIN).days
     for month, years in ((7, (1972, 1981, 1982, 1983, 1985, 1992, 1993, 1994, 1997, 2012, 2015)),
                          (1, (*range(1973, 1981), 1988, 1990, 1991, 1996, 1999, 2006, 2009, 2017)))
     for year in years
 ]  # fmt: skip
-_AFTER_LEAPS.sort()
-_LEAPS = np.array([86400 * day + k for k, day in enumerate(_AFTER_LEAPS)])
+AFTER_LEAPS.sort()
+_LEAPS = np.array([86400 * day + k for k, day in enumerate(AFTER_LEAPS)])
 _FIRST_UTC = (date(1972, 1, 1) - _ORIGIN).days
 
 
@@ -50,9 +50,9 @@ def read_epoch(text: str, time_system: str) -> tuple[int, int]:
     if time_system == "UTC":
         if day < _FIRST_UTC:
             raise ValueError(f"lies before 1972, when UTC had no seconds of constant length; got {text!r}. Use TAI")
-        leaps = bisect.bisect_right(_AFTER_LEAPS, day)
+        leaps = bisect.bisect_right(AFTER_LEAPS, day)
     longest = 59
-    if second == 60 and (hour, minute, time_system) == (23, 59, "UTC") and day + 1 in _AFTER_LEAPS:
+    if second == 60 and (hour, minute, time_system) == (23, 59, "UTC") and day + 1 in AFTER_LEAPS:
         longest = 60
     if hour > 23 or minute > 59 or second > longest:
         raise ValueError(f"has no such time of day in {time_system}; got {text!r}")

@@ -1,0 +1,172 @@
+"""SPICE's kernels: loading them for a while, and the text ones that go with an attitude history."""
+
+from __future__ import annotations
+
+import contextlib
+import math
+import re
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from polhode.errors import FormatError, InvalidInput
+from polhode.formats.labels import AttitudeLabels
+from polhode.formats.time_scales import barycentric_time, terrestrial_time
+
+FINEST = 40  # ticks are 2^-40 s at the finest, 0.9 ps
+LARGEST_COUNT = 52  # ticks stay below 2^52, so that doubles tell them apart
+OF_SPICE = {"EME2000": "J2000", "ICRF": "J2000", "GCRF": "J2000"}  # SPICE holds these three for the same
+KINDS = {"frame": "tf", "clock": "tsc", "leap seconds": "tls"}
+
+
+class Clock(NamedTuple):
+    """A spacecraft clock made for one history.
+
+    Attributes:
+        zero: the trajectory's time of its zero [whole s].
+        bits: its ticks are 2^-bits s, so that doubles in seconds are ticks by a shift, without rounding.
+    """
+
+    zero: int
+    bits: int
+
+    @classmethod
+    def of(cls, first: float, last: float) -> Clock:
+        """Return a clock for times from first to last [s]; SPICE's ticks may not be negative."""
+        zero = math.floor(first) if first < 0 else 0
+        _, exponent = math.frexp(last - zero)
+        bits = min(FINEST, LARGEST_COUNT - exponent)
+        if bits < 1:
+            raise InvalidInput(f"SPICE counts ticks up to 2⁵²; a history until {last:g} s is too long. Give a part.")
+        return cls(zero, bits)
+
+    def ticks(self, times: Any) -> Any:
+        """Return encoded clock times of times [s]; fractions of ticks are meant."""
+        return (times - self.zero) * 2.0**self.bits
+
+
+def spiceypy() -> Any:
+    """Return the module spiceypy.
+
+    Raises:
+        InvalidInput: where it is not installed.
+    """
+    try:
+        import spiceypy
+    except ImportError:
+        why = 'SPICE kernels need spiceypy, which is not installed; `pip install "polhode[spice]"`.'
+        raise InvalidInput(why) from None
+    return spiceypy
+
+
+@contextlib.contextmanager
+def loaded(kernels: Sequence[Path]) -> Iterator[Any]:
+    """Load kernels and yield spiceypy; unload them in the end, those that others loaded stay.
+
+    Raises:
+        FormatError: for what SPICE refuses to load.
+    """
+    spice = spiceypy()
+    with contextlib.ExitStack() as stack:
+        for kernel in kernels:
+            with worded(kernel, "Check that it is a SPICE kernel, whole and of the kind that its option asks for."):
+                spice.furnsh(str(kernel))
+            stack.callback(spice.unload, str(kernel))
+        yield spice
+
+
+@contextlib.contextmanager
+def worded(path: Path, remedy: str) -> Iterator[None]:
+    """Turn SPICE's errors into one of ours that names the file."""
+    spice = spiceypy()
+    try:
+        yield
+    except spice.exceptions.SpiceyError as error:
+        text = " ".join(f"{error.short} {error.long or error.explain}".split())
+        raise FormatError(f"{path}: SPICE says: {text} {remedy}") from None
+
+
+def instrument(labels: AttitudeLabels) -> int:
+    """Return the number under which SPICE has the body's attitude."""
+    if not -2_000_000 < labels.spice_id < 0:
+        raise InvalidInput(f"`spice_id` must be NAIF's negative number of a spacecraft; got {labels.spice_id}.")
+    return 1000 * labels.spice_id
+
+
+def reference(labels: AttitudeLabels) -> str:
+    """Return SPICE's name of the space axes."""
+    name = OF_SPICE.get(labels.reference_frame.upper(), labels.reference_frame.upper())
+    if spiceypy().namfrm(name) == 0:
+        why = "`reference_frame` must be one that SPICE knows, as EME2000, ICRF, B1950 or ECLIPJ2000"
+        raise InvalidInput(f"{why}; got {labels.reference_frame!r}.")
+    return name
+
+
+def clock_kernel(labels: AttitudeLabels, clock: Clock) -> str:
+    """Return the text of a clock kernel: seconds, and ticks of a power of two.
+
+    Its seconds are those of TDB for epochs in TDB, else of TT, which UTC, TAI and GPS share with it.
+    """
+    barycentric, number = labels.time_system == "TDB", -labels.spice_id
+    start = (barycentric_time if barycentric else terrestrial_time)(labels.epoch, labels.time_system) + clock.zero
+    return f"""KPL/SCLK
+
+The clock of {_plain(labels.object_name)}, by polhode: seconds since its zero and ticks of 2^-{clock.bits} s.
+Its zero is {labels.epoch} {labels.time_system} {clock.zero:+d} s.
+
+\\begindata
+
+SCLK_KERNEL_ID             = ( @2000-01-01 )
+SCLK_DATA_TYPE_{number}         = ( 1 )
+SCLK01_TIME_SYSTEM_{number}     = ( {1 if barycentric else 2} )
+SCLK01_N_FIELDS_{number}        = ( 2 )
+SCLK01_MODULI_{number}          = ( {2 ** (LARGEST_COUNT + 1 - clock.bits)} {2**clock.bits} )
+SCLK01_OFFSETS_{number}         = ( 0 0 )
+SCLK01_OUTPUT_DELIM_{number}    = ( 1 )
+SCLK_PARTITION_START_{number}   = ( 0 )
+SCLK_PARTITION_END_{number}     = ( {2 ** (LARGEST_COUNT + 1) - 1} )
+SCLK01_COEFFICIENTS_{number}    = ( 0  {float(start)!r}  1 )
+POLHODE_EPOCH_{number}          = ( '{labels.time_system}' '{labels.epoch}' '{clock.zero}' )
+
+\\begintext
+"""
+
+
+def frame_kernel(labels: AttitudeLabels) -> str:
+    """Return the text of a frame kernel, which names body, frame and clock."""
+    number, name = instrument(labels), frame_name(labels)
+    return f"""KPL/FK
+
+The body axes of {_plain(labels.object_name)}, by polhode.
+
+\\begindata
+
+NAIF_BODY_NAME           += ( '{_plain(labels.object_name)[:36]}' )
+NAIF_BODY_CODE           += ( {labels.spice_id} )
+FRAME_{name} = {number}
+FRAME_{number}_NAME      = '{name}'
+FRAME_{number}_CLASS     = 3
+FRAME_{number}_CLASS_ID  = {number}
+FRAME_{number}_CENTER    = {labels.spice_id}
+CK_{number}_SCLK         = {labels.spice_id}
+CK_{number}_SPK          = {labels.spice_id}
+
+\\begintext
+"""
+
+
+def frame_name(labels: AttitudeLabels) -> str:
+    """Return the body axes' name as SPICE's frames may be called.
+
+    Raises:
+        InvalidInput: for a name that SPICE has for a frame of its own.
+    """
+    name = _plain(labels.body_frame)[:26]
+    if spiceypy().namfrm(name) > 0:  # negative ones come from kernels that are loaded now, which does not matter
+        raise InvalidInput(f"`body_frame` must not be one of SPICE's own frames; got {labels.body_frame!r}.")
+    return name
+
+
+def _plain(name: str) -> str:
+    """Return a name in the characters that SPICE's names are safe with."""
+    return re.sub(r"[^A-Z0-9_]", "_", name.upper()) or "BODY"
