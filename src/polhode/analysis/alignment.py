@@ -1,0 +1,133 @@
+"""Constant misalignments and a constant rate between two attitude histories, by a best fit."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from polhode import rotation
+
+Array = Any
+FEWEST = 10  # samples for nine unknowns
+MOST = 20_000  # samples that the fit looks at, evenly chosen
+ROUNDS = 30
+SETTLED = 1e-14  # rad; steps below no longer change the angles
+SAME = 1e-7  # of the largest singular value; below, two unknowns have the same effect to what steps can resolve
+
+
+class Alignment(NamedTuple):
+    """What turns history B into A as nearly as it goes: q_A(t) ≈ exp(ω (t − t₀)) S q_B(t) M.
+
+    Attributes:
+        body: (3,) rotation vector of M, between the body axes [rad, body axes of A].
+        space: (3,) rotation vector of S, between the space axes at the first time [rad].
+        rate: (3,) ω, at which the space axes turn against each other [rad/s].
+        remaining: (T,) angle that is left [rad].
+        told_apart: whether the motion tells all nine numbers apart; if not, others would explain as much.
+    """
+
+    body: Array
+    space: Array
+    rate: Array
+    remaining: Array
+    told_apart: bool
+
+
+def fit_alignment(times: Array, a: Array, b: Array) -> Alignment | None:
+    """Return the best alignment of attitude b (T, 4) with a (T, 4) at times [s]; None for fewer than ten samples.
+
+    Means of quaternions start it, Gauss and Newton's steps on the remaining rotation vectors end it.
+
+    Source: Markley et al., J. Guid. Control Dyn. 30 (2007) 1193, for the means.
+    """
+    if len(times) < FEWEST:
+        return None
+    chosen = np.unique(np.linspace(0, len(times) - 1, min(len(times), MOST)).round().astype(int))
+    middle, half = 0.5 * (times[0] + times[-1]), 0.5 * (times[-1] - times[0])
+    some = (times[chosen] - middle) / half, a[chosen], b[chosen]
+    found = min(_started(*some), key=lambda fit: _rms(_remainder(*fit, *some)))
+    best, rank = found, 0
+    for _ in range(ROUNDS):
+        found, step, rank = _improved(*found, *some)
+        if _rms(_remainder(*found, *some)) <= _rms(_remainder(*best, *some)):
+            best = found
+        if step < SETTLED:
+            break
+    body, space, turn = best
+    rest = _remainder(*best, (times - middle) / half, a, b)
+    first = rotation.multiply(rotation.from_rotation_vector(-turn), space)
+    return Alignment(
+        rotation.as_rotation_vector(body), rotation.as_rotation_vector(first), turn / half,
+        np.linalg.norm(rest, axis=-1), rank == 9,
+    )  # fmt: skip
+
+
+def mean_quaternion(quaternions: Array) -> Array:
+    """Return the quaternion (4,) nearest to many (T, 4), whatever their signs."""
+    return np.linalg.eigh(quaternions.T @ quaternions)[1][:, -1]
+
+
+def _started(scaled: Array, a: Array, b: Array) -> list[tuple[Array, Array, Array]]:
+    """Return first guesses of body and space misalignment, each first alone, then in turns."""
+    one, still = np.array([1.0, 0.0, 0.0, 0.0]), np.zeros(3)
+    guesses = [(one, one, still)]
+    for body_first in (True, False):
+        body = space = one
+        for k in range(8):
+            if (k % 2 == 0) == body_first:
+                body = mean_quaternion(rotation.multiply(rotation.conjugate(rotation.multiply(space, b)), a))
+            else:
+                space = mean_quaternion(rotation.multiply(a, rotation.conjugate(rotation.multiply(b, body))))
+            guesses.append((body, space, still))
+    return guesses
+
+
+def _turned(body: Array, space: Array, turn: Array, scaled: Array, b: Array) -> tuple[Array, Array]:
+    """Return b as the fit turns it, and the rotation of space by the rate alone."""
+    drift = rotation.from_rotation_vector(turn * scaled[:, None])
+    return rotation.multiply(rotation.multiply(drift, rotation.multiply(space, b)), body), drift
+
+
+def _remainder(body: Array, space: Array, turn: Array, scaled: Array, a: Array, b: Array) -> Array:
+    """Return the rotation vectors (T, 3), along the body axes, that are left."""
+    turned, _ = _turned(body, space, turn, scaled, b)
+    return rotation.as_rotation_vector(rotation.multiply(rotation.conjugate(turned), a))
+
+
+def _improved(
+    body: Array, space: Array, turn: Array, scaled: Array, a: Array, b: Array
+) -> tuple[tuple[Array, Array, Array], float, int]:
+    """Return a fit improved by one step, the step's size [rad], and how many unknowns the motion tells apart.
+
+    To first order what is left is δm + Cᵀ(D δs + J τ δω), with C the turned attitude, D the drift's rotation and J its
+    left Jacobian.
+    """
+    turned, drift = _turned(body, space, turn, scaled, b)
+    left = rotation.as_rotation_vector(rotation.multiply(rotation.conjugate(turned), a))
+    back = np.swapaxes(rotation.as_matrix(turned), -1, -2)
+    by_rate = _left_jacobian(turn * scaled[:, None]) * scaled[:, None, None]
+    design = np.concatenate(
+        [np.broadcast_to(np.eye(3), back.shape), back @ rotation.as_matrix(drift), back @ by_rate], axis=-1
+    )
+    step, _, rank, _ = np.linalg.lstsq(design.reshape(-1, 9), left.reshape(-1), rcond=SAME)
+    found = (
+        rotation.normalize(rotation.multiply(body, rotation.from_rotation_vector(step[:3]))),
+        rotation.normalize(rotation.multiply(rotation.from_rotation_vector(step[3:6]), space)),
+        turn + step[6:],
+    )
+    return found, float(np.abs(step).max()), int(rank)
+
+
+def _left_jacobian(vectors: Array) -> Array:
+    """Return J (T, 3, 3) with exp(v + δ) ≈ exp(J δ) exp(v)."""
+    angle = np.linalg.norm(vectors, axis=-1)[:, None, None]
+    safe = np.where(angle > 0.0, angle, 1.0)
+    first = np.where(angle < 1e-4, 0.5, (1.0 - np.cos(safe)) / safe**2)
+    second = np.where(angle < 1e-3, 1.0 / 6.0, (safe - np.sin(safe)) / safe**3)
+    skew = rotation.hat(vectors)
+    return np.eye(3) + first * skew + second * (skew @ skew)
+
+
+def _rms(vectors: Array) -> float:
+    return float(np.sqrt(np.mean(np.sum(vectors * vectors, axis=-1))))

@@ -1,0 +1,243 @@
+"""Two attitude histories of one body against each other."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from polhode import rotation
+from polhode.analysis.alignment import Alignment, fit_alignment
+from polhode.errors import InvalidInput
+from polhode.exact.invariants import drift
+
+Array = Any
+SAME_TIME = 1e-9  # of a step: two samples that near are at the same time, written with other digits
+ENDS = 16  # samples at either end whose rates a spline does not know; its error there falls to a quarter with each
+ROUNDING = 1e-12  # rad; errors below are of rounding, and nothing is fitted to them
+
+
+@dataclass(frozen=True)
+class AttitudeHistory:
+    """The attitude of a body over time, sampled, and exactly where it is known.
+
+    Attributes:
+        name: what to call it.
+        times: (T,) rising [s].
+        attitude: (T, 4) unit quaternions wxyz, body → space.
+        angular_velocity: (T, 3) [rad/s, body axes], or None.
+        exact: attitude (…, 4) and angular velocity (…, 3) at any times (…), or None.
+    """
+
+    name: str
+    times: Array
+    attitude: Array
+    angular_velocity: Array | None = None
+    exact: Callable[[Array], tuple[Array, Array]] | None = None
+
+
+class Mechanics(NamedTuple):
+    """What the invariants of a body are made of, free or turning about a fixed point under its weight.
+
+    Attributes:
+        inertia: (3, 3) about the point it turns about [kg m², body axes].
+        weight: (3,) mgl χ, weight times the centre of mass from the fixed point [N m, body axes]; None for a free one.
+    """
+
+    inertia: Array
+    weight: Array | None = None
+
+
+class Invariants(NamedTuple):
+    """What should not change along one history.
+
+    Attributes:
+        times: (T,) [s, A's].
+        values: name → (T,) or (T, 3), SI.
+        drift: name → largest change from the first sample, relative.
+        source: where the angular velocity is from.
+    """
+
+    times: Array
+    values: dict[str, Array]
+    drift: dict[str, float]
+    source: str
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """How two attitude histories differ where both hold.
+
+    Attributes:
+        names: of A and B.
+        times: (T,) [s, A's].
+        angle: (T,) of the rotation between them [rad].
+        growth: slope of the angle's best line [rad/s], None for one time.
+        alignment: constant misalignments and rate that explain most of it; None where there is nothing to explain.
+        invariants: of A and B; None where they are not known.
+        method: how both came to the same times.
+        interpolation_error: what a spline through every second sample of B misses the others by [rad], more than what
+            the spline through all of them does; None where nothing was interpolated.
+    """
+
+    names: tuple[str, str]
+    times: Array
+    angle: Array
+    growth: float | None
+    alignment: Alignment | None
+    invariants: tuple[Invariants | None, Invariants | None]
+    method: str
+    interpolation_error: float | None
+
+    @property
+    def largest(self) -> float:
+        """Largest angle [rad]."""
+        return float(self.angle.max())
+
+    @property
+    def rms(self) -> float:
+        """Root of the mean square of the angle [rad]."""
+        return float(np.sqrt(np.mean(self.angle**2)))
+
+
+def compare(
+    a: AttitudeHistory, b: AttitudeHistory, *, offset: float = 0.0, mechanics: Mechanics | None = None
+) -> Comparison:
+    """Compare two attitude histories along the same body axes.
+
+    Where one is known exactly it is evaluated at the other's samples; where both are, at A's; of two sampled ones B is
+    interpolated at A's samples by a spline of rotations, unless both have samples there.
+
+    Args:
+        a: the one that times are counted by.
+        b: the other.
+        offset: A's time at B's time zero [s].
+        mechanics: of the body, for energy and momentum.
+
+    Raises:
+        InvalidInput: for histories that have no time in common.
+
+    >>> from polhode import FreeMotion
+    >>> motion = FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5))
+    >>> samples = motion.sample(np.linspace(0.0, 5.0, 100))
+    >>> history = AttitudeHistory("samples", samples.times, samples.attitude)
+    >>> compare(history, AttitudeHistory("late", samples.times - 1.0, samples.attitude), offset=1.0).largest < 1e-15
+    True
+    """
+    times = _common_times(a, b, offset)
+    at_a, _, _ = _attitude_at(a, times, 0.0)
+    at_b, method, missed = _attitude_at(b, times, offset)
+    if a.exact is not None:
+        method = "both evaluated exactly" if b.exact is not None else "A evaluated exactly at B's samples"
+    angle = rotation.angle_between(at_a, at_b)
+    growth = float(np.polyfit(times - times[0], angle, 1)[0]) if len(times) > 1 else None
+    alignment = fit_alignment(times, at_a, at_b) if angle.max() > ROUNDING else None
+    invariants = _invariants(a, times, 0.0, mechanics), _invariants(b, times, offset, mechanics)
+    return Comparison((a.name, b.name), times, angle, growth, alignment, invariants, method, missed)
+
+
+def _common_times(a: AttitudeHistory, b: AttitudeHistory, offset: float) -> Array:
+    if a.exact is not None and b.exact is None:
+        return b.times + offset
+    if b.exact is not None:
+        return a.times
+    first, last = b.times[0] + offset, b.times[-1] + offset
+    slack = SAME_TIME * (last - first) / max(1, len(b.times) - 1) + 4.0 * np.spacing(max(abs(first), abs(last)))
+    common = a.times[(a.times >= first - slack) & (a.times <= last + slack)]
+    if not len(common):
+        raise InvalidInput(
+            f"A and B have no time in common: A has samples from {a.times[0]:.9g} to {a.times[-1]:.9g} s, B from "
+            f"{first:.9g} to {last:.9g} s of the same time. Check their epochs."
+        )
+    return common
+
+
+def _attitude_at(history: AttitudeHistory, times: Array, offset: float) -> tuple[Array, str, float | None]:
+    """Return the attitude at times [s, A's], how it came about, and what interpolation may have missed."""
+    if history.exact is not None:
+        return history.exact(times - offset)[0], "B evaluated exactly at A's samples", None
+    own, wanted = history.times, times - offset
+    nearest, between = _nearest(own, wanted)
+    attitude = history.attitude[nearest]
+    if not between.any():
+        return attitude, "both have samples at the same times", None
+    attitude[between] = _spline_at(history, wanted[between])
+    return attitude, "B interpolated by a spline of rotations at A's samples", _missed(history, wanted)
+
+
+def _nearest(own: Array, wanted: Array) -> tuple[Array, Array]:
+    """Return which samples at times ``own`` (n,) are nearest to times (T,), and whether these lie between samples."""
+    if len(own) == 1:
+        return np.zeros(len(wanted), dtype=int), np.zeros(len(wanted), dtype=bool)
+    right = np.clip(np.searchsorted(own, wanted), 1, len(own) - 1)
+    nearest = np.where(wanted - own[right - 1] < own[right] - wanted, right - 1, right)
+    rounding = np.spacing(np.maximum(np.abs(wanted), np.abs(own[nearest])))
+    limit = SAME_TIME * (own[right] - own[right - 1]) + 4.0 * rounding
+    return nearest, np.abs(wanted - own[nearest]) > limit
+
+
+def _spline(times: Array, attitude: Array) -> Any:
+    from scipy.spatial.transform import RotationSpline
+
+    return RotationSpline(times, rotation.as_scipy(attitude))
+
+
+def _spline_at(history: AttitudeHistory, times: Array) -> Array:
+    clipped = np.clip(times, history.times[0], history.times[-1])
+    return rotation.from_scipy(_spline(history.times, history.attitude)(clipped))
+
+
+def _missed(history: AttitudeHistory, wanted: Array) -> float:
+    """Return how far a spline through every second sample goes from the others; π where there are too few to say."""
+    times, attitude = history.times, history.attitude
+    odd = np.arange(1, len(times) - 1, 2)
+    if len(odd) < 2:
+        return float(np.pi)
+    found = rotation.from_scipy(_spline(times[::2], attitude[::2])(np.clip(times[odd], times[0], times[::2][-1])))
+    angle = rotation.angle_between(found, attitude[odd])
+    within = (times[odd + 1] >= wanted[0]) & (times[odd - 1] <= wanted[-1])
+    return float(angle[within].max() if within.any() else angle.max())
+
+
+def _invariants(
+    history: AttitudeHistory, common: Array, offset: float, mechanics: Mechanics | None
+) -> Invariants | None:
+    """Return the invariants along a history's own samples, or at the common times where it is exact."""
+    if mechanics is None:
+        return None
+    if history.exact is not None:
+        times, source = common, "the exact motion"
+        attitude, velocity = history.exact(common - offset)
+    else:
+        own = history.times + offset
+        within = (own >= common[0]) & (own <= common[-1])
+        times, attitude, source = own[within], history.attitude[within], "as given"
+        if not within.any():
+            return None
+        if history.angular_velocity is not None:
+            velocity = history.angular_velocity[within]
+        elif len(own) > 4 * ENDS and within[ENDS:-ENDS].any():
+            source = f"from the attitudes, by a spline of rotations without {ENDS} samples at either end"
+            within[:ENDS] = within[-ENDS:] = False
+            times, attitude = own[within], history.attitude[within]
+            velocity = _spline(history.times, history.attitude)(history.times[within], 1)
+        else:
+            return None
+    momentum = velocity @ np.asarray(mechanics.inertia)
+    in_space = rotation.rotate(attitude, momentum)
+    kinetic = 0.5 * np.sum(momentum * velocity, axis=-1)
+    size = None
+    if mechanics.weight is None:
+        values = {"energy": kinetic, "momentum_norm": np.linalg.norm(momentum, axis=-1), "momentum_space": in_space}
+    else:
+        height = rotation.rotate(attitude, np.asarray(mechanics.weight))[..., 2]
+        values = {"energy": kinetic + height, "vertical_momentum": in_space[..., 2]}
+        # a top's energy and vertical momentum may be zero; what they are sums of is not
+        size = np.stack([kinetic + np.linalg.norm(mechanics.weight), np.linalg.norm(momentum, axis=-1)]).max(axis=-1)
+    drifts = {
+        name: float(drift(np, value, name == "momentum_space", None if size is None else size[k : k + 1]))
+        for k, (name, value) in enumerate(values.items())
+    }
+    return Invariants(times, values, drifts, source)
