@@ -19,25 +19,6 @@ ENDS = 16  # samples at either end whose rates a spline does not know; its error
 ROUNDING = 1e-12  # rad; errors below are of rounding, and nothing is fitted to them
 
 
-@dataclass(frozen=True)
-class AttitudeHistory:
-    """The attitude of a body over time, sampled, and exactly where it is known.
-
-    Attributes:
-        name: what to call it.
-        times: (T,) rising [s].
-        attitude: (T, 4) unit quaternions wxyz, body → space.
-        angular_velocity: (T, 3) [rad/s, body axes], or None.
-        exact: attitude (…, 4) and angular velocity (…, 3) at any times (…), or None.
-    """
-
-    name: str
-    times: Array
-    attitude: Array
-    angular_velocity: Array | None = None
-    exact: Callable[[Array], tuple[Array, Array]] | None = None
-
-
 class Mechanics(NamedTuple):
     """What the invariants of a body are made of, free or turning about a fixed point under its weight.
 
@@ -48,6 +29,27 @@ class Mechanics(NamedTuple):
 
     inertia: Array
     weight: Array | None = None
+
+
+@dataclass(frozen=True)
+class AttitudeHistory:
+    """The attitude of a body over time, sampled, and exactly where it is known.
+
+    Attributes:
+        name: what to call it.
+        times: (T,) rising [s].
+        attitude: (T, 4) unit quaternions wxyz, body → space.
+        angular_velocity: (T, 3) [rad/s, body axes], or None.
+        exact: attitude (…, 4) and angular velocity (…, 3) at any times (…), or None.
+        mechanics: for energy and momentum, or None.
+    """
+
+    name: str
+    times: Array
+    attitude: Array
+    angular_velocity: Array | None = None
+    exact: Callable[[Array], tuple[Array, Array]] | None = None
+    mechanics: Mechanics | None = None
 
 
 class Invariants(NamedTuple):
@@ -102,9 +104,7 @@ class Comparison:
         return float(np.sqrt(np.mean(self.angle**2)))
 
 
-def compare(
-    a: AttitudeHistory, b: AttitudeHistory, *, offset: float = 0.0, mechanics: Mechanics | None = None
-) -> Comparison:
+def compare(a: AttitudeHistory, b: AttitudeHistory, *, offset: float = 0.0) -> Comparison:
     """Compare two attitude histories along the same body axes.
 
     Where one is known exactly it is evaluated at the other's samples; where both are, at A's; of two sampled ones B is
@@ -114,7 +114,6 @@ def compare(
         a: the one that times are counted by.
         b: the other.
         offset: A's time at B's time zero [s].
-        mechanics: of the body, for energy and momentum.
 
     Raises:
         InvalidInput: for histories that have no time in common.
@@ -134,7 +133,7 @@ def compare(
     angle = rotation.angle_between(at_a, at_b)
     growth = float(np.polyfit(times - times[0], angle, 1)[0]) if len(times) > 1 else None
     alignment = fit_alignment(times, at_a, at_b) if angle.max() > ROUNDING else None
-    invariants = _invariants(a, times, 0.0, mechanics), _invariants(b, times, offset, mechanics)
+    invariants = _invariants(a, times, 0.0), _invariants(b, times, offset)
     return Comparison((a.name, b.name), times, angle, growth, alignment, invariants, method, missed)
 
 
@@ -201,10 +200,9 @@ def _missed(history: AttitudeHistory, wanted: Array) -> float:
     return float(angle[within].max() if within.any() else angle.max())
 
 
-def _invariants(
-    history: AttitudeHistory, common: Array, offset: float, mechanics: Mechanics | None
-) -> Invariants | None:
+def _invariants(history: AttitudeHistory, common: Array, offset: float) -> Invariants | None:
     """Return the invariants along a history's own samples, or at the common times where it is exact."""
+    mechanics = history.mechanics
     if mechanics is None:
         return None
     if history.exact is not None:

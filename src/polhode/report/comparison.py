@@ -1,0 +1,133 @@
+"""What a comparison of two attitude histories says, in words and as values."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from polhode.analysis.comparison import ROUNDING, Comparison, Invariants
+from polhode.report.base import Listing, Section, plain
+from polhode.report.wording import angle, number, vector
+
+Array = Any
+EXPLAINED = 0.5  # of the rms angle; an alignment that leaves more explains nothing
+UNITS = {
+    "times": "s, A's", "angle": "rad", "growth": "rad/s", "alignment": "rad, rad/s", "interpolation_error": "rad",
+    "invariants.drift": "relative",
+}  # fmt: skip
+NAMES = {"energy": "energy", "momentum_norm": "|L|", "momentum_space": "L in space", "vertical_momentum": "L upwards"}
+INVARIANT_UNITS = {"energy": "J"}
+
+
+@dataclass(frozen=True)
+class ComparisonReport:
+    """A comparison, and what its reader should know of how it was made.
+
+    Attributes:
+        comparison: the numbers.
+        clocks: how the two times were laid side by side.
+        notes: what else there is to know.
+    """
+
+    comparison: Comparison
+    clocks: str
+    notes: tuple[str, ...] = ()
+
+    @property
+    def summary(self) -> str:
+        """The result in a sentence or two."""
+        found = self.comparison
+        if found.largest <= ROUNDING:
+            return f"Both agree to {found.largest:.1e} rad: to rounding."
+        text = f"They differ by up to {angle(found.largest)}, {angle(found.rms)} rms."
+        if self._explains():
+            assert found.alignment is not None
+            rest = float(found.alignment.remaining.max())
+            text += f" Constant misalignments and a constant rate explain all but {rest:.3g} rad of it."
+        return text
+
+    def _explains(self) -> bool:
+        fit = self.comparison.alignment
+        return fit is not None and _rms(fit.remaining) < EXPLAINED * self.comparison.rms
+
+    def sections(self) -> list[Section | Listing]:
+        """Return the answers worded for people."""
+        found = self.comparison
+        first, last = float(found.times[0]), float(found.times[-1])
+        growth = None if found.growth is None else f"{found.growth:.6g} rad/s"
+        missed = None if found.interpolation_error is None else f"less than {found.interpolation_error:.2g} rad"
+        sections: list[Section | Listing] = [
+            Section("Times", [
+                ("clocks", self.clocks), ("compared from", f"{first:.9g} to {last:.9g} s of A"),
+                ("samples", str(len(found.times))), ("how", found.method), ("interpolation misses", missed),
+            ]),
+            Section("Angle between them", [
+                ("largest", angle(found.largest)), ("rms", angle(found.rms)),
+                ("first", angle(float(found.angle[0]))), ("last", angle(float(found.angle[-1]))),
+                ("growth, best line", growth),
+            ]),
+        ]  # fmt: skip
+        return [*sections, *self._fit(), *self._invariants()]
+
+    def _fit(self) -> list[Section | Listing]:
+        fit = self.comparison.alignment
+        if fit is None:
+            return []
+        rest = f"{float(fit.remaining.max()):.6g} rad, {_rms(fit.remaining):.6g} rad rms"
+        return [Section("Best fit, A = turn(rate · t) · space · B · body", [
+            ("body axes misaligned by", vector(fit.body, "rad")),
+            ("space axes misaligned by", vector(fit.space, "rad")),
+            ("turning at", vector(fit.rate, "rad/s, space axes")), ("angle that remains", rest),
+            ("explains it", "yes" if self._explains() else "no"),
+        ])]  # fmt: skip
+
+    def _invariants(self) -> list[Section | Listing]:
+        rows = []
+        for side, kept in zip("AB", self.comparison.invariants, strict=True):
+            for name, change in {} if kept is None else kept.drift.items():
+                assert kept is not None
+                rows.append((side, NAMES[name], _first(kept, name), f"{change:.2e}", kept.source))
+        columns = ("of", "invariant", "at first", "drift, relative", "angular velocity")
+        return [Listing("Invariants", columns, rows)] if rows else []
+
+    def all_notes(self) -> list[str]:
+        """Return what a reader should know beside the numbers."""
+        found, notes = self.comparison, list(self.notes)
+        if found.alignment is not None and not found.alignment.told_apart:
+            notes.append("the motion does not tell all misalignments and the rate apart: others would explain as much.")
+        if found.interpolation_error is not None and found.largest <= found.interpolation_error:
+            notes.append("the angle is no larger than what interpolation may miss: it may be the interpolation's own.")
+        if found.invariants == (None, None):
+            notes.append("energy and momentum need the body's moments; give a spec of a free body or top with --spec.")
+        return notes
+
+    def as_json_dict(self) -> dict[str, Any]:
+        """Return the answers as plain lists, numbers, strings and None."""
+        found, fit = self.comparison, self.comparison.alignment
+        alignment = None if fit is None else {
+            "body": fit.body, "space": fit.space, "rate": fit.rate, "told_apart": fit.told_apart,
+            "remaining": {"largest": fit.remaining.max(), "rms": _rms(fit.remaining)}, "explains": self._explains(),
+        }  # fmt: skip
+        return plain({
+            "names": found.names, "summary": self.summary, "clocks": self.clocks, "method": found.method,
+            "times": {"first": found.times[0], "last": found.times[-1], "samples": len(found.times)},
+            "angle": {"largest": found.largest, "rms": found.rms, "first": found.angle[0], "last": found.angle[-1]},
+            "growth": found.growth, "interpolation_error": found.interpolation_error, "alignment": alignment,
+            "invariants": [None if kept is None else {
+                "source": kept.source, "drift": kept.drift,
+                "first": {name: value[0] for name, value in kept.values.items()},
+            } for kept in found.invariants],
+            "notes": self.all_notes(), "units": UNITS,
+        })  # fmt: skip
+
+
+def _first(kept: Invariants, name: str) -> str:
+    value = np.asarray(kept.values[name][0])
+    unit = INVARIANT_UNITS.get(name, "kg m²/s")
+    return (vector(value.tolist(), unit) if value.ndim else number(float(value), unit)) or ""
+
+
+def _rms(values: Array) -> float:
+    return float(np.sqrt(np.mean(np.asarray(values) ** 2)))
