@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from polhode.bodies.body import point_inertia, principal_axes
 from polhode.bodies.frame import BodyFrame
+from polhode.errors import InvalidInput
 
 Array = Any
+_FINEST = 1 << 20  # cells along an edge; their number still fits into 64 bits
 _CORNERS = np.array([[x, y, z] for x in (-0.5, 0.5) for y in (-0.5, 0.5) for z in (-0.5, 0.5)])
 _FACES = np.array([[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1],
                    [2, 3, 7], [2, 7, 6], [0, 2, 6], [0, 6, 4], [1, 5, 7], [1, 7, 3]])  # fmt: skip
@@ -29,6 +33,66 @@ class Surface(NamedTuple):
         """Return a surface in given axes as it stands along a trajectory's axes, about the point it turns about."""
         return Surface((np.asarray(self.vertices) - frame.origin) @ np.asarray(frame.axes), self.faces)
 
+    def coarsened(self, most: int) -> Surface:
+        """Return a surface of at most so many triangles, itself if it has no more: near corners become one.
+
+        Corners in the same cell of a cubic grid become their mean, and triangles that this closes up are dropped. The
+        grid is the finest of those tried that leaves few enough; thin walls may close. It is to look at, not to
+        integrate.
+
+        Args:
+            most: number of triangles, at least 12.
+
+        Raises:
+            InvalidInput: for fewer than 12 triangles, which show no shape.
+
+        Source: Rossignac & Borrel, in *Modeling in Computer Graphics* (1993) 455.
+        """
+        if most < 12:
+            raise InvalidInput(f"`most` must be at least 12 triangles; got {most}. Fewer show no shape.")
+        if len(self.faces) <= most:
+            return self
+        coarse, fine = 1, 2  # cells along the longest edge
+        best = _clustered(self, coarse)
+        while fine < _FINEST and len((found := _clustered(self, fine)).faces) <= most:
+            coarse, fine, best = fine, 2 * fine, found
+        while fine - coarse > 1:
+            middle = (coarse + fine) // 2
+            found = _clustered(self, middle)
+            coarse, fine, best = (middle, fine, found) if len(found.faces) <= most else (coarse, middle, best)
+        return best
+
+
+def cuboid(edges: Array) -> Surface:
+    """Return the block with these edges (3,) [m] along x, y, z about the origin."""
+    return Surface(_CORNERS * np.asarray(edges, dtype=float), _FACES)
+
+
+def joined(surfaces: Sequence[Surface]) -> Surface:
+    """Return several surfaces as one."""
+    starts = np.cumsum([0, *(len(surface.vertices) for surface in surfaces[:-1])])
+    faces = [np.asarray(surface.faces) + start for surface, start in zip(surfaces, starts, strict=True)]
+    return Surface(np.vstack([surface.vertices for surface in surfaces]), np.vstack(faces))
+
+
+def _clustered(surface: Surface, cells: int) -> Surface:
+    """Return the surface with the corners in each cell of a grid as one, ``cells`` of them along its longest edge."""
+    vertices, faces = np.asarray(surface.vertices, dtype=float), np.asarray(surface.faces)
+    low = vertices.min(axis=0)
+    size = np.ptp(vertices, axis=0).max() or 1.0  # all corners in one place
+    place = np.minimum(((vertices - low) * (cells / size)).astype(np.int64), cells - 1)
+    _, index = np.unique(place @ np.array([cells * cells, cells, 1]), return_inverse=True)
+    count = np.bincount(index)
+    means = np.column_stack([np.bincount(index, column) / count for column in vertices.T])
+    kept = index[faces]
+    a, b, c = kept.T
+    kept = kept[(a != b) & (b != c) & (c != a)]
+    # the same triangle, from whichever corner it begins
+    turned = np.take_along_axis(kept, (kept.argmin(axis=1)[:, None] + np.arange(3)) % 3, axis=1)
+    kept = np.unique(turned, axis=0)
+    used = np.unique(kept)
+    return Surface(means[used], np.searchsorted(used, kept))
+
 
 def box_of_same_inertia(moments: Array, mass: float | None = None) -> Surface | None:
     """Return the solid box with these moments about its centre: edge_i² = 6 (I_j + I_k − I_i)/m.
@@ -47,4 +111,21 @@ def box_of_same_inertia(moments: Array, mass: float | None = None) -> Surface | 
         return None
     edges = np.sqrt(np.maximum(squares, 0.0))
     scale = 1.0 / edges.max() if mass is None else np.sqrt(6.0 / mass)
-    return Surface(_CORNERS * (edges * scale), _FACES)
+    return cuboid(edges * scale)
+
+
+def box_in_place(frame: BodyFrame) -> Surface | None:
+    """Return the box of the same inertia where the body is, in the given axes; None for moments that no body has.
+
+    About a fixed point the moments are taken back to the centre of mass first, J = J_pivot − m (|d|² 1 − d dᵀ), which
+    needs the mass: without it None.
+    """
+    moments, axes = np.asarray(frame.moments, dtype=float), np.asarray(frame.axes, dtype=float)
+    center = np.asarray(frame.center_of_mass, dtype=float)
+    if frame.pivot is not None:
+        if frame.mass is None:
+            return None
+        offset = center - np.asarray(frame.pivot, dtype=float)
+        moments, axes = principal_axes(axes * moments @ axes.T - frame.mass * point_inertia(offset))
+    box = box_of_same_inertia(moments, frame.mass)
+    return None if box is None else Surface(box.vertices @ axes.T + center, box.faces)

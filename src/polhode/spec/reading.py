@@ -5,6 +5,7 @@ from __future__ import annotations
 import tomllib
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -18,7 +19,8 @@ from polhode.spec.building import build_body, build_part, build_spin
 from polhode.spec.mistakes import as_message, mistakes_of
 from polhode.spec.models import BodyTable, PartTable, SpecFile, SpinTable
 from polhode.spec.rules import SOURCES, Location, Mistake, broken_rules
-from polhode.spec.systems import SYSTEMS, SystemTable
+from polhode.spec.surfaces import surface_of_body, surface_of_disk
+from polhode.spec.systems import SYSTEMS, EulerDiskTable, SystemTable
 
 Array = Any
 
@@ -35,7 +37,8 @@ class Spec:
         samples: how many.
         system: what moves, None for the free body.
         labels: what attitude files say of it.
-        surface: what the body looks like, in the given axes; None where only its moments are known.
+        source: where the body comes from, as it stands in the file; None where the system has sizes of its own.
+        folder: that paths count from.
     """
 
     name: str
@@ -45,7 +48,19 @@ class Spec:
     samples: int
     system: SystemTable | None = None
     labels: AttitudeLabels = field(default_factory=AttitudeLabels)
-    surface: Surface | None = None
+    source: BodyTable | None = None
+    folder: Path = Path()
+
+    @cached_property
+    def surface(self) -> Surface | None:
+        """What the body looks like, in the given axes, made when first asked for; None where only moments are known.
+
+        Raises:
+            InvalidInput: if a file that the body came from is gone since.
+        """
+        if isinstance(self.system, EulerDiskTable):
+            return surface_of_disk(self.system)
+        return None if self.source is None else surface_of_body(self.source, self.folder)
 
     def start(self, moments: Array, axes: Array) -> tuple[Array, Array]:
         """Return momentum (3,) along, and attitude (4,) of, principal axes by columns in the given ones."""
@@ -75,7 +90,10 @@ def read_spec(path: str | Path) -> Spec:
         found = mistakes + [(location, str(error)) for location, error in unphysical]
         of_files = not mistakes and all(isinstance(error, FormatError) for _, error in unphysical)
         raise (FormatError if of_files else InvalidInput)(as_message(path, found))
-    return Spec(model.name or path.stem, body, model.spin, model.time.until, model.time.samples, system)
+    return Spec(
+        model.name or path.stem, body, model.spin, model.time.until, model.time.samples, system,
+        source=model.body, folder=path.parent,
+    )  # fmt: skip
 
 
 def _system(raw: Any) -> tuple[SystemTable | None, list[Mistake]]:

@@ -1,0 +1,98 @@
+"""What the body of a spec looks like, as triangles in its given axes; to draw, the mass properties stand elsewhere."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from polhode.bodies.surface import Surface, cuboid, joined
+from polhode.bodies.turned import ball, bar, cone, torus, tube
+from polhode.formats.mesh import read_mesh
+from polhode.formats.molecule import ANGSTROM, read_molecule
+from polhode.spec.building import TURNS
+from polhode.spec.models import BodyTable, PartTable
+from polhode.spec.systems import EulerDiskTable
+
+Array = Any
+THIN = 0.02  # of the radius or length: what a body without thickness is given, to be seen
+BALL = 0.5  # of the covalent radius: an atom
+BAR = 0.12 * ANGSTROM  # radius of what is drawn for a bond
+BONDED = 1.2  # of the sum of covalent radii: atoms no further apart are bonded
+MANY_ATOMS = 100  # from which on their balls are coarser
+
+
+def surface_of_body(table: BodyTable, folder: Path) -> Surface | None:
+    """Return what a body looks like; paths count from the folder. None where only moments are known.
+
+    A mesh is as it stands in its file, parts are in their places, a molecule is balls and bars.
+
+    Raises:
+        InvalidInput: if a file that the body came from is gone.
+    """
+    if table.mesh is not None:
+        return Surface(*read_mesh(folder / table.mesh, table.mesh_unit or 1.0, table.repair))
+    if table.parts is not None:
+        return joined([surface_of_part(part) for part in table.parts])
+    if table.molecule is not None:
+        symbols, positions, _ = read_molecule(folder / table.molecule)
+        return surface_of_atoms(symbols, positions)
+    return None
+
+
+def surface_of_disk(table: EulerDiskTable) -> Surface:
+    """Return the rolling disk, its axis along z."""
+    return tube(table.radius, table.thickness or THIN * table.radius)
+
+
+def surface_of_part(table: PartTable) -> Surface:
+    """Return one part in its place."""
+    made = _made(table)
+    return Surface(made.vertices @ TURNS[table.axis].T + np.asarray(table.at), made.faces)
+
+
+def _made(part: PartTable) -> Surface:
+    """Return a shape about its centre of mass, its axis along z."""
+    # the rules have seen to it that each shape has its own measures; 0.0 stands for those of the others
+    radius, height, length = part.radius or 0.0, part.height or 0.0, part.length or 0.0
+    inner = min(part.inner_radius or 0.0, (1.0 - THIN) * radius)
+    match part.shape:
+        case "box":
+            return cuboid(part.size)
+        case "cylinder":
+            return tube(radius, height, inner)
+        case "disk":
+            return tube(radius, THIN * radius, inner)
+        case "rod":
+            return tube(0.5 * THIN * length, length)
+        case "cone":
+            return cone(radius, height)
+        case "torus":
+            return torus(part.major_radius or 0.0, part.minor_radius or 0.0)
+    vertices, faces = ball()
+    if part.shape == "ellipsoid":
+        return Surface(vertices * np.asarray(part.semi_axes), faces)
+    cavity = [Surface(vertices * inner, faces[:, ::-1])] if inner else []
+    return joined([Surface(vertices * radius, faces), *cavity])
+
+
+def surface_of_atoms(symbols: Sequence[str], positions: Array) -> Surface:
+    """Return a molecule as balls, half as large as the atoms' covalent radii, and bars between bonded ones.
+
+    Args:
+        symbols: (n,) chemical symbols.
+        positions: (n, 3) [m].
+    """
+    from ase.data import atomic_numbers, covalent_radii
+    from scipy.spatial import KDTree
+
+    positions = np.asarray(positions, dtype=float)
+    radii = np.array([covalent_radii[atomic_numbers[symbol]] for symbol in symbols]) * ANGSTROM
+    vertices, faces = ball(24 if len(radii) <= MANY_ATOMS else 12)
+    shown = [Surface(vertices * (BALL * r) + at, faces) for r, at in zip(radii, positions, strict=True)]
+    for i, j in KDTree(positions).query_pairs(2.0 * BONDED * radii.max(), output_type="ndarray"):
+        if np.linalg.norm(positions[i] - positions[j]) <= BONDED * (radii[i] + radii[j]):
+            shown.append(bar(positions[i], positions[j], BAR))
+    return joined(shown)
