@@ -57,6 +57,17 @@ def test_a_shell_without_thickness_is_drawn_with_a_little(read, shape, inner):
     assert np.abs(drawn.inertia - spec.body.inertia).max() <= 2 * DRAWN * np.abs(spec.body.inertia).max()
 
 
+@pytest.mark.parametrize(("axis", "apex"), [("z", (0, 0, 3)), ("-z", (0, 0, -3)), ("-x", (-3, 0, 0)), ("y", (0, 3, 0))])
+def test_a_cone_points_where_its_axis_says(read, axis, apex):
+    spec = read(f"""[body]
+    parts = [{{shape = "cone", mass = "2 kg", radius = "1 m", height = "4 m", axis = "{axis}"}}]""")
+    vertices = spec.surface.vertices
+    farthest = vertices[np.linalg.norm(vertices, axis=1).argmax()]
+    assert farthest == pytest.approx(apex, abs=EXACT)
+    assert (vertices @ apex).min() == pytest.approx(-3.0, rel=EXACT)  # the base, h/4 the other way
+    assert ph.from_mesh(*spec.surface, mass=2.0).mass == 2.0  # turned, not mirrored: the gate would say inverted
+
+
 def test_parts_are_drawn_together(read):
     spec = read("""[body]
     parts = [{shape = "sphere", mass = "1 kg", radius = "1 cm"},

@@ -22,6 +22,7 @@ from polhode.spec.models import SHAPE_KEYS, BodyTable, PartTable, SpinTable
 
 Array = Any
 TURNS = {"z": np.eye(3), "x": np.eye(3)[[2, 0, 1]], "y": np.eye(3)[[1, 2, 0]]}
+TURNS |= {f"-{axis}": turn * [1.0, -1.0, -1.0] for axis, turn in TURNS.items()}
 
 
 def build_body(table: BodyTable, folder: Path) -> Body:

@@ -38,7 +38,7 @@ SHAPE_KEYS: dict[str, tuple[str, ...]] = {
 }
 MAY_BE_HOLLOW = ("cylinder", "sphere", "disk")
 Shape = Annotated[str, one_of(*SHAPE_KEYS)]
-GivenAxis = Annotated[Literal["x", "y", "z"], one_of("x", "y", "z")]
+PartAxis = Annotated[Literal["x", "y", "z", "-x", "-y", "-z"], one_of("x", "y", "z", "-x", "-y", "-z")]
 Axis = Annotated[Literal[1, 2, 3, "x", "y", "z"], one_of(1, 2, 3, "x", "y", "z")]
 
 
@@ -54,7 +54,7 @@ class PartTable(Strict):
     shape: Shape
     mass: Mass
     at: Position = (0.0, 0.0, 0.0)
-    axis: GivenAxis = "z"
+    axis: PartAxis = "z"
     size: Lengths | None = None
     semi_axes: Lengths | None = None
     radius: Length | None = None
