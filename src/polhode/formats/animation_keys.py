@@ -1,0 +1,94 @@
+"""When an animation has its keys, and the motion there: near enough to each other, apart in single precision."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from polhode import rotation
+from polhode.errors import InvalidInput
+from polhode.exact.free_body import FreeMotion
+from polhode.exact.lagrange_top import LagrangeMotion
+from polhode.trajectory import Trajectory
+
+Array = Any
+FARTHEST = 0.5 * math.pi  # rad from key to key; beyond π viewers, which take the short way, turn it backward
+FINE = math.pi / 16.0  # rad from key to key where an exact motion is evaluated anew
+MOST_KEYS = 1_000_000
+SAME_ATTITUDE = 1e-9  # rad; a motion whose trajectory was not turned to other axes gives its first attitude again
+
+
+def keys_of(trajectory: Trajectory, speed: float, rate: float | None = None) -> tuple[Array, Trajectory]:
+    """Return the clock (K,) [s] of an animation, as single precision has it, and the trajectory at its keys.
+
+    Exact motions are evaluated anew at just these times, finer than they were sampled where need be; of other samples
+    the clock is rounded, and those that it cannot tell apart are left out.
+
+    Args:
+        trajectory: of one body, with attitude.
+        speed: seconds of motion in a second of the animation.
+        rate: keys per second of the animation, for exact motions.
+
+    Raises:
+        InvalidInput: for times that do not increase, keys too far apart or too many, and a rate for what is not exact.
+    """
+    times = np.asarray(trajectory.times, dtype=float)
+    if not (np.diff(times) > 0).all():
+        raise InvalidInput("an animation needs times that increase; these do not. Sort them, each once.")
+    motion = _exact_motion(trajectory)
+    lasts = float(times[-1] - times[0]) / speed
+    clock = (times - times[0]) / speed
+    if rate is not None:
+        if motion is None:
+            raise InvalidInput("`rate` is for exact motions; samples are keys themselves. Leave it out.")
+        clock = _evenly(lasts, lasts * rate)
+    elif motion is not None and farthest_turn(trajectory) >= FARTHEST:
+        fastest = float(np.linalg.norm(np.asarray(trajectory.angular_velocity), axis=-1).max())
+        clock = _evenly(lasts, fastest * lasts * speed / FINE)
+    clock, kept = np.unique(clock.astype(np.float32), return_index=True)
+    clock = clock.astype(float)
+    keyed = _taken(trajectory, kept) if motion is None else motion.sample(times[0] + speed * clock)
+    if (farthest := farthest_turn(keyed)) >= FARTHEST:
+        raise InvalidInput(
+            f"the keys of the animation are too far apart: {farthest:.3g} rad from one to the next, where less than "
+            f"{FARTHEST:.3g} leaves no doubt which way it turns. Take more samples, a shorter time or a higher rate."
+        )
+    return clock, keyed
+
+
+def farthest_turn(trajectory: Trajectory) -> float:
+    """Return the largest angle [rad] from one sample to the next, by the rates at both where there are any."""
+    times, attitude = np.asarray(trajectory.times), np.asarray(trajectory.attitude)
+    if len(times) < 2:
+        return 0.0
+    if trajectory.angular_velocity is None:
+        return float(np.max(rotation.angle_between(attitude[1:], attitude[:-1])))
+    rates = np.linalg.norm(np.asarray(trajectory.angular_velocity), axis=-1)
+    return float((np.maximum(rates[1:], rates[:-1]) * np.diff(times)).max())
+
+
+def _evenly(lasts: float, intervals: float) -> Array:
+    if intervals >= MOST_KEYS:
+        raise InvalidInput(f"an animation of {intervals:.3g} keys is more than the {MOST_KEYS} that viewers bear. "
+                           "Take a shorter time, or a lower rate.")  # fmt: skip
+    return np.linspace(0.0, lasts, math.ceil(intervals) + 1)
+
+
+def _exact_motion(trajectory: Trajectory) -> FreeMotion | LagrangeMotion | None:
+    """Return the motion to evaluate anew, unless the trajectory is along other axes than its motion's."""
+    motion = trajectory.system
+    if not isinstance(motion, FreeMotion | LagrangeMotion):
+        return None
+    again = np.asarray(motion.sample(np.asarray(trajectory.times)[:1]).attitude)
+    first = np.asarray(trajectory.attitude)[:1]
+    same = again.shape == first.shape and float(rotation.angle_between(again, first)[0]) <= SAME_ATTITUDE
+    return motion if same else None
+
+
+def _taken(trajectory: Trajectory, kept: Array) -> Trajectory:
+    names = ("times", "states", "attitude", "momentum", "angular_velocity")
+    parts = {name: getattr(trajectory, name) for name in names}
+    return replace(trajectory, **{name: x if x is None else np.asarray(x)[kept] for name, x in parts.items()})

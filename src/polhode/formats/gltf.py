@@ -1,0 +1,169 @@
+"""Motions as animations that any viewer of glTF plays."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from polhode import rotation
+from polhode.bodies.frame import BodyFrame
+from polhode.bodies.surface import Surface, box_in_place
+from polhode.bodies.turned import turned
+from polhode.errors import InvalidInput
+from polhode.formats.animation_keys import keys_of
+from polhode.formats.given_axes import along_given_axes, single_attitude
+from polhode.formats.glb import Glb
+from polhode.formats.labels import AttitudeLabels
+from polhode.formats.paths import written_whole
+from polhode.trajectory import Trajectory
+
+Array = Any
+WATCHABLE = (1.0, 600.0)  # s; a motion that lasts shorter or longer is not shown in real time
+VIEWABLE = (1e-2, 1e3)  # m; a body that is smaller or larger is not shown in its own size
+STEADY = 1e-6  # of a direction: what single precision hardly shows
+LONG = 1.3  # an arrow, of the body's reach
+# Okabe and Ito's colours, which the colour-blind tell apart
+BODY, MOMENTUM = (0.62, 0.70, 0.78), (0.90, 0.62, 0.0)
+AXES = ((0.84, 0.37, 0.0), (0.0, 0.62, 0.45), (0.0, 0.45, 0.70))
+Z_UP = [-math.sqrt(0.5), 0.0, 0.0, math.sqrt(0.5)]  # xyzw, takes z to glTF's y, which is up
+TO_AXES = (np.eye(3)[[1, 2, 0]], np.eye(3)[[2, 0, 1]], np.eye(3))  # of rows: z to x, to y, to z
+
+
+def write_gltf(
+    trajectory: Trajectory,
+    path: str | Path,
+    *,
+    labels: AttitudeLabels | None = None,
+    frame: BodyFrame | None = None,
+    surface: Surface | None = None,
+    rate: float | None = None,
+    speed: float | None = None,
+) -> Path:
+    """Write a motion as a glTF 2.0 animation in one binary file (.glb).
+
+    The body turns about its centre of mass or its fixed point, which stands at the origin; a rolling disk moves along.
+    Arrows show principal axes 1, 2, 3 in vermilion, green and blue, and the angular momentum in orange. Space z is up:
+    a node turns it to glTF's y. Numbers are in single precision, as the format has them: attitudes at the keys to
+    1.2e-7 rad, and between them viewers interpolate. Exact motions are evaluated at the very times that the file holds,
+    other samples keep theirs, rounded.
+
+    Args:
+        trajectory: of one body, with attitude.
+        path: of the file, replaced if it is there.
+        labels: its ``object_name`` is that of the node.
+        frame: the principal axes that the trajectory is along; None where it is along the given ones.
+        surface: what the body looks like, in the given axes; without it the box of the same inertia, or arrows alone.
+        rate: keys per second of the animation, for exact motions; the trajectory's own samples without it, or finer
+            where these are too far apart.
+        speed: seconds of motion in a second of animation; without it real time, or the power of ten that makes motions
+            shorter than a second or longer than ten minutes last from 10 to 100 s.
+
+    Returns:
+        The path. The file's ``asset.extras`` say the speed and the size of its unit, metres for bodies of 1 cm to 1 km.
+
+    Raises:
+        InvalidInput: for trajectories without attitude, of several bodies, or with samples so far apart that it is open
+            which way the body turned; for files that cannot be written.
+
+    >>> from polhode.exact.free_body import FreeMotion
+    >>> motion = FreeMotion((1.0, 2.0, 2.5), (0.1, 2.0, 0.2))
+    >>> write_gltf(motion.sample(np.linspace(0.0, 20.0, 600)), "/no/such/folder/tumbling.glb")
+    Traceback (most recent call last):
+    polhode.errors.InvalidInput: /no/such/folder/tumbling.glb: cannot be written, as /no/such/folder is no folder. ...
+    """
+    path = Path(path)
+    for name, value in (("rate", rate), ("speed", speed)):
+        if value is not None and not (math.isfinite(value) and value > 0):
+            raise InvalidInput(f"`{name}` must be positive and finite; got {value!r}. Give it in SI units.")
+    if not np.isfinite(single_attitude(trajectory, "glTF")).all():
+        raise InvalidInput("glTF holds finite attitudes, and not all of these are. Cut the trajectory where they end.")
+    speed = _watchable_speed(float(trajectory.times[-1] - trajectory.times[0])) if speed is None else speed
+    clock, keyed = keys_of(trajectory, speed, rate)
+    drawn = _about_origin(frame, surface)
+    reach = 0.0 if drawn is None else float(np.linalg.norm(drawn.vertices, axis=1).max())
+    unit = _viewable_unit(reach)
+    shown = None if drawn is None else Surface(drawn.vertices / unit, drawn.faces)
+    extras = {"seconds_per_second": speed, "metres_per_unit": unit}
+    made = Glb({"asset": {"version": "2.0", "generator": "polhode", "extras": extras}, "scene": 0})
+    place, body = _add_body(made, (labels or AttitudeLabels()).object_name, shown, frame, LONG * reach / unit or 1.0)
+    attitude = np.asarray(along_given_axes(keyed, frame).attitude)
+    tracks = [(body, "rotation", _xyzw(_continuous(attitude)))]
+    center = getattr(keyed.system, "center", None)
+    if callable(center):
+        tracks.append((place, "translation", np.asarray(center(keyed.states)) / unit))
+    tracks += _add_momentum(made, place, keyed, LONG * reach / unit or 1.0)
+    made.animate("motion", clock, tracks)
+    with written_whole(path) as draft:
+        draft.write_bytes(made.as_bytes())
+    return path
+
+
+def _watchable_speed(span: float) -> float:
+    shortest, longest = WATCHABLE
+    return 1.0 if span <= 0.0 or shortest <= span <= longest else 10.0 ** (math.floor(math.log10(span)) - 1)
+
+
+def _viewable_unit(reach: float) -> float:
+    smallest, largest = VIEWABLE
+    return 1.0 if reach == 0.0 or smallest <= reach <= largest else 10.0 ** math.floor(math.log10(reach))
+
+
+def _about_origin(frame: BodyFrame | None, surface: Surface | None) -> Surface | None:
+    """Return what is drawn, along the given axes, about the point that the body turns about."""
+    if frame is None:
+        return surface
+    surface = box_in_place(frame) if surface is None else surface
+    return None if surface is None else Surface(np.asarray(surface.vertices) - frame.origin, surface.faces)
+
+
+def _add_body(
+    made: Glb, name: str, shown: Surface | None, frame: BodyFrame | None, length: float
+) -> tuple[int, int]:
+    """Add the nodes of space, place, body and axes; return those of place and body, which move."""
+    place = made.node("place", made.node("space, z up", rotation=Z_UP))
+    body = made.node(name, place, **({} if shown is None else made.mesh((shown, BODY))))
+    arrow = _arrow(length)
+    three = made.mesh(*((Surface(arrow.vertices @ turn, arrow.faces), color)
+                        for turn, color in zip(TO_AXES, AXES, strict=True)))  # fmt: skip
+    axes = np.eye(3) if frame is None else np.asarray(frame.axes)
+    called = "body axes" if frame is None else "principal axes"
+    made.node(called, body, **three, rotation=_xyzw(rotation.from_matrix(axes)).tolist())
+    return place, body
+
+
+def _add_momentum(made: Glb, place: int, keyed: Trajectory, length: float) -> list[tuple[int, str, Array]]:
+    """Add the arrow along the angular momentum, if there is any; return what moves it, if it moves."""
+    if keyed.momentum is None:
+        return []
+    momentum = rotation.rotate(np.asarray(keyed.attitude), np.asarray(keyed.momentum))
+    size = np.linalg.norm(momentum, axis=-1, keepdims=True)
+    if not (size > 0).all():
+        return []
+    toward = momentum / size
+    x, y, z = toward.T
+    down = np.array([0.0, 1.0, 0.0, 0.0])  # half a turn, where the shortest turn from z is not the only one
+    turns = np.column_stack([1.0 + z, -y, x, np.zeros_like(z)])
+    turns = rotation.normalize(np.where((z > -1.0)[:, None], turns, down))
+    arrow = made.node("angular momentum", place, **made.mesh((_arrow(length), MOMENTUM)),
+                      rotation=_xyzw(turns[0]).tolist())  # fmt: skip
+    moves = np.abs(toward - toward[0]).max() > STEADY
+    return [(arrow, "rotation", _xyzw(_continuous(turns)))] if moves else []
+
+
+def _arrow(length: float) -> Surface:
+    profile = np.array([(0.0, 0.0), (0.012, 0.0), (0.012, 0.86), (0.036, 0.86), (0.0, 1.0)])
+    return turned(profile * length, sections=16)
+
+
+def _continuous(quaternions: Array) -> Array:
+    """Return quaternions (K, 4) with the signs that make each near the one before, so that viewers go the short way."""
+    dots = np.einsum("ki,ki->k", quaternions[1:], quaternions[:-1])
+    signs = np.cumprod(np.where(dots < 0.0, -1.0, 1.0))
+    return np.concatenate([quaternions[:1], quaternions[1:] * signs[:, None]])
+
+
+def _xyzw(quaternions: Array) -> Array:
+    return np.roll(quaternions, -1, axis=-1)
