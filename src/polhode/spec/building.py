@@ -18,6 +18,7 @@ from polhode.bodies.mesh import from_mesh
 from polhode.errors import InvalidInput
 from polhode.formats.mesh import read_mesh
 from polhode.formats.molecule import read_molecule
+from polhode.formats.urdf import read_urdf_inertial
 from polhode.spec.models import SHAPE_KEYS, BodyTable, PartTable, SpinTable
 
 Array = Any
@@ -44,6 +45,8 @@ def build_body(table: BodyTable, folder: Path) -> Body:
         atoms = read_molecule(folder / table.molecule)
         with _of_file("molecule", table.molecule):
             return from_atoms(*atoms)
+    if table.urdf is not None:
+        return read_urdf_inertial(folder / table.urdf, table.link)
     return combine([build_part(part) for part in table.parts or []])
 
 

@@ -66,7 +66,7 @@ class PartTable(Strict):
 
 
 class BodyTable(Strict):
-    """Where the body comes from: exactly one of mesh, moments, inertia, parts and molecule."""
+    """Where the body comes from: exactly one of mesh, moments, inertia, parts, molecule and urdf."""
 
     mesh: str | None = None
     mesh_unit: MeshUnit | None = None
@@ -78,6 +78,8 @@ class BodyTable(Strict):
     inertia: Inertia | None = None
     parts: Annotated[list[PartTable], Field(min_length=1)] | None = None
     molecule: str | None = None
+    urdf: str | None = None
+    link: str | None = None
 
 
 class SpinTable(Strict):

@@ -16,7 +16,7 @@ from polhode.spec.units import parse_quantity
 
 Location = tuple[str | int, ...]
 Mistake = tuple[Location, str]
-SOURCES = ("mesh", "moments", "inertia", "parts", "molecule")
+SOURCES = ("mesh", "moments", "inertia", "parts", "molecule", "urdf")
 NO_BODY = 'is missing; say what rotates, like moments = ["1 kg*m^2", "2 kg*m^2", "2.5 kg*m^2"] under [body]'
 WAYS = ("angular_velocity", "momentum", "rate")
 
@@ -78,7 +78,7 @@ def _spin_orbit_rules(system: dict[str, Any], has_body: bool) -> Iterator[Mistak
 def _body_rules(body: dict[str, Any]) -> Iterator[str]:
     sources = [key for key in SOURCES if key in body]
     if len(sources) != 1:
-        yield f"needs exactly one of mesh, moments, inertia, parts and molecule; got {_listed(sources)}"
+        yield f"needs exactly one of mesh, moments, inertia, parts, molecule and urdf; got {_listed(sources)}"
     if "mesh" in body:
         if "mesh_unit" not in body:
             yield 'needs mesh_unit, like "mm": mesh files carry no units'
@@ -88,8 +88,10 @@ def _body_rules(body: dict[str, Any]) -> Iterator[str]:
         if extra := [key for key in ("mesh_unit", "density", "repair", "several") if key in body]:
             verb = "goes" if len(extra) == 1 else "go"
             yield f"{_listed(extra)} {verb} with a mesh, not with {sources[0]}; leave it out"
-        if "mass" in body and sources[0] in ("parts", "molecule"):
+        if "mass" in body and sources[0] in ("parts", "molecule", "urdf"):
             yield f"mass follows from the {sources[0]}; leave it out"
+    if "link" in body and "urdf" not in body:
+        yield "link goes with a urdf; leave it out"
 
 
 def _part_rules(part: dict[str, Any]) -> Iterator[str]:
