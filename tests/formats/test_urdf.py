@@ -135,7 +135,7 @@ def test_which_link(saved):
     assert read_urdf_inertial(saved(TWO), "fore_arm").mass == 3.7
     with pytest.raises(InvalidInput, match="has no link 'hand'; those with mass are upper_arm"):
         read_urdf_inertial(saved(ARM), "hand")
-    with pytest.raises(FormatError, match="link 'base_link' has no <inertial>.*that have are upper_arm"):
+    with pytest.raises(FormatError, match=r"link 'base_link' has no <inertial>.*that have are upper_arm"):
         read_urdf_inertial(saved(ARM), "base_link")
     with pytest.raises(InvalidInput, match="has 2 links called 'upper_arm'"):
         read_urdf_inertial(saved(TWO.replace("fore_arm", "upper_arm")), "upper_arm")

@@ -67,10 +67,12 @@ def write_urdf_inertial(body: Body, path: str | Path, name: str = "body", princi
         InvalidInput: for a body without mass, a name that is empty or that XML cannot hold, or a file that cannot be
             written.
 
+    >>> import tempfile
     >>> from polhode.bodies import shapes
-    >>> write_urdf_inertial(shapes.box(1.0, (1.0, 2.0, 3.0)), "/no/such/folder/box.urdf")
-    Traceback (most recent call last):
-    polhode.errors.InvalidInput: /no/such/folder/box.urdf: cannot be written, as /no/such/folder is no folder. ...
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = write_urdf_inertial(shapes.box(12.0, (1.0, 2.0, 3.0)), f"{folder}/box.urdf")
+    ...     read_urdf_inertial(path).principal_moments
+    array([ 5., 10., 13.])
     """
     path = Path(path)
     if body.mass is None:
