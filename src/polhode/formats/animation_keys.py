@@ -54,8 +54,8 @@ def keys_of(trajectory: Trajectory, speed: float, rate: float | None = None) -> 
     if (farthest := farthest_turn(keyed)) >= FARTHEST:
         raise InvalidInput(
             f"the keys of the animation are too far apart: {farthest:.3g} rad from one to the next, where less than "
-            f"{FARTHEST:.3g} leaves no doubt which way it turns. Take more samples, a shorter time (`until` in a spec) or, "
-            "of exact motions, a higher rate."
+            f"{FARTHEST:.3g} leaves no doubt which way it turns. Take more samples or a shorter time (`until` in a "
+            "spec); of exact motions a higher rate."
         )
     return clock, keyed
 
