@@ -41,11 +41,15 @@ def report(
         Path | None,
         typer.Option("--out", metavar="DIR", help="Folder for figures and dataset [default: named after the spec]."),
     ] = None,
+    figures: Annotated[
+        list[str] | None,
+        typer.Option("--figures", metavar="FORM", help="png, svg, pdf, or several with commas [default: png]."),
+    ] = None,
 ) -> None:
     """Say how the body rotates: motion, stability, periods; write figures and a NetCDF dataset."""
     from polhode.cli.report import run_report
 
-    run_report(spec, json, out)
+    run_report(spec, json, out, figures or [])
 
 
 @app.command()

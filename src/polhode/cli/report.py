@@ -14,16 +14,24 @@ from polhode.report.choice import report_of
 from polhode.spec.reading import read_spec
 
 
-def is_ours(path: Path) -> bool:
-    """Whether a file is a figure of polhode's, as its PNG header says."""
-    if not path.is_file():
-        return False
-    with path.open("rb") as file:
-        return b"polhode" in file.read(400)
+FORMS = ("png", "svg", "pdf")
 
 
-def run_report(path: Path, json: bool, out: Path | None) -> None:
+def figure_forms(named: list[str]) -> list[str]:
+    """Return the forms of figures asked for, each once; an item may be several with commas between.
+
+    Raises:
+        InvalidInput: for forms that figures are not written in.
+    """
+    forms = [form.strip().lower().removeprefix(".") for item in named for form in item.split(",")]
+    if unknown := [form for form in forms if form not in FORMS]:
+        raise InvalidInput(f"`--figures` must be of {', '.join(FORMS)}; got {unknown[0]!r}. Leave it out for png.")
+    return list(dict.fromkeys(forms)) or ["png"]
+
+
+def run_report(path: Path, json: bool, out: Path | None, figures: list[str]) -> None:
     """Read the spec, compute, write figures and dataset, and print the answers."""
+    forms = figure_forms(figures)
     spec = read_spec(path)
     folder = out or Path(path.stem if path.suffix else f"{path.name}_report")
     try:
@@ -34,7 +42,7 @@ def run_report(path: Path, json: bool, out: Path | None) -> None:
         from polhode.figures.drawing import draw_all
         from polhode.formats.dataset import write_dataset
 
-        files = draw_all(report, draft)
+        files = draw_all(report, draft, *forms)
         files.append(write_dataset(report.trajectory, draft / "motion.nc", {"title": spec.name}, report.frame))
         names = [str(folder / file.name) for file in files]
     if json:
@@ -54,6 +62,8 @@ def _folder_at_once(folder: Path) -> Iterator[Path]:
     except OSError as error:
         why = f"{folder}: cannot be written ({error.strerror}). Name a folder that you may write to with --out."
         raise InvalidInput(why) from None
+    from polhode.figures import style
+
     try:
         yield draft
         taken = [folder / file.name for file in draft.iterdir() if (folder / file.name).is_dir()]
@@ -61,8 +71,8 @@ def _folder_at_once(folder: Path) -> Iterator[Path]:
             raise InvalidInput(f"{taken[0]}: is a folder where a file has to go. Name another folder with --out.")
         folder.mkdir(exist_ok=True)
         written = {file.name for file in draft.iterdir()}
-        for path in folder.glob("*.png"):  # an earlier run's, of another motion
-            if path.name not in written and is_ours(path):
+        for path in folder.iterdir():  # an earlier run's, of another motion
+            if path.name not in written and style.is_ours(path):
                 path.unlink()
         for name in written:
             (draft / name).replace(folder / name)

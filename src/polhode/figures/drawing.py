@@ -30,11 +30,17 @@ FIGURES: dict[str, dict[str, tuple[str, str]]] = {
 }
 
 
-def draw_all(report: AbstractReport, folder: Path, ending: str = "png") -> list[Path]:
-    """Write every figure that the report has into an existing folder and return their paths."""
+def draw_all(report: AbstractReport, folder: Path, *forms: str) -> list[Path]:
+    """Write every figure that the report has into an existing folder and return their paths.
+
+    Args:
+        report: what is drawn.
+        folder: where to.
+        forms: png, svg, pdf, each figure in all of them; png if none is named.
+    """
     written = []
     for name, (module, draw) in FIGURES[report.kind].items():
         figure = getattr(import_module(f"polhode.figures.{module}"), draw)(report)
         if figure is not None:
-            written.append(style.save(figure, folder / f"{name}.{ending}"))
+            written += [style.save(figure, folder / f"{name}.{form}") for form in forms or ("png",)]
     return written

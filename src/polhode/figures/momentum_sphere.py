@@ -7,14 +7,13 @@ from typing import Any
 import numpy as np
 from matplotlib.figure import Figure
 
-from polhode.exact.free_body import FreeMotion
+from polhode.analysis.polhodes import polhode_family, separatrix
 from polhode.figures import style
 from polhode.figures.sphere import draw_curve, mark_point, sphere_axes, view_frame
 from polhode.report.free_body import FreeBodyReport
 
 Array = Any
 VIEW = (0.80, 0.46, 0.38)
-POLHODES = (0.08, 0.25, 0.5, 0.75)  # of the way from an axis to the separatrix
 
 
 def draw_momentum_sphere(report: FreeBodyReport) -> Figure | None:
@@ -26,10 +25,10 @@ def draw_momentum_sphere(report: FreeBodyReport) -> Figure | None:
     axes = sphere_axes(figure)
     moments = np.asarray(report.motion.moments)
     frame = view_frame(VIEW)
-    family = _family(moments)
+    family = polhode_family(moments)
     for curve in family:
         draw_curve(axes, frame, curve, style.GREY, 0.5)
-    for curve in _separatrix(moments):
+    for curve in separatrix(moments):
         draw_curve(axes, frame, curve, style.VERMILION, 0.9)
     unit, span = np.asarray(report.trajectory.momentum) / norm, report.motion.period
     if span is not None:
@@ -49,41 +48,6 @@ def draw_momentum_sphere(report: FreeBodyReport) -> Figure | None:
                 frameon=False, handlelength=1.6, columnspacing=1.2)  # fmt: skip
     axes.set_title("Momentum sphere, body axes", fontsize=style.FONT, color=style.DARK)
     return figure
-
-
-def _family(moments: Array) -> list[Array]:
-    """Return unit polhodes around the stable axes, at given fractions of the way to the separatrix."""
-    I1, I2, I3 = moments
-    curves = []
-    if I1 == I3:
-        return curves
-    for axis in (0, 2):
-        # on the great circle through axes 1 and 3 the separatrix stands at this angle from axis 3
-        saddle = np.arctan2(np.sqrt((I3 - I2) * I1), np.sqrt((I2 - I1) * I3))
-        reach = saddle if axis == 2 else 0.5 * np.pi - saddle
-        for part in POLHODES if reach > 1e-9 else ():
-            angle = part * reach
-            near, far = np.cos(angle), np.sin(angle)
-            start = (far, 0.0, near) if axis == 2 else (near, 0.0, far)
-            motion = FreeMotion(moments, start)
-            if motion.period is None:
-                continue
-            curve = motion.momentum(np.linspace(0.0, motion.period, 400))
-            curves += [curve, -curve]
-    return curves
-
-
-def _separatrix(moments: Array) -> list[Array]:
-    """Return the two great circles on which A L1² = B L3²."""
-    I1, I2, I3 = moments
-    if not I1 < I2 < I3:
-        return []
-    a, b = np.sqrt((I2 - I1) * I3), np.sqrt((I3 - I2) * I1)
-    size = np.hypot(a, b)
-    turn = np.linspace(0.0, 2.0 * np.pi, 400)
-    return [
-        np.stack([np.cos(turn) * b / size, np.sin(turn), side * np.cos(turn) * a / size], axis=-1) for side in (1, -1)
-    ]
 
 
 def _label(axes: Any, frame: Array, k: int) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+import matplotlib
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
@@ -16,6 +17,20 @@ BLUE, ORANGE, GREEN, VERMILION, SKY, PURPLE = "#0072B2", "#E69F00", "#009E73", "
 AXIS_COLOURS = (BLUE, ORANGE, GREEN)
 GREY, LIGHT, DARK = "#6f6f6f", "#c8c8c8", "#222222"
 FONT = 8
+SETTINGS = {
+    "pdf.fonttype": 42,  # TrueType, embedded: publishers refuse type 3
+    # text stays text, so that it can be searched, read aloud and set anew; among the fonts named for where DejaVu is
+    # missing, Verdana has nearly its widths
+    "svg.fonttype": "none",
+    "svg.hashsalt": "polhode",  # names of clips and markers, otherwise drawn by chance
+}
+# what files say of themselves; without a date, so that the same motion gives the same file
+METADATA: dict[str, dict[str, Any]] = {
+    "png": {"Software": "polhode"},
+    "svg": {"Creator": "polhode", "Date": None},
+    "pdf": {"Creator": "polhode", "CreationDate": None},
+}
+_MARKS = {"png": b"Software\0polhode", "svg": b"<dc:title>polhode</dc:title>", "pdf": b"/Creator (polhode)"}
 
 
 def new_figure(width: float = COLUMN, height: float = COLUMN) -> Figure:
@@ -49,7 +64,14 @@ def tidy(axes: Any) -> None:
 
 
 def save(figure: Figure, path: Path) -> Path:
-    """Write the figure in the form its ending names."""
-    kinds = {".png": {"Software": "polhode"}, ".svg": {"Creator": "polhode"}, ".pdf": {"Creator": "polhode"}}
-    figure.savefig(path, dpi=DOTS_PER_INCH, facecolor="white", metadata=kinds.get(path.suffix))
+    """Write the figure in the form its ending names: png, svg or pdf."""
+    kind = path.suffix.removeprefix(".")
+    with matplotlib.rc_context(SETTINGS):
+        figure.savefig(path, dpi=DOTS_PER_INCH, facecolor="white", metadata=METADATA[kind])
     return path
+
+
+def is_ours(path: Path) -> bool:
+    """Whether a file is a figure that `save` wrote, as it says itself."""
+    mark = _MARKS.get(path.suffix.removeprefix("."))
+    return mark is not None and path.is_file() and mark in path.read_bytes()
