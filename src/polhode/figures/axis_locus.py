@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -14,7 +14,7 @@ from polhode.report.tops import LagrangeTopReport, TopReport
 
 Array = Any
 VIEW = (0.62, -0.62, 0.48)
-PERIODS = 8  # drawn at most
+PERIODS = 4  # drawn at most
 SAMPLES = 6000
 
 
@@ -23,7 +23,9 @@ def draw_axis_locus(report: TopReport) -> Figure:
     figure = style.new_figure()
     axes = sphere_axes(figure)
     frame = view_frame(VIEW)
-    curve, limits, words = _path(report)
+    path = followed(report)
+    curve, limits = path.axis, path.limits
+    kind = f": {report.exact.regime}" if isinstance(report, LagrangeTopReport) else ", space axes"
     for height in limits:
         turn = np.linspace(0.0, 2.0 * np.pi, 400)
         radius = np.sqrt(max(0.0, 1.0 - height * height))
@@ -40,19 +42,44 @@ def draw_axis_locus(report: TopReport) -> Figure:
         handles.append(axes.plot([], [], color=style.VERMILION, lw=0.7, label="limits of its tilt")[0])
     axes.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, -0.01), ncols=2, fontsize=style.FONT - 1,
                 frameon=False, handlelength=1.6)  # fmt: skip
-    axes.set_title(words, fontsize=style.FONT, color=style.DARK)
+    axes.set_title(f"Path of the axis{kind}{path.words}", fontsize=style.FONT, color=style.DARK)
     return figure
 
 
-def _path(report: TopReport) -> tuple[Array, list[float], str]:
-    """Return the path (T, 3), heights of the bounding circles, and what it is."""
+class Followed(NamedTuple):
+    """The part of a top's motion that is drawn, space axes.
+
+    Attributes:
+        attitude: (T, 4).
+        axis: (T, 3) unit vector from the pivot to the centre of mass.
+        momentum: (T, 3) about the pivot [kg m²/s].
+        velocity: (T, 3) angular velocity [rad/s].
+        limits: heights of the circles that bound the axis, where known.
+        words: which part it is, beginning with a comma; empty for all of it.
+    """
+
+    attitude: Array
+    axis: Array
+    momentum: Array
+    velocity: Array
+    limits: list[float]
+    words: str
+
+
+def followed(report: TopReport) -> Followed:
+    """Return the first nutations of a Lagrange top, finely sampled, or all samples of another one."""
     if not isinstance(report, LagrangeTopReport):
-        return report.axis_in_space, [], "Path of the axis, space axes"
+        motion = report.trajectory
+        attitude = np.asarray(motion.attitude)
+        momentum = rotation.rotate(attitude, np.asarray(motion.momentum))
+        velocity = rotation.rotate(attitude, np.asarray(motion.angular_velocity))
+        return Followed(attitude, report.axis_in_space, momentum, velocity, [], "")
     exact = report.exact
     start, end = float(report.trajectory.times[0]), float(report.trajectory.times[-1])
-    shown = ""
+    words = ""
     if exact.nutation_period is not None and end - start > PERIODS * exact.nutation_period:
-        end, shown = start + PERIODS * exact.nutation_period, f", first {PERIODS} nutations"
-    attitude = exact.attitude(np.linspace(start, end, SAMPLES))
+        end, words = start + PERIODS * exact.nutation_period, f", first {PERIODS} nutations"
+    attitude, momentum = exact.state(np.linspace(start, end, SAMPLES))
     limits = [x for x in exact.nutation_limits if x is not None and abs(x) < 1.0]
-    return rotation.rotate(attitude, np.array([0.0, 0.0, 1.0])), limits, f"Path of the axis: {exact.regime}{shown}"
+    turned = (rotation.rotate(attitude, v) for v in (np.array([0.0, 0.0, 1.0]), momentum, momentum / exact.moments))
+    return Followed(attitude, *turned, limits, words)

@@ -8,15 +8,21 @@ from pathlib import Path
 from polhode.figures import style
 from polhode.report.base import AbstractReport
 
+TOP_FIGURES = {
+    "spinning_top": ("spinning_top", "draw_spinning_top"),
+    "axis_locus": ("axis_locus", "draw_axis_locus"),
+    "motion": ("top_motion", "draw_top_motion"),
+}
 # by the report's kind: file name → module and function, imported only when drawn
 FIGURES: dict[str, dict[str, tuple[str, str]]] = {
     "free-body": {
         "momentum_sphere": ("momentum_sphere", "draw_momentum_sphere"),
+        "inertia_ellipsoid": ("inertia_ellipsoid", "draw_inertia_ellipsoid"),
         "components": ("components", "draw_components"),
         "herpolhode": ("herpolhode", "draw_herpolhode"),
     },
-    "heavy-top": {"axis_locus": ("axis_locus", "draw_axis_locus"), "motion": ("top_motion", "draw_top_motion")},
-    "lagrange-top": {"axis_locus": ("axis_locus", "draw_axis_locus"), "motion": ("top_motion", "draw_top_motion")},
+    "heavy-top": TOP_FIGURES,
+    "lagrange-top": TOP_FIGURES,
     "gyrostat": {
         "momentum_sphere": ("gyrostat", "draw_gyrostat_sphere"),
         "motion": ("gyrostat", "draw_gyrostat_motion"),
@@ -26,7 +32,11 @@ FIGURES: dict[str, dict[str, tuple[str, str]]] = {
         "motion": ("damped_body", "draw_damped_motion"),
     },
     "spin-orbit": {"section": ("spin_section", "draw_spin_section"), "motion": ("spin_history", "draw_spin_history")},
-    "euler-disk": {"tilt": ("disk_end", "draw_disk_end"), "contact_path": ("contact_path", "draw_contact_path")},
+    "euler-disk": {
+        "rolling_disk": ("rolling_disk", "draw_rolling_disk"),
+        "tilt": ("disk_end", "draw_disk_end"),
+        "contact_path": ("contact_path", "draw_contact_path"),
+    },
 }
 
 

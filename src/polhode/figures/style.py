@@ -40,6 +40,12 @@ def new_figure(width: float = COLUMN, height: float = COLUMN) -> Figure:
     return figure
 
 
+def height_of(window: tuple[float, float, float, float], around: float = 0.6) -> float:
+    """Return the height [inches] of a column-wide picture of this window, with so much for title and legend."""
+    left, right, bottom, top = window
+    return float(np.clip(COLUMN * (top - bottom) / (right - left) + around, 2.0, 4.6))
+
+
 def power_of_ten(values: Any) -> int:
     """Return the power of ten to take out of an axis, a multiple of three, zero for handy numbers."""
     largest = float(np.max(np.abs(values)))

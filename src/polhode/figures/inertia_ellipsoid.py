@@ -1,0 +1,128 @@
+"""The inertia ellipsoid with its polhodes: narrow ovals about the stable axes, wide arcs past the middle one.
+
+The point x = Ω/√(2E) of Σ I_i x_i² = 1, at which it touches the invariable plane; on the momentum sphere it is the
+direction u of L, so that x = (u/I)/√(Σ u²/I). Source: Poinsot 1834; Goldstein, *Classical Mechanics*, §5.6.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from polhode.analysis.poinsot import ellipsoid_semi_axes
+from polhode.analysis.polhodes import polhode_family, separatrix
+from polhode.bodies.surface import Surface
+from polhode.figures import style
+from polhode.figures.energy_levels import default_frame
+from polhode.figures.scene import Scene
+from polhode.report.free_body import FreeBodyReport
+
+Array = Any
+BODY = "#eef0f3"
+AROUND, ALONG = 96, 48  # pieces of the surface
+APART = 0.55  # of the longest semi-axis, heads of arrows on the motion's own polhode
+
+
+def draw_inertia_ellipsoid(report: FreeBodyReport) -> Figure | None:
+    """Return the ellipsoid seen obliquely, its longest semi-axis as 1, far side dimmed. None at rest."""
+    motion = report.motion
+    if not motion.momentum_norm:
+        return None
+    moments = np.asarray(motion.moments)
+    semi = ellipsoid_semi_axes(moments)
+    power = style.power_of_ten(semi)
+    scale = float(semi.max())
+    frame, shape = default_frame(), semi / scale
+    # how far its silhouette reaches to the right and up
+    right, up = np.sqrt(np.sum((frame[:2] * shape) ** 2, axis=-1))
+    ends = frame[:2] @ np.diag(shape + 0.30)
+    reach = np.maximum([right, up], np.abs(ends).max(axis=-1)) + 0.10
+    window = (-reach[0], reach[0], -up - 0.10, max(up, ends[1].max()) + 0.10)
+    figure = style.new_figure(height=style.height_of(window, 1.0))
+    scene = Scene(figure.add_subplot(), frame, window)
+    scene.solid(ellipsoid(shape), BODY, ambient=0.82)
+    scene.finish(order=0.0)
+    family = polhode_family(moments)
+    for curve in family:
+        scene.line(touching(curve, moments) / scale, style.GREY, 0.5)
+    great = separatrix(moments)
+    for curve in great:
+        scene.line(touching(curve, moments) / scale, style.VERMILION, 0.9)
+    own = touching(_own(report), moments) / scale
+    _axes(scene, shape)
+    scene.line(own, style.BLUE, 1.8, over=4.0)
+    _direction(scene, own)
+    _mark(scene, own[0])
+    _legend(scene, motion.regime, bool(family), bool(great))
+    sizes = ", ".join(f"{x / 10.0**power:.4g}" for x in semi)
+    scene.axes.set_title(f"Inertia ellipsoid, body axes\nsemi-axes 1/√I: {sizes}  [{style.factor(power)}"
+                         "(kg m²)$^{-1/2}$]", fontsize=style.FONT, color=style.DARK)  # fmt: skip
+    return figure
+
+
+def touching(unit: Array, moments: Array) -> Array:
+    """Return the points (…, 3) of the ellipsoid [1/√(kg m²)] that touch the plane while L is along these (…, 3)."""
+    point = np.asarray(unit) / moments
+    return point / np.sqrt(np.sum(np.asarray(unit) * point, axis=-1, keepdims=True))
+
+
+def ellipsoid(semi_axes: Array) -> Surface:
+    """Return the surface of an ellipsoid along the axes."""
+    off, turn = np.meshgrid(np.linspace(0.0, np.pi, ALONG + 1), 2.0 * np.pi * np.arange(AROUND) / AROUND, indexing="ij")
+    sphere = np.stack([np.sin(off) * np.cos(turn), np.sin(off) * np.sin(turn), np.cos(off)], axis=-1)
+    i, j = np.meshgrid(np.arange(ALONG), np.arange(AROUND), indexing="ij")
+    a, b = i * AROUND + j, i * AROUND + (j + 1) % AROUND
+    faces = np.concatenate([np.stack([a, a + AROUND, b], axis=-1), np.stack([b, a + AROUND, b + AROUND], axis=-1)])
+    return Surface(sphere.reshape(-1, 3) * np.asarray(semi_axes), faces.reshape(-1, 3))
+
+
+def _own(report: FreeBodyReport) -> Array:
+    """Return the direction of L (T, 3) over a period, or at the samples without one."""
+    motion = report.motion
+    if motion.period is None:
+        return np.asarray(report.trajectory.momentum) / motion.momentum_norm
+    return motion.momentum(motion.epoch + np.linspace(0.0, motion.period, 2000)) / motion.momentum_norm
+
+
+def _axes(scene: Scene, shape: Array) -> None:
+    for k in range(3):
+        axis = np.eye(3)[k]
+        scene.line(np.linspace(-shape[k] * axis, (shape[k] + 0.16) * axis, 120), style.DARK, 0.7, dim=0.18)
+        x, y, _ = scene.project((shape[k] + 0.27) * axis)
+        scene.axes.text(x, y, f"$x_{k + 1}$", fontsize=style.FONT + 1, ha="center", va="center", color=style.DARK,
+                        zorder=6, bbox={"fc": "white", "ec": "none", "pad": 0.6, "alpha": 0.85})  # fmt: skip
+
+
+def _direction(scene: Scene, curve: Array) -> None:
+    """Put heads of arrows on a curve where it is seen, evenly along its length on the page."""
+    x, y, _ = scene.project(curve)
+    way = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(x), np.diff(y)))])
+    seen, count = scene.seen(curve), int(way[-1] / APART + 0.5)
+    for part in (np.arange(count) + 0.5) / max(count, 1):
+        k = int(np.searchsorted(way, part * way[-1]))
+        ahead = min(len(x) - 1, int(np.searchsorted(way, part * way[-1] + 0.012)))
+        if not seen[k] or ahead == k:
+            continue
+        scene.axes.annotate("", (x[ahead], y[ahead]), (x[k], y[k]), zorder=5, arrowprops={
+            "arrowstyle": "-|>,head_width=0.22,head_length=0.45", "color": style.BLUE, "lw": 0.8, "mutation_scale": 10,
+            "shrinkA": 0, "shrinkB": 0})  # fmt: skip
+
+
+def _mark(scene: Scene, point: Array) -> None:
+    x, y, _ = scene.project(point)
+    scene.axes.plot([x], [y], "o", ms=4, color=style.BLUE, mec="white", mew=0.6, zorder=5.5,
+                    alpha=1.0 if scene.seen(point) else 0.4)  # fmt: skip
+
+
+def _legend(scene: Scene, regime: str, family: bool, great: bool) -> None:
+    still = regime in ("permanent", "spherical")
+    dot: Any = {"marker": "o", "ls": "", "ms": 4, "mec": "white"} if still else {"lw": 1.8}
+    handles = [scene.axes.plot([], [], color=style.BLUE, label="this motion", **dot)[0]]
+    if great:
+        handles.append(scene.axes.plot([], [], color=style.VERMILION, lw=0.9, label="separatrix")[0])
+    if family:
+        handles.append(scene.axes.plot([], [], color=style.GREY, lw=0.5, label="other polhodes")[0])
+    scene.axes.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0.0), ncols=3, frameon=False,
+                      fontsize=style.FONT - 1, handlelength=1.6, columnspacing=1.2)  # fmt: skip

@@ -1,0 +1,198 @@
+"""Solids seen from one side, shaded, and curves about them, dimmed where a solid hides them.
+
+Solids are an image, found pixel by pixel with a depth each, so that they may cut each other; lines, arrows and words
+stay vectors. Source: Catmull, *A Subdivision Algorithm for Computer Display of Curved Surfaces* (1974), for the depth
+buffer; Gouraud, IEEE Trans. Comput. C-20 (1971) 623, for the shading.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from polhode.bodies.surface import Surface
+from polhode.figures import style
+
+Array = Any
+PIXELS = 720  # of the image's longer side, each the mean of four
+MOST_FACES = 12_000  # drawn; finer surfaces are coarsened first
+CREASE = np.cos(np.radians(40.0))  # edges sharper than this stay sharp
+LIGHT = np.array([-0.45, 0.62, 0.64])  # right, up, towards the viewer
+AMBIENT = 0.62  # brightness of what no light falls on
+NEAR = 0.012  # of the window: a curve so close before a surface lies on it
+DIM = 0.25
+UNSEEN = -np.inf
+
+
+class Scene:
+    """A window onto space.
+
+    Args:
+        axes: of matplotlib, empty.
+        frame: (3, 3) rows right, up, towards the viewer.
+        window: left, right, bottom, top, in the units of what is drawn.
+        eye: distance of the eye from the origin for perspective, None for parallel rays.
+    """
+
+    def __init__(self, axes: Any, frame: Array, window: tuple[float, float, float, float], eye: float | None = None):
+        left, right, bottom, top = window
+        self.axes, self.frame, self.window, self.eye = axes, frame, window, eye
+        self.size = max(right - left, top - bottom)
+        self.pixel = self.size / (2 * PIXELS)
+        shape = (2 * int(np.ceil((top - bottom) / self.pixel / 2)), 2 * int(np.ceil((right - left) / self.pixel / 2)))
+        self.depth = np.full(shape, UNSEEN)
+        self.colour = np.ones((*shape, 4)) * [1.0, 1.0, 1.0, 0.0]
+        axes.set_aspect("equal")
+        axes.set_xlim(left, right)
+        axes.set_ylim(bottom, top)
+        axes.axis("off")
+
+    def project(self, points: Array) -> tuple[Array, Array, Array]:
+        """Return right and up on the page, and a height towards the viewer, linear along straight lines on the page."""
+        x, y, depth = np.moveaxis(np.asarray(points) @ self.frame.T, -1, 0)
+        if self.eye is None:
+            return x, y, depth
+        scale = self.eye / (self.eye - depth)
+        return x * scale, y * scale, scale * self.eye
+
+    def solid(self, surface: Surface, colour: str, ambient: float = AMBIENT) -> None:
+        """Add a surface, shaded down to this brightness."""
+        shown = surface.coarsened(MOST_FACES)
+        vertices, faces = np.asarray(shown.vertices), np.asarray(shown.faces)
+        x, y, depth = self.project(vertices)
+        left, _, bottom, _ = self.window
+        corners = np.stack([(x - left) / self.pixel, (y - bottom) / self.pixel, depth], axis=-1)[faces]
+        shades = self._shades(corner_normals(vertices, faces), ambient)
+        red = np.array([int(colour[k : k + 2], 16) / 255.0 for k in (1, 3, 5)])
+        for triangle, shade in zip(corners, shades, strict=True):
+            self._fill(triangle, shade, red)
+
+    def _shades(self, normals: Array, ambient: float) -> Array:
+        """Return brightness from 0 to about 1.1 by normals (…, 3), either side lit."""
+        turned = normals @ self.frame.T
+        turned = turned * np.where(turned[..., 2:] < 0.0, -1.0, 1.0)
+        lit = np.clip(turned @ (LIGHT / np.linalg.norm(LIGHT)), 0.0, 1.0)
+        return ambient + (1.0 - ambient) * lit + 0.12 * lit**8
+
+    def _fill(self, triangle: Array, shade: Array, colour: Array) -> None:
+        rows, columns = self.depth.shape
+        low = np.maximum(np.floor(triangle[:, :2].min(axis=0)).astype(int), 0)
+        high = np.minimum(np.ceil(triangle[:, :2].max(axis=0)).astype(int) + 1, (columns, rows))
+        if (low >= high).any():
+            return
+        (ax, ay), (bx, by), (cx, cy) = triangle[:, :2]
+        area = (bx - ax) * (cy - ay) - (cx - ax) * (by - ay)
+        if abs(area) < 1e-12:
+            return
+        x = np.arange(low[0], high[0]) + 0.5
+        y = (np.arange(low[1], high[1]) + 0.5)[:, None]
+        second = ((x - ax) * (cy - ay) - (cx - ax) * (y - ay)) / area
+        third = ((bx - ax) * (y - ay) - (x - ax) * (by - ay)) / area
+        first = 1.0 - second - third
+        part = (slice(low[1], high[1]), slice(low[0], high[0]))
+        depth = first * triangle[0, 2] + second * triangle[1, 2] + third * triangle[2, 2]
+        won = (first >= -1e-9) & (second >= -1e-9) & (third >= -1e-9) & (depth > self.depth[part])
+        bright = (first * shade[0] + second * shade[1] + third * shade[2])[won]
+        self.depth[part][won] = depth[won]
+        self.colour[part][won] = np.column_stack([np.clip(bright[:, None] * colour, 0.0, 1.0), np.ones(won.sum())])
+
+    def finish(self, strength: float = 1.0, order: float = 0.0) -> None:
+        """Put the image of the solids so far onto the page."""
+        rows, columns = self.depth.shape
+        four = self.colour.reshape(rows // 2, 2, columns // 2, 2, 4)
+        cover = four[..., 3].sum(axis=(1, 3))
+        light = (four[..., :3] * four[..., 3:]).sum(axis=(1, 3)) / np.maximum(cover, 1.0)[..., None]
+        image = np.concatenate([np.where(cover[..., None] > 0, light, 1.0), strength * cover[..., None] / 4.0], axis=-1)
+        left, _, bottom, _ = self.window
+        extent = (left, left + columns * self.pixel, bottom, bottom + rows * self.pixel)
+        self.axes.imshow(image, origin="lower", extent=extent, zorder=order, interpolation="antialiased")
+        self.axes.set_xlim(*self.window[:2])
+        self.axes.set_ylim(*self.window[2:])
+
+    def seen(self, points: Array) -> Array:
+        """Return which points (…, 3) no solid hides."""
+        x, y, depth = self.project(points)
+        rows, columns = self.depth.shape
+        j = np.clip(((x - self.window[0]) / self.pixel).astype(int), 0, columns - 1)
+        i = np.clip(((y - self.window[2]) / self.pixel).astype(int), 0, rows - 1)
+        return depth >= self.depth[i, j] - NEAR * self.size
+
+    def line(self, points: Array, colour: str, width: float, *, form: Any = "-", dim: float = DIM,
+             over: float = 3.0) -> None:  # fmt: skip
+        """Draw a curve (T, 3), dimmed where it is hidden."""
+        x, y, _ = self.project(points)
+        seen = self.seen(points)
+        for front in (False, True):
+            wide = seen == front
+            wide = wide | np.roll(wide, 1) if front else wide
+            self.axes.plot(np.where(wide, x, np.nan), np.where(wide, y, np.nan), color=colour, lw=width, ls=form,
+                           alpha=1.0 if front else dim, zorder=over if front else over - 0.5,
+                           solid_capstyle="round")  # fmt: skip
+
+    def arrow(self, start: Array, end: Array, colour: str, name: str, *, side: Array = (0.0, 0.0)) -> None:
+        """Draw an arrow, always in front, with its name beyond its tip and this far (2,) [points] to the side."""
+        (x0, x1), (y0, y1), _ = self.project(np.stack([start, end]))
+        long = float(np.hypot(x1 - x0, y1 - y0))
+        if long > 0.02 * self.size:
+            self.axes.annotate("", (x1, y1), (x0, y0), zorder=6, arrowprops={
+                "arrowstyle": "-|>,head_width=0.22,head_length=0.5", "color": colour, "lw": 1.5, "shrinkA": 0,
+                "shrinkB": 0, "mutation_scale": 9, "capstyle": "round"})  # fmt: skip
+        away = np.array([x1 - x0, y1 - y0]) / (long or 1.0)
+        self.axes.annotate(name, (x1, y1), tuple(7.0 * away + np.asarray(side)), textcoords="offset points", zorder=7,
+                           ha="center", va="center", color=colour, fontsize=style.FONT + 1, fontweight="bold",
+                           bbox={"fc": "white", "ec": "none", "pad": 0.4, "alpha": 0.75})  # fmt: skip
+
+
+def corner_normals(vertices: Array, faces: Array) -> Array:
+    """Return unit normals (m, 3, 3) at the corners of triangles, smooth but across creases."""
+    a, b, c = (vertices[faces[:, k]] for k in range(3))
+    areas = np.cross(b - a, c - a)
+    flat = areas / np.maximum(np.linalg.norm(areas, axis=-1, keepdims=True), 1e-300)
+    grid = np.round((vertices - vertices.min(axis=0)) / (np.ptp(vertices, axis=0).max() or 1.0), 6)
+    place = np.unique(grid, axis=0, return_inverse=True)[1].reshape(-1)[faces]
+    normals = np.repeat(flat[:, None, :], 3, axis=1)
+    order = np.argsort(place, axis=None, kind="stable")
+    starts = np.flatnonzero(np.diff(place.reshape(-1)[order], prepend=-1))
+    for group in np.split(order, starts[1:]):
+        near = flat[group // 3]
+        mean = (near @ near.T > CREASE) @ areas[group // 3]
+        normals[group // 3, group % 3] = mean / np.maximum(np.linalg.norm(mean, axis=-1, keepdims=True), 1e-300)
+    return normals
+
+
+def circle_about(axis: Array, half_angle: float, length: float, count: int = 241) -> Array:
+    """Return the rim (count, 3) of the cone about a unit axis with its apex at the origin, slant sides this long."""
+    first = np.cross(axis, np.eye(3)[np.argmin(np.abs(axis))])
+    first = first / np.linalg.norm(first)
+    turn = np.linspace(0.0, 2.0 * np.pi, count)[:, None]
+    around = np.cos(turn) * first + np.sin(turn) * np.cross(axis, first)
+    return length * (np.cos(half_angle) * np.asarray(axis) + np.sin(half_angle) * around)
+
+
+def draw_cone(scene: Scene, axis: Array, half_angle: float, length: float, colour: str, strength: float = 0.14) -> None:
+    """Draw a cone from the origin: its outline filled faintly, and its rim."""
+    rim = circle_about(axis, half_angle, length)
+    x, y, _ = scene.project(np.vstack([rim, np.zeros((1, 3))]))
+    outline = convex_outline(np.stack([x, y], axis=-1))
+    scene.axes.fill(*outline.T, color=colour, alpha=strength, lw=0, zorder=1.0)
+    scene.axes.plot(*np.vstack([outline, outline[:1]]).T, color=colour, lw=0.5, alpha=0.6, zorder=1.1)
+    scene.line(rim, colour, 0.9, over=2.5)
+
+
+def convex_outline(points: Array) -> Array:
+    """Return the corners (n, 2) of the convex hull of points (m, 2), counterclockwise."""
+    points = np.unique(points, axis=0)
+
+    def half(ordered: Array) -> list[Array]:
+        kept: list[Array] = []
+        for p in ordered:
+            while len(kept) > 1:
+                (ax, ay), (bx, by) = kept[-2], kept[-1]
+                if (bx - ax) * (p[1] - ay) - (by - ay) * (p[0] - ax) > 0:
+                    break
+                kept.pop()
+            kept.append(p)
+        return kept[:-1]
+
+    return np.array(half(points) + half(points[::-1]))

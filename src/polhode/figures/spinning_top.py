@@ -1,0 +1,125 @@
+"""The top itself, leaning on its pivot, with what its axis and its angular velocity describe, and what acts on it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from polhode import rotation
+from polhode.bodies.surface import Surface, box_in_place
+from polhode.figures import style
+from polhode.figures.axis_locus import Followed, followed
+from polhode.figures.scene import Scene, circle_about, draw_cone
+from polhode.figures.sphere import view_frame
+from polhode.report.tops import TopReport
+
+Array = Any
+ELEVATION = np.radians(20.0)
+TURNED = np.radians(20.0)  # of the lean, from across the line of sight towards the viewer
+BEYOND = 1.22  # length of the axis drawn, in the body's reach
+L_LONG, OMEGA_LONG = 1.5, 1.38  # arrows, in the body's reach
+STEADY = np.radians(1.0)  # nutation below which the cones of Ω are those of steady precession
+SLANT = 0.95  # of these cones
+WOOD, STAND = "#d9c9a8", "#b4b4b4"
+
+
+def draw_spinning_top(report: TopReport) -> Figure | None:
+    """Return the top where it leans most, with the cone its axis describes; in steady precession with the cones of Ω.
+
+    None for tops whose shape is unknown, and for bodies without weight.
+    """
+    surface = report.spec.surface or box_in_place(report.frame)
+    if surface is None or report.free:
+        return None
+    path = followed(report)
+    k = int(np.argmin(path.axis[:, 2]))
+    placed = _placed(surface.along(report.frame), path.attitude[k])
+    reach = float(np.linalg.norm(placed.vertices, axis=-1).max())
+    placed = Surface(placed.vertices / reach, placed.faces)
+    axis = path.axis[k]
+    ground = min(0.0, float(placed.vertices[:, 2].min()) - 0.04)
+    frame = _view(axis)
+    window = _window(frame, path, k, ground, placed)
+    figure = style.new_figure(height=style.height_of(window))
+    scene = Scene(figure.add_subplot(), frame, window)
+    _ground(scene, ground)
+    scene.solid(placed, WOOD)
+    scene.finish(order=1.5)
+    if ground < 0.0:
+        scene.line(np.linspace([0.0, 0.0, ground], [0.0, 0.0, 0.0], 40), STAND, 3.0, dim=0.4, over=1.6)
+    handles = _cones(scene, path, k)
+    scene.line(np.linspace([0.0, 0.0, 0.0], [0.0, 0.0, BEYOND], 80), style.GREY, 0.7, form=(0, (6, 2, 1, 2)), dim=0.4)
+    scene.line(np.linspace(0.0 * axis, BEYOND * axis, 80), style.DARK, 0.9, form=(0, (6, 2, 1, 2)), dim=0.5)
+    scene.line(BEYOND * path.axis, style.BLUE, 1.1, over=3.5)
+    arm = np.linalg.norm(np.asarray(report.frame.center_of_mass) - report.frame.origin) / reach
+    _arrows(scene, path, k, arm * axis)
+    handles.insert(0, scene.axes.plot([], [], color=style.BLUE, lw=1.1, label="tip of the axis")[0])
+    scene.axes.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0.0), ncols=2, frameon=False,
+                      fontsize=style.FONT - 1, handlelength=1.6, columnspacing=1.4)  # fmt: skip
+    lean = np.degrees(np.arccos(np.clip(axis[2], -1.0, 1.0)))
+    scene.axes.set_title(f"Top leaning by {lean:.3g}°{path.words}", fontsize=style.FONT, color=style.DARK)
+    return figure
+
+
+def _placed(surface: Surface, attitude: Array) -> Surface:
+    turned = rotation.rotate(attitude, np.asarray(surface.vertices))
+    return Surface(turned, surface.faces)
+
+
+def _view(axis: Array) -> Array:
+    """Return the frame in which the axis leans to the right of the page, and a little towards the viewer."""
+    lean = np.arctan2(axis[1], axis[0]) if np.hypot(axis[0], axis[1]) > 1e-9 else 0.0
+    towards = lean - 0.5 * np.pi + TURNED
+    flat = np.cos(ELEVATION)
+    return view_frame(np.array([flat * np.cos(towards), flat * np.sin(towards), np.sin(ELEVATION)]))
+
+
+def _window(frame: Array, path: Followed, k: int, ground: float, placed: Surface) -> tuple[float, float, float, float]:
+    foot = np.array([0.0, 0.0, ground]) + circle_about(np.array([0.0, 0.0, 1.0]), 0.5 * np.pi, 0.6)
+    ends = [BEYOND * path.axis, placed.vertices, foot, [[0.0, 0.0, BEYOND]]]
+    ends += [long * v[None, k] / (np.linalg.norm(v[k]) or 1.0) for v, long in ((path.momentum, L_LONG), (path.velocity, OMEGA_LONG))]
+    right, up, _ = frame @ np.vstack(ends).T
+    pad = 0.15
+    return right.min() - pad, right.max() + pad, up.min() - 0.5 * pad, up.max() + 0.5 * pad
+
+
+def _ground(scene: Scene, height: float) -> None:
+    rim = np.array([0.0, 0.0, height]) + circle_about(np.array([0.0, 0.0, 1.0]), 0.5 * np.pi, 0.55)
+    x, y, _ = scene.project(rim)
+    scene.axes.fill(x, y, color="#ececec", lw=0, zorder=0.2)
+
+
+def _cones(scene: Scene, path: Followed, k: int) -> list[Any]:
+    """Draw the cones and return their handles."""
+    up, axis = np.array([0.0, 0.0, 1.0]), path.axis[k]
+    tilts = np.arccos(np.clip(path.axis[:, 2], -1.0, 1.0))
+    steady = float(np.ptp(tilts)) < STEADY and STEADY < tilts.mean() < np.pi - STEADY
+    limits = [float(tilts.mean())] if steady else [float(tilts.min()), float(tilts.max())]
+    handles = []
+    for tilt in limits:
+        if STEADY < tilt < np.pi - STEADY:
+            draw_cone(scene, up, tilt, BEYOND, style.SKY, 0.08)
+    words = "cone of its precession" if steady else "cones at its least and largest tilt"
+    handles.append(scene.axes.plot([], [], color=style.SKY, lw=0.9, label=words)[0])
+    speed = np.linalg.norm(path.velocity[k])
+    if steady and speed > 0.0:
+        omega = path.velocity[k] / speed
+        for about, colour, words in ((up, style.VERMILION, "space cone of Ω"), (axis, style.GREEN, "body cone of Ω")):
+            half = float(np.arctan2(np.linalg.norm(np.cross(about, omega)), about @ omega))
+            draw_cone(scene, about, half, SLANT, colour)
+            handles.append(scene.axes.plot([], [], color=colour, lw=0.9, label=words)[0])
+    return handles
+
+
+def _arrows(scene: Scene, path: Followed, k: int, center: Array) -> None:
+    """Draw Ω, L about the pivot and the weight; their lengths are not to scale with each other."""
+    right, up, _ = scene.frame @ path.axis[k]
+    across = np.array([-up, right]) / (np.hypot(right, up) or 1.0)
+    for vector, colour, name, long, side in ((path.momentum[k], style.PURPLE, "L", L_LONG, 9.0),
+                                             (path.velocity[k], style.ORANGE, "Ω", OMEGA_LONG, -9.0)):  # fmt: skip
+        size = np.linalg.norm(vector)
+        if size > 0.0:
+            scene.arrow(np.zeros(3), long * vector / size, colour, name, side=side * across)
+    scene.arrow(center, center - [0.0, 0.0, 0.45], style.DARK, "mg")
