@@ -18,6 +18,7 @@ if TYPE_CHECKING:
         special,
         systems,
         testing,
+        viewer,
     )
     from polhode.analysis.stability import find_equilibria, stability
     from polhode.bodies import shapes
@@ -55,7 +56,7 @@ _ROOMS = {"shapes": "polhode.bodies.shapes"} | {
     room: f"polhode.{room}"
     for room in (
         "algebra", "analysis", "errors", "figures", "formats", "integrators", "poisson", "rotation", "special",
-        "systems", "testing",
+        "systems", "testing", "viewer",
     )
 }
 __all__ = [
@@ -86,6 +87,7 @@ __all__ = [
     "stability",
     "systems",
     "testing",
+    "viewer",
 ]
 
 

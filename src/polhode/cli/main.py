@@ -45,11 +45,27 @@ def report(
         list[str] | None,
         typer.Option("--figures", metavar="FORM", help="png, svg, pdf, or several with commas [default: png]."),
     ] = None,
+    html: Annotated[bool, typer.Option("--html", help="Write the page of the motion, page.html, beside them.")] = False,
 ) -> None:
     """Say how the body rotates: motion, stability, periods; write figures and a NetCDF dataset."""
     from polhode.cli.report import run_report
 
-    run_report(spec, json, out, figures or [])
+    run_report(spec, json, out, figures or [], html)
+
+
+@app.command()
+def view(
+    spec: SpecPath,
+    out: Annotated[
+        Path | None,
+        typer.Option("--out", metavar="FILE", help="The page [default: named after the spec, in this folder]."),
+    ] = None,
+    no_open: Annotated[bool, typer.Option("--no-open", help="Write the page without opening it.")] = False,
+) -> None:
+    """Write the motion as one HTML page that needs nothing else, and open it."""
+    from polhode.cli.view import run_view
+
+    run_view(spec, out, not no_open)
 
 
 @app.command()

@@ -29,8 +29,8 @@ def figure_forms(named: list[str]) -> list[str]:
     return list(dict.fromkeys(forms)) or ["png"]
 
 
-def run_report(path: Path, json: bool, out: Path | None, figures: list[str]) -> None:
-    """Read the spec, compute, write figures and dataset, and print the answers."""
+def run_report(path: Path, json: bool, out: Path | None, figures: list[str], html: bool = False) -> None:
+    """Read the spec, compute, write figures, dataset and, if asked for, the page, and print the answers."""
     forms = figure_forms(figures)
     spec = read_spec(path)
     folder = out or Path(path.stem if path.suffix else f"{path.name}_report")
@@ -44,6 +44,10 @@ def run_report(path: Path, json: bool, out: Path | None, figures: list[str]) -> 
 
         files = draw_all(report, draft, *forms)
         files.append(write_dataset(report.trajectory, draft / "motion.nc", {"title": spec.name}, report.frame))
+        if html:
+            from polhode.viewer import page_of_report
+
+            files.append(page_of_report(report, draft / "page.html", name=spec.name, surface=spec.surface))
         names = [str(folder / file.name) for file in files]
     if json:
         print(as_json({"name": spec.name, **report.as_json_dict(), "files": names}))

@@ -1,0 +1,30 @@
+"""``polhode view SPEC``: the motion as one page, opened in a browser."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import typer
+
+from polhode.errors import InvalidInput, NotConverged
+from polhode.report.choice import report_of
+from polhode.spec.reading import read_spec
+
+
+def run_view(path: Path, out: Path | None, open_it: bool) -> None:
+    """Read the spec, compute, write the page and open it."""
+    from polhode.viewer import page_of_report
+
+    spec = read_spec(path)
+    target = out or Path(f"{path.stem}.html")
+    try:
+        report = report_of(spec)
+    except (InvalidInput, NotConverged) as error:
+        raise type(error)(f"{path}: {error}") from None
+    written = page_of_report(report, target, name=spec.name, surface=spec.surface)
+    typer.echo(str(written))
+    if open_it:
+        import webbrowser
+
+        if not webbrowser.open(written.resolve().as_uri()):
+            typer.echo("polhode: no browser was found to open it. Open the file yourself.", err=True)

@@ -1,0 +1,29 @@
+"""Data inside a page: arrays as base64, in JSON that cannot end the element it stands in."""
+
+from __future__ import annotations
+
+import base64
+import json
+from typing import Any
+
+import numpy as np
+
+Array = Any
+
+
+def packed(values: Array, kind: str = "f8") -> dict[str, Any]:
+    """Return an array for JSON: its numbers little-endian in base64.
+
+    Args:
+        values: any shape.
+        kind: "f8", "f4", "u4" or "u2".
+    """
+    array = np.ascontiguousarray(values, dtype=f"<{kind}")
+    return {"kind": kind, "shape": list(array.shape), "data": base64.b64encode(array.tobytes()).decode("ascii")}
+
+
+def as_script_json(values: dict[str, Any]) -> str:
+    """Return JSON for inside a script element, where neither ``</script`` nor ``<!--`` may appear."""
+    text = json.dumps(values, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
+    # "<" appears in JSON only inside strings, where its escape means the same
+    return text.replace("<", "\\u003c").replace("\u2028", "\\u2028").replace("\u2029", "\\u2029")

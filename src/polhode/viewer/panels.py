@@ -1,0 +1,200 @@
+"""Which panels fit a system, and the data that each of them draws."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from polhode import rotation
+from polhode.analysis.poinsot import herpolhode
+from polhode.analysis.polhodes import level_segments, polhode_family, saddle_energies, separatrix
+from polhode.bodies.surface import Surface
+from polhode.exact.free_body import FreeMotion
+from polhode.exact.lagrange_top import LagrangeMotion
+from polhode.viewer.encoding import packed
+from polhode.viewer.samples import Samples
+from polhode.viewer.shapes import body_shape, top_shape
+
+Array = Any
+Panel = dict[str, Any]
+PERIOD_POINTS = 2000  # of the drawn polhode, so that the chord misses it by 1e-6
+KEPT = 1e-6  # of |L|: a momentum in space that stays within this is the one that a page's "up" can be
+TOPS = ("LagrangeMotion", "HeavyTop", "BodyInPotential", "BrunBody")  # their space has an up of its own
+AXIS = np.array([0.0, 0.0, 1.0])
+
+
+def kind_of(system: Any) -> str:
+    """Return the name of a system's class, "" for what is none of polhode's."""
+    return type(system).__name__ if type(system).__module__.startswith("polhode.") else ""
+
+
+def panels_of(system: Any, samples: Samples, surface: Surface | None) -> list[Panel]:
+    """Return the panels that fit a motion, the body first; none where there is nothing to draw.
+
+    Args:
+        system: what moves.
+        samples: of it.
+        surface: of the body, along the axes of the samples.
+    """
+    kind = kind_of(system)
+    if kind == "EulerDisk":
+        return [_disk(system, samples)]
+    if kind == "SpinOrbit":
+        return [_orbit(system, samples)]
+    moments = moments_of(system)
+    if kind in TOPS:
+        return _of_top(kind, system, samples, moments, surface)
+    found = []
+    if samples.attitude is not None:
+        found.append(_body(samples, moments, *body_shape(moments, surface)))
+    if samples.momentum is None or not np.linalg.norm(samples.momentum, axis=-1).any():
+        return found
+    free = _as_free_motion(kind, system, samples)
+    if free is None:
+        return [*found, _sphere_of_levels(kind, system, samples, samples.momentum, moments)]
+    found.append(_sphere_of_polhodes(free))
+    if samples.attitude is not None and free.energy:
+        found.append(_poinsot(free))
+    return found
+
+
+def moments_of(system: Any) -> Array | None:
+    """Return the principal moments (3,) of the one body that a system has, or None."""
+    moments = getattr(system, "moments", None)
+    if moments is None or np.shape(moments) != (3,):
+        return None
+    return np.asarray(moments, dtype=float)
+
+
+def up_of(system: Any, samples: Samples) -> tuple[Array, str]:
+    """Return the unit quaternion (4,) that turns space for the page, and what then points up.
+
+    The momentum points up where it is kept in space, else the space axis z.
+    """
+    as_given = np.array([1.0, 0.0, 0.0, 0.0]), "z"
+    if kind_of(system) in ("", *TOPS, "EulerDisk", "SpinOrbit"):
+        return as_given
+    if samples.attitude is None or samples.momentum is None:
+        return as_given
+    in_space = rotation.rotate(samples.attitude, samples.momentum)
+    norm = np.linalg.norm(in_space[0])
+    if not norm or np.abs(in_space - in_space[0]).max() > KEPT * norm:
+        return as_given
+    x, y, z = in_space[0] / norm
+    if z < -1.0 + 1e-9:
+        return np.array([0.0, 1.0, 0.0, 0.0]), "L"
+    turn = np.array([1.0 + z, y, -x, 0.0])
+    return turn / np.linalg.norm(turn), "L"
+
+
+# ---------------------------------------------------------------------- the body
+
+
+def _body(samples: Samples, moments: Array | None, surface: Surface | None, words: str, top: bool = False) -> Panel:
+    traced = 2
+    if samples.momentum is not None and not top:
+        traced = int(np.abs(samples.momentum[0]).argmax())
+    panel: Panel = {"type": "body", "traced": traced, "shape": words, "pivot": top}
+    if surface is not None:
+        wide = len(surface.vertices) > 65535
+        panel["surface"] = {"vertices": packed(surface.vertices, "f4"),
+                            "faces": packed(surface.faces, "u4" if wide else "u2")}  # fmt: skip
+    elif moments is not None:
+        panel["ellipsoid"] = (1.0 / np.sqrt(moments)).tolist()
+    return panel
+
+
+def _of_top(kind: str, system: Any, samples: Samples, moments: Array | None, surface: Surface | None) -> list[Panel]:
+    if samples.attitude is None:
+        return []
+    axis = np.asarray(getattr(system, "axis", AXIS), dtype=float)
+    weighed = kind in ("LagrangeMotion", "HeavyTop")
+    shape = top_shape(moments, axis, surface) if weighed and moments is not None else body_shape(moments, surface)
+    body = _body(samples, moments, *shape, top=True)
+    limits = []
+    if isinstance(system, LagrangeMotion):
+        limits = [float(x) for x in system.nutation_limits if x is not None and abs(x) < 1.0]
+    locus = {"type": "axis", "axis": axis.tolist(), "limits": limits, "center": weighed}
+    return [body, locus]
+
+
+# ---------------------------------------------------------------------- the momentum sphere
+
+
+def _as_free_motion(kind: str, system: Any, samples: Samples) -> FreeMotion | None:
+    """Return the exact motion through a free body's first sample; None for other systems."""
+    if kind not in ("FreeMotion", "FreeRigidBody") or samples.momentum is None:
+        return None
+    attitude = (1.0, 0.0, 0.0, 0.0) if samples.attitude is None else samples.attitude[0]
+    return FreeMotion(np.asarray(system.moments, dtype=float), samples.momentum[0], attitude, float(samples.times[0]))
+
+
+def _sphere_of_polhodes(motion: FreeMotion) -> Panel:
+    moments, norm = np.asarray(motion.moments), motion.momentum_norm
+    order = np.argsort(moments, kind="stable")
+    back = np.argsort(order)
+    family = [curve[:, back] for curve in polhode_family(moments[order])]
+    borders = [curve[:, back] for curve in separatrix(moments[order])]
+    own = None
+    if motion.period is not None:
+        times = float(motion.epoch) + np.linspace(0.0, motion.period, PERIOD_POINTS + 1)
+        own = packed(motion.momentum(times) / norm)
+    return {"type": "sphere", "title": "Momentum sphere", "own": own, "family": _pieces(family),
+            "separatrix": _pieces(borders), "legend": "other polhodes",
+            "words": "L in body axes runs along its polhode"}  # fmt: skip
+
+
+def _sphere_of_levels(kind: str, system: Any, samples: Samples, momentum: Array, moments: Array | None) -> Panel:
+    """Return the sphere with levels of the energy at the momentum of the last sample."""
+    norm = float(np.linalg.norm(momentum[-1])) or float(np.linalg.norm(momentum, axis=-1).max())
+    panel: Panel = {"type": "sphere", "title": "Momentum sphere", "own": None, "family": None, "separatrix": None,
+                    "legend": "levels of energy", "words": "direction of L in body axes"}  # fmt: skip
+    if moments is None:
+        return panel
+    rotor = np.zeros(3)
+    if kind == "Gyrostat":
+        rotor = np.asarray(system.rotor, dtype=float)
+    elif kind == "TorquedGyrostat":
+        rotor = float(samples.states[-1, 7]) * np.asarray(system.axis, dtype=float)
+        panel["words"] = "direction of L in body axes; levels are those at the end"
+
+    def energy(u: Array) -> Array:
+        return 0.5 * np.sum((norm * u - rotor) ** 2 / moments, axis=-1)
+
+    borders = level_segments(energy, saddle_energies(moments, rotor, norm))
+    return panel | {"family": packed(level_segments(energy), "f4"), "separatrix": packed(borders, "f4")}
+
+
+def _pieces(curves: list[Array]) -> dict[str, Any] | None:
+    """Return curves as pieces (n, 2, 3)."""
+    if not curves:
+        return None
+    return packed(np.concatenate([np.stack([curve[:-1], curve[1:]], axis=1) for curve in curves]), "f4")
+
+
+# ---------------------------------------------------------------------- Poinsot's picture
+
+
+def _poinsot(motion: FreeMotion) -> Panel:
+    found = herpolhode(motion)
+    assert found is not None
+    return {"type": "poinsot", "moments": np.asarray(motion.moments).tolist(), "energy": motion.energy,
+            "distance": found.plane_distance, "inner": found.inner_radius, "outer": found.outer_radius}  # fmt: skip
+
+
+# ---------------------------------------------------------------------- disk and orbit
+
+
+def _disk(system: Any, samples: Samples) -> Panel:
+    center = np.asarray(system.center(samples.states))
+    sizes = system.mechanics
+    return {"type": "disk", "radius": float(sizes.radius), "thickness": 2.0 * float(sizes.half_thickness),
+            "contact": packed(samples.states[:, 3:5]), "center": packed(center)}  # fmt: skip
+
+
+def _orbit(system: Any, samples: Samples) -> Panel:
+    orbit = system.orbit
+    place = np.asarray(orbit.direction(samples.times)) * np.asarray(orbit.distance_ratio(samples.times))[:, None]
+    return {"type": "orbit", "angle": packed(samples.states[:, 0]), "place": packed(place[:, :2]),
+            "eccentricity": float(orbit.eccentricity), "asphericity": float(system.asphericity)}  # fmt: skip

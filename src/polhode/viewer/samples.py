@@ -1,0 +1,162 @@
+"""The samples that a page shows: few enough to be handled quickly, close enough to be joined where that is possible."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+
+from polhode import rotation
+from polhode.errors import InvalidInput
+from polhode.exact.free_body import FreeMotion
+from polhode.exact.lagrange_top import LagrangeMotion
+from polhode.trajectory import Trajectory
+
+Array = Any
+MOST = 4000  # samples on a page, about 0.4 MB
+FINE, COARSE = 0.05, 0.25  # rad the body turns from sample to sample: wanted, and at most, of motions known exactly
+JOINED = 0.5 * np.pi  # rad up to which the motion between two samples is clear
+ENERGIES = {
+    "energy": ("energy", "J"),
+    "kinetic_energy": ("kinetic energy", "J"),
+    "energy_per_moment": ("energy per moment", "rad²/s²"),
+}
+
+
+@dataclass(frozen=True)
+class Samples:
+    """One body's motion as a page shows it, along the principal axes where they are known.
+
+    Attributes:
+        times: (T,) [s], ascending.
+        states: (T, n), as the system packs them.
+        attitude: (T, 4) wxyz, or None.
+        momentum: (T, 3) [kg m²/s], or None.
+        angular_velocity: (T, 3) [rad/s], or None.
+        energy: (T,), or None, called ``energy_name`` [``energy_unit``].
+        joined: whether the motion between samples is clear, so that they may be joined by lines.
+        notes: what the page has to say of this choice.
+    """
+
+    times: Array
+    states: Array
+    attitude: Array | None
+    momentum: Array | None
+    angular_velocity: Array | None
+    energy: Array | None
+    energy_name: str = "energy"
+    energy_unit: str = "J"
+    joined: bool = True
+    notes: tuple[str, ...] = field(default=())
+
+
+def samples_of(trajectory: Trajectory) -> Samples:
+    """Return what a page shows: exact motions evaluated anew at times close enough to each other, others thinned.
+
+    Raises:
+        InvalidInput: for a trajectory without samples, a batch, or values that are not finite.
+    """
+    _check(trajectory)
+    if isinstance(trajectory.system, FreeMotion | LagrangeMotion):
+        return _evaluated(trajectory)
+    return _thinned(trajectory)
+
+
+def _check(trajectory: Trajectory) -> None:
+    shape, own = np.shape(trajectory.states), getattr(trajectory.system, "state_axes", 1)
+    if not np.size(trajectory.times):
+        raise InvalidInput("the page needs at least one sample; the trajectory is empty. Give it times.")
+    if len(shape) != 1 + own:
+        raise InvalidInput(
+            f"the page shows one body; got a batch of shape {shape[: -1 - own]}. Make a trajectory of one of them."
+        )
+    for name in ("times", "states", "attitude", "momentum", "angular_velocity"):
+        values = getattr(trajectory, name)
+        if values is not None and not np.isfinite(np.asarray(values)).all():
+            raise InvalidInput(f"the page shows finite motions; `{name}` of the trajectory has NaN or infinity in it.")
+
+
+def _evaluated(trajectory: Trajectory) -> Samples:
+    """Return an exact motion at steps that are small for the eye, its first part where it has too many turns."""
+    system, times = trajectory.system, np.asarray(trajectory.times, dtype=float)
+    start, end = float(times.min()), float(times.max())
+    axes = getattr(system, "axes", None)
+    velocity = np.asarray(trajectory.angular_velocity)
+    fastest = float(np.linalg.norm(velocity, axis=-1).max())
+    turn = fastest * (end - start)
+    notes, shown = [], end
+    if len(times) == 1 or not turn < np.inf:
+        return replace(_thinned(trajectory), joined=False)
+    if turn > COARSE * (MOST - 1):
+        shown = start + (end - start) * COARSE * (MOST - 1) / turn
+        notes.append(f"Shown: the first {COARSE * (MOST - 1) / (2 * np.pi):.0f} turns, "
+                     f"{shown - start:.4g} s of {end - start:.4g} s.")  # fmt: skip
+    count = int(np.clip(np.ceil(min(turn, COARSE * MOST) / FINE) + 1, min(len(times), MOST), MOST))
+    if len(times) > MOST:
+        notes.append(f"Evaluated at {count} times for display; the trajectory has {len(times)} samples.")
+    again = system.sample(np.linspace(start, shown, count))
+    if axes is not None:
+        axes = np.asarray(axes)
+        turned = rotation.multiply(np.asarray(again.attitude), rotation.from_matrix(axes))
+        again = replace(again, attitude=turned, momentum=np.asarray(again.momentum) @ axes,
+                        angular_velocity=np.asarray(again.angular_velocity) @ axes)  # fmt: skip
+    return replace(_plain(again), joined=True, notes=tuple(notes))
+
+
+def _thinned(trajectory: Trajectory) -> Samples:
+    """Return every k-th sample."""
+    found = _plain(trajectory)
+    count = len(found.times)
+    notes = []
+    if count > MOST:
+        step = -(-count // MOST)
+        found = _take(found, slice(None, None, step))
+        notes.append(f"Thinned for display: every {_ordinal(step)} of {count} samples.")
+    joined = _largest_turn(trajectory.system, found) <= JOINED
+    if not joined:
+        notes.append("From sample to sample the body turns too far for the motion between to be shown: "
+                     "it jumps, and samples are drawn as points.")  # fmt: skip
+    return replace(found, joined=joined, notes=tuple(notes))
+
+
+def _plain(trajectory: Trajectory) -> Samples:
+    values = trajectory.invariants | trajectory.balances
+    name = next((key for key in ENERGIES if key in values), None)
+    words, unit = ENERGIES.get(name or "", ("energy", "J"))
+
+    def array(values: Array | None) -> Array | None:
+        return None if values is None else np.asarray(values, dtype=float)
+
+    found = Samples(
+        np.asarray(trajectory.times, dtype=float), np.asarray(trajectory.states, dtype=float),
+        array(trajectory.attitude), array(trajectory.momentum), array(trajectory.angular_velocity),
+        None if name is None else array(values[name]), words, unit,
+    )  # fmt: skip
+    return _take(found, slice(None, None, -1)) if found.times[-1] < found.times[0] else found
+
+
+def _take(found: Samples, rows: slice) -> Samples:
+    names = ("times", "states", "attitude", "momentum", "angular_velocity", "energy")
+    return replace(found, **{name: None if getattr(found, name) is None else getattr(found, name)[rows]
+                             for name in names})  # fmt: skip
+
+
+def _largest_turn(system: Any, found: Samples) -> float:
+    """Return by how much the body turns at most from sample to sample [rad]; a rolling disk's contact is faster."""
+    steps = np.diff(found.times)
+    angles = {"EulerDisk": 1, "SpinOrbit": 0}.get(type(system).__name__)
+    if angles is not None:
+        return float(np.abs(np.diff(found.states[:, angles])).max(initial=0.0))
+    if found.angular_velocity is not None:
+        rate = np.linalg.norm(found.angular_velocity, axis=-1)
+        return float(np.max(np.maximum(rate[1:], rate[:-1]) * steps, initial=0.0))
+    if found.attitude is not None:
+        along = np.abs(np.sum(found.attitude[1:] * found.attitude[:-1], axis=-1))
+        return float(np.max(2.0 * np.arccos(np.clip(along, 0.0, 1.0)), initial=0.0))
+    return 0.0
+
+
+def _ordinal(number: int) -> str:
+    ending = {1: "st", 2: "nd", 3: "rd"}.get(number % 10, "th") if number // 10 % 10 != 1 else "th"
+    return f"{number}{ending}"

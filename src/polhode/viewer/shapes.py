@@ -1,0 +1,97 @@
+"""What a page draws as the body: its own surface, made small enough, or a shape with the same inertia."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from polhode.bodies.surface import Surface, box_of_same_inertia
+
+Array = Any
+MOST_FACES = 8000  # about 0.15 MB
+FINEST_GRID = 256  # cells along the longest side when corners are merged
+RIM = 48  # corners of a disk's rim
+
+
+def body_shape(moments: Array | None, surface: Surface | None) -> tuple[Surface | None, str]:
+    """Return the surface to draw and what it is, None where only the inertia ellipsoid, or nothing, can be drawn.
+
+    Args:
+        moments: (3,) along the axes that the surface is in, or None.
+        surface: of the body, if known.
+    """
+    if surface is not None:
+        small = lightened(surface)
+        return small, "" if small is surface or len(small.faces) >= len(surface.faces) else "its mesh, coarsened"
+    if moments is None:
+        return None, "axes only, as nothing is known of the body's shape"
+    box = box_of_same_inertia(moments)
+    return box, "inertia ellipsoid, as no solid body has these moments" if box is None else "box of the same inertia"
+
+
+def top_shape(moments: Array, axis: Array, surface: Surface | None) -> tuple[Surface | None, str]:
+    """Return a top's surface, or an elliptic disk on a massless stem with these moments about the pivot.
+
+    With the disk's centre at h and its semi-axes a, b along two principal axes: I_k = m(a²+b²)/4 along the stem,
+    I_i = m(b²/4 + h²), I_j = m(a²/4 + h²).
+
+    Args:
+        moments: (3,) about the pivot, which is the origin.
+        axis: (3,) from pivot to centre of mass.
+        surface: of the body, if known.
+    """
+    along = np.abs(np.asarray(axis, dtype=float))
+    if surface is not None or np.sort(along)[1] > 1e-6:
+        return body_shape(moments, surface)
+    k = int(along.argmax())
+    i, j = (k + 1) % 3, (k + 2) % 3
+    I = np.asarray(moments, dtype=float)  # noqa: E741
+    height = 0.5 * (I[i] + I[j] - I[k])
+    across = np.array([2.0 * (I[k] + I[j] - I[i]), 2.0 * (I[k] + I[i] - I[j])])  # a² along i, b² along j
+    if height < 0 or (across < 0).any():
+        return body_shape(moments, None)
+    h, (a, b) = np.sqrt(height) * np.sign(np.asarray(axis)[k]), np.sqrt(across)
+    size = max(abs(h), a, b)
+    parts = (_cylinder(a, b, h, 0.06 * size), _cylinder(0.035 * size, 0.035 * size, 0.5 * h, abs(h)))
+    vertices = np.concatenate([part.vertices for part in parts]) / size
+    faces = np.concatenate([parts[0].faces, parts[1].faces + len(parts[0].vertices)])
+    order = np.empty(3, dtype=int)
+    order[[i, j, k]] = 0, 1, 2
+    return Surface(vertices[:, order], faces), "disk on a stem, of the same inertia about the pivot"
+
+
+def lightened(surface: Surface) -> Surface:
+    """Return a surface of few enough triangles: equal corners merged, then, if need be, near ones."""
+    vertices, faces = np.asarray(surface.vertices, dtype=float), np.asarray(surface.faces)
+    small = _merged(vertices, faces, vertices)
+    cells = FINEST_GRID
+    while len(small.faces) > MOST_FACES:
+        size = float(np.ptp(vertices, axis=0).max()) / cells
+        small = _merged(vertices, faces, np.round(vertices / size))
+        cells = int(cells / 1.25)
+    return small
+
+
+def _merged(vertices: Array, faces: Array, keys: Array) -> Surface:
+    """Return a mesh whose corners with equal keys are one, at their mean; triangles without area are dropped."""
+    _, owner = np.unique(keys, axis=0, return_inverse=True)
+    owner = owner.reshape(-1)
+    counts = np.bincount(owner)
+    means = np.stack([np.bincount(owner, vertices[:, k]) / counts for k in range(3)], axis=-1)
+    corners = owner[faces]
+    solid = (corners[:, 0] != corners[:, 1]) & (corners[:, 1] != corners[:, 2]) & (corners[:, 2] != corners[:, 0])
+    return Surface(means, corners[solid])
+
+
+def _cylinder(a: float, b: float, middle: float, height: float) -> Surface:
+    """Return an elliptic cylinder along the third axis."""
+    turn = 2.0 * np.pi * np.arange(RIM) / RIM
+    rim = np.stack([a * np.cos(turn), b * np.sin(turn)], axis=-1)
+    low, high = middle - 0.5 * height, middle + 0.5 * height
+    rings = [np.column_stack([rim, np.full(RIM, z)]) for z in (low, high)]
+    vertices = np.concatenate([*rings, [[0.0, 0.0, low], [0.0, 0.0, high]]])
+    k, n = np.arange(RIM), (np.arange(RIM) + 1) % RIM
+    below, above = np.full(RIM, 2 * RIM), np.full(RIM, 2 * RIM + 1)
+    sides = ((k, n, n + RIM), (k, n + RIM, k + RIM), (n, k, below), (k + RIM, n + RIM, above))
+    return Surface(vertices, np.concatenate([np.stack(corners, axis=-1) for corners in sides]))

@@ -1,0 +1,44 @@
+// Builds what src/polhode/viewer/assets holds. `--check` builds again and compares, so that it cannot go stale.
+import { readFile, writeFile } from "node:fs/promises";
+import { fileURLToPath } from "node:url";
+import { build } from "esbuild";
+
+const here = (path) => fileURLToPath(new URL(path, import.meta.url));
+const ASSETS = here("../src/polhode/viewer/assets/");
+
+async function bundle() {
+  const found = await build({
+    entryPoints: [here("src/main.js")],
+    bundle: true,
+    minify: true,
+    write: false,
+    format: "iife",
+    target: "es2022",
+    charset: "ascii", // the same bytes in whatever encoding a page is read
+    legalComments: "none", // three's licence stands beside the bundle and in its first line
+    banner: { js: "/* three.js, MIT licence, (c) three.js authors; the rest is polhode's, MIT licence */" },
+  });
+  return found.outputFiles[0].text;
+}
+
+const wanted = {
+  "page.js": await bundle(),
+  "page.css": await readFile(here("src/page.css"), "utf8"),
+  "template.html": await readFile(here("src/template.html"), "utf8"),
+  "LICENSE.three.txt": await readFile(here("node_modules/three/LICENSE"), "utf8"),
+};
+
+let stale = 0;
+for (const [name, text] of Object.entries(wanted)) {
+  if (process.argv.includes("--check")) {
+    const found = await readFile(ASSETS + name, "utf8").catch(() => "");
+    if (found !== text) {
+      console.error(`${name} is not what its sources give: run \`npm run build\` in viewer/ and commit it`);
+      stale = 1;
+    }
+  } else {
+    await writeFile(ASSETS + name, text);
+    console.log(`${name}: ${Buffer.byteLength(text)} bytes`);
+  }
+}
+process.exit(stale);

@@ -1,0 +1,77 @@
+// One direction of view for all panels: a drag, or the arrow keys, in one of them turns them all.
+import { PerspectiveCamera, Vector3 } from "three";
+
+const FIELD = 26; // degrees; narrow, so that shapes look as they are
+const STEP = 0.1; // rad per key
+const HIGHEST = 1.55;
+
+export class View {
+  constructor(onChange) {
+    this.azimuth = 0.52;
+    this.elevation = 0.38;
+    this.zoom = 1;
+    this.onChange = onChange;
+  }
+
+  turn(right, up) {
+    this.azimuth -= right;
+    this.elevation = Math.min(HIGHEST, Math.max(-HIGHEST, this.elevation + up));
+    this.onChange();
+  }
+
+  closer(factor) {
+    this.zoom = Math.min(6, Math.max(0.4, this.zoom * factor));
+    this.onChange();
+  }
+
+  /** Place a camera so that a ball about a target fills a picture of this shape. */
+  place(camera, target, radius, aspect) {
+    const half = (FIELD * Math.PI) / 360;
+    const fitted = Math.min(half, Math.atan(Math.tan(half) * aspect));
+    const distance = radius / Math.sin(fitted) / this.zoom;
+    const [ce, se] = [Math.cos(this.elevation), Math.sin(this.elevation)];
+    camera.position.set(ce * Math.cos(this.azimuth), ce * Math.sin(this.azimuth), se).multiplyScalar(distance).add(target);
+    camera.up.set(0, 0, 1);
+    camera.aspect = aspect;
+    camera.near = Math.max(distance - 4 * radius, distance / 100);
+    camera.far = distance + 8 * radius;
+    camera.lookAt(target);
+    camera.updateProjectionMatrix();
+    camera.updateMatrixWorld();
+  }
+
+  /** Let a panel's picture turn the view, by mouse, finger or key. */
+  listen(canvas) {
+    let last = null;
+    canvas.addEventListener("pointerdown", (event) => {
+      if (event.button !== 0) return;
+      last = [event.clientX, event.clientY];
+      canvas.setPointerCapture(event.pointerId);
+    });
+    canvas.addEventListener("mousedown", (event) => event.preventDefault()); // keys stay with the time bar
+    canvas.addEventListener("pointermove", (event) => {
+      if (!last) return;
+      this.turn((event.clientX - last[0]) * 0.008, (event.clientY - last[1]) * 0.008);
+      last = [event.clientX, event.clientY];
+    });
+    for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, () => (last = null));
+    canvas.addEventListener("wheel", (event) => {
+      if (!event.ctrlKey && !event.shiftKey) return; // without them the page scrolls
+      event.preventDefault();
+      this.closer(Math.exp(-0.002 * (event.deltaY || event.deltaX)));
+    }, { passive: false });
+  }
+
+  /** Return whether a key turned the view. */
+  key(name) {
+    const turns = { ArrowLeft: [STEP, 0], ArrowRight: [-STEP, 0], ArrowUp: [0, STEP], ArrowDown: [0, -STEP] };
+    if (turns[name]) this.turn(...turns[name]);
+    else if (name === "PageUp") this.closer(1.15);
+    else if (name === "PageDown") this.closer(1 / 1.15);
+    else return false;
+    return true;
+  }
+}
+
+export const newCamera = () => new PerspectiveCamera(FIELD, 1, 0.1, 100);
+export const ORIGIN = new Vector3(0, 0, 0);

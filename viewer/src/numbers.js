@@ -1,0 +1,31 @@
+// Numbers as people read them.
+const SUPERSCRIPTS = { "-": "⁻", 0: "⁰", 1: "¹", 2: "²", 3: "³", 4: "⁴", 5: "⁵", 6: "⁶", 7: "⁷", 8: "⁸", 9: "⁹" };
+
+/** Return a number with so many digits, powers of ten as such. */
+export function worded(value, digits = 6) {
+  if (value === 0) return "0";
+  const size = Math.abs(value);
+  if (size >= 1e-3 && size < 1e6) return value.toPrecision(digits).replace("-", "−");
+  const [mantissa, power] = value.toExponential(digits - 1).split("e");
+  const raised = [...power.replace("+", "")].map((sign) => SUPERSCRIPTS[sign]).join("");
+  return `${mantissa}·10${raised}`.replace("-", "−");
+}
+
+const LONG = [
+  [31557600, "yr"],
+  [86400, "d"],
+  [3600, "h"],
+  [60, "min"],
+];
+
+/** Return a time in the unit that fits the length of the motion. */
+export function clock(seconds, span) {
+  for (const [unit, name] of LONG) if (span >= 3 * unit) return `${(seconds / unit).toFixed(decimals(span / unit))} ${name}`;
+  if (span >= 0.3) return `${seconds.toFixed(decimals(span))} s`;
+  for (const [unit, name] of [[1e-3, "ms"], [1e-6, "µs"], [1e-9, "ns"], [1e-12, "ps"]]) {
+    if (span >= 0.3 * unit) return `${(seconds / unit).toFixed(decimals(span / unit))} ${name}`;
+  }
+  return `${worded(seconds, 4)} s`;
+}
+
+const decimals = (span) => Math.max(0, Math.min(4, 4 - Math.ceil(Math.log10(Math.max(span, 1e-9)))));

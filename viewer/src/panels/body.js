@@ -1,0 +1,124 @@
+// The body itself, turning in space, with L, Ω and the trace of one of its axes.
+import { Group, Vector3 } from "three";
+import { unpacked } from "../motion.js";
+import { arrow, circle, drawPieces, ellipsoid, floor, line, specks, surface } from "../shapes.js";
+import { newPanel } from "../stage.js";
+
+const REACH = 1.32; // how far axes and trace stand off from a body of size one
+const LONGEST = 1.62; // of L and of the largest Ω
+const FINE = 0.06; // rad between points of the trace
+
+export function bodyPanel(motion, data, theme) {
+  const panel = newPanel(theme, { title: "The body in space", words: data.shape, radius: data.pivot ? 1.5 : 1.75 });
+  if (data.pivot) panel.target = new Vector3(0, 0, 0.5);
+  const space = new Group();
+  space.quaternion.copy(motion.space);
+  panel.scene.add(space);
+  const body = shapeOf(data, theme);
+  space.add(body);
+  const tips = [0, 1, 2].map((k) => {
+    const tip = new Vector3().setComponent(k, REACH);
+    body.add(line([0, 0, 0, ...tip.toArray()], theme.axes[k], k === data.traced ? 2.5 : 1.5));
+    return tip;
+  });
+  const color = theme.axes[data.traced];
+  const trace = traceOf(motion, data.traced, color);
+  space.add(trace.object);
+  panel.scene.add(data.pivot ? floor(REACH, 0, theme) : circle(REACH, 0, theme.ring, 1));
+  const arrows = { L: motion.momenta && arrow(theme.momentum, 0.02), Ω: motion.velocities && arrow(theme.velocity, 0.017) };
+  for (const found of Object.values(arrows)) if (found) space.add(found);
+  let state = null;
+
+  panel.legend = [
+    { color, text: `trace of axis ${data.traced + 1}` },
+    ...(arrows.L ? [{ color: theme.momentum, text: "L" }] : []),
+    ...(arrows["Ω"] ? [{ color: theme.velocity, text: "Ω" }] : []),
+  ];
+  panel.update = (now) => {
+    state = now;
+    body.quaternion.copy(now.attitude);
+    trace.show(now.position);
+    point(arrows.L, now.momentum, now.attitude, largest(motion.momenta));
+    point(arrows["Ω"], now.velocity, now.attitude, motion.fastest);
+  };
+  panel.labels = () => [
+    ...tips.map((tip, k) => ({
+      text: `${k + 1}`,
+      color: theme.axes[k],
+      place: tip.clone().multiplyScalar(1.07).applyQuaternion(state.attitude).applyQuaternion(motion.space),
+    })),
+    ...Object.entries(arrows)
+      .filter(([, found]) => found?.visible)
+      .map(([text, found]) => ({
+        text,
+        color: text === "L" ? theme.momentum : theme.velocity,
+        place: found.userData.tip.clone().multiplyScalar(text === "L" ? 1.08 : 1.16).applyQuaternion(motion.space),
+      })),
+  ];
+  panel.probe = () => {
+    body.updateWorldMatrix(true, false);
+    return {
+      matrix: [...body.matrixWorld.elements],
+      axisTip: tips[data.traced].clone().applyMatrix4(body.matrixWorld).toArray(),
+      trace: [...trace.points].slice(0, 3 * (trace.shown + 1)),
+      momentumTip: arrows.L?.userData.tip?.toArray() ?? null,
+    };
+  };
+  return panel;
+}
+
+function shapeOf(data, theme) {
+  const found = new Group();
+  if (data.surface) {
+    const vertices = unpacked(data.surface.vertices);
+    let size = 0;
+    for (let k = 0; k < vertices.length; k += 3) {
+      size = Math.max(size, Math.hypot(vertices[k], vertices[k + 1], vertices[k + 2]));
+    }
+    found.add(surface(vertices.map((x) => x / size), unpacked(data.surface.faces), theme.body, theme.edge));
+  } else if (data.ellipsoid) {
+    const size = Math.max(...data.ellipsoid);
+    found.add(ellipsoid(data.ellipsoid.map((x) => x / size), theme.body, theme.edge));
+  }
+  return found;
+}
+
+/** Return the path of an axis' end in space: a line with points between the samples, or the samples alone. */
+function traceOf(motion, k, color) {
+  const points = [];
+  const ends = []; // by sample, how many pieces lead to it
+  const place = (q) => points.push(...new Vector3().setComponent(k, REACH).applyQuaternion(q).toArray());
+  let last = null;
+  for (let j = 0; j < motion.count; j++) {
+    const here = motion.attitude(j);
+    if (last && motion.joined) {
+      const between = Math.min(20, Math.ceil(last.angleTo(here) / FINE));
+      for (let i = 1; i < between; i++) place(last.clone().slerp(here, i / between));
+    }
+    place(here);
+    ends.push(points.length / 3 - 1);
+    last = here;
+  }
+  const found = { points, shown: 0 };
+  if (motion.joined) {
+    found.object = line(points, color, 2);
+    found.show = (position) => drawPieces(found.object, (found.shown = ends[Math.floor(position)]));
+  } else {
+    found.object = specks(points, color, 3);
+    found.show = (position) => found.object.geometry.setDrawRange(0, (found.shown = Math.floor(position)) + 1);
+  }
+  return found;
+}
+
+function point(found, vector, attitude, most) {
+  if (!found) return;
+  const size = most ? vector.length() / most : 0;
+  if (size > 0) found.point(vector.clone().applyQuaternion(attitude), LONGEST * size);
+  else found.visible = false;
+}
+
+function largest(values) {
+  let found = 0;
+  for (let k = 0; k < values.length; k += 3) found = Math.max(found, Math.hypot(values[k], values[k + 1], values[k + 2]));
+  return found;
+}

@@ -1,0 +1,89 @@
+// Poinsot: the inertia ellipsoid Σ I x² = 1 rolls without slipping on the invariable plane, which lies below it here, so
+// that it touches at x = −Ω/√(2E). The contact draws the polhode on the ellipsoid and the herpolhode on the plane.
+import { Group, Vector3 } from "three";
+import { arrow, dot, drawPieces, ellipsoid, floor, line } from "../shapes.js";
+import { newPanel } from "../stage.js";
+
+export function poinsotPanel(motion, data, theme) {
+  const semiAxes = data.moments.map((moment) => 1 / Math.sqrt(moment));
+  const unit = 1 / Math.max(...semiAxes);
+  const distance = data.distance * unit;
+  const wide = Math.max(1.25 * data.outer * unit, 0.75);
+  const panel = newPanel(theme, {
+    title: "Poinsot's ellipsoid",
+    words: "rolls without slipping on the plane across L",
+    radius: Math.max(1.35, Math.hypot(wide, 0.6 * distance)),
+    target: new Vector3(0, 0, -0.45 * distance),
+  });
+  const space = new Group();
+  space.quaternion.copy(motion.space);
+  const body = ellipsoid(semiAxes.map((x) => x * unit), theme.body, theme.edge, 0.82);
+  space.add(body);
+  const plane = floor(wide, -distance, theme);
+  panel.scene.add(space, plane);
+
+  const contacts = contactPoints(motion, data, unit);
+  const inSpace = turned(motion, contacts);
+  const polhode = line(contacts, theme.motion, 3);
+  const herpolhode = line(inSpace, theme.border, 2.5);
+  body.add(polhode);
+  space.add(herpolhode, line(inSpace, theme.border, 1, 0.35));
+  const touch = dot(theme.velocity, theme.ground, 0.03);
+  const axis = arrow(theme.velocity, 0.012);
+  const normal = arrow(theme.momentum, 0.012);
+  const foot = line([0, 0, -distance, 0, 0, 0], theme.ring, 1.2);
+  space.add(touch, axis);
+  panel.scene.add(normal, foot);
+  normal.point(new Vector3(0, 0, 1), 1.25);
+  panel.legend = [
+    { color: theme.motion, text: "polhode" },
+    { color: theme.border, text: "herpolhode" },
+    { color: theme.velocity, text: "contact, −Ω" },
+  ];
+  panel.update = (now) => {
+    const k = Math.floor(now.position);
+    body.quaternion.copy(now.attitude);
+    touch.position.copy(contactOf(now.momentum, data, unit)).applyQuaternion(now.attitude);
+    axis.point(touch.position, touch.position.length());
+    drawPieces(polhode, k);
+    drawPieces(herpolhode, k);
+  };
+  panel.labels = () => [{ text: "L", color: theme.momentum, place: new Vector3(0, 0, 1.36) }];
+  panel.probe = () => {
+    for (const found of [body, plane, touch]) found.updateWorldMatrix(true, true);
+    return {
+      ellipsoid: [...body.userData.mesh.matrixWorld.elements],
+      plane: [...plane.matrixWorld.elements],
+      contact: new Vector3().setFromMatrixPosition(touch.matrixWorld).toArray(),
+      bodyMatrix: [...body.matrixWorld.elements],
+      spaceMatrix: [...space.matrixWorld.elements],
+      polhode: [...polhode.userData.points],
+      herpolhode: [...herpolhode.userData.points],
+      shown: polhode.visible ? polhode.geometry.instanceCount : 0,
+    };
+  };
+  return panel;
+}
+
+function contactOf(momentum, data, unit) {
+  const size = -unit / Math.sqrt(2 * data.energy);
+  return new Vector3(...momentum.toArray().map((x, k) => (size * x) / data.moments[k]));
+}
+
+/** Return the point of the ellipsoid that touches the plane at each sample, in body axes. */
+function contactPoints(motion, data, unit) {
+  const found = new Float64Array(3 * motion.count);
+  for (let k = 0; k < motion.count; k++) {
+    contactOf(new Vector3().fromArray(motion.momenta, 3 * k), data, unit).toArray(found, 3 * k);
+  }
+  return found;
+}
+
+/** Return the same points in space. */
+function turned(motion, points) {
+  const found = new Float64Array(points.length);
+  for (let k = 0; k < motion.count; k++) {
+    new Vector3().fromArray(points, 3 * k).applyQuaternion(motion.attitude(k)).toArray(found, 3 * k);
+  }
+  return found;
+}

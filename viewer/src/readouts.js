@@ -1,0 +1,44 @@
+// Time, energy, |L| and |Ω| as they are now, and by how much what should be constant drifts over the whole motion.
+import { clock, worded } from "./numbers.js";
+
+const NAMES = { momentum_norm: "|L|", momentum_space: "L in space", "|L|²": "|L|²" };
+
+export class Readouts {
+  constructor(list, motion, data) {
+    this.motion = motion;
+    this.data = data;
+    this.rows = {};
+    for (const [key, name] of [
+      ["time", "time"],
+      ...(motion.energies ? [["energy", data.energyName]] : []),
+      ...(motion.momenta ? [["momentum", "|L|"]] : []),
+      ...(motion.velocities ? [["velocity", "|Ω|"]] : []),
+    ]) {
+      this.rows[key] = this.row(list, name);
+    }
+    const drifts = Object.entries(data.drift);
+    if (!drifts.length) return;
+    const worst = drifts.reduce((a, b) => (b[1] > a[1] ? b : a));
+    const words = (NAMES[worst[0]] ?? worst[0]).replaceAll("_", " ");
+    this.row(list, "largest drift").textContent = `${worded(worst[1], 2)} (${words})`;
+  }
+
+  row(list, name) {
+    const [label, value] = [document.createElement("dt"), document.createElement("dd")];
+    label.textContent = name;
+    const pair = document.createElement("div");
+    pair.append(label, value);
+    list.append(pair);
+    return value;
+  }
+
+  show(now) {
+    const put = (key, text) => {
+      if (this.rows[key] && this.rows[key].textContent !== text) this.rows[key].textContent = text;
+    };
+    put("time", clock(now.time, this.motion.span));
+    if (now.energy !== null) put("energy", `${worded(now.energy)} ${this.data.energyUnit}`);
+    if (now.momentum) put("momentum", `${worded(now.momentum.length())} kg m²/s`);
+    if (now.velocity) put("velocity", `${worded(now.velocity.length(), 5)} rad/s`);
+  }
+}

@@ -1,0 +1,173 @@
+// What the panels are made of: lines of a width in pixels, arrows, dots, surfaces.
+import {
+  BufferAttribute,
+  BufferGeometry,
+  Color,
+  ConeGeometry,
+  CylinderGeometry,
+  EdgesGeometry,
+  Group,
+  LineBasicMaterial,
+  LineSegments,
+  Mesh,
+  MeshBasicMaterial,
+  MeshLambertMaterial,
+  Points,
+  PointsMaterial,
+  Quaternion,
+  SphereGeometry,
+  Vector3,
+} from "three";
+import { Line2 } from "three/addons/lines/Line2.js";
+import { LineGeometry } from "three/addons/lines/LineGeometry.js";
+import { LineMaterial } from "three/addons/lines/LineMaterial.js";
+import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
+import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
+import { toCreasedNormals } from "three/addons/utils/BufferGeometryUtils.js";
+
+const UP = new Vector3(0, 1, 0); // along which three.js builds cylinders and cones
+const CREASE = 0.6; // rad between faces from which an edge is one
+const TURN = 2 * Math.PI;
+
+const lineMaterial = (color, width, opacity) =>
+  new LineMaterial({ color: new Color(color), linewidth: width, transparent: opacity < 1, opacity, alphaToCoverage: false });
+
+/** Return a line through points [x, y, z, x, y, z, …]; `count` of its pieces are drawn. */
+export function line(points, color, width, opacity = 1) {
+  const found = new Line2(new LineGeometry(), lineMaterial(color, width, opacity));
+  found.geometry.setPositions(points.length > 3 ? points : [...points, ...points]);
+  found.frustumCulled = false;
+  found.userData.points = points;
+  return found;
+}
+
+/** Draw only the first pieces of a line. */
+export function drawPieces(found, count) {
+  found.geometry.instanceCount = Math.max(0, count);
+  found.visible = count > 0;
+}
+
+/** Return separate pieces [start, end, start, end, …]. */
+export function pieces(points, color, width, opacity = 1) {
+  const found = new LineSegments2(new LineSegmentsGeometry(), lineMaterial(color, width, opacity));
+  found.geometry.setPositions(points);
+  found.frustumCulled = false;
+  return found;
+}
+
+/** Return points of a size in pixels. */
+export function specks(points, color, size) {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(Float32Array.from(points), 3));
+  const found = new Points(geometry, new PointsMaterial({ color, size, sizeAttenuation: false }));
+  found.frustumCulled = false;
+  return found;
+}
+
+/** Return a circle about the z axis. */
+export function circle(radius, height, color, width, opacity = 1) {
+  const points = [];
+  for (let k = 0; k <= 128; k++) {
+    points.push(radius * Math.cos((TURN * k) / 128), radius * Math.sin((TURN * k) / 128), height);
+  }
+  return line(points, color, width, opacity);
+}
+
+/** Return an arrow from the origin; `point(direction, length)` turns it. */
+export function arrow(color, thickness) {
+  const material = new MeshLambertMaterial({ color });
+  const shaft = new Mesh(new CylinderGeometry(thickness, thickness, 1, 16), material);
+  const head = new Mesh(new ConeGeometry(3 * thickness, 8 * thickness, 24), material);
+  const found = new Group().add(shaft, head);
+  found.point = (direction, length) => {
+    const reach = Math.max(length - 8 * thickness, 1e-6);
+    found.visible = length > 1e-3;
+    shaft.scale.set(1, reach, 1);
+    shaft.position.set(0, 0.5 * reach, 0);
+    head.position.set(0, length - 4 * thickness, 0);
+    found.quaternion.copy(new Quaternion().setFromUnitVectors(UP, direction.clone().normalize()));
+    found.userData.tip = direction.clone().normalize().multiplyScalar(length);
+  };
+  return found;
+}
+
+/** Return a dot with a rim that sets it off. */
+export function dot(color, rim, radius) {
+  const core = new Mesh(new SphereGeometry(radius, 24, 16), new MeshBasicMaterial({ color }));
+  const shell = new Mesh(new SphereGeometry(1.35 * radius, 24, 16), new MeshBasicMaterial({ color: rim, side: 1 }));
+  return new Group().add(core, shell);
+}
+
+/** Return a surface of triangles with its sharp edges drawn. */
+export function surface(vertices, faces, color, edge) {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(Float32Array.from(vertices), 3));
+  geometry.setIndex(new BufferAttribute(faces, 1));
+  const smooth = toCreasedNormals(geometry, CREASE);
+  const material = new MeshLambertMaterial({ color, side: 2, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
+  const edges = new LineSegments(new EdgesGeometry(geometry, 30), new LineBasicMaterial({ color: edge, transparent: true, opacity: 0.6 }));
+  return new Group().add(new Mesh(smooth, material), edges);
+}
+
+/** Return an ellipsoid with its three principal circles, which show how it turns. */
+export function ellipsoid(semiAxes, color, edge, opacity = 1) {
+  const material = new MeshLambertMaterial({
+    color,
+    transparent: opacity < 1,
+    opacity,
+    polygonOffset: true,
+    polygonOffsetFactor: 1,
+    polygonOffsetUnits: 1,
+  });
+  const mesh = new Mesh(new SphereGeometry(1, 96, 64), material);
+  mesh.scale.set(...semiAxes);
+  const found = new Group().add(mesh);
+  for (let k = 0; k < 3; k++) {
+    const points = [];
+    for (let j = 0; j <= 128; j++) {
+      const place = [0, 0, 0];
+      place[(k + 1) % 3] = semiAxes[(k + 1) % 3] * Math.cos((TURN * j) / 128);
+      place[(k + 2) % 3] = semiAxes[(k + 2) % 3] * Math.sin((TURN * j) / 128);
+      points.push(...place);
+    }
+    found.add(line(points, edge, 1, 0.7));
+  }
+  found.userData.mesh = mesh;
+  return found;
+}
+
+/** Return the sphere that curves are drawn on; those on its far side show through it, dimmed. */
+export function globe(theme) {
+  const material = new MeshLambertMaterial({ color: theme.sphere, transparent: true, opacity: 0.8, depthWrite: true });
+  const found = new Mesh(new SphereGeometry(0.992, 96, 64), material);
+  found.renderOrder = 1; // after the lines behind it, before nothing: those before it pass the depth test
+  return found;
+}
+
+/** Return a disk in a plane of constant z, with rings. */
+export function floor(radius, height, theme, rings = 4) {
+  const geometry = new CylinderGeometry(radius, radius, 1e-4, 96);
+  geometry.rotateX(Math.PI / 2);
+  const material = new MeshBasicMaterial({
+    color: theme.plane,
+    transparent: true,
+    opacity: 0.75,
+    polygonOffset: true,
+    polygonOffsetFactor: 2,
+    polygonOffsetUnits: 2,
+  });
+  const mesh = new Mesh(geometry, material);
+  const found = new Group().add(mesh);
+  for (let k = 1; k <= rings; k++) found.add(circle((radius * k) / rings, 0, theme.ring, k === rings ? 1.2 : 0.7));
+  found.position.set(0, 0, height);
+  found.userData.mesh = mesh;
+  return found;
+}
+
+/** Release what a scene holds on the graphics card. */
+export function dispose(scene) {
+  scene.traverse((found) => {
+    found.geometry?.dispose();
+    found.material?.dispose();
+  });
+}

@@ -1,0 +1,74 @@
+// One WebGL context draws every panel in turn, and each picture is copied to the panel's own canvas. Browsers allow few
+// contexts, and so panels scroll and stack as any element does; names are written over the copy, where text is sharp.
+import { AmbientLight, DirectionalLight, Scene, Vector3, WebGLRenderer } from "three";
+import { newCamera, ORIGIN } from "./camera.js";
+
+const MOST_DOTS = 2; // device pixels per pixel drawn at most
+
+export class Stage {
+  constructor(view) {
+    this.view = view;
+    this.renderer = new WebGLRenderer({ antialias: true, alpha: true, powerPreference: "low-power" });
+    this.renderer.setClearColor(0x000000, 0);
+    this.size = [0, 0];
+  }
+
+  /** Draw one panel at its size on the page. */
+  draw(panel, canvas, theme) {
+    const dots = Math.min(window.devicePixelRatio || 1, MOST_DOTS);
+    const [width, height] = [canvas.clientWidth, canvas.clientHeight];
+    if (!width || !height) return;
+    this.fit(width, height, dots);
+    const [across, down] = [Math.round(width * dots), Math.round(height * dots)];
+    if (canvas.width !== across || canvas.height !== down) [canvas.width, canvas.height] = [across, down];
+    if (!panel.flat) this.view.place(panel.camera, panel.target ?? ORIGIN, panel.radius, width / height);
+    else panel.flat(panel.camera, width / height);
+    panel.lamp.position.copy(panel.camera.position).add(LAMP.clone().applyQuaternion(panel.camera.quaternion));
+    panel.lamp.target.position.copy(panel.target ?? ORIGIN);
+    panel.lamp.target.updateMatrixWorld();
+    const { renderer } = this;
+    renderer.setViewport(0, 0, width, height);
+    renderer.setScissor(0, 0, width, height);
+    renderer.setScissorTest(true);
+    renderer.render(panel.scene, panel.camera);
+    const paper = canvas.getContext("2d");
+    paper.clearRect(0, 0, across, down);
+    paper.drawImage(renderer.domElement, 0, renderer.domElement.height - down, across, down, 0, 0, across, down);
+    this.write(panel, paper, across, down, dots, theme);
+  }
+
+  /** Make the drawing buffer large enough; it never shrinks, as that would cost as much again. */
+  fit(width, height, dots) {
+    const wanted = [Math.max(this.size[0], width), Math.max(this.size[1], height)];
+    if (this.dots === dots && wanted[0] === this.size[0] && wanted[1] === this.size[1]) return;
+    [this.size, this.dots] = [wanted, dots];
+    this.renderer.setPixelRatio(dots);
+    this.renderer.setSize(...wanted, false);
+  }
+
+  write(panel, paper, across, down, dots, theme) {
+    paper.font = `600 ${13 * dots}px system-ui, sans-serif`;
+    paper.textAlign = "center";
+    paper.textBaseline = "middle";
+    paper.lineJoin = "round";
+    for (const { text, place, color } of panel.labels()) {
+      const seen = place.clone().project(panel.camera);
+      const [x, y] = [0.5 * (1 + seen.x) * across, 0.5 * (1 - seen.y) * down];
+      paper.lineWidth = 4 * dots;
+      paper.strokeStyle = theme.ground;
+      paper.strokeText(text, x, y);
+      paper.fillStyle = color;
+      paper.fillText(text, x, y);
+    }
+  }
+}
+
+const LAMP = new Vector3(-2, 3, 1);
+
+/** Return an empty panel with lights and a camera. */
+export function newPanel(theme, fields) {
+  const scene = new Scene();
+  const lamp = new DirectionalLight(0xffffff, 2.1 * theme.lamp);
+  scene.add(new AmbientLight(0xffffff, 1.3 * theme.lamp), lamp, lamp.target);
+  return { scene, lamp, camera: newCamera(), radius: 1.5, labels: () => [], probe: () => ({}), ...fields };
+}
