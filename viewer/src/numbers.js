@@ -5,7 +5,10 @@ const SUPERSCRIPTS = { "-": "⁻", 0: "⁰", 1: "¹", 2: "²", 3: "³", 4: "⁴"
 export function worded(value, digits = 6) {
   if (value === 0) return "0";
   const size = Math.abs(value);
-  if (size >= 1e-3 && size < 1e6) return value.toPrecision(digits).replace("-", "−");
+  if (size >= 1e-3 && size < 1e6) {
+    const text = size >= 10 ** digits ? String(Number(value.toPrecision(digits))) : value.toPrecision(digits);
+    return text.replace("-", "−");
+  }
   const [mantissa, power] = value.toExponential(digits - 1).split("e");
   const raised = [...power.replace("+", "")].map((sign) => SUPERSCRIPTS[sign]).join("");
   return `${mantissa}·10${raised}`.replace("-", "−");

@@ -7,6 +7,7 @@ import {
   CylinderGeometry,
   EdgesGeometry,
   Group,
+  Line,
   LineBasicMaterial,
   LineSegments,
   Mesh,
@@ -41,14 +42,25 @@ export function line(points, color, width, opacity = 1) {
   return found;
 }
 
+/** Return a line one pixel wide, which costs a fraction of one of another width. */
+export const hairline = (points, color, opacity = 1) => hairs(new Line(), points, color, opacity);
+
+function hairs(found, points, color, opacity) {
+  found.geometry.setAttribute("position", new BufferAttribute(Float32Array.from(points), 3));
+  found.material = new LineBasicMaterial({ color, transparent: opacity < 1, opacity });
+  found.frustumCulled = false;
+  return found;
+}
+
 /** Draw only the first pieces of a line. */
 export function drawPieces(found, count) {
   found.geometry.instanceCount = Math.max(0, count);
   found.visible = count > 0;
 }
 
-/** Return separate pieces [start, end, start, end, …]. */
+/** Return separate pieces [start, end, start, end, …]; those up to a pixel wide are drawn the cheap way. */
 export function pieces(points, color, width, opacity = 1) {
+  if (width <= 1) return hairs(new LineSegments(), points, color, opacity);
   const found = new LineSegments2(new LineSegmentsGeometry(), lineMaterial(color, width, opacity));
   found.geometry.setPositions(points);
   found.frustumCulled = false;
@@ -64,13 +76,13 @@ export function specks(points, color, size) {
   return found;
 }
 
-/** Return a circle about the z axis. */
-export function circle(radius, height, color, width, opacity = 1) {
+/** Return a circle about the z axis, of a width or a hairline. */
+export function circle(radius, height, color, width = 1) {
   const points = [];
   for (let k = 0; k <= 128; k++) {
     points.push(radius * Math.cos((TURN * k) / 128), radius * Math.sin((TURN * k) / 128), height);
   }
-  return line(points, color, width, opacity);
+  return width > 1 ? line(points, color, width) : hairline(points, color);
 }
 
 /** Return an arrow from the origin; `point(direction, length)` turns it. */
@@ -119,7 +131,7 @@ export function ellipsoid(semiAxes, color, edge, opacity = 1) {
     polygonOffsetFactor: 1,
     polygonOffsetUnits: 1,
   });
-  const mesh = new Mesh(new SphereGeometry(1, 96, 64), material);
+  const mesh = new Mesh(new SphereGeometry(1, 80, 48), material);
   mesh.scale.set(...semiAxes);
   const found = new Group().add(mesh);
   for (let k = 0; k < 3; k++) {
@@ -130,7 +142,7 @@ export function ellipsoid(semiAxes, color, edge, opacity = 1) {
       place[(k + 2) % 3] = semiAxes[(k + 2) % 3] * Math.sin((TURN * j) / 128);
       points.push(...place);
     }
-    found.add(line(points, edge, 1, 0.7));
+    found.add(hairline(points, edge, 0.7));
   }
   found.userData.mesh = mesh;
   return found;
@@ -139,8 +151,8 @@ export function ellipsoid(semiAxes, color, edge, opacity = 1) {
 /** Return the sphere that curves are drawn on; those on its far side show through it, dimmed. */
 export function globe(theme) {
   const material = new MeshLambertMaterial({ color: theme.sphere, transparent: true, opacity: 0.8, depthWrite: true });
-  const found = new Mesh(new SphereGeometry(0.992, 96, 64), material);
-  found.renderOrder = 1; // after the lines behind it, before nothing: those before it pass the depth test
+  const found = new Mesh(new SphereGeometry(0.995, 80, 48), material);
+  found.renderOrder = 1; // after the lines: it veils those behind it, and fails the depth test against those before it
   return found;
 }
 
@@ -158,7 +170,7 @@ export function floor(radius, height, theme, rings = 4) {
   });
   const mesh = new Mesh(geometry, material);
   const found = new Group().add(mesh);
-  for (let k = 1; k <= rings; k++) found.add(circle((radius * k) / rings, 0, theme.ring, k === rings ? 1.2 : 0.7));
+  for (let k = 1; k <= rings; k++) found.add(circle((radius * k) / rings, 0, theme.ring));
   found.position.set(0, 0, height);
   found.userData.mesh = mesh;
   return found;

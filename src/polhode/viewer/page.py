@@ -143,8 +143,9 @@ def page_text(
             "Write a dataset instead."
         )
     title = name or kind_of(trajectory.system) or "motion"
+    said = [note[:1].upper() + note[1:] for note in (*samples.notes, *notes)]
     data = {
-        "name": title, "summary": summary, "notes": [*samples.notes, *notes], "panels": panels,
+        "name": title, "summary": summary, "notes": said, "panels": panels,
         "drift": {key: float(np.max(value)) for key, value in trajectory.drift.items() if np.size(value)},
         **_arrays(trajectory.system, samples),
     }  # fmt: skip

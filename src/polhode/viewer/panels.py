@@ -21,6 +21,7 @@ Panel = dict[str, Any]
 PERIOD_POINTS = 2000  # of the drawn polhode, so that the chord misses it by 1e-6
 KEPT = 1e-6  # of |L|: a momentum in space that stays within this is the one that a page's "up" can be
 TOPS = ("LagrangeMotion", "HeavyTop", "BodyInPotential", "BrunBody")  # their space has an up of its own
+LOW = 0.4  # cosine of the tilt below which a top would dip into the ground, and stands on a post
 AXIS = np.array([0.0, 0.0, 1.0])
 
 
@@ -91,11 +92,10 @@ def up_of(system: Any, samples: Samples) -> tuple[Array, str]:
 # ---------------------------------------------------------------------- the body
 
 
-def _body(samples: Samples, moments: Array | None, surface: Surface | None, words: str, top: bool = False) -> Panel:
-    traced = 2
-    if samples.momentum is not None and not top:
-        traced = int(np.abs(samples.momentum[0]).argmax())
-    panel: Panel = {"type": "body", "traced": traced, "shape": words, "pivot": top}
+def _body(samples: Samples, moments: Array | None, surface: Surface | None, words: str) -> Panel:
+    """Return the body with the trace of the axis nearest to L at first."""
+    nearest = AXIS if samples.momentum is None else samples.momentum[0]
+    panel: Panel = {"type": "body", "traced": int(np.abs(nearest).argmax()), "shape": words}
     if surface is not None:
         wide = len(surface.vertices) > 65535
         panel["surface"] = {"vertices": packed(surface.vertices, "f4"),
@@ -111,7 +111,9 @@ def _of_top(kind: str, system: Any, samples: Samples, moments: Array | None, sur
     axis = np.asarray(getattr(system, "axis", AXIS), dtype=float)
     weighed = kind in ("LagrangeMotion", "HeavyTop")
     shape = top_shape(moments, axis, surface) if weighed and moments is not None else body_shape(moments, surface)
-    body = _body(samples, moments, *shape, top=True)
+    lowest = float(rotation.rotate(samples.attitude, axis)[:, 2].min())
+    own = {"traced": int(np.abs(axis).argmax()), "pivot": "ground" if lowest > LOW else "post"}
+    body = _body(samples, moments, *shape) | own
     limits = []
     if isinstance(system, LagrangeMotion):
         limits = [float(x) for x in system.nutation_limits if x is not None and abs(x) < 1.0]
@@ -167,9 +169,10 @@ def _sphere_of_levels(kind: str, system: Any, samples: Samples, momentum: Array,
 
 
 def _pieces(curves: list[Array]) -> dict[str, Any] | None:
-    """Return curves as pieces (n, 2, 3)."""
+    """Return curves as pieces (n, 2, 3), of every third of their points."""
     if not curves:
         return None
+    curves = [curve[np.linspace(0, len(curve) - 1, len(curve) // 3).round().astype(int)] for curve in curves]
     return packed(np.concatenate([np.stack([curve[:-1], curve[1:]], axis=1) for curve in curves]), "f4")
 
 

@@ -11,6 +11,7 @@ from polhode.bodies.surface import Surface, box_of_same_inertia
 Array = Any
 MOST_FACES = 8000  # about 0.15 MB
 FINEST_GRID = 256  # cells along the longest side when corners are merged
+LEANING = 0.05  # rad from a principal axis to the centre of mass up to which a stem along that axis looks right
 RIM = 48  # corners of a disk's rim
 
 
@@ -42,7 +43,7 @@ def top_shape(moments: Array, axis: Array, surface: Surface | None) -> tuple[Sur
         surface: of the body, if known.
     """
     along = np.abs(np.asarray(axis, dtype=float))
-    if surface is not None or np.sort(along)[1] > 1e-6:
+    if surface is not None or np.sort(along)[1] > LEANING * along.max():
         return body_shape(moments, surface)
     k = int(along.argmax())
     i, j = (k + 1) % 3, (k + 2) % 3

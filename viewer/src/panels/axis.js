@@ -1,6 +1,6 @@
 // A top's axis on the sphere of directions, in space, z up, between the circles that bound its tilt.
 import { Vector3 } from "three";
-import { arrow, circle, dot, drawPieces, globe, line, specks } from "../shapes.js";
+import { arrow, circle, dot, drawPieces, globe, hairline, line, specks } from "../shapes.js";
 import { newPanel } from "../stage.js";
 
 export function axisPanel(motion, data, theme) {
@@ -8,14 +8,14 @@ export function axisPanel(motion, data, theme) {
   const panel = newPanel(theme, { title: "Path of the axis", words, radius: 1.4, target: new Vector3(0, 0, 0.12) });
   const { scene } = panel;
   const axis = new Vector3(...data.axis);
-  scene.add(globe(theme), circle(1, 0, theme.family, 0.8));
+  scene.add(globe(theme), circle(1, 0, theme.family));
   for (const height of data.limits) {
     scene.add(circle(Math.sqrt(Math.max(0, 1 - height * height)), height, theme.border, 1.5));
   }
   const points = new Float64Array(3 * motion.count);
   for (let k = 0; k < motion.count; k++) axis.clone().applyQuaternion(motion.attitude(k)).toArray(points, 3 * k);
   const path = motion.joined ? line(points, theme.motion, 2.6) : specks(points, theme.motion, 3);
-  const faint = motion.joined ? line(points, theme.motion, 1, 0.3) : null;
+  const faint = motion.joined ? hairline(points, theme.motion, 0.35) : null;
   const place = dot(theme.motion, theme.ground, 0.035);
   const up = arrow(theme.momentum, 0.012);
   up.position.set(0, 0, 1);

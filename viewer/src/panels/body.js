@@ -5,12 +5,12 @@ import { arrow, circle, drawPieces, ellipsoid, floor, line, specks, surface } fr
 import { newPanel } from "../stage.js";
 
 const REACH = 1.32; // how far axes and trace stand off from a body of size one
-const LONGEST = 1.62; // of L and of the largest Ω
+const LONGEST = 1.5; // of L and of the largest Ω
 const FINE = 0.06; // rad between points of the trace
 
 export function bodyPanel(motion, data, theme) {
-  const panel = newPanel(theme, { title: "The body in space", words: data.shape, radius: data.pivot ? 1.5 : 1.75 });
-  if (data.pivot) panel.target = new Vector3(0, 0, 0.5);
+  const panel = newPanel(theme, { title: "The body in space", words: data.shape, radius: data.pivot === "ground" ? 1.7 : 1.95 });
+  if (data.pivot === "ground") panel.target = new Vector3(0, 0, 0.5);
   const space = new Group();
   space.quaternion.copy(motion.space);
   panel.scene.add(space);
@@ -24,7 +24,9 @@ export function bodyPanel(motion, data, theme) {
   const color = theme.axes[data.traced];
   const trace = traceOf(motion, data.traced, color);
   space.add(trace.object);
-  panel.scene.add(data.pivot ? floor(REACH, 0, theme) : circle(REACH, 0, theme.ring, 1));
+  if (data.pivot) panel.scene.add(floor(data.pivot === "ground" ? REACH : 0.7, data.pivot === "ground" ? 0 : -REACH, theme));
+  else panel.scene.add(circle(REACH, 0, theme.ring));
+  if (data.pivot === "post") panel.scene.add(line([0, 0, -REACH, 0, 0, 0], theme.edge, 5));
   const arrows = { L: motion.momenta && arrow(theme.momentum, 0.02), Ω: motion.velocities && arrow(theme.velocity, 0.017) };
   for (const found of Object.values(arrows)) if (found) space.add(found);
   let state = null;

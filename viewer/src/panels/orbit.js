@@ -1,7 +1,7 @@
 // A moon on its orbit, seen from above, far too large: how its long axis stands to the planet.
 import { Group, Mesh, MeshLambertMaterial, SphereGeometry } from "three";
 import { unpacked } from "../motion.js";
-import { dot, drawPieces, line, specks } from "../shapes.js";
+import { dot, line } from "../shapes.js";
 import { newPanel } from "../stage.js";
 
 const SIZE = 0.2; // of the moon, in semi-major axes
@@ -28,13 +28,7 @@ export function orbitPanel(motion, data, theme) {
   mark.position.set(SIZE, 0, 0.02);
   moon.add(rock, mark, line([-SIZE, 0, SIZE, 1.5 * SIZE, 0, SIZE], theme.motion, 2.5));
   const ray = line([0, 0, 0, 1, 0, 0], theme.ring, 1.2);
-  const tips = new Float64Array(3 * motion.count);
-  for (let k = 0; k < motion.count; k++) {
-    const [x, y] = [places[2 * k] + SIZE * Math.cos(angles[k]), places[2 * k + 1] + SIZE * Math.sin(angles[k])];
-    tips.set([x, y, 0], 3 * k);
-  }
-  const trail = motion.joined ? line(tips, theme.motion, 1, 0.45) : specks(tips, theme.motion, 2);
-  scene.add(line(ellipse, theme.family, 1.2), planet, moon, ray, trail);
+  scene.add(line(ellipse, theme.family, 1.4), planet, moon, ray);
   panel.flat = (camera, aspect) => {
     const distance = (1.45 + e) / Math.sin(0.22) / Math.min(1, aspect);
     camera.position.set(-e, 0, distance);
@@ -58,8 +52,6 @@ export function orbitPanel(motion, data, theme) {
     moon.position.set(mix(places, 2, 0), mix(places, 2, 1), 0);
     moon.rotation.set(0, 0, mix(angles, 1, 0));
     ray.geometry.setPositions([0, 0, 0, moon.position.x, moon.position.y, 0]);
-    if (motion.joined) drawPieces(trail, k);
-    else trail.geometry.setDrawRange(0, k + 1);
   };
   panel.probe = () => ({ point: moon.position.toArray(), angle: moon.rotation.z });
   return panel;

@@ -1,19 +1,21 @@
 // Poinsot: the inertia ellipsoid Σ I x² = 1 rolls without slipping on the invariable plane, which lies below it here, so
 // that it touches at x = −Ω/√(2E). The contact draws the polhode on the ellipsoid and the herpolhode on the plane.
 import { Group, Vector3 } from "three";
-import { arrow, dot, drawPieces, ellipsoid, floor, line } from "../shapes.js";
+import { arrow, dot, drawPieces, ellipsoid, floor, hairline, line } from "../shapes.js";
 import { newPanel } from "../stage.js";
 
 export function poinsotPanel(motion, data, theme) {
   const semiAxes = data.moments.map((moment) => 1 / Math.sqrt(moment));
   const unit = 1 / Math.max(...semiAxes);
   const distance = data.distance * unit;
-  const wide = Math.max(1.25 * data.outer * unit, 0.75);
+  const wide = Math.max(1.25 * data.outer * unit, 0.9);
+  const height = 1.3; // of the tip of L
+  const middle = 0.5 * (height - distance);
   const panel = newPanel(theme, {
     title: "Poinsot's ellipsoid",
     words: "rolls without slipping on the plane across L",
-    radius: Math.max(1.35, Math.hypot(wide, 0.6 * distance)),
-    target: new Vector3(0, 0, -0.45 * distance),
+    radius: Math.hypot(Math.max(wide, 1), height - middle) * 1.04,
+    target: new Vector3(0, 0, middle),
   });
   const space = new Group();
   space.quaternion.copy(motion.space);
@@ -27,14 +29,14 @@ export function poinsotPanel(motion, data, theme) {
   const polhode = line(contacts, theme.motion, 3);
   const herpolhode = line(inSpace, theme.border, 2.5);
   body.add(polhode);
-  space.add(herpolhode, line(inSpace, theme.border, 1, 0.35));
+  space.add(herpolhode, hairline(inSpace, theme.border, 0.45));
   const touch = dot(theme.velocity, theme.ground, 0.03);
   const axis = arrow(theme.velocity, 0.012);
   const normal = arrow(theme.momentum, 0.012);
-  const foot = line([0, 0, -distance, 0, 0, 0], theme.ring, 1.2);
+  const foot = hairline([0, 0, -distance, 0, 0, 0], theme.edge);
   space.add(touch, axis);
   panel.scene.add(normal, foot);
-  normal.point(new Vector3(0, 0, 1), 1.25);
+  normal.point(new Vector3(0, 0, 1), height);
   panel.legend = [
     { color: theme.motion, text: "polhode" },
     { color: theme.border, text: "herpolhode" },
@@ -48,7 +50,7 @@ export function poinsotPanel(motion, data, theme) {
     drawPieces(polhode, k);
     drawPieces(herpolhode, k);
   };
-  panel.labels = () => [{ text: "L", color: theme.momentum, place: new Vector3(0, 0, 1.36) }];
+  panel.labels = () => [{ text: "L", color: theme.momentum, place: new Vector3(0, 0, height + 0.12) }];
   panel.probe = () => {
     for (const found of [body, plane, touch]) found.updateWorldMatrix(true, true);
     return {
