@@ -13,7 +13,6 @@ from polhode.errors import InvalidInput, NotConverged
 from polhode.report.choice import report_of
 from polhode.spec.reading import read_spec
 
-
 FORMS = ("png", "svg", "pdf")
 
 
