@@ -76,6 +76,21 @@ def body(spec: SpecPath, json: AsJson = False) -> None:
     run_body(spec, json)
 
 
+@app.command()
+def export(
+    spec: SpecPath,
+    to: Annotated[list[str], typer.Option("--to", metavar="FORM", help="netcdf, zarr, csv or aem; may be repeated.")],
+    out: Annotated[
+        Path | None,
+        typer.Option("--out", metavar="FILE", help="The file [default: named after the spec, in the present folder]."),
+    ] = None,
+) -> None:
+    """Write the motion as files for other tools."""
+    from polhode.cli.export import run_export
+
+    run_export(spec, to, out)
+
+
 def main(arguments: list[str] | None = None) -> Any:
     """Run the command; a user's mistake ends with one message on standard error and exit code 2."""
     try:

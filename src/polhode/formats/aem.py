@@ -20,7 +20,7 @@ from polhode.bodies.frame import BodyFrame
 from polhode.errors import InvalidInput
 from polhode.formats.epochs import TIME_SYSTEMS, as_text, later, read_epoch
 from polhode.formats.given_axes import along_given_axes, single_attitude
-from polhode.formats.labels import AttitudeLabels
+from polhode.formats.labels import AttitudeLabels, is_in_spacecraft
 from polhode.formats.paths import written_whole
 from polhode.trajectory import Trajectory
 
@@ -57,6 +57,10 @@ def write_aem(
         raise InvalidInput(f'`rates` must be None, "derivative" or "angular velocity"; got {rates!r}.')
     if labels is None:
         labels = trajectory.system if isinstance(trajectory.system, AttitudeLabels) else AttitudeLabels()
+    if is_in_spacecraft(labels.reference_frame) and not is_in_spacecraft(labels.body_frame):
+        raise InvalidInput(f"`reference_frame` {labels.reference_frame} has a name for frames of a spacecraft, and "
+                           f"`body_frame` {labels.body_frame} has not: readers would take one for the other. "
+                           "Rename one.")  # fmt: skip
     trajectory = along_given_axes(trajectory, frame)
     columns = _columns(trajectory, single_attitude(trajectory, "an AEM"), rates)
     whole, picoseconds = later(_epoch(labels), trajectory.times)
@@ -77,7 +81,7 @@ def _check_ascending(whole: Array, picoseconds: Array) -> None:
         k = int(np.argmin(ascending))
         raise InvalidInput(
             f"`times` of an AEM must ascend, by a picosecond at least; sample {k + 1} does not come after sample {k}. "
-            "Leave one out."
+            "Leave it out, or write a dataset, which has every digit."
         )
 
 

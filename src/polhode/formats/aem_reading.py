@@ -10,16 +10,12 @@ import numpy as np
 
 from polhode.errors import FormatError, InvalidInput
 from polhode.formats.aem_attitudes import Meaning, attitudes
-from polhode.formats.aem_segments import Segment, plain, read_segments, refuse
+from polhode.formats.aem_segments import Segment, read_segments, refuse
 from polhode.formats.epochs import shortest, since
-from polhode.formats.labels import AttitudeLabels
+from polhode.formats.labels import AttitudeLabels, is_in_spacecraft, plain
 from polhode.trajectory import Trajectory
 
 Array = Any
-# frames that are fixed in the spacecraft or a part of it: 504, annex B3, the SANA registry of spacecraft body frames
-_BODY_FRAME = re.compile(
-    "(SC BODY|ACC|ACTUATOR|AST|CSS|DSS|ESA|GYRO FRAME|IMU FRAME|INSTRUMENT|MTA|RW|SA|SENSOR|STARTRACKER|TAM)( .*)?"
-)
 _ROTATION_SEQUENCE = re.compile(r"([XYZ])(?!\1)([XYZ])(?!\2)[XYZ]")
 _SAME = ("OBJECT_NAME", "OBJECT_ID", "REF_FRAME_A", "REF_FRAME_B", "TIME_SYSTEM", "ATTITUDE_DIR")
 
@@ -94,7 +90,7 @@ def _joined(
 def _frames(one: Segment) -> tuple[str, str, bool]:
     """Return the space frame, the body's, and whether the rotation is from body to space."""
     a, b = one.values["REF_FRAME_A"], one.values["REF_FRAME_B"]
-    first_is_body = bool(_BODY_FRAME.fullmatch(plain(a))) and not _BODY_FRAME.fullmatch(plain(b))
+    first_is_body = is_in_spacecraft(a) and not is_in_spacecraft(b)
     direction = plain(one.values.get("ATTITUDE_DIR", "" if one.old else "A2B"))
     if direction not in ("A2B", "B2A"):
         one.wrong("ATTITUDE_DIR", f"must be A2B or B2A in version 1.0; got {direction or 'nothing'!r}")

@@ -16,6 +16,7 @@ import numpy as np
 from polhode.errors import FormatError, InvalidInput
 from polhode.formats.aem_attitudes import COLUMNS, OLD_NAMES
 from polhode.formats.epochs import TIME_SYSTEMS, read_epoch
+from polhode.formats.labels import plain
 from polhode.formats.paths import check_is_file
 
 Array = Any
@@ -101,11 +102,6 @@ def refuse(path: Path, number: int | None, what: str) -> NoReturn:
         FormatError: always.
     """
     raise FormatError(f"{path}, line {number}: {what}." if number else f"{path}: {what}.")
-
-
-def plain(text: str) -> str:
-    """Return a text value as the standard compares it: neither case nor underscore for blank matters."""
-    return " ".join(text.upper().replace("_", " ").split())
 
 
 def read_segments(path: Path) -> list[Segment]:

@@ -34,6 +34,7 @@ _INVARIANTS = {
     "Kovalevskaya's integral": ("s-4", "Kovalevskaya's integral"),
     "Goryachev and Chaplygin's integral": ("s-3", "Goryachev and Chaplygin's integral"),
     "Euler's |Π|²": ("kg2 m4 s-2", "squared angular momentum"),
+    "|L|²": ("kg2 m4 s-2", "squared angular momentum"),
     "momentum_norm": ("kg m2 s-1", "magnitude of the angular momentum"),
     "momentum_space": ("kg m2 s-1", "angular momentum along the space axes"),
 }

@@ -2,7 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
+
+# CCSDS 504.0-B-2, annex B3, and the registry of spacecraft body frames that it names
+_IN_SPACECRAFT = re.compile(
+    "(SC BODY|ACC|ACTUATOR|AST|CSS|DSS|ESA|GYRO FRAME|IMU FRAME|INSTRUMENT|MTA|RW|SA|SENSOR|STARTRACKER|TAM)( .*)?"
+)
 
 
 @dataclass(frozen=True)
@@ -32,3 +38,13 @@ class AttitudeLabels:
     originator: str = "POLHODE"
     spice_id: int = -999
     comments: tuple[str, ...] = ()
+
+
+def plain(text: str) -> str:
+    """Return a text value as CCSDS compares it: neither case nor underscore for blank matters."""
+    return " ".join(text.upper().replace("_", " ").split())
+
+
+def is_in_spacecraft(frame: str) -> bool:
+    """Whether a frame's name is one that CCSDS keeps for frames fixed in a spacecraft or a part of it."""
+    return _IN_SPACECRAFT.fullmatch(plain(frame)) is not None

@@ -6,6 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
+from polhode.spec.export import ExportTable
 from polhode.spec.fields import (
     Angle,
     Density,
@@ -108,3 +109,4 @@ class SpecFile(Strict):
     body: BodyTable | None = None
     spin: SpinTable | None = None
     time: TimeTable = TimeTable()
+    export: ExportTable = ExportTable()

@@ -16,6 +16,7 @@ from polhode.bodies.surface import Surface
 from polhode.errors import FormatError, InvalidInput
 from polhode.formats.labels import AttitudeLabels
 from polhode.spec.building import build_body, build_part, build_spin
+from polhode.spec.export import labels_of
 from polhode.spec.mistakes import as_message, mistakes_of
 from polhode.spec.models import BodyTable, PartTable, SpecFile, SpinTable
 from polhode.spec.rules import SOURCES, Location, Mistake, broken_rules
@@ -90,9 +91,11 @@ def read_spec(path: str | Path) -> Spec:
         found = mistakes + [(location, str(error)) for location, error in unphysical]
         of_files = not mistakes and all(isinstance(error, FormatError) for _, error in unphysical)
         raise (FormatError if of_files else InvalidInput)(as_message(path, found))
+    name = model.name or path.stem
+    labels = labels_of(model.export, name)
     return Spec(
-        model.name or path.stem, body, model.spin, model.time.until, model.time.samples, system,
-        source=model.body, folder=path.parent,
+        name, body, model.spin, model.time.until, model.time.samples, system, labels, source=model.body,
+        folder=path.parent,
     )  # fmt: skip
 
 

@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from polhode.spec.disk_rules import disk_rules
+from polhode.spec.export import export_rules
 from polhode.spec.models import MAY_BE_HOLLOW, SHAPE_KEYS
 from polhode.spec.systems import SYSTEMS
 from polhode.spec.units import parse_quantity
@@ -34,6 +35,9 @@ def broken_rules(table: dict[str, Any]) -> Iterator[Mistake]:
     yield from _system_rules(table)
     if isinstance(spin, dict):
         yield from ((("spin",), text) for text in _spin_rules(spin))
+    export = table.get("export")
+    if isinstance(export, dict):
+        yield from export_rules(export)
 
 
 def _system_rules(table: dict[str, Any]) -> Iterator[Mistake]:

@@ -1,0 +1,101 @@
+"""``polhode export SPEC --to FORM``: the motion as files for other tools."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Sequence
+from dataclasses import dataclass
+from importlib import import_module
+from pathlib import Path
+
+from polhode.errors import FormatError, InvalidInput, NotConverged
+from polhode.formats.dataset import label_attributes
+from polhode.report.base import AbstractReport
+from polhode.report.choice import report_of
+from polhode.spec.reading import Spec, read_spec
+
+
+@dataclass(frozen=True)
+class Form:
+    """A form of file.
+
+    Attributes:
+        home: the module and the function in it that write the file, from report, spec and path; by names, as most
+            need packages that others do not.
+        ending: of the file's name.
+        holds: what is in it, and with how many digits.
+    """
+
+    home: tuple[str, str]
+    ending: str
+    holds: str
+
+
+_HERE = "polhode.cli.export"
+FORMS = {
+    "netcdf": Form((_HERE, "export_netcdf"), ".nc", "all that is known, along the principal axes; bit for bit"),
+    "zarr": Form((_HERE, "export_zarr"), ".zarr", "all that is known, along the principal axes; bit for bit"),
+    "csv": Form((_HERE, "export_csv"), ".csv", "a table along the given axes; every digit"),
+    "aem": Form((_HERE, "export_aem"), ".aem",
+                "CCSDS AEM 2.0, attitude and angular velocity of the given axes; 16 digits, epochs to a picosecond"),
+}  # fmt: skip
+
+
+def run_export(path: Path, forms: Sequence[str], out: Path | None) -> None:
+    """Compute the motion of a spec once and write it in every form asked for."""
+    wanted = list(dict.fromkeys(forms))
+    for form in wanted:
+        if form not in FORMS:
+            near = difflib.get_close_matches(form, FORMS, n=1)
+            hint = f"Did you mean {near[0]}?" if near else "Choose one of these."
+            raise InvalidInput(f"--to must be one of {', '.join(FORMS)}; got {form!r}. {hint}")
+    if out is not None and len(wanted) > 1:
+        raise InvalidInput(f"--out names one file, and {len(wanted)} forms are asked for. Leave it out, or write one.")
+    spec = read_spec(path)
+    try:
+        report = report_of(spec)
+    except (InvalidInput, NotConverged) as error:
+        raise type(error)(f"{path}: {error}") from None
+    for form in wanted:
+        module, function = FORMS[form].home
+        place = out or Path(f"{path.stem}{FORMS[form].ending}")
+        try:
+            written = getattr(import_module(module), function)(report, spec, place)
+        except FormatError:
+            raise
+        except InvalidInput as error:
+            raise InvalidInput(f"{form}: {error}") from None
+        print(f"{written}: {len(report.trajectory.times)} samples, {FORMS[form].holds}")
+
+
+def export_netcdf(report: AbstractReport, spec: Spec, path: Path) -> Path:
+    """Write the report's trajectory as NetCDF."""
+    from polhode.formats.dataset import write_dataset
+
+    return write_dataset(report.trajectory, path, _attributes(spec), report.frame)
+
+
+def export_zarr(report: AbstractReport, spec: Spec, path: Path) -> Path:
+    """Write the report's trajectory as a Zarr store."""
+    from polhode.formats.dataset import write_zarr
+
+    return write_zarr(report.trajectory, path, _attributes(spec), report.frame)
+
+
+def _attributes(spec: Spec) -> dict[str, str]:
+    return {"title": spec.name} | label_attributes(spec.labels)
+
+
+def export_csv(report: AbstractReport, spec: Spec, path: Path) -> Path:
+    """Write the report's trajectory as a table."""
+    from polhode.formats.csv_table import write_csv
+
+    return write_csv(report.trajectory, path, report.frame)
+
+
+def export_aem(report: AbstractReport, spec: Spec, path: Path) -> Path:
+    """Write the report's attitude history as a CCSDS AEM, with angular velocities where there are any."""
+    from polhode.formats.aem import write_aem
+
+    rates = None if report.trajectory.angular_velocity is None else "angular velocity"
+    return write_aem(report.trajectory, path, spec.labels, report.frame, rates)

@@ -1,0 +1,99 @@
+"""The table [export]: what attitude files say of whose attitude they hold, in which frames, since when."""
+
+from __future__ import annotations
+
+import unicodedata
+from collections.abc import Iterator
+from datetime import UTC, date, datetime
+from typing import Annotated, Any
+
+from pydantic import BaseModel, BeforeValidator, ConfigDict
+
+from polhode.formats.epochs import read_epoch, shortest
+from polhode.formats.labels import AttitudeLabels
+from polhode.spec.fields import one_of
+
+SPEC_TIME_SYSTEMS = ("UTC", "TAI", "TT", "TDB", "GPS")
+LONGEST = 200  # characters of a label; lines of an AEM have 254
+
+
+def _label(value: Any) -> str:
+    good = isinstance(value, str) and value.strip() and value.isascii() and value.isprintable()
+    if not good or len(value) > LONGEST:
+        raise ValueError(f"must be one line of printable ASCII, at most {LONGEST} characters; got {value!r}")
+    return value.strip()
+
+
+def _epoch(value: Any) -> str:
+    text = _as_text(value)
+    if text is None:
+        raise ValueError(f'must be a date and time like "2026-03-01T12:00:00"; got {value!r}')
+    return text
+
+
+def _as_text(value: Any) -> str | None:
+    """Return an epoch as text without zone; TOML has dates and times of its own."""
+    if isinstance(value, datetime):
+        value = value.astimezone(UTC).replace(tzinfo=None) if value.tzinfo else value
+        return value.isoformat()
+    if isinstance(value, date):
+        return f"{value.isoformat()}T00:00:00"
+    if isinstance(value, str):
+        return value if "T" in value else f"{value.strip()}T00:00:00"
+    return None
+
+
+def _spice_id(value: Any) -> int:
+    if type(value) is not int or not -(2**31) // 1000 < value < 0:
+        raise ValueError(f"must be a negative whole number, as SPICE numbers spacecraft, like -999; got {value!r}")
+    return value
+
+
+Label = Annotated[str, BeforeValidator(_label)]
+
+
+class ExportTable(BaseModel):
+    """Labels of attitude files; what is left out has its default."""
+
+    model_config = ConfigDict(extra="forbid")
+
+    object_name: Label | None = None
+    object_id: Label | None = None
+    center: Label | None = None
+    reference_frame: Label | None = None
+    body_frame: Label | None = None
+    epoch: Annotated[str | None, BeforeValidator(_epoch)] = None
+    time_system: Annotated[str, one_of(*SPEC_TIME_SYSTEMS)] = "UTC"
+    originator: Label | None = None
+    spice_id: Annotated[int, BeforeValidator(_spice_id)] | None = None
+
+
+def export_rules(table: dict[str, Any]) -> Iterator[tuple[tuple[str | int, ...], str]]:
+    """Yield what is wrong with an epoch in its time system."""
+    given, system = table.get("epoch"), table.get("time_system", "UTC")
+    text = _as_text(given)
+    if text is None or system not in SPEC_TIME_SYSTEMS:
+        return
+    if isinstance(given, datetime) and given.tzinfo and system != "UTC":
+        yield ("export", "epoch"), f"has a zone, which only UTC has; leave the zone out for {system}"
+        return
+    try:
+        read_epoch(text, system)
+    except ValueError as error:
+        yield ("export", "epoch"), str(error)
+
+
+def labels_of(table: ExportTable, name: str) -> AttitudeLabels:
+    """Return the labels that a spec asks for; the object is named after the spec if nothing names it."""
+    given: dict[str, Any] = {"object_name": _in_ascii(name)}
+    given |= {key: value for key, value in table.model_dump().items() if value is not None}
+    if table.epoch is not None:
+        given["epoch"] = shortest(read_epoch(table.epoch, table.time_system), table.time_system)
+    return AttitudeLabels(**given)
+
+
+def _in_ascii(name: str) -> str:
+    """Return a name of any script as attitude files can hold it: accents dropped, other signs an underscore."""
+    letters = (c for c in unicodedata.normalize("NFKD", name) if not unicodedata.combining(c))
+    plain = "".join(c if c.isascii() and c.isprintable() else " " if c.isspace() else "_" for c in letters)
+    return " ".join(plain.split())[:LONGEST] or "BODY"

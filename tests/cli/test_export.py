@@ -1,0 +1,103 @@
+"""``polhode export``: what it writes is the report's motion, and how it refuses."""
+
+import numpy as np
+import pytest
+
+from polhode import formats, rotation
+from polhode.cli.main import main
+from polhode.report.choice import report_of
+from polhode.spec.reading import read_spec
+
+DIGITS = 2e-15
+"""rad: the 16 digits of an AEM."""
+SPEC = """
+name = "</script> a = b Größe\\nnext"
+[body]
+inertia = [["3 kg*m^2", "0.1 kg*m^2", "0 kg*m^2"], ["0.1 kg*m^2", "2 kg*m^2", "0.2 kg*m^2"],
+           ["0 kg*m^2", "0.2 kg*m^2", "1.5 kg*m^2"]]
+[spin]
+angular_velocity = ["0.1 rad/s", "2 rad/s", "-0.3 rad/s"]
+attitude = [0.5, -0.5, 0.1, 0.7]
+[time]
+until = "10 s"
+samples = 101
+[export]
+object_id = "2026-001A"
+epoch = 2026-03-01T12:00:00.25
+"""
+
+
+@pytest.fixture
+def run(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "case.toml").write_text(SPEC, "utf-8")
+
+    def call(*arguments):
+        with pytest.raises(SystemExit) as stopped:
+            main(["export", "case.toml", *arguments])
+        return stopped.value.code or 0, *capsys.readouterr()
+
+    return call
+
+
+def written(tmp_path):
+    return sorted(path.name for path in tmp_path.iterdir() if path.name != "case.toml")
+
+
+def test_every_form_holds_the_motion(run, tmp_path):
+    pytest.importorskip("zarr")
+    code, out, err = run("--to", "netcdf", "--to", "zarr", "--to", "csv", "--to", "aem", "--to", "csv")
+    assert code == 0 and err == ""
+    assert written(tmp_path) == ["case.aem", "case.csv", "case.nc", "case.zarr"]
+    lines = out.splitlines()
+    assert len(lines) == 4 and all("101 samples" in line for line in lines)
+    spec = read_spec(tmp_path / "case.toml")
+    report = report_of(spec)
+    for name in ("case.nc", "case.zarr"):
+        found = formats.read_dataset(tmp_path / name)
+        assert np.array_equal(found.attitude, report.trajectory.attitude)
+        assert np.array_equal(found.momentum, report.trajectory.momentum)
+        assert found.system.title == spec.name and found.system.labels == spec.labels
+    given = formats.along_given_axes(report.trajectory, report.frame)
+    table, message = formats.read_csv(tmp_path / "case.csv"), formats.read_aem(tmp_path / "case.aem")
+    assert np.array_equal(table.attitude, given.attitude) and np.array_equal(table.momentum, given.momentum)
+    assert np.array_equal(found.system.frame.axes, report.frame.axes)
+    for one in (table, message):
+        assert rotation.angle_between(one.attitude, given.attitude).max() <= DIGITS
+        assert one.angular_velocity[0] == pytest.approx((0.1, 2.0, -0.3), abs=1e-14)
+        assert rotation.angle_between(one.attitude[0], np.array([0.5, -0.5, 0.1, 0.7])) <= 1e-14
+    assert message.system.object_name == "</SCRIPT> A = B GRO_E NEXT"
+    assert message.system.epoch == "2026-03-01T12:00:00.25" and message.system.object_id == "2026-001A"
+
+
+def test_one_file_may_be_named(run, tmp_path):
+    (tmp_path / "there").mkdir()
+    assert run("--to", "aem", "--out", "there/motion.txt")[0] == 0
+    assert written(tmp_path / "there") == ["motion.txt"]
+
+
+@pytest.mark.parametrize(("arguments", "words"), [
+    (("--to", "aen"), "must be one of netcdf, zarr, csv, aem; got 'aen'. Did you mean aem?"),
+    (("--to", "aem", "--to", "csv", "--out", "one"), "--out names one file, and 2 forms"),
+    (("--to", "csv", "--out", "missing/motion.csv"), "csv: missing/motion.csv: cannot be written"),
+    (("--to", "csv", "--out", "/proc/motion.csv"), "csv: /proc/motion.csv: cannot be written"),
+    (("--to", "netcdf", "--out", "."), "is a folder"),
+])  # fmt: skip
+def test_what_is_refused(run, tmp_path, arguments, words):
+    code, out, err = run(*arguments)
+    assert code == 2 and out == "" and words in err and "Traceback" not in err
+    assert written(tmp_path) == []
+
+
+def test_without_a_form_nothing_is_written(run, tmp_path):
+    code, _, err = run()
+    assert code == 2 and "--to" in err and written(tmp_path) == []
+
+
+def test_motions_without_attitude(run, tmp_path):
+    text = 'system = { kind = "spin-orbit", eccentricity = 0.1, orbital_period = "21 day", asphericity = 0.9 }\n'
+    (tmp_path / "case.toml").write_text(text + '[time]\nuntil = "1 day"\nsamples = 5\n')
+    assert run("--to", "csv")[0] == 0
+    code, _, err = run("--to", "aem")
+    assert code == 2 and "holds attitudes, and this motion has none" in err
+    assert written(tmp_path) == ["case.csv"]
