@@ -26,6 +26,9 @@ class AttitudeLabels:
         originator: who made the file.
         spice_id: NAIF's negative number of a spacecraft, for SPICE; its frame is that times 1000.
         comments: lines of text.
+
+    >>> AttitudeLabels("BOX", epoch="2026-03-01T12:00:00", time_system="TAI").body_frame
+    'SC_BODY_1'
     """
 
     object_name: str = "BODY"
