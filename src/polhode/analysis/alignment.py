@@ -33,6 +33,11 @@ class Alignment(NamedTuple):
     remaining: Array
     told_apart: bool
 
+    @property
+    def rms(self) -> float:
+        """Root of the mean square of the angle that is left [rad]."""
+        return float(np.sqrt(np.mean(self.remaining**2)))
+
 
 def fit_alignment(times: Array, a: Array, b: Array) -> Alignment | None:
     """Return the best alignment of attitude b (T, 4) with a (T, 4) at times [s]; None for fewer than ten samples.

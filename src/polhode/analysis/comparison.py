@@ -15,6 +15,7 @@ from polhode.exact.invariants import drift
 
 Array = Any
 SAME_TIME = 1e-9  # of a step: two samples that near are at the same time, written with other digits
+EXPLAINED = 0.5  # of the rms angle; an alignment that leaves more explains nothing
 ENDS = 16  # samples at either end whose rates a spline does not know; its error there falls to a quarter with each
 ROUNDING = 1e-12  # rad; errors below are of rounding, and nothing is fitted to them
 
@@ -102,6 +103,11 @@ class Comparison:
     def rms(self) -> float:
         """Root of the mean square of the angle [rad]."""
         return float(np.sqrt(np.mean(self.angle**2)))
+
+    @property
+    def explained(self) -> bool:
+        """Whether the alignment leaves less than half of it."""
+        return self.alignment is not None and self.alignment.rms < EXPLAINED * self.rms
 
 
 def compare(a: AttitudeHistory, b: AttitudeHistory, *, offset: float = 0.0) -> Comparison:

@@ -38,6 +38,8 @@ FORMS = {
     "csv": Form((_HERE, "export_csv"), ".csv", "a table along the given axes; every digit"),
     "aem": Form((_HERE, "export_aem"), ".aem",
                 "CCSDS AEM 2.0, attitude and angular velocity of the given axes; 16 digits, epochs to a picosecond"),
+    "ck": Form((_HERE, "export_ck"), ".bc",
+               "SPICE C-kernel of the given axes, with its clock, frame and leap seconds beside it; every digit"),
 }  # fmt: skip
 
 
@@ -99,3 +101,10 @@ def export_aem(report: AbstractReport, spec: Spec, path: Path) -> Path:
 
     rates = None if report.trajectory.angular_velocity is None else "angular velocity"
     return write_aem(report.trajectory, path, spec.labels, report.frame, rates)
+
+
+def export_ck(report: AbstractReport, spec: Spec, path: Path) -> Path:
+    """Write the report's attitude history as a SPICE C-kernel, and the kernels that it needs beside it."""
+    from polhode.formats.spice import write_ck
+
+    return write_ck(report.trajectory, path, labels=spec.labels, frame=report.frame)[0]

@@ -19,6 +19,17 @@ app = typer.Typer(
 )
 SpecPath = Annotated[Path, typer.Argument(metavar="SPEC", help="TOML file: what body, how it spins, when.")]
 AsJson = Annotated[bool, typer.Option("--json", help="Print one JSON object (SI values) on standard output.")]
+BodySpec = Annotated[Path | None, typer.Option("--spec", metavar="SPEC", help="Whose body it is, for its moments.")]
+ClockKernel = Annotated[
+    Path | None, typer.Option("--sclk", metavar="FILE", help="Clock kernel of a C-kernel [default: beside it, .tsc].")
+]
+FrameKernel = Annotated[
+    Path | None, typer.Option("--fk", metavar="FILE", help="Frame kernel of a C-kernel [default: beside it, .tf].")
+]
+LeapSeconds = Annotated[
+    Path | None, typer.Option("--lsk", metavar="FILE", help="Leap-seconds kernel [default: beside it, .tls, or ours].")
+]
+SpiceId = Annotated[int | None, typer.Option("--spice-id", metavar="N", help="Whose attitude, of several in a kernel.")]
 
 
 @app.callback(invoke_without_command=True)
@@ -79,7 +90,7 @@ def body(spec: SpecPath, json: AsJson = False) -> None:
 @app.command()
 def export(
     spec: SpecPath,
-    to: Annotated[list[str], typer.Option("--to", metavar="FORM", help="netcdf, zarr, csv or aem; may be repeated.")],
+    to: Annotated[list[str], typer.Option("--to", metavar="FORM", help="netcdf, zarr, csv, aem or ck; may be repeated.")],
     out: Annotated[
         Path | None,
         typer.Option("--out", metavar="FILE", help="The file [default: named after the spec, in the present folder]."),
@@ -89,6 +100,47 @@ def export(
     from polhode.cli.export import run_export
 
     run_export(spec, to, out)
+
+
+@app.command("import")
+def import_(
+    file: Annotated[Path, typer.Argument(metavar="FILE", help="CCSDS AEM or SPICE C-kernel.")],
+    json: AsJson = False,
+    out: Annotated[
+        Path | None, typer.Option("--out", metavar="FILE.nc", help="Dataset to write [default: named after the file].")
+    ] = None,
+    spec: BodySpec = None,
+    sclk: ClockKernel = None,
+    fk: FrameKernel = None,
+    lsk: LeapSeconds = None,
+    spice_id: SpiceId = None,
+) -> None:
+    """Read another tool's attitude history, say what it holds, and write it as a NetCDF dataset."""
+    from polhode.cli.importing import run_import
+    from polhode.cli.sources import Kernels
+
+    run_import(file, json, out, spec, Kernels(sclk, fk, lsk, spice_id))
+
+
+@app.command()
+def compare(
+    a: Annotated[Path, typer.Argument(metavar="A", help="Spec, dataset of polhode's, CCSDS AEM or SPICE C-kernel.")],
+    b: Annotated[Path, typer.Argument(metavar="B", help="The same; times are counted by A.")],
+    json: AsJson = False,
+    out: Annotated[
+        Path | None, typer.Option("--out", metavar="DIR", help="Folder for the figure [default: named after both].")
+    ] = None,
+    spec: BodySpec = None,
+    sclk: ClockKernel = None,
+    fk: FrameKernel = None,
+    lsk: LeapSeconds = None,
+    spice_id: SpiceId = None,
+) -> None:
+    """Say how two attitude histories differ: angle over time, misalignments, drift of energy and momentum."""
+    from polhode.cli.compare import run_compare
+    from polhode.cli.sources import Kernels
+
+    run_compare(a, b, json, out, spec, Kernels(sclk, fk, lsk, spice_id))
 
 
 def main(arguments: list[str] | None = None) -> Any:

@@ -12,7 +12,7 @@ from polhode.figures import style
 
 Array = Any
 LEAST = 1e-17  # rad or relative: where zero is drawn, on an axis that has none
-MOST_POINTS = 4000
+STRETCHES = 240  # a curve of more samples is the largest of each stretch: noise would fill the picture
 
 
 def draw_comparison(found: Comparison) -> Figure:
@@ -25,7 +25,7 @@ def draw_comparison(found: Comparison) -> Figure:
     if found.interpolation_error is not None and found.interpolation_error > 0.0:
         upper.axhline(found.interpolation_error, color=style.GREY, lw=0.8, ls=":", label="interpolation misses less")
     _plot(upper, found.times / unit, found.angle, color=style.BLUE, lw=1.1, label="angle between them")
-    if found.alignment is not None:
+    if found.alignment is not None and found.explained:
         _plot(upper, found.times / unit, found.alignment.remaining, color=style.VERMILION, lw=0.9, ls="--",
               label="after the best fit")  # fmt: skip
     upper.set_ylabel("angle  [rad]")
@@ -61,19 +61,18 @@ def _change(kept: Invariants, name: str) -> tuple[Array, float]:
 
 
 def _plot(axes: Any, times: Array, values: Array, **style_of_line: Any) -> None:
-    if len(times) > MOST_POINTS:
-        # the largest of each stretch, so that no error is hidden
-        edges = np.linspace(0, len(times), MOST_POINTS + 1).astype(int)[:-1]
-        times, values = times[edges], np.maximum.reduceat(values, edges)
+    if len(times) > STRETCHES:
+        edges = np.linspace(0, len(times), STRETCHES + 1).astype(int)
+        times, values = times[(edges[:-1] + edges[1:] - 1) // 2], np.maximum.reduceat(values, edges[:-1])
     axes.plot(times, np.maximum(values, LEAST), marker="o" if len(times) == 1 else None, ms=3, **style_of_line)
 
 
 def _logarithmic(axes: Any) -> None:
+    values = np.concatenate([np.atleast_1d(line.get_ydata()) for line in axes.get_lines()])
+    low, high = float(values.min()), float(values.max())
     axes.set_yscale("log")
-    low, high = axes.get_ylim()
-    high, low = max(high, 1e-15), max(low, 0.3 * LEAST)
-    axes.set_ylim(min(low, 1e-3 * high), high)
-    if low < 3.0 * LEAST:
+    axes.set_ylim(0.4 * min(low, 0.1 * high), 2.5 * max(high, 10.0 * LEAST))
+    if low <= LEAST:
         axes.axhline(LEAST, color=style.LIGHT, lw=0.6, zorder=0)
         axes.annotate("0", (1.0, LEAST), xycoords=("axes fraction", "data"), xytext=(3, -2), textcoords="offset points",
                       fontsize=style.FONT - 1, color=style.DARK)  # fmt: skip

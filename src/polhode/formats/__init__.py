@@ -17,6 +17,8 @@ if TYPE_CHECKING:
     from polhode.formats.mesh import read_mesh
     from polhode.formats.molecule import read_molecule
     from polhode.formats.scipy_rotation import as_rotation, as_rotation_spline
+    from polhode.formats.spice import write_ck
+    from polhode.formats.spice_reading import read_ck
 
 _HOME = {
     "AttitudeLabels": "polhode.formats.labels",
@@ -27,11 +29,13 @@ _HOME = {
     "as_rotation": "polhode.formats.scipy_rotation",
     "as_rotation_spline": "polhode.formats.scipy_rotation",
     "read_aem": "polhode.formats.aem_reading",
+    "read_ck": "polhode.formats.spice_reading",
     "read_csv": "polhode.formats.csv_table",
     "read_dataset": "polhode.formats.dataset_reading",
     "read_mesh": "polhode.formats.mesh",
     "read_molecule": "polhode.formats.molecule",
     "write_aem": "polhode.formats.aem",
+    "write_ck": "polhode.formats.spice",
     "write_csv": "polhode.formats.csv_table",
     "write_dataset": "polhode.formats.dataset",
     "write_zarr": "polhode.formats.dataset",
@@ -45,11 +49,13 @@ __all__ = [
     "as_rotation",
     "as_rotation_spline",
     "read_aem",
+    "read_ck",
     "read_csv",
     "read_dataset",
     "read_mesh",
     "read_molecule",
     "write_aem",
+    "write_ck",
     "write_csv",
     "write_dataset",
     "write_zarr",

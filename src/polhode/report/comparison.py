@@ -12,7 +12,6 @@ from polhode.report.base import Listing, Section, plain
 from polhode.report.wording import angle, number, vector
 
 Array = Any
-EXPLAINED = 0.5  # of the rms angle; an alignment that leaves more explains nothing
 UNITS = {
     "times": "s, A's", "angle": "rad", "growth": "rad/s", "alignment": "rad, rad/s", "interpolation_error": "rad",
     "invariants.drift": "relative",
@@ -29,17 +28,19 @@ class ComparisonReport:
         comparison: the numbers.
         clocks: how the two times were laid side by side.
         notes: what else there is to know.
+        rounding: angles up to this are of rounding [rad].
     """
 
     comparison: Comparison
     clocks: str
     notes: tuple[str, ...] = ()
+    rounding: float = ROUNDING
 
     @property
     def summary(self) -> str:
         """The result in a sentence or two."""
         found = self.comparison
-        if found.largest <= ROUNDING:
+        if found.largest <= self.rounding:
             return f"Both agree to {found.largest:.1e} rad: to rounding."
         text = f"They differ by up to {angle(found.largest)}, {angle(found.rms)} rms."
         if self._explains():
@@ -49,8 +50,7 @@ class ComparisonReport:
         return text
 
     def _explains(self) -> bool:
-        fit = self.comparison.alignment
-        return fit is not None and _rms(fit.remaining) < EXPLAINED * self.comparison.rms
+        return self.comparison.largest > self.rounding and self.comparison.explained
 
     def sections(self) -> list[Section | Listing]:
         """Return the answers worded for people."""
@@ -62,6 +62,8 @@ class ComparisonReport:
             Section("Times", [
                 ("clocks", self.clocks), ("compared from", f"{first:.9g} to {last:.9g} s of A"),
                 ("samples", str(len(found.times))), ("how", found.method), ("interpolation misses", missed),
+                *((f"angular velocity of {side}", None if kept is None else kept.source)
+                  for side, kept in zip("AB", found.invariants, strict=True)),
             ]),
             Section("Angle between them", [
                 ("largest", angle(found.largest)), ("rms", angle(found.rms)),
@@ -75,7 +77,7 @@ class ComparisonReport:
         fit = self.comparison.alignment
         if fit is None:
             return []
-        rest = f"{float(fit.remaining.max()):.6g} rad, {_rms(fit.remaining):.6g} rad rms"
+        rest = f"{float(fit.remaining.max()):.6g} rad, {fit.rms:.6g} rad rms"
         return [Section("Best fit, A = turn(rate · t) · space · B · body", [
             ("body axes misaligned by", vector(fit.body, "rad")),
             ("space axes misaligned by", vector(fit.space, "rad")),
@@ -88,8 +90,8 @@ class ComparisonReport:
         for side, kept in zip("AB", self.comparison.invariants, strict=True):
             for name, change in {} if kept is None else kept.drift.items():
                 assert kept is not None
-                rows.append((side, NAMES[name], _first(kept, name), f"{change:.2e}", kept.source))
-        columns = ("of", "invariant", "at first", "drift, relative", "angular velocity")
+                rows.append((side, NAMES[name], _first(kept, name), f"{change:.2e}"))
+        columns = ("of", "invariant", "at first", "drift, relative")
         return [Listing("Invariants", columns, rows)] if rows else []
 
     def all_notes(self) -> list[str]:
@@ -108,7 +110,7 @@ class ComparisonReport:
         found, fit = self.comparison, self.comparison.alignment
         alignment = None if fit is None else {
             "body": fit.body, "space": fit.space, "rate": fit.rate, "told_apart": fit.told_apart,
-            "remaining": {"largest": fit.remaining.max(), "rms": _rms(fit.remaining)}, "explains": self._explains(),
+            "remaining": {"largest": fit.remaining.max(), "rms": fit.rms}, "explains": self._explains(),
         }  # fmt: skip
         return plain({
             "names": found.names, "summary": self.summary, "clocks": self.clocks, "method": found.method,
@@ -127,7 +129,3 @@ def _first(kept: Invariants, name: str) -> str:
     value = np.asarray(kept.values[name][0])
     unit = INVARIANT_UNITS.get(name, "kg m²/s")
     return (vector(value.tolist(), unit) if value.ndim else number(float(value), unit)) or ""
-
-
-def _rms(values: Array) -> float:
-    return float(np.sqrt(np.mean(np.asarray(values) ** 2)))

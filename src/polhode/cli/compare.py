@@ -1,0 +1,96 @@
+"""``polhode compare A B``: how two attitude histories differ."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from polhode.analysis.comparison import ROUNDING, compare
+from polhode.cli.render import as_json, print_report
+from polhode.cli.sources import Kernels, Source, mechanics_of, source_of
+from polhode.errors import InvalidInput
+from polhode.formats.time_scales import terrestrial_time
+from polhode.report.comparison import ComparisonReport
+
+PICOSECOND = 1e-12  # s
+
+
+def run_compare(first: Path, second: Path, json: bool, out: Path | None, spec: Path | None, kernels: Kernels) -> None:
+    """Read both, compare, draw, and print the answers."""
+    a, b = source_of(first, kernels), source_of(second, kernels)
+    shared = None if spec is None else mechanics_of(spec)
+    if spec is not None and shared is None:
+        raise InvalidInput(f"{spec}: is neither of a free body nor of a top, so what would be kept is not known here.")
+    known = shared or a.history.mechanics or b.history.mechanics
+    histories = [replace(side.history, mechanics=shared or side.history.mechanics or known) for side in (a, b)]
+    offset, clocks = clocks_of(a, b)
+    try:
+        found = compare(*histories, offset=offset)
+    except InvalidInput as error:
+        raise InvalidInput(f"{first}, {second}: {error}") from None
+    report = ComparisonReport(found, clocks, (*_kinds(a, b), *_names(a, b)), _rounding(a, b))
+    folder = out or Path(f"{first.stem}_and_{second.stem}")
+    file = str(_drawn(report, folder))
+    if json:
+        print(as_json({**report.as_json_dict(), "files": [file]}))
+    else:
+        title = f"{first} (A) and {second} (B)"
+        print_report(title, report.summary, report.sections(), report.all_notes(), [file])
+
+
+def clocks_of(a: Source, b: Source) -> tuple[float, str]:
+    """Return A's time at B's time zero [s], and in words how that is known."""
+    silent = [name for name, side in (("A", a), ("B", b)) if side.labels is None]
+    if silent:
+        return 0.0, f"both start at zero, as {' and '.join(silent)} {'tells' if len(silent) == 1 else 'tell'} no epoch"
+    epochs = [terrestrial_time(side.labels.epoch, side.labels.time_system) for side in (a, b) if side.labels]
+    offset = float(epochs[1] - epochs[0])
+    words = " and ".join(f"{side.labels.epoch} {side.labels.time_system}" for side in (a, b) if side.labels)
+    return offset, f"by their epochs, {words}"
+
+
+def _rounding(a: Source, b: Source) -> float:
+    """Return the angle [rad] that rounding leaves; times in an AEM are to a picosecond, so half of one may miss."""
+    messages = [side for side in (a, b) if side.kind == "aem"]
+    rates = [side.history.angular_velocity for side in (a, b)]
+    speeds = [float(np.linalg.norm(rate, axis=-1).max()) for rate in rates if rate is not None]
+    return max(ROUNDING, len(messages) * 0.5 * PICOSECOND * max(speeds, default=0.0))
+
+
+def _kinds(a: Source, b: Source) -> list[str]:
+    """Say of specs that are not evaluated exactly how they were come by."""
+    return [
+        f"{side.history.name} is a motion without a closed form: its samples are compared."
+        for side in (a, b) if side.kind == "spec" and side.history.exact is None
+    ]  # fmt: skip
+
+
+def _names(a: Source, b: Source) -> list[str]:
+    """Say where the labels differ: the comparison takes the axes as they are."""
+    if a.labels is None or b.labels is None:
+        return []
+    found = []
+    for name, words in (("reference_frame", "space axes"), ("body_frame", "body axes"), ("object_name", "objects")):
+        mine, theirs = getattr(a.labels, name), getattr(b.labels, name)
+        if mine.upper() != theirs.upper():
+            found.append(f"{words} have different names, {mine} and {theirs}; they are compared as if the same.")
+    return found
+
+
+def _drawn(report: ComparisonReport, folder: Path) -> Path:
+    from polhode.figures import style
+    from polhode.figures.comparison import draw_comparison
+    from polhode.formats.paths import written_whole
+
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        why = f"{folder}: cannot be written ({error.strerror}). Name a folder that you may write to with --out."
+        raise InvalidInput(why) from None
+    path = folder / "comparison.png"
+    with written_whole(path) as draft:
+        style.save(draw_comparison(report.comparison), draft)
+    return path
+

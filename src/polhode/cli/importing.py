@@ -1,0 +1,111 @@
+"""``polhode import FILE``: an attitude history of another tool as a dataset."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from polhode import rotation
+from polhode.bodies.frame import BodyFrame
+from polhode.cli.render import as_json, print_report
+from polhode.cli.sources import KINDS, Kernels, read_recorded
+from polhode.errors import InvalidInput
+from polhode.exact.invariants import drift
+from polhode.formats.labels import AttitudeLabels
+from polhode.report.base import Section, plain
+from polhode.report.wording import angle, drifts, number, rate
+from polhode.trajectory import Trajectory
+
+Array = Any
+
+
+def run_import(path: Path, json: bool, out: Path | None, spec: Path | None, kernels: Kernels) -> None:
+    """Read the file, add momentum and energy where the spec tells the moments, and write and print what is there."""
+    from polhode.formats.dataset import write_dataset
+
+    kind, trajectory, labels = read_recorded(path, kernels)
+    if kind == "dataset":
+        raise InvalidInput(f"{path}: is a dataset of polhode's already; there is nothing to import.")
+    assert labels is not None
+    notes, frame = [], None
+    if spec is not None:
+        frame = _frame(spec)
+        trajectory = along_principal_axes(trajectory, frame)
+        if trajectory.momentum is None:
+            notes.append("the file has no angular velocity, so that there is neither momentum nor energy.")
+    values = summary_values(trajectory, labels)
+    written = out or Path(f"{path.stem}.nc")
+    write_dataset(trajectory, written, {"title": labels.object_name}, frame)
+    if json:
+        print(as_json(plain({"kind": KINDS[kind], **values, "drift": trajectory.drift, "notes": notes,
+                             "files": [str(written)]})))  # fmt: skip
+        return
+    sections = [Section("Attitude history", _lines(values, trajectory))]
+    print_report(str(path), f"{KINDS[kind]} with {values['samples']} attitudes.", sections, notes, [str(written)])
+
+
+def _frame(spec: Path) -> BodyFrame:
+    from polhode.spec.reading import read_spec
+
+    body = read_spec(spec).body
+    if body is None:
+        raise InvalidInput(f"{spec}: has no [body], whose moments would be needed. Choose another spec.")
+    return BodyFrame.of(body)
+
+
+def along_principal_axes(trajectory: Trajectory, frame: BodyFrame) -> Trajectory:
+    """Return a trajectory of the given axes along the principal ones, with momentum and what a free body keeps."""
+    axes, moments = np.asarray(frame.axes), np.asarray(frame.moments)
+    attitude = rotation.multiply(np.asarray(trajectory.attitude), rotation.from_matrix(axes))
+    if trajectory.angular_velocity is None:
+        return replace(trajectory, attitude=attitude, states=attitude)
+    velocity = np.asarray(trajectory.angular_velocity) @ axes
+    momentum = velocity * moments
+    invariants = {
+        "energy": 0.5 * np.sum(momentum * velocity, axis=-1),
+        "momentum_norm": np.linalg.norm(momentum, axis=-1),
+        "momentum_space": rotation.rotate(attitude, momentum),
+    }
+    return replace(
+        trajectory, attitude=attitude, states=np.concatenate([attitude, momentum], axis=-1), momentum=momentum,
+        angular_velocity=velocity, invariants=invariants,
+        drift={name: drift(np, value, name == "momentum_space") for name, value in invariants.items()},
+    )  # fmt: skip
+
+
+def summary_values(trajectory: Trajectory, labels: AttitudeLabels) -> dict[str, Any]:
+    """Return what a file holds by name, SI."""
+    times, attitude = np.asarray(trajectory.times), np.asarray(trajectory.attitude)
+    steps, velocity = np.diff(times), trajectory.angular_velocity
+    turns = rotation.angle_between(attitude[1:], attitude[:-1])
+    several = len(times) > 1
+    return {
+        "object": labels.object_name, "object_id": labels.object_id, "reference_frame": labels.reference_frame,
+        "body_frame": labels.body_frame, "epoch": labels.epoch, "time_system": labels.time_system,
+        "first": times[0], "last": times[-1], "samples": len(times),
+        "usual_step": np.median(steps) if several else None,
+        "largest_gap": steps.max() if several else None,
+        "gap_from": times[int(np.argmax(steps))] if several else None,
+        "largest_turn": turns.max() if several else None,
+        "has_angular_velocity": velocity is not None,
+        "fastest": None if velocity is None else np.linalg.norm(np.asarray(velocity), axis=-1).max(),
+    }  # fmt: skip
+
+
+def _lines(values: dict[str, Any], trajectory: Trajectory) -> list[tuple[str, str | None]]:
+    gap = values["largest_gap"]
+    return [
+        ("object", f"{values['object']}, {values['object_id']}"),
+        ("frames", f"{values['body_frame']} (body) in {values['reference_frame']} (space)"),
+        ("time zero", f"{values['epoch']} {values['time_system']}"),
+        ("span", f"{values['first']:.9g} to {values['last']:.9g} s"),
+        ("samples", str(values["samples"])),
+        ("usual step", number(values["usual_step"], "s")),
+        ("largest gap", None if gap is None else f"{gap:.8g} s, from {values['gap_from']:.9g} s on"),
+        ("largest turn between samples", angle(values["largest_turn"])),
+        ("angular velocity", "none in the file" if values["fastest"] is None else f"up to {rate(values['fastest'])}"),
+        ("drift of a free body's invariants", drifts(trajectory.drift) or None),
+    ]

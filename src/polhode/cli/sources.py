@@ -1,0 +1,173 @@
+"""Whatever holds an attitude history: a spec, a dataset of ours, an AEM or a C-kernel, told apart by content."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from polhode.analysis.comparison import AttitudeHistory, Mechanics
+from polhode.bodies.frame import BodyFrame
+from polhode.errors import FormatError, InvalidInput, NotConverged
+from polhode.exact.free_body import FreeMotion
+from polhode.exact.lagrange_top import LagrangeMotion
+from polhode.formats.given_axes import along_given_axes, single_attitude
+from polhode.formats.labels import AttitudeLabels
+from polhode.trajectory import Trajectory
+
+HEAD = 65536  # bytes in which a file shows what it is
+KINDS = {"spec": "spec", "dataset": "dataset", "aem": "AEM", "ck": "C-kernel"}
+TOPS = ("heavy-top", "lagrange-top")
+
+
+class Kernels(NamedTuple):
+    """What goes with a C-kernel, each None for what stands beside it."""
+
+    sclk: Path | None = None
+    fk: Path | None = None
+    lsk: Path | None = None
+    spice_id: int | None = None
+
+
+@dataclass(frozen=True)
+class Source:
+    """An attitude history and where it is from.
+
+    Attributes:
+        kind: one of KINDS.
+        trajectory: along the body's given axes.
+        history: the same, for comparisons.
+        labels: names, frames and epoch; None where it tells no epoch.
+    """
+
+    kind: str
+    trajectory: Trajectory
+    history: AttitudeHistory
+    labels: AttitudeLabels | None
+
+
+def kind_of(path: Path) -> str:
+    """Return which of KINDS a file is, by what it begins with; what is none of the others may be a spec.
+
+    Raises:
+        InvalidInput: for what is missing.
+        FormatError: for what is none of them.
+    """
+    if path.is_dir():
+        return "dataset"
+    try:
+        with path.open("rb") as file:
+            head = file.read(HEAD)
+    except OSError as error:
+        raise InvalidInput(f"{path}: cannot be read ({error.strerror}). Check the path.") from None
+    if head.startswith((b"DAF/CK", b"NAIF/DAF")):
+        return "ck"
+    if head.startswith(b"\x89HDF"):
+        return "dataset"
+    if b"CCSDS_AEM_VERS" in head:
+        return "aem"
+    if b"<aem" in head or b"<ndm" in head:
+        raise FormatError(f"{path}: is XML; AEMs are read as text of keyword = value. Convert it.")
+    if b"\0" in head:
+        why = "is no spec, dataset of polhode's, AEM or C-kernel that begins as these do"
+        raise FormatError(f"{path}: {why}; it may be broken. Check the file.")
+    return "spec"
+
+
+def read_recorded(path: Path, kernels: Kernels) -> tuple[str, Trajectory, AttitudeLabels | None]:
+    """Return kind, trajectory along the given axes, and labels of a file that holds samples.
+
+    Raises:
+        InvalidInput: for a spec, which holds none, or as the readers do.
+    """
+    kind = kind_of(path)
+    if kind == "aem":
+        from polhode.formats.aem_reading import read_aem
+
+        found = read_aem(path)
+        return kind, found, found.system
+    if kind == "ck":
+        from polhode.formats.spice_reading import read_ck
+
+        found = read_ck(path, sclk=kernels.sclk, fk=kernels.fk, lsk=kernels.lsk, spice_id=kernels.spice_id)
+        return kind, found, found.system
+    if kind == "dataset":
+        from polhode.formats.dataset_reading import read_dataset
+
+        found = read_dataset(path)
+        return kind, along_given_axes(found, found.system.frame), _told(found.system.labels)
+    raise InvalidInput(f"{path}: is no AEM, C-kernel or dataset, as it does not begin like one. Check the file.")
+
+
+def source_of(path: Path, kernels: Kernels) -> Source:
+    """Return the attitude history of any file.
+
+    Raises:
+        InvalidInput: for what is missing, has no attitude, or holds several bodies.
+        NotConverged: for a spec whose motion could not be followed.
+    """
+    if kind_of(path) == "spec":
+        return _from_spec(path)
+    kind, trajectory, labels = read_recorded(path, kernels)
+    return Source(kind, trajectory, _history(path, trajectory), labels)
+
+
+def mechanics_of(path: Path) -> Mechanics | None:
+    """Return what energy and momentum of a spec's body are made of; None unless it is free, or a top.
+
+    Raises:
+        InvalidInput: as reading the spec does.
+    """
+    return _from_spec(path).history.mechanics
+
+
+def _from_spec(path: Path) -> Source:
+    from polhode.report.choice import report_of
+    from polhode.spec.reading import read_spec
+
+    spec = read_spec(path)
+    try:
+        report: Any = report_of(spec)
+    except (InvalidInput, NotConverged) as error:
+        raise type(error)(f"{path}: {error}") from None
+    motion, frame = report.trajectory.system, report.frame
+    trajectory = along_given_axes(report.trajectory, frame)
+    history = _history(path, trajectory)
+
+    def exact(times: Any) -> tuple[Any, Any]:
+        found = along_given_axes(motion.sample(times), frame)
+        return found.attitude, found.angular_velocity
+
+    if isinstance(motion, FreeMotion | LagrangeMotion):
+        history = replace(history, exact=exact)
+    if report.kind == "free-body":
+        history = replace(history, mechanics=Mechanics(_inertia(frame)))
+    if report.kind in TOPS:
+        weight = float(report.top.mgl) * np.asarray(frame.axes) @ np.asarray(report.top.axis)
+        history = replace(history, mechanics=Mechanics(_inertia(frame), weight))
+    return Source("spec", trajectory, history, _told(spec.labels))
+
+
+def _told(labels: AttitudeLabels | None) -> AttitudeLabels | None:
+    """Return labels that somebody chose: the usual epoch says nothing about when the motion was."""
+    usual = AttitudeLabels()
+    unsaid = labels is None or (labels.epoch, labels.time_system) == (usual.epoch, usual.time_system)
+    return None if unsaid else labels
+
+
+def _inertia(frame: BodyFrame) -> Any:
+    axes = np.asarray(frame.axes)
+    return axes @ np.diag(np.asarray(frame.moments)) @ axes.T
+
+
+def _history(path: Path, trajectory: Trajectory) -> AttitudeHistory:
+    try:
+        attitude = single_attitude(trajectory, "A comparison")
+    except InvalidInput as error:
+        raise InvalidInput(f"{path}: {error}") from None
+    times, first = np.unique(np.asarray(trajectory.times), return_index=True)
+    velocity = trajectory.angular_velocity
+    velocity = None if velocity is None else np.asarray(velocity)[first]
+    return AttitudeHistory(path.name, times, attitude[first], velocity)

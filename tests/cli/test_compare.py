@@ -1,0 +1,192 @@
+"""``polhode import`` and ``polhode compare`` on files of every kind, and on what is none."""
+
+import json
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from polhode import FreeMotion, rotation
+from polhode.cli.main import main
+from polhode.formats.aem import write_aem
+from polhode.formats.dataset import write_dataset
+from polhode.formats.dataset_reading import read_dataset
+from polhode.formats.given_axes import along_given_axes
+from polhode.formats.labels import AttitudeLabels
+from polhode.formats.spice import write_ck
+from polhode.report.choice import report_of
+from polhode.spec.reading import read_spec
+
+pytest.importorskip("spiceypy")
+EXACT = 1e-12  # rad and relative
+AXIS = np.array([2.0, -1.0, 2.0]) / 3.0
+BOX = """
+[body]
+parts = [
+  { shape = "box", mass = "2 kg", size = ["10 cm", "20 cm", "40 cm"] },
+  { shape = "sphere", mass = "1 kg", radius = "3 cm", at = ["5 cm", "10 cm", "20 cm"] },
+]
+[spin]
+angular_velocity = ["0.1 rad/s", "0.4 rad/s", "0.2 rad/s"]
+[time]
+until = "60 s"
+samples = 500
+"""
+TOP = """
+[body]
+parts = [{ shape = "cone", mass = "0.2 kg", radius = "3 cm", height = "6 cm", at = ["0 cm", "0 cm", "4 cm"] }]
+[system]
+kind = "KIND"
+pivot = ["0 cm", "0 cm", "0 cm"]
+lean = "20 deg"
+[spin]
+rate = "100 rad/s"
+about = "z"
+[time]
+until = "2 s"
+samples = 400
+"""
+
+
+def run(arguments, capsys):
+    with pytest.raises(SystemExit) as stopped:
+        main(list(map(str, arguments)))
+    out, err = capsys.readouterr()
+    return stopped.value.code or 0, out, err
+
+
+def values_of(arguments, capsys):
+    code, out, err = run([*arguments, "--json"], capsys)
+    assert code == 0, err
+    return json.loads(out, parse_constant=lambda name: pytest.fail(name))
+
+
+@pytest.fixture
+def files(tmp_path, monkeypatch):
+    """The motion of a spec in every kind of file, and an AEM that differs from it by a known turn and rate."""
+    monkeypatch.chdir(tmp_path)
+    spec = tmp_path / "box.toml"
+    spec.write_text(BOX)
+    report = report_of(read_spec(spec))
+    labels = AttitudeLabels(object_name="BOX", epoch="2026-03-01T12:00:00", spice_id=-321)
+    write_aem(report.trajectory, tmp_path / "box.aem", labels=labels, frame=report.frame)
+    write_ck(report.trajectory, tmp_path / "box.bc", labels=labels, frame=report.frame)
+    write_dataset(report.trajectory, tmp_path / "own.nc", {}, report.frame)
+    given = along_given_axes(report.trajectory, report.frame)
+    turn = rotation.from_rotation_vector((1e-3 + 2e-5 * given.times)[:, None] * AXIS)
+    turned = replace(given, attitude=rotation.multiply(turn, given.attitude))
+    write_aem(turned, tmp_path / "turned.aem", labels=labels)
+    write_aem(turned, tmp_path / "late.aem", labels=replace(labels, epoch="2026-03-01T12:01:39.184", time_system="TT"))
+    return tmp_path
+
+
+@pytest.mark.parametrize("other", ["box.aem", "box.bc", "own.nc", "box.toml"])
+@pytest.mark.parametrize("exact_first", [True, False])
+def test_every_kind_of_file_agrees_with_the_spec_that_it_is_from(files, capsys, other, exact_first):
+    pair = ["box.toml", other] if exact_first else [other, "box.toml"]
+    found = values_of(["compare", *pair], capsys)
+    assert found["angle"]["largest"] <= EXACT and found["alignment"] is None
+    assert found["times"] == {"first": 0.0, "last": 60.0, "samples": 500}
+    for side, name in zip(found["invariants"], pair, strict=True):
+        assert max(side["drift"].values()) <= (1e-4 if name == "box.aem" else EXACT)  # by a spline of coarse steps
+    assert all((files / name).is_file() for name in found["files"])
+
+
+def test_a_known_turn_and_rate_come_back(files, capsys):
+    for other in ("box.toml", "box.bc", "box.aem"):
+        found = values_of(["compare", "turned.aem", other, "--spec", "box.toml"], capsys)
+        assert found["angle"]["first"] == pytest.approx(1e-3, abs=EXACT)
+        assert found["angle"]["last"] == pytest.approx(1e-3 + 2e-5 * 60.0, abs=EXACT)
+        assert found["growth"] == pytest.approx(2e-5, abs=EXACT)
+        assert found["alignment"]["space"] == pytest.approx(1e-3 * AXIS, abs=EXACT)
+        assert found["alignment"]["rate"] == pytest.approx(2e-5 * AXIS, abs=EXACT)
+        assert found["alignment"]["explains"] and found["alignment"]["remaining"]["largest"] <= EXACT
+        assert len(found["invariants"]) == 2 and None not in found["invariants"]
+    code, out, _ = run(["compare", "turned.aem", "box.toml"], capsys)
+    assert code == 0 and "explain all but" in out and "turning at" in out
+
+
+def test_epochs_in_different_time_systems_are_laid_side_by_side(files, capsys):
+    """12:01:39.184 TT is 12:00:30 UTC: thirty seconds, and 69.184 s of leap seconds and TT."""
+    found = values_of(["compare", "box.bc", "late.aem"], capsys)
+    assert "UTC and 2026-03-01T12:01:39.184 TT" in found["clocks"]
+    assert (found["times"]["first"], found["times"]["last"]) == (pytest.approx(30.0, abs=0.13), 60.0)
+    assert any("interpol" in note for note in [found["method"], *found["notes"]])
+
+
+def test_no_time_in_common_is_one_error(files, capsys):
+    write_aem(FreeMotion((1.0, 2.0, 3.0), (0.0, 0.1, 1.0)).sample(np.linspace(0.0, 9.0, 20)), files / "other.aem",
+              labels=AttitudeLabels(epoch="2027-01-01T00:00:00"))  # fmt: skip
+    code, _, err = run(["compare", "box.aem", "other.aem"], capsys)
+    assert code == 2 and "no time in common" in err and err.count("\n") == 1
+
+
+@pytest.mark.parametrize("kind", ["lagrange-top", "heavy-top"])
+def test_tops_against_their_kernels(tmp_path, monkeypatch, capsys, kind):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "top.toml").write_text(TOP.replace("KIND", kind))
+    report = report_of(read_spec(tmp_path / "top.toml"))
+    write_ck(report.trajectory, tmp_path / "top.bc", frame=report.frame)
+    found = values_of(["compare", "top.bc", "top.toml"], capsys)
+    assert found["angle"]["largest"] <= EXACT
+    for side in found["invariants"]:
+        assert set(side["drift"]) == {"energy", "vertical_momentum"}
+        assert max(side["drift"].values()) <= (EXACT if kind == "lagrange-top" else 1e-4)  # of a splitting's steps
+    assert any("without a closed form" in note for note in found["notes"]) == (kind == "heavy-top")
+
+
+@pytest.mark.parametrize("name", ["box.aem", "box.bc"])
+def test_import_says_what_is_there_and_writes_it(files, capsys, name):
+    found = values_of(["import", name], capsys)
+    assert (found["object"], found["samples"], found["last"]) == ("BOX", 500, 60.0)
+    assert found["largest_gap"] == pytest.approx(60.0 / 499.0)
+    assert found["has_angular_velocity"] == (name == "box.bc")
+    back = read_dataset(files / "box.nc")
+    expected = along_given_axes(report_of(read_spec(files / "box.toml")).trajectory, report_of(
+        read_spec(files / "box.toml")).frame)  # fmt: skip
+    assert rotation.angle_between(back.attitude, expected.attitude).max() <= EXACT
+    assert back.system.labels.epoch == "2026-03-01T12:00:00" and back.momentum is None
+    code, out, _ = run(["import", name, "--out", "again.nc"], capsys)
+    assert code == 0 and "largest gap" in out and (files / "again.nc").is_file()
+
+
+def test_import_with_moments_has_momentum_and_energy(files, capsys):
+    found = values_of(["import", "box.bc", "--spec", "box.toml"], capsys)
+    assert set(found["drift"]) == {"energy", "momentum_norm", "momentum_space"} and not found["notes"]
+    assert max(found["drift"].values()) <= EXACT
+    back, report = read_dataset(files / "box.nc"), report_of(read_spec(files / "box.toml"))
+    assert np.abs(back.momentum - report.trajectory.momentum).max() <= EXACT
+    assert np.abs(back.invariants["energy"] / report.trajectory.invariants["energy"] - 1.0).max() <= EXACT
+    assert values_of(["compare", "box.nc", "box.toml"], capsys)["angle"]["largest"] <= EXACT
+    assert values_of(["import", "box.aem", "--spec", "box.toml"], capsys)["notes"]
+
+
+REFUSED = [
+    (["compare", "box.toml", "none.aem"], "none.aem: cannot be read"),
+    (["compare", "box.toml", "noise.bin"], "is no spec, dataset"),
+    (["compare", "box.toml", "text.txt"], "is not TOML"),
+    (["compare", "box.toml", "cut.nc"], "cut.nc"),
+    (["compare", "box.toml", "cut.bc"], "--sclk"),
+    (["compare", "box.toml", "xml.aem"], "XML"),
+    (["compare", "box.toml", "half.aem"], "half.aem"),
+    (["compare", "box.toml", "box.bc", "--sclk", "none.tsc"], "none.tsc"),
+    (["compare", "box.toml", "box.bc", "--spice-id", "-5"], "-321000"),
+    (["compare", "box.toml", "box.bc", "--spec", "disk.toml"], "neither of a free body nor of a top"),
+    (["compare", "disk.toml", "box.bc", "--out", "box.toml"], "box.toml"),
+    (["import", "box.toml"], "is no AEM"),
+    (["import", "own.nc"], "nothing to import"),
+    (["import", "box.bc", "--out", "missing/box.nc"], "is no folder"),
+]
+
+
+@pytest.mark.parametrize(("arguments", "words"), REFUSED)
+def test_what_is_not_what_it_claims_is_one_error(files, capsys, arguments, words):
+    (files / "noise.bin").write_bytes(bytes(range(256)))
+    (files / "text.txt").write_text("hello")
+    (files / "cut.nc").write_bytes((files / "own.nc").read_bytes()[:2000])
+    (files / "cut.bc").write_bytes((files / "box.bc").read_bytes()[:2000])
+    (files / "xml.aem").write_text('<?xml version="1.0"?><aem id="CCSDS_AEM"/>')
+    (files / "half.aem").write_text((files / "box.aem").read_text()[:700])
+    (files / "disk.toml").write_text((BOX + '[system]\nkind = "damped-body"\ndamping = 0.01\n'))
+    code, _, err = run(arguments, capsys)
+    assert code == 2 and words in err and "Traceback" not in err

@@ -1,0 +1,50 @@
+"""The figure of a comparison, also where there is nothing to see."""
+
+import numpy as np
+import pytest
+
+from polhode import FreeMotion, rotation
+from polhode.analysis.comparison import AttitudeHistory, Mechanics, compare
+from polhode.figures.comparison import LEAST, draw_comparison
+
+MOTION = FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5))
+BODY = Mechanics(np.diag([1.0, 2.0, 3.0]))
+
+
+def history(times, turn=0.0, mechanics=BODY):
+    attitude = rotation.multiply(rotation.from_rotation_vector((0.0, 0.0, turn)), MOTION.attitude(times))
+    return AttitudeHistory("samples", times, attitude, MOTION.angular_velocity(times), mechanics=mechanics)
+
+
+@pytest.mark.parametrize("count", [1, 2, 200, 5000])
+@pytest.mark.parametrize("turn", [0.0, 1e-9, 2.0])
+def test_every_curve_lies_within_its_axes(count, turn):
+    times = np.linspace(0.0, 30.0, count)
+    figure = draw_comparison(compare(history(times), history(times, turn)))
+    figure.canvas.draw()
+    assert [axes.get_ylabel() for axes in figure.axes] == ["angle  [rad]", "change, relative"]
+    assert figure.axes[-1].get_xlabel() == "time of A  [s]"
+    for axes in figure.axes:
+        low, high = axes.get_ylim()
+        assert axes.get_yscale() == "log" and 0.0 < low < high
+        for line in axes.get_lines():
+            assert np.isfinite(line.get_ydata()).all()
+            assert (np.min(line.get_ydata()) > low) and (np.max(line.get_ydata()) < high)
+
+
+def test_no_error_hides_between_the_points_drawn():
+    times = np.linspace(0.0, 30.0, 5000)
+    other = history(times)
+    other.attitude[3210] = rotation.multiply(rotation.from_rotation_vector((0.1, 0.0, 0.0)), other.attitude[3210])
+    figure = draw_comparison(compare(history(times), other))
+    angle = next(line for line in figure.axes[0].get_lines() if line.get_label() == "angle between them")
+    assert np.max(angle.get_ydata()) == pytest.approx(0.1) and len(angle.get_ydata()) < 1000
+
+
+def test_zero_is_drawn_as_zero_and_without_moments_there_is_one_picture():
+    times = np.linspace(0.0, 30.0, 50)
+    identical = AttitudeHistory("identity", times, np.tile([1.0, 0.0, 0.0, 0.0], (50, 1)))
+    figure = draw_comparison(compare(identical, identical))
+    (axes,) = figure.axes
+    assert np.all(axes.get_lines()[0].get_ydata() == LEAST)
+    assert [text.get_text() for text in axes.texts] == ["0"]
