@@ -1,6 +1,7 @@
 """``polhode import`` and ``polhode compare`` on files of every kind, and on what is none."""
 
 import json
+import shutil
 from dataclasses import replace
 
 import numpy as np
@@ -43,7 +44,7 @@ lean = "20 deg"
 rate = "100 rad/s"
 about = "z"
 [time]
-until = "2 s"
+until = "0.5 s"
 samples = 400
 """
 
@@ -61,10 +62,10 @@ def values_of(arguments, capsys):
     return json.loads(out, parse_constant=lambda name: pytest.fail(name))
 
 
-@pytest.fixture
-def files(tmp_path, monkeypatch):
+@pytest.fixture(scope="module")
+def written(tmp_path_factory):
     """The motion of a spec in every kind of file, and an AEM that differs from it by a known turn and rate."""
-    monkeypatch.chdir(tmp_path)
+    tmp_path = tmp_path_factory.mktemp("written")
     spec = tmp_path / "box.toml"
     spec.write_text(BOX)
     report = report_of(read_spec(spec))
@@ -77,6 +78,14 @@ def files(tmp_path, monkeypatch):
     turned = replace(given, attitude=rotation.multiply(turn, given.attitude))
     write_aem(turned, tmp_path / "turned.aem", labels=labels)
     write_aem(turned, tmp_path / "late.aem", labels=replace(labels, epoch="2026-03-01T12:01:39.184", time_system="TT"))
+    return tmp_path
+
+
+@pytest.fixture
+def files(written, tmp_path, monkeypatch):
+    """A folder with these files."""
+    shutil.copytree(written, tmp_path, dirs_exist_ok=True)
+    monkeypatch.chdir(tmp_path)
     return tmp_path
 
 
@@ -187,6 +196,6 @@ def test_what_is_not_what_it_claims_is_one_error(files, capsys, arguments, words
     (files / "cut.bc").write_bytes((files / "box.bc").read_bytes()[:2000])
     (files / "xml.aem").write_text('<?xml version="1.0"?><aem id="CCSDS_AEM"/>')
     (files / "half.aem").write_text((files / "box.aem").read_text()[:700])
-    (files / "disk.toml").write_text((BOX + '[system]\nkind = "damped-body"\ndamping = 0.01\n'))
+    (files / "disk.toml").write_text(BOX + '[system]\nkind = "damped-body"\ndamping = 0.01\n')
     code, _, err = run(arguments, capsys)
     assert code == 2 and words in err and "Traceback" not in err
