@@ -47,8 +47,8 @@ def clocks_of(a: Source, b: Source) -> tuple[float, str]:
         return 0.0, f"both start at zero, as {' and '.join(silent)} {'tells' if len(silent) == 1 else 'tell'} no epoch"
     epochs = [terrestrial_time(side.labels.epoch, side.labels.time_system) for side in (a, b) if side.labels]
     offset = float(epochs[1] - epochs[0])
-    words = " and ".join(f"{side.labels.epoch} {side.labels.time_system}" for side in (a, b) if side.labels)
-    return offset, f"by their epochs, {words}"
+    words = [f"{side.labels.epoch} {side.labels.time_system}" for side in (a, b) if side.labels]
+    return offset, f"both count from {words[0]}" if words[0] == words[1] else f"by their epochs, {' and '.join(words)}"
 
 
 def _rounding(a: Source, b: Source) -> float:

@@ -90,7 +90,9 @@ def body(spec: SpecPath, json: AsJson = False) -> None:
 @app.command()
 def export(
     spec: SpecPath,
-    to: Annotated[list[str], typer.Option("--to", metavar="FORM", help="netcdf, zarr, csv, aem or ck; may be repeated.")],
+    to: Annotated[
+        list[str], typer.Option("--to", metavar="FORM", help="netcdf, zarr, csv, aem or ck; may be repeated.")
+    ],
     out: Annotated[
         Path | None,
         typer.Option("--out", metavar="FILE", help="The file [default: named after the spec, in the present folder]."),
