@@ -28,25 +28,27 @@ function start() {
   let theme = system.matches ? THEMES.dark : THEMES.light;
   let panels = [];
   let now = motion.at(0);
-  let waiting = false;
+  const sizes = () => canvases.map((canvas) => `${canvas.clientWidth} ${canvas.clientHeight}`).join();
+  let shapes = "";
+  let waiting = null;
 
   function build() {
     for (const panel of panels) dispose(panel.scene);
     document.documentElement.dataset.theme = theme.name;
-    panels = data.panels.map((panel) => MAKERS[panel.type](motion, panel, theme));
+    panels = data.panels.map((panel) => Object.assign(MAKERS[panel.type](motion, panel, theme), { type: panel.type }));
     panels.forEach((panel, k) => caption(canvases[k], panel, data));
     draw();
   }
 
   /** Draw all panels once before the next frame is shown; nothing is drawn while nothing changes. */
   function draw() {
-    if (waiting) return;
-    waiting = true;
-    requestAnimationFrame(drawNow);
+    waiting ??= requestAnimationFrame(drawNow);
   }
 
   function drawNow() {
-    waiting = false;
+    cancelAnimationFrame(waiting);
+    waiting = null;
+    shapes = sizes();
     panels.forEach((panel, k) => {
       panel.update(now);
       stage.draw(panel, canvases[k], theme);
@@ -71,7 +73,7 @@ function start() {
     theme = event.matches ? THEMES.dark : THEMES.light;
     build();
   });
-  new ResizeObserver(draw).observe(element("panels"));
+  new ResizeObserver(() => sizes() !== shapes && draw()).observe(element("panels"));
   window.polhode = probe(motion, timebar, view, () => panels, () => ({ theme: theme.name, position: now.position }), drawNow);
   window.seek = (index) => window.polhode.seek(index);
   build();
@@ -143,7 +145,11 @@ function probe(motion, timebar, view, panels, state, drawNow) {
     get playing() {
       return timebar.playing;
     },
-    measure: (type) => panels().find((_, k) => document.querySelectorAll(".panel")[k].classList.contains(type))?.probe() ?? null,
+    /** Return what a panel of a type draws, or only the parts of that name. */
+    measure(type, ...names) {
+      const found = panels().find((panel) => panel.type === type)?.probe();
+      return found && names.length ? Object.fromEntries(names.map((name) => [name, found[name]])) : found;
+    },
   };
 }
 

@@ -50,6 +50,21 @@ def polhode_family(moments: Array) -> list[Array]:
     return curves
 
 
+def polhode(motion: FreeMotion, points: int) -> Array | None:
+    """Return one body's unit polhode (points + 1, 3), its ends equal and its points evenly spread; None without period.
+
+    In time they would be far apart where L is fast, as it is between its long stays near a separatrix.
+    """
+    if motion.period is None or not motion.momentum_norm:
+        return None
+    epoch = float(motion.epoch)
+    times = epoch + np.linspace(0.0, motion.period, 4 * points + 1)
+    steps = np.linalg.norm(np.diff(motion.momentum(times), axis=0), axis=-1)
+    length = np.concatenate([[0.0], np.cumsum(steps)])
+    even = np.interp(np.linspace(0.0, length[-1], points + 1), length, times)
+    return motion.momentum(even) / motion.momentum_norm
+
+
 def separatrix(moments: Array) -> list[Array]:
     """Return the two unit great circles (T, 3) on which A L1² = B L3²; none unless the moments (3,) ascend strictly."""
     I1, I2, I3 = moments

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import contextlib
 import hashlib
 import html
 from collections.abc import Sequence
@@ -85,7 +86,8 @@ def write_page(
         draft.write_text(text, "utf-8")
         draft.replace(path)
     except OSError as error:
-        draft.unlink(missing_ok=True)
+        with contextlib.suppress(OSError):
+            draft.unlink()
         why = f"{path}: cannot be written ({error.strerror}). Name a file in a folder that you may write to."
         raise InvalidInput(why) from None
     return path

@@ -8,7 +8,7 @@ import numpy as np
 
 from polhode import rotation
 from polhode.analysis.poinsot import herpolhode
-from polhode.analysis.polhodes import level_segments, polhode_family, saddle_energies, separatrix
+from polhode.analysis.polhodes import level_segments, polhode, polhode_family, saddle_energies, separatrix
 from polhode.bodies.surface import Surface
 from polhode.exact.free_body import FreeMotion
 from polhode.exact.lagrange_top import LagrangeMotion
@@ -133,17 +133,14 @@ def _as_free_motion(kind: str, system: Any, samples: Samples) -> FreeMotion | No
 
 
 def _sphere_of_polhodes(motion: FreeMotion) -> Panel:
-    moments, norm = np.asarray(motion.moments), motion.momentum_norm
+    moments = np.asarray(motion.moments)
     order = np.argsort(moments, kind="stable")
     back = np.argsort(order)
     family = [curve[:, back] for curve in polhode_family(moments[order])]
     borders = [curve[:, back] for curve in separatrix(moments[order])]
-    own = None
-    if motion.period is not None:
-        times = float(motion.epoch) + np.linspace(0.0, motion.period, PERIOD_POINTS + 1)
-        own = packed(motion.momentum(times) / norm)
-    return {"type": "sphere", "title": "Momentum sphere", "own": own, "family": _pieces(family),
-            "separatrix": _pieces(borders), "legend": "other polhodes",
+    own = polhode(motion, PERIOD_POINTS)
+    return {"type": "sphere", "title": "Momentum sphere", "own": None if own is None else packed(own),
+            "family": _pieces(family), "separatrix": _pieces(borders), "legend": "other polhodes",
             "words": "L in body axes runs along its polhode"}  # fmt: skip
 
 

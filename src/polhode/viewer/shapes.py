@@ -12,6 +12,7 @@ Array = Any
 MOST_FACES = 8000  # about 0.15 MB
 FINEST_GRID = 256  # cells along the longest side when corners are merged
 LEANING = 0.05  # rad from a principal axis to the centre of mass up to which a stem along that axis looks right
+EQUAL = 1e-6  # of the size: corners nearer to each other are one
 RIM = 48  # corners of a disk's rim
 
 
@@ -65,11 +66,11 @@ def top_shape(moments: Array, axis: Array, surface: Surface | None) -> tuple[Sur
 def lightened(surface: Surface) -> Surface:
     """Return a surface of few enough triangles: equal corners merged, then, if need be, near ones."""
     vertices, faces = np.asarray(surface.vertices, dtype=float), np.asarray(surface.faces)
-    small = _merged(vertices, faces, vertices)
+    size = float(np.ptp(vertices, axis=0).max()) or 1.0
+    small = _merged(vertices, faces, np.round(vertices / (EQUAL * size)))
     cells = FINEST_GRID
     while len(small.faces) > MOST_FACES:
-        size = float(np.ptp(vertices, axis=0).max()) / cells
-        small = _merged(vertices, faces, np.round(vertices / size))
+        small = _merged(vertices, faces, np.round(vertices * cells / size))
         cells = int(cells / 1.25)
     return small
 

@@ -1,0 +1,108 @@
+"""Pages of examples, each made once, and Debian's chromium to open them in."""
+
+import os
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from polhode.report.choice import report_of
+from polhode.spec.reading import read_spec
+from polhode.viewer import page_of_report
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+SHORTER = {"euler_disk": {"until": 0.6, "samples": 600}}  # to its end it takes half a minute
+CHROMIUM = Path("/usr/bin/chromium")
+SCREENSHOTS = Path(__file__).parents[2] / "build" / "screenshots"
+SWITCHES = (
+    "--headless --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking "
+    "--disable-component-update --disable-sync"
+)
+
+
+@pytest.fixture(scope="session")
+def example_page(tmp_path_factory):
+    """Return the page of an example by its name."""
+    folder, made = tmp_path_factory.mktemp("pages"), {}
+
+    def page(name):
+        if name not in made:
+            spec = replace(read_spec(EXAMPLES / f"{name}.toml"), **SHORTER.get(name, {}))
+            report = report_of(spec)
+            made[name] = page_of_report(report, folder / f"{name}.html", name=spec.name, surface=spec.surface)
+        return made[name]
+
+    return page
+
+
+@pytest.fixture(scope="session")
+def browser():
+    """Chromium, or a reason to skip; POLHODE_BROWSER=required makes that a failure."""
+    why = None if CHROMIUM.exists() else f"{CHROMIUM} is missing"
+    try:
+        from playwright.sync_api import sync_playwright
+    except ImportError:
+        why, sync_playwright = "playwright is not installed", None
+    if why:
+        (pytest.fail if os.environ.get("POLHODE_BROWSER") == "required" else pytest.skip)(why)
+    with sync_playwright() as playwright:
+        found = playwright.chromium.launch(executable_path=str(CHROMIUM), args=SWITCHES.split())
+        yield found
+        found.close()
+
+
+class Opened:
+    """A page in the browser, offline, with what it complained about and asked for."""
+
+    def __init__(self, browser, path, **options):
+        settings = {"viewport": {"width": 1280, "height": 860}, "reduced_motion": "reduce", "offline": True}
+        self.context = browser.new_context(**settings | options)
+        self.tab = self.context.new_page()
+        self.complaints, self.requests = [], []
+        self.tab.on("console", lambda message: message.type == "error" and self.complaints.append(message.text))
+        self.tab.on("pageerror", lambda error: self.complaints.append(str(error)))
+        self.tab.on("request", lambda request: self.requests.append(request.url))
+        self.url = path.as_uri()
+        self.tab.goto(self.url)
+        self.until("window.polhode && window.polhode.firstPicture")
+
+    def until(self, condition, tries=600):
+        """Wait until an expression is true; playwright's own way evaluates text, which the page's policy forbids."""
+        for _ in range(tries):
+            if self.tab.evaluate(f"Boolean({condition})"):
+                return
+            self.tab.wait_for_timeout(100)
+        pytest.fail(f"never came true: {condition}")
+
+    def seek(self, index):
+        self.tab.evaluate("index => window.seek(index)", index)
+
+    def measure(self, panel, *names):
+        return self.tab.evaluate("names => window.polhode.measure(...names)", [panel, *names])
+
+    def position(self):
+        return self.tab.evaluate("window.polhode.state().position")
+
+    def count(self):
+        return self.tab.evaluate("window.polhode.count")
+
+    def times(self):
+        return self.tab.evaluate("[...window.polhode.times]")
+
+    def picture(self, name):
+        SCREENSHOTS.mkdir(parents=True, exist_ok=True)
+        return self.tab.screenshot(path=str(SCREENSHOTS / f"{name}.png"))
+
+
+@pytest.fixture
+def opened(browser):
+    """Open a page; it is closed with the test."""
+    found = []
+
+    def opening(path, **options):
+        found.append(Opened(browser, path, **options))
+        return found[-1]
+
+    yield opening
+    for page in found:
+        page.context.close()

@@ -1,0 +1,172 @@
+"""The page by mouse, by keys alone, on a phone, in the dark, and with a name that tries to be markup."""
+
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+import polhode as ph
+from polhode.systems import FreeRigidBody
+from polhode.viewer import show, write_page
+
+pytestmark = pytest.mark.browser
+PHONE = {"viewport": {"width": 390, "height": 780}, "has_touch": True, "is_mobile": True}
+FINGER = 40  # pixels a control should measure
+
+
+@pytest.fixture(scope="module")
+def page_of_a_book(tmp_path_factory):
+    motion = ph.FreeMotion((1.0, 2.0, 3.0), (0.1, 2.0, 0.1))
+    path = tmp_path_factory.mktemp("book") / "book.html"
+    return write_page(motion.sample(np.linspace(0.0, 30.0, 601)), path, name="a book", notes=["thrown"])
+
+
+def test_time_bar_moves_the_scene(page_of_a_book, opened):
+    page = opened(page_of_a_book)
+    page.seek(0)
+    before, picture = page.measure("body")["matrix"], page.picture("book-first")
+    page.tab.locator("#seek").fill("300")
+    assert page.position() == 300
+    page.tab.wait_for_timeout(300)
+    assert page.measure("body")["matrix"] != before and page.picture("book") != picture
+    page.tab.locator("#forth").click()
+    page.tab.locator("#forth").click()
+    page.tab.locator("#back").click()
+    assert page.position() == 301
+    page.until("document.querySelector('#now').textContent === document.querySelector('#readouts dd').textContent")
+    page.tab.locator("#play").click()
+    page.until("window.polhode.state().position > 303")
+    page.tab.locator("#play").click()
+    assert page.tab.evaluate("window.polhode.playing") is False
+    assert not page.complaints
+
+
+def test_nothing_is_drawn_while_nothing_changes(page_of_a_book, opened):
+    page = opened(page_of_a_book)
+    page.tab.wait_for_timeout(500)
+    drawn = page.tab.evaluate("window.polhode.drawn")
+    page.tab.wait_for_timeout(500)
+    assert page.tab.evaluate("window.polhode.drawn") == drawn
+
+
+def test_keys_alone_do_everything(page_of_a_book, opened):
+    page = opened(page_of_a_book)
+    keys, name = page.tab.keyboard, "document.activeElement.id || document.activeElement.tagName"
+    last = page.count() - 1
+    leads = {"End": last, "ArrowLeft": last - 1, "Home": 0, "ArrowRight": 1, "Shift+ArrowRight": 21}
+    for key, position in leads.items():
+        keys.press(key)
+        assert page.position() == position
+    speed = page.tab.locator("#speed").text_content()
+    keys.press("+")
+    assert page.tab.locator("#speed").text_content() != speed
+    keys.press("-")
+    assert page.tab.locator("#speed").text_content() == speed
+    keys.press(" ")
+    assert page.tab.evaluate("window.polhode.playing") is True
+    keys.press(" ")
+    assert page.tab.evaluate("window.polhode.playing") is False
+    met = []
+    while "faster" not in met and len(met) < 20:
+        keys.press("Tab")
+        met.append(page.tab.evaluate(name))
+        if met[-1] == "CANVAS":
+            before, position = page.tab.evaluate("window.polhode.view.azimuth"), page.position()
+            keys.press("ArrowLeft")
+            assert page.tab.evaluate("window.polhode.view.azimuth") != before and page.position() == position
+        if met[-1] == "theme":
+            keys.press("Enter")
+            assert page.tab.evaluate("window.polhode.state().theme") == "dark"
+        if met[-1] == "seek":
+            position = page.position()
+            keys.press("ArrowRight")
+            assert page.position() == position + 1
+    assert {"theme", "CANVAS", "back", "play", "forth", "seek", "slower", "faster"} <= set(met)
+    for control in page.tab.locator("button, input").all():
+        assert control.get_attribute("aria-label")
+    assert not page.complaints
+
+
+def test_drag_turns_all_views_at_once(page_of_a_book, opened):
+    page = opened(page_of_a_book)
+    box = page.tab.locator("canvas").nth(1).bounding_box()
+    before = page.tab.locator("canvas").nth(0).screenshot()
+    page.tab.mouse.move(box["x"] + 100, box["y"] + 100)
+    page.tab.mouse.down()
+    page.tab.mouse.move(box["x"] + 200, box["y"] + 130, steps=4)
+    page.tab.mouse.up()
+    page.tab.wait_for_timeout(400)
+    assert page.tab.locator("canvas").nth(0).screenshot() != before
+
+
+def test_motion_starts_by_itself_unless_less_motion_is_wanted(page_of_a_book, opened):
+    assert opened(page_of_a_book).tab.evaluate("window.polhode.playing") is False
+    lively = opened(page_of_a_book, reduced_motion="no-preference")
+    lively.until("window.polhode.state().position > 2")
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_phone(example_page, opened, scheme):
+    page = opened(example_page("t_handle"), color_scheme=scheme, **PHONE)
+    assert page.tab.evaluate("document.documentElement.scrollWidth") <= 390
+    boxes = [panel.bounding_box() for panel in page.tab.locator("figure").all()]
+    assert all(box["x"] + box["width"] <= 390 for box in boxes)
+    assert all(low["y"] >= high["y"] + high["height"] for high, low in pairwise(boxes))
+    controls = [control.bounding_box() for control in page.tab.locator("button").all()]
+    assert all(min(box["width"], box["height"]) >= FINGER and box["x"] + box["width"] <= 390 for box in controls)
+    assert page.tab.evaluate("window.polhode.state().theme") == scheme
+    page.tab.locator("#forth").tap()
+    assert page.position() == 1
+    page.picture(f"t_handle-phone-{scheme}")
+
+
+def test_dark_ground_and_the_toggle(page_of_a_book, opened):
+    page = opened(page_of_a_book, color_scheme="dark")
+    ground = "getComputedStyle(document.body).backgroundColor"
+    dark = page.tab.evaluate(ground)
+    assert max(int(x) for x in dark[4:-1].split(",")) < 64
+    page.tab.locator("#theme").click()
+    assert min(int(x) for x in page.tab.evaluate(ground)[4:-1].split(",")) > 192
+    assert not page.complaints
+
+
+def test_a_name_is_text(opened, tmp_path):
+    name = "</script><script>window.hacked = 1</script><!-- <b>&amp;\u2028 @@data@@"
+    motion = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5)).sample([0.0, 0.1, 0.2])
+    page = opened(write_page(motion, tmp_path / "name.html", name=name, summary=name, notes=[name]))
+    assert page.tab.evaluate("window.hacked") is None
+    assert page.tab.locator("h1").text_content() == name
+    assert page.tab.locator("#notes li").text_content() == name and page.tab.title().startswith("</script>")
+    assert not page.complaints and page.requests == [page.url]
+
+
+def test_policy_refuses_other_scripts(page_of_a_book, opened):
+    page = opened(page_of_a_book)
+    page.tab.evaluate("document.body.insertAdjacentHTML('beforeend', '<img src=x onerror=\"window.hacked=1\">')")
+    page.tab.wait_for_timeout(200)
+    assert page.tab.evaluate("window.hacked") is None
+
+
+def test_samples_too_far_apart_are_not_joined(opened, tmp_path):
+    motion = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5)).sample(np.linspace(0.0, 300.0, 40))
+    motion = ph.Trajectory(FreeRigidBody((1.0, 2.0, 3.0)), motion.times, motion.states, motion.attitude,
+                           motion.momentum, motion.angular_velocity)  # fmt: skip
+    page = opened(write_page(motion, tmp_path / "apart.html"))
+    assert "it jumps" in page.tab.locator("#notes").text_content()
+    page.seek(7)
+    page.tab.locator("#play").click()
+    page.until("window.polhode.state().position >= 9")
+    assert float(page.position()).is_integer()
+    assert not page.complaints
+
+
+def test_frame_of_a_notebook(opened, tmp_path):
+    motion = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5)).sample(np.linspace(0.0, 9.0, 91))
+    host = tmp_path / "notebook.html"
+    frame = show(motion, name='"quoted"', height=500)._repr_html_()
+    host.write_text(f"<!doctype html><script>window.polhode = {{firstPicture: 1}}</script>{frame}", "utf-8")
+    page = opened(host)
+    inner = page.tab.frame_locator("iframe")
+    inner.locator("#readouts dd").first.wait_for()
+    assert inner.locator("h1").text_content() == '"quoted"'
+    assert not page.complaints

@@ -1,0 +1,207 @@
+"""What is written: whole or not at all, small enough, without a way out, and clear about what cannot be shown."""
+
+import base64
+import hashlib
+import json
+import re
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import polhode as ph
+from polhode.bodies.frame import BodyFrame
+from polhode.bodies.surface import Surface
+from polhode.errors import InvalidInput
+from polhode.formats.labels import AttitudeLabels
+from polhode.report import free_body_report
+from polhode.systems import FreeRigidBody
+from polhode.viewer import page_of_report, show, write_page
+from polhode.viewer.samples import MOST
+
+LARGEST = 1_500_000
+"""Bytes: what the page promises."""
+MOTION = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5))
+TIMES = np.linspace(0.0, 20.0, 101)
+
+
+def data_of(path):
+    text = path.read_text("utf-8")
+    return json.loads(re.search(r'<script type="application/json" id="motion">(.*?)</script>', text, re.DOTALL)[1])
+
+
+def array(field):
+    kinds = {"f8": "<f8", "f4": "<f4", "u4": "<u4", "u2": "<u2"}
+    return np.frombuffer(base64.b64decode(field["data"]), kinds[field["kind"]]).reshape(field["shape"])
+
+
+def kinds(data):
+    return [panel["type"] for panel in data["panels"]]
+
+
+def test_free_body_has_its_three_panels(tmp_path):
+    path = write_page(MOTION.sample(TIMES), tmp_path / "page.html", name="a body")
+    data = data_of(path)
+    assert kinds(data) == ["body", "sphere", "poinsot"] and data["up"] == "L"
+    assert path.stat().st_size < LARGEST
+    times = array(data["times"])
+    attitude, momentum = MOTION.state(times)
+    assert np.array_equal(array(data["attitude"]), attitude) and np.array_equal(array(data["momentum"]), momentum)
+    assert not list(tmp_path.glob(".*"))
+
+
+def test_principal_axes_of_a_motion_in_given_ones(tmp_path):
+    body = ph.Body.from_moments(1.0, 2.0, 3.0)
+    turned = ph.Body(None, (0.0, 0.0, 0.0), np.array([[2.0, 0.5, 0.0], [0.5, 1.5, 0.2], [0.0, 0.2, 2.9]]))
+    for found in (body, turned):
+        motion = ph.FreeMotion.from_body(found, angular_velocity=(0.1, 1.0, 0.3))
+        data = data_of(write_page(motion.sample(TIMES), tmp_path / "page.html"))
+        momentum, attitude = array(data["momentum"]), array(data["attitude"])
+        energy = 0.5 * np.sum(momentum**2 / found.principal_moments, axis=1)
+        assert np.allclose(energy, motion.energy, rtol=1e-13, atol=0)
+        in_space = ph.rotation.rotate(attitude, momentum)
+        given = ph.rotation.rotate(motion.attitude(0.0), motion.momentum(0.0))
+        assert np.allclose(in_space, given, rtol=0, atol=1e-13 * motion.momentum_norm)
+
+
+def test_page_holds_nothing_that_leads_out():
+    page = show(MOTION.sample(TIMES)).page
+    policy = re.search(r'http-equiv="Content-Security-Policy" content="([^"]*)"', page)[1]
+    assert policy.startswith("default-src 'none'")
+    for tag, kind in (("script", "script"), ("style", "style")):
+        inside = re.search(rf"<{tag}>(.*?)</{tag}>", page, re.DOTALL)[1]
+        assert f"{kind}-src 'sha256-{base64.b64encode(hashlib.sha256(inside.encode()).digest()).decode()}'" in policy
+    markup = re.sub(r"<script.*?</script>|<style.*?</style>", "", page, flags=re.DOTALL)
+    assert not re.search(r"https?:|\bsrc=|\bhref=", markup)
+
+
+def test_markup_in_names_stays_inside_the_data(tmp_path):
+    name = "</script><!-- \u2028 @@script@@"
+    path = write_page(MOTION.sample(TIMES), tmp_path / "page.html", name=name, notes=[name])
+    text = path.read_text("utf-8")
+    assert text.count("</script>") == 2 and "<!--" not in text
+    assert data_of(path)["name"] == name
+
+
+def test_million_samples_are_thinned_and_it_says_so(tmp_path):
+    exact = MOTION.sample(np.linspace(0.0, 20.0, 1_000_000))
+    data = data_of(write_page(exact, tmp_path / "exact.html"))
+    assert len(array(data["times"])) <= MOST and "1000000 samples" in data["notes"][0]
+    stepped = replace(exact, system=FreeRigidBody((1.0, 2.0, 3.0)))
+    path = write_page(stepped, tmp_path / "stepped.html")
+    data = data_of(path)
+    assert data["notes"][0] == "Thinned for display: every 250th of 1000000 samples."
+    assert len(array(data["times"])) == MOST and data["joined"] and path.stat().st_size < LARGEST
+
+
+def test_many_turns_of_an_exact_motion_are_cut_short_and_it_says_so(tmp_path):
+    data = data_of(write_page(MOTION.sample(np.linspace(0.0, 1e6, 500)), tmp_path / "long.html"))
+    assert "first 159 turns" in data["notes"][0] and data["joined"]
+
+
+def test_samples_too_far_apart_are_not_joined(tmp_path):
+    sampled = MOTION.sample(np.linspace(0.0, 300.0, 40))
+    labelled = replace(sampled, system=AttitudeLabels(), momentum=None, angular_velocity=None)
+    for found in (replace(sampled, system=FreeRigidBody((1.0, 2.0, 3.0))), labelled):
+        data = data_of(write_page(found, tmp_path / "apart.html"))
+        assert not data["joined"] and any("it jumps" in note for note in data["notes"])
+
+
+def test_attitudes_alone_and_momentum_alone(tmp_path):
+    sampled = replace(MOTION.sample(TIMES), system=AttitudeLabels(object_name="X"))
+    alone = replace(sampled, momentum=None, angular_velocity=None)
+    data = data_of(write_page(alone, tmp_path / "attitude.html"))
+    assert kinds(data) == ["body"] and "surface" not in data["panels"][0]
+    bare = replace(MOTION.sample(TIMES), system=FreeRigidBody((1.0, 2.0, 3.0)), attitude=None)
+    assert kinds(data_of(write_page(bare, tmp_path / "momentum.html"))) == ["sphere"]
+
+
+def test_backward_times_run_forward(tmp_path):
+    backward = replace(MOTION.sample(TIMES[::-1]), system=FreeRigidBody((1.0, 2.0, 3.0)))
+    assert (np.diff(array(data_of(write_page(backward, tmp_path / "page.html"))["times"])) > 0).all()
+
+
+def test_at_rest_and_one_sample(tmp_path):
+    rest = ph.FreeMotion((1.0, 2.0, 3.0), (0.0, 0.0, 0.0)).sample(TIMES)
+    assert kinds(data_of(write_page(rest, tmp_path / "rest.html"))) == ["body"]
+    assert kinds(data_of(write_page(MOTION.sample([1.0]), tmp_path / "one.html"))) == ["body", "sphere", "poinsot"]
+
+
+@pytest.mark.parametrize(("moments", "momentum"), [
+    ((1.0, 2.0, 3.0), (0.0, 2.0, 0.0)), ((2.0, 2.0, 2.0), (0.3, 0.4, 0.5)), ((1.0, 1.0, 2.0), (0.3, 0.4, 1.0)),
+    ((1.0, 2.0, 9.0), (0.3, 0.4, 1.0)), ((3.0, 1.0, 2.0), (0.3, 0.4, 1.0)),
+    ((1e-47, 2e-47, 3e-47), (1e-34, 1e-34, 0.0)),
+])  # fmt: skip
+def test_all_kinds_of_moments(tmp_path, moments, momentum):
+    motion = ph.FreeMotion(moments, momentum)
+    span = 2.0 * np.pi * motion.momentum_norm / motion.energy
+    data = data_of(write_page(motion.sample(np.linspace(0.0, span, 200)), tmp_path / "page.html"))
+    body, sphere, _ = data["panels"]
+    assert ("ellipsoid" in body) == (2.0 * max(moments) > 1.0001 * sum(moments))
+    if sphere["own"]:
+        own = array(sphere["own"])
+        energy = 0.5 * np.sum((motion.momentum_norm * own) ** 2 / np.array(moments), axis=1)
+        assert np.allclose(energy, motion.energy, rtol=1e-12, atol=0)
+
+
+def test_surface_is_turned_into_the_axes_of_the_motion(tmp_path):
+    body = ph.shapes.box(2.0, (3.0, 1.0, 2.0)).placed(np.eye(3), (5.0, 0.0, 0.0))
+    corners = np.array([[x, y, z] for x in (3.5, 6.5) for y in (-0.5, 0.5) for z in (-1.0, 1.0)])
+    surface = Surface(corners, np.array([[0, 1, 3], [4, 6, 7], [0, 4, 5]]))
+    motion = ph.FreeMotion(body.principal_moments, (1.0, 2.0, 3.0))
+    frame = BodyFrame.of(body)
+    path = write_page(motion.sample(TIMES), tmp_path / "page.html", frame=frame, surface=surface)
+    drawn = data_of(path)["panels"][0]
+    # edges in the order of the axes of ascending moments: 3, 2 and 1 m
+    assert np.allclose(np.abs(array(drawn["surface"]["vertices"])).max(axis=0), (1.5, 1.0, 0.5))
+    assert drawn["shape"] == ""
+
+
+def test_what_cannot_be_shown_is_said(tmp_path):
+    batch = ph.FreeMotion((1.0, 2.0, 3.0), [[0.3, 1.8, 1.5], [0.0, 1.0, 1.0]]).sample(TIMES)
+    with pytest.raises(InvalidInput, match=r"one body; got a batch of shape \(2,\)"):
+        write_page(batch, tmp_path / "page.html")
+    empty = replace(MOTION.sample(TIMES), times=np.empty(0), states=np.empty((0, 7)))
+    with pytest.raises(InvalidInput, match="trajectory is empty"):
+        write_page(empty, tmp_path / "page.html")
+    nothing = replace(MOTION.sample(TIMES), system=AttitudeLabels(), attitude=None, momentum=None)
+    with pytest.raises(InvalidInput, match="nothing to draw"):
+        write_page(nothing, tmp_path / "page.html")
+    broken = MOTION.sample(TIMES)
+    with pytest.raises(InvalidInput, match="`momentum` of the trajectory has NaN"):
+        write_page(replace(broken, momentum=np.full((101, 3), np.nan)), tmp_path / "page.html")
+    with pytest.raises(InvalidInput, match="cannot be written"):
+        write_page(MOTION.sample(TIMES), tmp_path / "nowhere" / "page.html")
+    with pytest.raises(InvalidInput, match="is a folder"):
+        write_page(MOTION.sample(TIMES), tmp_path)
+    (tmp_path / "file").write_text("")
+    with pytest.raises(InvalidInput, match="cannot be written"):
+        write_page(MOTION.sample(TIMES), tmp_path / "file" / "page.html")
+    assert [path.name for path in tmp_path.iterdir()] == ["file"]
+
+
+def test_old_page_survives_a_failed_write(tmp_path, monkeypatch):
+    path = write_page(MOTION.sample(TIMES), tmp_path / "page.html")
+    before = path.read_bytes()
+
+    def full(self, *_):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(type(path), "write_text", full)
+    with pytest.raises(InvalidInput, match="No space left"):
+        write_page(MOTION.sample(TIMES), path)
+    assert path.read_bytes() == before and len(list(tmp_path.iterdir())) == 1
+
+
+def test_frame_of_a_notebook_needs_no_quotes_of_the_page():
+    frame = show(MOTION.sample(TIMES), name='"a" & <b>', height=450)._repr_html_()
+    assert frame.startswith('<iframe srcdoc="') and 'height="450"' in frame and frame.count('"') == 12
+    assert "allow-same-origin" not in frame
+
+
+def test_page_of_a_report(tmp_path):
+    body = ph.shapes.box(1.0, (0.3, 0.2, 0.1))
+    report = free_body_report(body, np.array([0.0, 0.01, 1e-4]), np.array([1.0, 0.0, 0.0, 0.0]))
+    data = data_of(page_of_report(report, tmp_path / "page.html", name="box"))
+    assert data["summary"] == report.summary and data["name"] == "box"
+    assert set(data["drift"]) == {"energy", "momentum_norm", "momentum_space"}
