@@ -6,6 +6,8 @@ import { build } from "esbuild";
 const here = (path) => fileURLToPath(new URL(path, import.meta.url));
 const ASSETS = here("../src/polhode/viewer/assets/");
 
+const licence = await readFile(here("node_modules/three/LICENSE"), "utf8");
+
 async function bundle() {
   const found = await build({
     entryPoints: [here("src/main.js")],
@@ -15,8 +17,9 @@ async function bundle() {
     format: "iife",
     target: "es2022",
     charset: "ascii", // the same bytes in whatever encoding a page is read
-    legalComments: "none", // three's licence stands beside the bundle and in its first line
-    banner: { js: "/* three.js, MIT licence, (c) three.js authors; the rest is polhode's, MIT licence */" },
+    legalComments: "none",
+    // every page holds a copy of three.js, and so its licence
+    banner: { js: `/* three.js: ${licence.trim()}\n\nThe rest is part of polhode, under the MIT licence. */` },
   });
   return found.outputFiles[0].text;
 }
@@ -25,7 +28,7 @@ const wanted = {
   "page.js": await bundle(),
   "page.css": await readFile(here("src/page.css"), "utf8"),
   "template.html": await readFile(here("src/template.html"), "utf8"),
-  "LICENSE.three.txt": await readFile(here("node_modules/three/LICENSE"), "utf8"),
+  "LICENSE.three.txt": licence,
 };
 
 let stale = 0;

@@ -78,11 +78,11 @@ def write_page(
     True
     """
     path = Path(path)
+    if path.is_dir():
+        raise InvalidInput(f"{path}: is a folder where the page has to go. Name a file.")
     text = page_text(trajectory, name=name, summary=summary, frame=frame, surface=surface, notes=notes)
     draft = path.with_name(f".{path.name}.part")
     try:
-        if path.is_dir():
-            raise InvalidInput(f"{path}: is a folder where the page has to go. Name a file.")
         draft.write_text(text, "utf-8")
         draft.replace(path)
     except OSError as error:
