@@ -24,11 +24,12 @@ def draw_components(report: FreeBodyReport) -> Figure:
     times = np.linspace(start, end, 1200)
     momentum = report.motion.momentum(times)
     velocity = momentum / np.asarray(report.motion.moments)
+    larger = style.magnifications(momentum)
     for axes, values, symbol, unit in ((upper, velocity, "Ω", "rad/s"), (lower, momentum, "L", "kg m²/s")):
         power = style.power_of_ten(values)
         for k in range(3):
-            axes.plot(times / 10.0**slow, values[:, k] / 10.0**power, color=style.AXIS_COLOURS[k], lw=1.1,
-                      ls=("-", "--", "-.")[k], label=f"axis {k + 1}")  # fmt: skip
+            axes.plot(times / 10.0**slow, values[:, k] * 10.0 ** (larger[k] - power), color=style.AXIS_COLOURS[k],
+                      lw=1.1, ls=("-", "--", "-.")[k], label=style.magnified(f"axis {k + 1}", larger[k]))  # fmt: skip
         axes.set_ylabel(f"{symbol}  [{style.factor(power)}{unit}]")
         axes.axhline(0.0, color=style.LIGHT, lw=0.6, zorder=0)
         axes.set_xlim(start / 10.0**slow, end / 10.0**slow)

@@ -28,10 +28,10 @@ def draw_damped_sphere(report: DampedBodyReport) -> Figure | None:
     moments = report.body.principal_moments
     figure = style.new_figure()
     axes, frame = sphere_axes(figure), default_frame()
-    draw_levels(axes, frame, lambda u: np.sum(u * u / moments, axis=-1), None, style.GREY, 0.5)
+    draw_levels(axes, frame, lambda u: np.sum(u * u / moments, axis=-1), None, style.LIGHT, 0.5)
     joined = np.linalg.norm(np.diff(unit, axis=0), axis=-1).max(initial=0.0) < COARSEST
     if joined:
-        draw_curve(axes, frame, _smooth(unit), style.BLUE, 0.6)
+        draw_curve(axes, frame, _smooth(unit), style.BLUE, 0.8)
     else:
         x, y, depth = frame @ unit.T
         axes.plot(x[depth >= 0], y[depth >= 0], ".", ms=1.2, mew=0, color=style.BLUE, zorder=3)
@@ -41,7 +41,7 @@ def draw_damped_sphere(report: DampedBodyReport) -> Figure | None:
             mark_verdict(axes, frame, side * np.eye(3)[k], found.verdict)
     mark_point(axes, frame, unit[0])
     path = "direction of L" if joined else "L at the samples"
-    lines = [(path, style.BLUE, 0.9), ("levels of energy", style.GREY, 0.5)]
+    lines = [(path, style.BLUE, 0.9), ("levels of energy", style.LIGHT, 0.5)]
     legend_of(axes, lines, [found.verdict for found in report.axes])
     words = "Momentum sphere" if report.inside else "Direction of L"
     axes.set_title(f"{words}, body axes", fontsize=style.FONT, color=style.DARK)

@@ -36,7 +36,6 @@ def draw_disk_end(report: EulerDiskReport) -> Figure:
         axes.set_ylabel(words)
         style.tidy(axes)
         axes.tick_params(which="minor", width=0.4, length=1.5)
-    figure.align_ylabels()
     return figure
 
 

@@ -12,7 +12,7 @@ from polhode.figures import style
 from polhode.report.free_body import FreeBodyReport
 
 Array = Any
-PERIODS, TURNS = 8, 60  # drawn at most
+PERIODS, TURNS = 6, 24  # drawn at most
 SAMPLES_PER_TURN = 120
 
 
@@ -24,22 +24,25 @@ def draw_herpolhode(report: FreeBodyReport) -> Figure | None:
     power = style.power_of_ten(found.outer_radius)
     outer = found.outer_radius / 10.0**power
     curve = herpolhode_curve(report.motion, _times(report)) / 10.0**power
-    figure = style.new_figure()
+    figure = style.new_figure(height=3.9)
     axes = figure.add_subplot()
     circle = np.linspace(0.0, 2.0 * np.pi, 400)
     for radius in {found.inner_radius / 10.0**power, outer}:
-        axes.plot(radius * np.cos(circle), radius * np.sin(circle), color=style.VERMILION, lw=0.7, ls="--")
-    axes.plot(*curve.T, color=style.BLUE, lw=0.9)
+        axes.plot(radius * np.cos(circle), radius * np.sin(circle), color=style.VERMILION, lw=0.7, ls="--", zorder=4,
+                  label="its limits" if radius == outer else None)  # fmt: skip
+    axes.plot(*curve.T, color=style.BLUE, lw=0.9, label="herpolhode")
     axes.plot(*curve[0], "o", ms=3.5, color=style.BLUE, mec="white", mew=0.5)
     axes.plot(0.0, 0.0, "+", color=style.DARK, ms=6, mew=0.8)
     axes.set_aspect("equal")
     axes.set_xlim(-1.12 * outer, 1.12 * outer)
     axes.set_ylim(-1.12 * outer, 1.12 * outer)
     unit = f"[{style.factor(power)}(kg m²)$^{{-1/2}}$]"
-    axes.set_xlabel(f"first direction across L  {unit}")
-    axes.set_ylabel(f"second direction across L  {unit}")
+    axes.set_xlabel(f"across L  {unit}")
+    axes.set_ylabel(f"across L, 90° on  {unit}")
     axes.set_title("Herpolhode, L towards the viewer", fontsize=style.FONT, color=style.DARK)
     style.tidy(axes)
+    figure.legend(*axes.get_legend_handles_labels(), loc="outside lower center", ncols=2, fontsize=style.FONT - 1,
+                  frameon=False, handlelength=2.2)  # fmt: skip
     return figure
 
 

@@ -20,7 +20,7 @@ def sphere_axes(figure: Figure) -> Any:
     axes.plot(np.cos(circle), np.sin(circle), color=style.LIGHT, lw=0.8)
     axes.set_aspect("equal")
     axes.set_xlim(-1.36, 1.36)
-    axes.set_ylim(-1.3, 1.36)
+    axes.set_ylim(-1.06, 1.36)
     axes.axis("off")
     return axes
 

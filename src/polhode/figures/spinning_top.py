@@ -79,7 +79,8 @@ def _view(axis: Array) -> Array:
 def _window(frame: Array, path: Followed, k: int, ground: float, placed: Surface) -> tuple[float, float, float, float]:
     foot = np.array([0.0, 0.0, ground]) + circle_about(np.array([0.0, 0.0, 1.0]), 0.5 * np.pi, 0.6)
     ends = [BEYOND * path.axis, placed.vertices, foot, [[0.0, 0.0, BEYOND]]]
-    ends += [long * v[None, k] / (np.linalg.norm(v[k]) or 1.0) for v, long in ((path.momentum, L_LONG), (path.velocity, OMEGA_LONG))]
+    for vector, long in ((path.momentum[k], L_LONG), (path.velocity[k], OMEGA_LONG)):
+        ends.append(long * vector[None] / (np.linalg.norm(vector) or 1.0))
     right, up, _ = frame @ np.vstack(ends).T
     pad = 0.15
     return right.min() - pad, right.max() + pad, up.min() - 0.5 * pad, up.max() + 0.5 * pad

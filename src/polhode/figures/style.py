@@ -17,6 +17,7 @@ BLUE, ORANGE, GREEN, VERMILION, SKY, PURPLE = "#0072B2", "#E69F00", "#009E73", "
 AXIS_COLOURS = (BLUE, ORANGE, GREEN)
 GREY, LIGHT, DARK = "#6f6f6f", "#c8c8c8", "#222222"
 FONT = 8
+LOST, TOO_SMALL = 0.03, 1e-12  # of the largest: curves between are enlarged, those below are rounding
 SETTINGS = {
     "pdf.fonttype": 42,  # TrueType, embedded: publishers refuse type 3
     # text stays text, so that it can be searched, read aloud and set anew; among the fonts named for where DejaVu is
@@ -59,11 +60,24 @@ def factor(power: int) -> str:
     return f"10$^{{{power}}}$ " if power else ""
 
 
+def magnifications(series: Any) -> list[int]:
+    """Return the powers of ten by which columns of (T, n) are enlarged to be seen beside the largest."""
+    sizes = np.abs(np.asarray(series)).max(axis=0)
+    largest = float(sizes.max())
+    return [int(np.floor(np.log10(largest / x))) if largest * TOO_SMALL < x < LOST * largest else 0 for x in sizes]
+
+
+def magnified(name: str, power: int) -> str:
+    """Return the name of a curve with what it is enlarged by."""
+    return f"{name} × 10$^{{{power}}}$" if power > 1 else f"{name} × 10" if power else name
+
+
 def tidy(axes: Any) -> None:
-    """Give axes the house's fonts and thin spines."""
+    """Give axes the house's fonts and thin spines, and labels one beneath the other."""
     axes.tick_params(labelsize=FONT - 1, colors=DARK, width=0.6, length=2.5)
     axes.xaxis.label.set_size(FONT)
     axes.yaxis.label.set_size(FONT)
+    axes.figure.align_ylabels()
     for spine in axes.spines.values():
         spine.set_linewidth(0.6)
         spine.set_color(GREY)

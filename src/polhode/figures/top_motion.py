@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 from polhode.figures import style
 from polhode.report.tops import LagrangeTopReport, TopReport
 
-PERIODS = 6  # shown at most
+PERIODS, MANY = 6, 12  # nutations shown at most; swings of any top beyond which not all are shown
 
 
 def draw_top_motion(report: TopReport) -> Figure:
@@ -20,9 +20,10 @@ def draw_top_motion(report: TopReport) -> Figure:
     upper.plot(times / 10.0**slow, np.degrees(tilt), color=style.DARK, lw=1.1)
     upper.set_ylabel("tilt of the axis  [°]")
     power = style.power_of_ten(velocity)
+    larger = style.magnifications(velocity)
     for k in range(3):
-        lower.plot(times / 10.0**slow, velocity[:, k] / 10.0**power, color=style.AXIS_COLOURS[k], lw=1.0,
-                   ls=("-", "--", "-.")[k], label=f"axis {k + 1}")  # fmt: skip
+        lower.plot(times / 10.0**slow, velocity[:, k] * 10.0 ** (larger[k] - power), color=style.AXIS_COLOURS[k],
+                   lw=1.0, ls=("-", "--", "-.")[k], label=style.magnified(f"axis {k + 1}", larger[k]))  # fmt: skip
     lower.set_ylabel(f"Ω  [{style.factor(power)}rad/s]")
     lower.set_xlabel(f"time{words}  [{style.factor(slow)}s]")
     for axes in (upper, lower):
@@ -46,4 +47,6 @@ def _series(report: TopReport) -> tuple[np.ndarray, np.ndarray, np.ndarray, str]
         return times, 2.0 * np.arctan2(np.hypot(x, y), np.hypot(w, z)), momentum / exact.moments, words
     axis = report.axis_in_space
     tilt = np.arctan2(np.hypot(axis[:, 0], axis[:, 1]), axis[:, 2])
-    return times, tilt, np.asarray(report.trajectory.angular_velocity), ""
+    highest = np.flatnonzero((tilt[1:-1] > tilt[:-2]) & (tilt[1:-1] >= tilt[2:])) + 1
+    end, words = (len(times), "") if len(highest) <= MANY else (int(highest[PERIODS]) + 1, f", first {PERIODS} swings")
+    return times[:end], tilt[:end], np.asarray(report.trajectory.angular_velocity)[:end], words
