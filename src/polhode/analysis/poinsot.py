@@ -54,6 +54,12 @@ def contact_point(angular_velocity: Array, energy: float) -> Array:
     return np.asarray(angular_velocity) / np.sqrt(2.0 * energy)
 
 
+def touching_point(momentum: Array, moments: Array) -> Array:
+    """Return the point (…, 3) of the ellipsoid that touches the plane while L is along the given directions (…, 3)."""
+    point = np.asarray(momentum) / np.asarray(moments)
+    return point / np.sqrt(np.sum(np.asarray(momentum) * point, axis=-1, keepdims=True))
+
+
 def ellipsoid_semi_axes(moments: Array) -> Array:
     """Return the semi-axes 1/√I_i (3,) of the inertia ellipsoid along the principal axes."""
     return 1.0 / np.sqrt(np.asarray(moments, dtype=float))

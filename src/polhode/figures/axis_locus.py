@@ -81,5 +81,5 @@ def followed(report: TopReport) -> Followed:
         end, words = start + PERIODS * exact.nutation_period, f", first {PERIODS} nutations"
     attitude, momentum = exact.state(np.linspace(start, end, SAMPLES))
     limits = [x for x in exact.nutation_limits if x is not None and abs(x) < 1.0]
-    turned = (rotation.rotate(attitude, v) for v in (np.array([0.0, 0.0, 1.0]), momentum, momentum / exact.moments))
-    return Followed(attitude, *turned, limits, words)
+    up, L, omega = (rotation.rotate(attitude, v) for v in ([0.0, 0.0, 1.0], momentum, momentum / exact.moments))
+    return Followed(attitude, up, L, omega, limits, words)

@@ -18,7 +18,7 @@ AXIS_COLOURS = (BLUE, ORANGE, GREEN)
 GREY, LIGHT, DARK = "#6f6f6f", "#c8c8c8", "#222222"
 FONT = 8
 LOST, TOO_SMALL = 0.03, 1e-12  # of the largest: curves between are enlarged, those below are rounding
-SETTINGS = {
+SETTINGS: Any = {
     "pdf.fonttype": 42,  # TrueType, embedded: publishers refuse type 3
     # text stays text, so that it can be searched, read aloud and set anew; among the fonts named for where DejaVu is
     # missing, Verdana has nearly its widths
