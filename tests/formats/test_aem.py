@@ -57,6 +57,9 @@ def test_orekit_reads_what_we_write(tmp_path, rates):
     times, attitude, velocity = read_by_orekit(path)
     assert times == pytest.approx(np.asarray(trajectory.times), abs=PICOSECOND)
     assert rotation.angle_between(attitude, trajectory.attitude).max() <= DIGITS
+    # the measure sees a rotation the wrong way round, and a scalar in the wrong place
+    assert rotation.angle_between(rotation.conjugate(attitude), trajectory.attitude).max() > 0.1
+    assert rotation.angle_between(np.roll(attitude, 1, axis=-1), trajectory.attitude).max() > 0.1
     if rates:
         assert np.abs(velocity - trajectory.angular_velocity).max() <= 10 * DIGITS
     check_same(read_aem(path), trajectory)
@@ -244,6 +247,7 @@ def test_motions_that_the_format_cannot_hold(tmp_path):
         (good, {"labels": AttitudeLabels(epoch="2026-02-30T00:00:00")}, "`epoch` has no such day"),
         (good, {"labels": AttitudeLabels(epoch="today")}, "`epoch` must be an epoch like"),
         (good, {"labels": AttitudeLabels(epoch="1969-07-20T20:17:40")}, "before 1972"),
+        (good, {"labels": AttitudeLabels(reference_frame="SC_BODY_1", body_frame="HANDLE")}, "take one for the other"),
         (good, {"labels": AttitudeLabels(time_system="PST")}, "`time_system` must be one of"),
     ]
     for trajectory, others, words in cases:
@@ -316,6 +320,11 @@ def test_segments_that_do_not_fit_together(tmp_path):
         read_text(tmp_path, other, segment=2)
     with pytest.raises(FormatError, match="overlap in time"):
         read_text(tmp_path, G + G[G.index("META_START") :].replace("2020", "2019"))
+    late = FIGURE_G4.replace("USEABLE_START_TIME = 1996-1", "USEABLE_START_TIME = 1999-1")
+    with pytest.raises(FormatError, match="no sample lies within"):
+        read_text(tmp_path, late)
+    with pytest.raises(FormatError, match="line 15: must have a nutation period"):
+        read_text(tmp_path, message("SPIN/NUTATION", "20 30 50 3 5 0 10"))
     twice = G + G[G.index("META_START") :]
     assert len(read_text(tmp_path, twice).times) == 1
 

@@ -113,12 +113,14 @@ def _of_euler_rates(sequence: str, degrees: Array, rates: Array) -> Array:
 
 
 def _of_spin_axis(nutation: str, columns: Array) -> tuple[Array, Array]:
-    """Return what spin data mean: the body turns about its z axis, and that axis about the momentum (504, F5)."""
+    """Return what spin data mean: the body turns about its z axis, and that axis about the momentum (annex F5)."""
     right_ascension, declination, phase, spin = columns[:, :4].T
     attitude = _of_euler_angles("ZXZ", np.stack([right_ascension + 90.0, 90.0 - declination, phase], axis=-1))
     velocity = np.zeros((len(columns), 3))
     velocity[:, 2] = np.radians(spin)
     if nutation == "NUTATION":
+        if (still := columns[:, 5] == 0.0).any():
+            raise ValueError("must have a nutation period other than zero", int(np.argmax(still)))
         angle, nutation_phase = np.radians(columns[:, 4]), np.radians(columns[:, 6])
         across = np.sin(angle)
         parts = (across * np.cos(nutation_phase), -across * np.sin(nutation_phase), np.cos(angle))

@@ -80,6 +80,8 @@ def _joined(
             times, attitude, velocity = parts[k]
             parts[k] = times[:-1], attitude[:-1], None if velocity is None else velocity[:-1]
     times = np.concatenate([part[0] for part in parts])
+    if not len(times):
+        refuse(segments[0].path, None, "no sample lies within its useable times. Choose a segment with `segment`")
     if (np.diff(times) <= 0).any():
         refuse(segments[0].path, None, "its segments overlap in time. Choose one with `segment`, counted from 0")
     rates = [part[2] for part in parts if part[2] is not None]
