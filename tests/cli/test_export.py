@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from pygltflib import GLTF2
 
 from polhode import formats, rotation
 from polhode.cli.main import main
@@ -44,6 +45,22 @@ def written(tmp_path):
     return sorted(path.name for path in tmp_path.iterdir() if path.name != "case.toml")
 
 
+def test_animation_and_robot_link(run, tmp_path):
+    code, out, err = run("--to", "gltf")
+    assert code == 0 and err == "" and written(tmp_path) == ["case.glb"]
+    found = GLTF2().load(str(tmp_path / "case.glb"))
+    assert found is not None and len(found.animations) == 1 and len(found.meshes) >= 1
+    code, out, err = run("--to", "urdf")
+    assert code == 2 and "mass" in err and written(tmp_path) == ["case.glb"]  # the spec gives none
+    text = SPEC.replace("[body]", '[body]\nmass = "30 kg"').replace("</script> a = b Größe\\nnext", "base link")
+    (tmp_path / "case.toml").write_text(text, "utf-8")
+    code, out, err = run("--to", "urdf")
+    assert code == 0 and "samples" not in out
+    link = formats.read_urdf_inertial(tmp_path / "case.urdf")
+    spec = read_spec(tmp_path / "case.toml")
+    assert spec.body is not None and np.array_equal(link.inertia, spec.body.inertia) and link.mass == 30.0
+
+
 def test_every_form_holds_the_motion(run, tmp_path):
     pytest.importorskip("zarr")
     code, out, err = run("--to", "netcdf", "--to", "zarr", "--to", "csv", "--to", "aem", "--to", "csv")
@@ -77,7 +94,7 @@ def test_one_file_may_be_named(run, tmp_path):
 
 
 @pytest.mark.parametrize(("arguments", "words"), [
-    (("--to", "aen"), "must be one of netcdf, zarr, csv, aem, ck; got 'aen'. Did you mean aem?"),
+    (("--to", "aen"), "must be one of netcdf, zarr, csv, aem, ck, gltf, urdf; got 'aen'. Did you mean aem?"),
     (("--to", "aem", "--to", "csv", "--out", "one"), "--out names one file, and 2 forms"),
     (("--to", "csv", "--out", "missing/motion.csv"), "csv: missing/motion.csv: cannot be written"),
     (("--to", "csv", "--out", "/proc/motion.csv"), "csv: /proc/motion.csv: cannot be written"),

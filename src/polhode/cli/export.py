@@ -24,11 +24,13 @@ class Form:
             need packages that others do not.
         ending: of the file's name.
         holds: what is in it, and with how many digits.
+        sampled: whether it holds the samples of the report.
     """
 
     home: tuple[str, str]
     ending: str
     holds: str
+    sampled: bool = True
 
 
 _HERE = "polhode.cli.export"
@@ -40,6 +42,10 @@ FORMS = {
                 "CCSDS AEM 2.0, attitude and angular velocity of the given axes; 16 digits, epochs to a picosecond"),
     "ck": Form((_HERE, "export_ck"), ".bc",
                "SPICE C-kernel of the given axes, with its clock, frame and leap seconds beside it; every digit"),
+    "gltf": Form((_HERE, "export_gltf"), ".glb",
+                 "glTF 2.0 animation of the body; angles to 1e-7, as it holds single precision", sampled=False),
+    "urdf": Form((_HERE, "export_urdf"), ".urdf", "mass, centre of mass and inertia along the given axes; every digit",
+                 sampled=False),
 }  # fmt: skip
 
 
@@ -67,7 +73,8 @@ def run_export(path: Path, forms: Sequence[str], out: Path | None) -> None:
             raise
         except InvalidInput as error:
             raise InvalidInput(f"{form}: {error}") from None
-        print(f"{written}: {len(report.trajectory.times)} samples, {FORMS[form].holds}")
+        count = f"{len(report.trajectory.times)} samples, " if FORMS[form].sampled else ""
+        print(f"{written}: {count}{FORMS[form].holds}")
 
 
 def export_netcdf(report: AbstractReport, spec: Spec, path: Path) -> Path:
@@ -108,3 +115,19 @@ def export_ck(report: AbstractReport, spec: Spec, path: Path) -> Path:
     from polhode.formats.spice import write_ck
 
     return write_ck(report.trajectory, path, labels=spec.labels, frame=report.frame)[0]
+
+
+def export_gltf(report: AbstractReport, spec: Spec, path: Path) -> Path:
+    """Write the motion as an animation of the body's surface, or of a box with its inertia."""
+    from polhode.formats.gltf import write_gltf
+
+    return write_gltf(report.shown, path, labels=spec.labels, frame=report.frame, surface=spec.surface)
+
+
+def export_urdf(report: AbstractReport, spec: Spec, path: Path) -> Path:
+    """Write the body's mass properties as a robot's link."""
+    from polhode.formats.urdf import write_urdf_inertial
+
+    if spec.body is None:
+        raise InvalidInput("a URDF link needs a body, and this spec has no [body]. Give one, or choose another form.")
+    return write_urdf_inertial(spec.body, path, spec.name)

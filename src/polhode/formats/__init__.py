@@ -13,12 +13,14 @@ if TYPE_CHECKING:
     from polhode.formats.dataset import as_dataset, write_dataset, write_zarr
     from polhode.formats.dataset_reading import Recording, read_dataset
     from polhode.formats.given_axes import along_given_axes
+    from polhode.formats.gltf import write_gltf
     from polhode.formats.labels import AttitudeLabels
     from polhode.formats.mesh import read_mesh
     from polhode.formats.molecule import read_molecule
     from polhode.formats.scipy_rotation import as_rotation, as_rotation_spline
     from polhode.formats.spice import write_ck
     from polhode.formats.spice_reading import read_ck
+    from polhode.formats.urdf import read_urdf_inertial, write_urdf_inertial
 
 _HOME = {
     "AttitudeLabels": "polhode.formats.labels",
@@ -34,10 +36,13 @@ _HOME = {
     "read_dataset": "polhode.formats.dataset_reading",
     "read_mesh": "polhode.formats.mesh",
     "read_molecule": "polhode.formats.molecule",
+    "read_urdf_inertial": "polhode.formats.urdf",
     "write_aem": "polhode.formats.aem",
     "write_ck": "polhode.formats.spice",
     "write_csv": "polhode.formats.csv_table",
     "write_dataset": "polhode.formats.dataset",
+    "write_gltf": "polhode.formats.gltf",
+    "write_urdf_inertial": "polhode.formats.urdf",
     "write_zarr": "polhode.formats.dataset",
 }
 __all__ = [
@@ -54,10 +59,13 @@ __all__ = [
     "read_dataset",
     "read_mesh",
     "read_molecule",
+    "read_urdf_inertial",
     "write_aem",
     "write_ck",
     "write_csv",
     "write_dataset",
+    "write_gltf",
+    "write_urdf_inertial",
     "write_zarr",
 ]
 

@@ -51,6 +51,11 @@ class AbstractReport(abc.ABC):
         return []
 
     @property
+    def shown(self) -> Trajectory:
+        """The motion as it is to be watched: all of it, or a part with samples close enough."""
+        return self.trajectory
+
+    @property
     def frame(self) -> BodyFrame | None:
         """The body's axes that the trajectory is along, and its mass properties."""
         return None

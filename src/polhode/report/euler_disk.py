@@ -111,6 +111,15 @@ class EulerDiskReport(AbstractReport):
     thresholds: tuple[float, float] | None
 
     @property
+    def shown(self) -> Trajectory:
+        states = np.asarray(self.path.states)
+        found, energy = self.disk.vectors(states), np.asarray(self.disk.energy(states))
+        return Trajectory(
+            self.disk, np.asarray(self.path.times), states, np.asarray(found.attitude), np.asarray(found.momentum),
+            np.asarray(found.angular_velocity), balances={"energy": energy}, status=self.path.status,
+        )  # fmt: skip
+
+    @property
     def frame(self) -> BodyFrame:
         A, C = (float(x) for x in (self.disk.mechanics.diametral_moment, self.disk.mechanics.axial_moment))
         return BodyFrame(np.array([A, A, C]), np.eye(3), np.zeros(3), self.table.mass)

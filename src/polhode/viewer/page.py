@@ -7,7 +7,7 @@ import contextlib
 import hashlib
 import html
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from importlib import resources
 from pathlib import Path
 from typing import Any
@@ -120,12 +120,9 @@ def page_of_report(report: AbstractReport, path: str | Path, *, name: str, surfa
     Raises:
         InvalidInput: as ``write_page`` does.
     """
-    trajectory, notes = report.trajectory, list(report.notes)
-    dense = getattr(report, "path", None)
-    if report.kind == "euler-disk" and dense is not None:
-        trajectory = _along_path(trajectory.system, dense)
-        if dense.status != "successful":
-            notes.append(f"Shown: the last turns, until the disk is {dense.status}.")
+    trajectory, notes = report.shown, list(report.notes)
+    if trajectory is not report.trajectory and trajectory.status not in ("exact", "successful"):
+        notes.append(f"Shown: the last turns, until the disk is {trajectory.status}.")
     return write_page(
         trajectory, path, name=name, summary=report.summary, frame=report.frame, surface=surface, notes=notes
     )
@@ -188,15 +185,3 @@ def _filled(title: str, data: dict[str, Any]) -> str:
 
 def _hash(text: str) -> str:
     return "sha256-" + base64.b64encode(hashlib.sha256(text.encode("utf-8")).digest()).decode("ascii")
-
-
-def _along_path(disk: Any, dense: Any) -> Trajectory:
-    """Return a disk's densely sampled turns as a trajectory."""
-    states = np.asarray(dense.states)
-    found = disk.vectors(states)
-    energy = np.asarray(disk.energy(states))
-    return replace(
-        Trajectory(disk, np.asarray(dense.times), states, status=dense.status), attitude=np.asarray(found.attitude),
-        momentum=np.asarray(found.momentum), angular_velocity=np.asarray(found.angular_velocity),
-        balances={"energy": energy},
-    )  # fmt: skip
