@@ -18,7 +18,7 @@ from polhode.formats.spice import write_ck
 from polhode.report.choice import report_of
 from polhode.spec.reading import read_spec
 
-pytest.importorskip("spiceypy")
+spice = pytest.importorskip("spiceypy")
 EXACT = 1e-12  # rad and relative
 AXIS = np.array([2.0, -1.0, 2.0]) / 3.0
 BOX = """
@@ -121,6 +121,46 @@ def test_epochs_in_different_time_systems_are_laid_side_by_side(files, capsys):
     assert "UTC and 2026-03-01T12:01:39.184 TT" in found["clocks"]
     assert (found["times"]["first"], found["times"]["last"]) == (pytest.approx(30.0, abs=0.13), 60.0)
     assert any("interpol" in note for note in [found["method"], *found["notes"]])
+
+
+@pytest.mark.parametrize(("system", "moment"), [("UTC", "2026-03-01 12:00:30"), ("TDB", "2026-03-01 12:00:30 TDB")])
+def test_spice_itself_finds_an_exported_spec(files, capsys, system, moment):
+    """Thirty seconds after the spec's epoch, to what SPICE's ephemeris time tells apart."""
+    (files / "at.toml").write_text(BOX + f"""
+[export]
+epoch = "2026-03-01T12:00:00"
+time_system = "{system}"
+body_frame = "BOX_AXES"
+spice_id = -42
+""")
+    code, out, _ = run(["export", "at.toml", "--to", "ck"], capsys)
+    assert code == 0 and out.startswith("at.bc: 500 samples")
+    kernels = [files / f"at.{ending}" for ending in ("bc", "tf", "tsc")]
+    kernels.append(files / "box.tls")  # of another export: any leap seconds will do
+    spec = read_spec(files / "at.toml")
+    motion = FreeMotion.from_body(spec.body, angular_velocity=(0.1, 0.4, 0.2))
+    try:
+        for kernel in kernels:
+            spice.furnsh(str(kernel))
+        matrix = spice.pxform("J2000", "BOX_AXES", spice.str2et(moment))
+    finally:
+        spice.kclear()
+    between = 0.5 * 0.46**2 * (60.0 / 499.0) ** 2  # SPICE turns at constant speed between samples
+    assert np.abs(matrix - motion.rotation_matrix(30.0).T).max() <= between
+    exact = values_of(["compare", "at.toml", "at.bc"], capsys)
+    assert exact["angle"]["largest"] <= EXACT and exact["clocks"].startswith("both count from")
+
+
+def test_an_exact_motion_is_found_by_its_epoch(files, capsys):
+    """A part of the motion, from its twentieth second on, in a file that starts there."""
+    (files / "at.toml").write_text(BOX + '[export]\nepoch = 2026-03-01T12:00:00\ntime_system = "TAI"\n')
+    motion = FreeMotion.from_body(read_spec(files / "at.toml").body, angular_velocity=(0.1, 0.4, 0.2))
+    part = motion.sample(np.linspace(20.0, 40.0, 81))
+    labels = AttitudeLabels(epoch="2026-03-01T12:00:01", time_system="GPS")  # 19 s behind TAI
+    write_aem(replace(part, times=part.times - 20.0), files / "part.aem", labels=labels)
+    found = values_of(["compare", "at.toml", "part.aem"], capsys)
+    assert found["angle"]["largest"] <= EXACT
+    assert (found["times"]["first"], found["times"]["last"]) == (20.0, 40.0)
 
 
 def test_no_time_in_common_is_one_error(files, capsys):
