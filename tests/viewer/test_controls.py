@@ -11,6 +11,7 @@ from polhode.viewer import show, write_page
 
 pytestmark = pytest.mark.browser
 PHONE = {"viewport": {"width": 390, "height": 780}, "has_touch": True, "is_mobile": True}
+EMPTY = 4000  # bytes of a picture with nothing in it
 FINGER = 40  # pixels a control should measure
 
 
@@ -158,6 +159,40 @@ def test_samples_too_far_apart_are_not_joined(opened, tmp_path):
     page.until("window.polhode.state().position >= 9")
     assert float(page.position()).is_integer()
     assert not page.complaints
+
+
+ODD = {
+    "rest": ((1.0, 2.0, 3.0), (0.0, 0.0, 0.0), 20.0, 50),
+    "one": ((1.0, 2.0, 3.0), (0.3, 1.8, 1.5), 0.0, 1),
+    "spherical": ((2.0, 2.0, 2.0), (0.3, 0.4, 0.5), 20.0, 50),
+    "permanent": ((1.0, 2.0, 3.0), (0.0, 2.0, 0.0), 20.0, 50),
+    "no body": ((1.0, 2.0, 9.0), (0.3, 0.4, 1.5), 20.0, 50),
+    "needle": ((1e-6, 1.0, 1.0), (1e-6, 0.4, 0.5), 20.0, 50),
+    "molecule": ((1e-47, 2e-47, 2.9e-47), (1e-34, 1e-34, 0.0), 1e-11, 50),
+}
+
+
+@pytest.mark.parametrize("name", ODD)
+def test_odd_motions_are_drawn(opened, tmp_path, name):
+    moments, momentum, end, count = ODD[name]
+    motion = ph.FreeMotion(moments, momentum).sample(np.linspace(0.0, end, count))
+    page = opened(write_page(motion, tmp_path / "odd.html", name=name))
+    page.seek(page.count() - 1)
+    assert page.tab.locator("#failure").is_hidden() and not page.complaints
+    for canvas in page.tab.locator("canvas").all():
+        assert len(canvas.screenshot()) > EMPTY
+    values = page.tab.locator("#readouts").text_content()
+    assert "NaN" not in values and "Infinity" not in values
+
+
+def test_without_webgl_the_page_says_so(browser, page_of_a_book):
+    context = browser.new_context()
+    tab = context.new_page()
+    tab.add_init_script("HTMLCanvasElement.prototype.getContext = () => null")
+    tab.goto(page_of_a_book.as_uri())
+    assert "WebGL 2" in tab.locator("#failure").text_content()
+    assert tab.locator("h1").text_content() == "a book"
+    context.close()
 
 
 def test_frame_of_a_notebook(opened, tmp_path):

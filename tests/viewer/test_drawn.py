@@ -93,7 +93,7 @@ def check_rolls(page):
     assert max(contact_speed(page, k) for k in (last // 5, last - 2)) < AT_REST
 
 
-@pytest.mark.parametrize("name", ["t_handle", "water", "apophis"])
+@pytest.mark.parametrize("name", ["t_handle", "water", pytest.param("apophis", marks=pytest.mark.sweep)])
 def test_ellipsoid_rolls_without_slipping(example_page, opened, name):
     page = opened(example_page(name), **SMALL)
     check_rolls(page)

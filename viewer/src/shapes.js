@@ -38,7 +38,6 @@ export function line(points, color, width, opacity = 1) {
   const found = new Line2(new LineGeometry(), lineMaterial(color, width, opacity));
   found.geometry.setPositions(points.length > 3 ? points : [...points, ...points]);
   found.frustumCulled = false;
-  found.userData.points = points;
   return found;
 }
 
@@ -65,6 +64,15 @@ export function pieces(points, color, width, opacity = 1) {
   found.geometry.setPositions(points);
   found.frustumCulled = false;
   return found;
+}
+
+/** Return the samples of a motion: a line through them, or points where the motion between them is not clear. */
+export const path = (motion, points, color, width) => (motion.joined ? line(points, color, width) : specks(points, color, width));
+
+/** Draw a path up to a sample. */
+export function drawUpTo(motion, found, k) {
+  if (motion.joined) drawPieces(found, k);
+  else found.geometry.setDrawRange(0, k + 1);
 }
 
 /** Return points of a size in pixels. */

@@ -1,6 +1,6 @@
 // A top's axis on the sphere of directions, in space, z up, between the circles that bound its tilt.
 import { Vector3 } from "three";
-import { arrow, circle, dot, drawPieces, globe, hairline, line, specks } from "../shapes.js";
+import { arrow, circle, dot, drawUpTo, globe, hairline, path } from "../shapes.js";
 import { newPanel } from "../stage.js";
 
 export function axisPanel(motion, data, theme) {
@@ -14,13 +14,13 @@ export function axisPanel(motion, data, theme) {
   }
   const points = new Float64Array(3 * motion.count);
   for (let k = 0; k < motion.count; k++) axis.clone().applyQuaternion(motion.attitude(k)).toArray(points, 3 * k);
-  const path = motion.joined ? line(points, theme.motion, 2.6) : specks(points, theme.motion, 3);
+  const trail = path(motion, points, theme.motion, 2.6);
   const faint = motion.joined ? hairline(points, theme.motion, 0.35) : null;
   const place = dot(theme.motion, theme.ground, 0.035);
   const up = arrow(theme.momentum, 0.012);
   up.position.set(0, 0, 1);
   up.point(new Vector3(0, 0, 1), 0.32);
-  scene.add(path, place, up);
+  scene.add(trail, place, up);
   if (faint) scene.add(faint);
   panel.legend = [
     { color: theme.motion, text: "axis" },
@@ -28,9 +28,7 @@ export function axisPanel(motion, data, theme) {
   ];
   panel.update = (now) => {
     place.position.copy(axis).applyQuaternion(now.attitude);
-    const k = Math.floor(now.position);
-    if (motion.joined) drawPieces(path, k);
-    else path.geometry.setDrawRange(0, k + 1);
+    drawUpTo(motion, trail, Math.floor(now.position));
   };
   panel.labels = () => [{ text: "up", color: theme.momentum, place: new Vector3(0, 0, 1.42) }];
   panel.probe = () => ({ point: place.position.toArray(), path: [...points], limits: data.limits });

@@ -1,7 +1,7 @@
 // A disk rolling on a plane, with the path of its contact and of its centre. Lengths are in radii.
 import { CylinderGeometry, Group, Mesh, MeshLambertMaterial, Vector3 } from "three";
 import { unpacked } from "../motion.js";
-import { dot, drawPieces, floor, line, specks } from "../shapes.js";
+import { dot, drawUpTo, floor, line, path } from "../shapes.js";
 import { newPanel } from "../stage.js";
 
 const LARGEST = 7; // radii: a path wider than that is followed instead of shown whole
@@ -10,13 +10,13 @@ const THINNEST = 0.02;
 export function diskPanel(motion, data, theme) {
   const contacts = unpacked(data.contact);
   const centers = unpacked(data.center);
-  const path = new Float64Array(3 * motion.count);
+  const touched = new Float64Array(3 * motion.count);
   const middle = new Float64Array(3 * motion.count);
   for (let k = 0; k < motion.count; k++) {
-    path.set([contacts[2 * k] / data.radius, contacts[2 * k + 1] / data.radius, 0], 3 * k);
+    touched.set([contacts[2 * k] / data.radius, contacts[2 * k + 1] / data.radius, 0], 3 * k);
     middle.set([0, 1, 2].map((j) => (j < 2 ? centers[3 * k + j] / data.radius : 0)), 3 * k);
   }
-  const [home, reach] = extent(path);
+  const [home, reach] = extent(touched);
   const follows = reach > LARGEST;
   const panel = newPanel(theme, {
     title: "The rolling disk",
@@ -28,8 +28,8 @@ export function diskPanel(motion, data, theme) {
   const ground = floor(follows ? 1.6 * reach : Math.max(1.9, 1.25 * reach), 0, theme, follows ? 12 : 4);
   ground.position.set(home.x, home.y, 0);
   const coin = coinOf(data, theme);
-  const trail = motion.joined ? line(path, theme.motion, 2.4) : specks(path, theme.motion, 2.5);
-  const heart = motion.joined ? line(middle, theme.border, 1.8) : specks(middle, theme.border, 2.5);
+  const trail = path(motion, touched, theme.motion, 2.4);
+  const heart = path(motion, middle, theme.border, 1.8);
   const touch = dot(theme.motion, theme.ground, 0.035);
   scene.add(ground, coin, trail, heart, touch);
   panel.legend = [
@@ -43,16 +43,13 @@ export function diskPanel(motion, data, theme) {
     const mix = (values, width, j) => (1 - part) * values[width * k + j] + part * values[width * next + j];
     coin.quaternion.copy(now.attitude);
     coin.position.set(...[0, 1, 2].map((j) => mix(centers, 3, j) / data.radius));
-    touch.position.set(mix(path, 3, 0), mix(path, 3, 1), 0);
+    touch.position.set(mix(touched, 3, 0), mix(touched, 3, 1), 0);
     if (follows) panel.target.set(touch.position.x, touch.position.y, 0.4);
-    for (const found of [trail, heart]) {
-      if (motion.joined) drawPieces(found, k);
-      else found.geometry.setDrawRange(0, k + 1);
-    }
+    for (const found of [trail, heart]) drawUpTo(motion, found, k);
   };
   panel.probe = () => {
     coin.updateWorldMatrix(true, true);
-    return { coin: [...coin.matrixWorld.elements], half: data.thickness / data.radius / 2, point: touch.position.toArray(), path: [...path] };
+    return { coin: [...coin.matrixWorld.elements], half: data.thickness / data.radius / 2, point: touch.position.toArray(), path: [...touched] };
   };
   return panel;
 }
@@ -74,11 +71,11 @@ function coinOf(data, theme) {
 }
 
 /** Return the middle of a path and how far it goes from there. */
-function extent(path) {
+function extent(points) {
   const low = new Vector3(Infinity, Infinity, 0);
   const high = new Vector3(-Infinity, -Infinity, 0);
-  for (let k = 0; k < path.length; k += 3) {
-    const place = new Vector3(path[k], path[k + 1], 0);
+  for (let k = 0; k < points.length; k += 3) {
+    const place = new Vector3(points[k], points[k + 1], 0);
     low.min(place);
     high.max(place);
   }

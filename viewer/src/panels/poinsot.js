@@ -1,7 +1,7 @@
 // Poinsot: the inertia ellipsoid Σ I x² = 1 rolls without slipping on the invariable plane, which lies below it here, so
 // that it touches at x = −Ω/√(2E). The contact draws the polhode on the ellipsoid and the herpolhode on the plane.
 import { Group, Vector3 } from "three";
-import { arrow, dot, drawPieces, ellipsoid, floor, hairline, line } from "../shapes.js";
+import { arrow, dot, drawUpTo, ellipsoid, floor, hairline, path } from "../shapes.js";
 import { newPanel } from "../stage.js";
 
 export function poinsotPanel(motion, data, theme) {
@@ -26,10 +26,11 @@ export function poinsotPanel(motion, data, theme) {
 
   const contacts = contactPoints(motion, data, unit);
   const inSpace = turned(motion, contacts);
-  const polhode = line(contacts, theme.motion, 3);
-  const herpolhode = line(inSpace, theme.border, 2.5);
+  const polhode = path(motion, contacts, theme.motion, 3);
+  const herpolhode = path(motion, inSpace, theme.border, 2.5);
   body.add(polhode);
-  space.add(herpolhode, hairline(inSpace, theme.border, 0.45));
+  space.add(herpolhode);
+  if (motion.joined) space.add(hairline(inSpace, theme.border, 0.45));
   const touch = dot(theme.velocity, theme.ground, 0.03);
   const axis = arrow(theme.velocity, 0.012);
   const normal = arrow(theme.momentum, 0.012);
@@ -37,6 +38,7 @@ export function poinsotPanel(motion, data, theme) {
   space.add(touch, axis);
   panel.scene.add(normal, foot);
   normal.point(new Vector3(0, 0, 1), height);
+  let shown = 0;
   panel.legend = [
     { color: theme.motion, text: "polhode" },
     { color: theme.border, text: "herpolhode" },
@@ -47,8 +49,9 @@ export function poinsotPanel(motion, data, theme) {
     body.quaternion.copy(now.attitude);
     touch.position.copy(contactOf(now.momentum, data, unit)).applyQuaternion(now.attitude);
     axis.point(touch.position, touch.position.length());
-    drawPieces(polhode, k);
-    drawPieces(herpolhode, k);
+    drawUpTo(motion, polhode, k);
+    drawUpTo(motion, herpolhode, k);
+    shown = k;
   };
   panel.labels = () => [{ text: "L", color: theme.momentum, place: new Vector3(0, 0, height + 0.12) }];
   panel.probe = () => {
@@ -59,9 +62,9 @@ export function poinsotPanel(motion, data, theme) {
       contact: new Vector3().setFromMatrixPosition(touch.matrixWorld).toArray(),
       bodyMatrix: [...body.matrixWorld.elements],
       spaceMatrix: [...space.matrixWorld.elements],
-      polhode: [...polhode.userData.points],
-      herpolhode: [...herpolhode.userData.points],
-      shown: polhode.visible ? polhode.geometry.instanceCount : 0,
+      polhode: [...contacts],
+      herpolhode: [...inSpace],
+      shown,
     };
   };
   return panel;

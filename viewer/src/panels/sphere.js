@@ -1,7 +1,7 @@
 // The momentum sphere, in body axes: levels of the energy, separatrix, this motion, and where it is now.
 import { Vector3 } from "three";
 import { unpacked } from "../motion.js";
-import { dot, drawPieces, globe, line, pieces, specks } from "../shapes.js";
+import { dot, drawUpTo, globe, line, path, pieces } from "../shapes.js";
 import { newPanel } from "../stage.js";
 
 export function spherePanel(motion, data, theme) {
@@ -12,8 +12,8 @@ export function spherePanel(motion, data, theme) {
   if (family?.length) scene.add(pieces(family, theme.family, 1));
   if (border?.length) scene.add(pieces(border, theme.border, 1.8));
   const own = unpacked(data.own);
-  const path = own ?? directions(motion);
-  const trail = own || motion.joined ? line(path, theme.motion, own ? 3.2 : 1.8) : specks(path, theme.motion, 2.5);
+  const points = own ?? directions(motion);
+  const trail = own ? line(own, theme.motion, 3.2) : path(motion, points, theme.motion, 2);
   scene.add(trail);
   const place = dot(theme.motion, theme.ground, 0.035);
   scene.add(place);
@@ -32,14 +32,11 @@ export function spherePanel(motion, data, theme) {
     const norm = now.momentum.length();
     place.visible = norm > 0;
     if (norm > 0) place.position.copy(now.momentum).divideScalar(norm);
-    if (own) return;
-    const k = Math.floor(now.position);
-    if (motion.joined) drawPieces(trail, k);
-    else trail.geometry.setDrawRange(0, k + 1);
+    if (!own) drawUpTo(motion, trail, Math.floor(now.position));
   };
   panel.labels = () =>
     stubs.map((end, k) => ({ text: `L${"₁₂₃"[k]}`, color: theme.axes[k], place: end.clone().multiplyScalar(1.08) }));
-  panel.probe = () => ({ point: place.position.toArray(), path: [...path], closed: Boolean(own) });
+  panel.probe = () => ({ point: place.position.toArray(), path: [...points], closed: Boolean(own) });
   return panel;
 }
 
