@@ -1,6 +1,6 @@
 """The page by mouse, by keys alone, on a phone, in the dark, and with a name that tries to be markup."""
 
-from itertools import pairwise
+from itertools import combinations, pairwise
 
 import numpy as np
 import pytest
@@ -106,6 +106,10 @@ def test_motion_starts_by_itself_unless_less_motion_is_wanted(page_of_a_book, op
     lively.until("window.polhode.state().position > 2")
 
 
+def overlap(a, b):
+    return all(a[x] < b[x] + b[w] - 0.5 and b[x] < a[x] + a[w] - 0.5 for x, w in (("x", "width"), ("y", "height")))
+
+
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_phone(example_page, opened, scheme):
     page = opened(example_page("t_handle"), color_scheme=scheme, **PHONE)
@@ -116,6 +120,11 @@ def test_phone(example_page, opened, scheme):
     controls = [control.bounding_box() for control in page.tab.locator("button").all()]
     assert all(min(box["width"], box["height"]) >= FINGER and box["x"] + box["width"] <= 390 for box in controls)
     assert page.tab.evaluate("window.polhode.state().theme") == scheme
+    parts = [part.bounding_box() for part in page.tab.locator("#timebar button, #timebar output, #seek").all()]
+    assert not any(overlap(a, b) for a, b in combinations(parts, 2))
+    assert page.tab.evaluate("[...document.querySelectorAll('output')].every(x => x.scrollWidth <= x.clientWidth)")
+    rows = {round(part["y"] + part["height"] / 2.0) for part in parts}
+    assert len(rows) == 2  # more would hide the pictures
     page.tab.locator("#forth").tap()
     assert page.position() == 1
     page.picture(f"t_handle-phone-{scheme}")

@@ -14,6 +14,7 @@ import { THEMES } from "./theme.js";
 import { Timebar } from "./timebar.js";
 
 const MAKERS = { axis: axisPanel, body: bodyPanel, disk: diskPanel, orbit: orbitPanel, poinsot: poinsotPanel, sphere: spherePanel };
+const STEEP = 0.62; // rad
 const element = (id) => document.getElementById(id);
 
 function start() {
@@ -21,6 +22,7 @@ function start() {
   const motion = new Motion(data);
   write(data);
   const view = new View(() => draw());
+  if (data.panels[0].type === "disk") view.elevation = STEEP; // its path lies flat
   const stage = new Stage(view);
   const canvases = data.panels.map((panel) => addFrame(panel, view));
   const readouts = new Readouts(element("readouts"), motion, data);

@@ -3,6 +3,7 @@
 import { AmbientLight, DirectionalLight, Scene, Vector3, WebGLRenderer } from "three";
 import { newCamera, ORIGIN } from "./camera.js";
 
+const APART = 17; // pixels between names
 const MOST_DOTS = 2; // device pixels per pixel drawn at most
 
 export class Stage {
@@ -51,9 +52,11 @@ export class Stage {
     paper.textAlign = "center";
     paper.textBaseline = "middle";
     paper.lineJoin = "round";
+    const taken = [];
     for (const { text, place, color } of panel.labels()) {
       const seen = place.clone().project(panel.camera);
-      const [x, y] = [0.5 * (1 + seen.x) * across, 0.5 * (1 - seen.y) * down];
+      const [x, y] = free([0.5 * (1 + seen.x) * across, 0.5 * (1 - seen.y) * down], taken, APART * dots);
+      taken.push([x, y]);
       paper.lineWidth = 4 * dots;
       paper.strokeStyle = theme.ground;
       paper.strokeText(text, x, y);
@@ -61,6 +64,18 @@ export class Stage {
       paper.fillText(text, x, y);
     }
   }
+}
+
+/** Return the place for a name, beside its own where others stand too near. */
+function free([x, y], taken, apart) {
+  const fits = ([right, below]) => taken.every(([u, v]) => Math.hypot(x + right - u, y + below - v) >= 0.99 * apart);
+  for (let ring = 0; ring <= 2; ring++) {
+    for (const [right, below] of [[1, 0], [-1, 0], [0, -1], [0, 1]]) {
+      const step = [ring * apart * right, ring * apart * below];
+      if (fits(step)) return [x + step[0], y + step[1]];
+    }
+  }
+  return [x, y];
 }
 
 const LAMP = new Vector3(-2, 3, 1);

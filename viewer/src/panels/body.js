@@ -9,7 +9,8 @@ const LONGEST = 1.5; // of L and of the largest Ω
 const FINE = 0.06; // rad between points of the trace
 
 export function bodyPanel(motion, data, theme) {
-  const panel = newPanel(theme, { title: "The body in space", words: data.shape, radius: data.pivot === "ground" ? 1.7 : 1.95 });
+  const panel = newPanel(theme, { title: "The body in space", words: data.shape, radius: data.pivot === "ground" ? 1.7 : 1.88 });
+  if (!data.pivot) panel.target = new Vector3(0, 0, 0.08); // as arrows point up more often than down
   if (data.pivot === "ground") panel.target = new Vector3(0, 0, 0.5);
   const space = new Group();
   space.quaternion.copy(motion.space);
