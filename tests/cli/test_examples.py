@@ -33,7 +33,7 @@ def reports(tmp_path_factory):
 
 def test_all_are_there(reports):
     free = "t_handle t_handle_parts book smartphone water earth apophis spacecraft"
-    others = {"top", "gyroscope", "explorer_1", "dual_spin", "hyperion", "euler_disk"}
+    others = {"top", "precessing_top", "gyroscope", "explorer_1", "dual_spin", "hyperion", "euler_disk"}
     assert set(reports) == set(free.split()) | others
 
 
@@ -64,6 +64,12 @@ def test_tops(reports):
     assert gyroscope["integrable_case"] is None and max(gyroscope["drift"].values()) < 1e-11
     assert gyroscope["mgl"] == pytest.approx(9.80665 * 0.147 * np.hypot(0.035, 0.04 / 147), rel=1e-12)
     assert np.radians(75) < gyroscope["tilt"]["smallest"] < np.radians(80) < gyroscope["tilt"]["largest"]
+
+
+def test_the_flat_top_precesses_steadily(reports):
+    report = reports["precessing_top"]
+    assert np.degrees(np.arccos(report["nutation_limits"])) == pytest.approx([30.0, 30.0], abs=1e-6)
+    assert report["precession_rate"] == pytest.approx(report["steady_precession"]["slow"], rel=1e-9)
 
 
 def test_hyperion_is_chaotic(reports):

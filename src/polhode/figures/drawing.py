@@ -5,6 +5,9 @@ from __future__ import annotations
 from importlib import import_module
 from pathlib import Path
 
+from matplotlib.figure import Figure
+
+from polhode.errors import InvalidInput
 from polhode.figures import style
 from polhode.report.base import AbstractReport
 
@@ -40,6 +43,23 @@ FIGURES: dict[str, dict[str, tuple[str, str]]] = {
 }
 
 
+def draw_figure(report: AbstractReport, name: str) -> Figure | None:
+    """Return one figure of a report, None where there is nothing to see.
+
+    Args:
+        report: what is drawn.
+        name: as its file is called, such as ``"inertia_ellipsoid"``.
+
+    Raises:
+        InvalidInput: for names that reports of this kind have no figure of.
+    """
+    known = FIGURES[report.kind]
+    if name not in known:
+        raise InvalidInput(f"`name` must be of {', '.join(known)} for a report of kind {report.kind}; got {name!r}.")
+    module, draw = known[name]
+    return getattr(import_module(f"polhode.figures.{module}"), draw)(report)
+
+
 def draw_all(report: AbstractReport, folder: Path, *forms: str) -> list[Path]:
     """Write every figure that the report has into an existing folder and return their paths.
 
@@ -49,8 +69,8 @@ def draw_all(report: AbstractReport, folder: Path, *forms: str) -> list[Path]:
         forms: png, svg, pdf, each figure in all of them; png if none is named.
     """
     written = []
-    for name, (module, draw) in FIGURES[report.kind].items():
-        figure = getattr(import_module(f"polhode.figures.{module}"), draw)(report)
+    for name in FIGURES[report.kind]:
+        figure = draw_figure(report, name)
         if figure is not None:
             written += [style.save(figure, folder / f"{name}.{form}") for form in forms or ("png",)]
     return written

@@ -59,7 +59,8 @@ def draw_spinning_top(report: TopReport) -> Figure | None:
     scene.axes.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0.0), ncols=2, frameon=False,
                       fontsize=style.FONT - 1, handlelength=1.6, columnspacing=1.4)  # fmt: skip
     lean = np.degrees(np.arccos(np.clip(axis[2], -1.0, 1.0)))
-    scene.axes.set_title(f"Top leaning by {lean:.3g}°{path.words}", fontsize=style.FONT, color=style.DARK)
+    words = ", precessing steadily" if _is_steady(path) else path.words
+    scene.axes.set_title(f"Top leaning by {lean:.3g}°{words}", fontsize=style.FONT, color=style.DARK)
     return figure
 
 
@@ -83,7 +84,7 @@ def _window(frame: Array, path: Followed, k: int, ground: float, placed: Surface
         ends.append(long * vector[None] / (np.linalg.norm(vector) or 1.0))
     right, up, _ = frame @ np.vstack(ends).T
     pad = 0.15
-    return right.min() - pad, right.max() + pad, up.min() - 0.5 * pad, up.max() + 0.5 * pad
+    return right.min() - pad, right.max() + pad, up.min() - 0.5 * pad, up.max() + pad
 
 
 def _ground(scene: Scene, height: float) -> None:
@@ -95,8 +96,7 @@ def _ground(scene: Scene, height: float) -> None:
 def _cones(scene: Scene, path: Followed, k: int) -> list[Any]:
     """Draw the cones and return their handles."""
     up, axis = np.array([0.0, 0.0, 1.0]), path.axis[k]
-    tilts = np.arccos(np.clip(path.axis[:, 2], -1.0, 1.0))
-    steady = float(np.ptp(tilts)) < STEADY and STEADY < tilts.mean() < np.pi - STEADY
+    tilts, steady = _tilts(path), _is_steady(path)
     limits = [float(tilts.mean())] if steady else [float(tilts.min()), float(tilts.max())]
     handles = []
     for tilt in limits:
@@ -112,6 +112,15 @@ def _cones(scene: Scene, path: Followed, k: int) -> list[Any]:
             draw_cone(scene, about, half, SLANT, colour)
             handles.append(scene.axes.plot([], [], color=colour, lw=0.9, label=words)[0])
     return handles
+
+
+def _tilts(path: Followed) -> Array:
+    return np.arccos(np.clip(path.axis[:, 2], -1.0, 1.0))
+
+
+def _is_steady(path: Followed) -> bool:
+    tilts = _tilts(path)
+    return float(np.ptp(tilts)) < STEADY and STEADY < float(tilts.mean()) < np.pi - STEADY
 
 
 def _arrows(scene: Scene, path: Followed, k: int, center: Array) -> None:

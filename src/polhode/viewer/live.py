@@ -23,7 +23,7 @@ SHOWN = 20  # periods on the time slider
 LEAST, MOST = 0.02, 2.5  # of the largest moment at first: ends of the sliders
 BODY_AT, SPHERE_AT, POINSOT_AT = (-2.7, 0.0, 0.0), (0.0, 0.0, 0.0), (2.7, 0.0, 0.0)
 OMEGA_LONG, L_LONG = 1.25, 1.55
-TURNED = (0.955, 0.0, 0.0, 0.295)  # of the momentum sphere, so that no axis points at the viewer
+TURNED = (0.446, 0.0, 0.0, -0.895)  # of the momentum sphere, so that axes 1 and 2 come towards the viewer
 # Okabe & Ito's palette, as in the figures
 BLUE, ORANGE, VERMILION, PURPLE = (0, 114, 178), (230, 159, 0), (213, 94, 0), (204, 121, 167)
 GREY, STEEL, PALE, DARK = (130, 130, 130), (170, 184, 200), (225, 228, 232), (34, 34, 34)
@@ -152,7 +152,7 @@ class LiveApp:
         """Draw what never changes."""
         scene = self.server.scene
         scene.set_up_direction("+z")
-        self.server.initial_camera.position = (0.9, -6.3, 2.1)
+        self.server.initial_camera.position = (0.9, -5.6, 1.9)
         self.server.initial_camera.look_at = (0.9, 0.0, 0.15)
         for name, place, words in (("body", BODY_AT, "body in space"), ("sphere", SPHERE_AT, "momentum, body axes"),
                                    ("poinsot", POINSOT_AT, "Poinsot's ellipsoid")):  # fmt: skip
