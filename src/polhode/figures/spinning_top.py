@@ -120,7 +120,7 @@ def _tilts(path: Followed) -> Array:
 
 def _is_steady(path: Followed) -> bool:
     tilts = _tilts(path)
-    return float(np.ptp(tilts)) < STEADY and STEADY < float(tilts.mean()) < np.pi - STEADY
+    return bool(np.ptp(tilts) < STEADY and STEADY < tilts.mean() < np.pi - STEADY)
 
 
 def _arrows(scene: Scene, path: Followed, k: int, center: Array) -> None:

@@ -1,0 +1,92 @@
+"""Figures as files: the same for the same motion, with text as text, and an earlier run's cleared away."""
+
+import json
+import re
+
+import matplotlib.image
+import numpy as np
+import pytest
+
+from polhode.cli.main import main
+from polhode.errors import InvalidInput
+from polhode.figures import style
+from polhode.figures.drawing import FIGURES, draw_all, draw_figure
+from polhode.report.choice import report_of
+from polhode.spec.reading import read_spec
+
+FREE = """
+[body]
+moments = ["1 kg*m^2", "2 kg*m^2", "2.6 kg*m^2"]
+[spin]
+rate = "60 rpm"
+about = 2
+tilt = "5 deg"
+"""
+NAMES = ["momentum_sphere", "inertia_ellipsoid", "components", "herpolhode"]
+
+
+@pytest.fixture
+def spec(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    path = tmp_path / "case.toml"
+    path.write_text(FREE)
+    return path
+
+
+def run(arguments, capsys):
+    with pytest.raises(SystemExit) as stopped:
+        main([str(a) for a in arguments])
+    out, err = capsys.readouterr()
+    return stopped.value.code or 0, out, err
+
+
+def test_all_forms_of_all_figures_are_what_they_say(spec, tmp_path):
+    report = report_of(read_spec(spec))
+    first, second = tmp_path / "first", tmp_path / "second"
+    for folder in (first, second):
+        folder.mkdir()
+        draw_all(report, folder, "png", "svg", "pdf")
+    assert {p.name for p in first.iterdir()} == {f"{name}.{form}" for name in NAMES for form in ("png", "svg", "pdf")}
+    for path in first.iterdir():
+        assert path.read_bytes() == (second / path.name).read_bytes()
+        assert style.is_ours(path)
+    for name in NAMES:
+        assert matplotlib.image.imread(first / f"{name}.png")[..., :3].std() > 0.02
+        drawing = (first / f"{name}.svg").read_text("utf-8")
+        assert "<text" in drawing and "Verdana" in drawing and not re.search(r'href="https?:', drawing)
+        document = (first / f"{name}.pdf").read_bytes()
+        assert b"/Type0" in document and b"/FontFile2" in document and b"/Type3" not in document
+
+
+def test_the_command_writes_the_forms_asked_for_and_clears_its_own(spec, capsys, tmp_path):
+    code, out, _ = run(["report", spec, "--json", "--figures", "svg,PDF", "--figures", "svg"], capsys)
+    assert code == 0
+    written = [name.split("/")[-1] for name in json.loads(out)["files"]]
+    assert sorted(written) == sorted([f"{n}.{f}" for n in NAMES for f in ("svg", "pdf")] + ["motion.nc"])
+    mine = tmp_path / "case" / "photo.svg"
+    mine.write_text("<svg/>")
+    code, _, _ = run(["report", spec, "--json"], capsys)
+    found = {p.name for p in (tmp_path / "case").iterdir()}
+    assert code == 0 and found == {f"{n}.png" for n in NAMES} | {"motion.nc", "photo.svg"}
+
+
+@pytest.mark.parametrize("forms", ["jpg", "png,", "svg,eps", ""])
+def test_forms_that_are_none(spec, capsys, tmp_path, forms):
+    code, out, err = run(["report", spec, "--figures", forms], capsys)
+    assert code == 2 and out == "" and "--figures" in err and "png, svg, pdf" in err
+    assert [p.name for p in tmp_path.iterdir()] == ["case.toml"]
+
+
+def test_one_figure_by_its_name(spec):
+    report = report_of(read_spec(spec))
+    assert len(draw_figure(report, "components").axes) == 2
+    with pytest.raises(InvalidInput, match=r"inertia_ellipsoid.*'tilt'"):
+        draw_figure(report, "tilt")
+    assert list(FIGURES["free-body"]) == NAMES
+
+
+def test_small_curves_are_enlarged_by_powers_of_ten():
+    series = np.array([[1.0, 2e-6, 0.0], [-1.0, 1e-6, 1e-15]])
+    assert style.magnifications(series) == [0, 5, 0]
+    assert style.magnifications(np.zeros((4, 3))) == [0, 0, 0]
+    assert style.magnified("axis 2", 5) == "axis 2 × 10$^{5}$" and style.magnified("axis 2", 0) == "axis 2"
