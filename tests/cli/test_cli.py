@@ -49,7 +49,7 @@ def test_json_is_one_object_with_every_key(spec, capsys, tmp_path):
     assert [axis["verdict"] for axis in values["axes"]] == ["stable", "unstable", "stable"]
     assert {"axis", "verdict", "rate", "certificate"} <= set(values["axes"][0])
     assert all((tmp_path / name).is_file() for name in values["files"])
-    assert len(values["files"]) == 4
+    assert len(values["files"]) == 5
 
 
 def test_report_and_body_for_people(spec, capsys):
