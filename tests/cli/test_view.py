@@ -51,7 +51,7 @@ def test_page_is_named_after_the_spec_and_opened(run, tmp_path, monkeypatch):
 def test_report_puts_it_beside_the_figures(run, tmp_path):
     code, out, _ = run("report", "case.toml", "--html", "--json")
     files = json.loads(out)["files"]
-    assert code == 0 and files[-1] == "case/page.html" and len(files) == 5
+    assert code == 0 and files[-1] == "case/page.html" and len(files) == 6
     assert "a body" in (tmp_path / "case" / "page.html").read_text("utf-8")
     assert "case/page.html" not in run("report", "case.toml", "--out", "without")[1]
     assert not (tmp_path / "without" / "page.html").exists()
