@@ -11,9 +11,10 @@ from typing import Any
 import numpy as np
 from matplotlib.figure import Figure
 
-from polhode.analysis.poinsot import ellipsoid_semi_axes
+from polhode.analysis.poinsot import ellipsoid_semi_axes, touching_point
 from polhode.analysis.polhodes import polhode_family, separatrix
 from polhode.bodies.surface import Surface
+from polhode.bodies.turned import ball
 from polhode.figures import style
 from polhode.figures.energy_levels import default_frame
 from polhode.figures.scene import Scene
@@ -21,7 +22,6 @@ from polhode.report.free_body import FreeBodyReport
 
 Array = Any
 BODY = "#eef0f3"
-AROUND, ALONG = 96, 48  # pieces of the surface
 APART = 0.55  # of the longest semi-axis, heads of arrows on the motion's own polhode
 
 
@@ -42,15 +42,15 @@ def draw_inertia_ellipsoid(report: FreeBodyReport) -> Figure | None:
     window = (-reach[0], reach[0], -up - 0.10, max(up, ends[1].max()) + 0.10)
     figure = style.new_figure(height=style.height_of(window, 1.0))
     scene = Scene(figure.add_subplot(), frame, window)
-    scene.solid(ellipsoid(shape), BODY, ambient=0.82)
+    scene.solid(Surface(ball(96).vertices * shape, ball(96).faces), BODY, ambient=0.82)
     scene.finish(order=0.0)
     family = polhode_family(moments)
     for curve in family:
-        scene.line(touching(curve, moments) / scale, style.GREY, 0.5)
+        scene.line(touching_point(curve, moments) / scale, style.GREY, 0.5)
     great = separatrix(moments)
     for curve in great:
-        scene.line(touching(curve, moments) / scale, style.VERMILION, 0.9)
-    own = touching(_own(report), moments) / scale
+        scene.line(touching_point(curve, moments) / scale, style.VERMILION, 0.9)
+    own = touching_point(_own(report), moments) / scale
     _axes(scene, shape)
     scene.line(own, style.BLUE, 1.8, over=4.0)
     _direction(scene, own)
@@ -60,22 +60,6 @@ def draw_inertia_ellipsoid(report: FreeBodyReport) -> Figure | None:
     scene.axes.set_title(f"Inertia ellipsoid, body axes\nsemi-axes 1/√I: {sizes}  [{style.factor(power)}"
                          "(kg m²)$^{-1/2}$]", fontsize=style.FONT, color=style.DARK)  # fmt: skip
     return figure
-
-
-def touching(unit: Array, moments: Array) -> Array:
-    """Return the points (…, 3) of the ellipsoid [1/√(kg m²)] that touch the plane while L is along these (…, 3)."""
-    point = np.asarray(unit) / moments
-    return point / np.sqrt(np.sum(np.asarray(unit) * point, axis=-1, keepdims=True))
-
-
-def ellipsoid(semi_axes: Array) -> Surface:
-    """Return the surface of an ellipsoid along the axes."""
-    off, turn = np.meshgrid(np.linspace(0.0, np.pi, ALONG + 1), 2.0 * np.pi * np.arange(AROUND) / AROUND, indexing="ij")
-    sphere = np.stack([np.sin(off) * np.cos(turn), np.sin(off) * np.sin(turn), np.cos(off)], axis=-1)
-    i, j = np.meshgrid(np.arange(ALONG), np.arange(AROUND), indexing="ij")
-    a, b = i * AROUND + j, i * AROUND + (j + 1) % AROUND
-    faces = np.concatenate([np.stack([a, a + AROUND, b], axis=-1), np.stack([b, a + AROUND, b + AROUND], axis=-1)])
-    return Surface(sphere.reshape(-1, 3) * np.asarray(semi_axes), faces.reshape(-1, 3))
 
 
 def _own(report: FreeBodyReport) -> Array:
