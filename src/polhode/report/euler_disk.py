@@ -116,7 +116,8 @@ class EulerDiskReport(AbstractReport):
         found, energy = self.disk.vectors(states), np.asarray(self.disk.energy(states))
         return Trajectory(
             self.disk, np.asarray(self.path.times), states, np.asarray(found.attitude), np.asarray(found.momentum),
-            np.asarray(found.angular_velocity), balances={"energy": energy}, status=self.path.status,
+            np.asarray(found.angular_velocity), balances={"energy": energy}, drift=self.trajectory.drift,
+            status=self.path.status,
         )  # fmt: skip
 
     @property

@@ -60,7 +60,7 @@ def write_page(
     Args:
         trajectory: of one body.
         path: the file; its folder must exist.
-        name: heading of the page; the system's name if left out.
+        name: heading of the page; the object's or the system's name if left out.
         summary: a sentence below it.
         frame: the principal axes that the trajectory is along, which a surface in given axes needs.
         surface: what the body looks like, in the given axes; without it, a shape with the same inertia is drawn.
@@ -138,10 +138,10 @@ def page_text(
     panels = panels_of(trajectory.system, samples, drawn)
     if not panels:
         raise InvalidInput(
-            "the page has nothing to draw: this motion has neither an attitude nor a momentum other than zero. "
-            "Write a dataset instead."
+            "the page has nothing to draw: this motion has neither an attitude nor a momentum that a sphere could "
+            "show. Give the state its attitude, or write a dataset instead."
         )
-    title = name or kind_of(trajectory.system) or "motion"
+    title = name or getattr(trajectory.system, "object_name", None) or kind_of(trajectory.system) or "motion"
     said = [note[:1].upper() + note[1:] for note in (*samples.notes, *notes)]
     data = {
         "name": title, "summary": summary, "notes": said, "panels": panels,

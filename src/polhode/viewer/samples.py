@@ -129,7 +129,7 @@ def _plain(trajectory: Trajectory) -> Samples:
         return None if values is None else np.asarray(values, dtype=float)
 
     found = Samples(
-        np.asarray(trajectory.times, dtype=float), np.asarray(trajectory.states, dtype=float),
+        np.asarray(trajectory.times, dtype=float), np.asarray(trajectory.states),
         array(trajectory.attitude), array(trajectory.momentum), array(trajectory.angular_velocity),
         None if name is None else array(values[name]), words, unit,
     )  # fmt: skip
