@@ -67,11 +67,12 @@ def lightened(surface: Surface) -> Surface:
     """Return a surface of few enough triangles: equal corners merged, then, if need be, near ones."""
     vertices, faces = np.asarray(surface.vertices, dtype=float), np.asarray(surface.faces)
     size = float(np.ptp(vertices, axis=0).max()) or 1.0
-    small = _merged(vertices, faces, np.round(vertices / (EQUAL * size)))
+    small = whole = _merged(vertices, faces, np.round(vertices / (EQUAL * size)))
     cells = FINEST_GRID
     while len(small.faces) > MOST_FACES:
-        small = _merged(vertices, faces, np.round(vertices * cells / size))
-        cells = int(cells / 1.25)
+        small = _merged(whole.vertices, whole.faces, np.round(whole.vertices * cells / size))
+        # there are about as many triangles as cells that the surface passes through
+        cells = int(0.95 * cells * min(1.0, np.sqrt(MOST_FACES / len(small.faces))))
     return small
 
 
