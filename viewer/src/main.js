@@ -51,10 +51,8 @@ function start() {
     cancelAnimationFrame(waiting);
     waiting = null;
     shapes = sizes();
-    panels.forEach((panel, k) => {
-      panel.update(now);
-      stage.draw(panel, canvases[k], theme);
-    });
+    for (const panel of panels) panel.update(now);
+    stage.draw(panels, canvases, theme);
     readouts.show(now);
     window.polhode.drawn += 1;
     window.polhode.firstPicture ??= performance.now();

@@ -1,4 +1,4 @@
-// One WebGL context draws every panel in turn, and each picture is copied to the panel's own canvas. Browsers allow few
+// One WebGL context draws all panels, and each picture is copied to the panel's own canvas. Browsers allow few
 // contexts, and so panels scroll and stack as any element does; names are written over the copy, where text is sharp.
 import { AmbientLight, DirectionalLight, Scene, Vector3, WebGLRenderer } from "three";
 import { newCamera, ORIGIN } from "./camera.js";
@@ -14,27 +14,42 @@ export class Stage {
     this.size = [0, 0];
   }
 
-  /** Draw one panel at its size on the page. */
-  draw(panel, canvas, theme) {
+  /** Draw panels beside each other, each at its size on the page, and copy them there: waiting for the context once. */
+  draw(panels, canvases, theme) {
     const dots = Math.min(window.devicePixelRatio || 1, MOST_DOTS);
-    const [width, height] = [canvas.clientWidth, canvas.clientHeight];
-    if (!width || !height) return;
-    this.fit(width, height, dots);
-    const [across, down] = [Math.round(width * dots), Math.round(height * dots)];
-    if (canvas.width !== across || canvas.height !== down) [canvas.width, canvas.height] = [across, down];
+    const sizes = canvases.map((canvas) => [canvas.clientWidth, canvas.clientHeight]);
+    this.fit(sizes.reduce((sum, [width]) => sum + width, 0), Math.max(...sizes.map(([, height]) => height)), dots);
+    let left = 0;
+    const lefts = panels.map((panel, k) => {
+      const [width, height] = sizes[k];
+      if (width && height) this.render(panel, left, width, height);
+      left += width;
+      return left - width;
+    });
+    panels.forEach((panel, k) => this.copy(panel, canvases[k], lefts[k], sizes[k], dots, theme));
+  }
+
+  render(panel, left, width, height) {
+    const { renderer } = this;
     if (!panel.flat) this.view.place(panel.camera, panel.target ?? ORIGIN, panel.radius, width / height);
     else panel.flat(panel.camera, width / height);
     panel.lamp.position.copy(panel.camera.position).add(LAMP.clone().applyQuaternion(panel.camera.quaternion));
     panel.lamp.target.position.copy(panel.target ?? ORIGIN);
     panel.lamp.target.updateMatrixWorld();
-    const { renderer } = this;
-    renderer.setViewport(0, 0, width, height);
-    renderer.setScissor(0, 0, width, height);
+    renderer.setViewport(left, 0, width, height);
+    renderer.setScissor(left, 0, width, height);
     renderer.setScissorTest(true);
     renderer.render(panel.scene, panel.camera);
+  }
+
+  copy(panel, canvas, left, [width, height], dots, theme) {
+    const [across, down] = [Math.round(width * dots), Math.round(height * dots)];
+    if (!across || !down) return;
+    if (canvas.width !== across || canvas.height !== down) [canvas.width, canvas.height] = [across, down];
     const paper = canvas.getContext("2d");
+    const drawn = this.renderer.domElement;
     paper.clearRect(0, 0, across, down);
-    paper.drawImage(renderer.domElement, 0, renderer.domElement.height - down, across, down, 0, 0, across, down);
+    paper.drawImage(drawn, left * dots, drawn.height - down, across, down, 0, 0, across, down);
     this.write(panel, paper, across, down, dots, theme);
   }
 
