@@ -17,7 +17,7 @@ SAME_LENGTH = 1e-6
 AT_REST = 1e-5
 """Of |Ω| times the distance: five-point differences at steps of some hundredths of a radian leave 1e-7 or less."""
 ON_LINE = 3e-6
-"""Of the sphere's radius: a chord of the 2000 in a period that winds by up to 2π misses it by 1.2e-6."""
+"""Of the sphere's radius: chords of the drawn polhode miss it by up to 2e-6, where L runs between its long stays."""
 
 HALTS = 1e-4
 """Of the height of the axis, by which samples may miss its turning points."""
@@ -128,7 +128,7 @@ def test_running_point_is_on_the_drawn_path(example_page, opened, name):
     page = opened(example_page(name), **SMALL)
     last = page.count() - 1
     drawn = page.measure("sphere")
-    for k in (0, last // 7, last // 2, last):
+    for k in (0, last // 7, last // 5, 2 * last // 5, last // 2, last):
         page.seek(k)
         drawn |= page.measure("sphere", "point")
         point, path = np.array(drawn["point"]), np.reshape(drawn["path"], (-1, 3))

@@ -51,17 +51,18 @@ def polhode_family(moments: Array) -> list[Array]:
 
 
 def polhode(motion: FreeMotion, points: int) -> Array | None:
-    """Return one body's unit polhode (points + 1, 3), its ends equal and its points evenly spread; None without period.
+    """Return one body's unit polhode (points + 1, 3), its ends equal; None without period.
 
-    In time they would be far apart where L is fast, as it is between its long stays near a separatrix.
+    Points are spread half by length, half by time: by time alone they would be far apart where L is fast, between its
+    long stays near a separatrix, and by length alone in the bends where it stays.
     """
     if motion.period is None or not motion.momentum_norm:
         return None
     epoch = float(motion.epoch)
     times = epoch + np.linspace(0.0, motion.period, 4 * points + 1)
     steps = np.linalg.norm(np.diff(motion.momentum(times), axis=0), axis=-1)
-    length = np.concatenate([[0.0], np.cumsum(steps)])
-    even = np.interp(np.linspace(0.0, length[-1], points + 1), length, times)
+    share = np.concatenate([[0.0], np.cumsum(steps / steps.sum())]) + np.linspace(0.0, 1.0, len(times))
+    even = np.interp(np.linspace(0.0, share[-1], points + 1), share, times)
     return motion.momentum(even) / motion.momentum_norm
 
 

@@ -18,7 +18,7 @@ from polhode.viewer.shapes import body_shape, top_shape
 
 Array = Any
 Panel = dict[str, Any]
-PERIOD_POINTS = 2000  # of the drawn polhode, so that the chord misses it by 1e-6
+PERIOD_POINTS = 2000  # of the drawn polhode, so that its chords miss it by 2e-6 at most
 KEPT = 1e-6  # of |L|: a momentum in space that stays within this is the one that a page's "up" can be
 TOPS = ("LagrangeMotion", "HeavyTop", "BodyInPotential", "BrunBody")  # their space has an up of its own
 LOW = 0.4  # cosine of the tilt below which a top would dip into the ground, and stands on a post
