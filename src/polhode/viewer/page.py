@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import base64
-import contextlib
 import hashlib
 import html
 from collections.abc import Sequence
@@ -17,6 +16,7 @@ import numpy as np
 from polhode.bodies.frame import BodyFrame
 from polhode.bodies.surface import Surface
 from polhode.errors import InvalidInput
+from polhode.formats.paths import written_whole
 from polhode.report.base import AbstractReport
 from polhode.trajectory import Trajectory
 from polhode.viewer.encoding import as_script_json, packed
@@ -78,18 +78,9 @@ def write_page(
     True
     """
     path = Path(path)
-    if path.is_dir():
-        raise InvalidInput(f"{path}: is a folder where the page has to go. Name a file.")
     text = page_text(trajectory, name=name, summary=summary, frame=frame, surface=surface, notes=notes)
-    draft = path.with_name(f".{path.name}.part")
-    try:
+    with written_whole(path) as draft:
         draft.write_text(text, "utf-8")
-        draft.replace(path)
-    except OSError as error:
-        with contextlib.suppress(OSError):
-            draft.unlink()
-        why = f"{path}: cannot be written ({error.strerror}). Name a file in a folder that you may write to."
-        raise InvalidInput(why) from None
     return path
 
 
