@@ -26,8 +26,6 @@ async function bundle() {
 
 const wanted = {
   "page.js": await bundle(),
-  "page.css": await readFile(here("src/page.css"), "utf8"),
-  "template.html": await readFile(here("src/template.html"), "utf8"),
   "LICENSE.three.txt": licence,
 };
 

@@ -6,31 +6,28 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
+from matplotlib.collections import LineCollection
 
+from polhode.analysis.polhodes import level_segments
 from polhode.figures import style
 from polhode.figures.sphere import view_frame
 
 Array = Any
 VIEW = (0.80, 0.46, 0.38)
-FAMILY = 9  # levels drawn
 MARKS = {"stable": ("o", style.GREEN), "unstable": ("X", style.VERMILION), "undecided": ("s", style.ORANGE)}
 
 
 def draw_levels(axes: Any, frame: Array, energy: Callable[[Array], Array], values: Sequence[float] | None,
                 colour: str, width: float) -> None:  # fmt: skip
     """Draw where a function of unit vectors (…, 3) has the values, by default evenly spread ones; far side dimmed."""
-    off, turn = np.meshgrid(np.linspace(0.0, 0.5 * np.pi, 121), np.linspace(0.0, 2.0 * np.pi, 361))
-    x, y, depth = np.sin(off) * np.cos(turn), np.sin(off) * np.sin(turn), np.cos(off)
-    sides = [energy(np.stack([x, y, side * depth], axis=-1) @ frame) for side in (-1.0, 1.0)]
-    low, high = min(map(np.min, sides)), max(map(np.max, sides))
-    if not high - low > 1e-12 * max(abs(low), abs(high)):
-        return
-    spread = low + (high - low) * (np.arange(FAMILY) + 0.5) / FAMILY
-    inner = sorted(v for v in (spread if values is None else values) if low < v < high)
-    for heights, strength, order in zip(sides, (0.25, 1.0), (1, 2), strict=True):
-        if inner:
-            axes.contour(x, y, heights, levels=inner, colors=colour, linewidths=width, linestyles="solid",
-                         alpha=strength, zorder=order)  # fmt: skip
+    pieces = level_segments(energy, values)
+    x, y, depth = np.moveaxis(pieces @ frame.T, -1, 0)
+    for front in (False, True):
+        seen = (depth.mean(axis=-1) >= 0.0) == front
+        axes.add_collection(LineCollection(
+            np.stack([x[seen], y[seen]], axis=-1), colors=colour, linewidths=width, capstyle="butt",
+            alpha=1.0 if front else 0.25, zorder=2 if front else 1,
+        ), autolim=False)  # fmt: skip
 
 
 def mark_verdict(axes: Any, frame: Array, point: Array, verdict: str) -> None:
