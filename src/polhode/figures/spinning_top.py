@@ -127,9 +127,9 @@ def _arrows(scene: Scene, path: Followed, k: int, center: Array) -> None:
     """Draw Ω, L about the pivot and the weight; their lengths are not to scale with each other."""
     right, up, _ = scene.frame @ path.axis[k]
     across = np.array([-up, right]) / (np.hypot(right, up) or 1.0)
-    for vector, colour, name, long, side in ((path.momentum[k], style.PURPLE, "L", L_LONG, 9.0),
-                                             (path.velocity[k], style.ORANGE, "Ω", OMEGA_LONG, -9.0)):  # fmt: skip
+    for vector, colour, name, long, side in ((path.momentum[k], style.DARK, "L", L_LONG, 9.0),
+                                             (path.velocity[k], style.PURPLE, "Ω", OMEGA_LONG, -9.0)):  # fmt: skip
         size = np.linalg.norm(vector)
         if size > 0.0:
             scene.arrow(np.zeros(3), long * vector / size, colour, name, side=side * across)
-    scene.arrow(center, center - [0.0, 0.0, 0.45], style.DARK, "mg")
+    scene.arrow(center, center - [0.0, 0.0, 0.45], style.GREY, "mg")

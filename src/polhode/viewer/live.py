@@ -25,7 +25,7 @@ BODY_AT, SPHERE_AT, POINSOT_AT = (-2.7, 0.0, 0.0), (0.0, 0.0, 0.0), (2.7, 0.0, 0
 OMEGA_LONG, L_LONG = 1.25, 1.55
 TURNED = (0.446, 0.0, 0.0, -0.895)  # of the momentum sphere, so that axes 1 and 2 come towards the viewer
 # Okabe & Ito's palette, as in the figures
-BLUE, ORANGE, VERMILION, PURPLE = (0, 114, 178), (230, 159, 0), (213, 94, 0), (204, 121, 167)
+BLUE, VERMILION, PURPLE, DARK = (0, 114, 178), (213, 94, 0), (204, 121, 167), (34, 34, 34)
 GREY, STEEL, PALE, DARK = (130, 130, 130), (170, 184, 200), (225, 228, 232), (34, 34, 34)
 
 
@@ -170,9 +170,9 @@ class LiveApp:
         self.nodes["contact"] = scene.add_icosphere("/poinsot/contact", radius=0.03, color=BLUE)
         up = np.array([[[0.0, 0.0, 0.0], [0.0, 0.0, L_LONG]]])
         for where in ("body", "poinsot"):
-            self.nodes[f"{where}/L"] = _arrow(scene, f"/{where}/L", up, PURPLE)
+            self.nodes[f"{where}/L"] = _arrow(scene, f"/{where}/L", up, DARK)
             scene.add_label(f"/{where}/L/name", "L", position=(0.0, 0.0, L_LONG + 0.06), anchor="bottom-center")
-        self.nodes["body/velocity"] = _arrow(scene, "/body/velocity", up, ORANGE)
+        self.nodes["body/velocity"] = _arrow(scene, "/body/velocity", up, PURPLE)
         self.nodes["body/velocity/name"] = scene.add_label("/body/velocity_name", "Ω", anchor="center-center")
 
     def _rebuild(self) -> None:
