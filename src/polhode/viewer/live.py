@@ -25,7 +25,7 @@ BODY_AT, SPHERE_AT, POINSOT_AT = (-2.7, 0.0, 0.0), (0.0, 0.0, 0.0), (2.7, 0.0, 0
 OMEGA_LONG, L_LONG = 1.25, 1.55
 TURNED = (0.446, 0.0, 0.0, -0.895)  # of the momentum sphere, so that axes 1 and 2 come towards the viewer
 # Okabe & Ito's palette, as in the figures
-BLUE, VERMILION, PURPLE, DARK = (0, 114, 178), (213, 94, 0), (204, 121, 167), (34, 34, 34)
+BLUE, VERMILION, PURPLE = (0, 114, 178), (213, 94, 0), (204, 121, 167)
 GREY, STEEL, PALE, DARK = (130, 130, 130), (170, 184, 200), (225, 228, 232), (34, 34, 34)
 
 
