@@ -190,7 +190,7 @@ def test_import_says_what_is_there_and_writes_it(files, capsys, name):
     assert (found["object"], found["samples"], found["last"]) == ("BOX", 500, 60.0)
     assert found["largest_gap"] == pytest.approx(60.0 / 499.0)
     assert found["has_angular_velocity"] == (name == "box.bc")
-    back = read_dataset(files / "box.nc")
+    back = read_dataset(files / "box_imported.nc")
     expected = along_given_axes(report_of(read_spec(files / "box.toml")).trajectory, report_of(
         read_spec(files / "box.toml")).frame)  # fmt: skip
     assert rotation.angle_between(back.attitude, expected.attitude).max() <= EXACT
@@ -203,10 +203,10 @@ def test_import_with_moments_has_momentum_and_energy(files, capsys):
     found = values_of(["import", "box.bc", "--spec", "box.toml"], capsys)
     assert set(found["drift"]) == {"energy", "momentum_norm", "momentum_space"} and not found["notes"]
     assert max(found["drift"].values()) <= EXACT
-    back, report = read_dataset(files / "box.nc"), report_of(read_spec(files / "box.toml"))
+    back, report = read_dataset(files / "box_imported.nc"), report_of(read_spec(files / "box.toml"))
     assert np.abs(back.momentum - report.trajectory.momentum).max() <= EXACT
     assert np.abs(back.invariants["energy"] / report.trajectory.invariants["energy"] - 1.0).max() <= EXACT
-    assert values_of(["compare", "box.nc", "box.toml"], capsys)["angle"]["largest"] <= EXACT
+    assert values_of(["compare", "box_imported.nc", "box.toml"], capsys)["angle"]["largest"] <= EXACT
     assert values_of(["import", "box.aem", "--spec", "box.toml"], capsys)["notes"]
 
 
@@ -225,6 +225,7 @@ REFUSED = [
     (["import", "box.toml"], "is no AEM"),
     (["import", "own.nc"], "nothing to import"),
     (["import", "box.bc", "--out", "missing/box.nc"], "is no folder"),
+    (["import", "box.aem", "--out", "box.aem"], "writing would destroy it"),
 ]
 
 

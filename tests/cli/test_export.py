@@ -5,6 +5,7 @@ import pytest
 from pygltflib import GLTF2
 
 from polhode import formats, rotation
+from polhode.cli.export import FORMS
 from polhode.cli.main import main
 from polhode.report.choice import report_of
 from polhode.spec.reading import read_spec
@@ -99,6 +100,7 @@ def test_one_file_may_be_named(run, tmp_path):
     (("--to", "csv", "--out", "missing/motion.csv"), "csv: missing/motion.csv: cannot be written"),
     (("--to", "csv", "--out", "/proc/motion.csv"), "csv: /proc/motion.csv: cannot be written"),
     (("--to", "netcdf", "--out", "."), "is a folder"),
+    (("--to", "csv", "--out", "./case.toml"), "writing would destroy it"),
 ])  # fmt: skip
 def test_what_is_refused(run, tmp_path, arguments, words):
     code, out, err = run(*arguments)
@@ -118,3 +120,11 @@ def test_motions_without_attitude(run, tmp_path):
     code, _, err = run("--to", "aem")
     assert code == 2 and "holds attitudes, and this motion has none" in err
     assert written(tmp_path) == ["case.csv"]
+
+
+def test_help_names_every_form(capsys):
+    with pytest.raises(SystemExit):
+        main(["export", "--help"])
+    shown = " ".join(capsys.readouterr().out.replace("│", " ").split())
+    assert ", ".join(list(FORMS)[:-1]) + f" or {list(FORMS)[-1]}" in shown
+    assert "default: named after the spec" in shown

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from importlib import import_module
 from pathlib import Path
 
+from polhode.cli.destinations import check_spares
 from polhode.errors import FormatError, InvalidInput, NotConverged
 from polhode.formats.dataset import label_attributes
 from polhode.report.base import AbstractReport
@@ -59,6 +60,8 @@ def run_export(path: Path, forms: Sequence[str], out: Path | None) -> None:
             raise InvalidInput(f"--to must be one of {', '.join(FORMS)}; got {form!r}. {hint}")
     if out is not None and len(wanted) > 1:
         raise InvalidInput(f"--out names one file, and {len(wanted)} forms are asked for. Leave it out, or write one.")
+    if out is not None:
+        check_spares(out, path)
     spec = read_spec(path)
     try:
         report = report_of(spec)

@@ -10,6 +10,7 @@ import numpy as np
 
 from polhode import rotation
 from polhode.bodies.frame import BodyFrame
+from polhode.cli.destinations import check_spares
 from polhode.cli.render import as_json, print_report
 from polhode.cli.sources import KINDS, Kernels, read_recorded
 from polhode.errors import InvalidInput
@@ -37,7 +38,8 @@ def run_import(path: Path, json: bool, out: Path | None, spec: Path | None, kern
         if trajectory.momentum is None:
             notes.append("the file has no angular velocity, so that there is neither momentum nor energy.")
     values = summary_values(trajectory, labels)
-    written = out or Path(f"{path.stem}.nc")
+    written = out or Path(f"{path.stem}_imported.nc")  # not the name that a dataset exported beside it has
+    check_spares(written, path)
     write_dataset(trajectory, written, {"title": labels.object_name}, frame)
     if json:
         print(as_json(plain({"kind": KINDS[kind], **values, "drift": trajectory.drift, "notes": notes,

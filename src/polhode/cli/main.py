@@ -21,13 +21,13 @@ SpecPath = Annotated[Path, typer.Argument(metavar="SPEC", help="TOML file: what 
 AsJson = Annotated[bool, typer.Option("--json", help="Print one JSON object (SI values) on standard output.")]
 BodySpec = Annotated[Path | None, typer.Option("--spec", metavar="SPEC", help="Whose body it is, for its moments.")]
 ClockKernel = Annotated[
-    Path | None, typer.Option("--sclk", metavar="FILE", help="Clock kernel of a C-kernel [default: beside it, .tsc].")
+    Path | None, typer.Option("--sclk", metavar="FILE", help="Clock kernel of a C-kernel (default: beside it, .tsc).")
 ]
 FrameKernel = Annotated[
-    Path | None, typer.Option("--fk", metavar="FILE", help="Frame kernel of a C-kernel [default: beside it, .tf].")
+    Path | None, typer.Option("--fk", metavar="FILE", help="Frame kernel of a C-kernel (default: beside it, .tf).")
 ]
 LeapSeconds = Annotated[
-    Path | None, typer.Option("--lsk", metavar="FILE", help="Leap-seconds kernel [default: beside it, .tls, or ours].")
+    Path | None, typer.Option("--lsk", metavar="FILE", help="Leap-seconds kernel (default: beside it, .tls, or ours).")
 ]
 SpiceId = Annotated[int | None, typer.Option("--spice-id", metavar="N", help="Whose attitude, of several in a kernel.")]
 
@@ -50,11 +50,11 @@ def report(
     json: AsJson = False,
     out: Annotated[
         Path | None,
-        typer.Option("--out", metavar="DIR", help="Folder for figures and dataset [default: named after the spec]."),
+        typer.Option("--out", metavar="DIR", help="Folder for figures and dataset (default: named after the spec)."),
     ] = None,
     figures: Annotated[
         list[str] | None,
-        typer.Option("--figures", metavar="FORM", help="png, svg, pdf, or several with commas [default: png]."),
+        typer.Option("--figures", metavar="FORM", help="png, svg, pdf, or several with commas (default: png)."),
     ] = None,
     html: Annotated[bool, typer.Option("--html", help="Write the page of the motion, page.html, beside them.")] = False,
 ) -> None:
@@ -69,7 +69,7 @@ def view(
     spec: SpecPath,
     out: Annotated[
         Path | None,
-        typer.Option("--out", metavar="FILE", help="The page [default: named after the spec, in this folder]."),
+        typer.Option("--out", metavar="FILE", help="The page (default: named after the spec, in this folder)."),
     ] = None,
     no_open: Annotated[bool, typer.Option("--no-open", help="Write the page without opening it.")] = False,
 ) -> None:
@@ -105,11 +105,12 @@ def body(spec: SpecPath, json: AsJson = False) -> None:
 def export(
     spec: SpecPath,
     to: Annotated[
-        list[str], typer.Option("--to", metavar="FORM", help="netcdf, zarr, csv, aem or ck; may be repeated.")
+        list[str],
+        typer.Option("--to", metavar="FORM", help="netcdf, zarr, csv, aem, ck, gltf or urdf; may be repeated."),
     ],
     out: Annotated[
         Path | None,
-        typer.Option("--out", metavar="FILE", help="The file [default: named after the spec, in the present folder]."),
+        typer.Option("--out", metavar="FILE", help="The file (default: named after the spec, in the present folder)."),
     ] = None,
 ) -> None:
     """Write the motion as files for other tools."""
@@ -123,7 +124,8 @@ def import_(
     file: Annotated[Path, typer.Argument(metavar="FILE", help="CCSDS AEM or SPICE C-kernel.")],
     json: AsJson = False,
     out: Annotated[
-        Path | None, typer.Option("--out", metavar="FILE.nc", help="Dataset to write [default: named after the file].")
+        Path | None,
+        typer.Option("--out", metavar="FILE.nc", help="Dataset to write (default: the file's name and _imported.nc)."),
     ] = None,
     spec: BodySpec = None,
     sclk: ClockKernel = None,
@@ -144,7 +146,7 @@ def compare(
     b: Annotated[Path, typer.Argument(metavar="B", help="The same; times are counted by A.")],
     json: AsJson = False,
     out: Annotated[
-        Path | None, typer.Option("--out", metavar="DIR", help="Folder for the figure [default: named after both].")
+        Path | None, typer.Option("--out", metavar="DIR", help="Folder for the figure (default: named after both).")
     ] = None,
     spec: BodySpec = None,
     sclk: ClockKernel = None,

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import typer
 
+from polhode.cli.destinations import check_spares
 from polhode.errors import InvalidInput, NotConverged
 from polhode.report.choice import report_of
 from polhode.spec.reading import read_spec
@@ -15,8 +16,9 @@ def run_view(path: Path, out: Path | None, open_it: bool) -> None:
     """Read the spec, compute, write the page and open it."""
     from polhode.viewer import page_of_report
 
-    spec = read_spec(path)
     target = out or Path(f"{path.stem}.html")
+    check_spares(target, path)
+    spec = read_spec(path)
     try:
         report = report_of(spec)
     except (InvalidInput, NotConverged) as error:
