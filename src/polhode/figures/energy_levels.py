@@ -25,7 +25,7 @@ def draw_levels(axes: Any, frame: Array, energy: Callable[[Array], Array], value
     for front in (False, True):
         seen = (depth.mean(axis=-1) >= 0.0) == front
         axes.add_collection(LineCollection(
-            np.stack([x[seen], y[seen]], axis=-1), colors=colour, linewidths=width, capstyle="butt",
+            list(np.stack([x[seen], y[seen]], axis=-1)), colors=colour, linewidths=width, capstyle="butt",
             alpha=1.0 if front else 0.25, zorder=2 if front else 1,
         ), autolim=False)  # fmt: skip
 
