@@ -141,9 +141,9 @@ def test_figure_g4_of_the_standard(tmp_path):
     assert found.system == first and found.system.comments[0].startswith("This file was produced")
     assert found.times[0] == 2336.3 and found.angular_velocity is None and found.momentum is None
     alone = read_text(tmp_path, FIGURE_G4, segment=1)
-    wanted = np.array([0.72501, -0.64585, 0.018542, -0.23854])
+    wanted = np.array([0.16767, 0.87451, -0.43475, 0.13458])
     assert alone.attitude[0] == pytest.approx(wanted / np.linalg.norm(wanted), abs=DIGITS)
-    assert alone.system.epoch == "1996-12-18T12:05:00.5555" and len(alone.times) == 4
+    assert alone.system.epoch == "1996-12-18T12:05:00.5555" and len(alone.times) == 2
 
 
 def test_files_are_about_the_given_axes(tmp_path):
@@ -273,8 +273,8 @@ BAD = [
     ("= QUATERNION", "= QUATERNIONS", "ATTITUDE_TYPE must be one of"),
     ("= QUATERNION", "= EULER_ANGLE", "line 15: must be an epoch and 3 numbers"),
     (NUMBERS, "0.1 0.2 0.3", "line 15: must be an epoch and 4 numbers"),
-    (NUMBERS, "0.1 -0.5 0.7 x", "line 15: must be a finite number; got 'x'"),
-    (NUMBERS, "0.1 -0.5 0.7 nan", "line 15: must be a finite number; got 'nan'"),
+    (NUMBERS, "0.1 -0.5 0.7 x", "line 15: number 4 of the 4 that make QUATERNION must be finite; got 'x'"),
+    (NUMBERS, "0.1 -0.5 0.7 nan", "line 15: number 4 of the 4 that make QUATERNION must be finite; got 'nan'"),
     (NUMBERS, "0.1 -0.5 0.7 0.9", "line 15: must be a quaternion of unit length; got one of length"),
     (NUMBERS, "0 0 0 0", "line 15: must be a quaternion of unit length"),
     ("2020-01-01T00:00:00 ", "2020-13-01T00:00:00 ", "line 15: the epoch has no such day"),
@@ -320,13 +320,27 @@ def test_segments_that_do_not_fit_together(tmp_path):
         read_text(tmp_path, other, segment=2)
     with pytest.raises(FormatError, match="overlap in time"):
         read_text(tmp_path, G + G[G.index("META_START") :].replace("2020", "2019"))
-    late = FIGURE_G4.replace("USEABLE_START_TIME = 1996-1", "USEABLE_START_TIME = 1999-1")
+    late = re.sub("(USEABLE_ST[A-Z]*_TIME *= )1996-1", r"\g<1>1999-1", FIGURE_G4)
     with pytest.raises(FormatError, match="no sample lies within"):
         read_text(tmp_path, late)
     with pytest.raises(FormatError, match="line 15: must have a nutation period"):
         read_text(tmp_path, message("SPIN/NUTATION", "20 30 50 3 5 0 10"))
     twice = G + G[G.index("META_START") :]
     assert len(read_text(tmp_path, twice).times) == 1
+
+
+def test_a_segment_alone_is_cut_to_its_useable_time_too(tmp_path):
+    found = read_text(tmp_path, FIGURE_G4, segment=0)
+    assert found.times.tolist() == [2336.3, 2337.3] and "without 2 samples" in found.status
+    whole = re.sub("USEABLE.*\n", "", FIGURE_G4)
+    assert len(read_text(tmp_path, whole, segment=0).times) == 4
+
+
+@pytest.mark.parametrize("keyword", ["STOP_TIME", "USEABLE_STOP_TIME"])
+def test_times_that_end_before_they_begin(tmp_path, keyword):
+    text = re.sub(rf"^{keyword}( *)=.*", rf"{keyword}\1= 1990-01-01T00:00:00", FIGURE_G4, flags=re.MULTILINE)
+    with pytest.raises(FormatError, match=f"{keyword} must not lie before"):
+        read_text(tmp_path, text)
 
 
 def test_what_is_no_file_of_text(tmp_path):

@@ -26,8 +26,8 @@ def read_aem(path: str | Path, segment: int | None = None) -> Trajectory:
     Times count in seconds from the first START_TIME, leap seconds included. The attitude takes body to space, the frame
     that names a part of a spacecraft being the body's, else the second. The angular velocity, where the file has it or
     derivatives that it follows from, is along the body axes; there is no momentum. Segments of the same object and
-    frames are joined, each over its useable time; the angular velocity is None then unless all of them have it. The
-    labels are the trajectory's system.
+    frames are joined; the angular velocity is None then unless all of them have it. Of each segment only the useable
+    time is taken, and the trajectory's status counts the samples outside. The labels are its system.
 
     Args:
         path: the file.
@@ -47,27 +47,33 @@ def read_aem(path: str | Path, segment: int | None = None) -> Trajectory:
         raise FormatError(f"{path}: its {len(segments)} segments are about different objects, frames or time systems. "
                           "Choose one with `segment`, counted from 0.")  # fmt: skip
     start = segments[0].epoch("START_TIME")
-    times, attitude, velocity = _joined([_history(one, start, alone=len(segments) == 1) for one in segments], segments)
-    return Trajectory(_labels(segments[0]), times, attitude, attitude, angular_velocity=velocity, status="read")
+    times, attitude, velocity = _joined([_history(one, start) for one in segments], segments)
+    left_out = sum(int((~_useable(one)).sum()) for one in segments)
+    status = f"read, without {left_out} samples outside the useable times" if left_out else "read"
+    return Trajectory(_labels(segments[0]), times, attitude, attitude, angular_velocity=velocity, status=status)
 
 
-def _history(one: Segment, start: tuple[int, int], alone: bool) -> tuple[Array, Array, Array | None]:
-    """Return times, attitude and angular velocity of one segment, over its useable time if it is not alone."""
+def _history(one: Segment, start: tuple[int, int]) -> tuple[Array, Array, Array | None]:
+    """Return times, attitude and angular velocity of one segment over its useable time."""
     meaning = _meaning(one)
     try:
         attitude, velocity = attitudes(meaning, one.columns)
     except ValueError as error:
         what, k = error.args
         refuse(one.path, int(one.numbers[k]), what)
-    times = since(start, one.whole, one.picoseconds)
-    within = np.ones(len(times), dtype=bool)
-    if not alone:
-        for keyword, sign in (("USEABLE_START_TIME", 1.0), ("USEABLE_STOP_TIME", -1.0)):
-            if keyword in one.values:
-                second, picosecond = one.epoch(keyword)
-                bound = since(start, np.array([second]), np.array([picosecond]))
-                within &= sign * times >= sign * bound
+    times, within = since(start, one.whole, one.picoseconds), _useable(one)
     return times[within], attitude[within], None if velocity is None else velocity[within]
+
+
+def _useable(one: Segment) -> Array:
+    """Return which samples (n,) of a segment lie within its useable time."""
+    within = np.ones(len(one.whole), dtype=bool)
+    for keyword, sign in (("USEABLE_START_TIME", 1), ("USEABLE_STOP_TIME", -1)):
+        if keyword in one.values:
+            whole, picoseconds = one.epoch(keyword)
+            ahead = one.whole - whole
+            within &= (sign * ahead > 0) | ((ahead == 0) & (sign * (one.picoseconds - picoseconds) >= 0))
+    return within
 
 
 def _joined(
@@ -81,7 +87,8 @@ def _joined(
             parts[k] = times[:-1], attitude[:-1], None if velocity is None else velocity[:-1]
     times = np.concatenate([part[0] for part in parts])
     if not len(times):
-        refuse(segments[0].path, None, "no sample lies within its useable times. Choose a segment with `segment`")
+        refuse(segments[0].path, None, "no sample lies within the useable times. Check USEABLE_START_TIME and "
+                                       "USEABLE_STOP_TIME")  # fmt: skip
     if (np.diff(times) <= 0).any():
         refuse(segments[0].path, None, "its segments overlap in time. Choose one with `segment`, counted from 0")
     rates = [part[2] for part in parts if part[2] is not None]

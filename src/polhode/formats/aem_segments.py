@@ -184,6 +184,9 @@ def _read_metadata(lines: Lines, one: Segment) -> None:
         refuse(one.path, begun, "META_START has no META_STOP; the file is cut short. Get it whole")
     if missing := [keyword for keyword in NEEDED if keyword not in one.values]:
         refuse(one.path, begun, f"the metadata need {' and '.join(missing)}")
+    for first, last in (("START_TIME", "STOP_TIME"), ("USEABLE_START_TIME", "USEABLE_STOP_TIME")):
+        if first in one.values and last in one.values and one.epoch(last) < one.epoch(first):
+            one.wrong(last, f"must not lie before {first}; got {one.values[last]}, and {one.values[first]} there")
 
 
 def _read_data(lines: Lines, one: Segment) -> None:
@@ -191,7 +194,7 @@ def _read_data(lines: Lines, one: Segment) -> None:
     if text != "DATA_START":
         refuse(one.path, number, f"DATA_START must follow META_STOP; got {text[:60]!r}")
     begun, parts, rows = number, [], []
-    width, time_system = COLUMNS[one.kind], one.time_system
+    time_system = one.time_system
     for number, text in lines:
         if text == "DATA_STOP":
             break
@@ -199,11 +202,11 @@ def _read_data(lines: Lines, one: Segment) -> None:
             continue
         rows.append((number, text))
         if len(rows) == CHUNK:
-            parts.append(_values(one.path, rows, width, time_system))
+            parts.append(_values(one.path, rows, one.kind, time_system))
             rows = []
     else:
         refuse(one.path, begun, "DATA_START has no DATA_STOP; the file is cut short. Get it whole")
-    parts.append(_values(one.path, rows, width, time_system))
+    parts.append(_values(one.path, rows, one.kind, time_system))
     whole, picoseconds, columns, numbers = (np.concatenate(arrays) for arrays in zip(*parts, strict=True))
     if not len(whole):
         refuse(one.path, begun, "there are no data between DATA_START and DATA_STOP")
@@ -215,8 +218,9 @@ def _read_data(lines: Lines, one: Segment) -> None:
     one.whole, one.picoseconds, one.columns, one.numbers = whole, picoseconds, columns, numbers
 
 
-def _values(path: Path, rows: list[tuple[int, str]], width: int, time_system: str) -> tuple[Array, ...]:
-    """Return seconds, picoseconds, numbers (n, width) and line numbers of data lines."""
+def _values(path: Path, rows: list[tuple[int, str]], kind: str, time_system: str) -> tuple[Array, ...]:
+    """Return seconds, picoseconds, numbers (n, k) and line numbers of data lines."""
+    width = COLUMNS[kind]
     fields = [text.split() for _, text in rows]
     for (number, text), row in zip(rows, fields, strict=True):
         if len(row) != width + 1:
@@ -230,7 +234,8 @@ def _values(path: Path, rows: list[tuple[int, str]], width: int, time_system: st
     columns = np.array([[_number(word) for word in row[1:]] for row in fields]).reshape(-1, width)
     if not (good := np.isfinite(columns)).all():
         k, column = np.argwhere(~good)[0]
-        refuse(path, rows[k][0], f"must be a finite number; got {fields[k][column + 1]!r}")
+        word = fields[k][column + 1]
+        refuse(path, rows[k][0], f"number {column + 1} of the {width} that make {kind} must be finite; got {word!r}")
     return instants[:, 0], instants[:, 1], columns, np.array([number for number, _ in rows], dtype=np.int64)
 
 
