@@ -64,6 +64,10 @@ BAD = [
     ('center = ""', "export.center: must be one line"),
     ("object_id = 5", "export.object_id: must be one line"),
     ("spice_id = 999", "export.spice_id: must be a negative whole number"),
+    ("spice_id = -1000000000", "and not below -2147483; got -1000000000"),
+    ('body_frame = "EME2000"', "export.body_frame: must differ from the other frame"),
+    ('reference_frame = "sc body 1"', "export.reference_frame: must differ from the other frame"),
+    ('body_frame = "j2000"', "export.body_frame: is an inertial frame"),
     ("spice_id = true", "export.spice_id: must be a negative whole number"),
     ('time_system = "PST"', "export.time_system: must be one of"),
     ('epoch = "soon"', "export.epoch: must be an epoch like"),
@@ -84,5 +88,8 @@ def test_what_is_refused(read, text, words):
 
 
 def test_all_mistakes_at_once(read):
+    with pytest.raises(InvalidInput, match="2 mistakes") as error:
+        read('epoch = "2026-13-01"\ntime_system = "MARS"')
+    assert "epoch: has no such day" in str(error.value)
     with pytest.raises(InvalidInput, match="3 mistakes"):
         read('spice_id = 1\nepoch = "soon"\noriginator = ""')

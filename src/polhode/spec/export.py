@@ -10,10 +10,11 @@ from typing import Annotated, Any
 from pydantic import BaseModel, BeforeValidator, ConfigDict
 
 from polhode.formats.epochs import read_epoch, shortest
-from polhode.formats.labels import AttitudeLabels
+from polhode.formats.labels import AttitudeLabels, plain
 from polhode.spec.fields import one_of
 
 SPEC_TIME_SYSTEMS = ("UTC", "TAI", "TT", "TDB", "GPS")
+INERTIAL = ("EME2000", "J2000", "ICRF", "GCRF", "B1950", "FK4", "ECLIPJ2000", "ECLIPB1950", "TEME", "TOD", "GALACTIC")
 LONGEST = 200  # characters of a label; lines of an AEM have 254
 
 
@@ -45,7 +46,8 @@ def _as_text(value: Any) -> str | None:
 
 def _spice_id(value: Any) -> int:
     if type(value) is not int or not -(2**31) // 1000 < value < 0:
-        raise ValueError(f"must be a negative whole number, as SPICE numbers spacecraft, like -999; got {value!r}")
+        raise ValueError(f"must be a negative whole number, as SPICE numbers spacecraft, like -999, and not below "
+                         f"{-(2**31) // 1000 + 1}; got {value!r}")  # fmt: skip
     return value
 
 
@@ -69,11 +71,14 @@ class ExportTable(BaseModel):
 
 
 def export_rules(table: dict[str, Any]) -> Iterator[tuple[tuple[str | int, ...], str]]:
-    """Yield what is wrong with an epoch in its time system."""
+    """Yield what is wrong with an epoch in its time system, and with the names of the two frames."""
+    yield from _frame_rules(table)
     given, system = table.get("epoch"), table.get("time_system", "UTC")
     text = _as_text(given)
-    if text is None or system not in SPEC_TIME_SYSTEMS:
+    if text is None:
         return
+    if system not in SPEC_TIME_SYSTEMS:
+        system = "TAI"  # a mistake of its own; dates and times of day are wrong in any other as well
     if isinstance(given, datetime) and given.tzinfo and system != "UTC":
         yield ("export", "epoch"), f"has a zone, which only UTC has; leave the zone out for {system}"
         return
@@ -81,6 +86,18 @@ def export_rules(table: dict[str, Any]) -> Iterator[tuple[tuple[str | int, ...],
         read_epoch(text, system)
     except ValueError as error:
         yield ("export", "epoch"), str(error)
+
+
+def _frame_rules(table: dict[str, Any]) -> Iterator[tuple[tuple[str | int, ...], str]]:
+    names = {key: table.get(key, getattr(AttitudeLabels, key)) for key in ("body_frame", "reference_frame")}
+    if not all(isinstance(name, str) for name in names.values()):
+        return
+    body, space = plain(names["body_frame"]), plain(names["reference_frame"])
+    given = "body_frame" if "body_frame" in table else "reference_frame"
+    if body == space:
+        yield ("export", given), f"must differ from the other frame; both are {names['body_frame']!r}"
+    elif body in INERTIAL:
+        yield ("export", given), f"is an inertial frame, and the body turns; got {names['body_frame']!r}. Name its own"
 
 
 def labels_of(table: ExportTable, name: str) -> AttitudeLabels:
