@@ -146,6 +146,18 @@ def test_figure_g4_of_the_standard(tmp_path):
     assert alone.system.epoch == "1996-12-18T12:05:00.5555" and len(alone.times) == 2
 
 
+def test_exact_motions_are_evaluated_at_the_printed_epochs(tmp_path):
+    fast = ph.FreeMotion((1.0, 2.0, 3.0), (30.0, 180.0, 150.0))
+    times = np.linspace(0.0, 1.0, 7)  # none but the ends has a place among picoseconds
+    found = read_aem(write_aem(fast.sample(times), tmp_path / "fast.aem"))
+    turned = rotation.angle_between(found.attitude, fast.sample(found.times).attitude)
+    assert turned.max() < PICOSECOND
+    # what is not evaluated anew is off by the rounding of the epochs, which the bound above would not pass
+    kept = replace(fast.sample(times), system=None)
+    found = read_aem(write_aem(kept, tmp_path / "kept.aem"))
+    assert rotation.angle_between(found.attitude, fast.sample(found.times).attitude).max() > 10 * PICOSECOND
+
+
 def test_files_are_about_the_given_axes(tmp_path):
     trajectory, frame = given_case()
     found = read_aem(write_aem(trajectory, tmp_path / "given.aem", frame=frame, rates="angular velocity"))
@@ -243,6 +255,7 @@ def test_motions_that_the_format_cannot_hold(tmp_path):
         (good, {"rates": "Derivative"}, "`rates` must be"),
         (replace(good, times=np.array([0.0, 1.0, 1.0])), {}, "sample 2 does not come after sample 1"),
         (replace(good, times=np.array([0.0, 1.0, np.nan])), {}, "finite"),
+        (replace(good, times=np.array([0.0, 1.0, 1.0 + 1e-13])), {}, "^samples 1 and 2 are 9.99e-14 s apart"),
         (replace(good, attitude=good.attitude * np.nan), {}, "finite"),
         (good, {"labels": AttitudeLabels(epoch="2026-02-30T00:00:00")}, "`epoch` has no such day"),
         (good, {"labels": AttitudeLabels(epoch="today")}, "`epoch` must be an epoch like"),

@@ -9,6 +9,7 @@ Source: CCSDS 504.0-B-2, Attitude Data Messages (2024), sections 4, 6 and annex 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any, TextIO
@@ -18,7 +19,8 @@ import numpy as np
 from polhode import rotation
 from polhode.bodies.frame import BodyFrame
 from polhode.errors import InvalidInput
-from polhode.formats.epochs import TIME_SYSTEMS, as_text, later, read_epoch
+from polhode.formats.animation_keys import exact_motion
+from polhode.formats.epochs import TIME_SYSTEMS, as_text, later, read_epoch, since
 from polhode.formats.given_axes import along_given_axes, single_attitude
 from polhode.formats.labels import AttitudeLabels, is_in_spacecraft
 from polhode.formats.paths import written_whole
@@ -39,8 +41,8 @@ def write_aem(
 ) -> Path:
     """Write an attitude history as CCSDS AEM 2.0; the file appears whole or not at all.
 
-    Quaternions have 16 significant digits, the most that the standard allows, epochs picoseconds. Text is in capitals,
-    as the standard wants it.
+    Quaternions have 16 significant digits, the most that the standard allows, epochs picoseconds; exact motions are
+    evaluated at the very epochs that the file holds. Text is in capitals, as the standard wants it.
 
     Args:
         trajectory: of one body, at ascending times counted from the labels' epoch.
@@ -61,10 +63,15 @@ def write_aem(
         raise InvalidInput(f"`reference_frame` {labels.reference_frame} has a name for frames of a spacecraft, and "
                            f"`body_frame` {labels.body_frame} has not: readers would take one for the other. "
                            "Rename one.")  # fmt: skip
+    single_attitude(trajectory, "an AEM")
+    epoch = _epoch(labels)
+    whole, picoseconds = later(epoch, trajectory.times)
+    _check_ascending(np.asarray(trajectory.times), whole, picoseconds)
+    if (motion := exact_motion(trajectory)) is not None:
+        again = motion.sample(since(epoch, whole, picoseconds))
+        trajectory = again if trajectory.angular_velocity is not None else replace(again, angular_velocity=None)
     trajectory = along_given_axes(trajectory, frame)
-    columns = _columns(trajectory, single_attitude(trajectory, "an AEM"), rates)
-    whole, picoseconds = later(_epoch(labels), trajectory.times)
-    _check_ascending(whole, picoseconds)
+    columns = _columns(trajectory, np.asarray(trajectory.attitude), rates)
     ends = as_text(whole[[0, -1]], picoseconds[[0, -1]], labels.time_system)
     head = _head(labels, TYPES[rates], *ends)
     with written_whole(path) as draft, draft.open("w", encoding="ascii", newline="\n") as file:
@@ -74,11 +81,17 @@ def write_aem(
     return Path(path)
 
 
-def _check_ascending(whole: Array, picoseconds: Array) -> None:
+def _check_ascending(times: Array, whole: Array, picoseconds: Array) -> None:
     steps = np.diff(whole)
     ascending = (steps > 0) | ((steps == 0) & (np.diff(picoseconds) > 0))
     if not ascending.all():
         k = int(np.argmin(ascending))
+        if (np.diff(times) > 0).all():
+            raise InvalidInput(
+                f"samples {k} and {k + 1} are {times[k + 1] - times[k]:.3g} s apart, and epochs of an AEM do not tell "
+                "apart what is closer than a picosecond. Take samples further apart, or write a dataset or a C-kernel, "
+                "which have every digit of the times."
+            )
         raise InvalidInput(
             f"`times` of an AEM must ascend, by a picosecond at least; sample {k + 1} does not come after sample {k}. "
             "Leave it out, or write a dataset, which has every digit."

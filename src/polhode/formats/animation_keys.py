@@ -38,7 +38,7 @@ def keys_of(trajectory: Trajectory, speed: float, rate: float | None = None) -> 
     times = np.asarray(trajectory.times, dtype=float)
     if not (np.diff(times) > 0).all():
         raise InvalidInput("an animation needs times that increase; these do not. Sort them, each once.")
-    motion = _exact_motion(trajectory)
+    motion = exact_motion(trajectory)
     lasts = float(times[-1] - times[0]) / speed
     clock = (times - times[0]) / speed
     if rate is not None:
@@ -78,7 +78,7 @@ def _evenly(lasts: float, intervals: float) -> Array:
     return np.linspace(0.0, lasts, math.ceil(intervals) + 1)
 
 
-def _exact_motion(trajectory: Trajectory) -> FreeMotion | LagrangeMotion | None:
+def exact_motion(trajectory: Trajectory) -> FreeMotion | LagrangeMotion | None:
     """Return the motion to evaluate anew, unless the trajectory is along other axes than its motion's."""
     motion = trajectory.system
     if not isinstance(motion, FreeMotion | LagrangeMotion):
