@@ -318,15 +318,18 @@ def test_rate_and_speed(tmp_path):
     path = written(tmp_path, frame=FRAME, rate=60.0, speed=0.5)
     clock, _ = check_keys(path, MOTION, BODY.principal_axes, speed=0.5)
     assert len(clock) == 961 and clock[-1] == 16.0
-    assert taken_apart(path)[0]["asset"]["extras"] == {"seconds_per_second": 0.5, "metres_per_unit": 1.0}
-    later = MOTION.sample(TIMES + 1e6)
-    check_keys(written(tmp_path, later, frame=FRAME), MOTION, BODY.principal_axes, start=1e6)
+    extras = taken_apart(path)[0]["asset"]["extras"]
+    assert extras == {"seconds_per_second": 0.5, "metres_per_unit": 1.0, "seconds_at_start": TIMES[0]}
+    later = written(tmp_path, MOTION.sample(TIMES + 1e6), frame=FRAME)
+    check_keys(later, MOTION, BODY.principal_axes, start=1e6)
+    assert taken_apart(later)[0]["asset"]["extras"]["seconds_at_start"] == TIMES[0] + 1e6
 
 
 def test_a_molecule_is_shown_large_and_slow_and_a_planet_small_and_fast(tmp_path):
     case = molecule_case()
     path = written(tmp_path, **case)
     extras = taken_apart(path)[0]["asset"]["extras"]
+    assert extras.pop("seconds_at_start") == 0.0
     assert extras == {"seconds_per_second": pytest.approx(1e-12), "metres_per_unit": pytest.approx(1e-10, rel=2.0)}
     assert 0.5 <= np.abs(triangles(path, "BODY")[0]).max() <= 10.0
     clock, _ = check_keys(path, case["trajectory"].system, case["frame"].axes, speed=extras["seconds_per_second"])

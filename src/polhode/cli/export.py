@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import difflib
+import math
+import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
 from importlib import import_module
@@ -77,7 +79,28 @@ def run_export(path: Path, forms: Sequence[str], out: Path | None) -> None:
         except InvalidInput as error:
             raise InvalidInput(f"{form}: {error}") from None
         count = f"{len(report.trajectory.times)} samples, " if FORMS[form].sampled else ""
-        print(f"{written}: {count}{FORMS[form].holds}")
+        shown = _shown_part(report) if form == "gltf" else ""
+        print(f"{written}: {count}{FORMS[form].holds}{shown}")
+        if form in ("aem", "ck"):
+            _warn_of_long_turns(report, form)
+
+
+def _shown_part(report: AbstractReport) -> str:
+    """Return which part of the motion an animation shows, if it is not all of it."""
+    all_of_it, shown = report.trajectory.times, report.shown.times
+    if shown[0] <= all_of_it[0] and shown[-1] >= all_of_it[-1]:
+        return ""
+    return f"; it shows the motion from {shown[0]:.6g} s to {shown[-1]:.6g} s, of {all_of_it[-1]:.6g} s"
+
+
+def _warn_of_long_turns(report: AbstractReport, form: str) -> None:
+    """Say so where the body turns so far between samples that readers, who interpolate, go wrong."""
+    from polhode.formats.animation_keys import FARTHEST, farthest_turn
+
+    if (turn := farthest_turn(report.trajectory)) > FARTHEST:
+        print(f"polhode: {form}: the body turns by up to {math.degrees(turn):.3g}° between samples; readers who "
+              f"interpolate over more than {math.degrees(FARTHEST):.0f}° go wrong. Raise `samples` under [time], or take "
+              "a shorter `until`.", file=sys.stderr)  # fmt: skip
 
 
 def export_netcdf(report: AbstractReport, spec: Spec, path: Path) -> Path:

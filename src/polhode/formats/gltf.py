@@ -62,7 +62,8 @@ def write_gltf(
             shorter than a second or longer than ten minutes last from 10 to 100 s.
 
     Returns:
-        The path. The file's ``asset.extras`` say the speed and the size of its unit, metres for bodies of 1 cm to 1 km.
+        The path. The file's ``asset.extras`` say the speed, the size of its unit, metres for bodies of 1 cm to 1 km,
+        and the time [s] in the motion of its first key.
 
     Raises:
         InvalidInput: for trajectories without attitude, of several bodies, or with samples so far apart that it is open
@@ -87,7 +88,8 @@ def write_gltf(
     reach = 0.0 if drawn is None else float(np.linalg.norm(drawn.vertices, axis=1).max())
     unit = _viewable_unit(reach)
     shown = None if drawn is None else Surface(drawn.vertices / unit, drawn.faces)
-    extras = {"seconds_per_second": speed, "metres_per_unit": unit}
+    start = float(keyed.times[0])
+    extras = {"seconds_per_second": speed, "metres_per_unit": unit, "seconds_at_start": start}
     made = Glb({"asset": {"version": "2.0", "generator": "polhode", "extras": extras}, "scene": 0})
     place, body = _add_body(made, (labels or AttitudeLabels()).object_name, shown, frame, LONG * reach / unit or 1.0)
     attitude = np.asarray(along_given_axes(keyed, frame).attitude)
