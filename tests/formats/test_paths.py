@@ -38,8 +38,8 @@ def test_stores_are_replaced_and_other_folders_are_not(tmp_path):
             (draft / "mark").write_text(text)
     assert (tmp_path / "store" / "mark").read_text() == "second" and names(tmp_path) == ["store"]
     (tmp_path / "photos").mkdir()
-    for store in (None, "mark"):
-        with pytest.raises(InvalidInput, match="photos: is a folder"), written_whole(tmp_path / "photos", store):
+    for store, words in ((None, "is a folder, where a file has to go"), ("mark", "is a folder, but no store")):
+        with pytest.raises(InvalidInput, match=f"photos: {words}"), written_whole(tmp_path / "photos", store):
             pytest.fail("nothing may be written")
     assert names(tmp_path) == ["photos", "store"]
 

@@ -226,8 +226,10 @@ def test_files_that_are_not_what_they_claim(tmp_path):
     cut.write_bytes(files[0].read_bytes()[:1500])
     with pytest.raises(InvalidInput, match=r"cut\.bc: needs the clock kernel"):
         read_ck(cut)
-    with pytest.raises(FormatError, match=r"cut\.bc"):
-        read_ck(cut, sclk=files[2], fk=files[1])
+    for size in (1500, 3000):
+        cut.write_bytes(files[0].read_bytes()[:size])
+        with pytest.raises(FormatError, match=r"cut\.bc: .*cut short or damaged"):
+            read_ck(cut, sclk=files[2], fk=files[1])
     with pytest.raises(FormatError, match=r"a\.bc.*--sclk"):
         read_ck(files[0], sclk=files[3])
     with pytest.raises(InvalidInput, match="no such kernel file"):

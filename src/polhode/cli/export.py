@@ -57,7 +57,7 @@ def run_export(path: Path, forms: Sequence[str], out: Path | None) -> None:
     wanted = list(dict.fromkeys(forms))
     for form in wanted:
         if form not in FORMS:
-            near = difflib.get_close_matches(form, FORMS, n=1)
+            near = difflib.get_close_matches(form.lower(), FORMS, n=1)
             hint = f"Did you mean {near[0]}?" if near else "Choose one of these."
             raise InvalidInput(f"--to must be one of {', '.join(FORMS)}; got {form!r}. {hint}")
     if out is not None and len(wanted) > 1:
@@ -99,8 +99,8 @@ def _warn_of_long_turns(report: AbstractReport, form: str) -> None:
 
     if (turn := farthest_turn(report.trajectory)) > FARTHEST:
         print(f"polhode: {form}: the body turns by up to {math.degrees(turn):.3g}° between samples; readers who "
-              f"interpolate over more than {math.degrees(FARTHEST):.0f}° go wrong. Raise `samples` under [time], or take "
-              "a shorter `until`.", file=sys.stderr)  # fmt: skip
+              f"interpolate over more than {math.degrees(FARTHEST):.0f}° go wrong. Raise `samples` under [time], or "
+              "take a shorter `until`.", file=sys.stderr)  # fmt: skip
 
 
 def export_netcdf(report: AbstractReport, spec: Spec, path: Path) -> Path:

@@ -64,7 +64,10 @@ def _check_can_go(path: Path, store: str | None) -> None:
     if not path.parent.is_dir():
         raise InvalidInput(f"{path}: cannot be written, as {path.parent} is no folder. Make it, or choose another.")
     if path.is_dir():
-        if store is None or not (path / store).is_file():
+        if store is not None and not (path / store).is_file():
+            raise InvalidInput(f"{path}: is a folder, but no store that could be replaced. Choose another name, or "
+                               "move it away.")  # fmt: skip
+        if store is None:
             raise InvalidInput(f"{path}: is a folder, where a file has to go. Choose another name, or move it away.")
     elif path.exists() and not path.is_file():
         raise InvalidInput(f"{path}: is no file that could be replaced. Choose another name.")

@@ -15,6 +15,7 @@ from polhode.formats.time_scales import barycentric_time, terrestrial_time
 
 FINEST = 40  # ticks are 2^-40 s at the finest, 0.9 ps
 LARGEST_COUNT = 52  # ticks stay below 2^52, so that doubles tell them apart
+OF_BROKEN_FILES = ("SPICE(DAF", "SPICE(FILEREADFAILED)", "SPICE(FTPXFERERROR)")  # errors in the file's own structure
 OF_SPICE = {"EME2000": "J2000", "ICRF": "J2000", "GCRF": "J2000"}  # SPICE holds these three for the same
 KINDS = {"frame": "tf", "clock": "tsc", "leap seconds": "tls"}
 
@@ -83,6 +84,8 @@ def worded(path: Path, remedy: str) -> Iterator[None]:
         yield
     except spice.exceptions.SpiceyError as error:
         text = " ".join(f"{error.short} {error.long or error.explain}".split())
+        if error.short.startswith(OF_BROKEN_FILES):
+            remedy = "The file is cut short or damaged. Get it whole."
         raise FormatError(f"{path}: SPICE says: {text} {remedy}") from None
 
 
