@@ -91,6 +91,13 @@ def test_empty_trajectories(tmp_path, ending):
     assert found.times.shape == (0,) and found.attitude.shape == (0, 4)
 
 
+def test_vectors_in_space_have_the_axes_of_space():
+    dataset = ph.as_dataset(MOTION.sample(TIMES), label_attributes(formats.AttitudeLabels("BOX")))
+    assert dataset.momentum_space.dims == ("time", "space_axis") and dataset.momentum.dims == ("time", "axis")
+    assert list(dataset.space_axis.values) == ["x", "y", "z"]
+    assert "comments" not in dataset.attrs  # there are none
+
+
 def test_units_are_units():
     registry = pint.UnitRegistry()
     dataset = ph.as_dataset(MOTION.sample(TIMES), frame=BodyFrame.of(ph.shapes.box(2.0, (1.0, 2.0, 3.0))))

@@ -45,7 +45,8 @@ def as_dataset(
 ) -> xarray.Dataset:
     """Return a trajectory as an xarray Dataset whose variables carry units and frames.
 
-    Dimensions are ``body`` axes (``batch_0``, …) if any, ``time``, ``quaternion`` (w, x, y, z) and ``axis`` (1, 2, 3).
+    Dimensions are ``body`` axes (``batch_0``, …) if any, ``time``, ``quaternion`` (w, x, y, z), ``axis`` (1, 2, 3)
+    and ``space_axis`` (x, y, z).
 
     Args:
         trajectory: plain arrays.
@@ -83,7 +84,10 @@ def as_dataset(
         variables[f"{name}_received"] = ([*batch, "time"], np.asarray(values), note)
     for name, values in (trajectory.invariants | trajectory.balances).items():
         units, meaning = _INVARIANTS.get(name, ("", name.replace("_", " ")))
-        dims = [*batch, "time", "axis"][: np.ndim(values)]
+        components = "space_axis" if name == "momentum_space" else "axis"
+        if components == "space_axis":
+            coordinates["space_axis"] = ("space_axis", ["x", "y", "z"])
+        dims = [*batch, "time", components][: np.ndim(values)]
         role = "invariant" if name in trajectory.invariants else "balance"
         note: dict[str, Any] = {"units": units, "long_name": meaning, "role": role}
         if name in trajectory.drift and not batch:
@@ -108,7 +112,7 @@ def label_attributes(labels: AttitudeLabels | None) -> dict[str, str]:
     """Return labels as global attributes of a dataset, as ``read_dataset`` takes them back; none without labels."""
     if labels is None:
         return {}
-    found = {key: value for key, value in dataclasses.asdict(labels).items() if value is not None}
+    found = {key: value for key, value in dataclasses.asdict(labels).items() if value not in (None, ())}
     return {key: "\n".join(value) if key == "comments" else str(value) for key, value in found.items()}
 
 
