@@ -210,6 +210,36 @@ def test_import_with_moments_has_momentum_and_energy(files, capsys):
     assert values_of(["import", "box.aem", "--spec", "box.toml"], capsys)["notes"]
 
 
+@pytest.mark.parametrize("kind", ["lagrange-top", "heavy-top"])
+def test_import_of_a_top_has_what_its_own_dataset_has(tmp_path, monkeypatch, capsys, kind):
+    """Its moments are about the pivot, its energy that of height too."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "top.toml").write_text(TOP.replace("KIND", kind))
+    report = report_of(read_spec(tmp_path / "top.toml"))
+    write_ck(report.trajectory, tmp_path / "top.bc", frame=report.frame)
+    found = values_of(["import", "top.bc", "--spec", "top.toml"], capsys)
+    assert set(found["drift"]) == {"energy", "vertical_momentum"} and not found["notes"]
+    back, own = read_dataset(tmp_path / "top.nc"), report.trajectory
+    assert np.array_equal(back.system.frame.moments, report.frame.moments)
+    assert np.array_equal(back.system.frame.pivot, report.frame.pivot)
+    assert np.abs(back.momentum - own.momentum).max() <= EXACT * np.abs(own.momentum).max()
+    for name in found["drift"]:
+        assert np.abs(back.invariants[name] / own.invariants[name] - 1.0).max() <= EXACT
+    assert "a top's invariants" in run(["import", "top.bc", "--spec", "top.toml"], capsys)[1]
+
+
+@pytest.mark.parametrize(
+    "system", ['kind = "gyrostat"\nrotor_axis = [0, 0, 1]\nrotor_moment = "1e-4 kg*m^2"\nrotor_rate = "60 rpm"',
+               'kind = "damped-body"\ndamping = 0.01'])  # fmt: skip
+def test_import_leaves_out_momentum_that_it_does_not_know(files, capsys, system):
+    (files / "other.toml").write_text(f"{BOX}[system]\n{system}\n")
+    found = values_of(["import", "box.bc", "--spec", "other.toml"], capsys)
+    assert not found["drift"] and len(found["notes"]) == 1 and "are left out" in found["notes"][0]
+    back = read_dataset(files / "box.nc")
+    assert back.momentum is None and not back.invariants and back.angular_velocity is not None
+    assert values_of(["compare", "box.nc", "box.toml"], capsys)["angle"]["largest"] <= EXACT
+
+
 REFUSED = [
     (["compare", "box.toml", "none.aem"], "none.aem: cannot be read"),
     (["compare", "box.toml", "noise.bin"], "is no spec, dataset"),
@@ -223,6 +253,8 @@ REFUSED = [
     (["compare", "box.toml", "box.bc", "--spec", "disk.toml"], "neither of a free body nor of a top"),
     (["compare", "disk.toml", "box.bc", "--out", "box.toml"], "box.toml"),
     (["import", "box.toml"], "is no AEM"),
+    (["import", "box.bc", "--spec", "box.aem"], "box.aem: is an AEM, and --spec wants a spec"),
+    (["compare", "box.aem", "box.bc", "--spec", "own.nc"], "own.nc: is a dataset, and --spec wants a spec"),
     (["import", "own.nc"], "nothing to import"),
     (["import", "box.bc", "--out", "missing/box.nc"], "is no folder"),
     (["import", "box.aem", "--out", "box.aem"], "writing would destroy it"),

@@ -10,26 +10,14 @@ import numpy as np
 
 from polhode import rotation
 from polhode.analysis.alignment import Alignment, fit_alignment
+from polhode.analysis.mechanics import Mechanics, invariants_along
 from polhode.errors import InvalidInput
-from polhode.exact.invariants import drift
 
 Array = Any
 SAME_TIME = 1e-9  # of a step: two samples that near are at the same time, written with other digits
 EXPLAINED = 0.5  # of the rms angle; an alignment that leaves more explains nothing
 ENDS = 16  # samples at either end whose rates a spline does not know; its error there falls to a quarter with each
 ROUNDING = 1e-12  # rad; errors below are of rounding, and nothing is fitted to them
-
-
-class Mechanics(NamedTuple):
-    """What the invariants of a body are made of, free or turning about a fixed point under its weight.
-
-    Attributes:
-        inertia: (3, 3) about the point it turns about [kg m², body axes].
-        weight: (3,) mgl χ, weight times the centre of mass from the fixed point [N m, body axes]; None for a free one.
-    """
-
-    inertia: Array
-    weight: Array | None = None
 
 
 @dataclass(frozen=True)
@@ -229,19 +217,4 @@ def _invariants(history: AttitudeHistory, common: Array, offset: float) -> Invar
             velocity = _spline(history.times, history.attitude)(history.times[within], 1)
         else:
             return None
-    momentum = velocity @ np.asarray(mechanics.inertia)
-    in_space = rotation.rotate(attitude, momentum)
-    kinetic = 0.5 * np.sum(momentum * velocity, axis=-1)
-    size = None
-    if mechanics.weight is None:
-        values = {"energy": kinetic, "momentum_norm": np.linalg.norm(momentum, axis=-1), "momentum_space": in_space}
-    else:
-        height = rotation.rotate(attitude, np.asarray(mechanics.weight))[..., 2]
-        values = {"energy": kinetic + height, "vertical_momentum": in_space[..., 2]}
-        # a top's energy and vertical momentum may be zero; what they are sums of is not
-        size = np.stack([kinetic + np.linalg.norm(mechanics.weight), np.linalg.norm(momentum, axis=-1)]).max(axis=-1)
-    drifts = {
-        name: float(drift(np, value, name == "momentum_space", None if size is None else size[k : k + 1]))
-        for k, (name, value) in enumerate(values.items())
-    }
-    return Invariants(times, values, drifts, source)
+    return Invariants(times, *invariants_along(attitude, velocity, mechanics), source)

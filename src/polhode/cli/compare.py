@@ -9,7 +9,7 @@ import numpy as np
 
 from polhode.analysis.comparison import ROUNDING, compare
 from polhode.cli.render import as_json, print_report
-from polhode.cli.sources import Kernels, Source, mechanics_of, source_of
+from polhode.cli.sources import Kernels, Source, body_of, source_of
 from polhode.errors import InvalidInput
 from polhode.formats.time_scales import terrestrial_time
 from polhode.report.comparison import ComparisonReport
@@ -20,7 +20,7 @@ PICOSECOND = 1e-12  # s
 def run_compare(first: Path, second: Path, json: bool, out: Path | None, spec: Path | None, kernels: Kernels) -> None:
     """Read both, compare, draw, and print the answers."""
     a, b = source_of(first, kernels), source_of(second, kernels)
-    shared = None if spec is None else mechanics_of(spec)
+    shared = None if spec is None else body_of(spec).mechanics
     if spec is not None and shared is None:
         raise InvalidInput(f"{spec}: is neither of a free body nor of a top, so what would be kept is not known here.")
     known = shared or a.history.mechanics or b.history.mechanics

@@ -9,12 +9,12 @@ from typing import Any
 import numpy as np
 
 from polhode import rotation
+from polhode.analysis.mechanics import Mechanics, invariants_along
 from polhode.bodies.frame import BodyFrame
 from polhode.cli.destinations import check_spares
 from polhode.cli.render import as_json, print_report
-from polhode.cli.sources import KINDS, Kernels, read_recorded
+from polhode.cli.sources import KINDS, Kernels, body_of, read_recorded
 from polhode.errors import InvalidInput
-from polhode.exact.invariants import drift
 from polhode.formats.labels import AttitudeLabels
 from polhode.report.base import Section, plain
 from polhode.report.wording import angle, drifts, number, rate
@@ -31,12 +31,19 @@ def run_import(path: Path, json: bool, out: Path | None, spec: Path | None, kern
     if kind == "dataset":
         raise InvalidInput(f"{path}: is a dataset of polhode's already; there is nothing to import.")
     assert labels is not None
-    notes, frame = [], None
+    notes, frame, kept = [], None, "a free body's"
     if spec is not None:
-        frame = _frame(spec)
-        trajectory = along_principal_axes(trajectory, frame)
-        if trajectory.momentum is None:
+        body = body_of(spec)
+        if (frame := body.frame) is None:
+            raise InvalidInput(f"{spec}: has no [body], whose moments would be needed. Choose another spec.")
+        trajectory = along_principal_axes(trajectory, frame, body.mechanics)
+        if body.mechanics is None:
+            notes.append("momentum and energy are left out: they are known here of free bodies and tops, and "
+                         f"{spec} is of the system {body.kind}.")  # fmt: skip
+        elif trajectory.momentum is None:
             notes.append("the file has no angular velocity, so that there is neither momentum nor energy.")
+        elif body.mechanics.weight is not None:
+            kept = "a top's"
     values = summary_values(trajectory, labels)
     written = out or Path(f"{path.stem}_imported.nc")  # not the name that a dataset exported beside it has
     check_spares(written, path)
@@ -45,37 +52,31 @@ def run_import(path: Path, json: bool, out: Path | None, spec: Path | None, kern
         print(as_json(plain({"kind": KINDS[kind], **values, "drift": trajectory.drift, "notes": notes,
                              "files": [str(written)]})))  # fmt: skip
         return
-    sections = [Section("Attitude history", _lines(values, trajectory))]
+    sections = [Section("Attitude history", _lines(values, trajectory, kept))]
     print_report(str(path), f"{KINDS[kind]} with {values['samples']} attitudes.", sections, notes, [str(written)])
 
 
-def _frame(spec: Path) -> BodyFrame:
-    from polhode.spec.reading import read_spec
+def along_principal_axes(trajectory: Trajectory, frame: BodyFrame, mechanics: Mechanics | None) -> Trajectory:
+    """Return a trajectory of the given axes along the principal ones, with momentum and invariants where these follow.
 
-    body = read_spec(spec).body
-    if body is None:
-        raise InvalidInput(f"{spec}: has no [body], whose moments would be needed. Choose another spec.")
-    return BodyFrame.of(body)
-
-
-def along_principal_axes(trajectory: Trajectory, frame: BodyFrame) -> Trajectory:
-    """Return a trajectory of the given axes along the principal ones, with momentum and what a free body keeps."""
-    axes, moments = np.asarray(frame.axes), np.asarray(frame.moments)
+    Args:
+        trajectory: along the given axes, read from a file.
+        frame: the principal axes; its moments are about the point that the body turns about.
+        mechanics: of the same body along the given axes; None where momentum is not the moments times the velocity.
+    """
+    axes = np.asarray(frame.axes)
     attitude = rotation.multiply(np.asarray(trajectory.attitude), rotation.from_matrix(axes))
+    turned = replace(trajectory, attitude=attitude, states=attitude)
     if trajectory.angular_velocity is None:
-        return replace(trajectory, attitude=attitude, states=attitude)
+        return turned
     velocity = np.asarray(trajectory.angular_velocity) @ axes
-    momentum = velocity * moments
-    invariants = {
-        "energy": 0.5 * np.sum(momentum * velocity, axis=-1),
-        "momentum_norm": np.linalg.norm(momentum, axis=-1),
-        "momentum_space": rotation.rotate(attitude, momentum),
-    }
-    return replace(
-        trajectory, attitude=attitude, states=np.concatenate([attitude, momentum], axis=-1), momentum=momentum,
-        angular_velocity=velocity, invariants=invariants,
-        drift={name: drift(np, value, name == "momentum_space") for name, value in invariants.items()},
-    )  # fmt: skip
+    turned = replace(turned, angular_velocity=velocity)
+    if mechanics is None:
+        return turned
+    momentum = velocity * np.asarray(frame.moments)
+    invariants, drift = invariants_along(trajectory.attitude, np.asarray(trajectory.angular_velocity), mechanics)
+    states = np.concatenate([attitude, momentum], axis=-1)
+    return replace(turned, states=states, momentum=momentum, invariants=invariants, drift=drift)
 
 
 def summary_values(trajectory: Trajectory, labels: AttitudeLabels) -> dict[str, Any]:
@@ -97,7 +98,7 @@ def summary_values(trajectory: Trajectory, labels: AttitudeLabels) -> dict[str, 
     }  # fmt: skip
 
 
-def _lines(values: dict[str, Any], trajectory: Trajectory) -> list[tuple[str, str | None]]:
+def _lines(values: dict[str, Any], trajectory: Trajectory, kept: str) -> list[tuple[str, str | None]]:
     gap = values["largest_gap"]
     return [
         ("object", f"{values['object']}, {values['object_id']}"),
@@ -109,5 +110,5 @@ def _lines(values: dict[str, Any], trajectory: Trajectory) -> list[tuple[str, st
         ("largest gap", None if gap is None else f"{gap:.8g} s, from {values['gap_from']:.9g} s on"),
         ("largest turn between samples", angle(values["largest_turn"])),
         ("angular velocity", "none in the file" if values["fastest"] is None else f"up to {rate(values['fastest'])}"),
-        ("drift of a free body's invariants", drifts(trajectory.drift) or None),
+        (f"drift of {kept} invariants", drifts(trajectory.drift) or None),
     ]

@@ -19,6 +19,7 @@ from polhode.trajectory import Trajectory
 
 HEAD = 65536  # bytes in which a file shows what it is
 KINDS = {"spec": "spec", "dataset": "dataset", "aem": "AEM", "ck": "C-kernel"}
+KINDS_IN_WORDS = {kind: f"{'an' if name[0] == 'A' else 'a'} {name}" for kind, name in KINDS.items()}
 TOPS = ("heavy-top", "lagrange-top")
 
 
@@ -40,12 +41,14 @@ class Source:
         trajectory: along the body's given axes.
         history: the same, for comparisons.
         labels: names, frames and epoch; None where it tells no epoch.
+        system: of a spec, as it names it.
     """
 
     kind: str
     trajectory: Trajectory
     history: AttitudeHistory
     labels: AttitudeLabels | None
+    system: str | None = None
 
 
 def kind_of(path: Path) -> str:
@@ -114,27 +117,60 @@ def source_of(path: Path, kernels: Kernels) -> Source:
     return Source(kind, trajectory, _history(path, trajectory), labels)
 
 
-def mechanics_of(path: Path) -> Mechanics | None:
-    """Return what energy and momentum of a spec's body are made of; None unless it is free, or a top.
+class SpecBody(NamedTuple):
+    """The body of a spec.
+
+    Attributes:
+        kind: the spec's system.
+        frame: the axes that its motion is along, moments about the point that it turns about; None for none.
+        mechanics: what energy and momentum are made of, along the given axes; None unless it is free, or a top.
+    """
+
+    kind: str
+    frame: BodyFrame | None
+    mechanics: Mechanics | None
+
+
+def body_of(path: Path) -> SpecBody:
+    """Return the body of a spec.
 
     Raises:
-        InvalidInput: as reading the spec does.
+        InvalidInput: for another kind of file, and as reading the spec does.
     """
-    return _from_spec(path).history.mechanics
+    if (kind := kind_of(path)) != "spec":
+        why = f"is {KINDS_IN_WORDS[kind]}, and --spec wants a spec, whose [body] has the moments"
+        raise InvalidInput(f"{path}: {why}. Give a TOML file like those of `polhode report`.")
+    report = _report(path)[0]
+    return SpecBody(report.kind, report.frame, _mechanics(report))
 
 
-def _from_spec(path: Path) -> Source:
+def _report(path: Path) -> tuple[Any, AttitudeLabels | None]:
+    """Return the report on a spec, and the spec's labels."""
     from polhode.report.choice import report_of
     from polhode.spec.reading import read_spec
 
     spec = read_spec(path)
     try:
-        report: Any = report_of(spec)
+        return report_of(spec), _told(spec.labels)
     except (InvalidInput, NotConverged) as error:
         raise type(error)(f"{path}: {error}") from None
+
+
+def _mechanics(report: Any) -> Mechanics | None:
+    """Return what energy and momentum of a report's body are made of."""
+    if report.kind == "free-body":
+        return Mechanics(_inertia(report.frame))
+    if report.kind in TOPS:
+        weight = float(report.top.mgl) * np.asarray(report.frame.axes) @ np.asarray(report.top.axis)
+        return Mechanics(_inertia(report.frame), weight)
+    return None
+
+
+def _from_spec(path: Path) -> Source:
+    report, labels = _report(path)
     motion, frame = report.trajectory.system, report.frame
     trajectory = along_given_axes(report.trajectory, frame)
-    history = _history(path, trajectory)
+    history = replace(_history(path, trajectory), mechanics=_mechanics(report))
 
     def exact(times: Any) -> tuple[Any, Any]:
         found = along_given_axes(motion.sample(times), frame)
@@ -142,12 +178,7 @@ def _from_spec(path: Path) -> Source:
 
     if isinstance(motion, FreeMotion | LagrangeMotion):
         history = replace(history, exact=exact)
-    if report.kind == "free-body":
-        history = replace(history, mechanics=Mechanics(_inertia(frame)))
-    if report.kind in TOPS:
-        weight = float(report.top.mgl) * np.asarray(frame.axes) @ np.asarray(report.top.axis)
-        history = replace(history, mechanics=Mechanics(_inertia(frame), weight))
-    return Source("spec", trajectory, history, _told(spec.labels))
+    return Source("spec", trajectory, history, labels, report.kind)
 
 
 def _told(labels: AttitudeLabels | None) -> AttitudeLabels | None:

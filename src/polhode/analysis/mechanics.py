@@ -1,0 +1,59 @@
+"""What a free body, or one turning about a fixed point under its weight, keeps along any attitude history."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from polhode import rotation
+from polhode.exact.invariants import drift
+
+Array = Any
+
+
+class Mechanics(NamedTuple):
+    """What the invariants of a body are made of, free or turning about a fixed point under its weight.
+
+    Attributes:
+        inertia: (3, 3) about the point it turns about [kg m², body axes].
+        weight: (3,) mgl χ, weight times the centre of mass from the fixed point [N m, body axes]; None for a free one.
+    """
+
+    inertia: Array
+    weight: Array | None = None
+
+
+def invariants_along(
+    attitude: Array, velocity: Array, mechanics: Mechanics
+) -> tuple[dict[str, Array], dict[str, float]]:
+    """Return what should not change, and by how much it does, relative to its first value or a top's own sizes.
+
+    Energy, |L| and L in space of a free body; energy and vertical momentum of a top.
+
+    Args:
+        attitude: (T, 4) unit quaternions wxyz, body → space.
+        velocity: (T, 3) [rad/s, body axes].
+        mechanics: along the same body axes.
+
+    >>> still = np.array([[1.0, 0.0, 0.0, 0.0]])
+    >>> values, _ = invariants_along(still, np.array([[0.0, 0.0, 2.0]]), Mechanics(np.diag([1.0, 2.0, 3.0])))
+    >>> float(values["energy"][0]), float(values["momentum_norm"][0])
+    (6.0, 6.0)
+    """
+    momentum = velocity @ np.asarray(mechanics.inertia)
+    in_space = rotation.rotate(attitude, momentum)
+    kinetic = 0.5 * np.sum(momentum * velocity, axis=-1)
+    size = None
+    if mechanics.weight is None:
+        values = {"energy": kinetic, "momentum_norm": np.linalg.norm(momentum, axis=-1), "momentum_space": in_space}
+    else:
+        height = rotation.rotate(attitude, np.asarray(mechanics.weight))[..., 2]
+        values = {"energy": kinetic + height, "vertical_momentum": in_space[..., 2]}
+        # a top's energy and vertical momentum may be zero; what they are sums of is not
+        size = np.stack([kinetic + np.linalg.norm(mechanics.weight), np.linalg.norm(momentum, axis=-1)]).max(axis=-1)
+    drifts = {
+        name: float(drift(np, value, name == "momentum_space", None if size is None else size[k : k + 1]))
+        for k, (name, value) in enumerate(values.items())
+    }
+    return values, drifts
