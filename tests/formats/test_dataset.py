@@ -132,6 +132,29 @@ def test_what_is_no_dataset_of_ours(tmp_path):
         formats.read_dataset(tmp_path / "other.nc")
 
 
+@pytest.mark.parametrize("variable", ["attitude", "time", "angular_velocity"])
+def test_a_store_that_lost_its_values_is_damaged(tmp_path, variable):
+    store = formats.write_zarr(MOTION.sample(TIMES), tmp_path / "motion.zarr")
+    for chunk in (store / variable).glob("[0-9]*"):
+        chunk.unlink()
+    with pytest.raises(FormatError, match=r"motion.zarr: the (attitude|time|angular velocity) of sample 0 is no .* damaged"):
+        formats.read_dataset(store)
+
+
+@pytest.mark.parametrize("wrong", [np.nan, 0.0, 3.0])
+def test_an_attitude_that_is_none_is_found(tmp_path, wrong):
+    trajectory = BATCH.sample(TIMES)
+    trajectory.attitude[2, ..., 7, :] = wrong
+    formats.write_dataset(trajectory, tmp_path / "motion.nc")
+    with pytest.raises(FormatError, match="attitude of sample 7 is no unit quaternion"):
+        formats.read_dataset(tmp_path / "motion.nc")
+    single = MOTION.sample(TIMES)
+    single.attitude[5] = wrong
+    formats.write_csv(single, tmp_path / "motion.csv")
+    with pytest.raises(FormatError, match="attitude of sample 5 is no unit quaternion"):
+        formats.read_csv(tmp_path / "motion.csv")
+
+
 @pytest.mark.parametrize("ending", WAYS)
 def test_places_that_cannot_be_written(tmp_path, ending):
     (tmp_path / "folder").mkdir()

@@ -15,7 +15,7 @@ import numpy as np
 from polhode.bodies.frame import BodyFrame
 from polhode.errors import FormatError, InvalidInput
 from polhode.formats.dataset import invariant_unit
-from polhode.formats.given_axes import along_given_axes
+from polhode.formats.given_axes import along_given_axes, check_recorded
 from polhode.formats.paths import check_is_file, written_whole
 from polhode.trajectory import Trajectory
 
@@ -93,7 +93,7 @@ def read_csv(path: str | Path) -> Trajectory:
 
     Raises:
         InvalidInput: if the file is missing.
-        FormatError: naming the line, if it is no such table.
+        FormatError: naming the line, if it is no such table; naming the sample, if one has no attitude.
     """
     path = Path(path)
     check_is_file(path, "CSV")
@@ -116,6 +116,7 @@ def read_csv(path: str | Path) -> Trajectory:
         return given if own is None else own
 
     velocity, momentum = vector("angular_velocity"), vector("momentum")
+    check_recorded(path, times, attitude, velocity)
     parts = [part for part in (attitude, momentum) if part is not None]
     if not parts:
         parts = [np.stack(list(columns.values()), axis=-1) if columns else times[:, None]]

@@ -11,6 +11,7 @@ import numpy as np
 
 from polhode.bodies.frame import BodyFrame
 from polhode.errors import FormatError, InvalidInput
+from polhode.formats.given_axes import check_recorded
 from polhode.formats.labels import AttitudeLabels
 from polhode.formats.paths import check_is_file
 from polhode.trajectory import Trajectory
@@ -50,7 +51,7 @@ def read_dataset(path: str | Path) -> Trajectory:
 
     Raises:
         InvalidInput: if the file is missing, or zarr is for a store.
-        FormatError: if it is no dataset of polhode's.
+        FormatError: if it is no dataset of polhode's, or a damaged one.
     """
     path = Path(path)
     dataset = _loaded(path)
@@ -62,6 +63,7 @@ def read_dataset(path: str | Path) -> Trajectory:
     for name, variable in variables.items():
         if "role" in variable.attrs:
             roles[variable.attrs["role"]].append(name)
+    check_recorded(path, dataset["time"].values, arrays.get("attitude"), arrays.get("angular_velocity"))
     roles["state"].sort(key=lambda name: variables[name].attrs["place"])
     return Trajectory(
         system=_recording(dataset, variables, roles["state"]),

@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from polhode import rotation
 from polhode.bodies.frame import BodyFrame
-from polhode.errors import InvalidInput
+from polhode.errors import FormatError, InvalidInput
 from polhode.trajectory import Trajectory
 
 Array = Any
+UNIT = 1e-6  # how far from one the norm of a quaternion in a file may be: seven digits of each component, at least
+_DAMAGED = "The file is damaged; write it anew."
 
 
 def along_given_axes(trajectory: Trajectory, frame: BodyFrame | None) -> Trajectory:
@@ -50,3 +53,25 @@ def single_attitude(trajectory: Trajectory, form: str) -> Array:
     if not len(attitude):
         raise InvalidInput(f"{form} needs at least one sample; the trajectory is empty. Give it times.")
     return attitude
+
+
+def check_recorded(path: Path, times: Array, attitude: Array | None, velocity: Array | None = None) -> None:
+    """Refuse times, attitudes (…, 4) and velocities of a file that are none; a store without its chunks reads as NaN.
+
+    Raises:
+        FormatError: naming the first sample that is wrong.
+    """
+    wrong = ~np.isfinite(np.asarray(times))
+    if wrong.any():
+        raise FormatError(f"{path}: the time of sample {int(np.argmax(wrong))} is no number. {_DAMAGED}")
+    if velocity is not None and not np.isfinite(velocity).all():
+        place = np.argwhere(~np.isfinite(np.asarray(velocity)))[0]
+        raise FormatError(f"{path}: the angular velocity of sample {int(place[-2])} is no number. {_DAMAGED}")
+    if attitude is None:
+        return
+    norms = np.linalg.norm(np.asarray(attitude), axis=-1)
+    wrong = ~(np.abs(norms - 1.0) <= UNIT)
+    if wrong.any():
+        place = tuple(np.argwhere(wrong)[0])
+        found = np.asarray(attitude)[place].tolist()
+        raise FormatError(f"{path}: the attitude of sample {place[-1]} is no unit quaternion; got {found}. {_DAMAGED}")

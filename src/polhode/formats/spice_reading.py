@@ -13,6 +13,7 @@ import numpy as np
 
 from polhode import rotation
 from polhode.errors import FormatError, InvalidInput
+from polhode.formats.given_axes import check_recorded
 from polhode.formats.labels import AttitudeLabels
 from polhode.formats.paths import check_is_file
 from polhode.formats.spice_kernels import KINDS, loaded, worded
@@ -182,6 +183,7 @@ def _sampled(spice: Any, path: Path, number: int, clock: int, ticks: Array, segm
     attitude = _continuous(rotation.conjugate(rotation.from_matrix(matrices[found])))
     velocity = rotation.rotate(rotation.conjugate(attitude), rates[found]) if has_rates else None
     times, epoch, system = _times(spice, clock, ticks[found])
+    check_recorded(path, times, attitude, velocity)
     labels = AttitudeLabels(
         object_name=_name(spice, number), reference_frame="EME2000" if reference == "J2000" else reference,
         body_frame=_frame(spice, number), epoch=epoch, time_system=system,
