@@ -107,6 +107,34 @@ def test_samples_at_the_same_times_are_not_interpolated():
     assert np.array_equal(one.times, TIMES[7:8]) and one.growth is None
 
 
+@pytest.mark.parametrize("late", [0.0, 80.0])
+def test_times_to_a_digit_are_the_same_times(late):
+    """Steps that shrink to far below a thousand million times the digit, as at the end of a rolling disk."""
+    times = late + 1.0 - np.geomspace(1.0, 1e-4, 60)
+    digit = 1e-9
+    written = AttitudeHistory("written", np.round(times / digit) * digit, MOTION.attitude(times), resolution=digit / 2)
+    for a, b in ((history(times), written), (written, history(times)), (written, written)):
+        found = compare(a, b)
+        assert found.method == "both have samples at the same times" and len(found.times) == 60
+        assert found.interpolation_error is None and found.is_rounding and found.alignment is None
+    strict = compare(history(times), replace(written, resolution=0.0))
+    assert strict.interpolation_error is not None
+
+
+@pytest.mark.parametrize("rates", [True, False])
+def test_nothing_is_fitted_to_the_rounding_of_times(rates):
+    """A steady turn meets the bound speed times half a digit exactly; four times that is no rounding any more."""
+    digit, speed = 1e-9, 7.0
+    spin = FreeMotion((1.0, 2.0, 3.0), (0.0, 0.0, 3.0 * speed))
+    velocity = spin.angular_velocity(TIMES) if rates else None
+    for shift, rounded in ((0.5, True), (-0.5, True), (2.0, False)):
+        seen = AttitudeHistory("seen", TIMES, spin.attitude(TIMES + shift * digit), velocity, resolution=0.5 * digit)
+        truth = AttitudeHistory("truth", TIMES, spin.attitude(TIMES), exact=lambda t: (spin.attitude(t), None))
+        found = compare(seen, truth)
+        assert found.largest == pytest.approx(abs(shift) * digit * speed, rel=1e-4)
+        assert found.is_rounding == rounded and (found.alignment is None) == rounded
+
+
 @pytest.mark.parametrize("count", [101, 401, 1601])
 def test_the_interpolation_error_is_said_and_not_too_small(count):
     found = compare(history(), history(np.linspace(-5.0, 50.0, count)))

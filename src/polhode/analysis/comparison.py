@@ -18,6 +18,7 @@ SAME_TIME = 1e-9  # of a step: two samples that near are at the same time, writt
 EXPLAINED = 0.5  # of the rms angle; an alignment that leaves more explains nothing
 ENDS = 16  # samples at either end whose rates a spline does not know; its error there falls to a quarter with each
 ROUNDING = 1e-12  # rad; errors below are of rounding, and nothing is fitted to them
+MARGIN = 2.0  # on what rounding of times may miss: the bound is met exactly by a steady turn, and speeds are estimates
 
 
 @dataclass(frozen=True)
@@ -31,6 +32,7 @@ class AttitudeHistory:
         angular_velocity: (T, 3) [rad/s, body axes], or None.
         exact: attitude (…, 4) and angular velocity (…, 3) at any times (…), or None.
         mechanics: for energy and momentum, or None.
+        resolution: by how much its times may be off, as they were written with so many digits [s].
     """
 
     name: str
@@ -39,6 +41,15 @@ class AttitudeHistory:
     angular_velocity: Array | None = None
     exact: Callable[[Array], tuple[Array, Array]] | None = None
     mechanics: Mechanics | None = None
+    resolution: float = 0.0
+
+    @property
+    def speed(self) -> float:
+        """How fast it turns at most [rad/s], by its angular velocity, else from sample to sample."""
+        if self.angular_velocity is not None:
+            return float(np.linalg.norm(self.angular_velocity, axis=-1).max())
+        turns = rotation.angle_between(self.attitude[1:], self.attitude[:-1])
+        return float(np.max(turns / np.diff(self.times), initial=0.0))
 
 
 class Invariants(NamedTuple):
@@ -71,6 +82,7 @@ class Comparison:
         method: how both came to the same times.
         interpolation_error: what a spline through every second sample of B misses the others by [rad], more than what
             the spline through all of them does; None where nothing was interpolated.
+        rounding: angles up to this are of rounding, that of times included [rad].
     """
 
     names: tuple[str, str]
@@ -81,6 +93,12 @@ class Comparison:
     invariants: tuple[Invariants | None, Invariants | None]
     method: str
     interpolation_error: float | None
+    rounding: float = ROUNDING
+
+    @property
+    def is_rounding(self) -> bool:
+        """Whether they differ by no more than rounding."""
+        return self.largest <= self.rounding
 
     @property
     def largest(self) -> float:
@@ -119,25 +137,27 @@ def compare(a: AttitudeHistory, b: AttitudeHistory, *, offset: float = 0.0) -> C
     >>> compare(history, AttitudeHistory("late", samples.times - 1.0, samples.attitude), offset=1.0).largest < 1e-15
     True
     """
-    times = _common_times(a, b, offset)
-    at_a, _, _ = _attitude_at(a, times, 0.0)
-    at_b, method, missed = _attitude_at(b, times, offset)
+    slack = _digits(a, b, offset)
+    times = _common_times(a, b, offset, slack)
+    at_a, _, _ = _attitude_at(a, times, 0.0, slack)
+    at_b, method, missed = _attitude_at(b, times, offset, slack)
     if a.exact is not None:
         method = "both evaluated exactly" if b.exact is not None else "A evaluated exactly at B's samples"
     angle = rotation.angle_between(at_a, at_b)
     growth = float(np.polyfit(times - times[0], angle, 1)[0]) if len(times) > 1 else None
-    alignment = fit_alignment(times, at_a, at_b) if angle.max() > ROUNDING else None
-    invariants = _invariants(a, times, 0.0), _invariants(b, times, offset)
-    return Comparison((a.name, b.name), times, angle, growth, alignment, invariants, method, missed)
+    rounding = max(ROUNDING, MARGIN * (a.resolution + b.resolution) * max(a.speed, b.speed))
+    alignment = fit_alignment(times, at_a, at_b) if angle.max() > rounding else None
+    invariants = _invariants(a, times, 0.0, slack), _invariants(b, times, offset, slack)
+    return Comparison((a.name, b.name), times, angle, growth, alignment, invariants, method, missed, rounding)
 
 
-def _common_times(a: AttitudeHistory, b: AttitudeHistory, offset: float) -> Array:
+def _common_times(a: AttitudeHistory, b: AttitudeHistory, offset: float, slack: float) -> Array:
     if a.exact is not None and b.exact is None:
         return b.times + offset
     if b.exact is not None:
         return a.times
     first, last = b.times[0] + offset, b.times[-1] + offset
-    slack = SAME_TIME * (last - first) / max(1, len(b.times) - 1) + 4.0 * np.spacing(max(abs(first), abs(last)))
+    slack = slack + SAME_TIME * (last - first) / max(1, len(b.times) - 1)
     common = a.times[(a.times >= first - slack) & (a.times <= last + slack)]
     if not len(common):
         raise InvalidInput(
@@ -147,12 +167,20 @@ def _common_times(a: AttitudeHistory, b: AttitudeHistory, offset: float) -> Arra
     return common
 
 
-def _attitude_at(history: AttitudeHistory, times: Array, offset: float) -> tuple[Array, str, float | None]:
+def _digits(a: AttitudeHistory, b: AttitudeHistory, offset: float) -> float:
+    """Return how far times of A and B that are the same may be apart [s]: what they are written to, and rounding."""
+    largest = max(abs(offset), *(abs(float(time)) for one in (a, b) for time in one.times[[0, -1]]))
+    return a.resolution + b.resolution + 4.0 * float(np.spacing(largest))
+
+
+def _attitude_at(
+    history: AttitudeHistory, times: Array, offset: float, slack: float
+) -> tuple[Array, str, float | None]:
     """Return the attitude at times [s, A's], how it came about, and what interpolation may have missed."""
     if history.exact is not None:
         return history.exact(times - offset)[0], "B evaluated exactly at A's samples", None
     own, wanted = history.times, times - offset
-    nearest, between = _nearest(own, wanted)
+    nearest, between = _nearest(own, wanted, slack)
     attitude = history.attitude[nearest]
     if not between.any():
         return attitude, "both have samples at the same times", None
@@ -160,15 +188,13 @@ def _attitude_at(history: AttitudeHistory, times: Array, offset: float) -> tuple
     return attitude, "B interpolated by a spline of rotations at A's samples", _missed(history, wanted)
 
 
-def _nearest(own: Array, wanted: Array) -> tuple[Array, Array]:
+def _nearest(own: Array, wanted: Array, slack: float) -> tuple[Array, Array]:
     """Return which samples at times ``own`` (n,) are nearest to times (T,), and whether these lie between samples."""
     if len(own) == 1:
         return np.zeros(len(wanted), dtype=int), np.zeros(len(wanted), dtype=bool)
     right = np.clip(np.searchsorted(own, wanted), 1, len(own) - 1)
     nearest = np.where(wanted - own[right - 1] < own[right] - wanted, right - 1, right)
-    rounding = np.spacing(np.maximum(np.abs(wanted), np.abs(own[nearest])))
-    limit = SAME_TIME * (own[right] - own[right - 1]) + 4.0 * rounding
-    return nearest, np.abs(wanted - own[nearest]) > limit
+    return nearest, np.abs(wanted - own[nearest]) > SAME_TIME * (own[right] - own[right - 1]) + slack
 
 
 def _spline(times: Array, attitude: Array) -> Any:
@@ -194,7 +220,7 @@ def _missed(history: AttitudeHistory, wanted: Array) -> float:
     return float(angle[within].max() if within.any() else angle.max())
 
 
-def _invariants(history: AttitudeHistory, common: Array, offset: float) -> Invariants | None:
+def _invariants(history: AttitudeHistory, common: Array, offset: float, slack: float) -> Invariants | None:
     """Return the invariants along a history's own samples, or at the common times where it is exact."""
     mechanics = history.mechanics
     if mechanics is None:
@@ -204,7 +230,7 @@ def _invariants(history: AttitudeHistory, common: Array, offset: float) -> Invar
         attitude, velocity = history.exact(common - offset)
     else:
         own = history.times + offset
-        within = (own >= common[0]) & (own <= common[-1])
+        within = (own >= common[0] - slack) & (own <= common[-1] + slack)
         times, attitude, source = own[within], history.attitude[within], "as given"
         if not within.any():
             return None

@@ -5,16 +5,12 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
-import numpy as np
-
-from polhode.analysis.comparison import ROUNDING, compare
+from polhode.analysis.comparison import compare
 from polhode.cli.render import as_json, print_report
 from polhode.cli.sources import Kernels, Source, body_of, source_of
 from polhode.errors import InvalidInput
 from polhode.formats.time_scales import terrestrial_time
 from polhode.report.comparison import ComparisonReport
-
-PICOSECOND = 1e-12  # s
 
 
 def run_compare(first: Path, second: Path, json: bool, out: Path | None, spec: Path | None, kernels: Kernels) -> None:
@@ -30,7 +26,7 @@ def run_compare(first: Path, second: Path, json: bool, out: Path | None, spec: P
         found = compare(*histories, offset=offset)
     except InvalidInput as error:
         raise InvalidInput(f"{first}, {second}: {error}") from None
-    report = ComparisonReport(found, clocks, (*_kinds(a, b), *_names(a, b)), _rounding(a, b))
+    report = ComparisonReport(found, clocks, (*_kinds(a, b), *_names(a, b)))
     folder = out or Path(f"{first.stem}_and_{second.stem}")
     file = str(_drawn(report, folder))
     if json:
@@ -49,14 +45,6 @@ def clocks_of(a: Source, b: Source) -> tuple[float, str]:
     offset = float(epochs[1] - epochs[0])
     words = [f"{side.labels.epoch} {side.labels.time_system}" for side in (a, b) if side.labels]
     return offset, f"both count from {words[0]}" if words[0] == words[1] else f"by their epochs, {' and '.join(words)}"
-
-
-def _rounding(a: Source, b: Source) -> float:
-    """Return the angle [rad] that rounding leaves; times in an AEM are to a picosecond, so half of one may miss."""
-    messages = [side for side in (a, b) if side.kind == "aem"]
-    rates = [side.history.angular_velocity for side in (a, b)]
-    speeds = [float(np.linalg.norm(rate, axis=-1).max()) for rate in rates if rate is not None]
-    return max(ROUNDING, len(messages) * 0.5 * PICOSECOND * max(speeds, default=0.0))
 
 
 def _kinds(a: Source, b: Source) -> list[str]:

@@ -20,6 +20,7 @@ from polhode.trajectory import Trajectory
 HEAD = 65536  # bytes in which a file shows what it is
 KINDS = {"spec": "spec", "dataset": "dataset", "aem": "AEM", "ck": "C-kernel"}
 KINDS_IN_WORDS = {kind: f"{'an' if name[0] == 'A' else 'a'} {name}" for kind, name in KINDS.items()}
+PICOSECOND = 1e-12  # s; epochs in an AEM are read to one
 TOPS = ("heavy-top", "lagrange-top")
 
 
@@ -114,7 +115,8 @@ def source_of(path: Path, kernels: Kernels) -> Source:
     if kind_of(path) == "spec":
         return _from_spec(path)
     kind, trajectory, labels = read_recorded(path, kernels)
-    return Source(kind, trajectory, _history(path, trajectory), labels)
+    history = replace(_history(path, trajectory), resolution=0.5 * PICOSECOND if kind == "aem" else 0.0)
+    return Source(kind, trajectory, history, labels)
 
 
 class SpecBody(NamedTuple):

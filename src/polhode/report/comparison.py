@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from polhode.analysis.comparison import ROUNDING, Comparison, Invariants
+from polhode.analysis.comparison import Comparison, Invariants
 from polhode.report.base import Listing, Section, plain
 from polhode.report.wording import angle, number, vector
 
@@ -28,29 +28,24 @@ class ComparisonReport:
         comparison: the numbers.
         clocks: how the two times were laid side by side.
         notes: what else there is to know.
-        rounding: angles up to this are of rounding [rad].
     """
 
     comparison: Comparison
     clocks: str
     notes: tuple[str, ...] = ()
-    rounding: float = ROUNDING
 
     @property
     def summary(self) -> str:
         """The result in a sentence or two."""
         found = self.comparison
-        if found.largest <= self.rounding:
+        if found.is_rounding:
             return f"Both agree to {found.largest:.1e} rad: to rounding."
         text = f"They differ by up to {angle(found.largest)}, {angle(found.rms)} rms."
-        if self._explains():
+        if found.explained:
             assert found.alignment is not None
             rest = float(found.alignment.remaining.max())
             text += f" Constant misalignments and a constant rate explain all but {rest:.3g} rad of it."
         return text
-
-    def _explains(self) -> bool:
-        return self.comparison.largest > self.rounding and self.comparison.explained
 
     def sections(self) -> list[Section | Listing]:
         """Return the answers worded for people."""
@@ -82,7 +77,7 @@ class ComparisonReport:
             ("body axes misaligned by", vector(fit.body, "rad")),
             ("space axes misaligned by", vector(fit.space, "rad")),
             ("turning at", vector(fit.rate, "rad/s, space axes")), ("angle that remains", rest),
-            ("explains it", "yes" if self._explains() else "no"),
+            ("explains it", "yes" if self.comparison.explained else "no"),
         ])]  # fmt: skip
 
     def _invariants(self) -> list[Section | Listing]:
@@ -110,7 +105,7 @@ class ComparisonReport:
         found, fit = self.comparison, self.comparison.alignment
         alignment = None if fit is None else {
             "body": fit.body, "space": fit.space, "rate": fit.rate, "told_apart": fit.told_apart,
-            "remaining": {"largest": fit.remaining.max(), "rms": fit.rms}, "explains": self._explains(),
+            "remaining": {"largest": fit.remaining.max(), "rms": fit.rms}, "explains": found.explained,
         }  # fmt: skip
         return plain({
             "names": found.names, "summary": self.summary, "clocks": self.clocks, "method": found.method,
