@@ -3,6 +3,7 @@
 import json
 import shutil
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -10,6 +11,7 @@ import pytest
 from polhode import FreeMotion, rotation
 from polhode.cli.main import main
 from polhode.formats.aem import write_aem
+from polhode.formats.csv_table import write_csv
 from polhode.formats.dataset import write_dataset
 from polhode.formats.dataset_reading import read_dataset
 from polhode.formats.given_axes import along_given_axes
@@ -47,6 +49,14 @@ about = "z"
 until = "0.5 s"
 samples = 400
 """
+GYROSTAT = """
+[system]
+kind = "gyrostat"
+rotor_axis = [0, 0, 1]
+rotor_moment = "1e-4 kg*m^2"
+rotor_rate = "60 rpm"
+"""
+HYPERION = (Path(__file__).parents[2] / "examples" / "hyperion.toml").read_text()
 
 
 def run(arguments, capsys):
@@ -73,6 +83,7 @@ def written(tmp_path_factory):
     write_aem(report.trajectory, tmp_path / "box.aem", labels=labels, frame=report.frame)
     write_ck(report.trajectory, tmp_path / "box.bc", labels=labels, frame=report.frame)
     write_dataset(report.trajectory, tmp_path / "own.nc", {}, report.frame)
+    write_csv(report.trajectory, tmp_path / "own.csv", report.frame)
     given = along_given_axes(report.trajectory, report.frame)
     turn = rotation.from_rotation_vector((1e-3 + 2e-5 * given.times)[:, None] * AXIS)
     turned = replace(given, attitude=rotation.multiply(turn, given.attitude))
@@ -89,7 +100,7 @@ def files(written, tmp_path, monkeypatch):
     return tmp_path
 
 
-@pytest.mark.parametrize("other", ["box.aem", "box.bc", "own.nc", "box.toml"])
+@pytest.mark.parametrize("other", ["box.aem", "box.bc", "own.nc", "own.csv", "box.toml"])
 @pytest.mark.parametrize("exact_first", [True, False])
 def test_every_kind_of_file_agrees_with_the_spec_that_it_is_from(files, capsys, other, exact_first):
     pair = ["box.toml", other] if exact_first else [other, "box.toml"]
@@ -228,16 +239,31 @@ def test_import_of_a_top_has_what_its_own_dataset_has(tmp_path, monkeypatch, cap
     assert "a top's invariants" in run(["import", "top.bc", "--spec", "top.toml"], capsys)[1]
 
 
-@pytest.mark.parametrize(
-    "system", ['kind = "gyrostat"\nrotor_axis = [0, 0, 1]\nrotor_moment = "1e-4 kg*m^2"\nrotor_rate = "60 rpm"',
-               'kind = "damped-body"\ndamping = 0.01'])  # fmt: skip
+@pytest.mark.parametrize("system", [GYROSTAT, '[system]\nkind = "damped-body"\ndamping = 0.01\n'])
 def test_import_leaves_out_momentum_that_it_does_not_know(files, capsys, system):
-    (files / "other.toml").write_text(f"{BOX}[system]\n{system}\n")
+    (files / "other.toml").write_text(BOX + system)
     found = values_of(["import", "box.bc", "--spec", "other.toml"], capsys)
     assert not found["drift"] and len(found["notes"]) == 1 and "are left out" in found["notes"][0]
     back = read_dataset(files / "box.nc")
     assert back.momentum is None and not back.invariants and back.angular_velocity is not None
     assert values_of(["compare", "box.nc", "box.toml"], capsys)["angle"]["largest"] <= EXACT
+
+
+def test_datasets_of_a_free_body_have_their_moments(files, capsys):
+    """Both along principal axes, whose moments they hold; a gyrostat's momentum is not its moments' alone."""
+    found = values_of(["compare", "own.nc", "own.csv"], capsys)
+    assert [side["source"] for side in found["invariants"]] == ["as given", "as given"] and not found["notes"]
+    assert all(max(side["drift"].values()) <= EXACT for side in found["invariants"])
+    own = read_dataset("own.nc")
+    for side in found["invariants"]:
+        assert side["first"]["energy"] == pytest.approx(own.invariants["energy"][0], rel=EXACT)
+        assert side["first"]["momentum_space"] == pytest.approx(own.invariants["momentum_space"][0], rel=1e-9)
+    (files / "wheel.toml").write_text(BOX + GYROSTAT)
+    run(["export", "wheel.toml", "--to", "netcdf"], capsys)
+    assert "energy" in read_dataset("wheel.nc").invariants
+    assert values_of(["compare", "wheel.nc", "own.csv"], capsys)["invariants"] == [None, None]
+    (note,) = [note for note in values_of(["compare", "wheel.toml", "wheel.nc"], capsys)["notes"] if "energy" in note]
+    assert "wheel.toml is of the system gyrostat" in note and "--spec" not in note
 
 
 REFUSED = [
@@ -255,6 +281,9 @@ REFUSED = [
     (["import", "box.toml"], "is no AEM"),
     (["import", "box.bc", "--spec", "box.aem"], "box.aem: is an AEM, and --spec wants a spec"),
     (["compare", "box.aem", "box.bc", "--spec", "own.nc"], "own.nc: is a dataset, and --spec wants a spec"),
+    (["import", "own.csv"], "is a CSV table of polhode's already"),
+    (["import", "box.bc", "--spec", "own.csv"], "own.csv: is a CSV table, and --spec wants a spec"),
+    (["compare", "spin.toml", "box.bc"], "spin.toml: holds no attitudes"),
     (["import", "own.nc"], "nothing to import"),
     (["import", "box.bc", "--out", "missing/box.nc"], "is no folder"),
     (["import", "box.aem", "--out", "box.aem"], "writing would destroy it"),
@@ -269,6 +298,7 @@ def test_what_is_not_what_it_claims_is_one_error(files, capsys, arguments, words
     (files / "cut.bc").write_bytes((files / "box.bc").read_bytes()[:2000])
     (files / "xml.aem").write_text('<?xml version="1.0"?><aem id="CCSDS_AEM"/>')
     (files / "half.aem").write_text((files / "box.aem").read_text()[:700])
+    (files / "spin.toml").write_text(HYPERION)
     (files / "disk.toml").write_text(BOX + '[system]\nkind = "damped-body"\ndamping = 0.01\n')
     code, _, err = run(arguments, capsys)
     assert code == 2 and words in err and "Traceback" not in err

@@ -6,6 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from polhode.analysis.comparison import compare
+from polhode.analysis.mechanics import Mechanics
 from polhode.cli.render import as_json, print_report
 from polhode.cli.sources import Kernels, Source, body_of, source_of
 from polhode.errors import InvalidInput
@@ -26,7 +27,7 @@ def run_compare(first: Path, second: Path, json: bool, out: Path | None, spec: P
         found = compare(*histories, offset=offset)
     except InvalidInput as error:
         raise InvalidInput(f"{first}, {second}: {error}") from None
-    report = ComparisonReport(found, clocks, (*_kinds(a, b), *_names(a, b)))
+    report = ComparisonReport(found, clocks, (*_kinds(a, b), *_names(a, b)), *_unknown(a, b, known))
     folder = out or Path(f"{first.stem}_and_{second.stem}")
     file = str(_drawn(report, folder))
     if json:
@@ -45,6 +46,17 @@ def clocks_of(a: Source, b: Source) -> tuple[float, str]:
     offset = float(epochs[1] - epochs[0])
     words = [f"{side.labels.epoch} {side.labels.time_system}" for side in (a, b) if side.labels]
     return offset, f"both count from {words[0]}" if words[0] == words[1] else f"by their epochs, {' and '.join(words)}"
+
+
+def _unknown(a: Source, b: Source, known: Mechanics | None) -> list[str]:
+    """Say why there is neither energy nor momentum, unless it is for want of a spec."""
+    if known is not None:
+        return ["energy and momentum need angular velocities, and the samples are too few to find these."]
+    specs = [side for side in (a, b) if side.system is not None]
+    if not specs:
+        return []
+    which = " and ".join(f"{side.history.name} is of the system {side.system}" for side in specs)
+    return [f"energy and momentum are known here of free bodies and tops only, and {which}."]
 
 
 def _kinds(a: Source, b: Source) -> list[str]:

@@ -13,7 +13,7 @@ from polhode.analysis.mechanics import Mechanics, invariants_along
 from polhode.bodies.frame import BodyFrame
 from polhode.cli.destinations import check_spares
 from polhode.cli.render import as_json, print_report
-from polhode.cli.sources import KINDS, Kernels, body_of, read_recorded
+from polhode.cli.sources import KINDS, KINDS_IN_WORDS, Kernels, body_of, read_recorded
 from polhode.errors import InvalidInput
 from polhode.formats.labels import AttitudeLabels
 from polhode.report.base import Section, plain
@@ -28,8 +28,8 @@ def run_import(path: Path, json: bool, out: Path | None, spec: Path | None, kern
     from polhode.formats.dataset import write_dataset
 
     kind, trajectory, labels = read_recorded(path, kernels)
-    if kind == "dataset":
-        raise InvalidInput(f"{path}: is a dataset of polhode's already; there is nothing to import.")
+    if kind in ("dataset", "csv"):
+        raise InvalidInput(f"{path}: is {KINDS_IN_WORDS[kind]} of polhode's already; there is nothing to import.")
     assert labels is not None
     notes, frame, kept = [], None, "a free body's"
     if spec is not None:

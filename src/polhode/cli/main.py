@@ -142,7 +142,7 @@ def import_(
 
 @app.command()
 def compare(
-    a: Annotated[Path, typer.Argument(metavar="A", help="Spec, dataset of polhode's, CCSDS AEM or SPICE C-kernel.")],
+    a: Annotated[Path, typer.Argument(metavar="A", help="Spec, dataset or CSV of polhode's, CCSDS AEM or C-kernel.")],
     b: Annotated[Path, typer.Argument(metavar="B", help="The same; times are counted by A.")],
     json: AsJson = False,
     out: Annotated[

@@ -1,4 +1,4 @@
-"""Whatever holds an attitude history: a spec, a dataset of ours, an AEM or a C-kernel, told apart by content."""
+"""Whatever holds an attitude history: a spec, a dataset or table of ours, an AEM or a C-kernel, by content."""
 
 from __future__ import annotations
 
@@ -18,8 +18,9 @@ from polhode.formats.labels import AttitudeLabels
 from polhode.trajectory import Trajectory
 
 HEAD = 65536  # bytes in which a file shows what it is
-KINDS = {"spec": "spec", "dataset": "dataset", "aem": "AEM", "ck": "C-kernel"}
+KINDS = {"spec": "spec", "dataset": "dataset", "csv": "CSV table", "aem": "AEM", "ck": "C-kernel"}
 KINDS_IN_WORDS = {kind: f"{'an' if name[0] == 'A' else 'a'} {name}" for kind, name in KINDS.items()}
+SAME_MOMENTUM = 1e-9  # of the largest; a rotor whose momentum is less changes no energy that is printed
 PICOSECOND = 1e-12  # s; epochs in an AEM are read to one
 TOPS = ("heavy-top", "lagrange-top")
 
@@ -70,6 +71,8 @@ def kind_of(path: Path) -> str:
         return "ck"
     if head.startswith(b"\x89HDF"):
         return "dataset"
+    if head.removeprefix(b"\xef\xbb\xbf").startswith((b"time [s]", b'"time [s]"')):
+        return "csv"
     if b"CCSDS_AEM_VERS" in head:
         return "aem"
     if b"<aem" in head or b"<ndm" in head:
@@ -97,6 +100,10 @@ def read_recorded(path: Path, kernels: Kernels) -> tuple[str, Trajectory, Attitu
 
         found = read_ck(path, sclk=kernels.sclk, fk=kernels.fk, lsk=kernels.lsk, spice_id=kernels.spice_id)
         return kind, found, found.system
+    if kind == "csv":
+        from polhode.formats.csv_table import read_csv
+
+        return kind, read_csv(path), None
     if kind == "dataset":
         from polhode.formats.dataset_reading import read_dataset
 
@@ -115,8 +122,27 @@ def source_of(path: Path, kernels: Kernels) -> Source:
     if kind_of(path) == "spec":
         return _from_spec(path)
     kind, trajectory, labels = read_recorded(path, kernels)
-    history = replace(_history(path, trajectory), resolution=0.5 * PICOSECOND if kind == "aem" else 0.0)
+    history = replace(
+        _history(path, trajectory), resolution=0.5 * PICOSECOND if kind == "aem" else 0.0,
+        mechanics=_recorded_mechanics(trajectory),
+    )  # fmt: skip
     return Source(kind, trajectory, history, labels)
+
+
+def _recorded_mechanics(trajectory: Trajectory) -> Mechanics | None:
+    """Return the mechanics of a dataset that is of a free body, as its momentum is the moments times the velocity.
+
+    Of a top the dataset does not tell the weight, and a rotor's momentum is not in the moments.
+    """
+    frame: BodyFrame | None = getattr(trajectory.system, "frame", None)
+    kept = {"energy", "momentum_space"} <= trajectory.invariants.keys()
+    if frame is None or frame.pivot is not None or not kept:
+        return None
+    if trajectory.angular_velocity is None or trajectory.momentum is None:
+        return None
+    inertia, momentum = _inertia(frame), np.asarray(trajectory.momentum)
+    left = np.abs(np.asarray(trajectory.angular_velocity) @ inertia - momentum).max()
+    return Mechanics(inertia) if left <= SAME_MOMENTUM * np.abs(momentum).max() else None
 
 
 class SpecBody(NamedTuple):
@@ -196,6 +222,9 @@ def _inertia(frame: BodyFrame) -> Any:
 
 
 def _history(path: Path, trajectory: Trajectory) -> AttitudeHistory:
+    if trajectory.attitude is None:
+        why = "holds no attitudes, only how a state changes, and a comparison is of attitudes"
+        raise InvalidInput(f"{path}: {why}. Choose the motion of a body that turns in space.")
     try:
         attitude = single_attitude(trajectory, "A comparison")
     except InvalidInput as error:

@@ -28,11 +28,13 @@ class ComparisonReport:
         comparison: the numbers.
         clocks: how the two times were laid side by side.
         notes: what else there is to know.
+        unknown: why energy and momentum of neither are known, where they are not.
     """
 
     comparison: Comparison
     clocks: str
     notes: tuple[str, ...] = ()
+    unknown: str = "energy and momentum need the body's moments; give a spec of a free body or top with --spec."
 
     @property
     def summary(self) -> str:
@@ -97,7 +99,7 @@ class ComparisonReport:
         if found.interpolation_error is not None and found.largest <= found.interpolation_error:
             notes.append("the angle is no larger than what interpolation may miss: it may be the interpolation's own.")
         if found.invariants == (None, None):
-            notes.append("energy and momentum need the body's moments; give a spec of a free body or top with --spec.")
+            notes.append(self.unknown)
         return notes
 
     def as_json_dict(self) -> dict[str, Any]:
