@@ -11,12 +11,14 @@ import pytest
 from polhode import FreeMotion, rotation
 from polhode.cli.main import main
 from polhode.formats.aem import write_aem
+from polhode.formats.aem_reading import read_aem
 from polhode.formats.csv_table import write_csv
 from polhode.formats.dataset import write_dataset
 from polhode.formats.dataset_reading import read_dataset
 from polhode.formats.given_axes import along_given_axes
 from polhode.formats.labels import AttitudeLabels
 from polhode.formats.spice import write_ck
+from polhode.formats.spice_reading import read_ck
 from polhode.report.choice import report_of
 from polhode.spec.reading import read_spec
 
@@ -264,6 +266,34 @@ def test_datasets_of_a_free_body_have_their_moments(files, capsys):
     assert values_of(["compare", "wheel.nc", "own.csv"], capsys)["invariants"] == [None, None]
     (note,) = [note for note in values_of(["compare", "wheel.toml", "wheel.nc"], capsys)["notes"] if "energy" in note]
     assert "wheel.toml is of the system gyrostat" in note and "--spec" not in note
+
+
+def test_what_a_file_does_not_tell_is_not_made_up(files, capsys):
+    """A kernel has no designator, an AEM no number of SPICE's; a file written on from it has the usual ones."""
+    found = values_of(["import", "box.bc"], capsys)
+    assert (found["object"], found["object_id"]) == ("BOX", None)
+    labels = read_dataset("box.nc").system.labels
+    assert (labels.object_id, labels.originator, labels.spice_id) == (None, None, -321)
+    assert "1900-000A" not in run(["import", "box.bc"], capsys)[1]
+    assert values_of(["import", "box.aem"], capsys)["object_id"] == "1900-000A"  # as it stands there
+    labels = read_dataset("box.nc").system.labels
+    assert (labels.object_id, labels.originator, labels.spice_id) == ("1900-000A", "POLHODE", None)
+    assert write_ck(read_aem("box.aem"), "on.bc")[0].is_file() and "_999 " in (files / "on.tsc").read_text()
+    write_aem(read_ck("box.bc"), "on.aem")
+    assert "OBJECT_ID = 1900-000A" in " ".join((files / "on.aem").read_text().split())
+
+
+def test_names_that_differ_by_case_and_underscore_are_the_same(files, capsys):
+    samples, labels = read_aem("box.aem"), AttitudeLabels(object_name="Odd Sat", epoch="2026-03-01T12:00:00")
+    write_aem(samples, "odd.aem", labels=labels)
+    write_ck(samples, "odd.bc", labels=labels)
+    assert not any("different names" in note for note in values_of(["compare", "odd.aem", "odd.bc"], capsys)["notes"])
+    assert any("different names" in note for note in values_of(["compare", "odd.aem", "box.bc"], capsys)["notes"])
+
+
+def test_one_attitude_is_one(files, capsys):
+    write_aem(FreeMotion((1.0, 2.0, 3.0), (0.0, 0.1, 1.0)).sample(np.zeros(1)), "one.aem")
+    assert "AEM with 1 attitude." in run(["import", "one.aem"], capsys)[1]
 
 
 REFUSED = [

@@ -137,7 +137,7 @@ def test_figure_g4_of_the_standard(tmp_path):
     # each segment over its useable time: three samples of eight lie outside
     assert len(found.times) == 4
     first = AttitudeLabels("MARS GLOBAL SURVEYOR", "1996-062A", "MARS BARYCENTER", epoch="1996-11-28T21:29:07.2555",
-                           originator="NASA/JPL", comments=found.system.comments)  # fmt: skip
+                           originator="NASA/JPL", spice_id=None, comments=found.system.comments)  # fmt: skip
     assert found.system == first and found.system.comments[0].startswith("This file was produced")
     assert found.times[0] == 2336.3 and found.angular_velocity is None and found.momentum is None
     alone = read_text(tmp_path, FIGURE_G4, segment=1)

@@ -93,7 +93,7 @@ def test_times_come_back_bit_for_bit_at_any_scale(tmp_path, scale):
     assert np.array_equal(back.times, samples.times)
     assert rotation.angle_between(back.attitude, samples.attitude).max() <= EXACT
     assert np.abs(back.angular_velocity - samples.angular_velocity).max() * scale <= EXACT
-    assert back.system == replace(LABELS, object_name="TUMBLER_1")
+    assert back.system == replace(LABELS, object_name="TUMBLER_1", object_id=None, originator=None)
 
 
 def test_times_before_zero_and_a_single_sample(tmp_path):

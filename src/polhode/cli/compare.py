@@ -10,6 +10,7 @@ from polhode.analysis.mechanics import Mechanics
 from polhode.cli.render import as_json, print_report
 from polhode.cli.sources import Kernels, Source, body_of, source_of
 from polhode.errors import InvalidInput
+from polhode.formats.labels import plain as same_name
 from polhode.formats.time_scales import terrestrial_time
 from polhode.report.comparison import ComparisonReport
 
@@ -74,7 +75,7 @@ def _names(a: Source, b: Source) -> list[str]:
     found = []
     for name, words in (("reference_frame", "space axes"), ("body_frame", "body axes"), ("object_name", "objects")):
         mine, theirs = getattr(a.labels, name), getattr(b.labels, name)
-        if mine.upper() != theirs.upper():
+        if same_name(mine) != same_name(theirs):
             found.append(f"{words} have different names, {mine} and {theirs}; they are compared as if the same.")
     return found
 

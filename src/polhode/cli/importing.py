@@ -17,7 +17,7 @@ from polhode.cli.sources import KINDS, KINDS_IN_WORDS, Kernels, body_of, read_re
 from polhode.errors import InvalidInput
 from polhode.formats.labels import AttitudeLabels
 from polhode.report.base import Section, plain
-from polhode.report.wording import angle, drifts, number, rate
+from polhode.report.wording import angle, counted, drifts, number, rate
 from polhode.trajectory import Trajectory
 
 Array = Any
@@ -53,7 +53,8 @@ def run_import(path: Path, json: bool, out: Path | None, spec: Path | None, kern
                              "files": [str(written)]})))  # fmt: skip
         return
     sections = [Section("Attitude history", _lines(values, trajectory, kept))]
-    print_report(str(path), f"{KINDS[kind]} with {values['samples']} attitudes.", sections, notes, [str(written)])
+    summary = f"{KINDS[kind]} with {counted(values['samples'], 'attitude')}."
+    print_report(str(path), summary, sections, notes, [str(written)])
 
 
 def along_principal_axes(trajectory: Trajectory, frame: BodyFrame, mechanics: Mechanics | None) -> Trajectory:
@@ -101,7 +102,7 @@ def summary_values(trajectory: Trajectory, labels: AttitudeLabels) -> dict[str, 
 def _lines(values: dict[str, Any], trajectory: Trajectory, kept: str) -> list[tuple[str, str | None]]:
     gap = values["largest_gap"]
     return [
-        ("object", f"{values['object']}, {values['object_id']}"),
+        ("object", ", ".join(filter(None, (values["object"], values["object_id"])))),
         ("frames", f"{values['body_frame']} (body) in {values['reference_frame']} (space)"),
         ("time zero", f"{values['epoch']} {values['time_system']}"),
         ("span", f"{values['first']:.9g} to {values['last']:.9g} s"),

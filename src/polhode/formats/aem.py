@@ -22,7 +22,7 @@ from polhode.errors import InvalidInput
 from polhode.formats.animation_keys import exact_motion
 from polhode.formats.epochs import TIME_SYSTEMS, as_text, later, read_epoch, since
 from polhode.formats.given_axes import along_given_axes, single_attitude
-from polhode.formats.labels import AttitudeLabels, is_in_spacecraft
+from polhode.formats.labels import USUAL_ID, USUAL_ORIGINATOR, AttitudeLabels, is_in_spacecraft
 from polhode.formats.paths import written_whole
 from polhode.trajectory import Trajectory
 
@@ -133,13 +133,13 @@ def _head(labels: AttitudeLabels, kind: str, start: str, stop: str) -> Iterator[
     yield "CCSDS_AEM_VERS = 2.0"
     yield "COMMENT Made by polhode"
     yield f"CREATION_DATE = {datetime.now(UTC):%Y-%m-%dT%H:%M:%S}"
-    yield _line("ORIGINATOR", "originator", labels.originator)
+    yield _line("ORIGINATOR", "originator", labels.originator or USUAL_ORIGINATOR)
     yield ""
     yield "META_START"
     for comment in labels.comments:
         yield _printable(f"COMMENT {comment}", "comments", comment)
     yield _line("OBJECT_NAME", "object_name", labels.object_name)
-    yield _line("OBJECT_ID", "object_id", labels.object_id)
+    yield _line("OBJECT_ID", "object_id", labels.object_id or USUAL_ID)
     if labels.center is not None:
         yield _line("CENTER_NAME", "center", labels.center)
     yield _line("REF_FRAME_A", "reference_frame", labels.reference_frame)

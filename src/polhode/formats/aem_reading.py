@@ -161,6 +161,7 @@ def _labels(one: Segment) -> AttitudeLabels:
         body_frame=body,
         epoch=shortest(one.epoch("START_TIME"), one.time_system),
         time_system=one.time_system,
-        originator=one.values.get("ORIGINATOR", "UNKNOWN"),
+        originator=one.values.get("ORIGINATOR"),
+        spice_id=None,
         comments=tuple(one.comments),
     )

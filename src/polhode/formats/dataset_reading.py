@@ -117,7 +117,7 @@ def _recording(dataset: xarray.Dataset, variables: dict[str, Any], components: l
         frame = BodyFrame(parts[0], parts[1], parts[2], mass, parts[4])
     if "body_frame" in attributes:
         known: dict[str, Any] = {one.name: attributes.get(one.name) for one in dataclasses.fields(AttitudeLabels)}
-        known["spice_id"] = int(known["spice_id"])
+        known["spice_id"] = None if known["spice_id"] is None else int(known["spice_id"])
         known["comments"] = tuple(known["comments"].split("\n")) if known["comments"] else ()
         labels = AttitudeLabels(**known)
     meanings = {name: (variables[name].attrs["units"], variables[name].attrs["long_name"]) for name in components}

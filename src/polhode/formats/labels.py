@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
+# what files that cannot do without them have for what is not known
+USUAL_ID, USUAL_ORIGINATOR, USUAL_NUMBER = "1900-000A", "POLHODE", -999
 # CCSDS 504.0-B-2, annex B3, and the registry of spacecraft body frames that it names
 _IN_SPACECRAFT = re.compile(
     "(SC BODY|ACC|ACTUATOR|AST|CSS|DSS|ESA|GYRO FRAME|IMU FRAME|INSTRUMENT|MTA|RW|SA|SENSOR|STARTRACKER|TAM)( .*)?"
@@ -17,14 +19,14 @@ class AttitudeLabels:
 
     Attributes:
         object_name: what turns.
-        object_id: its international designator, or any id.
+        object_id: its international designator, or any id; None where it is not known.
         center: the body whose vicinity it is in, or None.
         reference_frame: the space axes.
         body_frame: the body's axes.
         epoch: calendar date and time of the trajectory's time zero, ISO 8601, without zone.
         time_system: of that epoch: "UTC", "TAI", "TT", "TDB" or "GPS".
-        originator: who made the file.
-        spice_id: NAIF's negative number of a spacecraft, for SPICE; its frame is that times 1000.
+        originator: who made the file, or None.
+        spice_id: NAIF's negative number of a spacecraft, for SPICE; its frame is that times 1000. None if not known.
         comments: lines of text.
 
     >>> AttitudeLabels("BOX", epoch="2026-03-01T12:00:00", time_system="TAI").body_frame
@@ -32,15 +34,20 @@ class AttitudeLabels:
     """
 
     object_name: str = "BODY"
-    object_id: str = "1900-000A"
+    object_id: str | None = USUAL_ID
     center: str | None = None
     reference_frame: str = "EME2000"
     body_frame: str = "SC_BODY_1"
     epoch: str = "2000-01-01T00:00:00"
     time_system: str = "UTC"
-    originator: str = "POLHODE"
-    spice_id: int = -999
+    originator: str | None = USUAL_ORIGINATOR
+    spice_id: int | None = USUAL_NUMBER
     comments: tuple[str, ...] = ()
+
+    @property
+    def spacecraft(self) -> int:
+        """The number for SPICE, the usual one where it is not known."""
+        return USUAL_NUMBER if self.spice_id is None else self.spice_id
 
 
 def plain(text: str) -> str:

@@ -91,9 +91,9 @@ def worded(path: Path, remedy: str) -> Iterator[None]:
 
 def instrument(labels: AttitudeLabels) -> int:
     """Return the number under which SPICE has the body's attitude."""
-    if not -2_000_000 < labels.spice_id < 0:
-        raise InvalidInput(f"`spice_id` must be NAIF's negative number of a spacecraft; got {labels.spice_id}.")
-    return 1000 * labels.spice_id
+    if not -2_000_000 < labels.spacecraft < 0:
+        raise InvalidInput(f"`spice_id` must be NAIF's negative number of a spacecraft; got {labels.spacecraft}.")
+    return 1000 * labels.spacecraft
 
 
 def reference(labels: AttitudeLabels) -> str:
@@ -110,7 +110,7 @@ def clock_kernel(labels: AttitudeLabels, clock: Clock) -> str:
 
     Its seconds are those of TDB for epochs in TDB, else of TT, which UTC, TAI and GPS share with it.
     """
-    barycentric, number = labels.time_system == "TDB", -labels.spice_id
+    barycentric, number = labels.time_system == "TDB", -labels.spacecraft
     start = (barycentric_time if barycentric else terrestrial_time)(labels.epoch, labels.time_system) + clock.zero
     return f"""KPL/SCLK
 
@@ -145,14 +145,14 @@ The body axes of {_plain(labels.object_name)}, by polhode.
 \\begindata
 
 NAIF_BODY_NAME           += ( '{_plain(labels.object_name)[:36]}' )
-NAIF_BODY_CODE           += ( {labels.spice_id} )
+NAIF_BODY_CODE           += ( {labels.spacecraft} )
 FRAME_{name} = {number}
 FRAME_{number}_NAME      = '{name}'
 FRAME_{number}_CLASS     = 3
 FRAME_{number}_CLASS_ID  = {number}
-FRAME_{number}_CENTER    = {labels.spice_id}
-CK_{number}_SCLK         = {labels.spice_id}
-CK_{number}_SPK          = {labels.spice_id}
+FRAME_{number}_CENTER    = {labels.spacecraft}
+CK_{number}_SCLK         = {labels.spacecraft}
+CK_{number}_SPK          = {labels.spacecraft}
 
 \\begintext
 """

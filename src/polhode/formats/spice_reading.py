@@ -187,7 +187,7 @@ def _sampled(spice: Any, path: Path, number: int, clock: int, ticks: Array, segm
     labels = AttitudeLabels(
         object_name=_name(spice, number), reference_frame="EME2000" if reference == "J2000" else reference,
         body_frame=_frame(spice, number), epoch=epoch, time_system=system,
-        spice_id=number // 1000 if number % 1000 == 0 else number,
+        spice_id=number // 1000 if number % 1000 == 0 else number, object_id=None, originator=None,
     )  # fmt: skip
     return Trajectory(labels, times, attitude, attitude=attitude, angular_velocity=velocity, status="read from SPICE")
 

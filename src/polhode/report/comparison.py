@@ -16,6 +16,7 @@ UNITS = {
     "times": "s, A's", "angle": "rad", "growth": "rad/s", "alignment": "rad, rad/s", "interpolation_error": "rad",
     "invariants.drift": "relative",
 }  # fmt: skip
+LEAST = 1e-16  # rad; rounding of a quaternion's components alone makes more
 NAMES = {"energy": "energy", "momentum_norm": "|L|", "momentum_space": "L in space", "vertical_momentum": "L upwards"}
 INVARIANT_UNITS = {"energy": "J"}
 
@@ -41,7 +42,7 @@ class ComparisonReport:
         """The result in a sentence or two."""
         found = self.comparison
         if found.is_rounding:
-            return f"Both agree to {found.largest:.1e} rad: to rounding."
+            return f"Both agree to {max(found.largest, LEAST):.1e} rad: to rounding."
         text = f"They differ by up to {angle(found.largest)}, {angle(found.rms)} rms."
         if found.explained:
             assert found.alignment is not None
@@ -53,7 +54,7 @@ class ComparisonReport:
         """Return the answers worded for people."""
         found = self.comparison
         first, last = float(found.times[0]), float(found.times[-1])
-        growth = None if found.growth is None else f"{found.growth:.6g} rad/s"
+        growth = None if found.growth is None or found.is_rounding else f"{found.growth:.6g} rad/s"
         missed = None if found.interpolation_error is None else f"less than {found.interpolation_error:.2g} rad"
         sections: list[Section | Listing] = [
             Section("Times", [
@@ -63,8 +64,8 @@ class ComparisonReport:
                   for side, kept in zip("AB", found.invariants, strict=True)),
             ]),
             Section("Angle between them", [
-                ("largest", angle(found.largest)), ("rms", angle(found.rms)),
-                ("first", angle(float(found.angle[0]))), ("last", angle(float(found.angle[-1]))),
+                ("largest", _seen(found.largest)), ("rms", _seen(found.rms)),
+                ("first", _seen(float(found.angle[0]))), ("last", _seen(float(found.angle[-1]))),
                 ("growth, best line", growth),
             ]),
         ]  # fmt: skip
@@ -120,6 +121,11 @@ class ComparisonReport:
             } for kept in found.invariants],
             "notes": self.all_notes(), "units": UNITS,
         })  # fmt: skip
+
+
+def _seen(value: float) -> str | None:
+    """Return an angle [rad] in words, without digits of those that are less than rounding of a quaternion."""
+    return "0" if value == 0.0 else f"less than {LEAST:.0e} rad" if value < LEAST else angle(value)
 
 
 def _first(kept: Invariants, name: str) -> str:

@@ -17,6 +17,11 @@ def number(value: float | None, unit: str = "") -> str | None:
     return None if value is None else f"{value:.8g} {unit}".rstrip()
 
 
+def counted(count: int, thing: str) -> str:
+    """Return how many there are of a thing."""
+    return f"{count} {thing}" if count == 1 else f"{count} {thing}s"
+
+
 def angle(value: float | None) -> str | None:
     """Return an angle [rad] in radians and degrees."""
     return None if value is None else f"{value:.8g} rad = {math.degrees(value):.6g}°"
