@@ -37,7 +37,8 @@ def test_no_error_hides_between_the_points_drawn():
     other = history(times)
     other.attitude[3210] = rotation.multiply(rotation.from_rotation_vector((0.1, 0.0, 0.0)), other.attitude[3210])
     figure = draw_comparison(compare(history(times), other))
-    angle = next(line for line in figure.axes[0].get_lines() if line.get_label() == "angle between them")
+    angle = next(line for line in figure.axes[0].get_lines() if line.get_label().startswith("angle between"))
+    assert angle.get_label() == "angle between them, largest of each stretch"
     assert np.max(angle.get_ydata()) == pytest.approx(0.1) and len(angle.get_ydata()) < 1000
 
 
@@ -47,4 +48,23 @@ def test_zero_is_drawn_as_zero_and_without_moments_there_is_one_picture():
     figure = draw_comparison(compare(identical, identical))
     (axes,) = figure.axes
     assert np.all(axes.get_lines()[0].get_ydata() == LEAST)
-    assert [text.get_text() for text in axes.texts] == ["0"]
+    figure.canvas.draw()
+    assert [tick.get_text() for tick in axes.get_yticklabels()] == ["0"]
+
+
+def test_zeros_stand_next_below_what_is_not_zero():
+    times = np.linspace(0.0, 30.0, 50)
+    turns = rotation.from_rotation_vector(np.linspace(0.0, 1e-3, 50)[:, None] * np.array([0.0, 0.0, 1.0]))
+    still = AttitudeHistory("still", times, np.tile([1.0, 0.0, 0.0, 0.0], (50, 1)))
+    figure = draw_comparison(compare(AttitudeHistory("$turning", times, turns), still))
+    figure.canvas.draw()
+    (axes,) = figure.axes
+    low, high = axes.get_ylim()
+    assert high / low < 1e5 and axes.get_yticklabels()[0].get_text() == "0"
+    assert sum(tick.get_text() == "0" for tick in axes.get_yticklabels()) == 1
+    assert figure.get_suptitle() == "A: $turning\nB: still"
+
+
+def test_one_sample_has_its_time_on_the_axis():
+    figure = draw_comparison(compare(history(np.array([7.0])), history(np.array([7.0]), 1e-3)))
+    assert np.array_equal(figure.axes[-1].get_xticks(), [7.0])

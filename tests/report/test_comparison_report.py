@@ -25,6 +25,6 @@ def test_digits_of_rounding_are_not_shown():
     tiny, report = lines(1e-18)
     assert "e-18" not in " ".join(filter(None, tiny.values())) and "1.0e-16 rad: to rounding" in report.summary
     seen, report = lines(1e-9)
-    assert (seen["largest"] or "").startswith("1e-09 rad") and seen["growth, best line"] is not None
+    assert (seen["largest"] or "").startswith("1.0000") and seen["growth, best line"] is not None
     assert "Best fit" in report.sections()[2].title
     assert all("Best fit" not in section.title for section in lines(1e-13)[1].sections())

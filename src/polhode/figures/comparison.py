@@ -12,19 +12,21 @@ from polhode.figures import style
 
 Array = Any
 LEAST = 1e-17  # rad or relative: where zero is drawn, on an axis that has none
+LONGEST = 60  # characters of a name that fit into the figure's width
 STRETCHES = 240  # a curve of more samples is the largest of each stretch: noise would fill the picture
 
 
 def draw_comparison(found: Comparison) -> Figure:
     """Return the angle over time, and the relative change of energy and momentum of each below, on logarithmic axes."""
     known = [(side, kept) for side, kept in zip("AB", found.invariants, strict=True) if kept is not None]
-    figure = style.new_figure(height=3.8 if known else 2.4)
+    figure = style.new_figure(height=4.1 if known else 2.7)
     upper, *rest = np.atleast_1d(figure.subplots(2 if known else 1, 1, sharex=True))
     power = style.power_of_ten((found.times[0], found.times[-1]))
     unit = 10.0**power
+    binned = ", largest of each stretch" if len(found.times) > STRETCHES else ""
     if found.interpolation_error is not None and found.interpolation_error > 0.0:
         upper.axhline(found.interpolation_error, color=style.GREY, lw=0.8, ls=":", label="interpolation misses less")
-    _plot(upper, found.times / unit, found.angle, color=style.BLUE, lw=1.1, label="angle between them")
+    _plot(upper, found.times / unit, found.angle, color=style.BLUE, lw=1.1, label=f"angle between them{binned}")
     if found.alignment is not None and found.explained:
         _plot(upper, found.times / unit, found.alignment.remaining, color=style.VERMILION, lw=0.9, ls="--",
               label="after the best fit")  # fmt: skip
@@ -38,6 +40,9 @@ def draw_comparison(found: Comparison) -> Figure:
         axes.legend(fontsize=style.FONT - 2, frameon=False, loc="lower left", bbox_to_anchor=(-0.02, 1.0), ncols=2,
                     borderaxespad=0.2, columnspacing=1.2, handlelength=2.2)  # fmt: skip
         style.tidy(axes)
+    if len(found.times) == 1:
+        upper.set_xticks([found.times[0] / unit])
+    _titled(figure, found.names)
     (rest or [upper])[-1].set_xlabel(f"time of A  [{style.factor(power)}s]")
     return figure
 
@@ -68,11 +73,25 @@ def _plot(axes: Any, times: Array, values: Array, **style_of_line: Any) -> None:
 
 
 def _logarithmic(axes: Any) -> None:
+    """Make an axis logarithmic; zeros stand a decade below the least of the others, at a tick that says 0."""
     values = np.concatenate([np.atleast_1d(line.get_ydata()) for line in axes.get_lines()])
-    low, high = float(values.min()), float(values.max())
+    seen = values[values > LEAST]
+    high, zeros = float(values.max()), len(seen) < len(values)
     axes.set_yscale("log")
-    axes.set_ylim(0.4 * min(low, 0.1 * high), 2.5 * max(high, 10.0 * LEAST))
-    if low <= LEAST:
-        axes.axhline(LEAST, color=style.LIGHT, lw=0.6, zorder=0)
-        axes.annotate("0", (1.0, LEAST), xycoords=("axes fraction", "data"), xytext=(3, -2), textcoords="offset points",
-                      fontsize=style.FONT - 1, color=style.DARK)  # fmt: skip
+    if not zeros:
+        axes.set_ylim(0.4 * min(float(values.min()), 0.1 * high), 2.5 * high)
+        return
+    floor = 10.0 ** (int(np.floor(np.log10(seen.min()))) - 1) if len(seen) else LEAST
+    for line in axes.get_lines():
+        line.set_ydata(np.maximum(line.get_ydata(), floor))
+    axes.set_ylim(0.4 * floor, 2.5 * max(high, floor))
+    lowest, highest = round(np.log10(floor)), int(np.floor(np.log10(2.5 * max(high, floor))))
+    powers = list(range(highest, lowest, -max(1, (highest - lowest + 3) // 4)))
+    axes.set_yticks([floor, *(10.0**power for power in powers)], ["0", *(f"10$^{{{power}}}$" for power in powers)])
+    axes.minorticks_off()
+
+
+def _titled(figure: Figure, names: tuple[str, str]) -> None:
+    lines = [f"{side}: {name if len(name) <= LONGEST else name[: LONGEST - 1] + '…'}"
+             for side, name in zip("AB", names, strict=True)]  # fmt: skip
+    figure.suptitle("\n".join(lines), fontsize=style.FONT - 1, x=0.02, ha="left", color=style.DARK, parse_math=False)
