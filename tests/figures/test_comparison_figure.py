@@ -52,9 +52,10 @@ def test_zero_is_drawn_as_zero_and_without_moments_there_is_one_picture():
     assert [tick.get_text() for tick in axes.get_yticklabels()] == ["0"]
 
 
-def test_zeros_stand_next_below_what_is_not_zero():
+@pytest.mark.parametrize("largest", [1e-3, 6e-16])  # the second's least is 1.2e-17
+def test_zeros_stand_next_below_what_is_not_zero(largest):
     times = np.linspace(0.0, 30.0, 50)
-    turns = rotation.from_rotation_vector(np.linspace(0.0, 1e-3, 50)[:, None] * np.array([0.0, 0.0, 1.0]))
+    turns = rotation.from_rotation_vector(np.linspace(0.0, largest, 50)[:, None] * np.array([0.0, 0.0, 1.0]))
     still = AttitudeHistory("still", times, np.tile([1.0, 0.0, 0.0, 0.0], (50, 1)))
     figure = draw_comparison(compare(AttitudeHistory("$turning", times, turns), still))
     figure.canvas.draw()
@@ -62,6 +63,7 @@ def test_zeros_stand_next_below_what_is_not_zero():
     low, high = axes.get_ylim()
     assert high / low < 1e5 and axes.get_yticklabels()[0].get_text() == "0"
     assert sum(tick.get_text() == "0" for tick in axes.get_yticklabels()) == 1
+    assert axes.get_lines()[0].get_ydata()[0] == axes.get_yticks()[0]
     assert figure.get_suptitle() == "A: $turning\nB: still"
 
 

@@ -81,7 +81,7 @@ def _logarithmic(axes: Any) -> None:
     if not zeros:
         axes.set_ylim(0.4 * min(float(values.min()), 0.1 * high), 2.5 * high)
         return
-    floor = 10.0 ** (int(np.floor(np.log10(seen.min()))) - 1) if len(seen) else LEAST
+    floor = max(LEAST, 10.0 ** (int(np.floor(np.log10(seen.min()))) - 1)) if len(seen) else LEAST
     for line in axes.get_lines():
         line.set_ydata(np.maximum(line.get_ydata(), floor))
     axes.set_ylim(0.4 * floor, 2.5 * max(high, floor))
