@@ -14,6 +14,8 @@ TOUCH = 1e-6
 """Of the ellipsoid's size: what the page promises."""
 SAME_LENGTH = 1e-6
 """Of an arc's length, after Richardson's step; chords alone would be short by h²/24."""
+BETWEEN = 1e-4
+"""Of a turn: cubics over steps of 0.25 rad miss the exact attitude by some 1e-5."""
 AT_REST = 1e-5
 """Of |Ω| times the distance: five-point differences at steps of some hundredths of a radian leave 1e-7 or less."""
 ON_LINE = 3e-6
@@ -89,6 +91,9 @@ def check_rolls(page):
         in_space = matrix(drawn["spaceMatrix"])[:3, :3].T @ drawn["contact"]
         assert distance_to_path(in_space, np.reshape(drawn["herpolhode"], (-1, 3))) < ON_LINE
         assert drawn["shown"] == k
+    for k in np.linspace(0, last - 1, 9).round() + 0.5:
+        page.seek(float(k))
+        assert max(touching(page.measure("poinsot", "ellipsoid", "plane", "contact"))) < TOUCH
     assert slipping(drawn) < SAME_LENGTH
     assert max(contact_speed(page, k) for k in (last // 5, last - 2)) < AT_REST
 
@@ -98,6 +103,23 @@ def test_ellipsoid_rolls_without_slipping(example_page, opened, name):
     page = opened(example_page(name), **SMALL)
     check_rolls(page)
     assert not page.complaints and page.requests == [page.url]
+
+
+def test_coarse_steps_roll_too(opened, tmp_path):
+    motion = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5))
+    page = opened(write_page(motion.sample(np.linspace(0.0, 3000.0, 300)), tmp_path / "coarse.html"), **SMALL)
+    times, worst = np.array(page.times()), 0.0
+    assert np.diff(times).max() * np.linalg.norm(motion.angular_velocity(times), axis=-1).max() > 0.24  # rad
+    for k in np.linspace(0, len(times) - 2, 15).round():
+        for part in (0.25, 0.5, 0.9):
+            page.seek(k + part)
+            drawn = page.measure("poinsot", "ellipsoid", "plane", "contact", "bodyMatrix", "spaceMatrix")
+            worst = max(worst, *touching(drawn))
+            attitude = matrix(drawn["spaceMatrix"])[:3, :3].T @ matrix(drawn["bodyMatrix"])[:3, :3]
+            time = times[int(k)] + part * (times[int(k) + 1] - times[int(k)])
+            assert np.abs(attitude - ph.rotation.as_matrix(motion.attitude(time))).max() < BETWEEN
+    assert worst < TOUCH
+    assert slipping(page.measure("poinsot")) < SAME_LENGTH
 
 
 def test_plane_too_low_is_found(opened, tmp_path, monkeypatch):

@@ -20,7 +20,7 @@ from polhode.formats.paths import written_whole
 from polhode.report.base import AbstractReport
 from polhode.trajectory import Trajectory
 from polhode.viewer.encoding import as_script_json, packed
-from polhode.viewer.panels import kind_of, panels_of, up_of
+from polhode.viewer.panels import free_moments_of, kind_of, panels_of, up_of
 from polhode.viewer.samples import Samples, samples_of
 
 Array = Any
@@ -152,6 +152,7 @@ def _arrays(system: Any, samples: Samples) -> dict[str, Any]:
         "times": packed(samples.times), "attitude": array(samples.attitude), "momentum": array(samples.momentum),
         "velocity": array(samples.angular_velocity, "f4"), "energy": array(samples.energy),
         "energyName": samples.energy_name, "energyUnit": samples.energy_unit, "joined": samples.joined,
+        "free": free_moments_of(system, samples),
         "space": turn.tolist(), "up": up,
     }  # fmt: skip
 

@@ -21,6 +21,7 @@ Panel = dict[str, Any]
 PERIOD_POINTS = 2000  # of the drawn polhode, so that its chords miss it by 2e-6 at most
 KEPT = 1e-6  # of |L|: a momentum in space that stays within this is the one that a page's "up" can be
 TOPS = ("LagrangeMotion", "HeavyTop", "BodyInPotential", "BrunBody")  # their space has an up of its own
+FREE = ("FreeMotion", "FreeRigidBody")
 LOW = 0.4  # cosine of the tilt below which a top would dip into the ground, and stands on a post
 AXIS = np.array([0.0, 0.0, 1.0])
 
@@ -66,6 +67,13 @@ def moments_of(system: Any) -> Array | None:
     if moments is None or np.shape(moments) != (3,):
         return None
     return np.asarray(moments, dtype=float)
+
+
+def free_moments_of(system: Any, samples: Samples) -> list[float] | None:
+    """Return the principal moments of a body without torques that turns, or None: the page then knows how L goes on."""
+    if kind_of(system) not in FREE or samples.momentum is None or not np.linalg.norm(samples.momentum, axis=-1).all():
+        return None
+    return np.asarray(system.moments, dtype=float).tolist()
 
 
 def up_of(system: Any, samples: Samples) -> tuple[Array, str]:
@@ -126,7 +134,7 @@ def _of_top(kind: str, system: Any, samples: Samples, moments: Array | None, sur
 
 def _as_free_motion(kind: str, system: Any, samples: Samples) -> FreeMotion | None:
     """Return the exact motion through a free body's first sample; None for other systems."""
-    if kind not in ("FreeMotion", "FreeRigidBody") or samples.momentum is None:
+    if kind not in FREE or samples.momentum is None:
         return None
     attitude = (1.0, 0.0, 0.0, 0.0) if samples.attitude is None else samples.attitude[0]
     return FreeMotion(np.asarray(system.moments, dtype=float), samples.momentum[0], attitude, float(samples.times[0]))

@@ -96,7 +96,7 @@ function traceOf(motion, k, color) {
     const here = motion.attitude(j);
     if (last && motion.joined) {
       const between = Math.min(20, Math.ceil(last.angleTo(here) / FINE));
-      for (let i = 1; i < between; i++) place(last.clone().slerp(here, i / between));
+      for (let i = 1; i < between; i++) place(motion.at(j - 1 + i / between).attitude);
     }
     place(here);
     ends.push(points.length / 3 - 1);

@@ -45,7 +45,7 @@ export function poinsotPanel(motion, data, theme) {
     { color: theme.velocity, text: "contact, −Ω" },
   ];
   panel.update = (now) => {
-    const k = Math.floor(now.position);
+    const k = Math.floor(now.position * motion.fine);
     body.quaternion.copy(now.attitude);
     touch.position.copy(contactOf(now.momentum, data, unit)).applyQuaternion(now.attitude);
     axis.point(touch.position, touch.position.length());
@@ -64,7 +64,7 @@ export function poinsotPanel(motion, data, theme) {
       spaceMatrix: [...space.matrixWorld.elements],
       polhode: [...contacts],
       herpolhode: [...inSpace],
-      shown,
+      shown: shown / motion.fine, // in samples
     };
   };
   return panel;
@@ -75,20 +75,18 @@ function contactOf(momentum, data, unit) {
   return new Vector3(...momentum.toArray().map((x, k) => (size * x) / data.moments[k]));
 }
 
-/** Return the point of the ellipsoid that touches the plane at each sample, in body axes. */
+/** Return the points of the ellipsoid that touch the plane one after the other, in body axes. */
 function contactPoints(motion, data, unit) {
-  const found = new Float64Array(3 * motion.count);
-  for (let k = 0; k < motion.count; k++) {
-    contactOf(new Vector3().fromArray(motion.momenta, 3 * k), data, unit).toArray(found, 3 * k);
-  }
+  const found = new Float64Array(3 * motion.states.length);
+  motion.states.forEach(({ momentum }, k) => contactOf(momentum, data, unit).toArray(found, 3 * k));
   return found;
 }
 
 /** Return the same points in space. */
 function turned(motion, points) {
   const found = new Float64Array(points.length);
-  for (let k = 0; k < motion.count; k++) {
-    new Vector3().fromArray(points, 3 * k).applyQuaternion(motion.attitude(k)).toArray(found, 3 * k);
-  }
+  motion.states.forEach(({ attitude }, k) => {
+    new Vector3().fromArray(points, 3 * k).applyQuaternion(attitude).toArray(found, 3 * k);
+  });
   return found;
 }

@@ -32,7 +32,7 @@ export function spherePanel(motion, data, theme) {
     const norm = now.momentum.length();
     place.visible = norm > 0;
     if (norm > 0) place.position.copy(now.momentum).divideScalar(norm);
-    if (!own) drawUpTo(motion, trail, Math.floor(now.position));
+    if (!own) drawUpTo(motion, trail, Math.floor(now.position * motion.fine));
   };
   panel.labels = () =>
     stubs.map((end, k) => ({ text: `L${"₁₂₃"[k]}`, color: theme.axes[k], place: end.clone().multiplyScalar(1.08) }));
@@ -40,13 +40,9 @@ export function spherePanel(motion, data, theme) {
   return panel;
 }
 
-/** Return the direction of L at each sample. */
+/** Return the direction of L at each point of a drawn curve. */
 function directions(motion) {
-  const found = new Float64Array(motion.momenta.length);
-  for (let k = 0; k < found.length; k += 3) {
-    const [x, y, z] = motion.momenta.subarray(k, k + 3);
-    const norm = Math.hypot(x, y, z) || 1;
-    found.set([x / norm, y / norm, z / norm], k);
-  }
+  const found = new Float64Array(3 * motion.states.length);
+  motion.states.forEach(({ momentum }, k) => momentum.clone().normalize().toArray(found, 3 * k));
   return found;
 }
