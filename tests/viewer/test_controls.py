@@ -88,6 +88,47 @@ def test_keys_alone_do_everything(page_of_a_book, opened):
     assert not page.complaints
 
 
+def test_space_plays_after_a_click_on_another_button(page_of_a_book, opened):
+    page = opened(page_of_a_book)
+    speed = page.tab.locator("#speed")
+    for name in ("#slower", "#theme", "#forth"):
+        page.tab.locator(name).click()
+        shown = speed.text_content(), page.tab.evaluate("window.polhode.state().theme")
+        for playing in (True, False):
+            page.tab.keyboard.press(" ")
+            assert page.tab.evaluate("window.polhode.playing") is playing
+        assert (speed.text_content(), page.tab.evaluate("window.polhode.state().theme")) == shown
+    page.tab.locator("#faster").focus()
+    page.tab.keyboard.press(" ")  # reached by key, a button is pressed
+    assert speed.text_content() != shown[0] and page.tab.evaluate("window.polhode.playing") is False
+
+
+def test_speed_has_ends(page_of_a_book, opened):
+    page = opened(page_of_a_book)
+    for key, words in (("+", "×30"), ("-", "×0.0083")):
+        for _ in range(60):
+            page.tab.keyboard.press(key)
+        assert page.tab.locator("#speed").text_content() == words
+
+
+def test_pictures_are_described(page_of_a_book, example_page, opened):
+    label = "[...document.querySelectorAll('canvas')].map(x => x.getAttribute('aria-label'))"
+    body, *_ = opened(page_of_a_book).tab.evaluate(label)
+    assert body.startswith("The body in space: box of the same inertia. Arrow keys")
+    assert opened(example_page("t_handle")).tab.evaluate(label)[0].startswith("The body in space. Arrow keys")
+    page = opened(example_page("hyperion"))
+    assert "Arrow" not in page.tab.evaluate(label)[0] and not page.complaints
+    page.picture("hyperion")
+
+
+def test_without_scripts_the_page_says_so(browser, page_of_a_book):
+    context = browser.new_context(java_script_enabled=False)
+    tab = context.new_page()
+    tab.goto(page_of_a_book.as_uri())
+    assert "needs JavaScript" in tab.locator("noscript").inner_text()
+    context.close()
+
+
 def test_drag_turns_all_views_at_once(page_of_a_book, opened):
     page = opened(page_of_a_book)
     box = page.tab.locator("canvas").nth(1).bounding_box()

@@ -5,6 +5,8 @@ import hashlib
 import json
 import re
 from dataclasses import replace
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -15,10 +17,14 @@ from polhode.bodies.surface import Surface
 from polhode.errors import InvalidInput
 from polhode.formats.labels import AttitudeLabels
 from polhode.report import free_body_report
-from polhode.systems import FreeRigidBody
+from polhode.report.choice import report_of
+from polhode.spec.reading import read_spec
+from polhode.systems import FreeRigidBody, HeavyTop
 from polhode.viewer import page_of_report, show, write_page
+from polhode.viewer.page import check_given
 from polhode.viewer.samples import MOST
 
+EXAMPLES = Path(__file__).parents[2] / "examples"
 LARGEST = 1_500_000
 """Bytes: what the page promises."""
 MOTION = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5))
@@ -178,6 +184,39 @@ def test_what_cannot_be_shown_is_said(tmp_path):
     with pytest.raises(InvalidInput, match="cannot be written"):
         write_page(MOTION.sample(TIMES), tmp_path / "file" / "page.html")
     assert [path.name for path in tmp_path.iterdir()] == ["file"]
+
+
+def test_words_that_are_none(tmp_path):
+    sampled = MOTION.sample(TIMES)
+    right: dict[str, Any] = {"trajectory": sampled, "name": None, "summary": "", "notes": []}
+    wrongs = {"`name` must be text": {"name": 5}, "`summary` must": {"summary": None}, "`notes` must": {"notes": "x"},
+              "shows a Trajectory; got int": {"trajectory": 5}}  # fmt: skip
+    for words, wrong in wrongs.items():
+        with pytest.raises(InvalidInput, match=words):
+            check_given(**right | wrong)
+    assert data_of(write_page(sampled, tmp_path / "half.html", name="half \ud800 pair"))["name"] == "half ? pair"
+    assert data_of(write_page(sampled, tmp_path / "none.html"))["name"] == "Free motion"
+
+
+def test_numbers_of_its_own_notes_have_powers_of_ten(tmp_path):
+    note = data_of(write_page(MOTION.sample(np.linspace(0.0, 1e9, 500)), tmp_path / "long.html"))["notes"][0]
+    assert note.endswith("s of 1·10⁹ s.")
+
+
+def test_what_holds_a_top(tmp_path):
+    for name, pivot in (("precessing_top", "post"), ("top", "ground")):
+        spec = read_spec(EXAMPLES / f"{name}.toml")
+        report = report_of(spec)
+        page = page_of_report(report, tmp_path / "top.html", name=name, surface=spec.surface)
+        drawn = data_of(page)["panels"][0]
+        assert drawn["pivot"] == pivot and "along" not in drawn
+    flat = report.trajectory
+    axis = np.array([1.0, 2.0, 2.0]) / 3.0
+    turn = np.array([1.0 - axis[2], -axis[1], axis[0], 0.0])  # brings the axis down
+    hanging = replace(flat, system=HeavyTop((1.0, 2.0, 2.5), 1.0, axis),
+                      attitude=np.tile(turn / np.linalg.norm(turn), (len(flat.times), 1)))  # fmt: skip
+    drawn = data_of(write_page(hanging, tmp_path / "hanging.html"))["panels"][0]
+    assert drawn["pivot"] == "hook" and np.allclose(drawn["along"], axis)
 
 
 def test_old_page_survives_a_failed_write(tmp_path, monkeypatch):

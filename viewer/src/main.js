@@ -69,6 +69,8 @@ function start() {
     build();
   };
   element("theme").addEventListener("click", change);
+  // a button that was pressed by hand gives the keys back to the time bar; one reached by key keeps them
+  for (const button of document.querySelectorAll("button")) button.addEventListener("pointerup", () => button.blur());
   system.addEventListener("change", (event) => {
     theme = event.matches ? THEMES.dark : THEMES.light;
     build();
@@ -126,7 +128,8 @@ function caption(canvas, panel, data) {
     legend.append(item);
   }
   place.replaceChildren(title, words, legend);
-  canvas.setAttribute("aria-label", `${panel.title}: ${panel.words}. Arrow keys turn the view, page up and down bring it closer.`);
+  const turns = panel.flat ? "." : ". Arrow keys turn the view, page up and down bring it closer.";
+  canvas.setAttribute("aria-label", [panel.title, panel.words].filter(Boolean).join(": ") + turns);
 }
 
 /** What tests and the curious read: where things are in the scenes that are drawn. */

@@ -4,6 +4,7 @@ import { clock, worded } from "./numbers.js";
 const FASTER = Math.SQRT2;
 const EASY = 0.5; // turns of the body per second of watching, at first
 const [SHORTEST, LONGEST] = [8, 240]; // s that the whole motion takes, at first
+const [QUICKEST, SLOWEST] = [1, 3600]; // s that it takes at the ends of the scale of speeds
 const LEAP = 20; // samples that page-wise steps go
 
 export class Timebar {
@@ -108,7 +109,8 @@ export class Timebar {
   }
 
   scale(factor) {
-    this.rate *= factor;
+    const { span } = this.motion;
+    this.rate = Math.min(span / QUICKEST, Math.max(span / SLOWEST, this.rate * factor));
     this.say();
   }
 

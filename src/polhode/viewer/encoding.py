@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import base64
 import json
+import re
 from typing import Any
 
 import numpy as np
 
 Array = Any
+RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+EXPONENT = re.compile(r"(?<![\w.])(\d+(?:\.\d+)?)e([+-]?\d+)\b")
 
 
 def packed(values: Array, kind: str = "f8") -> dict[str, Any]:
@@ -20,6 +23,15 @@ def packed(values: Array, kind: str = "f8") -> dict[str, Any]:
     """
     array = np.ascontiguousarray(values, dtype=f"<{kind}")
     return {"kind": kind, "shape": list(array.shape), "data": base64.b64encode(array.tobytes()).decode("ascii")}
+
+
+def with_powers(text: str) -> str:
+    """Return a text with its numbers as the page writes them.
+
+    >>> with_powers("the first 2.62332e+07 s")
+    'the first 2.62332·10⁷ s'
+    """
+    return EXPONENT.sub(lambda found: f"{found[1]}·10{str(int(found[2])).translate(RAISED)}", text)
 
 
 def as_script_json(values: dict[str, Any]) -> str:

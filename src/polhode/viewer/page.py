@@ -19,8 +19,8 @@ from polhode.errors import InvalidInput
 from polhode.formats.paths import written_whole
 from polhode.report.base import AbstractReport
 from polhode.trajectory import Trajectory
-from polhode.viewer.encoding import as_script_json, packed
-from polhode.viewer.panels import free_moments_of, kind_of, panels_of, up_of
+from polhode.viewer.encoding import as_script_json, packed, with_powers
+from polhode.viewer.panels import free_moments_of, panels_of, title_of, up_of
 from polhode.viewer.samples import Samples, samples_of
 
 Array = Any
@@ -115,15 +115,17 @@ def page_of_report(report: AbstractReport, path: str | Path, *, name: str, surfa
     if trajectory is not report.trajectory and trajectory.status not in ("exact", "successful"):
         notes.append(f"Shown: the last turns, until the disk is {trajectory.status}.")
     return write_page(
-        trajectory, path, name=name, summary=report.summary, frame=report.frame, surface=surface, notes=notes
-    )
+        trajectory, path, name=name, summary=with_powers(report.summary), frame=report.frame, surface=surface,
+        notes=[with_powers(note) for note in notes],
+    )  # fmt: skip
 
 
 def page_text(
     trajectory: Trajectory, *, name: str | None, summary: str, frame: BodyFrame | None, surface: Surface | None,
     notes: Sequence[str],
 ) -> str:  # fmt: skip
-    """Return the whole page."""
+    """Return the whole page; characters that UTF-8 cannot write, as half a pair is, become "?"."""
+    check_given(trajectory, name, summary, notes)
     samples = samples_of(trajectory)
     drawn = surface if surface is None or frame is None else surface.along(frame)
     panels = panels_of(trajectory.system, samples, drawn)
@@ -132,14 +134,28 @@ def page_text(
             "the page has nothing to draw: this motion has neither an attitude nor a momentum that a sphere could "
             "show. Give the state its attitude, or write a dataset instead."
         )
-    title = name or getattr(trajectory.system, "object_name", None) or kind_of(trajectory.system) or "motion"
-    said = [note[:1].upper() + note[1:] for note in (*samples.notes, *notes)]
+    title = name or title_of(trajectory.system)
+    said = [note[:1].upper() + note[1:] for note in (*map(with_powers, samples.notes), *notes)]
     data = {
         "name": title, "summary": summary, "notes": said, "panels": panels,
         "drift": {key: float(np.max(value)) for key, value in trajectory.drift.items() if np.size(value)},
         **_arrays(trajectory.system, samples),
     }  # fmt: skip
-    return _filled(title, data)
+    return _filled(title, data).encode("utf-8", "replace").decode("utf-8")
+
+
+def check_given(trajectory: Any, name: Any, summary: Any, notes: Any) -> None:
+    """Raise InvalidInput for what is no trajectory or no text."""
+    if not isinstance(trajectory, Trajectory):
+        raise InvalidInput(
+            f"the page shows a Trajectory; got {type(trajectory).__name__}. Give it what `sample` or `solve` returns."
+        )
+    if name is not None and not isinstance(name, str):
+        raise InvalidInput(f"`name` must be text; got {name!r}. Put it in quotes.")
+    if not isinstance(summary, str):
+        raise InvalidInput(f"`summary` must be text; got {summary!r}. Put it in quotes.")
+    if isinstance(notes, str) or not all(isinstance(note, str) for note in notes):
+        raise InvalidInput(f"`notes` must be a list of texts; got {notes!r}. Put each line in quotes, all in brackets.")
 
 
 def _arrays(system: Any, samples: Samples) -> dict[str, Any]:

@@ -20,15 +20,29 @@ Array = Any
 Panel = dict[str, Any]
 PERIOD_POINTS = 2000  # of the drawn polhode, so that its chords miss it by 2e-6 at most
 KEPT = 1e-6  # of |L|: a momentum in space that stays within this is the one that a page's "up" can be
+TITLES = {
+    "FreeMotion": "Free motion", "FreeRigidBody": "Free motion", "LagrangeMotion": "Lagrange top",
+    "HeavyTop": "Heavy top", "BodyInPotential": "Body in a potential", "BrunBody": "Brun's body",
+    "EulerDisk": "Euler's disk", "SpinOrbit": "Spin on an orbit", "Gyrostat": "Gyrostat",
+    "TorquedGyrostat": "Gyrostat with a driven rotor", "TorquedBody": "Body under torques",
+}  # fmt: skip
 TOPS = ("LagrangeMotion", "HeavyTop", "BodyInPotential", "BrunBody")  # their space has an up of its own
 FREE = ("FreeMotion", "FreeRigidBody")
-LOW = 0.4  # cosine of the tilt below which a top would dip into the ground, and stands on a post
+LOW = 0.4  # cosine of the tilt below which a top of unknown shape would dip into the ground, and stands on a post
+DIPS = 0.02  # of its size by which a top may do so, as the tip of a stem is not a point
+LOOKS = 300  # samples at which that is looked at
+ALIGNED = 0.99999  # cosine up to which a top's axis is one of its principal axes
 AXIS = np.array([0.0, 0.0, 1.0])
 
 
 def kind_of(system: Any) -> str:
     """Return the name of a system's class, "" for what is none of polhode's."""
     return type(system).__name__ if type(system).__module__.startswith("polhode.") else ""
+
+
+def title_of(system: Any) -> str:
+    """Return what a motion without a name is called: the object's name in its file, or the kind of motion."""
+    return getattr(system, "object_name", None) or TITLES.get(kind_of(system), "Motion")
 
 
 def panels_of(system: Any, samples: Samples, surface: Surface | None) -> list[Panel]:
@@ -119,14 +133,28 @@ def _of_top(kind: str, system: Any, samples: Samples, moments: Array | None, sur
     axis = np.asarray(getattr(system, "axis", AXIS), dtype=float)
     weighed = kind in ("LagrangeMotion", "HeavyTop")
     shape = top_shape(moments, axis, surface) if weighed and moments is not None else body_shape(moments, surface)
-    lowest = float(rotation.rotate(samples.attitude, axis)[:, 2].min())
-    own = {"traced": int(np.abs(axis).argmax()), "pivot": "ground" if lowest > LOW else "post"}
+    own: Panel = {"traced": int(np.abs(axis).argmax()), "pivot": _pivot(samples.attitude, axis, shape[0])}
+    if weighed and axis[own["traced"]] < ALIGNED * np.linalg.norm(axis):
+        own["along"] = (axis / np.linalg.norm(axis)).tolist()
     body = _body(samples, moments, *shape) | own
     limits = []
     if isinstance(system, LagrangeMotion):
         limits = [float(x) for x in system.nutation_limits if x is not None and abs(x) < 1.0]
     locus = {"type": "axis", "axis": axis.tolist(), "limits": limits, "center": weighed}
     return [body, locus]
+
+
+def _pivot(attitude: Array, axis: Array, surface: Surface | None) -> str:
+    """Return what holds the pivot: the ground, a post where the body reaches below it, a hook where it hangs."""
+    up = rotation.rotate(rotation.conjugate(attitude[:: -(-len(attitude) // LOOKS)]), AXIS)  # in the body
+    height = rotation.rotate(attitude, axis)[:, 2]
+    if height.mean() < 0:
+        return "hook"
+    if surface is None:
+        return "ground" if height.min() > LOW * np.linalg.norm(axis) else "post"
+    corners = np.asarray(surface.vertices, dtype=float)
+    lowest = min(float((corners @ direction).min()) for direction in up)
+    return "ground" if lowest > -DIPS * np.linalg.norm(corners, axis=1).max() else "post"
 
 
 # ---------------------------------------------------------------------- the momentum sphere

@@ -115,8 +115,9 @@ def _thinned(trajectory: Trajectory) -> Samples:
         notes.append(f"Thinned for display: every {_ordinal(step)} of {count} samples.")
     joined = _largest_turn(trajectory.system, found) <= JOINED
     if not joined:
+        points = "" if type(trajectory.system).__name__ == "SpinOrbit" else ", and samples are drawn as points"
         notes.append("From sample to sample the body turns too far for the motion between to be shown: "
-                     "it jumps, and samples are drawn as points.")  # fmt: skip
+                     f"it jumps{points}.")  # fmt: skip
     return replace(found, joined=joined, notes=tuple(notes))
 
 

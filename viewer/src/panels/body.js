@@ -5,6 +5,7 @@ import { arrow, circle, drawPieces, ellipsoid, floor, line, specks, surface } fr
 import { newPanel } from "../stage.js";
 
 const REACH = 1.32; // how far axes and trace stand off from a body of size one
+const HEIGHTS = { ground: 0, post: -REACH, hook: REACH }; // of the plane that holds the pivot
 const LONGEST = 1.5; // of L and of the largest Ω
 const FINE = 0.06; // rad between points of the trace
 
@@ -19,21 +20,25 @@ export function bodyPanel(motion, data, theme) {
   space.add(body);
   const tips = [0, 1, 2].map((k) => {
     const tip = new Vector3().setComponent(k, REACH);
-    body.add(line([0, 0, 0, ...tip.toArray()], theme.axes[k], k === data.traced ? 2.5 : 1.5));
+    body.add(line([0, 0, 0, ...tip.toArray()], theme.axes[k], k === data.traced && !data.along ? 2.5 : 1.5));
     return tip;
   });
   const color = theme.axes[data.traced];
-  const trace = traceOf(motion, data.traced, color);
+  const direction = data.along ? new Vector3(...data.along) : new Vector3().setComponent(data.traced, 1);
+  const end = direction.multiplyScalar(REACH);
+  if (data.along) body.add(line([0, 0, 0, ...end.toArray()], color, 2.5));
+  const trace = traceOf(motion, end, color);
   space.add(trace.object);
-  if (data.pivot) panel.scene.add(floor(data.pivot === "ground" ? REACH : 0.7, data.pivot === "ground" ? 0 : -REACH, theme));
+  if (data.pivot) panel.scene.add(floor(data.pivot === "ground" ? REACH : 0.7, HEIGHTS[data.pivot], theme));
   else panel.scene.add(circle(REACH, 0, theme.ring));
   if (data.pivot === "post") panel.scene.add(line([0, 0, -REACH, 0, 0, 0], theme.edge, 5));
+  if (data.pivot === "hook") panel.scene.add(line([0, 0, 0, 0, 0, REACH], theme.edge, 5));
   const arrows = { L: motion.momenta && arrow(theme.momentum, 0.02), Ω: motion.velocities && arrow(theme.velocity, 0.017) };
   for (const found of Object.values(arrows)) if (found) space.add(found);
   let state = null;
 
   panel.legend = [
-    { color, text: `trace of axis ${data.traced + 1}` },
+    { color, text: data.along ? "trace of the axis through the centre of mass" : `trace of axis ${data.traced + 1}` },
     ...(arrows.L ? [{ color: theme.momentum, text: "L" }] : []),
     ...(arrows["Ω"] ? [{ color: theme.velocity, text: "Ω" }] : []),
   ];
@@ -62,7 +67,7 @@ export function bodyPanel(motion, data, theme) {
     body.updateWorldMatrix(true, false);
     return {
       matrix: [...body.matrixWorld.elements],
-      axisTip: tips[data.traced].clone().applyMatrix4(body.matrixWorld).toArray(),
+      axisTip: end.clone().applyMatrix4(body.matrixWorld).toArray(),
       trace: [...trace.points].slice(0, 3 * (trace.shown + 1)),
       momentumTip: arrows.L?.userData.tip?.toArray() ?? null,
     };
@@ -87,10 +92,10 @@ function shapeOf(data, theme) {
 }
 
 /** Return the path of an axis' end in space: a line with points between the samples, or the samples alone. */
-function traceOf(motion, k, color) {
+function traceOf(motion, end, color) {
   const points = [];
   const ends = []; // by sample, how many pieces lead to it
-  const place = (q) => points.push(...new Vector3().setComponent(k, REACH).applyQuaternion(q).toArray());
+  const place = (q) => points.push(...end.clone().applyQuaternion(q).toArray());
   let last = null;
   for (let j = 0; j < motion.count; j++) {
     const here = motion.attitude(j);

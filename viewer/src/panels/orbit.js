@@ -4,7 +4,9 @@ import { unpacked } from "../motion.js";
 import { dot, line } from "../shapes.js";
 import { newPanel } from "../stage.js";
 
-const SIZE = 0.2; // of the moon, in semi-major axes
+const [MOON, PLANET] = [0.2, 0.1]; // sizes, in semi-major axes
+const ROOM = 0.55; // of the least distance, that the moon may fill; half as much the planet
+const FIELD = 13; // degrees from the middle to the upper edge, as in the other pictures
 
 export function orbitPanel(motion, data, theme) {
   const panel = newPanel(theme, { title: "Spin on the orbit", words: "seen from above; the moon is drawn large", radius: 1.3 });
@@ -12,25 +14,27 @@ export function orbitPanel(motion, data, theme) {
   const angles = unpacked(data.angle);
   const places = unpacked(data.place);
   const e = data.eccentricity;
+  const size = Math.min(MOON, ROOM * (1 - e));
   const ellipse = [];
   for (let k = 0; k <= 256; k++) {
     const anomaly = (Math.PI * k) / 128;
     ellipse.push(Math.cos(anomaly) - e, Math.sqrt(1 - e * e) * Math.sin(anomaly), 0);
   }
-  const planet = new Mesh(new SphereGeometry(0.1, 32, 24), new MeshLambertMaterial({ color: theme.axes[1] }));
+  const planet = new Mesh(new SphereGeometry(Math.min(PLANET, 0.5 * ROOM * (1 - e)), 32, 24), new MeshLambertMaterial({ color: theme.axes[1] }));
   // (B − A)/C = ω0²/3 of a prolate ellipsoid gives its axes' ratio
   const flat = Math.min(data.asphericity ** 2 / 3, 0.9);
   const ratio = Math.max(Math.sqrt((1 - flat) / (1 + flat)), 0.35);
   const moon = new Group();
-  const rock = new Mesh(new SphereGeometry(SIZE, 48, 32), new MeshLambertMaterial({ color: theme.body }));
+  const rock = new Mesh(new SphereGeometry(size, 48, 32), new MeshLambertMaterial({ color: theme.body }));
   rock.scale.set(1, ratio, ratio);
-  const mark = dot(theme.motion, theme.ground, 0.028);
-  mark.position.set(SIZE, 0, 0.02);
-  moon.add(rock, mark, line([-SIZE, 0, SIZE, 1.5 * SIZE, 0, SIZE], theme.motion, 2.5));
+  const mark = dot(theme.motion, theme.ground, 0.14 * size);
+  mark.position.set(size, 0, 0.1 * size);
+  moon.add(rock, mark, line([-size, 0, size, 1.5 * size, 0, size], theme.motion, 2.5));
   const ray = line([0, 0, 0, 1, 0, 0], theme.ring, 1.2);
   scene.add(line(ellipse, theme.family, 1.4), planet, moon, ray);
   panel.flat = (camera, aspect) => {
-    const distance = (1.45 + e) / Math.sin(0.22) / Math.min(1, aspect);
+    const [wide, high] = [1 + 1.7 * size, Math.sqrt(1 - e * e) + 1.7 * size];
+    const distance = Math.max(high, wide / aspect) / Math.tan((FIELD * Math.PI) / 180);
     camera.position.set(-e, 0, distance);
     camera.up.set(0, 1, 0);
     camera.aspect = aspect;
