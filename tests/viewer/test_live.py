@@ -100,7 +100,7 @@ def test_sliders_move_the_scene_as_the_exact_motion_says(app):
     app.time.value = 0.35
     moments = np.array([1.5, 2.0, 2.6])
     off, around = np.radians([40.0, 110.0])
-    velocity = app.rate.value * np.array([np.sin(off) * np.sin(around), np.cos(off), np.sin(off) * np.cos(around)])
+    velocity = app.setting.rate * np.array([np.sin(off) * np.sin(around), np.cos(off), np.sin(off) * np.cos(around)])
     motion = FreeMotion(moments, moments * velocity, app.picture.motion.attitude_at_epoch)
     attitude, momentum = motion.state(0.35 * motion.period)
     assert np.asarray(app.nodes["body/turning"].wxyz) == pytest.approx(attitude, abs=ROUNDING)
@@ -126,6 +126,36 @@ def test_a_body_that_cannot_be_is_held(app):
     app.moments[0].value = 0.2
     assert app.moments[0].value == pytest.approx(0.5) and "I1 ≥ |I2 − I3|" in app.message.content
     assert np.sort(app.picture.setting.moments) == pytest.approx([0.5, 2.5, 3.0])
+
+
+def test_a_value_typed_beyond_its_slider_is_held_at_the_end(app):
+    for slider in (app.rate, app.off, app.around, app.time, app.pace, *app.moments):
+        first = slider.value
+        for typed in (0.0, 1e9, float("nan")):
+            slider.value = typed
+            app.advance(0.1)
+            rate, moments = app.setting.rate, app.picture.setting.moments
+            assert app.rate.min <= rate <= app.rate.max and 0.0 <= app.time.value < 20.0
+            assert moments.min() > 0.0 and 2.0 * moments.max() <= moments.sum() * (1.0 + ROUNDING)
+            assert np.isfinite(drawn(app, "sphere/own")).all() and "nan" not in app.readout.content
+            if slider is app.rate:
+                assert rate == (slider.max if typed == 1e9 else slider.min) and "held" in app.spin_message.content
+        slider.value = first
+
+
+def test_numbers_are_short_and_stand_for_the_exact_body():
+    moments, velocity = np.array([6.000834567, 2.12345678, 7.0001234]) * 1e-5, np.array([3e-5, 7.1234567e-5, 1e-6])
+    start = Setting.of(moments, velocity)
+    app = LiveApp(start, port=0)
+    try:
+        for slider in (*app.moments, app.rate, app.off, app.around):
+            assert len(f"{slider.value:g}") <= 6 and len(f"{slider.min:g}") <= 5 and len(f"{slider.max:g}") <= 5
+        assert app.setting.moments == pytest.approx(moments, rel=ROUNDING)
+        assert app.setting.velocity == pytest.approx(velocity, rel=ROUNDING)
+        app.moments[0].value = 6.5
+        assert app.setting.moments == pytest.approx([6.5e-5, *moments[1:]], rel=ROUNDING)
+    finally:
+        app.stop()
 
 
 def test_play_goes_on_and_begins_anew(app):

@@ -20,6 +20,7 @@ Array = Any
 HOST = "127.0.0.1"  # only this machine: the page has no password
 FRAMES = 30  # a second
 SHOWN = 20  # periods on the time slider
+DIGITS = 4  # shown of a value; its box has room for six characters
 LEAST, MOST = 0.02, 2.5  # of the largest moment at first: ends of the sliders
 BODY_AT, SPHERE_AT, POINSOT_AT = (-2.7, 0.0, 0.0), (0.0, 0.0, 0.0), (2.7, 0.0, 0.0)
 OMEGA_LONG, L_LONG = 1.25, 1.55
@@ -27,6 +28,7 @@ TURNED = (0.446, 0.0, 0.0, -0.895)  # of the momentum sphere, so that axes 1 and
 # Okabe & Ito's palette, as in the figures
 BLUE, VERMILION, PURPLE = (0, 114, 178), (213, 94, 0), (204, 121, 167)
 GREY, STEEL, PALE, DARK = (130, 130, 130), (170, 184, 200), (225, 228, 232), (34, 34, 34)
+COLOURS = "Black: L. Purple: Ω. Blue: this motion's polhode. Vermilion: separatrix and herpolhode. Grey: others."
 
 
 class LiveApp:
@@ -55,6 +57,7 @@ class LiveApp:
             self.stop()
             raise InvalidInput(_taken(port))
         self.unit = 10.0 ** np.floor(np.log10(np.max(start.moments)))
+        self.rate_unit = 1.0 if 1e-2 <= start.rate < 1e3 else 10.0 ** np.floor(np.log10(start.rate))
         self.busy = False
         self.nodes: dict[str, Any] = {}
         self._controls(name)
@@ -80,60 +83,87 @@ class LiveApp:
 
     def advance(self, seconds: float) -> None:
         """Go on by so much of the viewer's time; at the end of the slider begin anew."""
-        self.time.value = round((self.time.value + seconds / self.pace.value) % SHOWN, 4)
+        self.time.value = round((_kept(self.time) + seconds / _kept(self.pace)) % SHOWN, 4)
 
     @property
     def setting(self) -> Setting:
-        """What the sliders say."""
-        off, around = np.radians([self.off.value, self.around.value])
-        moments = np.array([slider.value for slider in self.moments]) * self.unit
-        return Setting(moments, float(self.rate.value), float(off), float(around))
+        """What the sliders say, a value typed beyond the ends of one being that end."""
+        off, around = np.radians([self._value(self.off), self._value(self.around)])
+        moments = np.array([self._value(slider) for slider in self.moments]) * self.unit
+        return Setting(moments, self._value(self.rate) * self.rate_unit, float(off), float(around))
+
+    def _value(self, slider: Any) -> float:
+        """Return what a slider stands for: at first that is more than its rounded number says."""
+        shown, exact = self.first[id(slider)]
+        return exact if slider.value == shown else _kept(slider)
 
     # ------------------------------------------------------------------ controls
 
     def _controls(self, name: str) -> None:
         gui, start = self.server.gui, self.start
+        self.first: dict[int, tuple[float, float]] = {}  # the number each shows at first, and its exact one
         largest = float(np.max(start.moments)) / self.unit
         least = min(LEAST * largest, 0.5 * float(np.min(start.moments)) / self.unit)
-        power = round(np.log10(self.unit))
-        unit = f"10^{power} kg m²" if power else "kg m²"
+        unit = _times(self.unit) + "kg m²"
         gui.add_markdown(f"**{_plain(name)}**")
         with gui.add_folder("Moments of inertia"):
             self.moments = [
-                gui.add_slider(f"I{k + 1} [{unit}]", least, MOST * largest, 1e-4 * largest,
-                               float(value) / self.unit) for k, value in enumerate(start.moments)
-            ]  # fmt: skip
+                self._slider(f"I{k + 1} [{unit}]", _short(least), _short(MOST * largest), float(value) / self.unit)
+                for k, value in enumerate(start.moments)
+            ]
             self.message = gui.add_markdown("")
         with gui.add_folder("Spin at first"):
-            rate, off, around = start.rate, float(np.degrees(start.off)), float(np.degrees(start.around))
-            self.rate = gui.add_slider("|Ω| [rad/s]", 0.02 * rate, 4.0 * rate, 1e-3 * rate, rate)
-            self.off = gui.add_slider("Ω from axis 2 [°]", 0.0, 180.0, 0.01, off)
-            self.around = gui.add_slider("around it, from axis 3 [°]", 0.0, 360.0, 0.01, around)
+            rate, unit = float(start.rate / self.rate_unit), _times(self.rate_unit) + "rad/s"
+            off, around = float(np.degrees(start.off)), float(np.degrees(start.around))
+            self.rate = self._slider(f"|Ω| [{unit}]", _short(0.02 * rate), _short(4.0 * rate), rate)
+            self.off = self._slider("Ω from axis 2 [°]", 0.0, 180.0, off, 0.01)
+            self.around = self._slider("around it, from axis 3 [°]", 0.0, 360.0, around, 0.01)
+            self.spin_message = gui.add_markdown("")
         with gui.add_folder("Time"):
             self.play = gui.add_checkbox("play", True)
-            self.time = gui.add_slider("periods", 0.0, float(SHOWN), 1e-4, 0.0)
+            self.time = gui.add_slider("periods", 0.0, float(SHOWN), 1e-3, 0.0)
             self.pace = gui.add_slider("a period takes [s]", 1.0, 30.0, 0.1, 6.0)
         self.readout = gui.add_markdown("")
+        gui.add_markdown(COLOURS)
         for k, slider in enumerate(self.moments):
             slider.on_update(lambda _, k=k: self._moment_moved(k))
         for slider in (self.rate, self.off, self.around):
-            slider.on_update(lambda _: self._rebuild())
+            slider.on_update(lambda _: self._spin_moved())
         self.time.on_update(lambda _: self._show())
+
+    def _slider(self, label: str, low: float, high: float, first: float, step: float | None = None) -> Any:
+        """Return a slider whose numbers are short enough for its box."""
+        step = step or float(10.0 ** (np.floor(np.log10(first)) - DIGITS + 1))
+        shown = round(first, max(0, round(-np.log10(step))))
+        slider = self.server.gui.add_slider(label, low, high, step, shown)
+        self.first[id(slider)] = (shown, first)
+        return slider
+
+    def _spin_moved(self) -> None:
+        """Say where a value typed beyond its slider is held; its box is left alone, as one may be typing there."""
+        held = [slider for slider in (self.rate, self.off, self.around) if _kept(slider) != slider.value]
+        self.spin_message.content = " ".join(f"{_plain(s.label)}: held at {_kept(s):.4g}." for s in held)
+        self._rebuild()
 
     def _moment_moved(self, k: int) -> None:
         """Keep a moment to what a body can have beside the two others, and say so."""
         with self.lock:
             if self.busy:
                 return
-            low, high = allowed([s.value for s in self.moments], k)
-            value = float(self.moments[k].value)
-            kept = min(max(value, low), high)
+            low, high = allowed([self._value(s) for s in self.moments], k)
+            value, inside = float(self.moments[k].value), self._value(self.moments[k])
+            kept = min(max(inside, low), high)
             i, j = (n + 1 for n in range(3) if n != k)
+            if inside != _kept(self.moments[k]) and kept == inside:  # the number shown at first
+                kept = value
             if kept != value:
                 with self._quietly():
                     self.moments[k].value = kept
                 rule = f"I{k + 1} ≤ I{i} + I{j}" if value > high else f"I{k + 1} ≥ |I{i} − I{j}|"
-                self.message.content = f"Held at {kept:.4g}: a body has {rule}. Move the others first."
+                self.message.content = (
+                    f"Held at {kept:.4g}, an end of its slider." if kept == inside
+                    else f"Held at {kept:.4g}: a body has {rule}. Move the others first."
+                )  # fmt: skip
             else:
                 self.message.content = ""
             self._rebuild()
@@ -211,7 +241,7 @@ class LiveApp:
     def _show(self) -> None:
         """Move everything to the time on the slider."""
         with self.lock, self.server.atomic():
-            pose: Pose = self.picture.at(self.time.value * self.picture.clock)
+            pose: Pose = self.picture.at(_kept(self.time) * self.picture.clock)
             for name in ("body/turning", "poinsot/turning"):
                 self.nodes[name].wxyz = tuple(pose.attitude)
             self.nodes["point"].position = tuple(pose.momentum)
@@ -222,6 +252,22 @@ class LiveApp:
 
 def _arrow(scene: Any, name: str, points: Array, colour: tuple[int, int, int]) -> Any:
     return scene.add_arrows(name, _floats(points), colour, shaft_radius=0.018, head_radius=0.05, head_length=0.13)
+
+
+def _kept(slider: Any) -> float:
+    """Return a slider's value, or its end where more was typed into its box."""
+    value = float(slider.value)
+    return min(max(value, float(slider.min)), float(slider.max)) if np.isfinite(value) else float(slider.min)
+
+
+def _short(end: float) -> float:
+    """Return the end of a slider with two digits, as it is written beneath."""
+    return float(f"{end:.1e}")
+
+
+def _times(unit: float) -> str:
+    power = round(np.log10(unit))
+    return f"10^{power} " if power else ""
 
 
 def _floats(values: Array) -> Array:
