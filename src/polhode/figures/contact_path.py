@@ -52,7 +52,7 @@ def draw_contact_path(report: EulerDiskReport) -> Figure:
         axes.margins(0.08)
         axes.locator_params(nbins=5)
         style.tidy(axes)
-    _bar(figure, panels, clock, f"turns before it is {path.status}" if ends else f"time  [{style.factor(slow)}s]", ends)
+    _bar(panels[-1], clock, f"turns before it is {path.status}" if ends else f"time  [{style.factor(slow)}s]", ends)
     figure.legend(*panels[0].get_legend_handles_labels(), loc="outside upper center", ncols=2, fontsize=style.FONT - 1,
                   frameon=False, handlelength=2.2)  # fmt: skip
     return figure
@@ -63,10 +63,11 @@ def _centers(report: EulerDiskReport, states: Array) -> Array:
     return np.asarray(report.disk.center(states))[:, :2]
 
 
-def _bar(figure: Figure, panels: Any, clock: Array, words: str, ends: bool) -> None:
-    """Say what the strength of the colour means."""
+def _bar(axes: Any, clock: Array, words: str, ends: bool) -> None:
+    """Say beside a panel what the strength of every colour means."""
     norm = Normalize(float(clock.min()), float(clock.max()))
-    bar = figure.colorbar(ScalarMappable(norm, _fade(style.DARK, reverse=ends)), ax=panels, fraction=0.05, pad=0.02)
+    faded = ScalarMappable(norm, _fade(style.DARK, reverse=ends))
+    bar = axes.figure.colorbar(faded, ax=axes, fraction=0.05, pad=0.02)
     bar.set_label(words, size=style.FONT)
     bar.ax.tick_params(labelsize=style.FONT - 1, width=0.6, length=2.5)
     bar.outline.set_linewidth(0.6)

@@ -14,6 +14,7 @@ from polhode.report.free_body import FreeBodyReport
 Array = Any
 PERIODS, TURNS = 6, 24  # drawn at most
 SAMPLES_PER_TURN = 120
+SAME = 2e-3  # of the outer radius: circles closer than this are one line in print
 
 
 def draw_herpolhode(report: FreeBodyReport) -> Figure | None:
@@ -27,8 +28,10 @@ def draw_herpolhode(report: FreeBodyReport) -> Figure | None:
     figure = style.new_figure(height=3.9)
     axes = figure.add_subplot()
     circle = np.linspace(0.0, 2.0 * np.pi, 400)
-    for radius in {found.inner_radius / 10.0**power, outer}:
-        axes.plot(radius * np.cos(circle), radius * np.sin(circle), color=style.VERMILION, lw=0.7, ls="--", zorder=4,
+    # where both limits are the curve itself, they would only hide it
+    distinct = found.outer_radius - found.inner_radius > SAME * found.outer_radius
+    for radius in () if not distinct else {found.inner_radius / 10.0**power, outer}:
+        axes.plot(radius * np.cos(circle), radius * np.sin(circle), color=style.VERMILION, lw=0.7, ls="--", zorder=1,
                   label="its limits" if radius == outer else None)  # fmt: skip
     axes.plot(*curve.T, color=style.BLUE, lw=0.9, label="herpolhode")
     axes.plot(*curve[0], "o", ms=3.5, color=style.BLUE, mec="white", mew=0.5)

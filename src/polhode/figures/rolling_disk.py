@@ -63,7 +63,7 @@ def draw_rolling_disk(report: EulerDiskReport) -> Figure:
     handles.append(axes.plot([], [], color=style.BLUE, lw=1.2, label=f"contact{words}")[0])
     handles.append(axes.plot([], [], color=style.VERMILION, lw=1.2, marker="o", ms=3.5, label=f"centre{words}")[0])
     _scale_bar(scene, placing, last, a)
-    axes.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0.0), ncols=3, frameon=False,
+    axes.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0.0), ncols=2, frameon=False,
                 fontsize=style.FONT - 1, handlelength=1.8, columnspacing=1.0)  # fmt: skip
     axes.set_title(_words(times, np.degrees(states[:, 0])), fontsize=style.FONT, color=style.DARK)
     return figure

@@ -9,6 +9,7 @@ import matplotlib
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from matplotlib.ticker import ScalarFormatter
 
 COLUMN = 3.6  # inches, a journal's column
 DOTS_PER_INCH = 200
@@ -18,6 +19,7 @@ AXIS_COLOURS = (BLUE, ORANGE, GREEN)
 GREY, LIGHT, DARK = "#6f6f6f", "#c8c8c8", "#222222"
 FONT = 8
 LOST, TOO_SMALL = 0.03, 1e-12  # of the largest: curves between are enlarged, those below are rounding
+CONSTANT = 1e-9  # of a curve's size: what varies by less is constant, by rounding and its growth
 SETTINGS: Any = {
     "pdf.fonttype": 42,  # TrueType, embedded: publishers refuse type 3
     # text stays text, so that it can be searched, read aloud and set anew; among the fonts named for where DejaVu is
@@ -60,11 +62,11 @@ def factor(power: int) -> str:
     return f"10$^{{{power}}}$ " if power else ""
 
 
-def magnifications(series: Any) -> list[int]:
-    """Return the powers of ten by which columns of (T, n) are enlarged to be seen beside the largest."""
+def magnifications(series: Any, lost: float = LOST) -> list[int]:
+    """Return the powers of ten by which columns of (T, n), smaller than ``lost`` of the largest, are enlarged."""
     sizes = np.abs(np.asarray(series)).max(axis=0)
     largest = float(sizes.max())
-    return [int(np.floor(np.log10(largest / x))) if largest * TOO_SMALL < x < LOST * largest else 0 for x in sizes]
+    return [int(np.floor(np.log10(largest / x))) if largest * TOO_SMALL < x < lost * largest else 0 for x in sizes]
 
 
 def magnified(name: str, power: int) -> str:
@@ -78,9 +80,19 @@ def tidy(axes: Any) -> None:
     axes.xaxis.label.set_size(FONT)
     axes.yaxis.label.set_size(FONT)
     axes.figure.align_ylabels()
+    for axis in (axes.xaxis, axes.yaxis):
+        if isinstance(axis.get_major_formatter(), ScalarFormatter):
+            axis.get_major_formatter().set_useOffset(False)
     for spine in axes.spines.values():
         spine.set_linewidth(0.6)
         spine.set_color(GREY)
+
+
+def show_constant(axes: Any, values: Any, around: float) -> None:
+    """Give a curve that is constant but for rounding a range of so much on either side, lest rounding fill the axes."""
+    low, high = float(np.min(values)), float(np.max(values))
+    if high - low <= CONSTANT * max(abs(low), abs(high)):
+        axes.set_ylim(low - around, high + around)
 
 
 def save(figure: Figure, path: Path) -> Path:

@@ -8,6 +8,8 @@ from matplotlib.figure import Figure
 from polhode.figures import style
 from polhode.report.tops import LagrangeTopReport, TopReport
 
+LOST = 0.1  # of the largest rate: curves smaller than this are enlarged, their fast swings being a band else
+EVEN = 0.5  # degrees on either side of a tilt that is constant
 PERIODS, MANY = 6, 12  # nutations shown at most; swings of any top beyond which not all are shown
 
 
@@ -18,9 +20,10 @@ def draw_top_motion(report: TopReport) -> Figure:
     upper, lower = figure.subplots(2, 1, sharex=True)
     slow = style.power_of_ten((times[0], times[-1]))
     upper.plot(times / 10.0**slow, np.degrees(tilt), color=style.DARK, lw=1.1)
+    style.show_constant(upper, np.degrees(tilt), EVEN)
     upper.set_ylabel("tilt of the axis  [°]")
     power = style.power_of_ten(velocity)
-    larger = style.magnifications(velocity)
+    larger = style.magnifications(velocity, LOST)
     for k in range(3):
         lower.plot(times / 10.0**slow, velocity[:, k] * 10.0 ** (larger[k] - power), color=style.AXIS_COLOURS[k],
                    lw=1.0, ls=("-", "--", "-.")[k], label=style.magnified(f"axis {k + 1}", larger[k]))  # fmt: skip
