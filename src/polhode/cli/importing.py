@@ -32,6 +32,8 @@ def run_import(path: Path, json: bool, out: Path | None, spec: Path | None, kern
         raise InvalidInput(f"{path}: is {KINDS_IN_WORDS[kind]} of polhode's already; there is nothing to import.")
     assert labels is not None
     notes, frame, kept = [], None, "a free body's"
+    if trajectory.status.startswith("read, "):
+        notes.append(f"{trajectory.status}.")
     if spec is not None:
         body = body_of(spec)
         if (frame := body.frame) is None:

@@ -91,7 +91,7 @@ def worded(path: Path, remedy: str) -> Iterator[None]:
 
 def instrument(labels: AttitudeLabels) -> int:
     """Return the number under which SPICE has the body's attitude."""
-    if not -2_000_000 < labels.spacecraft < 0:
+    if not -(2**31) // 1000 < labels.spacecraft < 0:
         raise InvalidInput(f"`spice_id` must be NAIF's negative number of a spacecraft; got {labels.spacecraft}.")
     return 1000 * labels.spacecraft
 
