@@ -1,11 +1,13 @@
 """The page by mouse, by keys alone, on a phone, in the dark, and with a name that tries to be markup."""
 
+from dataclasses import replace
 from itertools import combinations, pairwise
 
 import numpy as np
 import pytest
 
 import polhode as ph
+from polhode.formats.labels import AttitudeLabels
 from polhode.systems import FreeRigidBody
 from polhode.viewer import show, write_page
 
@@ -233,6 +235,15 @@ def test_odd_motions_are_drawn(opened, tmp_path, name):
         assert len(canvas.screenshot()) > EMPTY
     values = page.tab.locator("#readouts").text_content()
     assert "NaN" not in values and "Infinity" not in values
+
+
+def test_attitudes_alone_are_drawn(opened, tmp_path):
+    whole = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5)).sample(np.linspace(0.0, 9.0, 91))
+    bare = replace(whole, system=AttitudeLabels(), momentum=None, angular_velocity=None, invariants={})
+    page = opened(write_page(bare, tmp_path / "bare.html"))
+    before = page.measure("body")["axisTip"]
+    page.seek(50.5)
+    assert page.measure("body")["axisTip"] != before and not page.complaints
 
 
 def test_without_webgl_the_page_says_so(browser, page_of_a_book):

@@ -127,6 +127,6 @@ function point(found, vector, attitude, most) {
 
 function largest(values) {
   let found = 0;
-  for (let k = 0; k < values.length; k += 3) found = Math.max(found, Math.hypot(values[k], values[k + 1], values[k + 2]));
+  for (let k = 0; values && k < values.length; k += 3) found = Math.max(found, Math.hypot(values[k], values[k + 1], values[k + 2]));
   return found;
 }
