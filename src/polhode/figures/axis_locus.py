@@ -25,7 +25,9 @@ def draw_axis_locus(report: TopReport) -> Figure:
     frame = view_frame(VIEW)
     path = followed(report)
     curve, limits = path.axis, path.limits
-    kind = f": {report.exact.regime}" if isinstance(report, LagrangeTopReport) else ", space axes"
+    kind = ", space axes"
+    if isinstance(report, LagrangeTopReport):
+        kind = ": steady precession" if report.even else f": {report.exact.regime}"
     for height in limits:
         turn = np.linspace(0.0, 2.0 * np.pi, 400)
         radius = np.sqrt(max(0.0, 1.0 - height * height))
@@ -78,8 +80,10 @@ def followed(report: TopReport) -> Followed:
     start, end = float(report.trajectory.times[0]), float(report.trajectory.times[-1])
     words = ""
     if exact.nutation_period is not None and end - start > PERIODS * exact.nutation_period:
-        end, words = start + PERIODS * exact.nutation_period, f", first {PERIODS} nutations"
+        end = start + PERIODS * exact.nutation_period
+        words = f", first {end - start:.3g} s" if report.even else f", first {PERIODS} nutations"
     attitude, momentum = exact.state(np.linspace(start, end, SAMPLES))
-    limits = [x for x in exact.nutation_limits if x is not None and abs(x) < 1.0]
+    # at constant tilt the path itself is the circle
+    limits = [] if report.even else [x for x in exact.nutation_limits if x is not None and abs(x) < 1.0]
     up, L, omega = (rotation.rotate(attitude, v) for v in ([0.0, 0.0, 1.0], momentum, momentum / exact.moments))
     return Followed(attitude, up, L, omega, limits, words)

@@ -43,7 +43,8 @@ def _series(report: TopReport) -> tuple[np.ndarray, np.ndarray, np.ndarray, str]
         exact, period = report.exact, report.exact.nutation_period
         end, words = times[-1], ""
         if period is not None and times[-1] - times[0] > PERIODS * period:
-            end, words = times[0] + PERIODS * period, f", first {PERIODS} nutations"
+            end = times[0] + PERIODS * period
+            words = f", first {end - times[0]:.3g} s" if report.even else f", first {PERIODS} nutations"
         times = np.linspace(times[0], end, 2000)
         attitude, momentum = exact.state(times)
         w, x, y, z = (attitude[:, k] for k in range(4))

@@ -36,6 +36,7 @@ from polhode.trajectory import Trajectory
 
 Array = Any
 PERIODS = 10
+EVEN = 1e-12  # radians between the limits of a tilt below which it is constant, but for rounding of what was given
 
 
 @dataclass(frozen=True)
@@ -164,8 +165,18 @@ class LagrangeTopReport(TopReport):
     threshold: float = field(kw_only=True)
 
     @property
+    def even(self) -> bool:
+        """Whether the axis goes round at constant tilt, steadily but for rounding."""
+        low, high = self.exact.nutation_limits
+        if self.exact.regime not in ("undulating", "cusp", "loop") or low is None or high is None:
+            return self.exact.regime == "steady"
+        return math.acos(low) - math.acos(high) < EVEN
+
+    @property
     def summary(self) -> str:
         exact, period = self.exact, self.exact.nutation_period
+        if self.even and exact.precession_rate is not None:
+            return f"The top precesses steadily at constant tilt, at {exact.precession_rate:.6g} rad/s."
         words = _REGIMES[exact.regime]
         if exact.regime == "sleeping" and abs(self.values()["spin"]) < self.threshold:
             words = "The top stands upright, spinning too slowly to sleep: the least push fells it."
@@ -197,20 +208,22 @@ class LagrangeTopReport(TopReport):
     def motion(self) -> Section:
         values = self.values()
         low, high = self.exact.nutation_limits
-        limits = None if low is None else (
+        limits = None if low is None else f"{math.degrees(math.acos(low)):.8g}°, constant" if self.even else (
             f"{math.degrees(math.acos(high)):.8g}° to {math.degrees(math.acos(low)):.8g}°"
         )  # fmt: skip
         steady = None if self.steady is None else ", ".join(
             f"{name} {value:.8g} rad/s" for name, value in self.steady._asdict().items() if value is not None
         )  # fmt: skip
         return Section("Motion", [
-            ("regime", values["regime"]),
+            ("regime", "steady" if self.even else values["regime"]),
             ("spin about the axis", rate(values["spin"])),
             ("spin from which it sleeps", rate(self.threshold)),
             ("tilt", limits),
-            ("nutation period T", number(values["nutation_period"], "s")),
-            ("precession per period Δφ", angle(values["precession_per_period"])),
-            ("own turn per period Δψ", angle(values["spin_per_period"])),
+            *([] if self.even else [
+                ("nutation period T", number(values["nutation_period"], "s")),
+                ("precession per period Δφ", angle(values["precession_per_period"])),
+                ("own turn per period Δψ", angle(values["spin_per_period"])),
+            ]),
             ("mean precession", rate(values["precession_rate"])),
             ("mean own turn", rate(values["spin_rate"])),
             ("steady precession at this tilt", steady),
