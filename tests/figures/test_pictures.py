@@ -12,12 +12,13 @@ from polhode.bodies.surface import Surface, cuboid
 from polhode.bodies.turned import ball
 from polhode.exact.free_body import FreeMotion
 from polhode.figures import style
-from polhode.figures.axis_locus import followed
+from polhode.figures.axis_locus import draw_axis_locus, followed
 from polhode.figures.inertia_ellipsoid import draw_inertia_ellipsoid
 from polhode.figures.rolling_disk import _disk, _moments_shown, draw_rolling_disk
 from polhode.figures.scene import Scene, circle_about, convex_outline, corner_normals
 from polhode.figures.sphere import view_frame
 from polhode.figures.spinning_top import draw_spinning_top
+from polhode.figures.top_motion import draw_top_motion
 from polhode.report.choice import report_of
 from polhode.report.free_body import free_body_report
 from polhode.spec.reading import read_spec
@@ -168,6 +169,22 @@ def test_the_cones_of_steady_precession(precessing):
     # the rims as drawn touch
     red, green = (curve(figure, colour) for colour in (style.VERMILION, style.GREEN))
     assert np.linalg.norm(red[:, None] - green[None], axis=-1).min() < 0.02
+
+
+def test_a_tilt_constant_to_rounding_is_steady_in_words_and_pictures(precessing):
+    values = precessing.as_json_dict()
+    assert values["regime"] == "undulating" and precessing.even
+    assert "precesses steadily" in precessing.summary and "nutates" not in precessing.summary
+    assert f"{values['precession_rate']:.6g} rad/s" in precessing.summary
+    figure = draw_axis_locus(precessing)
+    assert "steady" in figure.axes[0].get_title() and curve(figure, style.VERMILION) is None
+    figure = draw_top_motion(precessing)
+    figure.canvas.draw()
+    low, high = figure.axes[0].get_ylim()
+    assert low == pytest.approx(29.5) and high == pytest.approx(30.5)
+    assert not any(axis.get_offset_text().get_text() for axes in figure.axes for axis in (axes.xaxis, axes.yaxis))
+    nodding = report_of(read_spec(EXAMPLES / "top.toml"))
+    assert not nodding.even and "nutates" in nodding.summary
 
 
 def test_a_nodding_top_stays_between_two_cones():

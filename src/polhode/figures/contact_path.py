@@ -52,7 +52,8 @@ def draw_contact_path(report: EulerDiskReport) -> Figure:
         axes.margins(0.08)
         axes.locator_params(nbins=5)
         style.tidy(axes)
-    _bar(panels[-1], clock, f"turns before it is {path.status}" if ends else f"time  [{style.factor(slow)}s]", ends)
+    words = f"turns before it is {path.status}" if ends else f"time  [{style.factor(slow)}s]"
+    _bar(panels[-1], style.VERMILION if closer else style.DARK, clock, words, ends)
     figure.legend(*panels[0].get_legend_handles_labels(), loc="outside upper center", ncols=2, fontsize=style.FONT - 1,
                   frameon=False, handlelength=2.2)  # fmt: skip
     return figure
@@ -63,10 +64,10 @@ def _centers(report: EulerDiskReport, states: Array) -> Array:
     return np.asarray(report.disk.center(states))[:, :2]
 
 
-def _bar(axes: Any, clock: Array, words: str, ends: bool) -> None:
-    """Say beside a panel what the strength of every colour means."""
+def _bar(axes: Any, colour: str, clock: Array, words: str, ends: bool) -> None:
+    """Say beside a panel what the strength of its colour means, of a grey one for several."""
     norm = Normalize(float(clock.min()), float(clock.max()))
-    faded = ScalarMappable(norm, _fade(style.DARK, reverse=ends))
+    faded = ScalarMappable(norm, _fade(colour, reverse=ends))
     bar = axes.figure.colorbar(faded, ax=axes, fraction=0.05, pad=0.02)
     bar.set_label(words, size=style.FONT)
     bar.ax.tick_params(labelsize=style.FONT - 1, width=0.6, length=2.5)

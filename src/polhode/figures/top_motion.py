@@ -10,6 +10,7 @@ from polhode.report.tops import LagrangeTopReport, TopReport
 
 LOST = 0.1  # of the largest rate: curves smaller than this are enlarged, their fast swings being a band else
 EVEN = 0.5  # degrees on either side of a tilt that is constant
+TURNS = 30  # of the body about its axis shown at most, so that each swing of Ω can be seen, but one nutation at least
 PERIODS, MANY = 6, 12  # nutations shown at most; swings of any top beyond which not all are shown
 
 
@@ -42,9 +43,12 @@ def _series(report: TopReport) -> tuple[np.ndarray, np.ndarray, np.ndarray, str]
     if isinstance(report, LagrangeTopReport):
         exact, period = report.exact, report.exact.nutation_period
         end, words = times[-1], ""
-        if period is not None and times[-1] - times[0] > PERIODS * period:
-            end = times[0] + PERIODS * period
-            words = f", first {end - times[0]:.3g} s" if report.even else f", first {PERIODS} nutations"
+        turns = abs(exact.spin_per_period or 0.0) / (2.0 * np.pi)
+        count = int(np.clip(TURNS / turns, 1, PERIODS)) if turns else PERIODS
+        if period is not None and times[-1] - times[0] > count * period:
+            end = times[0] + count * period
+            nutations = f"first {count} nutations" if count > 1 else "first nutation"
+            words = f", first {end - times[0]:.3g} s" if report.even else f", {nutations}"
         times = np.linspace(times[0], end, 2000)
         attitude, momentum = exact.state(times)
         w, x, y, z = (attitude[:, k] for k in range(4))
