@@ -232,7 +232,7 @@ def test_import_of_a_top_has_what_its_own_dataset_has(tmp_path, monkeypatch, cap
     write_ck(report.trajectory, tmp_path / "top.bc", frame=report.frame)
     found = values_of(["import", "top.bc", "--spec", "top.toml"], capsys)
     assert set(found["drift"]) == {"energy", "vertical_momentum"} and not found["notes"]
-    back, own = read_dataset(tmp_path / "top.nc"), report.trajectory
+    back, own = read_dataset(tmp_path / "top_imported.nc"), report.trajectory
     assert np.array_equal(back.system.frame.moments, report.frame.moments)
     assert np.array_equal(back.system.frame.pivot, report.frame.pivot)
     assert np.abs(back.momentum - own.momentum).max() <= EXACT * np.abs(own.momentum).max()
@@ -246,9 +246,9 @@ def test_import_leaves_out_momentum_that_it_does_not_know(files, capsys, system)
     (files / "other.toml").write_text(BOX + system)
     found = values_of(["import", "box.bc", "--spec", "other.toml"], capsys)
     assert not found["drift"] and len(found["notes"]) == 1 and "are left out" in found["notes"][0]
-    back = read_dataset(files / "box.nc")
+    back = read_dataset(files / "box_imported.nc")
     assert back.momentum is None and not back.invariants and back.angular_velocity is not None
-    assert values_of(["compare", "box.nc", "box.toml"], capsys)["angle"]["largest"] <= EXACT
+    assert values_of(["compare", "box_imported.nc", "box.toml"], capsys)["angle"]["largest"] <= EXACT
 
 
 def test_datasets_of_a_free_body_have_their_moments(files, capsys):
@@ -272,11 +272,11 @@ def test_what_a_file_does_not_tell_is_not_made_up(files, capsys):
     """A kernel has no designator, an AEM no number of SPICE's; a file written on from it has the usual ones."""
     found = values_of(["import", "box.bc"], capsys)
     assert (found["object"], found["object_id"]) == ("BOX", None)
-    labels = read_dataset("box.nc").system.labels
+    labels = read_dataset("box_imported.nc").system.labels
     assert (labels.object_id, labels.originator, labels.spice_id) == (None, None, -321)
     assert "1900-000A" not in run(["import", "box.bc"], capsys)[1]
     assert values_of(["import", "box.aem"], capsys)["object_id"] == "1900-000A"  # as it stands there
-    labels = read_dataset("box.nc").system.labels
+    labels = read_dataset("box_imported.nc").system.labels
     assert (labels.object_id, labels.originator, labels.spice_id) == ("1900-000A", "POLHODE", None)
     assert write_ck(read_aem("box.aem"), "on.bc")[0].is_file() and "_999 " in (files / "on.tsc").read_text()
     write_aem(read_ck("box.bc"), "on.aem")
