@@ -1,6 +1,5 @@
 """The live view: what sliders ask for is what is drawn, in the app and in a browser; ports, and how it ends."""
 
-import os
 import re
 import signal
 import socket
@@ -28,9 +27,6 @@ SINGLE = 1e-6
 ROUNDING = 1e-12
 TIME_STEP = 1e-4  # of the slider, in periods
 EXAMPLES = Path(__file__).parents[2] / "examples"
-CHROMIUM = Path("/usr/bin/chromium")
-FLAGS = """--headless --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking
---disable-component-update --disable-sync""".split()
 
 
 @pytest.fixture
@@ -222,36 +218,27 @@ def test_interrupting_ends_it_cleanly():
 
 
 @pytest.mark.browser
-def test_the_page_loads_and_a_slider_in_it_moves_the_motion(app):
-    try:
-        from playwright.sync_api import sync_playwright
-    except ImportError:
-        sync_playwright = None
-    if sync_playwright is None or not CHROMIUM.exists():
-        assert os.environ.get("POLHODE_BROWSER") != "required", "chromium and playwright are required here"
-        pytest.skip("needs playwright and /usr/bin/chromium")
+def test_the_page_loads_and_a_slider_in_it_moves_the_motion(app, browser):
     errors, outside = [], []
-    with sync_playwright() as play:
-        browser = play.chromium.launch(executable_path=str(CHROMIUM), args=FLAGS)
-        page = browser.new_page(viewport={"width": 1300, "height": 720})
-        page.on("pageerror", lambda error: errors.append(str(error)))
-        page.on("console", lambda line: errors.append(line.text) if line.type == "error" else None)
-        inside = (app.address, app.address.replace("http", "ws"), "data:", "blob:")
-        page.on("request", lambda asked: None if asked.url.startswith(inside) else outside.append(asked.url))
-        page.goto(app.address)
-        page.wait_for_selector("canvas", timeout=60_000)
-        page.get_by_text("a <b>body</b>", exact=True).wait_for(timeout=60_000)
-        field = page.locator("input[type=text], input[inputmode=decimal]").first
-        before = app.moments[0].value
-        field.fill("1.25")
-        field.press("Enter")
-        until = time.monotonic() + 30.0
-        while app.moments[0].value == before and time.monotonic() < until:
-            page.wait_for_timeout(100)
-        folder = Path(__file__).parents[2] / "build" / "screenshots"
-        folder.mkdir(parents=True, exist_ok=True)
-        page.wait_for_timeout(1500)
-        page.screenshot(path=folder / "live.png")
-        browser.close()
+    page = browser.new_page(viewport={"width": 1300, "height": 720})
+    page.on("pageerror", lambda error: errors.append(str(error)))
+    page.on("console", lambda line: errors.append(line.text) if line.type == "error" else None)
+    inside = (app.address, app.address.replace("http", "ws"), "data:", "blob:")
+    page.on("request", lambda asked: None if asked.url.startswith(inside) else outside.append(asked.url))
+    page.goto(app.address)
+    page.wait_for_selector("canvas", timeout=60_000)
+    page.get_by_text("a <b>body</b>", exact=True).wait_for(timeout=60_000)
+    field = page.locator("input[type=text], input[inputmode=decimal]").first
+    before = app.moments[0].value
+    field.fill("1.25")
+    field.press("Enter")
+    until = time.monotonic() + 30.0
+    while app.moments[0].value == before and time.monotonic() < until:
+        page.wait_for_timeout(100)
+    folder = Path(__file__).parents[2] / "build" / "screenshots"
+    folder.mkdir(parents=True, exist_ok=True)
+    page.wait_for_timeout(1500)
+    page.screenshot(path=folder / "live.png")
+    page.close()
     assert app.moments[0].value == pytest.approx(1.25) and app.picture.setting.moments[0] == pytest.approx(1.25)
     assert not errors and not outside
