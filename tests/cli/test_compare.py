@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import spiceypy as spice
 
 from polhode import FreeMotion, rotation
 from polhode.cli.main import main
@@ -22,7 +23,6 @@ from polhode.formats.spice_reading import read_ck
 from polhode.report.choice import report_of
 from polhode.spec.reading import read_spec
 
-spice = pytest.importorskip("spiceypy")
 EXACT = 1e-12  # rad and relative
 AXIS = np.array([2.0, -1.0, 2.0]) / 3.0
 BOX = """

@@ -67,7 +67,6 @@ def test_animation_and_robot_link(run, tmp_path):
 
 
 def test_every_form_holds_the_motion(run, tmp_path):
-    pytest.importorskip("zarr")
     code, out, err = run("--to", "netcdf", "--to", "zarr", "--to", "csv", "--to", "aem", "--to", "csv")
     assert code == 0 and err == ""
     assert written(tmp_path) == ["case.aem", "case.csv", "case.nc", "case.zarr"]

@@ -14,7 +14,6 @@ from polhode.bodies.frame import BodyFrame
 from polhode.errors import FormatError, InvalidInput
 from polhode.formats.dataset import label_attributes
 
-pytest.importorskip("zarr")
 MOTION = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5), attitude=(0.5, -0.5, 0.1, 0.7))
 TIMES = np.linspace(0.0, 20.0, 101)
 BATCH = ph.FreeMotion((1.0, 2.0, 3.0), np.random.default_rng(0).normal(size=(4, 1, 3)))

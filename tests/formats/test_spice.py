@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+import spiceypy as spice
 
 from polhode import FreeMotion, InvalidInput, rotation
 from polhode.bodies import shapes
@@ -16,7 +17,6 @@ from polhode.formats.spice_kernels import Clock
 from polhode.formats.spice_reading import read_ck
 from polhode.formats.time_scales import leap_seconds_kernel
 
-spice = pytest.importorskip("spiceypy")
 EXACT = 1e-12  # rad and relative; SPICE and we multiply a few matrices at rounding
 EPHEMERIS = 1.2e-7  # s, what SPICE's ephemeris time tells apart in 2026
 MOTION = FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5), attitude=(0.5, 0.5, -0.5, 0.5))

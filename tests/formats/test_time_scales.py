@@ -3,11 +3,11 @@
 from fractions import Fraction
 
 import pytest
+import spiceypy as spice
 
 from polhode.errors import InvalidInput
 from polhode.formats.time_scales import as_epoch, barycentric_time, leap_seconds_kernel, terrestrial_time
 
-spice = pytest.importorskip("spiceypy")
 ULP = 1.2e-7  # of SPICE's double of seconds since 2000, to which both round, in 2026
 EPOCHS = ["2000-01-01T12:00:00", "2026-03-01T12:34:56.789", "1972-01-01T00:00:00", "2016-12-31T23:59:60.5",
           "2017-01-01T00:00:00", "2015-06-30T23:59:59.999"]  # fmt: skip

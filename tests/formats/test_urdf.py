@@ -4,6 +4,7 @@ import xml.etree.ElementTree as ET
 
 import numpy as np
 import pytest
+import yourdfpy
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
@@ -75,7 +76,6 @@ def test_the_bound_would_notice_turns_in_the_other_order(saved):
 
 
 def test_yourdfpy_reads_the_same(saved):
-    yourdfpy = pytest.importorskip("yourdfpy")
     own = write_urdf_inertial(BODY, saved("", "b.urdf"), principal=True)
     for path, link in ((saved(ARM), "upper_arm"), (own, "body")):
         found = yourdfpy.URDF.load(str(path), load_meshes=False, build_scene_graph=False).link_map[link].inertial

@@ -19,8 +19,6 @@ from polhode.exact.free_body import FreeMotion
 from polhode.viewer.live import LiveApp
 from polhode.viewer.live_motion import Setting, allowed, picture_of
 
-pytest.importorskip("viser", reason="the extra `live` is not installed")
-
 MOMENTS = np.array([1.0, 2.0, 2.6])
 SINGLE = 1e-6
 """What goes to the browser is float32, relative to lengths of about 1."""
