@@ -1,8 +1,66 @@
 """What can go wrong, in three kinds; every message names the value, the rule and the remedy."""
 
+import reprlib
+from typing import Any
+
+LONGEST_VALUE = 120  # characters of a value in a message
+LONGEST_MESSAGE = 3000  # characters
+JOINERS = "\u200c\u200d"  # invisible, but Persian, Hindi and emoji are spelt with them
+
+
+class _ShortRepr(reprlib.Repr):
+    def __init__(self) -> None:
+        super().__init__()
+        self.maxstring = self.maxother = 90
+
+    def repr_int(self, x: int, level: int) -> str:
+        # Python itself refuses to write whole numbers of more than some thousand digits
+        return super().repr_int(x, level) if x.bit_length() < 1000 else f"<whole number of {x.bit_length()} bits>"
+
+
+_SHORT = _ShortRepr()
+
+
+def shown(value: Any) -> str:
+    """Return how a message shows a value of a user's: as Python writes it, shortened, without control characters.
+
+    >>> shown("60 rpm")
+    "'60 rpm'"
+    >>> len(shown("x" * 10**6)) <= LONGEST_VALUE
+    True
+    """
+    one_line = " ".join(line.strip() for line in _SHORT.repr(value).split("\n"))  # arrays are written in several
+    return _cut(printable(one_line), LONGEST_VALUE)
+
+
+def printable(text: str) -> str:
+    """Return text whose control characters, undecodable bytes and reversals of direction are escaped; lines stay.
+
+    >>> printable("\\x1b[31mred")
+    '\\\\x1b[31mred'
+    """
+    if text.isprintable():
+        return text
+    return "".join(c if c.isprintable() or c == "\n" or c in JOINERS else _escaped(c) for c in text)
+
+
+def _escaped(character: str) -> str:
+    return " " if character.isspace() and ord(character) > 127 else repr(character)[1:-1]
+
+
+def _cut(text: str, longest: int) -> str:
+    """Return text of at most so many characters, shortened before its end."""
+    if len(text) <= longest:
+        return text
+    end = longest // 4
+    return f"{text[: longest - end - 3]} … {text[len(text) - end :]}"
+
 
 class PolhodeError(Exception):
-    """Base of every error that polhode raises on purpose."""
+    """Base of every error that polhode raises on purpose; its message can be printed as it is, and has an end."""
+
+    def __init__(self, *args: Any) -> None:
+        super().__init__(*(_cut(printable(x), LONGEST_MESSAGE) if isinstance(x, str) else x for x in args))
 
 
 class InvalidInput(PolhodeError, ValueError):

@@ -7,6 +7,7 @@ import pytest
 from polhode.spec.units import parse_quantity
 
 TURN = 2.0 * math.pi
+LONGEST = 300  # characters of a message, whatever came
 
 
 @pytest.mark.parametrize(
@@ -36,6 +37,15 @@ TURN = 2.0 * math.pi
         ("3. m", "m", 3.0),
         ("5 kg/m**3", "kg/m^3", 5.0),
         ("2 rad * s^-1", "rad/s", 2.0),
+        ("2 kg m²·s⁻¹", "kg*m^2/s", 2.0),
+        ("2 m^(2/1)⋅kg", "kg*m^2", 2.0),
+        ("2 kg*(m/s)^2*s", "kg*m^2/s", 2.0),
+        ("2 W*s^2.5", "W*s^2.5", 2.0),
+        ("2 µg", "kg", 2e-9),
+        ("2 N.m", "N*m", 2.0),
+        ("180 °", "rad", math.pi),
+        ("1e-300 kg", "kg", 1e-300),
+        ("0e-999 kg", "kg", 0.0),
     ],
 )
 def test_values(text, unit, wanted):
@@ -67,8 +77,41 @@ def test_values(text, unit, wanted):
         ("60 + 2 kg", "kg", "cannot be read"),
         ("kg", "kg", "cannot be read"),
         ("2 degC", "kg", "wrong unit|cannot be read"),
+        # a power that would be computed for ever, in each way that pint knows to write one
+        ("1 kg*m^(9^9^9)", "kg*m^2", "cannot be read"),
+        ("1 kg*m^9^9^9", "kg*m^2", "cannot be read"),
+        ("1 kg*9**9**9", "kg", "cannot be read"),
+        ("1 kg*m**99999999999", "kg", "power beyond 9"),
+        ("1 m²²²²", "m", "power beyond 9"),
+        ("1 km^(999999999)", "m", "power beyond 9"),
+        ("1 (((km^9)^9)^9)^9", "m", "power beyond 9"),
+        ("1 kg^1e400", "kg", "cannot be read"),
+        ("1 kg^(1/0)", "kg", "cannot be read"),
+        ("1 m^1.2.3", "m", "cannot be read"),
+        # length
+        ("1 " + "k" * 10**6, "kg", "at most 100 characters"),
+        ("1 " + "(" * 5000 + "kg" + ")" * 5000, "kg", "at most 100 characters"),
+        ("9" * 10**5 + " kg", "kg", "at most 100 characters"),
+        ("1 " + "(" * 98, "kg", "cannot be read"),
+        # what Python takes for a number, and people do not
+        ("2_5 kg", "kg", "cannot be read"),
+        ("0x10 kg", "kg", "not known, 'x10'"),
+        ("\u0663 kg", "kg", "cannot be read"),
+        ("inf", "kg", "finite"),
+        (" nan ", "kg", "finite"),
+        ("1e999999999 kg", "kg", "finite"),
+        ("1e-999999999 kg", "kg", "out of range"),
+        ("1e-322 kg", "kg", "out of range"),
+        # what pint read past: a comment, a NUL, a second sign
+        ("1 kg #x", "kg", "cannot be read"),
+        ("1 kg\0", "kg", "cannot be read"),
+        ("1 kg//1", "kg", "cannot be read"),
+        ("1 kg.__class__", "kg", "cannot be read"),
+        ("1 \ud800", "kg", "cannot be read"),
+        ("1 \x1b[31mkg", "kg", "cannot be read"),
     ],
 )
 def test_what_is_refused(value, unit, words):
-    with pytest.raises(ValueError, match=words):
+    with pytest.raises(ValueError, match=words) as caught:
         parse_quantity(value, unit)
+    assert len(str(caught.value)) < LONGEST and str(caught.value).isprintable()

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import math
 import re
+import sys
 from functools import cache
 from typing import Any
+
+from polhode.errors import shown
 
 EXAMPLES = {
     "kg": "52 g",
@@ -26,8 +29,22 @@ EXAMPLES = {
     "W*s^2": "2e-8 W*s^2",
     "W*s^2.5": "2e-9 W*s^2.5",
 }
+LONGEST = 100  # characters of a quantity
+LARGEST_POWER = 9  # of a unit; pint would compute m^9^9^9
 QUANTITY = re.compile(
-    r"\s*(?P<number>[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|[+-]?(?:nan|inf)(?!\w))\s*\*?\s*(?P<unit>.*)", re.DOTALL
+    r"\s*(?P<number>[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?|[+-]?(?:nan|inf)(?!\w))\s*\*?\s*(?P<unit>.*)",
+    re.DOTALL,
+)
+_RAISED = str.maketrans("⁺⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "+-0123456789")
+_NUMBER = r"-?\+?[0-9.]+"
+# a product of names and their powers, as pint takes it: kg*m^2/s, W*s^2.5, kg/(m*s), 1/s, g cm², deg/s
+_UNIT_TOKEN = re.compile(
+    rf"""\s*(?:(?:(?![⁰¹²³⁴-⁹])[^\W\d_](?:(?![⁰¹²³⁴-⁹])\w)*|[°%‰)])
+             (?:\s*(?:\^|\*\*)\s*(?:(?P<power>{_NUMBER})(?!\w)
+                                  |\(\s*(?P<inner>{_NUMBER})\s*(?:/\s*(?P<under>{_NUMBER})\s*)?\))
+               |(?P<raised>[⁺⁻]?[⁰¹²³⁴-⁹]+))?
+           |1(?![0-9.])|\(|(?P<sign>[*/·⋅×.]))\s*""",
+    re.VERBOSE,
 )
 ANGLES = {"radian", "degree", "turn", "arcminute", "arcsecond", "milliarcsecond", "grade", "revolutions_per_minute",
           "dps", "cpm", "revolutions_per_second"}  # fmt: skip
@@ -52,37 +69,60 @@ def parse_quantity(value: Any, unit: str) -> float:
     """
     example = EXAMPLES[unit]
     if isinstance(value, bool) or not isinstance(value, str):
-        raise ValueError(f'needs a number with its unit in quotes, like "{example}"; got {value!r}')
-    registry, parts = _registry(), QUANTITY.match(value)
+        raise ValueError(f'needs a number with its unit in quotes, like "{example}"; got {shown(value)}')
+    unreadable = ValueError(f'cannot be read as a quantity: {shown(value)}; write it like "{example}"')
+    if len(value) > LONGEST:
+        raise ValueError(f'must have at most {LONGEST} characters; got {shown(value)}; write it like "{example}"')
+    registry, parts = _registry(), QUANTITY.fullmatch(value)
+    if parts is None:
+        raise unreadable
+    magnitude, unit_text = float(parts["number"]), parts["unit"]
+    if not math.isfinite(magnitude):
+        raise ValueError(f"must be finite; got {shown(value)}")
+    _check_unit(unit_text, value, unreadable)
+    # one number and one unit: pint alone would take "60 rpm 2" for 120 rpm
+    unit_text = f"1{unit_text}" if unit_text.startswith("/") else unit_text
     try:
-        if parts is None:
-            raise ValueError
-        magnitude = float(parts["number"])
-        # one number and one unit: pint alone would take "60 rpm 2" for 120 rpm
-        unit_text = parts["unit"]
-        unit_text = f"1{unit_text}" if unit_text.startswith("/") else unit_text
         quantity = registry.Quantity(magnitude, registry.parse_units(unit_text))
     except Exception as error:  # pint raises errors of many kinds, tokenizer's and its own
         if unknown := getattr(error, "unit_names", None):
             raise ValueError(_unknown_unit(unknown, value, example)) from None
-        raise ValueError(f'cannot be read as a quantity: {value!r}; write it like "{example}"') from None
-    if not math.isfinite(magnitude):
-        raise ValueError(f"must be finite; got {value!r}")
+        raise unreadable from None
     names = set(dict(quantity.unit_items()))
     if unit == "rad/s":
         _refuse_cycles(value, names)
     if unit == "kg*m^2/s" and any("hertz" in name for name in names):
-        raise ValueError(f'is ambiguous: {value!r} may mean turns or radians; write it like "{example}"')
+        raise ValueError(f'is ambiguous: {shown(value)} may mean turns or radians; write it like "{example}"')
     if not names:
-        raise ValueError(f'needs a unit, like "{example}"; got {value!r}')
+        raise ValueError(f'needs a unit, like "{example}"; got {shown(value)}')
     try:
         result = float(quantity.to(unit).magnitude)
     except Exception:
-        wrong = f'has the wrong unit: {value!r} is not in {unit} or alike; write it like "{example}"'
+        wrong = f'has the wrong unit: {shown(value)} is not in {unit} or alike; write it like "{example}"'
         raise ValueError(wrong) from None
-    if not math.isfinite(result):
-        raise ValueError(f"is out of range: {value!r}")
+    written = re.split("[eE]", parts["number"])[0].strip("+-0.")
+    if not math.isfinite(result) or (written and abs(result) < sys.float_info.min):
+        raise ValueError(f"is out of range: {shown(value)}; numbers go from 1e-307 to 1e308 in {unit}")
     return result
+
+
+def _check_unit(text: str, value: str, unreadable: ValueError) -> None:
+    """Refuse what pint would compute for ever, or read past: of a unit it gets names, signs and small powers alone."""
+    at, was_sign, reach = 0, False, 1.0
+    while at < len(text):
+        token = _UNIT_TOKEN.match(text, at)
+        if token is None or (was_sign and token["sign"]):
+            raise unreadable
+        powers = [token[key] for key in ("power", "inner", "under") if token[key]]
+        powers += [token["raised"].translate(_RAISED)] if token["raised"] else []
+        try:
+            sizes = [abs(float(power)) for power in powers]
+        except ValueError:
+            raise unreadable from None
+        reach *= math.prod(max(size, 1.0) for size in sizes)  # powers of brackets multiply
+        if max(sizes, default=0.0) > LARGEST_POWER or reach > LARGEST_POWER**3:
+            raise ValueError(f"raises a unit to a power beyond {LARGEST_POWER}: {shown(value)}; check its powers")
+        at, was_sign = token.end(), bool(token["sign"])
 
 
 def _unknown_unit(names: Any, value: str, example: str) -> str:
@@ -90,13 +130,13 @@ def _unknown_unit(names: Any, value: str, example: str) -> str:
     name = names if isinstance(names, str) else next(iter(names))
     near = next((x for x in (name.lower(), name.capitalize(), name.upper()) if x in _registry()), None)
     hint = f"did you mean {near}?" if near else f'write it like "{example}"'
-    return f"names a unit that is not known, {name!r}, in {value!r}; {hint}"
+    return f"names a unit that is not known, {shown(name)}, in {shown(value)}; {hint}"
 
 
 def _refuse_cycles(value: str, names: set[str]) -> None:
     """An angular rate in Hz or 1/s leaves open whether turns or radians are meant, a factor of 2π."""
     if any("hertz" in name for name in names):
-        raise ValueError(f'is ambiguous: {value!r} may mean turns or radians; write "rev/s", "rpm" or "rad/s"')
+        raise ValueError(f'is ambiguous: {shown(value)} may mean turns or radians; write "rev/s", "rpm" or "rad/s"')
     plane = names - {"steradian"}
     if names and not any(name in ANGLES or name.endswith(("radian", "degree", "turn", "rev")) for name in plane):
-        raise ValueError(f'is not an angular rate: {value!r} names no angle; write "rad/s", "deg/s" or "rpm"')
+        raise ValueError(f'is not an angular rate: {shown(value)} names no angle; write "rad/s", "deg/s" or "rpm"')
