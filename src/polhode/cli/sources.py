@@ -15,6 +15,7 @@ from polhode.exact.free_body import FreeMotion
 from polhode.exact.lagrange_top import LagrangeMotion
 from polhode.formats.given_axes import along_given_axes, single_attitude
 from polhode.formats.labels import AttitudeLabels
+from polhode.formats.opening import is_folder, open_file
 from polhode.trajectory import Trajectory
 
 HEAD = 65536  # bytes in which a file shows what it is
@@ -60,13 +61,10 @@ def kind_of(path: Path) -> str:
         InvalidInput: for what is missing.
         FormatError: for what is none of them.
     """
-    if path.is_dir():
+    if is_folder(path):
         return "dataset"
-    try:
-        with path.open("rb") as file:
-            head = file.read(HEAD)
-    except OSError as error:
-        raise InvalidInput(f"{path}: cannot be read ({error.strerror}). Check the path.") from None
+    with open_file(path, "spec or motion") as file:
+        head = file.read(HEAD)
     if head.startswith((b"DAF/CK", b"NAIF/DAF")):
         return "ck"
     if head.startswith(b"\x89HDF"):

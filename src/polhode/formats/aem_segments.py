@@ -6,6 +6,7 @@ Source: CCSDS 504.0-B-2, sections 4 and 6, annex J for what version 1.0 had othe
 from __future__ import annotations
 
 import difflib
+import io
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -17,9 +18,10 @@ from polhode.errors import FormatError, InvalidInput
 from polhode.formats.aem_attitudes import COLUMNS, OLD_NAMES
 from polhode.formats.epochs import TIME_SYSTEMS, read_epoch
 from polhode.formats.labels import plain
-from polhode.formats.paths import check_is_file
+from polhode.formats.opening import MB, open_file
 
 Array = Any
+LARGEST_FILE = 2000 * MB  # fifteen million attitudes
 CHUNK = 50_000  # lines that are in memory as text at once
 HEADER = ("CLASSIFICATION", "CREATION_DATE", "ORIGINATOR", "MESSAGE_ID")
 NEEDED = (
@@ -111,7 +113,6 @@ def read_segments(path: Path) -> list[Segment]:
         InvalidInput: if the file is missing.
         FormatError: naming the line, if it is no AEM.
     """
-    check_is_file(path, "AEM")
     lines = _lines(path)
     number, first = next(lines, (None, ""))
     if first.startswith("<"):
@@ -140,7 +141,7 @@ def read_segments(path: Path) -> list[Segment]:
 def _lines(path: Path) -> Lines:
     """Yield numbered lines that are not blank."""
     try:
-        with path.open(encoding="utf-8-sig") as file:
+        with io.TextIOWrapper(open_file(path, "AEM", LARGEST_FILE), "utf-8-sig") as file:
             for number, line in enumerate(file, 1):
                 if text := line.strip():
                     yield number, text

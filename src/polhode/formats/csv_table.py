@@ -6,6 +6,7 @@ Source: RFC 4180 for the form.
 from __future__ import annotations
 
 import csv
+import io
 from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
@@ -16,10 +17,12 @@ from polhode.bodies.frame import BodyFrame
 from polhode.errors import FormatError, InvalidInput
 from polhode.formats.dataset import invariant_unit
 from polhode.formats.given_axes import along_given_axes, check_recorded
-from polhode.formats.paths import check_is_file, written_whole
+from polhode.formats.opening import MB, open_file
+from polhode.formats.paths import written_whole
 from polhode.trajectory import Trajectory
 
 Array = Any
+LARGEST_FILE = 2000 * MB  # seven million rows of fourteen columns
 CHUNK = 50_000  # rows that are in memory as Python's numbers at once
 _VECTORS = {"angular_velocity": ("omega", "rad s-1"), "momentum": ("L", "kg m2 s-1")}
 
@@ -96,7 +99,6 @@ def read_csv(path: str | Path) -> Trajectory:
         FormatError: naming the line, if it is no such table; naming the sample, if one has no attitude.
     """
     path = Path(path)
-    check_is_file(path, "CSV")
     names, table = _read_table(path)
     columns = dict(zip(names, table.T, strict=True))
     if "time [s]" not in columns:
@@ -127,7 +129,7 @@ def read_csv(path: str | Path) -> Trajectory:
 
 def _read_table(path: Path) -> tuple[list[str], Array]:
     try:
-        with path.open(encoding="utf-8-sig", newline="") as file:
+        with io.TextIOWrapper(open_file(path, "CSV", LARGEST_FILE), "utf-8-sig", newline="") as file:
             names = next(csv.reader([file.readline()]), [])
             if len(set(names)) != len(names) or not names:
                 raise FormatError(f"{path}, line 1: must name the columns, each once; got {names!r}.")

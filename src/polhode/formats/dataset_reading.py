@@ -13,13 +13,14 @@ from polhode.bodies.frame import BodyFrame
 from polhode.errors import FormatError, InvalidInput
 from polhode.formats.given_axes import check_recorded
 from polhode.formats.labels import AttitudeLabels
-from polhode.formats.paths import check_is_file
+from polhode.formats.opening import MB, check_is_file, is_folder
 from polhode.trajectory import Trajectory
 
 if TYPE_CHECKING:
     import xarray
 
 Array = Any
+LARGEST_FILE = 4000 * MB  # it is held in memory whole
 
 
 @dataclass(frozen=True)
@@ -83,11 +84,11 @@ def read_dataset(path: str | Path) -> Trajectory:
 def _loaded(path: Path) -> xarray.Dataset:
     import xarray as xr
 
-    store = path.is_dir()
+    store = is_folder(path)
     if store and not (path / ".zgroup").is_file():
         raise InvalidInput(f"{path}: is a folder, but no Zarr store that polhode wrote. Check the path.")
     if not store:
-        check_is_file(path, "NetCDF")
+        check_is_file(path, "NetCDF", LARGEST_FILE)
     try:
         if store:
             return xr.load_dataset(path, engine="zarr", decode_times=False)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 from pathlib import Path
 from typing import Any
 
@@ -9,9 +10,10 @@ import numpy as np
 
 from polhode.bodies.mesh_gate import repaired_mesh
 from polhode.errors import FormatError, InvalidInput
-from polhode.formats.paths import check_is_file
+from polhode.formats.opening import MB, read_file
 
 Array = Any
+LARGEST_FILE = 256 * MB  # five million triangles of a binary STL
 SAME_CORNER = 1e-6  # of the mesh's extent: what single precision and printed digits leave between copies of a corner
 
 
@@ -33,8 +35,7 @@ def read_mesh(path: str | Path, unit: float, repair: bool = False) -> tuple[Arra
     path = Path(path)
     if not (np.ndim(unit) == 0 and np.isfinite(unit) and unit > 0):
         raise InvalidInput(f"`unit` must be a positive length in metres; got {unit!r}.")
-    check_is_file(path, "mesh")
-    vertices, faces = _loaded(path)
+    vertices, faces = _loaded(path, read_file(path, "mesh", LARGEST_FILE))
     if len(faces) == 0:
         raise FormatError(f"{path}: holds no triangles; it may be cut short. Export it anew, as a surface mesh.")
     if not np.isfinite(vertices).all():
@@ -48,7 +49,7 @@ def read_mesh(path: str | Path, unit: float, repair: bool = False) -> tuple[Arra
     return vertices * unit, faces
 
 
-def _loaded(path: Path) -> tuple[Array, Array]:
+def _loaded(path: Path, content: bytes) -> tuple[Array, Array]:
     import trimesh
     from trimesh.exchange.load import mesh_formats
 
@@ -57,7 +58,7 @@ def _loaded(path: Path) -> tuple[Array, Array]:
         known = ", ".join(sorted(formats))
         raise FormatError(f"{path}: a mesh file must end in one of {known}; got {path.suffix!r}. Convert it to STL.")
     try:
-        mesh: Any = trimesh.load(path, force="mesh", process=False)
+        mesh: Any = trimesh.load(io.BytesIO(content), file_type=ending, force="mesh", process=False)
         return np.array(mesh.vertices, dtype=float), np.array(getattr(mesh, "faces", ()))
     except ImportError:
         why = f"{path}: reading .{ending} files needs packages that polhode does not. Convert it to STL, OBJ or PLY."

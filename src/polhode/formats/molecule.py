@@ -8,10 +8,11 @@ from typing import Any
 
 from polhode.bodies.atoms import ATOMIC_MASS_UNIT
 from polhode.errors import FormatError, InvalidInput
-from polhode.formats.paths import check_is_file
+from polhode.formats.opening import MB, check_is_file
 
 Array = Any
 ANGSTROM = 1e-10  # m
+LARGEST_FILE = 64 * MB  # a million atoms
 
 
 def read_molecule(path: str | Path) -> tuple[list[str], Array, Array | None]:
@@ -26,7 +27,7 @@ def read_molecule(path: str | Path) -> tuple[list[str], Array, Array | None]:
         FormatError: if it cannot be read, holds no atoms, or is a periodic crystal.
     """
     path = Path(path)
-    check_is_file(path, "molecule")
+    check_is_file(path, "molecule", LARGEST_FILE)
     try:
         import ase.io
     except ImportError:

@@ -15,7 +15,7 @@ from polhode import rotation
 from polhode.errors import FormatError, InvalidInput
 from polhode.formats.given_axes import check_recorded
 from polhode.formats.labels import AttitudeLabels
-from polhode.formats.paths import check_is_file
+from polhode.formats.opening import MB, check_is_file, open_file
 from polhode.formats.spice_kernels import KINDS, loaded, worded
 from polhode.formats.time_scales import as_epoch, leap_seconds_kernel
 from polhode.trajectory import Trajectory
@@ -25,6 +25,8 @@ BEGINNINGS = (b"DAF/CK", b"NAIF/DAF")
 SUMMARY = (2, 6)  # doubles and integers of a segment's descriptor
 DIRECTORY = 100  # records to an entry of a directory
 PACKETS = {0: 8, 1: 4, 2: 14, 3: 7}  # doubles to a packet, by subtype of type 5
+LARGEST_FILE = 2000 * MB  # as much as SPICE addresses by four bytes
+LARGEST_TEXT = 64 * MB  # of a frame, clock or leap-seconds kernel
 EQUAL = 2000  # samples, spread evenly, of types that keep no records at times of their own
 NEEDED = "It needs the clock kernel (.tsc) of its spacecraft, often a frame kernel (.tf): give --sclk, --fk, --lsk."
 
@@ -40,14 +42,6 @@ class _Segment:
     has_rates: bool
     start: int
     end: int
-
-
-def is_ck(path: Path) -> bool:
-    """Whether a file begins as a C-kernel does."""
-    if not path.is_file():
-        return False
-    with path.open("rb") as file:
-        return file.read(8).startswith(BEGINNINGS)
 
 
 def read_ck(
@@ -76,8 +70,9 @@ def read_ck(
         FormatError: for what SPICE refuses to read.
     """
     path = Path(path)
-    check_is_file(path, "C-kernel")
-    if not is_ck(path):
+    with open_file(path, "C-kernel", LARGEST_FILE) as file:
+        begun = file.read(8)
+    if not begun.startswith(BEGINNINGS):
         raise FormatError(f"{path}: is no C-kernel, as it does not begin with DAF/CK. Check the file.")
     found = {name: _beside(path, ending, chosen) for (name, ending), chosen in
              zip(KINDS.items(), (fk, sclk, lsk), strict=True)}  # fmt: skip
@@ -103,10 +98,13 @@ def _read(path: Path, kernels: Sequence[Path], spice_id: int | None) -> Trajecto
 
 def _beside(path: Path, ending: str, chosen: str | Path | None) -> Path | None:
     if chosen is not None:
-        check_is_file(Path(chosen), "kernel")
+        check_is_file(Path(chosen), "kernel", LARGEST_TEXT)
         return Path(chosen)
     beside = path.with_suffix(f".{ending}")
-    return beside if beside.is_file() else None
+    if not beside.exists():
+        return None
+    check_is_file(beside, "kernel", LARGEST_TEXT)
+    return beside
 
 
 def _whose(spice: Any, path: Path, spice_id: int | None) -> int:

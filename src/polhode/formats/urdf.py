@@ -11,9 +11,11 @@ import numpy as np
 
 from polhode.bodies.body import Body
 from polhode.errors import FormatError, InvalidInput
-from polhode.formats.paths import check_is_file, written_whole
+from polhode.formats.opening import MB, read_file
+from polhode.formats.paths import written_whole
 
 Array = Any
+LARGEST_FILE = 16 * MB  # robots of a thousand links take one
 ENTRIES = {"ixx": (0, 0), "ixy": (0, 1), "ixz": (0, 2), "iyy": (1, 1), "iyz": (1, 2), "izz": (2, 2)}
 
 
@@ -35,7 +37,6 @@ def read_urdf_inertial(path: str | Path, link: str | None = None) -> Body:
     Source: ROS, *URDF XML specification*, link and joint elements.
     """
     path = Path(path)
-    check_is_file(path, "URDF")
     name, inertial = _inertial_of(path, _root(path), link)
     where = f"{path}: link {name!r}"
     mass = _number(where, _child(where, inertial, "mass"), "value")
@@ -102,9 +103,9 @@ class _NoEntities(ET.TreeBuilder):
 
 def _root(path: Path) -> ET.Element:
     try:
-        root = ET.fromstring(path.read_bytes(), ET.XMLParser(target=_NoEntities()))
-    except OSError as error:
-        raise InvalidInput(f"{path}: cannot be read ({error.strerror}). Check the path.") from None
+        root = ET.fromstring(read_file(path, "URDF", LARGEST_FILE), ET.XMLParser(target=_NoEntities()))
+    except InvalidInput:
+        raise
     except (ET.ParseError, ValueError, LookupError) as error:
         raise FormatError(f"{path}: is not URDF, which is XML: {error}. Check the file.") from None
     if root.tag != "robot":

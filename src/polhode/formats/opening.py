@@ -1,0 +1,128 @@
+"""Input files opened: regular files only, without waiting, and no more bytes than the format's limit.
+
+A pipe that nobody writes to would block the opening for ever, and a device such as /dev/zero never ends.
+"""
+
+from __future__ import annotations
+
+import os
+import stat
+from pathlib import Path
+from typing import BinaryIO
+
+from polhode.errors import FormatError, InvalidInput
+
+MB = 10**6  # bytes; formats state their limits in it
+_WITHOUT_WAITING = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_NOCTTY", 0) | getattr(os, "O_BINARY", 0)
+_KINDS_OF_NODE = {
+    stat.S_IFDIR: "a folder",
+    stat.S_IFIFO: "a pipe",
+    stat.S_IFSOCK: "a socket",
+    stat.S_IFCHR: "a device",
+    stat.S_IFBLK: "a device",
+}
+
+
+def check_is_file(path: Path, kind: str, limit: int | None = None) -> None:
+    """Refuse a path that is not a regular file, or one of more bytes than ``limit``; nothing is opened.
+
+    Names that the system cannot even look up, such as those with a NUL, belong to no file.
+
+    Args:
+        path: the file.
+        kind: what it should be, in words.
+        limit: bytes that the file may have; None where they are not to be counted.
+
+    Raises:
+        InvalidInput: saying what is there instead.
+        FormatError: for a file that is too large.
+    """
+    try:
+        found = path.stat()
+    except (OSError, ValueError):
+        why = f"no such {kind} file. Check the path; in a spec it counts from the spec's own folder."
+        raise InvalidInput(f"{path}: {why}") from None
+    _check(path, kind, found, limit)
+
+
+def is_folder(path: Path) -> bool:
+    """Whether a path leads to a folder; names that the system cannot look up do not."""
+    try:
+        return path.is_dir()
+    except (OSError, ValueError):
+        return False
+
+
+def open_file(path: Path, kind: str, limit: int | None = None) -> BinaryIO:
+    """Open a regular file to read its bytes.
+
+    Raises:
+        InvalidInput: for what is missing, not a regular file, or may not be read.
+        FormatError: for a file that is too large.
+    """
+    check_is_file(path, kind, limit)
+    try:
+        file = os.fdopen(os.open(path, os.O_RDONLY | _WITHOUT_WAITING), "rb")
+    except OSError as error:
+        raise InvalidInput(f"{path}: cannot be read ({error.strerror}). Check the path.") from None
+    try:
+        _check(path, kind, os.fstat(file.fileno()), limit)  # of what was opened, whatever the path means by now
+    except InvalidInput:
+        file.close()
+        raise
+    return file
+
+
+def read_file(path: Path, kind: str, limit: int) -> bytes:
+    """Return the bytes of a regular file.
+
+    Raises:
+        InvalidInput: for what is missing, not a regular file, or cannot be read.
+        FormatError: for a file that is too large.
+    """
+    with open_file(path, kind, limit) as file:
+        try:
+            found = file.read(limit + 1)
+        except OSError as error:
+            raise InvalidInput(f"{path}: cannot be read ({error.strerror}). Check the disk.") from None
+    if len(found) > limit:
+        raise FormatError(_too_large(path, kind, "more", limit))
+    return found
+
+
+def read_text(path: Path, kind: str, limit: int) -> str:
+    """Return the text of a regular file in UTF-8, without a byte-order mark, line ends as they are.
+
+    Raises:
+        InvalidInput: for what is missing, not a regular file, or cannot be read.
+        FormatError: for a file that is too large, or not text.
+    """
+    try:
+        text = read_file(path, kind, limit).decode("utf-8-sig")
+    except UnicodeDecodeError:
+        text = "\0"
+    if "\0" in text:
+        raise FormatError(f"{path}: is not UTF-8 text, so it is not {_article(kind)} {kind} file. Save it as UTF-8.")
+    return text
+
+
+def _check(path: Path, kind: str, found: os.stat_result, limit: int | None) -> None:
+    if not stat.S_ISREG(found.st_mode):
+        what = _KINDS_OF_NODE.get(stat.S_IFMT(found.st_mode), "something else")
+        remedy = "Check the path." if stat.S_ISDIR(found.st_mode) else "Save what it gives as a file first."
+        raise InvalidInput(f"{path}: is {what}, not {_article(kind)} {kind} file. {remedy}")
+    if limit is not None and found.st_size > limit:
+        raise FormatError(_too_large(path, kind, _sized(found.st_size), limit))
+
+
+def _too_large(path: Path, kind: str, size: str, limit: int) -> str:
+    most = f"{_article(kind)} {kind} file may have {_sized(limit)} at most"
+    return f"{path}: has {size}; {most}. Give a part of it, or check the path."
+
+
+def _article(kind: str) -> str:
+    return "an" if kind.startswith("A") else "a"
+
+
+def _sized(size: int) -> str:
+    return f"{size // MB:,} MB" if size >= MB else f"{size} bytes"
