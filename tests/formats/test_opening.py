@@ -135,6 +135,6 @@ def test_a_file_that_became_a_pipe_is_not_waited_for(tmp_path, monkeypatch):
 
 
 def test_the_command_does_not_wait_for_a_pipe(tmp_path):
-    ran = subprocess.run([sys.executable, "-m", "polhode.cli.main", "import", "/dev/stdin"], stdin=subprocess.PIPE, cwd=tmp_path,
-                         capture_output=True, text=True, timeout=60)  # fmt: skip
+    command = [sys.executable, "-m", "polhode.cli.main", "import", "/dev/stdin"]
+    ran = subprocess.run(command, stdin=subprocess.PIPE, cwd=tmp_path, capture_output=True, text=True, timeout=60)
     assert ran.returncode == 2 and "/dev/stdin: is a pipe" in ran.stderr and "Traceback" not in ran.stderr
