@@ -12,7 +12,7 @@ import array_api_compat
 import array_api_compat.numpy as numpy_namespace
 import numpy as np
 
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, shown
 
 Array = Any
 
@@ -78,8 +78,7 @@ def as_float64(xp: Any, value: Any, name: str) -> Array:
             raise TypeError("text, dates and None are no numbers")
         return xp.asarray(value if native else np.asarray(value, dtype=np.float64), dtype=xp.float64)
     except (TypeError, ValueError, OverflowError) as error:
-        shown = repr(value) if len(repr(value)) < 80 else f"{repr(value)[:77]}…"
-        raise InvalidInput(f"`{name}` must be an array of numbers; got {shown} ({error}).") from None
+        raise InvalidInput(f"`{name}` must be an array of numbers; got {shown(value)} ({error}).") from None
 
 
 def barrier(values: Any) -> Any:

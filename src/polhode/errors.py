@@ -4,7 +4,7 @@ import reprlib
 from typing import Any
 
 LONGEST_VALUE = 120  # characters of a value in a message
-LONGEST_MESSAGE = 3000  # characters
+LONGEST_MESSAGE = 1900  # characters
 JOINERS = "\u200c\u200d"  # invisible, but Persian, Hindi and emoji are spelt with them
 
 
@@ -16,6 +16,11 @@ class _ShortRepr(reprlib.Repr):
     def repr_int(self, x: int, level: int) -> str:
         # Python itself refuses to write whole numbers of more than some thousand digits
         return super().repr_int(x, level) if x.bit_length() < 1000 else f"<whole number of {x.bit_length()} bits>"
+
+    def repr_datetime(self, x: object, level: int) -> str:
+        return str(x)
+
+    repr_date = repr_time = repr_datetime
 
 
 _SHORT = _ShortRepr()

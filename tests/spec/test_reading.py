@@ -193,10 +193,10 @@ def test_part_measures_and_sources(read):
 
 
 def test_files_that_are_no_specs(tmp_path):
-    with pytest.raises(InvalidInput, match="cannot be read"):
+    with pytest.raises(InvalidInput, match="is a folder, not a spec file"):
         read_spec(tmp_path)
     (tmp_path / "noise.toml").write_bytes(bytes(range(256)))
-    with pytest.raises(FormatError, match="not TOML"):
+    with pytest.raises(FormatError, match="not UTF-8 text"):
         read_spec(tmp_path / "noise.toml")
     (tmp_path / "empty.toml").write_text("")
     with pytest.raises(InvalidInput, match="body: is missing"):

@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, shown
 
 Array = Any
 TIME_SYSTEMS = ("UTC", "TAI", "TT", "TDB", "TCB", "TCG", "GPS")
@@ -43,19 +43,19 @@ def read_epoch(text: str, time_system: str) -> tuple[int, int]:
     """
     found = _FORM.fullmatch(text)
     if not found:
-        raise ValueError(f'must be an epoch like "2026-03-01T12:00:00.5" or "2026-060T12:00:00.5"; got {text!r}')
+        raise ValueError(f'must be an epoch like "2026-03-01T12:00:00.5" or "2026-060T12:00:00.5"; got {shown(text)}')
     day = _day(*found.group(1, 2, 3, 4))
     hour, minute, second = (int(found[k]) for k in (5, 6, 7))
     leaps = 0
     if time_system == "UTC":
         if day < _FIRST_UTC:
-            raise ValueError(f"lies before 1972, when UTC had no seconds of constant length; got {text!r}. Use TAI")
+            raise ValueError(f"lies before 1972, when UTC had no seconds of one length; got {shown(text)}. Use TAI")
         leaps = bisect.bisect_right(AFTER_LEAPS, day)
     longest = 59
     if second == 60 and (hour, minute, time_system) == (23, 59, "UTC") and day + 1 in AFTER_LEAPS:
         longest = 60
     if hour > 23 or minute > 59 or second > longest:
-        raise ValueError(f"has no such time of day in {time_system}; got {text!r}")
+        raise ValueError(f"has no such time of day in {time_system}; got {shown(text)}")
     whole = 86400 * day + 3600 * hour + 60 * minute + second + leaps
     digits = found[8] or ""
     carry, picoseconds = divmod((int(digits.ljust(13, "0")[:13]) + 5) // 10, PICO)

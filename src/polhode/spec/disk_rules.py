@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator
 from typing import Any
 
+from polhode.errors import shown
 from polhode.spec.dissipation import law_rules
 from polhode.spec.units import parse_quantity
 
@@ -20,11 +21,11 @@ def disk_rules(system: dict[str, Any]) -> Iterator[tuple[tuple[str | int, ...], 
         text = f"must be at most the diameter, {2.0 * radius:.6g} m: a disk is not thicker than wide; got "
         yield (
             ("system", "thickness"),
-            f"{text}{system['thickness']!r}. Check whether radius is a diameter, and the units",
+            f"{text}{shown(system['thickness'])}. Check whether radius is a diameter, and the units",
         )
     if thickness and tilt is not None and 0.5 * math.pi <= tilt < math.pi:
-        text = f"of a thick disk must be less than 90 deg; got {system['tilt']!r}. Beyond it rolls on its other rim: "
-        yield ("system", "tilt"), f"{text}turn it over"
+        text = f"of a thick disk must be less than 90 deg; got {shown(system['tilt'])}. Beyond it rolls on its other "
+        yield ("system", "tilt"), f"{text}rim: turn it over"
     if "spin" in system and "precession" not in system:
         yield ("system", "spin"), "goes with precession, which it follows from; give precession, or both to be checked"
     if "tilt_rate" in system and (missing := [key for key in RATES if key not in system]):

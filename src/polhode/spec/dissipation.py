@@ -7,7 +7,8 @@ from typing import Annotated, Any, Literal, NamedTuple
 
 from pydantic import BeforeValidator
 
-from polhode.spec.fields import Length, Viscosity, one_of
+from polhode.errors import shown
+from polhode.spec.fields import Length, Viscosity, is_number, one_of
 from polhode.spec.models import Strict
 from polhode.spec.units import parse_quantity
 from polhode.systems.rolling_dissipation import (
@@ -55,12 +56,12 @@ def _coefficient(value: Any, info: Any) -> float:
         return 0.0
     if law.unit:
         number = parse_quantity(value, law.unit)
-    elif type(value) not in (int, float):
-        raise ValueError(f"must be a plain number, without unit or quotes; got {value!r}")
+    elif not is_number(value):
+        raise ValueError(f"must be a plain finite number, without unit or quotes; got {shown(value)}")
     else:
         number = float(value)
     if not 0.0 < number < float("inf"):
-        raise ValueError(f"must be positive; got {value!r}. Leave the law out where it is zero")
+        raise ValueError(f"must be positive; got {shown(value)}. Leave the law out where it is zero")
     return number
 
 

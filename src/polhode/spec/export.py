@@ -9,6 +9,7 @@ from typing import Annotated, Any
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict
 
+from polhode.errors import shown
 from polhode.formats.epochs import read_epoch, shortest
 from polhode.formats.labels import AttitudeLabels, plain
 from polhode.spec.fields import one_of
@@ -21,14 +22,17 @@ LONGEST = 200  # characters of a label; lines of an AEM have 254
 def _label(value: Any) -> str:
     good = isinstance(value, str) and value.strip() and value.isascii() and value.isprintable()
     if not good or len(value) > LONGEST:
-        raise ValueError(f"must be one line of printable ASCII, at most {LONGEST} characters; got {value!r}")
+        raise ValueError(f"must be one line of printable ASCII, at most {LONGEST} characters; got {shown(value)}")
     return value.strip()
 
 
 def _epoch(value: Any) -> str:
-    text = _as_text(value)
+    try:
+        text = _as_text(value)
+    except OverflowError:
+        return str(value)  # a rule says so
     if text is None:
-        raise ValueError(f'must be a date and time like "2026-03-01T12:00:00"; got {value!r}')
+        raise ValueError(f'must be a date and time like "2026-03-01T12:00:00"; got {shown(value)}')
     return text
 
 
@@ -47,7 +51,7 @@ def _as_text(value: Any) -> str | None:
 def _spice_id(value: Any) -> int:
     if type(value) is not int or not -(2**31) // 1000 < value < 0:
         raise ValueError(f"must be a negative whole number, as SPICE numbers spacecraft, like -999, and not below "
-                         f"{-(2**31) // 1000 + 1}; got {value!r}")  # fmt: skip
+                         f"{-(2**31) // 1000 + 1}; got {shown(value)}")  # fmt: skip
     return value
 
 
@@ -74,7 +78,11 @@ def export_rules(table: dict[str, Any]) -> Iterator[tuple[tuple[str | int, ...],
     """Yield what is wrong with an epoch in its time system, and with the names of the two frames."""
     yield from _frame_rules(table)
     given, system = table.get("epoch"), table.get("time_system", "UTC")
-    text = _as_text(given)
+    try:
+        text = _as_text(given)
+    except OverflowError:
+        yield ("export", "epoch"), f"lies in UTC outside the years 1 to 9999; got {shown(given)}. Check year and zone"
+        return
     if text is None:
         return
     if system not in SPEC_TIME_SYSTEMS:
@@ -95,9 +103,10 @@ def _frame_rules(table: dict[str, Any]) -> Iterator[tuple[tuple[str | int, ...],
     body, space = plain(names["body_frame"]), plain(names["reference_frame"])
     given = "body_frame" if "body_frame" in table else "reference_frame"
     if body == space:
-        yield ("export", given), f"must differ from the other frame; both are {names['body_frame']!r}"
+        yield ("export", given), f"must differ from the other frame; both are {shown(names['body_frame'])}"
     elif body in INERTIAL:
-        yield ("export", given), f"is an inertial frame, and the body turns; got {names['body_frame']!r}. Name its own"
+        got = shown(names["body_frame"])
+        yield ("export", given), f"is an inertial frame, and the body turns; got {got}. Name its own"
 
 
 def labels_of(table: ExportTable, name: str) -> AttitudeLabels:

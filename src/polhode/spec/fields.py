@@ -3,19 +3,23 @@
 from __future__ import annotations
 
 import math
+import sys
 from collections.abc import Callable
 from typing import Annotated, Any
 
 from pydantic import AfterValidator, BeforeValidator, Field, StrictBool, StrictInt
 
+from polhode.errors import shown
 from polhode.spec.units import EXAMPLES, parse_quantity
+
+LARGEST = sys.float_info.max
 
 
 def _reader(unit: str, positive: bool = False) -> BeforeValidator:
     def read(value: Any) -> float:
         number = parse_quantity(value, unit)
         if positive and not number > 0:
-            raise ValueError(f"must be positive; got {value!r}. Check number and unit")
+            raise ValueError(f"must be positive; got {shown(value)}. Check number and unit")
         return number
 
     return BeforeValidator(read)
@@ -27,7 +31,7 @@ def _three(unit: str) -> BeforeValidator:
     def check(value: Any) -> Any:
         if not isinstance(value, list) or len(value) != 3:
             raise ValueError(f'needs three quantities in a list, like ["{example}", "{example}", "{example}"]; '
-                             f"got {value!r}")  # fmt: skip
+                             f"got {shown(value)}")  # fmt: skip
         return value
 
     return BeforeValidator(check)
@@ -41,12 +45,12 @@ def _not_negative(value: float) -> float:
 
 def _rows(value: Any) -> Any:
     if not isinstance(value, list) or len(value) != 3:
-        raise ValueError(f"needs three rows of three moments each, [[…], […], […]]; got {value!r}")
+        raise ValueError(f"needs three rows of three moments each, [[…], […], […]]; got {shown(value)}")
     return value
 
 
 def _mesh_unit(value: Any) -> float:
-    wrong = ValueError(f'must be a unit of length alone, in quotes, like "mm"; got {value!r}')
+    wrong = ValueError(f'must be a unit of length alone, in quotes, like "mm"; got {shown(value)}')
     if not isinstance(value, str) or not value or any(c.isdigit() for c in value):
         raise wrong
     try:
@@ -55,23 +59,28 @@ def _mesh_unit(value: Any) -> float:
         raise wrong from None
 
 
+def is_number(value: Any) -> bool:
+    """Whether a value is a plain number that has a double; whole numbers in TOML have as many digits as one likes."""
+    return type(value) in (int, float) and -LARGEST <= value <= LARGEST
+
+
 def _quaternion(value: Any) -> tuple[float, ...]:
-    plain = isinstance(value, list) and len(value) == 4 and all(type(x) in (int, float) for x in value)
-    if not plain or not all(map(math.isfinite, value)) or not any(value):
-        raise ValueError(f"must be a quaternion [w, x, y, z] of four plain numbers, not all zero; got {value!r}")
+    plain = isinstance(value, list) and len(value) == 4 and all(map(is_number, value))
+    if not plain or not any(value):
+        raise ValueError(f"must be a quaternion [w, x, y, z] of four plain numbers, not all zero; got {shown(value)}")
     return tuple(float(x) for x in value)
 
 
 def _direction(value: Any) -> tuple[float, ...]:
-    good = isinstance(value, list) and len(value) == 3 and all(type(x) in (int, float) for x in value)
-    if not good or not all(map(math.isfinite, value)) or not any(value):
-        raise ValueError(f"must be a direction [x, y, z] of three plain numbers, not all zero; got {value!r}")
+    good = isinstance(value, list) and len(value) == 3 and all(map(is_number, value))
+    if not good or not any(value):
+        raise ValueError(f"must be a direction [x, y, z] of three plain numbers, not all zero; got {shown(value)}")
     return tuple(float(x) for x in value)
 
 
 def _plain(value: Any) -> float:
-    if type(value) not in (int, float) or not math.isfinite(value):
-        raise ValueError(f"must be a plain finite number, without unit or quotes; got {value!r}")
+    if not is_number(value):
+        raise ValueError(f"must be a plain finite number, without unit or quotes; got {shown(value)}")
     return float(value)
 
 
@@ -84,7 +93,7 @@ def _positive(value: float) -> float:
 def _within(least: float, most: float, what: str) -> Callable[[float], float]:
     def check(value: float) -> float:
         if not least <= value <= most:
-            raise ValueError(f"must be within {least:g} to {most:.6g}, {what}; got {value!r}. Check it")
+            raise ValueError(f"must be within {least:g} to {most:.6g}, {what}; got {shown(value)}. Check it")
         return value
 
     return check
@@ -113,11 +122,11 @@ def _standing(value: float) -> float:
 
 def one_of(*choices: str | int) -> BeforeValidator:
     """Take one of the choices as it stands: 2, but neither 2.0 nor true for it."""
-    shown = ", ".join(str(c) if isinstance(c, int) else f'"{c}"' for c in choices)
+    known = ", ".join(str(c) if isinstance(c, int) else f'"{c}"' for c in choices)
 
     def check(value: Any) -> Any:
         if not any(value == c and type(value) is type(c) for c in choices):
-            raise ValueError(f"must be one of {shown}; got {value!r}")
+            raise ValueError(f"must be one of {known}; got {shown(value)}")
         return value
 
     return BeforeValidator(check)

@@ -3,14 +3,19 @@
 from __future__ import annotations
 
 import difflib
+import itertools
+import re
 from pathlib import Path
 from typing import Any, get_args
 
 from pydantic import BaseModel, ValidationError
 
+from polhode.errors import shown
 from polhode.spec.models import SpecFile
 from polhode.spec.rules import Location, Mistake
 
+LONGEST = 1600  # characters of all mistakes together
+_BARE = re.compile(r"[\w-]{1,40}")
 WORDS = {
     "string_type": "must be text in quotes",
     "bool_type": "must be true or false",
@@ -41,16 +46,22 @@ def mistakes_of(error: ValidationError, root: type[BaseModel] = SpecFile, at: Lo
 
 
 def as_message(path: Path, mistakes: list[Mistake]) -> str:
-    """Return one message that names the file and every mistake."""
+    """Return one message that names the file and every mistake; of very many only the first."""
     lines = list(dict.fromkeys(f"  {_key(location)}: {text}" for location, text in mistakes))
     count = "1 mistake" if len(lines) == 1 else f"{len(lines)} mistakes"
-    return "\n".join([f"{path} has {count}:", *lines])
+    sizes = itertools.accumulate(len(line) for line in lines)
+    told = max(1, sum(size <= LONGEST for size in sizes))
+    rest = [] if told == len(lines) else [f"  and {len(lines) - told} more"]
+    return "\n".join([f"{path} has {count}:", *lines[:told], *rest])
 
 
 def _key(location: Location) -> str:
     text = ""
     for part in location:
-        text += f"[{part}]" if isinstance(part, int) else (f".{part}" if text else str(part))
+        if isinstance(part, int):
+            text += f"[{part}]"
+        else:
+            text += ("." if text else "") + (part if _BARE.fullmatch(part) else shown(part))
     return text or "the file"
 
 
@@ -66,7 +77,7 @@ def _said(mistake: Any, root: type[BaseModel]) -> str:
         return mistake["msg"].removeprefix("Value error, ")
     message = mistake["msg"][0].lower() + mistake["msg"][1:]
     words = WORDS[kind].format(**mistake.get("ctx", {})) if kind in WORDS else message
-    return f"{words}; got {mistake['input']!r}"
+    return f"{words}; got {shown(mistake['input'])}"
 
 
 def _model_at(location: Location, model: type[BaseModel]) -> type[BaseModel]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -13,12 +12,13 @@ from pydantic import ValidationError
 
 from polhode.bodies.body import Body
 from polhode.bodies.surface import Surface
-from polhode.errors import FormatError, InvalidInput
+from polhode.errors import FormatError, InvalidInput, printable, shown
 from polhode.formats.labels import AttitudeLabels
 from polhode.spec.building import build_body, build_part, build_spin
 from polhode.spec.export import labels_of
 from polhode.spec.mistakes import as_message, mistakes_of
 from polhode.spec.models import BodyTable, PartTable, SpecFile, SpinTable
+from polhode.spec.parsing import read_tables
 from polhode.spec.rules import SOURCES, Location, Mistake, broken_rules
 from polhode.spec.surfaces import surface_of_body, surface_of_disk
 from polhode.spec.systems import SYSTEMS, EulerDiskTable, SystemTable
@@ -76,7 +76,7 @@ def read_spec(path: str | Path) -> Spec:
         FormatError: if the file is not TOML, or a file that it names is not what it should be.
     """
     path = Path(path)
-    table = _read_toml(path)
+    table = read_tables(path)
     raw = table.pop("system", None)
     raw = {"kind": raw} if isinstance(raw, str) else raw
     mistakes, model = list(broken_rules(table | ({} if raw is None else {"system": raw}))), None
@@ -91,8 +91,8 @@ def read_spec(path: str | Path) -> Spec:
         found = mistakes + [(location, str(error)) for location, error in unphysical]
         of_files = not mistakes and all(isinstance(error, FormatError) for _, error in unphysical)
         raise (FormatError if of_files else InvalidInput)(as_message(path, found))
-    name = model.name or path.stem
-    labels = labels_of(model.export, name)
+    name = printable(model.name or path.stem).replace("\n", " ")
+    labels = labels_of(model.export, model.name or path.stem)
     return Spec(
         name, body, model.spin, model.time.until, model.time.samples, system, labels, source=model.body,
         folder=path.parent,
@@ -102,26 +102,15 @@ def read_spec(path: str | Path) -> Spec:
 def _system(raw: Any) -> tuple[SystemTable | None, list[Mistake]]:
     kinds = ", ".join(SYSTEMS)
     if not isinstance(raw, dict):
-        return None, [(("system",), f'must be a table, or one of its kinds, {kinds}; got {raw!r}')]
+        return None, [(("system",), f'must be a table, or one of its kinds, {kinds}; got {shown(raw)}')]
     kind = raw.get("kind")
     if not isinstance(kind, str) or kind not in SYSTEMS:
-        got = "it is missing" if kind is None else f"got {kind!r}"
+        got = "it is missing" if kind is None else f"got {shown(kind)}"
         return None, [(("system", "kind"), f"must be one of {kinds}; {got}")]
     try:
         return SYSTEMS[kind].model_validate(raw), []
     except ValidationError as error:
         return None, mistakes_of(error, SYSTEMS[kind], ("system",))
-
-
-def _read_toml(path: Path) -> dict[str, Any]:
-    try:
-        return tomllib.loads(path.read_text("utf-8-sig"))  # some editors begin a file with a byte-order mark
-    except OSError as error:
-        raise InvalidInput(f"{path}: cannot be read ({error.strerror}). Check the path.") from None
-    except UnicodeDecodeError:
-        raise FormatError(f"{path}: is not TOML, as it is not UTF-8 text. Save it as UTF-8.") from None
-    except tomllib.TOMLDecodeError as error:
-        raise FormatError(f"{path}: is not TOML ({error}). Values with units stand in quotes.") from None
 
 
 def _built_body(

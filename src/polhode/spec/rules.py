@@ -43,7 +43,8 @@ def broken_rules(table: dict[str, Any]) -> Iterator[Mistake]:
 def _system_rules(table: dict[str, Any]) -> Iterator[Mistake]:
     system = table.get("system")
     kind = system.get("kind") if isinstance(system, dict) else None
-    model = SYSTEMS.get(kind) if isinstance(kind, str) else None
+    kind = kind if isinstance(kind, str) else None
+    model = SYSTEMS.get(kind) if kind else None
     takes = model.takes if model else ("body", "spin", "time")
     if isinstance(system, dict) and kind == "spin-orbit":
         yield from _spin_orbit_rules(system, "body" in table)

@@ -1,0 +1,61 @@
+"""From a TOML file to nested tables, within bounds that no spec comes near."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from pathlib import Path
+from typing import Any
+
+from polhode.errors import FormatError
+from polhode.formats.opening import MB, read_text
+
+LARGEST = MB  # bytes; some thousand parts
+DEEPEST = 16  # lists and tables inside each other; a spec has five
+DOTS = 32  # in one key: tomllib takes a time that grows with their square
+_DOT = re.compile(r"\.[ \t]*[\w-]")
+_QUOTED_DOT = re.compile(r"[\"'][ \t]*\.|\.[ \t]*[\"']")
+REMEDY = "Values with units stand in quotes."
+
+
+def read_tables(path: Path) -> dict[str, Any]:
+    """Return what a TOML file holds.
+
+    Raises:
+        InvalidInput: if it is missing, not a regular file, or cannot be read.
+        FormatError: if it is not TOML, too large or too deeply nested.
+    """
+    text = read_text(path, "spec", LARGEST)
+    if _longest_key(text) > DOTS:
+        raise FormatError(f"{path}: has a key of more than {DOTS} names with dots between. A spec needs three.")
+    try:
+        tables = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise FormatError(f"{path}: is not TOML ({error}). {REMEDY}") from None
+    except ValueError:  # Python reads no whole number of more than some thousand digits
+        raise FormatError(f"{path}: has a number of too many digits. {REMEDY}") from None
+    except RecursionError:
+        raise FormatError(_too_deep(path)) from None
+    if _is_deeper(tables, DEEPEST):
+        raise FormatError(_too_deep(path))
+    return tables
+
+
+def _too_deep(path: Path) -> str:
+    return f"{path}: has lists or tables more than {DEEPEST} deep inside each other. A spec needs five. Check brackets."
+
+
+def _longest_key(text: str) -> int:
+    """Return how many dots a key may have at most; what keys are is known only to the parser."""
+    bare = max(len(_DOT.findall(piece)) for piece in re.split(r"[\n=,{}\[\]]", text))
+    quoted = len(_QUOTED_DOT.findall(text))
+    return max(bare, quoted // 4)
+
+
+def _is_deeper(value: Any, depth: int) -> bool:
+    """Whether tables and lists go deeper than that; without recursion, which has its own bound."""
+    level = [value]
+    for _ in range(depth):
+        level = [item for one in level for item in (one.values() if isinstance(one, dict) else one)
+                 if isinstance(item, dict | list)]  # fmt: skip
+    return bool(level)
