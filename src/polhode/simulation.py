@@ -21,6 +21,7 @@ from polhode.integrators.base import AbstractOrbitSolver
 from polhode.integrators.lie_midpoint import LieMidpoint
 from polhode.integrators.spherical_midpoint import SphericalMidpoint
 from polhode.integrators.splitting import Splitting
+from polhode.systems.agreement import MOMENTS_OF_TIME, check_agreement, moves_by_generator
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
 from polhode.trajectory import Trajectory
 
@@ -53,7 +54,8 @@ def simulate(
         times: (T,) [s], in one direction.
         method: a class of ``polhode.integrators``, an object of one, made for this system with its own step and order,
             or any diffrax solver. By default splitting into exact flows where a Lie–Poisson system has them, the
-            spherical midpoint rule for spins, else Lie's midpoint rule; diffrax's ``Dopri8`` for any other system.
+            spherical midpoint rule for spins, else Lie's midpoint rule; diffrax's ``Dopri8`` for any other system, and
+            for one that overrides ``vector_field``.
         step: largest step [s]; by default a twentieth of a radian of the fastest rotation at the start.
         order: of the method, by default its own.
         progress: whether to show it on standard error; by default for long runs on a terminal.
@@ -63,7 +65,8 @@ def simulate(
         Trajectory with ``invariants``, ``balances`` and their ``drift``, ``statistics`` of steps and iterations.
 
     Raises:
-        InvalidInput: for wrong shapes, a state with NaN, times out of order, a step that is not positive.
+        InvalidInput: for wrong shapes, a state with NaN, times out of order, a step that is not positive, or a system
+            whose energy, velocity, generator and flows disagree.
         NotConverged: if an implicit step does not converge, or adaptive steps shrink to nothing.
     """
     if not isinstance(system, AbstractSystem):
@@ -74,8 +77,10 @@ def simulate(
     with warnings.catch_warnings():
         # diffrax warns of complex states in general; our solvers' arithmetic is tested on them
         warnings.filterwarnings("ignore", message="Complex dtype support in Diffrax")
-        if isinstance(system, AbstractLiePoissonSystem) and not _is_adaptive(method):
-            return _by_equal_steps(system, state, times, method, step, order, progress, throw)
+        if isinstance(system, AbstractLiePoissonSystem):
+            check_agreement(system, state, times, by_flows=_would_split(system, method))
+            if _goes_along_orbit(system, method):
+                return _by_equal_steps(system, state, times, method, step, order, progress, throw)
         solver = _adaptive_solver(system, method, order)
         motion = solve_adaptively(system, solver, state, times, _meter(bool(progress)), step)
     if throw and not motion.successful:
@@ -91,7 +96,7 @@ def _by_equal_steps(
     system: AbstractLiePoissonSystem, state: Array, times: np.ndarray, method: Any, step: float | None,
     order: int | None, progress: bool | None, throw: bool,
 ) -> Trajectory:  # fmt: skip
-    rate = fastest_rate(system, state)
+    rate = fastest_rate(system, state, times)
     size = float(step) if step is not None else (STEP_ANGLE / rate if rate > 0 else math.inf)
     size = min(size, float(np.abs(np.diff(times)).max()))  # no step is longer than from sample to sample
     if isinstance(method, AbstractOrbitSolver):
@@ -117,10 +122,26 @@ def _by_equal_steps(
     return trajectory_of(system, times, solution.ys, status, statistics, {})
 
 
-def fastest_rate(system: AbstractLiePoissonSystem, state: Array) -> float:
-    """Return an upper estimate of the rate [rad/s] at which the group turns at a state."""
-    generator = system.generator(system.parts(state).point)
-    return float(jnp.max(system.algebra.rate(generator), initial=0.0))
+def fastest_rate(system: AbstractLiePoissonSystem, state: Array, times: Array = (0.0,)) -> float:
+    """Return an upper estimate of the rate [rad/s] at which the group turns at a state, at some of the times."""
+    point, first, last = system.parts(state).point, float(times[0]), float(times[-1])
+    moments = {first + share * (last - first) for share in MOMENTS_OF_TIME} if _is_driven(system) else {first}
+    return max(float(jnp.max(system.algebra.rate(system.generator(t, point)), initial=0.0)) for t in moments)
+
+
+def _is_driven(system: AbstractLiePoissonSystem) -> bool:
+    """Whether the generator may depend on time."""
+    return type(system).generator is not AbstractLiePoissonSystem.generator
+
+
+def _goes_along_orbit(system: AbstractLiePoissonSystem, method: Any) -> bool:
+    return moves_by_generator(system) if method is None else not _is_adaptive(method)
+
+
+def _would_split(system: AbstractLiePoissonSystem, method: Any) -> bool:
+    if method is None:
+        return bool(system.flows) and moves_by_generator(system)
+    return isinstance(method, Splitting) or (isinstance(method, type) and issubclass(method, Splitting))
 
 
 def _is_adaptive(method: Any) -> bool:
@@ -130,7 +151,7 @@ def _is_adaptive(method: Any) -> bool:
 def _adaptive_solver(system: AbstractSystem, method: Any, order: int | None) -> diffrax.AbstractSolver:
     if method is not None and not _is_adaptive(method):
         raise InvalidInput(
-            f"`method` must be a diffrax solver for {type(system).__name__}, which is no Lie–Poisson system; "
+            f"`method` must be a diffrax solver for {type(system).__name__}, which is not a Lie–Poisson system; "
             f"got {method!r}. Leave it out for diffrax.Dopri8()."
         )
     if order is not None:

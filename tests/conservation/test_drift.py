@@ -127,7 +127,7 @@ def test_a_method_off_the_orbit_is_caught():
         def order(self, terms):
             return 4
 
-        def change(self, h, state):
+        def change(self, t, h, state):
             field = lambda y: self.system.vector_field(0.0, y)  # noqa: E731
             a = field(state)
             b = field(state + 0.5 * h * a)

@@ -82,8 +82,8 @@ def test_order(name, method, order, more, steps, references):
 
 def test_a_method_with_a_wrong_weight_loses_its_order(references):
     class Lame(MuntheKaas):
-        def change(self, h, state):
-            return super().change(h * (1.0 + 0.01 * h), state)
+        def change(self, t, h, state):
+            return super().change(t, h * (1.0 + 0.01 * h), state)
 
     errors = [np.abs(end("body", Lame, h, 4) - references["body"]).max() for h in SHORT]
     assert np.log2(errors[-2] / errors[-1]) < 2.0

@@ -100,7 +100,7 @@ def test_what_runs_away_says_so():
         (lambda: ph.simulate(Falling(), [[1.0, 1.0]], [0.0, 1.0]), "one by one"),
         (lambda: ph.simulate(Falling(), [np.inf, 1.0], [0.0, 1.0]), "finite"),
         (lambda: ph.simulate(Falling(), [1.0, 1.0], [0.0, 1.0], order=4), "`order`"),
-        (lambda: ph.simulate(Falling(), [1.0, 1.0], [0.0, 1.0], ph.integrators.Splitting), "no Lie–Poisson system"),
+        (lambda: ph.simulate(Falling(), [1.0, 1.0], [0.0, 1.0], ph.integrators.Splitting), "not a Lie–Poisson system"),
     ],
 )
 @pytest.mark.usefixtures("any_type")

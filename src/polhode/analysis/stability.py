@@ -222,7 +222,7 @@ def _judge_dissipative(system: AbstractLiePoissonSystem, casimirs: Function, z: 
 
 def _moved(system: AbstractLiePoissonSystem, x: Array) -> Array:
     point = system.algebra.from_dual_vector(x)
-    return system.algebra.to_dual_vector(system.algebra.coadjoint(system.generator(point), point))
+    return system.algebra.to_dual_vector(system.algebra.coadjoint(system.generator(0.0, point), point))
 
 
 def _judge_relative(

@@ -16,6 +16,7 @@ import equinox as eqx
 import jax
 import jax.numpy as jnp
 
+from polhode.systems.agreement import check_generated
 from polhode.systems.base import AbstractLiePoissonSystem
 
 Array = Any
@@ -56,12 +57,15 @@ class AbstractOrbitSolver(diffrax.AbstractSolver):
     step_size: eqx.AbstractVar[Array]
     keeps: eqx.AbstractClassVar[str]
 
+    def __check_init__(self) -> None:
+        check_generated(self.system, type(self).__name__)
+
     term_structure: ClassVar[Any] = diffrax.ODETerm
     interpolation_cls: ClassVar[Any] = diffrax.LocalLinearInterpolation
 
     @abc.abstractmethod
-    def change(self, h: Array, state: Array) -> Change:
-        """Return what a step of length h does to the state."""
+    def change(self, t: Array, h: Array, state: Array) -> Change:
+        """Return what a step of length h from time t does to the state."""
 
     @abc.abstractmethod
     def order(self, terms: Any) -> int:
@@ -77,13 +81,14 @@ class AbstractOrbitSolver(diffrax.AbstractSolver):
         # a step that fits but for rounding is not halved
         count = jnp.maximum(jnp.ceil(jnp.abs(span) / self.step_size * (1.0 - 1e-12)), 1.0).astype(int)
         h = span / count
+        start_time = jnp.sign(span) * t0  # diffrax runs backwards in the negative of the time
 
         def unfinished(carried: tuple[Array, ...]) -> Array:
             return (carried[0] < count) & carried[-1]
 
         def advance(carried: tuple[Array, ...]) -> tuple[Array, ...]:
             k, state, lost, iterations, _ = carried
-            found = self.change(h, state)
+            found = self.change(start_time + k * h, h, state)
             wanted = found.state + lost
             later = state + wanted
             lost = (state - later) + wanted

@@ -28,3 +28,9 @@ def stages(order: int) -> np.ndarray:
     if order not in STAGES:
         raise InvalidInput(f"`order` of a composition must be 2, 4 or 6; got {order!r}.")
     return np.array(STAGES[order])
+
+
+def stage_times(order: int) -> np.ndarray:
+    """Return the fraction of the step at which each stage begins."""
+    fractions = stages(order)
+    return np.cumsum(fractions) - fractions

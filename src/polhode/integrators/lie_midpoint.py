@@ -11,7 +11,7 @@ import jax.numpy as jnp
 from polhode.algebra.matrix import AbstractMatrixAlgebra
 from polhode.errors import InvalidInput
 from polhode.integrators.base import AbstractOrbitSolver, Change
-from polhode.integrators.composition import stages
+from polhode.integrators.composition import stage_times, stages
 from polhode.integrators.fixed_point import fixed_point
 from polhode.integrators.group import attitude_by_cayley, attitude_by_exp
 from polhode.systems.base import AbstractLiePoissonSystem, joined
@@ -56,10 +56,10 @@ class LieMidpoint(AbstractOrbitSolver):
     def order(self, terms: Any) -> int:
         return self.own_order
 
-    def change(self, h: Array, state: Array) -> Change:
-        return _composed(self._stage, self.own_order, h, state)
+    def change(self, t: Array, h: Array, state: Array) -> Change:
+        return _composed(self._stage, self.own_order, t, h, state)
 
-    def _stage(self, h: Array, state: Array) -> Change:
+    def _stage(self, t: Array, h: Array, state: Array) -> Change:
         algebra, (attitude, point) = self.system.algebra, self.system.parts(state)
 
         def middle(x: Array) -> Array:
@@ -67,8 +67,9 @@ class LieMidpoint(AbstractOrbitSolver):
                 return point + 0.5 * algebra.cayley_change(x, point)
             return point + algebra.exp_change(0.5 * x, point)
 
-        start = h * self.system.generator(point)
-        found = fixed_point(lambda x: h * self.system.generator(middle(x)), start, jnp.max(jnp.abs(start)))
+        half_way = t + 0.5 * h
+        start = h * self.system.generator(half_way, point)
+        found = fixed_point(lambda x: h * self.system.generator(half_way, middle(x)), start, jnp.max(jnp.abs(start)))
         x = found.value
         if self.coordinates == "cayley":
             moved = joined(attitude_by_cayley(attitude, x), algebra.cayley_change(x, point))
@@ -102,15 +103,16 @@ class IsospectralMidpoint(AbstractOrbitSolver):
     def order(self, terms: Any) -> int:
         return self.own_order
 
-    def change(self, h: Array, state: Array) -> Change:
-        return _composed(self._stage, self.own_order, h, state)
+    def change(self, t: Array, h: Array, state: Array) -> Change:
+        return _composed(self._stage, self.own_order, t, h, state)
 
-    def _stage(self, h: Array, state: Array) -> Change:
+    def _stage(self, t: Array, h: Array, state: Array) -> Change:
         algebra: Any = self.system.algebra
-        start = h * self.system.generator(state)
+        half_way = t + 0.5 * h
+        start = h * self.system.generator(half_way, state)
 
         def improved(x: Array) -> Array:
-            return h * self.system.generator(algebra.cayley_middle(x, state))
+            return h * self.system.generator(half_way, algebra.cayley_middle(x, state))
 
         found = fixed_point(improved, start, jnp.max(jnp.abs(start)))
         return Change(algebra.cayley_change(found.value, state), found.iterations, found.converged)
@@ -127,14 +129,14 @@ def has_cayley(system: AbstractLiePoissonSystem) -> bool:
     return True
 
 
-def _composed(stage: Any, order: int, h: Array, state: Array) -> Change:
+def _composed(stage: Any, order: int, t: Array, h: Array, state: Array) -> Change:
     if order == 2:
-        return stage(h, state)
-    fractions = jnp.asarray(stages(order))
+        return stage(t, h, state)
+    fractions, begins = jnp.asarray(stages(order)), jnp.asarray(stage_times(order))
 
     def add(k: Array, carried: tuple[Array, Change]) -> tuple[Array, Change]:
         now, total = carried
-        found = stage(fractions[k] * h, now)
+        found = stage(t + begins[k] * h, fractions[k] * h, now)
         total = Change(
             total.state + found.state, total.iterations + found.iterations, total.converged & found.converged
         )

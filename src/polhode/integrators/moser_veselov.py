@@ -38,8 +38,11 @@ class MoserVeselov(AbstractOrbitSolver):
     keeps: ClassVar[str] = "|L|², the energy, the momentum in space; time reversal"
 
     def __init__(self, system: AbstractLiePoissonSystem, step_size: Array, order: int = 2) -> None:
-        if not isinstance(system, FreeRigidBody):
-            raise InvalidInput(f"`MoserVeselov` moves a FreeRigidBody; got {type(system).__name__}. Take Splitting.")
+        if not _moves_freely(system):
+            raise InvalidInput(
+                f"`MoserVeselov` moves a FreeRigidBody with the free body's energy; got {type(system).__name__}. "
+                "Take Splitting or LieMidpoint."
+            )
         if order not in ORDERS:
             raise InvalidInput(f"`order` of MoserVeselov must be one of {ORDERS}; got {order!r}.")
         self.system, self.step_size, self.own_order = system, step_size, order
@@ -47,7 +50,7 @@ class MoserVeselov(AbstractOrbitSolver):
     def order(self, terms: Any) -> int:
         return self.own_order
 
-    def change(self, h: Array, state: Array) -> Change:
+    def change(self, t: Array, h: Array, state: Array) -> Change:
         attitude, L = self.system.parts(state)
         moments = self._corrected(h, L)
         following, last = jnp.roll(moments, -1, axis=-1), jnp.roll(moments, -2, axis=-1)
@@ -84,6 +87,13 @@ class MoserVeselov(AbstractOrbitSolver):
             return value[..., None]
 
         return 1.0 / (a * (1.0 + total(TIME_SCALE)) + total(SHIFT))
+
+
+def _moves_freely(system: AbstractLiePoissonSystem) -> bool:
+    """Whether a system is a free rigid body, not a subclass that moves otherwise."""
+    own = ("energy", "velocity", "generator", "sign")
+    kind = type(system)
+    return isinstance(system, FreeRigidBody) and all(getattr(kind, n) is getattr(FreeRigidBody, n) for n in own)
 
 
 def _term(row: Any, variables: tuple[Array, ...]) -> Array:

@@ -40,19 +40,20 @@ class MuntheKaas(AbstractOrbitSolver):
     def order(self, terms: Any) -> int:
         return self.own_order
 
-    def change(self, h: Array, state: Array) -> Change:
+    def change(self, t: Array, h: Array, state: Array) -> Change:
         algebra, (attitude, point) = self.system.algebra, self.system.parts(state)
+        half_way = t + 0.5 * h
 
-        def slope(u: Array) -> Array:
-            xi = h * self.system.generator(point + algebra.exp_change(u, point))
+        def slope(time: Array, u: Array) -> Array:
+            xi = h * self.system.generator(time, point + algebra.exp_change(u, point))
             once = algebra.bracket(u, xi)
             return xi + 0.5 * once + algebra.bracket(u, once) / 12.0
 
-        k1 = h * self.system.generator(point)
+        k1 = h * self.system.generator(t, point)
         if self.own_order == 2:
-            u = h * self.system.generator(point + algebra.exp_change(0.5 * k1, point))
+            u = h * self.system.generator(half_way, point + algebra.exp_change(0.5 * k1, point))
         else:
-            k2 = slope(0.5 * k1)
-            k3 = slope(0.5 * k2)
-            u = (k1 + 2.0 * k2 + 2.0 * k3 + slope(k3)) / 6.0
+            k2 = slope(half_way, 0.5 * k1)
+            k3 = slope(half_way, 0.5 * k2)
+            u = (k1 + 2.0 * k2 + 2.0 * k3 + slope(t + h, k3)) / 6.0
         return explicit(joined(attitude_by_exp(attitude, u), algebra.exp_change(u, point)))

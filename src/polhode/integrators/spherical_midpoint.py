@@ -44,20 +44,21 @@ class SphericalMidpoint(AbstractOrbitSolver):
     def order(self, terms: Any) -> int:
         return self.own_order
 
-    def change(self, h: Array, state: Array) -> Change:
+    def change(self, t: Array, h: Array, state: Array) -> Change:
         attitude, point = self.system.parts(state)
         if attitude is not None:
             raise InvalidInput("`SphericalMidpoint` moves momenta only, not an attitude; take LieMidpoint.")
+        half_way = t + 0.5 * h
         length = jnp.linalg.norm(point, axis=-1, keepdims=True)
 
         def improved(change: Array) -> Array:
             middle = point + 0.5 * change
             size = jnp.linalg.norm(middle, axis=-1, keepdims=True)
             middle = middle * (length / jnp.where(size > 0, size, 1.0))
-            return h * self.system.algebra.coadjoint(self.system.generator(middle), middle)
+            return h * self.system.algebra.coadjoint(self.system.generator(half_way, middle), middle)
 
         start = improved(jnp.zeros_like(point))
         # the size of the change's terms, which do not vanish where the change does
-        scale = jnp.abs(h) * jnp.max(jnp.abs(self.system.generator(point))) * jnp.max(length)
+        scale = jnp.abs(h) * jnp.max(jnp.abs(self.system.generator(half_way, point))) * jnp.max(length)
         found = fixed_point(improved, start, scale)
         return Change(*found)

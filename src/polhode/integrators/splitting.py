@@ -47,7 +47,7 @@ class Splitting(AbstractOrbitSolver):
     def order(self, terms: Any) -> int:
         return self.own_order
 
-    def change(self, h: Array, state: Array) -> Change:
+    def change(self, t: Array, h: Array, state: Array) -> Change:
         flows = list(self.system.flows.values())
         parts = [(flow, 0.5) for flow in flows[:-1]]
         parts = [*parts, (flows[-1], 1.0), *parts[::-1]]

@@ -133,8 +133,8 @@ class AbstractLiePoissonSystem(AbstractSystem):
         total = jax.grad(lambda mu: jnp.sum(self.energy(mu)))  # batch axes do not mix, so one gradient serves all
         return algebra.from_gradient(total(jnp.asarray(point, dtype=algebra.dtype)))
 
-    def generator(self, point: Array) -> Array:
-        """Return ξ with μ̇ = ad*_ξ μ."""
+    def generator(self, t: Array, point: Array) -> Array:
+        """Return ξ with μ̇ = ad*_ξ μ, batched in the point; override it for what depends on time or loses energy."""
         return -self.sign * self.velocity(point)
 
     @property
@@ -157,8 +157,9 @@ class AbstractLiePoissonSystem(AbstractSystem):
         return {}
 
     def vector_field(self, t: Array, state: Array) -> Array:
+        """Return the state's rate of change as ``generator`` gives it; orbit methods refuse an override of it."""
         attitude, point = self.parts(state)
-        generator = self.generator(point)
+        generator = self.generator(t, point)
         flow = self.algebra.coadjoint(generator, point)
         if attitude is None:
             return flow

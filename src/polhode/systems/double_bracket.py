@@ -49,7 +49,7 @@ class DoubleBracket(AbstractLiePoissonSystem):
     def velocity(self, point: Array) -> Array:
         return point / self.moments
 
-    def generator(self, point: Array) -> Array:
+    def generator(self, t: Array, point: Array) -> Array:
         velocity = self.velocity(point)
         return velocity + self.rate * jnp.cross(point, velocity)
 
