@@ -15,7 +15,7 @@ from polhode.trajectory import Trajectory
 
 Array = Any
 UNIT = 1e-6  # how far from one the norm of a quaternion in a file may be: seven digits of each component, at least
-_DAMAGED = "The file is damaged; write it anew."
+DAMAGED = "The file is damaged; write it anew."
 
 
 def along_given_axes(trajectory: Trajectory, frame: BodyFrame | None) -> Trajectory:
@@ -63,10 +63,10 @@ def check_recorded(path: Path, times: Array, attitude: Array | None, velocity: A
     """
     wrong = ~np.isfinite(np.asarray(times))
     if wrong.any():
-        raise FormatError(f"{path}: the time of sample {int(np.argmax(wrong))} is no number. {_DAMAGED}")
+        raise FormatError(f"{path}: the time of sample {int(np.argmax(wrong))} is not a finite number. {DAMAGED}")
     if velocity is not None and not np.isfinite(velocity).all():
         place = np.argwhere(~np.isfinite(np.asarray(velocity)))[0]
-        raise FormatError(f"{path}: the angular velocity of sample {int(place[-2])} is no number. {_DAMAGED}")
+        raise FormatError(f"{path}: the angular velocity of sample {int(place[-2])} is not a finite number. {DAMAGED}")
     if attitude is None:
         return
     norms = np.linalg.norm(np.asarray(attitude), axis=-1)
@@ -74,4 +74,5 @@ def check_recorded(path: Path, times: Array, attitude: Array | None, velocity: A
     if wrong.any():
         place = tuple(np.argwhere(wrong)[0])
         found = np.asarray(attitude)[place].tolist()
-        raise FormatError(f"{path}: the attitude of sample {place[-1]} is no unit quaternion; got {found}. {_DAMAGED}")
+        why = f"the attitude of sample {place[-1]} is not a unit quaternion; got {found}"
+        raise FormatError(f"{path}: {why}. {DAMAGED}")

@@ -1,0 +1,99 @@
+"""HDF5 files looked through before their arrays are read: what polhode writes, and nothing that leads out of the file.
+
+HDF5 can keep arrays in other files, load plugins to decode them, and declare sizes that nothing is stored for.
+
+Source: The HDF Group, *HDF5 File Format Specification* and *HDF5 Filters*.
+"""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Any, NoReturn
+
+from polhode.errors import FormatError, shown
+from polhode.formats.zarr_gate import check_size
+
+MOST_VARIABLES, MOST_ATTRIBUTES = 2000, 200
+MOST_TEXTS = 10_000  # texts of one variable; names of axes are a handful
+LONGEST_ATTRIBUTE = 65536  # bytes, the most that HDF5 itself keeps in a header
+FILTERS = {1: "deflate", 2: "shuffle", 3: "fletcher32"}  # those that are in HDF5 itself and take no more than they give
+OF_DIMENSIONS = ("DIMENSION_LIST", "REFERENCE_LIST")  # how NetCDF says which axis is which
+
+
+def check_hdf5(path: Path) -> None:
+    """Refuse a file that is not what polhode writes: variables of numbers or text, side by side, all in the file.
+
+    Raises:
+        FormatError: for links and groups, arrays kept elsewhere, filters beyond ``FILTERS``, types other than numbers
+            and text, and arrays larger than what is stored can be.
+        Exception: whatever h5py raises on a broken file.
+    """
+    import h5py
+
+    stored = path.stat().st_size
+    with h5py.File(path, "r") as file:
+        if len(file) > MOST_VARIABLES:
+            _refuse(path, f"has {len(file)} variables, and may have {MOST_VARIABLES}")
+        _check_attributes(path, "the file", file)
+        declared = 0
+        for name in file:
+            where = f"variable {shown(name)}"
+            if not isinstance(file.get(name, getlink=True), h5py.HardLink):
+                _refuse(path, f"{where} is a link, which may lead to another file")
+            item = file[name]
+            if not isinstance(item, h5py.Dataset):
+                _refuse(path, f"{where} is a group or a type, and polhode writes neither")
+            declared += _check_variable(path, where, item, stored)
+        check_size(path, declared, stored)
+
+
+def _refuse(path: Path, what: str) -> NoReturn:
+    raise FormatError(f"{path}: {what}. Write it anew with polhode.")
+
+
+def _check_variable(path: Path, where: str, item: Any, stored: int) -> int:
+    """Return the bytes of a variable."""
+    import h5py
+
+    layout = item.id.get_create_plist()
+    if layout.get_external_count() or layout.get_layout() == h5py.h5d.VIRTUAL:
+        _refuse(path, f"{where} keeps its values in other files")
+    for k in range(layout.get_nfilters()):
+        number, name = layout.get_filter(k)[0], layout.get_filter(k)[3]
+        if number not in FILTERS:
+            known = ", ".join(FILTERS.values())
+            _refuse(path, f"{where} has the filter {number} {shown(name)}; read are {known}, as others load plugins")
+    if item.shape is None:
+        _refuse(path, f"{where} is empty")
+    _check_type(path, where, item.dtype, math.prod(item.shape))
+    if item.chunks is not None:
+        check_size(path, math.prod(item.chunks) * item.dtype.itemsize, stored)
+    _check_attributes(path, where, item)
+    return math.prod(item.shape) * item.dtype.itemsize
+
+
+def _check_type(path: Path, where: str, dtype: Any, count: int) -> None:
+    import h5py
+
+    text = h5py.check_string_dtype(dtype) is not None
+    if text and count > MOST_TEXTS:
+        _refuse(path, f"{where} has {count} texts, and may have {MOST_TEXTS}")
+    if not text and not (dtype.kind in "fiub" and dtype.shape == () and dtype.itemsize <= 8):
+        _refuse(path, f"{where} is of type {shown(str(dtype))}, and polhode writes numbers and text")
+
+
+def _check_attributes(path: Path, where: str, item: Any) -> None:
+    import h5py
+
+    count = h5py.h5a.get_num_attrs(item.id)
+    if count > MOST_ATTRIBUTES:
+        _refuse(path, f"{where} has {count} attributes, and may have {MOST_ATTRIBUTES}")
+    for k in range(count):
+        attribute = h5py.h5a.open(item.id, index=k)
+        name = attribute.name.decode("utf-8", "replace")
+        size = attribute.get_storage_size()
+        if size > LONGEST_ATTRIBUTE:
+            _refuse(path, f"attribute {shown(name)} of {where} has {size} bytes, and may have {LONGEST_ATTRIBUTE}")
+        if name not in OF_DIMENSIONS:
+            _check_type(path, f"attribute {shown(name)} of {where}", attribute.dtype, math.prod(attribute.shape or ()))
