@@ -315,7 +315,7 @@ REFUSED = [
     (["import", "box.bc", "--spec", "own.csv"], "own.csv: is a CSV table, and --spec wants a spec"),
     (["compare", "spin.toml", "box.bc"], "spin.toml: holds no attitudes"),
     (["import", "own.nc"], "nothing to import"),
-    (["import", "box.bc", "--out", "missing/box.nc"], "is no folder"),
+    (["import", "box.bc", "--out", "missing/box.nc"], "is not a folder"),
     (["import", "box.aem", "--out", "box.aem"], "writing would destroy it"),
 ]
 

@@ -63,11 +63,21 @@ def test_the_command_writes_the_forms_asked_for_and_clears_its_own(spec, capsys,
     assert code == 0
     written = [name.split("/")[-1] for name in json.loads(out)["files"]]
     assert sorted(written) == sorted([f"{n}.{f}" for n in NAMES for f in ("svg", "pdf")] + ["motion.nc"])
-    mine = tmp_path / "case" / "photo.svg"
-    mine.write_text("<svg/>")
-    code, _, _ = run(["report", spec, "--json"], capsys)
-    found = {p.name for p in (tmp_path / "case").iterdir()}
-    assert code == 0 and found == {f"{n}.png" for n in NAMES} | {"motion.nc", "photo.svg"}
+    folder = tmp_path / "case"
+    (folder / "photo.svg").write_text("<svg/>")
+    (folder / "tilt.svg").write_text("<svg/>")  # named as a report's, and not polhode's
+    for copy in ("for_the_paper.pdf", "comparison.pdf"):
+        (folder / copy).write_bytes((folder / f"{NAMES[0]}.pdf").read_bytes())
+    (folder / "section.svg").write_bytes((folder / f"{NAMES[0]}.svg").read_bytes())  # another kind's
+    code, out, _ = run(["report", spec, "--json"], capsys)
+    found = {p.name for p in folder.iterdir()}
+    kept = {"motion.nc", "photo.svg", "tilt.svg", "for_the_paper.pdf", "comparison.pdf"}
+    assert code == 0 and found == {f"{n}.png" for n in NAMES} | kept
+    removed = {f"case/{n}.{f}" for n in NAMES for f in ("svg", "pdf")} | {"case/section.svg"}
+    assert set(json.loads(out)["removed"]) == removed
+    (folder / "tilt.png").write_bytes((folder / f"{NAMES[0]}.png").read_bytes())
+    code, out, _ = run(["report", spec], capsys)
+    assert code == 0 and "Removed, of an earlier report: case/tilt.png" in " ".join(out.split())
 
 
 @pytest.mark.parametrize("forms", ["jpg", "png,", "svg,eps", ""])

@@ -169,6 +169,29 @@ def test_a_store_is_replaced(tmp_path):
     assert len(formats.read_dataset(path).times) == 20
 
 
+def test_a_store_of_anothers_stays(tmp_path):
+    store = xr.Dataset({"temperature": ("day", [1.0, 2.0])})
+    store.to_zarr(tmp_path / "motion.zarr", zarr_format=2)
+    with pytest.raises(InvalidInput, match="not a store of polhode's"):
+        formats.write_zarr(MOTION.sample(TIMES), tmp_path / "motion.zarr")
+    assert xr.load_dataset(tmp_path / "motion.zarr", engine="zarr").identical(store)
+
+
+def test_a_store_that_is_not_what_was_written_is_refused(tmp_path, monkeypatch):
+    """As on a disk that loses bytes: the check itself can fail."""
+    formats.write_zarr(MOTION.sample(TIMES), tmp_path / "motion.zarr")
+    to_zarr = xr.Dataset.to_zarr
+
+    def broken(dataset, *arguments, **more):
+        changed = dataset.assign(energy=np.nextafter(dataset["energy"], np.inf).assign_attrs(dataset["energy"].attrs))
+        to_zarr(changed, *arguments, **more)
+
+    monkeypatch.setattr(xr.Dataset, "to_zarr", broken)
+    with pytest.raises(InvalidInput, match="not what is read for energy"):
+        formats.write_zarr(MOTION.sample(TIMES), tmp_path / "motion.zarr")
+    assert np.array_equal(formats.read_dataset(tmp_path / "motion.zarr").times, TIMES)
+
+
 def test_zarr_missing_is_one_error(tmp_path, monkeypatch):
     monkeypatch.setitem(__import__("sys").modules, "zarr", None)
     with pytest.raises(InvalidInput, match=r"polhode\[zarr\]"):

@@ -389,5 +389,5 @@ def test_what_cannot_be_shown(tmp_path):
 def test_places_where_no_file_can_be(tmp_path):
     with pytest.raises(InvalidInput, match="is a folder, where a file has to go"):
         write_gltf(MOTION.sample(TIMES), tmp_path)
-    with pytest.raises(InvalidInput, match="is no folder"):
+    with pytest.raises(InvalidInput, match="is not a folder"):
         write_gltf(MOTION.sample(TIMES), tmp_path / "none" / "motion.glb")

@@ -1,5 +1,7 @@
 """C-kernels, judged by SPICE itself, and kernels of every type that SPICE writes."""
 
+import subprocess
+import sys
 from dataclasses import replace
 
 import numpy as np
@@ -270,5 +272,55 @@ def test_motions_that_a_kernel_cannot_hold(tmp_path):
         write_ck(samples, tmp_path / "a.tsc", labels=LABELS)
     with pytest.raises(InvalidInput, match="too long"):
         Clock.of(0.0, 1e20)
-    with pytest.raises(InvalidInput, match="is no folder"):
+    with pytest.raises(InvalidInput, match="is not a folder"):
         write_ck(samples, tmp_path / "none" / "a.bc", labels=LABELS)
+
+
+def test_kernels_of_others_stay(tmp_path):
+    samples = MOTION.sample(TIMES[:20])
+    for ending in ("tsc", "tf", "tls"):
+        theirs = tmp_path / f"{ending}.{ending}"
+        theirs.write_text("KPL/SCLK\n\nA mission's.\n")
+        with pytest.raises(InvalidInput, match=rf"{ending}: is in the way, and polhode did not write it"):
+            write_ck(samples, tmp_path / f"{ending}.bc", labels=LABELS)
+        assert theirs.read_text() == "KPL/SCLK\n\nA mission's.\n" and not (tmp_path / f"{ending}.bc").exists()
+    newer = leap_seconds_kernel().replace("by polhode", "by NAIF")
+    (tmp_path / "a.tls").write_text(newer)  # leap seconds that are newer than ours serve as well
+    for _ in range(2):
+        write_ck(samples, tmp_path / "a.bc", labels=LABELS)
+    assert (tmp_path / "a.tls").read_text() == newer
+    assert np.array_equal(read_ck(tmp_path / "a.bc").times, samples.times)
+
+
+THREADS = """
+import contextlib, sys, threading
+import numpy as np
+from polhode import FreeMotion
+from polhode.formats import spice, spice_kernels
+from polhode.formats.spice_reading import read_ck
+if "unlocked" in sys.argv:
+    spice.spice_alone = spice_kernels.spice_alone = contextlib.nullcontext
+samples, wrong = FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5)).sample(np.linspace(0.0, 20.0, 50)), []
+def work(name):
+    for _ in range(40):
+        try:
+            spice.write_ck(samples, f"{name}.bc")
+            found = read_ck(f"{name}.bc")
+            assert np.abs(found.attitude - samples.attitude).max() < 1e-12 and len(found.times) == 50
+        except Exception as error:
+            wrong.append(error)
+            return
+threads = [threading.Thread(target=work, args=(name,)) for name in "abcd"]
+for thread in threads:
+    thread.start()
+for thread in threads:
+    thread.join()
+sys.exit(len(wrong))
+"""
+
+
+@pytest.mark.parametrize("how", ["locked", "unlocked"])
+def test_threads_take_turns(tmp_path, how):
+    command = [sys.executable, "-c", THREADS, how]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, timeout=120, check=False)
+    assert (done.returncode == 0) == (how == "locked"), done.stderr

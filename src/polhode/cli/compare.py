@@ -11,6 +11,7 @@ from polhode.cli.render import as_json, print_report
 from polhode.cli.sources import Kernels, Source, body_of, source_of
 from polhode.errors import InvalidInput
 from polhode.formats.labels import plain as same_name
+from polhode.formats.paths import written_together
 from polhode.formats.time_scales import terrestrial_time
 from polhode.report.comparison import ComparisonReport
 
@@ -83,15 +84,7 @@ def _names(a: Source, b: Source) -> list[str]:
 def _drawn(report: ComparisonReport, folder: Path) -> Path:
     from polhode.figures import style
     from polhode.figures.comparison import draw_comparison
-    from polhode.formats.paths import written_whole
 
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        why = f"{folder}: cannot be written ({error.strerror}). Name a folder that you may write to with --out."
-        raise InvalidInput(why) from None
-    path = folder / "comparison.png"
-    with written_whole(path) as draft:
-        style.save(draw_comparison(report.comparison), draft)
-    return path
-
+    with written_together(folder) as draft:
+        style.save(draw_comparison(report.comparison), draft / "comparison.png")
+    return folder / "comparison.png"

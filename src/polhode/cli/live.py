@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 import webbrowser
 from pathlib import Path
 
@@ -10,6 +11,7 @@ import typer
 
 from polhode.bodies.frame import BodyFrame
 from polhode.bodies.surface import Surface
+from polhode.cli.stopping import Stopped
 from polhode.errors import InvalidInput
 from polhode.spec.reading import read_spec
 from polhode.viewer.live import LiveApp
@@ -28,8 +30,9 @@ def run_live(path: Path | None, port: int, open_it: bool) -> None:
         if open_it and not webbrowser.open(app.address):
             typer.echo("polhode: no browser was found to open it. Open the address yourself.", err=True)
         app.run()
-    except KeyboardInterrupt:
-        pass
+    except Stopped as stop:
+        if stop.number != signal.SIGINT:
+            raise
     finally:
         app.stop()
 

@@ -21,8 +21,9 @@ def as_json(values: dict[str, Any]) -> str:
 
 
 def print_report(
-    name: str, summary: str, sections: Iterable[Section | Listing], notes: Sequence[str], files: Sequence[str]
-) -> None:
+    name: str, summary: str, sections: Iterable[Section | Listing], notes: Sequence[str], files: Sequence[str],
+    removed: Sequence[str] = (),
+) -> None:  # fmt: skip
     """Print a report; parts that are empty are left out."""
     console = Console()
     console.print(f"[bold]{escape(name)}[/bold]")
@@ -34,6 +35,8 @@ def print_report(
         console.print(f"Note: {escape(note)}", style="yellow", highlight=False)
     if files:
         console.print("Written:", escape(", ".join(files)), style="dim", highlight=False)
+    if removed:
+        console.print("Removed, of an earlier report:", escape(", ".join(removed)), style="dim", highlight=False)
 
 
 def _section(section: Section) -> Table:

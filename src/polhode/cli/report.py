@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-import contextlib
-import shutil
-import tempfile
-from collections.abc import Iterator
 from pathlib import Path
 
 from polhode.cli.render import as_json, print_report
 from polhode.errors import InvalidInput, NotConverged
+from polhode.formats.paths import written_together
 from polhode.report.choice import report_of
 from polhode.spec.reading import read_spec
 
@@ -24,7 +21,8 @@ def figure_forms(named: list[str]) -> list[str]:
     """
     forms = [form.strip().lower().removeprefix(".") for item in named for form in item.split(",")]
     if unknown := [form for form in forms if form not in FORMS]:
-        raise InvalidInput(f"`--figures` must be of {', '.join(FORMS)}; got {unknown[0]!r}. Leave it out for png.")
+        known = ", ".join(FORMS)
+        raise InvalidInput(f"`--figures` must be one or more of {known}; got {unknown[0]!r}. Leave it out for png.")
     return list(dict.fromkeys(forms)) or ["png"]
 
 
@@ -37,7 +35,7 @@ def run_report(path: Path, json: bool, out: Path | None, figures: list[str], htm
         report = report_of(spec)
     except (InvalidInput, NotConverged) as error:
         raise type(error)(f"{path}: {error}") from None
-    with _folder_at_once(folder) as draft:
+    with written_together(folder) as draft:
         from polhode.figures.drawing import draw_all
         from polhode.formats.dataset import write_dataset
 
@@ -47,40 +45,31 @@ def run_report(path: Path, json: bool, out: Path | None, figures: list[str], htm
             from polhode.viewer import page_of_report
 
             files.append(page_of_report(report, draft / "page.html", name=spec.name, surface=spec.surface))
-        names = [str(folder / file.name) for file in files]
+    names = [str(folder / file.name) for file in files]
+    removed = _remove_outdated(folder, [file.name for file in files])
     if json:
-        print(as_json({"name": spec.name, **report.as_json_dict(), "files": names}))
+        print(as_json({"name": spec.name, **report.as_json_dict(), "files": names, "removed": removed}))
     else:
-        print_report(spec.name, report.summary, report.sections(), report.notes, names)
+        print_report(spec.name, report.summary, report.sections(), report.notes, names, removed)
 
 
-@contextlib.contextmanager
-def _folder_at_once(folder: Path) -> Iterator[Path]:
-    """Yield a draft folder whose files move to their place only when all of them have been written."""
-    try:
-        if folder.exists() and not folder.is_dir():
-            raise InvalidInput(f"{folder}: is a file, so figures cannot go there. Name another folder with --out.")
-        folder.parent.mkdir(parents=True, exist_ok=True)
-        draft = Path(tempfile.mkdtemp(dir=folder if folder.is_dir() else folder.parent, prefix=".polhode-"))
-    except OSError as error:
-        why = f"{folder}: cannot be written ({error.strerror}). Name a folder that you may write to with --out."
-        raise InvalidInput(why) from None
+def _remove_outdated(folder: Path, written: list[str]) -> list[str]:
+    """Remove the figures that an earlier report wrote into the folder and this one did not, by their names and content.
+
+    What another command wrote, or somebody renamed, stays.
+    """
     from polhode.figures import style
+    from polhode.figures.drawing import FIGURES
 
-    try:
-        yield draft
-        taken = [folder / file.name for file in draft.iterdir() if (folder / file.name).is_dir()]
-        if taken:
-            raise InvalidInput(f"{taken[0]}: is a folder where a file has to go. Name another folder with --out.")
-        folder.mkdir(exist_ok=True)
-        written = {file.name for file in draft.iterdir()}
-        for path in folder.iterdir():  # an earlier run's, of another motion
-            if path.name not in written and style.is_ours(path):
+    known = {f"{name}.{form}" for figures in FIGURES.values() for name in figures for form in FORMS}
+    outdated = sorted(folder / name for name in known - set(written))
+    removed = []
+    for path in outdated:
+        try:
+            if style.is_ours(path):
                 path.unlink()
-        for name in written:
-            (draft / name).replace(folder / name)
-    except OSError as error:
-        why = f"{folder}: cannot be written ({error.strerror}). Name a folder that you may write to with --out."
-        raise InvalidInput(why) from None
-    finally:
-        shutil.rmtree(draft, ignore_errors=True)
+                removed.append(str(path))
+        except OSError as error:
+            why = f"{path}: is of an earlier report and cannot be removed ({error.strerror}). Remove it yourself."
+            raise InvalidInput(why) from None
+    return removed

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from io import BytesIO
 from pathlib import Path
 from typing import Any
 
@@ -98,8 +99,10 @@ def show_constant(axes: Any, values: Any, around: float) -> None:
 def save(figure: Figure, path: Path) -> Path:
     """Write the figure in the form its ending names: png, svg or pdf."""
     kind = path.suffix.removeprefix(".")
+    drawn = BytesIO()  # so that the bytes are written here, where a full disk is noticed
     with matplotlib.rc_context(SETTINGS):
-        figure.savefig(path, dpi=DOTS_PER_INCH, facecolor="white", metadata=METADATA[kind])
+        figure.savefig(drawn, format=kind, dpi=DOTS_PER_INCH, facecolor="white", metadata=METADATA[kind])
+    path.write_bytes(drawn.getvalue())
     return path
 
 

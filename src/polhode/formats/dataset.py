@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import dataclasses
+import errno
+import json
+from io import BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -143,8 +146,11 @@ def write_dataset(
     """
     path = Path(path)
     dataset = as_dataset(trajectory, attributes, frame)
+    # HDF5 would try again to write what a full disk refused, and crash as Python ends: it gets memory, not the disk
+    packed = BytesIO()
+    dataset.to_netcdf(packed, engine="h5netcdf")
     with written_whole(path) as draft:
-        dataset.to_netcdf(draft, engine="h5netcdf")
+        draft.write_bytes(packed.getbuffer())
     return path
 
 
@@ -162,7 +168,31 @@ def write_zarr(
         raise InvalidInput('Zarr stores need zarr, which is not installed; `pip install "polhode[zarr]"`.') from None
     path = Path(path)
     dataset = as_dataset(trajectory, attributes, frame)
-    with written_whole(path, store=".zgroup") as draft:
+    with written_whole(path, replaces=_is_our_store) as draft:
         # format 3 has no settled form for the text that names a quaternion's components
         dataset.to_zarr(draft, zarr_format=2, consolidated=True)
+        _check_holds(draft, dataset)
     return path
+
+
+def _is_our_store(path: Path) -> bool:
+    try:
+        return json.loads((path / ".zattrs").read_text("utf-8")).get("source") == "polhode"
+    except (OSError, ValueError, AttributeError):
+        return False
+
+
+def _check_holds(draft: Path, dataset: Any) -> None:
+    """Read a store again, and refuse it unless it holds every bit.
+
+    Raises:
+        OSError: if it does not; the disk is at fault.
+    """
+    import xarray as xr
+
+    found = xr.load_dataset(draft, engine="zarr", decode_times=False)
+    for name, variable in dataset.variables.items():
+        wanted, got = np.asarray(variable.values), np.asarray(found[name].values)
+        same = np.array_equal(wanted, got) if wanted.dtype.kind not in "biufc" else wanted.tobytes() == got.tobytes()
+        if not same:
+            raise OSError(errno.EIO, f"what was written is not what is read for {name}")

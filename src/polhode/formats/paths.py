@@ -1,18 +1,21 @@
-"""Paths as users write them, and files that appear whole or not at all."""
+"""Files that appear whole or not at all."""
 
 from __future__ import annotations
 
 import contextlib
-import shutil
-import tempfile
-from collections.abc import Iterator
+import errno
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 from polhode.errors import InvalidInput
+from polhode.formats.drafts import draft_in
+
+# what a disk without room says, and a limit of a user's
+_FULL = (errno.ENOSPC, errno.EFBIG, getattr(errno, "EDQUOT", errno.ENOSPC))
 
 
 @contextlib.contextmanager
-def written_whole(path: str | Path, store: str | None = None) -> Iterator[Path]:
+def written_whole(path: str | Path, replaces: Callable[[Path], bool] | None = None) -> Iterator[Path]:
     """Yield a draft path that takes the place of ``path`` when the block ends well, and leaves no trace otherwise.
 
     The draft has the name of the file, ending included, in a hidden folder beside it. What is written there may be a
@@ -20,39 +23,74 @@ def written_whole(path: str | Path, store: str | None = None) -> Iterator[Path]:
 
     Args:
         path: where the file has to go; a file that is there already is replaced.
-        store: name of the file by which a folder that is there already is known to be a store of the same kind, and is
-            replaced; without it no folder is.
+        replaces: says of a folder that is there already whether it is a store that may be replaced; without it no
+            folder may.
 
     Raises:
         InvalidInput: for a folder that is missing or cannot be written to, a destination that is no file, and for what
             the system refuses while the block writes.
     """
     path = Path(path)
-    draft = None
+    with _worded(path):
+        _check_can_go(path, replaces)
+        with draft_in(path.parent) as draft:
+            yield draft.new / path.name
+            draft.take_place()
+
+
+@contextlib.contextmanager
+def written_together(folder: str | Path) -> Iterator[Path]:
+    """Yield an empty draft folder whose files take their names in ``folder``, all of them when the block ends well.
+
+    The folder is made where it is missing, and is gone again if the block fails.
+
+    Args:
+        folder: where the files have to go; those of the same names are replaced, all others stay.
+
+    Raises:
+        InvalidInput: as ``written_whole`` does, and where a folder is in a file's place.
+    """
+    folder = Path(folder)
+    made: list[Path] = []
     try:
-        _check_can_go(path, store)
-        draft = Path(tempfile.mkdtemp(dir=path.parent, prefix=".polhode-"))
-        written = draft / path.name
-        yield written
-        if path.is_dir():
-            path.replace(draft / f"{path.name}.old")
-        written.replace(path)
+        with _worded(folder, "Choose another folder with --out."):
+            if folder.exists() and not folder.is_dir():
+                raise InvalidInput(f"{folder}: is a file, where a folder is needed. Choose another with --out.")
+            for path in reversed([folder, *folder.parents]):
+                if not path.exists():
+                    made.append(path)
+                    path.mkdir(exist_ok=True)
+            with draft_in(folder) as draft:
+                yield draft.new
+                for written in draft.new.iterdir():
+                    _check_can_go(folder / written.name)
+                draft.take_place()
+    except BaseException:
+        for path in reversed(made):
+            with contextlib.suppress(OSError):
+                path.rmdir()
+        raise
+
+
+@contextlib.contextmanager
+def _worded(path: Path, remedy: str = "Choose a place that you may write to.") -> Iterator[None]:
+    """Turn what the system refuses into one error that names the file."""
+    try:
+        yield
     except OSError as error:
         why = error.strerror or str(error)
-        raise InvalidInput(f"{path}: cannot be written ({why}). Choose a place that you may write to.") from None
-    finally:
-        if draft is not None:
-            shutil.rmtree(draft, ignore_errors=True)
+        room = "Make room there, or choose another place." if error.errno in _FULL else remedy
+        raise InvalidInput(f"{path}: cannot be written ({why}). {room}") from None
 
 
-def _check_can_go(path: Path, store: str | None) -> None:
+def _check_can_go(path: Path, replaces: Callable[[Path], bool] | None = None) -> None:
     if not path.parent.is_dir():
-        raise InvalidInput(f"{path}: cannot be written, as {path.parent} is no folder. Make it, or choose another.")
+        raise InvalidInput(f"{path}: cannot be written, as {path.parent} is not a folder. Make it, or choose another.")
     if path.is_dir():
-        if store is not None and not (path / store).is_file():
-            raise InvalidInput(f"{path}: is a folder, but no store that could be replaced. Choose another name, or "
-                               "move it away.")  # fmt: skip
-        if store is None:
+        if replaces is None:
             raise InvalidInput(f"{path}: is a folder, where a file has to go. Choose another name, or move it away.")
+        if not replaces(path):
+            raise InvalidInput(f"{path}: is a folder, but not a store of polhode's, which could be replaced. Choose "
+                               "another name, or move it away.")  # fmt: skip
     elif path.exists() and not path.is_file():
-        raise InvalidInput(f"{path}: is no file that could be replaced. Choose another name.")
+        raise InvalidInput(f"{path}: is not a file that could be replaced. Choose another name.")

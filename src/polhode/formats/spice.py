@@ -8,10 +8,10 @@ Source: NAIF, *CK Required Reading*, *SCLK Required Reading*, *Rotations Require
 
 from __future__ import annotations
 
-import contextlib
+import errno
 import math
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -22,12 +22,15 @@ from polhode.formats.given_axes import along_given_axes, single_attitude
 from polhode.formats.labels import AttitudeLabels
 from polhode.formats.paths import written_whole
 from polhode.formats.spice_kernels import (
+    DIRECTORY,
     KINDS,
+    OF_BROKEN_FILES,
     Clock,
     clock_kernel,
     frame_kernel,
     instrument,
     reference,
+    spice_alone,
     spiceypy,
     worded,
 )
@@ -35,6 +38,8 @@ from polhode.formats.time_scales import leap_seconds_kernel
 from polhode.trajectory import Trajectory
 
 Array = Any
+HEAD = 1000  # bytes in which a kernel of ours says so
+UNREADABLE = "SPICE cannot read again what it wrote; the disk may be full"
 
 
 def write_ck(
@@ -67,7 +72,8 @@ def write_ck(
 
     Raises:
         InvalidInput: without spiceypy, for a motion without attitude, times that do not rise, labels that SPICE has no
-            words for, or a folder that cannot be written to.
+            words for, a folder that cannot be written to, or where kernels that polhode did not write are in the way;
+            leap seconds of others stay instead.
     """
     spice, path = spiceypy(), Path(path)
     given = along_given_axes(trajectory, frame)
@@ -86,15 +92,52 @@ def write_ck(
     files = [path, *(path.with_suffix(f".{ending}") for ending in texts)]
     if path in files[1:]:
         raise InvalidInput(f"{path}: a C-kernel may not end as the kernels beside it; call it {path.stem}.bc.")
-    with contextlib.ExitStack() as stack:
-        drafts = [stack.enter_context(written_whole(file)) for file in files]
-        for draft, text in zip(drafts[1:], texts.values(), strict=True):
-            draft.write_text(text, "ascii")
+    ticks = clock.ticks(times)
+    records = _Records(ticks, rotation.conjugate(attitude), velocity, ticks[_begins(times, velocity)])
+    kept = [file for file in files[1:] if _is_anothers(file)]
+    with written_whole(path) as draft, spice_alone():
+        for ending, text in texts.items():
+            if path.with_suffix(f".{ending}") not in kept:
+                draft.with_suffix(f".{ending}").write_text(text, "ascii")
         with worded(path, "Choose a shorter path, or check the labels."):
-            ticks = clock.ticks(times)
-            starts = ticks[_begins(times, velocity)]
-            _write_segment(spice, drafts[0], labels, ticks, starts, attitude, velocity)
+            _write_segment(spice, draft, labels, records)
+        _check_holds(spice, draft, records)
     return files
+
+
+def _is_anothers(file: Path) -> bool:
+    """Return whether a kernel that is there already stays: another's leap seconds serve as well as ours.
+
+    Raises:
+        InvalidInput: for anything else that is not polhode's.
+    """
+    if not file.exists():
+        return False
+    text = b""
+    if file.is_file():
+        with file.open("rb") as kernel:
+            text = kernel.read(HEAD)
+    if b", by polhode" in text:
+        return False
+    if text.startswith(b"KPL/LSK"):
+        return True
+    raise InvalidInput(f"{file}: is in the way, and polhode did not write it. Name the C-kernel otherwise with --out.")
+
+
+class _Records(NamedTuple):
+    """What a segment of type 3 holds, N records of it, as SPICE has them.
+
+    Attributes:
+        ticks: (N,).
+        quaternions: (N, 4), of SPICE's C.
+        velocity: (N, 3) along the reference frame, or None.
+        starts: (M,) ticks at which intervals of interpolation begin.
+    """
+
+    ticks: Array
+    quaternions: Array
+    velocity: Array | None
+    starts: Array
 
 
 def _begins(times: Array, velocity: Array | None) -> Array:
@@ -107,16 +150,51 @@ def _begins(times: Array, velocity: Array | None) -> Array:
     return found
 
 
-def _write_segment(
-    spice: Any, path: Path, labels: AttitudeLabels, ticks: Array, starts: Array, attitude: Array, velocity: Array | None
-) -> None:
-    """Write one segment of type 3."""
+def _write_segment(spice: Any, path: Path, labels: AttitudeLabels, records: _Records) -> None:
+    """Write one segment of type 3.
+
+    Raises:
+        OSError: where SPICE itself notices that it wrote less than it should.
+    """
+    ticks, quaternions, velocity, starts = records
     rates = np.zeros((len(ticks), 3)) if velocity is None else velocity
     handle = spice.ckopn(str(path), "polhode", 0)
     try:
         spice.ckw03(handle, ticks[0], ticks[-1], instrument(labels), reference(labels), velocity is not None, "POLHODE",
-                    len(ticks), ticks, rotation.conjugate(attitude), rates, len(starts), starts)  # fmt: skip
+                    len(ticks), ticks, quaternions, rates, len(starts), starts)  # fmt: skip
         spice.ckcls(handle)
-    except BaseException:
+    except BaseException as error:
         spice.dafcls(handle)  # a kernel without segments cannot be closed as one
+        if getattr(error, "short", "").startswith(OF_BROKEN_FILES):
+            raise OSError(errno.ENOSPC, UNREADABLE) from None
         raise
+
+
+def _check_holds(spice: Any, path: Path, records: _Records) -> None:
+    """Read a C-kernel again, and refuse it unless it holds every bit: SPICE does not say so when the disk is full.
+
+    Raises:
+        OSError: if it does not.
+    """
+    ticks, quaternions, velocity, starts = records
+    packets = quaternions if velocity is None else np.hstack([quaternions, velocity])
+    wanted = np.concatenate([packets.ravel(), ticks])
+    try:
+        handle = spice.dafopr(str(path))
+        try:
+            spice.dafbfs(handle)
+            spice.daffna()
+            _, integers = spice.dafus(spice.dafgs(), 2, 6)
+            first, last = int(integers[4]), int(integers[5])
+            middle = first + len(wanted)
+            got = np.asarray(spice.dafgda(handle, first, middle - 1))
+            after = middle + (len(ticks) - 1) // DIRECTORY
+            got_starts = np.atleast_1d(spice.dafgda(handle, after, after + len(starts) - 1))
+            counts = np.asarray(spice.dafgda(handle, last - 1, last))
+        finally:
+            spice.dafcls(handle)
+    except spice.exceptions.SpiceyError:
+        raise OSError(errno.ENOSPC, UNREADABLE) from None
+    same = got.tobytes() == wanted.tobytes() and got_starts.tobytes() == starts.tobytes()
+    if not same or counts.tolist() != [len(starts), len(ticks)]:
+        raise OSError(errno.ENOSPC, "what SPICE wrote is not what it reads; the disk may be full")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import math
 import re
+import threading
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -17,7 +18,9 @@ FINEST = 40  # ticks are 2^-40 s at the finest, 0.9 ps
 LARGEST_COUNT = 52  # ticks stay below 2^52, so that doubles tell them apart
 OF_BROKEN_FILES = ("SPICE(DAF", "SPICE(FILEREADFAILED)", "SPICE(FTPXFERERROR)")  # errors in the file's own structure
 OF_SPICE = {"EME2000": "J2000", "ICRF": "J2000", "GCRF": "J2000"}  # SPICE holds these three for the same
+DIRECTORY = 100  # records to an entry of a segment's directory
 KINDS = {"frame": "tf", "clock": "tsc", "leap seconds": "tls"}
+_ONE_AT_A_TIME = threading.RLock()
 
 
 class Clock(NamedTuple):
@@ -61,14 +64,22 @@ def spiceypy() -> Any:
 
 
 @contextlib.contextmanager
+def spice_alone() -> Iterator[None]:
+    """Keep all other threads of polhode from SPICE: it has one state for the whole process, and no locks."""
+    with _ONE_AT_A_TIME:
+        yield
+
+
+@contextlib.contextmanager
 def loaded(kernels: Sequence[Path]) -> Iterator[Any]:
-    """Load kernels and yield spiceypy; unload them in the end, those that others loaded stay.
+    """Load kernels and yield spiceypy, to one thread at a time; unload them in the end, those of others stay.
 
     Raises:
         FormatError: for what SPICE refuses to load.
     """
     spice = spiceypy()
     with contextlib.ExitStack() as stack:
+        stack.enter_context(spice_alone())
         for kernel in kernels:
             with worded(kernel, "Check that it is a SPICE kernel, whole and of the kind that its option asks for."):
                 spice.furnsh(str(kernel))
@@ -99,7 +110,9 @@ def instrument(labels: AttitudeLabels) -> int:
 def reference(labels: AttitudeLabels) -> str:
     """Return SPICE's name of the space axes."""
     name = OF_SPICE.get(labels.reference_frame.upper(), labels.reference_frame.upper())
-    if spiceypy().namfrm(name) == 0:
+    with spice_alone():
+        known = spiceypy().namfrm(name) != 0
+    if not known:
         why = "`reference_frame` must be one that SPICE knows, as EME2000, ICRF, B1950 or ECLIPJ2000"
         raise InvalidInput(f"{why}; got {labels.reference_frame!r}.")
     return name
@@ -165,7 +178,9 @@ def frame_name(labels: AttitudeLabels) -> str:
         InvalidInput: for a name that SPICE has for a frame of its own.
     """
     name = _plain(labels.body_frame)[:26]
-    if spiceypy().namfrm(name) > 0:  # negative ones come from kernels that are loaded now, which does not matter
+    with spice_alone():
+        own = spiceypy().namfrm(name) > 0  # negative ones come from kernels that are loaded now, which does not matter
+    if own:
         raise InvalidInput(f"`body_frame` must not be one of SPICE's own frames; got {labels.body_frame!r}.")
     return name
 

@@ -16,14 +16,13 @@ from polhode.errors import FormatError, InvalidInput
 from polhode.formats.given_axes import check_recorded
 from polhode.formats.labels import AttitudeLabels
 from polhode.formats.opening import MB, check_is_file, open_file
-from polhode.formats.spice_kernels import KINDS, loaded, worded
+from polhode.formats.spice_kernels import DIRECTORY, KINDS, loaded, worded
 from polhode.formats.time_scales import as_epoch, leap_seconds_kernel
 from polhode.trajectory import Trajectory
 
 Array = Any
 BEGINNINGS = (b"DAF/CK", b"NAIF/DAF")
 SUMMARY = (2, 6)  # doubles and integers of a segment's descriptor
-DIRECTORY = 100  # records to an entry of a directory
 PACKETS = {0: 8, 1: 4, 2: 14, 3: 7}  # doubles to a packet, by subtype of type 5
 LARGEST_FILE = 2000 * MB  # as much as SPICE addresses by four bytes
 LARGEST_TEXT = 64 * MB  # of a frame, clock or leap-seconds kernel

@@ -1,0 +1,158 @@
+"""The commands and their options; each imports what it needs only when it runs."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+app = typer.Typer(
+    name="polhode",
+    help="How does this thing rotate? Exact motion of rigid bodies, and what it means.",
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+)
+SpecPath = Annotated[Path, typer.Argument(metavar="SPEC", help="TOML file: what body, how it spins, when.")]
+AsJson = Annotated[bool, typer.Option("--json", help="Print one JSON object (SI values) on standard output.")]
+BodySpec = Annotated[Path | None, typer.Option("--spec", metavar="SPEC", help="Whose body it is, for its moments.")]
+ClockKernel = Annotated[
+    Path | None, typer.Option("--sclk", metavar="FILE", help="Clock kernel of a C-kernel (default: beside it, .tsc).")
+]
+FrameKernel = Annotated[
+    Path | None, typer.Option("--fk", metavar="FILE", help="Frame kernel of a C-kernel (default: beside it, .tf).")
+]
+LeapSeconds = Annotated[
+    Path | None, typer.Option("--lsk", metavar="FILE", help="Leap-seconds kernel (default: beside it, .tls, or ours).")
+]
+SpiceId = Annotated[int | None, typer.Option("--spice-id", metavar="N", help="Whose attitude, of several in a kernel.")]
+
+
+@app.callback(invoke_without_command=True)
+def about(
+    version: Annotated[bool, typer.Option("--version", help="Print the version and stop.", is_eager=True)] = False,
+) -> None:
+    """How does this thing rotate? Exact motion of rigid bodies, and what it means."""
+    if version:
+        from polhode import __version__
+
+        typer.echo(f"polhode {__version__}")
+        raise typer.Exit
+
+
+@app.command()
+def report(
+    spec: SpecPath,
+    json: AsJson = False,
+    out: Annotated[
+        Path | None,
+        typer.Option("--out", metavar="DIR", help="Folder for figures and dataset (default: named after the spec)."),
+    ] = None,
+    figures: Annotated[
+        list[str] | None,
+        typer.Option("--figures", metavar="FORM", help="png, svg, pdf, or several with commas (default: png)."),
+    ] = None,
+    html: Annotated[bool, typer.Option("--html", help="Write the page of the motion, page.html, beside them.")] = False,
+) -> None:
+    """Say how the body rotates: motion, stability, periods; write figures and a NetCDF dataset."""
+    from polhode.cli.report import run_report
+
+    run_report(spec, json, out, figures or [], html)
+
+
+@app.command()
+def view(
+    spec: SpecPath,
+    out: Annotated[
+        Path | None,
+        typer.Option("--out", metavar="FILE", help="The page (default: named after the spec, in this folder)."),
+    ] = None,
+    no_open: Annotated[bool, typer.Option("--no-open", help="Write the page without opening it.")] = False,
+) -> None:
+    """Write the motion as one HTML page that needs nothing else, and open it."""
+    from polhode.cli.view import run_view
+
+    run_view(spec, out, not no_open)
+
+
+@app.command()
+def live(
+    spec: Annotated[
+        Path | None, typer.Argument(metavar="[SPEC]", help="TOML file to begin with; without one, a T-handle's like.")
+    ] = None,
+    port: Annotated[int, typer.Option("--port", help="Where the browser finds it; 0 for any free one.")] = 8080,
+    no_open: Annotated[bool, typer.Option("--no-open", help="Serve without opening a browser.")] = False,
+) -> None:
+    """Play with a body: sliders for its moments and spin, and its exact motion as they move."""
+    from polhode.cli.live import run_live
+
+    run_live(spec, port, not no_open)
+
+
+@app.command()
+def body(spec: SpecPath, json: AsJson = False) -> None:
+    """Print the body's mass properties alone."""
+    from polhode.cli.body import run_body
+
+    run_body(spec, json)
+
+
+@app.command()
+def export(
+    spec: SpecPath,
+    to: Annotated[
+        list[str],
+        typer.Option("--to", metavar="FORM", help="netcdf, zarr, csv, aem, ck, gltf or urdf; may be repeated."),
+    ],
+    out: Annotated[
+        Path | None,
+        typer.Option("--out", metavar="FILE", help="The file (default: named after the spec, in the present folder)."),
+    ] = None,
+) -> None:
+    """Write the motion as files for other tools."""
+    from polhode.cli.export import run_export
+
+    run_export(spec, to, out)
+
+
+@app.command("import")
+def import_(
+    file: Annotated[Path, typer.Argument(metavar="FILE", help="CCSDS AEM or SPICE C-kernel.")],
+    json: AsJson = False,
+    out: Annotated[
+        Path | None,
+        typer.Option("--out", metavar="FILE.nc", help="Dataset to write (default: the file's name and _imported.nc)."),
+    ] = None,
+    spec: BodySpec = None,
+    sclk: ClockKernel = None,
+    fk: FrameKernel = None,
+    lsk: LeapSeconds = None,
+    spice_id: SpiceId = None,
+) -> None:
+    """Read another tool's attitude history, say what it holds, and write it as a NetCDF dataset."""
+    from polhode.cli.importing import run_import
+    from polhode.cli.sources import Kernels
+
+    run_import(file, json, out, spec, Kernels(sclk, fk, lsk, spice_id))
+
+
+@app.command()
+def compare(
+    a: Annotated[Path, typer.Argument(metavar="A", help="Spec, dataset or CSV of polhode's, CCSDS AEM or C-kernel.")],
+    b: Annotated[Path, typer.Argument(metavar="B", help="The same; times are counted by A.")],
+    json: AsJson = False,
+    out: Annotated[
+        Path | None, typer.Option("--out", metavar="DIR", help="Folder for the figure (default: named after both).")
+    ] = None,
+    spec: BodySpec = None,
+    sclk: ClockKernel = None,
+    fk: FrameKernel = None,
+    lsk: LeapSeconds = None,
+    spice_id: SpiceId = None,
+) -> None:
+    """Say how two attitude histories differ: angle over time, misalignments, drift of energy and momentum."""
+    from polhode.cli.compare import run_compare
+    from polhode.cli.sources import Kernels
+
+    run_compare(a, b, json, out, spec, Kernels(sclk, fk, lsk, spice_id))

@@ -1,0 +1,117 @@
+"""Signals that stop a command: Ctrl-C, a polite kill, a terminal that is closed.
+
+Each raises ``Stopped`` where the command is, so that every file being written cleans up after itself, and the command
+ends with 128 and the signal's number. Python's handlers run in the main thread between two of its instructions only,
+and what they raise is lost in some callbacks; so a second thread watches, and ends a process that does not end itself.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import signal
+import socket
+import sys
+import threading
+from collections.abc import Iterator
+from typing import Any
+
+GRACE = 2.0  # s in which a command may end by itself
+SIGNALS = tuple(getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name))
+
+
+class Stopped(BaseException):
+    """A signal came.
+
+    Attributes:
+        number: of the signal.
+    """
+
+    def __init__(self, number: int) -> None:
+        super().__init__(number)
+        self.number = number
+
+
+class _Watch:
+    """What came, and the thread that sees to it.
+
+    Attributes:
+        came: the first signal, None before.
+    """
+
+    def __init__(self) -> None:
+        self.came: int | None = None
+        self._ended = threading.Event()
+        self._told, self._teller = socket.socketpair()
+        self._teller.setblocking(False)
+        self._before: dict[int, Any] = {}
+        self._wakeup = -1
+
+    def start(self) -> None:
+        threading.Thread(target=self._see_to_it, name="polhode-signals", daemon=True).start()
+        self._wakeup = signal.set_wakeup_fd(self._teller.fileno(), warn_on_full_buffer=False)
+        for number in SIGNALS:
+            if (handler := signal.getsignal(number)) is not signal.SIG_IGN:  # nohup's stay ignored
+                self._before[number] = handler
+                signal.signal(number, self._stop)
+
+    def end(self) -> None:
+        self._ended.set()
+        for number, handler in self._before.items():
+            signal.signal(number, handler)
+        signal.set_wakeup_fd(self._wakeup)
+        self._teller.close()
+
+    def _stop(self, number: int, frame: Any) -> None:
+        if self.came is None and not self._ended.is_set():  # more of them do not hurry it
+            self.came = number
+            raise Stopped(number)
+
+    def _see_to_it(self) -> None:
+        with self._told:
+            while (told := self._told.recv(1)) and told[0] not in SIGNALS:
+                pass
+        if told and not self._ended.wait(GRACE):
+            _end_now(told[0])
+
+
+@contextlib.contextmanager
+def stopped_by_signals() -> Iterator[None]:
+    """Raise ``Stopped`` out of the block on a signal, or out of its end where the block lost it.
+
+    Elsewhere than in the main thread it does nothing, as signals do not come there.
+    """
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    watch = _Watch()
+    try:
+        watch.start()
+        yield
+    except Exception:
+        if watch.came is None:
+            raise  # otherwise it is what some library made of the signal
+    finally:
+        watch.end()
+        if watch.came is not None:
+            _remove_drafts()
+            raise Stopped(watch.came) from None
+
+
+def said(number: int) -> str:
+    """Return the message of a command that a signal stopped."""
+    return f"polhode: stopped by {signal.Signals(number).name}.\n"
+
+
+def _end_now(number: int) -> None:
+    """End the process from beside, whatever the main thread is in, and leave no drafts."""
+    _remove_drafts()
+    with contextlib.suppress(OSError, ValueError):
+        os.write(2, said(number).encode("ascii"))
+    os._exit(128 + number)
+
+
+def _remove_drafts() -> None:
+    drafts = sys.modules.get("polhode.formats.drafts")  # where nothing was written it is not there
+    if drafts is not None:
+        drafts.remove_live_drafts()

@@ -1,0 +1,186 @@
+"""Hidden folders in which files are written before they take their names.
+
+A draft is a folder ``.polhode-…`` beside the files it is for: what is to come is in ``new``, and what a store replaces
+waits in ``old``. The process that writes it holds a lock on the folder. The kernel lets go of the lock when the process
+ends, however it ends; so the next process that writes there knows an abandoned draft, puts back what waits in its
+``old``, and removes it.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import re
+import secrets
+import shutil
+import signal
+import threading
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+try:
+    import fcntl
+except ImportError:  # Windows, where abandoned drafts stay
+    fcntl = None
+
+PREFIX = ".polhode-"
+JUST_MADE = 60.0  # s; a younger draft without ``new`` may be about to be locked
+_NAME = re.compile(r"\.polhode-[0-9a-f]{16}")
+_SIGNALS = [getattr(signal, name) for name in ("SIGTERM", "SIGHUP", "SIGINT") if hasattr(signal, name)]
+_live: set[Draft] = set()
+_moving = threading.RLock()  # held while files take their names or drafts are removed
+
+
+class Draft:
+    """A folder of files to come.
+
+    Attributes:
+        folder: where they go.
+        new: where they are written.
+    """
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        self.home = folder / f"{PREFIX}{secrets.token_hex(8)}"
+        self.new, self._old = self.home / "new", self.home / "old"
+        self._lock: int | None = None
+
+    def make(self) -> None:
+        """Make the folder and lock it."""
+        self.home.mkdir()
+        with contextlib.suppress(OSError):  # systems without locks; there, abandoned drafts stay
+            self._lock = _locked(self.home)
+        self._old.mkdir()
+        self.new.mkdir()  # last: a draft that has it has been locked
+
+    def take_place(self) -> None:
+        """Move all that was written to its name, once it is safely on the disk."""
+        written = sorted(self.new.iterdir())
+        for path in written:
+            for part in [path, *path.rglob("*")] if path.is_dir() else [path]:
+                _synced(part)
+        with _moving, signals_held():
+            for path in written:
+                target, aside = self.folder / path.name, self._old / path.name
+                if target.is_dir():
+                    target.replace(aside)
+                try:
+                    path.replace(target)
+                except BaseException:
+                    _put_back(aside, target)
+                    raise
+            _synced(self.folder)
+
+    def remove(self) -> None:
+        """Remove the folder and let go of the lock."""
+        with _moving, signals_held():
+            shutil.rmtree(self.home, ignore_errors=True)
+            if self._lock is not None:
+                os.close(self._lock)
+                self._lock = None
+
+
+@contextlib.contextmanager
+def draft_in(folder: Path) -> Iterator[Draft]:
+    """Yield a draft in a folder; it is gone in the end, whatever happens.
+
+    Raises:
+        OSError: as the system does.
+    """
+    remove_abandoned(folder)
+    draft = Draft(folder)
+    _live.add(draft)
+    try:
+        draft.make()
+        yield draft
+    finally:
+        draft.remove()
+        _live.discard(draft)
+
+
+def remove_live_drafts() -> None:
+    """Remove the drafts of this process, before it ends at once; files that take their names now get there first."""
+    with _moving:
+        for draft in list(_live):
+            draft.remove()
+            _live.discard(draft)
+
+
+def remove_abandoned(folder: Path) -> None:
+    """Remove the drafts in a folder whose process was killed; what a store was to replace is put back."""
+    if fcntl is None:
+        return
+    for home in folder.glob(f"{PREFIX}*"):
+        if not _NAME.fullmatch(home.name) or home.is_symlink() or not home.is_dir():
+            continue
+        with contextlib.suppress(OSError):  # in use, or gone meanwhile
+            if not (home / "new").is_dir() and time.time() - home.stat().st_mtime < JUST_MADE:
+                continue
+            lock = _locked(home)
+            try:
+                for aside in (home / "old").glob("*"):
+                    _put_back(aside, folder / aside.name)
+                shutil.rmtree(home, ignore_errors=True)
+            finally:
+                if lock is not None:
+                    os.close(lock)
+
+
+@contextlib.contextmanager
+def signals_held() -> Iterator[None]:
+    """Let signals that come meanwhile act afterwards; only the main thread gets any."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    came: list[int] = []
+    before: dict[int, Any] = {}
+    try:
+        for number in _SIGNALS:
+            if callable(handler := signal.getsignal(number)):  # others do not interrupt Python
+                before[number] = handler
+                signal.signal(number, lambda number, frame: came.append(number))
+        yield
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
+        for number in came[:1]:
+            signal.raise_signal(number)
+
+
+def _put_back(aside: Path, target: Path) -> None:
+    if aside.exists() and not target.exists():
+        aside.replace(target)
+
+
+def _locked(folder: Path) -> int | None:
+    """Return a descriptor that holds the folder's lock, None where the system has none.
+
+    Raises:
+        OSError: if another process holds it.
+    """
+    if fcntl is None:
+        return None
+    lock = os.open(folder, os.O_RDONLY)
+    try:
+        fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        return lock
+    except OSError:
+        os.close(lock)
+        raise
+
+
+def _synced(path: Path) -> None:
+    """Wait until a file's bytes are on the disk: some systems tell only then that there was no room for them."""
+    folder = path.is_dir()
+    if folder and fcntl is None:  # Windows cannot open folders
+        return
+    descriptor = os.open(path, os.O_RDONLY if folder or fcntl is not None else os.O_RDWR)
+    try:
+        os.fsync(descriptor)
+    except OSError:
+        if not folder:  # some systems have no such call for folders
+            raise
+    finally:
+        os.close(descriptor)

@@ -1,0 +1,87 @@
+"""Signals that stop a command."""
+
+import signal
+import subprocess
+import sys
+
+import pytest
+
+from polhode.cli import main as entry
+from polhode.cli.stopping import SIGNALS, Stopped, stopped_by_signals
+
+PATIENCE = 60  # s until a process of the tests counts as hanging
+CODES = {signal.SIGINT: 130, signal.SIGTERM: 143, signal.SIGHUP: 129}
+
+
+@pytest.fixture(autouse=True)
+def handlers():
+    """Handlers are as before in the end."""
+    before = [signal.getsignal(number) for number in SIGNALS]
+    yield
+    assert [signal.getsignal(number) for number in SIGNALS] == before
+    assert signal.set_wakeup_fd(-1) == -1
+
+
+@pytest.mark.parametrize("number", CODES)
+def test_the_exit_code_is_the_shell_s(monkeypatch, capsys, number):
+    def run(arguments):
+        signal.raise_signal(number)
+        pytest.fail("the signal was lost")
+
+    monkeypatch.setattr(entry, "_run", run)
+    with pytest.raises(SystemExit) as ended:
+        entry.main(["report"])
+    out, err = capsys.readouterr()
+    assert ended.value.code == CODES[number] and out == "" and err == f"polhode: stopped by {number.name}.\n"
+
+
+def test_a_signal_that_is_lost_in_a_callback_stops_the_command_at_its_end():
+    with pytest.raises(Stopped), stopped_by_signals():
+        try:
+            signal.raise_signal(signal.SIGINT)
+        except BaseException:
+            pass
+        signal.raise_signal(signal.SIGINT)  # more of them change nothing
+
+
+def test_what_a_library_makes_of_a_signal_is_the_signal():
+    with pytest.raises(Stopped), stopped_by_signals():
+        try:
+            signal.raise_signal(signal.SIGTERM)
+        except Stopped:
+            raise RuntimeError("a callback failed") from None
+    with pytest.raises(ZeroDivisionError), stopped_by_signals():
+        raise ZeroDivisionError
+
+
+def test_what_is_ignored_stays_so(monkeypatch):
+    before = signal.signal(signal.SIGHUP, signal.SIG_IGN)
+    try:
+        with stopped_by_signals():
+            signal.raise_signal(signal.SIGHUP)
+    finally:
+        signal.signal(signal.SIGHUP, before)
+
+
+DEAF = """
+import os, signal
+from polhode.cli import stopping
+from polhode.formats.paths import written_whole
+stopping.GRACE = 0.2
+with stopping.stopped_by_signals(), written_whole("a") as draft:
+    draft.write_text("half")
+    while True:
+        try:
+            os.kill(os.getpid(), signal.SIGTERM)
+            signal.pause()
+        except stopping.Stopped:
+            pass
+"""
+
+
+def test_a_command_that_does_not_listen_is_ended_from_beside(tmp_path):
+    (tmp_path / "a").write_text("earlier")
+    command = [sys.executable, "-c", DEAF]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, timeout=PATIENCE, check=False)
+    assert done.returncode == 143 and done.stderr == b"polhode: stopped by SIGTERM.\n"
+    assert [path.name for path in tmp_path.iterdir()] == ["a"] and (tmp_path / "a").read_text() == "earlier"

@@ -1,0 +1,151 @@
+"""Drafts: gone in the end, whatever ends them."""
+
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from polhode.errors import InvalidInput
+from polhode.formats import drafts
+from polhode.formats.paths import written_together, written_whole
+
+PATIENCE = 60  # s until a process of the tests counts as hanging
+
+
+def names(folder):
+    return sorted(path.name for path in folder.iterdir())
+
+
+def is_store(path):
+    return (path / "mark").is_file()
+
+
+def run(code, folder):
+    """Run Python in a folder and return its exit code."""
+    return subprocess.run([sys.executable, "-c", code], cwd=folder, timeout=PATIENCE, check=False).returncode
+
+
+KILLED = """
+import os, signal
+from polhode.formats.paths import written_whole
+with written_whole("motion.csv") as draft:
+    draft.write_text("half")
+    os.kill(os.getpid(), signal.SIGKILL)
+"""
+
+
+@pytest.mark.skipif(drafts.fcntl is None, reason="no locks by which a process's end is seen")
+def test_the_draft_of_a_killed_process_goes_with_the_next_one(tmp_path):
+    (tmp_path / "motion.csv").write_text("earlier")
+    (tmp_path / ".polhode-notes").mkdir()
+    assert run(KILLED, tmp_path) == -signal.SIGKILL
+    assert (tmp_path / "motion.csv").read_text() == "earlier" and len(names(tmp_path)) == 3
+    with written_whole(tmp_path / "other.csv") as draft:
+        draft.write_text("whole")
+    assert names(tmp_path) == [".polhode-notes", "motion.csv", "other.csv"]
+
+
+def test_a_draft_in_use_stays(tmp_path):
+    with written_whole(tmp_path / "a") as first:
+        first.write_text("a")
+        with written_whole(tmp_path / "b") as second:
+            second.write_text("b")
+        assert first.read_text() == "a"
+    assert names(tmp_path) == ["a", "b"]
+
+
+KILLED_WHILE_MOVING = """
+import os, signal, pathlib
+from polhode.formats.paths import written_whole
+move, moved = pathlib.Path.replace, []
+def replace(self, target):
+    if moved:
+        os.kill(os.getpid(), signal.SIGKILL)
+    moved.append(self)
+    return move(self, target)
+pathlib.Path.replace = replace
+with written_whole("store", lambda path: True) as draft:
+    draft.mkdir()
+    (draft / "mark").write_text("later")
+"""
+
+
+@pytest.mark.skipif(drafts.fcntl is None, reason="no locks by which a process's end is seen")
+def test_a_store_whose_replacement_was_killed_comes_back(tmp_path):
+    (tmp_path / "store").mkdir()
+    (tmp_path / "store" / "mark").write_text("earlier")
+    assert run(KILLED_WHILE_MOVING, tmp_path) == -signal.SIGKILL
+    assert not (tmp_path / "store").exists()  # the only moment at which a kill takes it from its place
+    with written_whole(tmp_path / "other") as draft:
+        draft.write_text("whole")
+    assert (tmp_path / "store" / "mark").read_text() == "earlier" and names(tmp_path) == ["other", "store"]
+
+
+def test_a_store_that_cannot_be_replaced_stays(tmp_path, monkeypatch):
+    (tmp_path / "store").mkdir()
+    (tmp_path / "store" / "mark").write_text("earlier")
+    move = Path.replace
+
+    def replace(path, target):
+        if path.parent.name == "new":
+            raise PermissionError(13, "Permission denied")
+        return move(path, target)
+
+    monkeypatch.setattr(Path, "replace", replace)
+    with pytest.raises(InvalidInput, match="Permission denied"):
+        with written_whole(tmp_path / "store", is_store) as draft:
+            draft.mkdir()
+    assert (tmp_path / "store" / "mark").read_text() == "earlier" and names(tmp_path) == ["store"]
+
+
+def interrupt(*_):
+    signal.raise_signal(signal.SIGINT)
+
+
+@pytest.mark.parametrize("step", ["mkdir", "fsync", "rmtree"])
+def test_an_interrupt_in_any_step_leaves_the_old_or_the_new_and_nothing_else(tmp_path, monkeypatch, step):
+    (tmp_path / "a").write_text("earlier")
+    home = {"mkdir": Path, "fsync": os, "rmtree": drafts.shutil}[step]
+    done = getattr(home, step)
+
+    def interrupted(*arguments, **more):
+        done(*arguments, **more)
+        interrupt()
+
+    monkeypatch.setattr(home, step, interrupted)
+    with pytest.raises(KeyboardInterrupt), written_together(tmp_path) as draft:
+        (draft / "a").write_text("later")
+    monkeypatch.undo()
+    assert names(tmp_path) == ["a"]
+    assert (tmp_path / "a").read_text() == ("later" if step == "rmtree" else "earlier")
+
+
+def test_an_interrupt_while_files_take_their_names_waits(tmp_path, monkeypatch):
+    for name in "ab":
+        (tmp_path / name).write_text("earlier")
+    move = Path.replace
+
+    def replace(path, target):
+        interrupt()
+        return move(path, target)
+
+    monkeypatch.setattr(Path, "replace", replace)
+    with pytest.raises(KeyboardInterrupt), written_together(tmp_path) as draft:
+        for name in "ab":
+            (draft / name).write_text("later")
+    assert {path.name: path.read_text() for path in tmp_path.iterdir()} == {"a": "later", "b": "later"}
+
+
+def test_files_are_on_the_disk_before_they_take_their_names(tmp_path, monkeypatch):
+    def full(descriptor):
+        raise OSError(28, "No space left on device")
+
+    (tmp_path / "a").write_text("earlier")
+    monkeypatch.setattr(os, "fsync", full)
+    with pytest.raises(InvalidInput, match=r"No space left on device\)\. Make room"):
+        with written_whole(tmp_path / "a") as draft:
+            draft.write_text("later")
+    assert (tmp_path / "a").read_text() == "earlier" and names(tmp_path) == ["a"]
