@@ -41,6 +41,35 @@ def test_from_matrix_returns_the_quaternion_up_to_sign(quaternions):
     assert (np.abs(np.abs(np.sum(back * special, axis=1)) - 1.0) < ROUNDING).all()
 
 
+@pytest.mark.parametrize("angle", [0.0, 1e-300, 1e-12, 1e-3, 1.0, 3.0, *(np.pi - np.array([1e-3, 1e-9, 1e-14]))])
+def test_the_shortest_rotation_takes_one_direction_to_another_by_their_angle(angle):
+    """Within rounding up to opposite directions, where 1 + a·b would lose every digit."""
+    a, across = np.array([2.0, -3.0, 6.0]) / 7.0, np.array([3.0, 6.0, 2.0]) / 7.0
+    with mpmath.workdps(40):
+        b = np.array([float(mpmath.cos(angle) * x + mpmath.sin(angle) * y) for x, y in zip(a, across, strict=True)])
+        half = float(mpmath.cos(mpmath.mpf(angle) / 2))
+    q = rotation.shortest_between(1e-200 * a, 1e200 * b)
+    assert abs(np.linalg.norm(q) - 1.0) < ROUNDING
+    assert np.abs(rotation.rotate(q, a) - b).max() < ROUNDING
+    assert abs(q[0] - half) < ROUNDING
+    assert abs(q[1:] @ a) < ROUNDING
+
+
+def test_the_shortest_rotation_between_opposite_directions_is_half_a_turn():
+    assert rotation.shortest_between((0.0, 0.0, -1.0), (0.0, 0.0, 1.0)).tolist() == [0.0, 1.0, 0.0, 0.0]
+    some = np.random.default_rng(3).normal(size=(50, 3))
+    q = rotation.shortest_between(some, -some)
+    assert np.abs(rotation.rotate(q, some) + some).max() < 5 * ROUNDING
+
+
+def test_a_perpendicular_is_a_unit_vector_at_right_angles():
+    vectors = np.vstack([np.random.default_rng(4).normal(size=(50, 3)), np.eye(3), [[1e300, 1e-300, 0.0]]])
+    found = rotation.perpendicular(vectors)
+    scaled = vectors / np.abs(vectors).max(axis=1, keepdims=True)
+    assert np.abs(np.linalg.norm(found, axis=1) - 1.0).max() < ROUNDING
+    assert np.abs(np.sum(found * scaled, axis=1)).max() < ROUNDING
+
+
 @pytest.mark.parametrize("angle", [0.0, 1e-300, 1e-9, 9e-4, 1.1e-3, 1.0, 3.0, np.pi - 1e-9])
 def test_exponential_and_logarithm(angle):
     axis = np.array([2.0, -3.0, 6.0]) / 7.0
@@ -94,6 +123,8 @@ def test_strict_arrays_through_the_matrix_and_the_exponential(quaternions):
     back = np.asarray(rotation.from_matrix(matrices))
     assert np.abs(np.abs(np.sum(back * quaternions, axis=1)) - 1.0).max() < ROUNDING
     vectors = array_api_strict.asarray(quaternions[:, 1:])
+    shortest = rotation.shortest_between(vectors, rotation.perpendicular(vectors))
+    assert np.abs(np.asarray(shortest)[:, 0] - np.sqrt(0.5)).max() < ROUNDING
     assert np.abs(np.asarray(rotation.from_rotation_vector(vectors)) ** 2).sum(axis=1) == pytest.approx(1.0)
 
 
@@ -106,6 +137,8 @@ def test_strict_arrays_through_the_matrix_and_the_exponential(quaternions):
         (lambda: rotation.as_matrix([1.0, 0, 0]), "shape"),
         (lambda: rotation.as_matrix(np.ones(4, dtype=np.float32)), "float64"),
         (lambda: rotation.from_axis_angle([0.0, 0, 0], 1.0), "direction"),
+        (lambda: rotation.shortest_between([0.0, 0, 0], [1.0, 0, 0]), "`start`.*direction"),
+        (lambda: rotation.perpendicular([1.0, 0]), "shape"),
     ],
 )
 def test_bad_input(call, words):

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
 Array = Any
 ORTHOGONALITY_TOLERANCE = 1e-6  # a matrix further from a rotation is taken for a mistake, not for rounding
+OPPOSITE = 4e-16  # length of the sum of two unit vectors below which it is rounding: they are opposite
 
 
 def _arrays(**named: Array) -> tuple[Any, list[Array]]:
@@ -206,6 +207,62 @@ def angle_between(p: Array, q: Array) -> Array:
     relative = multiply(conjugate(q), p)
     sine = xp.sqrt(xp.sum(relative[..., 1:] * relative[..., 1:], axis=-1))
     return 2.0 * xp.atan2(sine, xp.abs(relative[..., 0]))
+
+
+def shortest_between(start: Array, end: Array) -> Array:
+    """Return the unit quaternion (…, 4) of the shortest rotation that takes one direction (…, 3) to another.
+
+    With unit vectors a, b and s = a + b it is (|s|/2, a × s/|s|), which loses no digits where they are nearly opposite.
+    Between opposite directions it is half a turn about an axis that depends on the first alone.
+
+    Raises:
+        InvalidInput: for a vector of zero length, which has no direction.
+
+    >>> shortest_between([0.0, 0.0, 3.0], [0.0, 1.0, 0.0]).round(12).tolist()
+    [0.707106781187, -0.707106781187, 0.0, 0.0]
+    """
+    xp = namespace(start, end)
+    a, b = _unit(xp, start, "start"), _unit(xp, end, "end")
+    between = a + b
+    size = xp.sqrt(xp.sum(between * between, axis=-1, keepdims=True))
+    opposite = size < OPPOSITE
+    turn = xp.concat([0.5 * size, _cross(xp, a, between / xp.where(opposite, 1.0, size))], axis=-1)
+    half = xp.concat([xp.zeros_like(size), _cross(xp, perpendicular(a), a) + 0.0 * between], axis=-1)
+    turn = xp.where(opposite, half, turn)
+    return turn / xp.sqrt(xp.sum(turn * turn, axis=-1, keepdims=True))
+
+
+def perpendicular(vector: Array) -> Array:
+    """Return a unit vector (…, 3) at right angles to each vector: its cross product with the axis farthest from it.
+
+    Raises:
+        InvalidInput: for a vector of zero length.
+    """
+    xp = namespace(vector)
+    v = _unit(xp, vector, "vector")
+    farthest = xp.argmin(xp.abs(v), axis=-1)[..., None]
+    x, y, z = (v[..., k : k + 1] for k in range(3))
+    zero = xp.zeros_like(x)
+    found = xp.concat([y, -x, zero], axis=-1)
+    found = xp.where(farthest == 1, xp.concat([-z, zero, x], axis=-1), found)
+    found = xp.where(farthest == 0, xp.concat([zero, z, -y], axis=-1), found)
+    return found / xp.sqrt(xp.sum(found * found, axis=-1, keepdims=True))
+
+
+def _unit(xp: Any, vector: Array, name: str) -> Array:
+    v = as_float64(xp, vector, name)
+    if tuple(v.shape[-1:]) != (3,):
+        raise InvalidInput(f"`{name}` must have shape (..., 3); got {tuple(v.shape)}.")
+    largest = xp.max(xp.abs(v), axis=-1, keepdims=True)
+    if not is_traced(v) and not bool(xp.all((largest > 0) & xp.isfinite(largest))):
+        raise InvalidInput(f"`{name}` must be finite and not zero; a vector of zero length has no direction.")
+    v = v / largest
+    return v / xp.sqrt(xp.sum(v * v, axis=-1, keepdims=True))
+
+
+def _cross(xp: Any, a: Array, b: Array) -> Array:
+    (x, y, z), (u, v, w) = _parts(a), _parts(b)
+    return xp.stack([y * w - z * v, z * u - x * w, x * v - y * u], axis=-1)
 
 
 def as_scipy(quaternion: Array) -> Rotation:

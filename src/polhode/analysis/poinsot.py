@@ -75,7 +75,6 @@ def herpolhode_curve(motion: FreeMotion, times: Array) -> Array:
     start = motion.state(motion.epoch)
     normal = rotation.rotate(*start)
     normal = normal / np.linalg.norm(normal)
-    first = np.cross(normal, np.eye(3)[np.argmin(np.abs(normal))])
-    first = first / np.linalg.norm(first)
+    first = rotation.perpendicular(normal)
     second = np.cross(normal, first)
     return np.stack([point @ first, point @ second], axis=-1)

@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from polhode import rotation
 from polhode.bodies.surface import Surface
 from polhode.figures import style
 
@@ -163,8 +164,7 @@ def corner_normals(vertices: Array, faces: Array) -> Array:
 
 def circle_about(axis: Array, half_angle: float, length: float, count: int = 241) -> Array:
     """Return the rim (count, 3) of the cone about a unit axis with its apex at the origin, slant sides this long."""
-    first = np.cross(axis, np.eye(3)[np.argmin(np.abs(axis))])
-    first = first / np.linalg.norm(first)
+    first = rotation.perpendicular(axis)
     turn = np.linspace(0.0, 2.0 * np.pi, count)[:, None]
     around = np.cos(turn) * first + np.sin(turn) * np.cross(axis, first)
     return length * (np.cos(half_angle) * np.asarray(axis) + np.sin(half_angle) * around)

@@ -146,10 +146,7 @@ def _add_momentum(made: Glb, place: int, keyed: Trajectory, length: float) -> li
     if not (size > 0).all():
         return []
     toward = momentum / size
-    x, y, z = toward.T
-    down = np.array([0.0, 1.0, 0.0, 0.0])  # half a turn, where the shortest turn from z is not the only one
-    turns = np.column_stack([1.0 + z, -y, x, np.zeros_like(z)])
-    turns = rotation.normalize(np.where((z > -1.0)[:, None], turns, down))
+    turns = rotation.shortest_between((0.0, 0.0, 1.0), toward)
     arrow = made.node("angular momentum", place, **made.mesh((_arrow(length), MOMENTUM)),
                       rotation=_xyzw(turns[0]).tolist())  # fmt: skip
     moves = np.abs(toward - toward[0]).max() > STEADY

@@ -77,7 +77,7 @@ def reconstruct(
     _, path = jax.lax.scan(advance, start, moves)
     path = jnp.concatenate([start[None], path])
     wanted = rotation.rotate(start, L[0])
-    path = rotation.multiply(_shortest_turn(rotation.rotate(path, L), wanted), path)
+    path = rotation.multiply(rotation.shortest_between(rotation.rotate(path, L), wanted), path)
     dynamic = sum(0.5 * h[:, 0] * jnp.sum(m * w, axis=-1) / norm for m, w in zip(middle, spin, strict=True))
     swept = sum(0.5 * h[:, 0] * _sweep(L[0], m, jnp.cross(m, w)) for m, w in zip(middle, spin, strict=True))
     total = lambda rates: jnp.concatenate([jnp.zeros(1), jnp.cumsum(rates)])  # noqa: E731
@@ -87,14 +87,6 @@ def reconstruct(
 def _hermite(c: float, h: Array, a: Array, b: Array, slope_a: Array, slope_b: Array) -> Array:
     own, other = (1 + 2 * c) * (1 - c) ** 2, c * c * (3 - 2 * c)
     return own * a + other * b + h * (c * (1 - c) ** 2 * slope_a + c * c * (c - 1) * slope_b)
-
-
-def _shortest_turn(start: Array, end: Array) -> Array:
-    """Return the unit quaternion of the shortest turn that takes one direction to another close to it."""
-    a, b = start / jnp.linalg.norm(start, axis=-1, keepdims=True), end / jnp.linalg.norm(end)
-    return rotation.normalize(
-        jnp.concatenate([1.0 + jnp.sum(a * b, axis=-1, keepdims=True), jnp.cross(a, b)], axis=-1)
-    )
 
 
 def _sweep(first: Array, now: Array, slope: Array) -> Array:

@@ -326,7 +326,7 @@ def _start(spec: Spec, table: HeavyTopTable | LagrangeTopTable, top: HeavyTop) -
     if table.lean is None:
         return momentum, attitude
     axis = axes @ np.asarray(top.axis)
-    upright = rotation.normalize(_shortest(axis))
+    upright = rotation.shortest_between(axis, (0.0, 0.0, 1.0))
     if float(top.mgl) == 0.0:
         raise InvalidInput("`system.lean` needs a centre of mass apart from the fixed point; leave it out.")
     leaning = rotation.multiply(np.array([*_half_turn(table.lean), 0.0, 0.0]), upright)
@@ -338,13 +338,6 @@ def _half_turn(angle: float) -> tuple[float, float]:
     if abs(angle - 0.5 * math.pi) < 1e-15:
         return math.sqrt(0.5), math.sqrt(0.5)
     return (0.0, 1.0) if abs(angle - math.pi) < 1e-15 else (math.cos(0.5 * angle), math.sin(0.5 * angle))
-
-
-def _shortest(axis: Array) -> Array:
-    """Return the shortest turn, as a quaternion of any length, that brings a unit vector upright."""
-    if axis[2] < -1.0 + 1e-15:
-        return np.array([0.0, 1.0, 0.0, 0.0])
-    return np.array([1.0 + axis[2], axis[1], -axis[0], 0.0])
 
 
 def _axis_third(top: HeavyTop) -> HeavyTop:
@@ -362,8 +355,7 @@ def _axis_third(top: HeavyTop) -> HeavyTop:
             f"{distinct(moments)} kg m², the line {vector(axis)} along their axes. Ask for kind = \"heavy-top\"."
         )
     if k < 0:
-        first = np.cross(axis, np.eye(3)[np.argmin(np.abs(axis))])
-        first = first / np.linalg.norm(first)
+        first = rotation.perpendicular(axis)
         turned = np.stack([first, np.cross(axis, first), axis], axis=-1)
         return HeavyTop(moments, float(top.mgl), (0.0, 0.0, 1.0), axes @ turned)
     i, j = (k + 1) % 3, (k + 2) % 3

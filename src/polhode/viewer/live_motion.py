@@ -51,7 +51,7 @@ class Setting(NamedTuple):
     def motion(self) -> FreeMotion:
         """Return the motion; L points along the third axis of space."""
         momentum = np.asarray(self.moments) * self.velocity
-        return FreeMotion(self.moments, momentum, _upright(momentum / np.linalg.norm(momentum)))
+        return FreeMotion(self.moments, momentum, rotation.shortest_between(momentum, (0.0, 0.0, 1.0)))
 
 
 def allowed(moments: Array, k: int) -> tuple[float, float]:
@@ -159,13 +159,6 @@ def picture_of(setting: Setting, surface: Surface | None = None) -> Picture:
 
 def _longest(setting: Setting) -> float:
     return float(ellipsoid_semi_axes(setting.moments).max())
-
-
-def _upright(unit: Array) -> Array:
-    """Return the shortest turn that brings a unit vector onto the third axis."""
-    if unit[2] < -1.0 + 1e-12:
-        return np.array([0.0, 1.0, 0.0, 0.0])
-    return rotation.normalize(np.array([1.0 + unit[2], unit[1], -unit[0], 0.0]))
 
 
 def _pieces(curves: list[Array], order: Array | None = None) -> Array:

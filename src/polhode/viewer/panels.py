@@ -104,11 +104,7 @@ def up_of(system: Any, samples: Samples) -> tuple[Array, str]:
     norm = np.linalg.norm(in_space[0])
     if not norm or np.abs(in_space - in_space[0]).max() > KEPT * norm:
         return as_given
-    x, y, z = in_space[0] / norm
-    if z < -1.0 + 1e-9:
-        return np.array([0.0, 1.0, 0.0, 0.0]), "L"
-    turn = np.array([1.0 + z, y, -x, 0.0])
-    return turn / np.linalg.norm(turn), "L"
+    return rotation.shortest_between(in_space[0], AXIS), "L"
 
 
 # ---------------------------------------------------------------------- the body
