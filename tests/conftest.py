@@ -1,9 +1,60 @@
-"""Every call in the tests has its annotations checked, except where a test gives a wrong type on purpose."""
+"""Every call in the tests has its annotations checked, except where a test gives a wrong type on purpose.
+
+Compiled functions are kept on disk for the length of a run, so that workers and subprocesses compile each once, and
+are dropped from memory once a worker has grown large.
+"""
+
+import gc
+import os
+import shutil
+import sys
+import tempfile
+from pathlib import Path
 
 import pytest
 from jaxtyping import config, install_import_hook
 
 install_import_hook("polhode", "typed.check")
+
+COMPILED = "JAX_COMPILATION_CACHE_DIR"
+MAX_RESIDENT = 1.2e9  # bytes of a worker from which it drops its compiled functions
+MAX_SECONDS = 300  # of one test, on a machine that does other things too
+MAX_SECONDS_IN_A_BROWSER = 120
+MAX_SECONDS_OF_A_SWEEP = 3000
+
+
+def pytest_configure(config):
+    """Name a new folder for compiled functions before workers start, so that every run starts cold."""
+    if not hasattr(config, "workerinput") and COMPILED not in os.environ:
+        os.environ[COMPILED] = config.compiled_here = tempfile.mkdtemp(prefix="polhode-tests-")
+        os.environ["JAX_PERSISTENT_CACHE_MIN_COMPILE_TIME_SECS"] = "0.2"
+        os.environ["JAX_PERSISTENT_CACHE_MIN_ENTRY_SIZE_BYTES"] = "-1"
+
+
+def pytest_unconfigure(config):
+    if hasattr(config, "compiled_here"):
+        shutil.rmtree(config.compiled_here, ignore_errors=True)
+
+
+def pytest_collection_modifyitems(items):
+    """Give every test a time limit: one that stands still fails instead of stopping the run."""
+    for item in items:
+        slow = item.get_closest_marker("sweep") or item.get_closest_marker("long")
+        in_browser = item.get_closest_marker("browser")
+        limit = MAX_SECONDS_OF_A_SWEEP if slow else MAX_SECONDS_IN_A_BROWSER if in_browser else MAX_SECONDS
+        if item.get_closest_marker("timeout") is None:
+            item.add_marker(pytest.mark.timeout(limit))
+
+
+@pytest.fixture(autouse=True, scope="module")
+def small_memory():
+    """Drop what was compiled once this process has grown large; what is needed again comes from disk."""
+    yield
+    resident = Path("/proc/self/statm")
+    if "jax" in sys.modules and resident.exists():
+        if int(resident.read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE") > MAX_RESIDENT:
+            sys.modules["jax"].clear_caches()
+            gc.collect()
 
 
 @pytest.fixture

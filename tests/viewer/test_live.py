@@ -218,14 +218,16 @@ def test_interrupting_ends_it_cleanly():
 @pytest.mark.browser
 def test_the_page_loads_and_a_slider_in_it_moves_the_motion(app, browser):
     errors, outside = [], []
-    page = browser.new_page(viewport={"width": 1300, "height": 720})
+    # small, as software draws every frame of it, and drawing without pause starves everything else on a busy machine
+    page = browser.new_page(viewport={"width": 480, "height": 320})
+    page.set_default_timeout(60_000)
     page.on("pageerror", lambda error: errors.append(str(error)))
     page.on("console", lambda line: errors.append(line.text) if line.type == "error" else None)
     inside = (app.address, app.address.replace("http", "ws"), "data:", "blob:")
     page.on("request", lambda asked: None if asked.url.startswith(inside) else outside.append(asked.url))
     page.goto(app.address)
-    page.wait_for_selector("canvas", timeout=60_000)
-    page.get_by_text("a <b>body</b>", exact=True).wait_for(timeout=60_000)
+    page.wait_for_selector("canvas")
+    page.get_by_text("a <b>body</b>", exact=True).wait_for()
     field = page.locator("input[type=text], input[inputmode=decimal]").first
     before = app.moments[0].value
     field.fill("1.25")
