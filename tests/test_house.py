@@ -3,6 +3,8 @@
 import doctest
 import importlib
 import re
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -56,3 +58,20 @@ def test_public_names_are_there():
         assert getattr(ph, name) is not None
     with pytest.raises(AttributeError):
         ph.nothing_of_the_kind  # noqa: B018
+
+
+@pytest.mark.parametrize(
+    ("code", "heavy"),
+    [
+        ("import polhode", "jax matplotlib xarray trimesh scipy pydantic"),
+        ("from polhode.cli.main import main; main(['report', r'{spec}', '--out', r'{out}'])", "jax equinox diffrax"),
+    ],
+    ids=["import", "report on a free body"],
+)
+def test_heavy_packages_are_imported_only_when_needed(code, heavy, tmp_path):
+    code = code.format(spec=ROOT / "examples" / "t_handle.toml", out=tmp_path / "out")
+    asked = f"import atexit, sys; atexit.register(lambda: print('\\nimported', *sys.modules)); {code}"
+    found = subprocess.run([sys.executable, "-c", asked], capture_output=True, text=True, timeout=120, check=False)
+    imported = found.stdout.rpartition("\nimported ")[2].split()
+    assert "polhode" in imported, found.stderr
+    assert not set(heavy.split()) & set(imported)

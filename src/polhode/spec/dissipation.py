@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from typing import Annotated, Any, Literal, NamedTuple
+from collections.abc import Iterator
+from importlib import import_module
+from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple
 
 from pydantic import BeforeValidator
 
@@ -11,40 +12,35 @@ from polhode.errors import shown
 from polhode.spec.fields import Length, Viscosity, is_number, one_of
 from polhode.spec.models import Strict
 from polhode.spec.units import parse_quantity
-from polhode.systems.rolling_dissipation import (
-    AirLayer,
-    BoundaryLayer,
-    DrillingFriction,
-    DryContourFriction,
-    RollingCouple,
-    RollingDissipation,
-    ViscousContourFriction,
-)
+
+if TYPE_CHECKING:
+    from polhode.systems.rolling_dissipation import RollingDissipation
 
 
 class Law(NamedTuple):
     """A law as a spec knows it.
 
     Attributes:
-        make: the law from its one constant, SI.
+        model: the law's class in ``systems.rolling_dissipation``, imported when it is built, as reading a spec needs no
+            JAX.
         key: what the constant is called.
         unit: of it, empty for a plain number.
         example: how a spec writes it.
     """
 
-    make: Callable[[float], RollingDissipation]
+    model: str
     key: str
     unit: str
     example: str
 
 
 LAWS = {
-    "air-layer": Law(AirLayer, "viscosity", "Pa*s", '"1.8e-5 Pa*s"'),
-    "boundary-layer": Law(BoundaryLayer, "coefficient", "W*s^2.5", '"2e-9 W*s^2.5"'),
-    "viscous-contour-friction": Law(ViscousContourFriction, "coefficient", "W*s^2", '"2e-8 W*s^2"'),
-    "dry-contour-friction": Law(DryContourFriction, "coefficient", "", "1e-4"),
-    "rolling-couple": Law(RollingCouple, "arm", "m", '"20 um"'),
-    "drilling-friction": Law(DrillingFriction, "arm", "m", '"0.1 mm"'),
+    "air-layer": Law("AirLayer", "viscosity", "Pa*s", '"1.8e-5 Pa*s"'),
+    "boundary-layer": Law("BoundaryLayer", "coefficient", "W*s^2.5", '"2e-9 W*s^2.5"'),
+    "viscous-contour-friction": Law("ViscousContourFriction", "coefficient", "W*s^2", '"2e-8 W*s^2"'),
+    "dry-contour-friction": Law("DryContourFriction", "coefficient", "", "1e-4"),
+    "rolling-couple": Law("RollingCouple", "arm", "m", '"20 um"'),
+    "drilling-friction": Law("DrillingFriction", "arm", "m", '"0.1 mm"'),
 }
 KEYS = ("viscosity", "coefficient", "arm")
 
@@ -78,7 +74,8 @@ class LawTable(Strict):
     def build(self) -> RollingDissipation:
         """Return the law."""
         law = LAWS[self.law]
-        return law.make(getattr(self, law.key))
+        model = getattr(import_module("polhode.systems.rolling_dissipation"), law.model)
+        return model(getattr(self, law.key))
 
 
 def law_rules(law: dict[str, Any]) -> Iterator[str]:
