@@ -71,7 +71,11 @@ def build_part(table: PartTable) -> Body:
 
 
 def build_spin(table: SpinTable | None, moments: Array, axes: Array) -> tuple[Array, Array]:
-    """Return momentum (3,) along and attitude (4,) of principal axes (3, 3) with their moments (3,)."""
+    """Return momentum (3,) along and attitude (4,) of principal axes (3, 3) with their moments (3,).
+
+    Raises:
+        InvalidInput: for a momentum beyond the range of numbers.
+    """
     given = (1.0, 0.0, 0.0, 0.0) if table is None else table.attitude
     attitude = rotation.multiply(rotation.normalize(given), rotation.from_matrix(axes))
     if table is None or not (table.momentum or table.angular_velocity or table.rate):
@@ -79,13 +83,23 @@ def build_spin(table: SpinTable | None, moments: Array, axes: Array) -> tuple[Ar
     if table.momentum is not None or table.angular_velocity is not None:
         vector = np.array(table.momentum if table.momentum is not None else table.angular_velocity)
         vector = vector if table.frame == "principal" else vector @ axes
-        return vector if table.momentum is not None else moments * vector, attitude
+        return vector if table.momentum is not None else _momentum(moments, vector), attitude
     direction = np.zeros(3)
     about = table.about
     index = about - 1 if isinstance(about, int) else "xyz".index(str(about))
     direction[index], direction[(index + 1) % 3] = _cosine_and_sine(table.tilt)
     velocity = (table.rate or 0.0) * (direction if isinstance(about, int) else direction @ axes)
-    return moments * velocity, attitude
+    return _momentum(moments, velocity), attitude
+
+
+def _momentum(moments: Array, velocity: Array) -> Array:
+    with np.errstate(over="ignore", under="ignore"):
+        momentum = moments * velocity
+    if not np.isfinite(momentum).all():
+        rates = ", ".join(f"{x:.3g}" for x in velocity)
+        raise InvalidInput(f"the spin ({rates}) rad/s along the principal axes gives a momentum beyond the range of "
+                           "numbers. Check the rate and its unit.")  # fmt: skip
+    return momentum
 
 
 def _cosine_and_sine(angle: float) -> tuple[float, float]:

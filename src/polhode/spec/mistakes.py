@@ -68,7 +68,8 @@ def _key(location: Location) -> str:
 def _said(mistake: Any, root: type[BaseModel]) -> str:
     kind, last = mistake["type"], mistake["loc"][-1]
     if kind == "extra_forbidden":
-        known = list(_model_at(mistake["loc"][:-1], root).model_fields)
+        model = _model_at(mistake["loc"][:-1], root)
+        known = [*model.model_fields, *(["system"] if model is SpecFile else [])]
         near = difflib.get_close_matches(str(last), known, n=1)
         return "unknown key; " + (f"did you mean {near[0]}?" if near else f"known here are {', '.join(known)}")
     if kind == "missing":

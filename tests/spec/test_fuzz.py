@@ -1,0 +1,137 @@
+"""Thousands of broken specs: each is read, or refused in one message; no other error, no warning, no long wait."""
+
+import contextlib
+import faulthandler
+import io
+import re
+import shutil
+import signal
+import warnings
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from polhode.cli.render import as_json, print_report
+from polhode.errors import PolhodeError
+from polhode.report.choice import report_of
+from polhode.report.free_body import body_json
+from polhode.spec.reading import read_spec
+from spec.mutations import CHANGE, EXAMPLES, FILES, bases, mutated
+
+LONGEST_MESSAGE = 2000  # characters
+LONGEST_WAIT = 10  # s
+CASES, MANY_CASES = 1000, 15_000
+FEW_SAMPLES = 1000
+BASES = bases()
+CHANGES = st.tuples(st.sampled_from(sorted(BASES)), st.lists(CHANGE, min_size=1, max_size=3))
+
+
+def stop(signum, frame):
+    raise TimeoutError(f"took more than {LONGEST_WAIT} s")
+
+
+@contextlib.contextmanager
+def limited():
+    """A case may take so long; where Python itself does not come round to say so, the process ends with a traceback."""
+    before = signal.signal(signal.SIGALRM, stop)
+    signal.alarm(LONGEST_WAIT)
+    faulthandler.dump_traceback_later(6 * LONGEST_WAIT, exit=True)
+    try:
+        yield
+    finally:
+        signal.alarm(0)
+        faulthandler.cancel_dump_traceback_later()
+        signal.signal(signal.SIGALRM, before)
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    made = tmp_path_factory.mktemp("fuzz")
+    for name in FILES:
+        shutil.copy(EXAMPLES / name, made)
+    return made
+
+
+def printed_report(spec):
+    """Return what the report on a free body prints, as text and as JSON."""
+    report = report_of(spec)
+    written = io.StringIO()
+    with contextlib.redirect_stdout(written):
+        print_report(spec.name, report.summary, report.sections(), report.notes, [])
+    return written.getvalue(), as_json(report.as_json_dict())
+
+
+def check(text, folder):
+    """Read a spec, and if it is of a free body make its report; every outcome is success or one good message."""
+    path = folder / "case.toml"
+    path.write_bytes(text.encode("utf-8", "surrogateescape"))
+    with limited(), warnings.catch_warnings(record=True) as noise:
+        warnings.simplefilter("always")
+        try:
+            spec = read_spec(path)
+            assert spec.name.isprintable()
+            if spec.body is not None:
+                as_json(body_json(spec.body))
+            if spec.system is None and spec.samples <= FEW_SAMPLES:
+                words, _ = printed_report(spec)
+                assert not re.search(r"\b(nan|inf)\b", words, re.IGNORECASE), words
+        except PolhodeError as error:
+            said = str(error)
+            assert 0 < len(said) < LONGEST_MESSAGE
+            assert all(line.isprintable() for line in said.split("\n")), ascii(said)
+    assert not noise, [str(one.message) for one in noise]
+
+
+def fuzzed(cases):
+    def wrap(test):
+        quiet = settings(max_examples=cases, derandomize=True, database=None, deadline=None, print_blob=False,
+                         suppress_health_check=list(HealthCheck))  # fmt: skip
+        return given(CHANGES)(quiet(test))
+
+    return wrap
+
+
+@fuzzed(CASES)
+def test_mutated_specs(folder, any_type, case):
+    check(mutated(BASES[case[0]], case[1]), folder)
+
+
+@pytest.mark.sweep
+@fuzzed(MANY_CASES)
+def test_many_mutated_specs(folder, any_type, case):
+    check(mutated(BASES[case[0]], case[1]), folder)
+
+
+FOUND = {
+    "momentum overflows": """
+[body]
+moments = ["0.61e15 kg*m^2", "0.965e15 kg*m^2", "1.0e15 kg*m^2"]
+[spin]
+angular_velocity = ["1e300 rad/s", "0 rad/s", "5e-05 rad/s"]
+[time]
+samples = 9
+""",
+    "momentum by a rate overflows": """
+[body]
+moments = ["0.61e15 kg*m^2", "0.965e15 kg*m^2", "1.0e15 kg*m^2"]
+[spin]
+rate = "1e300 rad/s"
+about = "x"
+[time]
+samples = 9
+""",
+}
+
+
+@pytest.mark.parametrize("name", FOUND)
+def test_what_fuzzing_found(folder, name):
+    check(FOUND[name], folder)
+
+
+def test_the_bases_are_right_and_many_mutants_are_too(folder):
+    """The fuzzer would prove little if all its cases failed at the first key."""
+    for tables in BASES.values():
+        path = folder / "case.toml"
+        path.write_text(mutated(tables, []))
+        read_spec(path)
