@@ -85,7 +85,7 @@ def test_batches_and_places_that_cannot_be_written(tmp_path, trajectory):
     ("a,a\n1,2\n", "each once"),
     ("time,q_w\n1,2\n", 'must be named "time'),
     ("time [s],q_w\n1,2\n1\n", "line 3: must have 2 numbers"),
-    ("time [s],q_w\n1,2\n1,x\n", "line 3: must be a number; got 'x'"),
+    ("time [s],q_w\n1,2\n1,x\n", "line 3: .x. must be a number"),
     ("time [s],q_w\n1,2,3\n", "line 2: must have 2 numbers"),
 ])  # fmt: skip
 def test_tables_that_are_wrong(tmp_path, text, words):

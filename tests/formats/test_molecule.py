@@ -47,7 +47,7 @@ def test_the_last_of_several_structures_is_taken(tmp_path):
         ("", "cannot be read as a molecule"),
         ("3\n\nO 0 0 0\n", "cannot be read as a molecule"),
         ("0\n\n", "holds no atoms"),
-        ("2\n\nD 0 0 0\nH 0 0 1\n", "'D' is no chemical element. Isotopes"),
+        ("2\n\nD 0 0 0\nH 0 0 1\n", "'D' is not a chemical element. Isotopes"),
         (CRYSTAL, "periodic"),
     ],
 )

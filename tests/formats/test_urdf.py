@@ -153,7 +153,7 @@ BOMB = '<!DOCTYPE robot [<!ENTITY a "aaaaaaaaaa"><!ENTITY b "&a;&a;&a;&a;">]><ro
         ('<mass value="3.7"/>', "<mass/>", "<mass> has no value"),
         ('<mass value="3.7"/>', '<mass value="-1"/>', "`mass` must be positive"),
         ('<mass value="3.7"/>', '<mass value="0"/>', "`mass` must be positive"),
-        ('"3.7"', '"3,7"', "value of <mass> must be finite numbers; got '3,7'"),
+        ('"3.7"', '"3,7"', "value of <mass> must be finite numbers in decimal digits; got '3,7'"),
         ('"3.7"', '"nan"', "must be finite"),
         ('"3.7"', '"${arm_mass}"', "Expand the xacro first"),
         ('ixy="-0.002" ', "", "<inertia> has no ixy"),

@@ -57,10 +57,14 @@ def _history(one: Segment, start: tuple[int, int]) -> tuple[Array, Array, Array 
     """Return times, attitude and angular velocity of one segment over its useable time."""
     meaning = _meaning(one)
     try:
-        attitude, velocity = attitudes(meaning, one.columns)
+        with np.errstate(all="ignore"):  # what overflows is not finite, and refused
+            attitude, velocity = attitudes(meaning, one.columns)
     except ValueError as error:
         what, k = error.args
         refuse(one.path, int(one.numbers[k]), what)
+    found = attitude if velocity is None else np.concatenate([attitude, velocity], axis=-1)
+    if (wrong := ~np.isfinite(found).all(axis=-1)).any():
+        refuse(one.path, int(one.numbers[np.argmax(wrong)]), "gives a rotation or a rate too large for numbers")
     times, within = since(start, one.whole, one.picoseconds), _useable(one)
     return times[within], attitude[within], None if velocity is None else velocity[within]
 

@@ -14,13 +14,15 @@ from typing import Any, NoReturn
 
 import numpy as np
 
-from polhode.errors import FormatError, InvalidInput
+from polhode.errors import FormatError, InvalidInput, shown
 from polhode.formats.aem_attitudes import COLUMNS, OLD_NAMES
 from polhode.formats.epochs import TIME_SYSTEMS, read_epoch
 from polhode.formats.labels import plain
+from polhode.formats.numerals import read_number
 from polhode.formats.opening import MB, open_file
 
 Array = Any
+LONGEST_LINE = 16_384  # characters; the standard allows 254
 LARGEST_FILE = 2000 * MB  # fifteen million attitudes
 CHUNK = 50_000  # lines that are in memory as text at once
 HEADER = ("CLASSIFICATION", "CREATION_DATE", "ORIGINATOR", "MESSAGE_ID")
@@ -142,9 +144,14 @@ def _lines(path: Path) -> Lines:
     """Yield numbered lines that are not blank."""
     try:
         with io.TextIOWrapper(open_file(path, "AEM", LARGEST_FILE), "utf-8-sig") as file:
-            for number, line in enumerate(file, 1):
-                if text := line.strip():
-                    yield number, text
+            for number, line in enumerate(iter(lambda: file.readline(LONGEST_LINE + 1), ""), 1):
+                if len(line) > LONGEST_LINE:
+                    refuse(path, number, f"has more than {LONGEST_LINE} characters. It is another kind of file")
+                if not (text := line.strip()):
+                    continue
+                if not text.isprintable() and not text.replace("\t", " ").isprintable():
+                    refuse(path, number, f"must be printable text; got {shown(text)}")
+                yield number, text
     except UnicodeDecodeError:
         raise FormatError(f"{path}: is not text, so it is no AEM in keyword = value form.") from None
     except OSError as error:
@@ -236,12 +243,13 @@ def _values(path: Path, rows: list[tuple[int, str]], kind: str, time_system: str
     if not (good := np.isfinite(columns)).all():
         k, column = np.argwhere(~good)[0]
         word = fields[k][column + 1]
-        refuse(path, rows[k][0], f"number {column + 1} of the {width} that make {kind} must be finite; got {word!r}")
+        what = f"number {column + 1} of the {width} that make {kind} must be finite, in decimal digits"
+        refuse(path, rows[k][0], f"{what}; got {shown(word)}")
     return instants[:, 0], instants[:, 1], columns, np.array([number for number, _ in rows], dtype=np.int64)
 
 
 def _number(word: str) -> float:
     try:
-        return float(word) if "_" not in word else float("nan")
+        return read_number(word)
     except ValueError:
         return float("nan")

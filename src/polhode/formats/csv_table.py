@@ -7,23 +7,28 @@ from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Iterable
+import re
+import warnings
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from polhode.bodies.frame import BodyFrame
-from polhode.errors import FormatError, InvalidInput
+from polhode.errors import FormatError, InvalidInput, shown
 from polhode.formats.dataset import invariant_unit
 from polhode.formats.given_axes import along_given_axes, check_recorded
+from polhode.formats.numerals import read_number
 from polhode.formats.opening import MB, open_file
 from polhode.formats.paths import written_whole
 from polhode.trajectory import Trajectory
 
 Array = Any
 LARGEST_FILE = 2000 * MB  # seven million rows of fourteen columns
-CHUNK = 50_000  # rows that are in memory as Python's numbers at once
+LONGEST_LINE = 1_000_000  # characters; a system of ten thousand parts needs a third
+CHUNK = 10_000  # rows that are in memory as Python's numbers at once
+_ONLY_NUMBERS = re.compile(r"[-+0-9.eE,\r\n]*", re.ASCII)
+_MAY_VANISH = re.compile(r"[eE]-\d{3}", re.ASCII)
 _VECTORS = {"angular_velocity": ("omega", "rad s-1"), "momentum": ("L", "kg m2 s-1")}
 
 
@@ -102,11 +107,14 @@ def read_csv(path: str | Path) -> Trajectory:
     names, table = _read_table(path)
     columns = dict(zip(names, table.T, strict=True))
     if "time [s]" not in columns:
-        raise FormatError(f'{path}, line 1: a column must be named "time [s]"; got {", ".join(names)[:120]}.')
+        raise FormatError(f'{path}, line 1: a column must be named "time [s]"; got {shown(names)}.')
 
     def taken(wanted: list[str]) -> Array | None:
-        if not all(name in columns for name in wanted):
+        missing = [name for name in wanted if name not in columns]
+        if len(missing) == len(wanted):
             return None
+        if missing:
+            raise FormatError(f"{path}, line 1: has no column {missing[0]}, and others that go with it. Add it.")
         return np.stack([columns.pop(name) for name in wanted], axis=-1)
 
     times = columns.pop("time [s]")
@@ -123,40 +131,71 @@ def read_csv(path: str | Path) -> Trajectory:
     if not parts:
         parts = [np.stack(list(columns.values()), axis=-1) if columns else times[:, None]]
     states = np.concatenate(parts, axis=-1)
-    others = {name.partition(" [")[0]: values for name, values in columns.items()}
+    others: dict[str, Array] = {}
+    for name, values in columns.items():
+        plain = name.partition(" [")[0]
+        if plain in others:
+            raise FormatError(f"{path}, line 1: {shown(plain)} is there twice, in two units. Leave out one.")
+        others[plain] = values
     return Trajectory(path.name, times, states, attitude, momentum, velocity, others, status="read")
 
 
 def _read_table(path: Path) -> tuple[list[str], Array]:
+    """Return the columns' names and the numbers (n, k)."""
     try:
         with io.TextIOWrapper(open_file(path, "CSV", LARGEST_FILE), "utf-8-sig", newline="") as file:
-            names = next(csv.reader([file.readline()]), [])
-            if len(set(names)) != len(names) or not names:
-                raise FormatError(f"{path}, line 1: must name the columns, each once; got {names!r}.")
-            begin = file.tell()
-            if not file.readline().strip():
-                return names, np.zeros((0, len(names)))
-            file.seek(begin)
-            try:
-                table = np.loadtxt(file, delimiter=",", ndmin=2, comments=None)
-            except ValueError:
-                table = None
-            if table is not None and table.shape[1] == len(names):
-                return names, table
-            file.seek(begin)
-            raise FormatError(f"{path}, {_first_wrong(file, len(names))}.")
+            names = _names(path, file.readline(LONGEST_LINE + 1))
+            parts, rows, number = [], [], 1
+            while line := file.readline(LONGEST_LINE + 1):
+                number += 1
+                if len(line) > LONGEST_LINE:
+                    raise FormatError(f"{path}, line {number}: has more than {LONGEST_LINE} characters.")
+                rows.append((number, line))
+                if len(rows) == CHUNK:
+                    parts.append(_numbers(path, rows, len(names)))
+                    rows = []
+            parts.append(_numbers(path, rows, len(names)))
+            return names, np.concatenate(parts)
     except UnicodeDecodeError:
-        raise FormatError(f"{path}: is not UTF-8 text, so it is no table of polhode's.") from None
+        raise FormatError(f"{path}: is not UTF-8 text, so it is not a table of polhode's.") from None
 
 
-def _first_wrong(rows: Iterable[str], count: int) -> str:
-    for number, row in enumerate(rows, 2):
-        words = row.strip().split(",")
+def _names(path: Path, line: str) -> list[str]:
+    try:
+        names = next(csv.reader([line], strict=True), [])
+    except csv.Error:
+        names = []
+    if not names or len(set(names)) != len(names) or len(line) > LONGEST_LINE or not "".join(names).isprintable():
+        raise FormatError(f"{path}, line 1: must name the columns, each once, in printable text; got {shown(line)}.")
+    return names
+
+
+def _numbers(path: Path, rows: list[tuple[int, str]], count: int) -> Array:
+    """Return the numbers (n, count) of lines, blank ones left out."""
+    whole = "".join(line for _, line in rows)
+    if _ONLY_NUMBERS.fullmatch(whole) and not _MAY_VANISH.search(whole):
+        try:
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")  # of lines that are blank, all of them
+                table = np.loadtxt(io.StringIO(whole, newline=""), delimiter=",", ndmin=2, comments=None)
+            if np.isfinite(table).all() and table.shape[1] == count:
+                return table
+        except ValueError:
+            pass
+    found = []
+    for number, line in rows:
+        words = [word.strip() for word in line.strip().split(",")]
+        if words == [""]:
+            continue
         if len(words) != count:
-            return f"line {number}: must have {count} numbers, as line 1 has names; got {len(words)}"
-        for word in words:
-            try:
-                float(word)
-            except ValueError:
-                return f"line {number}: must be a number; got {word!r}"
-    return "line 2: must be numbers"
+            why = f"must have {count} numbers, as line 1 has names; got {len(words)}"
+            raise FormatError(f"{path}, line {number}: {why}.")
+        found.append([_number(path, number, word) for word in words])
+    return np.array(found, dtype=float).reshape(-1, count)
+
+
+def _number(path: Path, line: int, word: str) -> float:
+    try:
+        return read_number(word)
+    except ValueError as error:
+        raise FormatError(f"{path}, line {line}: {shown(word)} {error}.") from None

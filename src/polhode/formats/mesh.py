@@ -3,22 +3,28 @@
 from __future__ import annotations
 
 import io
+import warnings
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from polhode.bodies.mesh_gate import repaired_mesh
-from polhode.errors import FormatError, InvalidInput
+from polhode.errors import FormatError, InvalidInput, shown
+from polhode.formats.mesh_checks import as_text, checked
+from polhode.formats.obj_mesh import read_obj
 from polhode.formats.opening import MB, read_file
 
 Array = Any
 LARGEST_FILE = 256 * MB  # five million triangles of a binary STL
+LARGEST_EXTENT = 1e30  # m; moments of inertia are its fifth power, and doubles end at 1e308
+ENDINGS = ("stl", "obj", "ply", "off", "glb", "gltf")
+NEIGHBOURS = 50  # of a corner within SAME_CORNER, on average; more would be all pairs of a heap of corners
 SAME_CORNER = 1e-6  # of the mesh's extent: what single precision and printed digits leave between copies of a corner
 
 
 def read_mesh(path: str | Path, unit: float, repair: bool = False) -> tuple[Array, Array]:
-    """Return vertices (n, 3) [m] and faces (m, 3) of a mesh file (STL, OBJ, PLY, OFF, GLB …).
+    """Return vertices (n, 3) [m] and faces (m, 3) of a mesh file (STL, OBJ, PLY, OFF, GLB, glTF in one file).
 
     Corners at exactly the same place become one, as STL files repeat them for every triangle.
 
@@ -40,6 +46,11 @@ def read_mesh(path: str | Path, unit: float, repair: bool = False) -> tuple[Arra
         raise FormatError(f"{path}: holds no triangles; it may be cut short. Export it anew, as a surface mesh.")
     if not np.isfinite(vertices).all():
         raise FormatError(f"{path}: a corner is NaN or infinite. Export it anew.")
+    if faces.shape[1:] != (3,) or faces.min() < 0 or faces.max() >= len(vertices):
+        raise FormatError(f"{path}: a face has a corner that is not there, of {len(vertices)}. Export it anew.")
+    if (extent := float(np.abs(vertices).max())) > LARGEST_EXTENT / unit:
+        raise FormatError(f"{path}: a corner is {extent:.3g} of its units away, and no body is that large. Check the "
+                          "file and its unit.")  # fmt: skip
     vertices, faces = _merged(vertices, faces.astype(np.int64))
     if repair:
         try:
@@ -50,21 +61,27 @@ def read_mesh(path: str | Path, unit: float, repair: bool = False) -> tuple[Arra
 
 
 def _loaded(path: Path, content: bytes) -> tuple[Array, Array]:
+    ending = path.suffix.lower().lstrip(".")
+    if ending not in ENDINGS:
+        known = ", ".join(ENDINGS)
+        why = f"a mesh file must end in one of {known}; got {shown(path.suffix)}"
+        raise FormatError(f"{path}: {why}. Convert it to STL.")
+    if ending == "obj":
+        return read_obj(path, as_text(path, content))
+    content = checked(path, ending, content)
     import trimesh
-    from trimesh.exchange.load import mesh_formats
 
-    ending, formats = path.suffix.lower().lstrip("."), mesh_formats() - {"xyz", "stl_ascii"}
-    if ending not in formats:
-        known = ", ".join(sorted(formats))
-        raise FormatError(f"{path}: a mesh file must end in one of {known}; got {path.suffix!r}. Convert it to STL.")
     try:
-        mesh: Any = trimesh.load(io.BytesIO(content), file_type=ending, force="mesh", process=False)
+        with warnings.catch_warnings(), np.errstate(all="ignore"):
+            warnings.simplefilter("ignore")
+            # older NumPy warns where it stops at a word that is not a number
+            warnings.filterwarnings("error", message="string or file could not be read")
+            mesh: Any = trimesh.load(io.BytesIO(content), file_type=ending, force="mesh", process=False,
+                                     skip_materials=True)  # fmt: skip
         return np.array(mesh.vertices, dtype=float), np.array(getattr(mesh, "faces", ()))
-    except ImportError:
-        why = f"{path}: reading .{ending} files needs packages that polhode does not. Convert it to STL, OBJ or PLY."
     except Exception:  # trimesh raises whatever its many readers raise
         why = f"{path}: cannot be read as a mesh: it is broken, cut short, or not what its ending says. Export it anew."
-    raise FormatError(why)
+        raise FormatError(why) from None
 
 
 def _merged(vertices: Array, faces: Array) -> tuple[Array, Array]:
@@ -78,7 +95,11 @@ def _merged_nearby(vertices: Array, faces: Array) -> tuple[Array, Array]:
     from scipy.sparse.csgraph import connected_components
     from scipy.spatial import KDTree
 
-    near = KDTree(vertices).query_pairs(SAME_CORNER * np.ptp(vertices, axis=0).max(), output_type="ndarray")
+    tree, distance = KDTree(vertices), SAME_CORNER * np.ptp(vertices, axis=0).max()
+    if tree.count_neighbors(tree, distance) > NEIGHBOURS * len(vertices):
+        raise InvalidInput("most of its corners lie within 1e-6 of its extent of each other, where repair would merge "
+                           "them. Take away what lies far from the body.")  # fmt: skip
+    near = tree.query_pairs(distance, output_type="ndarray")
     graph = coo_array((np.ones(len(near), dtype=bool), (near[:, 0], near[:, 1])), shape=(len(vertices),) * 2)
     count, labels = connected_components(graph, directed=False)
     kept = np.empty(count, dtype=int)

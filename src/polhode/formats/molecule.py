@@ -1,22 +1,32 @@
-"""Molecules from files, read by ASE."""
+"""Molecules from files, read by ASE from text that has been looked through."""
 
 from __future__ import annotations
 
+import io
 import re
+import warnings
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from polhode.bodies.atoms import ATOMIC_MASS_UNIT
-from polhode.errors import FormatError, InvalidInput
-from polhode.formats.opening import MB, check_is_file
+from polhode.errors import FormatError, InvalidInput, shown
+from polhode.formats.numerals import is_misread
+from polhode.formats.opening import MB, read_text
 
 Array = Any
+FORMS = {"xyz": "extxyz", "extxyz": "extxyz", "pdb": "proteindatabank", "mol": "mol", "sdf": "sdf"}
+"""ASE's names of the formats, by ending. ASE guesses among a hundred otherwise, some of which unpack or open others."""
+TITLE_LINES = {"extxyz": 2, "mol": 3, "sdf": 3}
+_COLUMNS = re.compile(r"Properties\S*:\d{3}", re.IGNORECASE | re.ASCII)
+LARGEST_EXTENT = 1.0  # m, more than any molecule
 ANGSTROM = 1e-10  # m
 LARGEST_FILE = 64 * MB  # a million atoms
 
 
 def read_molecule(path: str | Path) -> tuple[list[str], Array, Array | None]:
-    """Return symbols, positions (n, 3) [m] and masses (n,) [kg] of a structure file (.xyz and what else ASE reads).
+    """Return symbols, positions (n, 3) [m] and masses (n,) [kg] of a structure file, by its ending (see ``FORMS``).
 
     Masses are None unless the file gives them, as an extended xyz with a ``masses`` column does for isotopes. Of
     several structures in one file the last is taken, as optimisers write the relaxed one last. The three are the
@@ -27,25 +37,78 @@ def read_molecule(path: str | Path) -> tuple[list[str], Array, Array | None]:
         FormatError: if it cannot be read, holds no atoms, or is a periodic crystal.
     """
     path = Path(path)
-    check_is_file(path, "molecule", LARGEST_FILE)
+    form = FORMS.get(path.suffix.lower().lstrip("."))
+    text = read_text(path, "molecule", LARGEST_FILE)
+    if form is None:
+        known = ", ".join(FORMS)
+        why = f"a molecule file must end in one of {known}; got {shown(path.suffix)}"
+        raise FormatError(f"{path}: {why}. Save it as .xyz.")
     try:
         import ase.io
     except ImportError:
         why = "reading a molecule needs ASE, which is not installed; `pip install polhode[molecules]`."
         raise InvalidInput(why) from None
+    text = last_frame(path, text) if form == "extxyz" else text
+    _check_words(path, text, form)
     try:
-        atoms: Any = ase.io.read(path, do_not_split_by_at_sign=True)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            atoms: Any = ase.io.read(io.StringIO(text), format=form)
         symbols, positions = atoms.get_chemical_symbols(), atoms.get_positions() * ANGSTROM
+        masses = atoms.get_masses() * ATOMIC_MASS_UNIT if atoms.has("masses") else None
     except KeyError as error:
-        why = f"{path}: {error} is no chemical element. Isotopes go as masses into an extended xyz, not as symbols."
+        why = f"{path}: {error} is not a chemical element. Isotopes go as masses into an extended xyz, not as symbols."
         raise FormatError(why) from None
-    except Exception as error:  # ASE raises whatever its many readers raise
-        counted = re.search(r"Frame has \d+ atoms, expected \d+", str(error))
-        reason = f" ({counted[0][0].lower()}{counted[0][1:]})" if counted else ""
-        why = f"{path}: cannot be read as a molecule{reason}: it is broken, cut short, or not what its ending says."
+    except Exception:  # ASE raises whatever its many readers raise
+        why = f"{path}: cannot be read as a molecule: it is broken, cut short, or not what its ending says."
         raise FormatError(why) from None
     if not symbols:
         raise FormatError(f"{path}: holds no atoms.")
     if atoms.pbc.any():
         raise FormatError(f"{path}: is periodic; its cell may cut the molecule apart. Save it without a cell.")
-    return symbols, positions, atoms.get_masses() * ATOMIC_MASS_UNIT if atoms.has("masses") else None
+    if not (np.abs(positions) <= LARGEST_EXTENT).all():
+        k = int(np.argwhere(~(np.abs(positions) <= LARGEST_EXTENT))[0, 0])
+        raise FormatError(f"{path}: atom {k + 1} is not at a place within {LARGEST_EXTENT:g} m. Check the file.")
+    return symbols, positions, masses
+
+
+def last_frame(path: Path, text: str) -> str:
+    """Return the last structure of an xyz file, whose lines are as many as each structure says.
+
+    Raises:
+        FormatError: naming the line, if a structure has fewer atoms than it says, or claims more columns than a line
+            holds.
+    """
+    lines, begin, frame = text.splitlines(), 0, None
+    while begin < len(lines):
+        said = lines[begin].strip()
+        if not said and frame is not None:
+            break  # blank lines at the end
+        if not (said.isascii() and said.isdigit() and len(said) < 20):
+            why = f"cannot be read as a molecule: must be the number of atoms; got {shown(lines[begin])}"
+            raise FormatError(f"{path}, line {begin + 1}: {why}.")
+        if begin + 2 + int(said) > len(lines):
+            held = max(0, len(lines) - begin - 2)
+            why = f"cannot be read as a molecule (frame has {held} atoms, expected {int(said)}): it is cut short"
+            raise FormatError(f"{path}, line {begin + 1}: {why}.")
+        if _COLUMNS.search(lines[begin + 1]):
+            raise FormatError(f"{path}, line {begin + 2}: names more columns than a line holds.")
+        frame, begin = lines[begin : begin + 2 + int(said)], begin + 2 + int(said)
+        while begin < len(lines) and lines[begin].startswith("VEC"):
+            frame.append(lines[begin])
+            begin += 1
+    if frame is None:
+        raise FormatError(f"{path}: cannot be read as a molecule: it is empty.")
+    return "\n".join(frame) + "\n"
+
+
+def _check_words(path: Path, text: str, form: str) -> None:
+    """Refuse words that Python takes for numbers and other programs do not; titles and comments are not looked at."""
+    for number, line in enumerate(text.splitlines(), 1):
+        of_atoms = form != "proteindatabank" or line.startswith(("ATOM", "HETATM"))
+        if number <= TITLE_LINES.get(form, 0) or not of_atoms:
+            continue
+        for word in line.split():
+            if is_misread(word):
+                why = f"{shown(word)} is not a number that other programs would read"
+                raise FormatError(f"{path}: {why}, in the line {shown(line.strip())}.")

@@ -10,7 +10,8 @@ from typing import Any
 import numpy as np
 
 from polhode.bodies.body import Body
-from polhode.errors import FormatError, InvalidInput
+from polhode.errors import FormatError, InvalidInput, shown
+from polhode.formats.numerals import read_number
 from polhode.formats.opening import MB, read_file
 from polhode.formats.paths import written_whole
 
@@ -38,7 +39,7 @@ def read_urdf_inertial(path: str | Path, link: str | None = None) -> Body:
     """
     path = Path(path)
     name, inertial = _inertial_of(path, _root(path), link)
-    where = f"{path}: link {name!r}"
+    where = f"{path}: link {shown(name)}"
     mass = _number(where, _child(where, inertial, "mass"), "value")
     entry = _child(where, inertial, "inertia")
     matrix = np.zeros((3, 3))
@@ -151,20 +152,17 @@ def _three(where: str, origin: ET.Element | None, key: str) -> Array:
     text = None if origin is None else origin.get(key)
     values = [0.0, 0.0, 0.0] if text is None else _finite(where, f"{key} of <origin>", text.split())
     if len(values) != 3:
-        raise FormatError(f"{where}: {key} of <origin> must be three numbers; got {text!r}.")
+        raise FormatError(f"{where}: {key} of <origin> must be three numbers; got {shown(text)}.")
     return np.array(values)
 
 
 def _finite(where: str, what: str, texts: list[str]) -> list[float]:
     try:
-        values = [float(text) for text in texts]
-        if all(map(math.isfinite, values)):
-            return values
+        return [read_number(text) for text in texts]
     except ValueError:
-        pass
-    shown = " ".join(texts)
-    hint = " Expand the xacro first." if "$" in shown else " Check the file."
-    raise FormatError(f"{where}: {what} must be finite numbers; got {shown!r}.{hint}")
+        came = " ".join(texts)
+    hint = " Expand the xacro first." if "$" in came else " Check the file."
+    raise FormatError(f"{where}: {what} must be finite numbers in decimal digits; got {shown(came)}.{hint}")
 
 
 def _from_fixed_angles(angles: Array) -> Array:

@@ -1,0 +1,51 @@
+"""Numbers in text files, read by one rule: what another program would read too, and nothing else.
+
+Python's ``float`` takes more than files mean: ``2_5`` is 25 to it, digits of other scripts count, ``1e400`` is infinite
+and ``1e-400`` zero.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+
+LONGEST_NUMBER = 400  # characters; a double written out in full needs no more than 327 digits before the point
+_FORM = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d{1,6})?", re.ASCII)
+_NOT_ZERO = re.compile(r"[+-]?[0.]*[1-9]")
+
+
+def read_number(text: str) -> float:
+    """Return the finite number that a word of a file is.
+
+    Raises:
+        ValueError: for anything but decimal digits, a point, an exponent and signs; for numbers too large for a double,
+            or so small that nothing would be left of them.
+
+    >>> read_number("-1.5e3")
+    -1500.0
+    """
+    if len(text) > LONGEST_NUMBER or not _FORM.fullmatch(text):
+        raise ValueError("must be a number in decimal digits")
+    value = float(text)
+    if not math.isfinite(value):
+        raise ValueError("is too large for a number")
+    if value == 0.0 and _NOT_ZERO.match(text):
+        raise ValueError("is so small that nothing is left of it")
+    return value
+
+
+def is_misread(word: str) -> bool:
+    """Whether Python takes a word for a number, and ``read_number`` does not.
+
+    >>> [is_misread(word) for word in ("2_5", "nan", "1e400", "C_1", "2.5")]
+    [True, True, True, False, False]
+    """
+    try:
+        float(word)
+    except ValueError:
+        return False
+    try:
+        read_number(word)
+    except ValueError:
+        return True
+    return False
