@@ -4,7 +4,7 @@ JAX array has come in."""
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from functools import cache
 from typing import Any
 
@@ -82,18 +82,39 @@ def as_float64(xp: Any, value: Any, name: str) -> Array:
 
 
 def barrier(values: Any) -> Any:
-    """Have XLA finish a nest of tuples of arrays before going on; on other arrays return them as they are.
+    """Have XLA finish a nest of tuples of arrays before it goes on; return arrays that are not traced as they are.
 
-    XLA on CPU otherwise computes shared values anew in each of the loops that use them, and compiles them anew.
+    Where a stack is fused with what its parts share, XLA on CPU computes shared values anew for every part, and within
+    those anew again: exponentially in the length of the computation. An optimization barrier does not help, because
+    XLA for CPU removes it before it fuses. A loop it cannot see through stays.
     """
-    leaf = values
-    while isinstance(leaf, tuple):
-        leaf = leaf[0]
-    if not is_jax(leaf):
+    if not is_traced(*_leaves(values)):
         return values
     import jax
 
-    return jax.lax.optimization_barrier(values)
+    def finished(whole: Any) -> Any:
+        return jax.lax.platform_dependent(whole, cpu=_loop_once, default=jax.lax.optimization_barrier)
+
+    return custom_derivative(finished, lambda primals, changes: (finished(*primals), changes[0]))(values)
+
+
+def _leaves(values: Any) -> Iterator[Any]:
+    if not isinstance(values, tuple):
+        yield values
+        return
+    for value in values:
+        yield from _leaves(value)
+
+
+def _loop_once(values: Any) -> Any:
+    """Return the values from the one pass of a loop whose count XLA cannot foretell."""
+    import jax
+    import jax.numpy as jnp
+
+    number = next(x for x in _leaves(values) if jnp.issubdtype(jnp.result_type(x), jnp.floating))
+    never = jnp.any(jnp.ravel(number)[:1] > jnp.inf)
+    empty = jax.tree.map(jnp.zeros_like, values)
+    return jax.lax.while_loop(lambda now: now[0], lambda now: (now[0] & never, values), (~never, empty))[1]
 
 
 def stop_gradient(value: Any) -> Any:
@@ -224,10 +245,7 @@ def compiled(function: Callable[..., Any], like: Any) -> Callable[..., Any]:
 
 
 def stack_last(parts: tuple[Any, ...]) -> Any:
-    """Stack arrays along a new last axis, broadcasting them.
-
-    XLA would compute every part anew for each element of the stack it fuses with; the barrier makes it compute first.
-    """
+    """Stack arrays along a new last axis, broadcasting them. Traced parts are finished first, as ``barrier`` says."""
     xp = namespace(*parts)
     return xp.stack(xp.broadcast_arrays(*barrier(parts)), axis=-1)
 
