@@ -38,8 +38,9 @@ def herpolhode(motion: FreeMotion) -> Herpolhode | None:
     distance = float(np.sqrt(2.0 * energy) / norm)
     if motion.regime in ("permanent", "spherical"):
         return Herpolhode(0.0, 0.0, distance)
+    momentum = np.asarray(motion.along_principal_axes().momentum_at_epoch)
     with np.errstate(all="ignore"):
-        body = canonical_reduction(np.asarray(motion.moments), np.asarray(motion.momentum_at_epoch))
+        body = canonical_reduction(np.asarray(motion.moments), momentum)
         P, Q, S = (float(x[0] / body.V[0]) for x in (body.P, body.Q, body.S))
     # momentum_scale²/moment_scale is the unit of P, Q, S and 2E alike, as the reduction scales both by powers of two
     unit = float(body.momentum_scale * body.rate_scale)

@@ -51,7 +51,7 @@ def polhode_family(moments: Array) -> list[Array]:
 
 
 def polhode(motion: FreeMotion, points: int) -> Array | None:
-    """Return one body's unit polhode (points + 1, 3), its ends equal; None without period.
+    """Return one body's unit polhode (points + 1, 3) along the motion's axes, its ends equal; None without period.
 
     Points are spread half by length, half by time: by time alone they would be far apart where L is fast, between its
     long stays near a separatrix, and by length alone in the bends where it stays.

@@ -47,6 +47,7 @@ def racket_twist(motion: FreeMotion, handle: int = 0) -> float:
     >>> round(math.degrees(racket_twist(racket)), 1)
     166.3
     """
+    motion = motion.along_principal_axes()
     start = np.asarray(motion.momentum_at_epoch)
     if start.ndim != 1 or np.ndim(motion.epoch):
         raise InvalidInput(f"`motion` must be of one body; got momentum of shape {start.shape}. Take one at a time.")

@@ -35,7 +35,9 @@ class FreeMotion:
 
     The attitude quaternion is evaluated as a quotient of theta functions whose phases are kept in double-double, so
     that the error is a few units in the last place at any time and for any positive moments: no step, no drift. All
-    components are along the principal axes, in the order of ``moments``; they may come in any order.
+    components are along the principal axes, in the order of ``moments``; they may come in any order. Those of a motion
+    made by ``from_body`` are along the body's given axes, in every attribute; ``axes`` then has the principal axes by
+    columns, and ``moments`` and ``encircled_axis`` are of these. ``along_principal_axes`` gives the other view.
 
     Args:
         moments: (…, 3) principal moments [kg m²], positive.
@@ -67,6 +69,7 @@ class FreeMotion:
     attitude_at_epoch: Array
     epoch: Array
     axes: Array | None = None
+    _principal: tuple[Array, Array] = field(default=(None, None), repr=False)  # momentum and attitude at the epoch
     _columns: tuple[Array, ...] = field(default=(), repr=False)
 
     def __init__(
@@ -80,10 +83,13 @@ class FreeMotion:
         self._hold(moments, momentum, attitude, epoch, None)
 
     def _hold(self, moments: Array, momentum: Array, attitude: Array, epoch: Array, axes: Array | None) -> None:
-        values = {"moments": moments, "momentum_at_epoch": momentum, "attitude_at_epoch": attitude, "epoch": epoch}
-        for name, value in (values | {"axes": axes}).items():
+        """Set all fields from momentum and attitude along the principal axes."""
+        given = (attitude, momentum) if axes is None else _along_given_axes(axes, attitude, momentum)
+        values = {"moments": moments, "momentum_at_epoch": given[1], "attitude_at_epoch": given[0], "epoch": epoch,
+                  "axes": axes, "_principal": (momentum, attitude)}  # fmt: skip
+        for name, value in values.items():
             object.__setattr__(self, name, value)
-        register_node(FreeMotion, (*values, "axes", "_columns"), like=moments)
+        register_node(FreeMotion, (*values, "_columns"), like=moments)
         object.__setattr__(self, "_columns", evaluation.motion_columns(moments, momentum, attitude))
 
     @classmethod
@@ -120,8 +126,17 @@ class FreeMotion:
         moments = as_float64(xp, body.principal_moments, "moments")
         principal = vector if angular_velocity is None else vector * moments
         frame = rotation.from_matrix(axes)
-        motion = cls(moments, principal, rotation.multiply(as_float64(xp, attitude, "attitude"), frame), epoch)
-        object.__setattr__(motion, "axes", axes)
+        plain = cls(moments, principal, rotation.multiply(as_float64(xp, attitude, "attitude"), frame), epoch)
+        motion = object.__new__(cls)
+        motion._hold(plain.moments, *plain._principal, plain.epoch, axes)
+        return motion
+
+    def along_principal_axes(self) -> FreeMotion:
+        """Return the same motion with vectors and attitude along the principal axes, in the order of ``moments``."""
+        if self.axes is None:
+            return self
+        motion = object.__new__(FreeMotion)
+        motion._hold(self.moments, *self._principal, self.epoch, None)
         return motion
 
     # ------------------------------------------------------------------ evaluation
@@ -138,13 +153,9 @@ class FreeMotion:
         xp = namespace(t, self.moments)
         t = checked_times(xp, t, self.batch_shape)
         elapsed, rest = two_sum(t, -self.epoch)
-        arguments = (self.moments, self.momentum_at_epoch, self.attitude_at_epoch)
-        attitude, momentum = evaluation.state(self._columns, *arguments, elapsed, rest)
+        attitude, momentum = evaluation.state(self._columns, self.moments, *self._principal, elapsed, rest)
         refuse_overflow(xp, attitude, t)
-        if self.axes is None:
-            return attitude, momentum
-        frame = rotation.conjugate(rotation.from_matrix(self.axes))
-        return rotation.multiply(attitude, frame), momentum @ xp.asarray(self.axes).T
+        return (attitude, momentum) if self.axes is None else _along_given_axes(self.axes, attitude, momentum)
 
     def attitude(self, t: Array) -> Array:
         """Return the attitude (…, 4), unit quaternions wxyz, body → space."""
@@ -193,7 +204,7 @@ class FreeMotion:
 
     def _with_time_axis(self) -> FreeMotion:
         motion = object.__new__(FreeMotion)
-        vectors = (self.moments, self.momentum_at_epoch, self.attitude_at_epoch)
+        vectors = (self.moments, *self._principal)
         moments, momentum, attitude = (v[..., None, :] if v.ndim > 1 else v for v in vectors)
         epoch = self.epoch[..., None] if self.epoch.ndim else self.epoch
         motion._hold(moments, momentum, attitude, epoch, self.axes)
@@ -204,25 +215,26 @@ class FreeMotion:
     @property
     def batch_shape(self) -> tuple[int, ...]:
         """The common shape of the bodies, () for one."""
-        vectors = (self.moments, self.momentum_at_epoch, self.attitude_at_epoch)
+        vectors = (self.moments, *self._principal)
         return tuple(np.broadcast_shapes(*(v.shape[:-1] for v in vectors), self.epoch.shape))
 
     @cached_property
     def _numbers(self) -> geometry.Characteristics:
-        return evaluation.characteristics(self.moments, self.momentum_at_epoch)
+        return evaluation.characteristics(self.moments, self._principal[0])
 
     @property
     def energy(self) -> Any:
         """Kinetic energy E = Σ L_i²/2I_i [J]."""
-        xp = namespace(self.moments, self.momentum_at_epoch)
+        momentum = self._principal[0]
+        xp = namespace(self.moments, momentum)
         with np.errstate(all="ignore"):
-            energy = 0.5 * xp.sum(self.momentum_at_epoch / self.moments * self.momentum_at_epoch, axis=-1)
+            energy = 0.5 * xp.sum(momentum / self.moments * momentum, axis=-1)
         return plain_answer(energy)
 
     @property
     def momentum_norm(self) -> Any:
         """|L| [kg m²/s], the Casimir's root."""
-        return plain_answer(norm(namespace(self.momentum_at_epoch), self.momentum_at_epoch))
+        return plain_answer(self._size)
 
     @property
     def regime(self) -> Any:
@@ -281,8 +293,7 @@ class FreeMotion:
     @property
     def action(self) -> Any:
         """|L| Ω/2π [J s]: the area of the cap on the momentum sphere over 2π|L|."""
-        size = norm(namespace(self.momentum_at_epoch), self.momentum_at_epoch)
-        return plain_answer(size * self._numbers.solid_angle / (2.0 * math.pi))
+        return plain_answer(self._size * self._numbers.solid_angle / (2.0 * math.pi))
 
     @property
     def tumbling_periods(self) -> tuple[Any, Any]:
@@ -298,8 +309,18 @@ class FreeMotion:
         )
         return plain_answer(2.0 * math.pi / xp.abs(rate))
 
+    @property
+    def _size(self) -> Array:
+        return norm(namespace(self._principal[0]), self._principal[0])
+
     def _encircles_smallest(self) -> Array:
         """Whether the polhode goes round the axis of least inertia (long-axis mode; prolate bodies too)."""
         xp = namespace(self.moments, self._numbers.period)
         twice_energy_times = xp.argmin(self.moments, axis=-1)
         return self._numbers.encircled_axis == twice_energy_times
+
+
+def _along_given_axes(axes: Array, attitude: Array, momentum: Array) -> tuple[Array, Array]:
+    """Return attitude and momentum of the axes in which the principal ones are the columns of ``axes``."""
+    frame = rotation.conjugate(rotation.from_matrix(axes))
+    return rotation.multiply(attitude, frame), momentum @ namespace(momentum, axes).asarray(axes).T

@@ -13,6 +13,7 @@ import numpy as np
 
 from polhode.bodies.frame import BodyFrame
 from polhode.errors import InvalidInput
+from polhode.formats.given_axes import along_principal_axes
 from polhode.formats.labels import AttitudeLabels
 from polhode.formats.paths import written_whole
 from polhode.trajectory import Trajectory
@@ -54,10 +55,13 @@ def as_dataset(
     Args:
         trajectory: plain arrays.
         attributes: global attributes to add.
-        frame: the principal axes that the trajectory is along; they are added with the mass properties.
+        frame: the principal axes that the dataset is along; they are added with the mass properties. A trajectory
+            sampled from ``FreeMotion.from_body`` is turned to them; others are along them already.
     """
     import xarray as xr
 
+    if frame is not None:
+        trajectory = along_principal_axes(trajectory)
     times = np.asarray(trajectory.times)
     own = getattr(trajectory.system, "state_axes", 1)
     batch = [f"batch_{k}" for k in range(np.ndim(trajectory.states) - 1 - own)]

@@ -11,6 +11,7 @@ import numpy as np
 from polhode import rotation
 from polhode.bodies.frame import BodyFrame
 from polhode.errors import FormatError, InvalidInput
+from polhode.exact.free_body import FreeMotion
 from polhode.trajectory import Trajectory
 
 Array = Any
@@ -22,21 +23,43 @@ def along_given_axes(trajectory: Trajectory, frame: BodyFrame | None) -> Traject
     """Return a trajectory with attitude, momentum and angular velocity of the given axes instead of the principal ones.
 
     Args:
-        trajectory: along the principal axes.
-        frame: these axes in the given ones; None where the trajectory's axes are the given ones already.
+        trajectory: along the principal axes, or sampled from ``FreeMotion.from_body``, whose axes are the given ones.
+        frame: the principal axes in the given ones; None where the trajectory's axes are the given ones already.
     """
-    if frame is None:
+    if frame is None or _from_body(trajectory) is not None:
         return trajectory
-    axes = np.asarray(frame.axes)
+    return _turned(trajectory, np.asarray(frame.axes).T)
 
-    def turned(vectors: Array | None) -> Array | None:
-        return None if vectors is None else np.asarray(vectors) @ axes.T
+
+def along_principal_axes(trajectory: Trajectory) -> Trajectory:
+    """Return the trajectory of a motion made by ``FreeMotion.from_body`` along the principal axes, others as they are.
+
+    Its states and its motion are then along these too.
+    """
+    motion = _from_body(trajectory)
+    if motion is None:
+        return trajectory
+    turned = _turned(trajectory, np.asarray(motion.axes))
+    states = np.concatenate([np.asarray(turned.attitude), np.asarray(turned.momentum)], axis=-1)
+    return replace(turned, system=motion.along_principal_axes(), states=states)
+
+
+def _from_body(trajectory: Trajectory) -> FreeMotion | None:
+    motion = trajectory.system
+    return motion if isinstance(motion, FreeMotion) and motion.axes is not None else None
+
+
+def _turned(trajectory: Trajectory, axes: Array) -> Trajectory:
+    """Return the trajectory along axes that are the columns of ``axes`` in its own."""
+
+    def along(vectors: Array | None) -> Array | None:
+        return None if vectors is None else np.asarray(vectors) @ axes
 
     attitude = trajectory.attitude
     if attitude is not None:
-        attitude = rotation.multiply(np.asarray(attitude), rotation.conjugate(rotation.from_matrix(axes)))
-    return replace(trajectory, attitude=attitude, momentum=turned(trajectory.momentum),
-                   angular_velocity=turned(trajectory.angular_velocity))  # fmt: skip
+        attitude = rotation.multiply(np.asarray(attitude), rotation.from_matrix(axes))
+    return replace(trajectory, attitude=attitude, momentum=along(trajectory.momentum),
+                   angular_velocity=along(trajectory.angular_velocity))  # fmt: skip
 
 
 def single_attitude(trajectory: Trajectory, form: str) -> Array:

@@ -7,10 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from polhode import rotation
 from polhode.errors import InvalidInput
 from polhode.exact.free_body import FreeMotion
 from polhode.exact.lagrange_top import LagrangeMotion
+from polhode.formats.given_axes import along_principal_axes
 from polhode.trajectory import Trajectory
 
 Array = Any
@@ -58,6 +58,7 @@ def samples_of(trajectory: Trajectory) -> Samples:
         InvalidInput: for a trajectory without samples, a batch, or values that are not finite.
     """
     _check(trajectory)
+    trajectory = along_principal_axes(trajectory)
     if isinstance(trajectory.system, FreeMotion | LagrangeMotion):
         return _evaluated(trajectory)
     return _thinned(trajectory)
@@ -81,7 +82,6 @@ def _evaluated(trajectory: Trajectory) -> Samples:
     """Return an exact motion at steps that are small for the eye, its first part where it has too many turns."""
     system, times = trajectory.system, np.asarray(trajectory.times, dtype=float)
     start, end = float(times.min()), float(times.max())
-    axes = getattr(system, "axes", None)
     velocity = np.asarray(trajectory.angular_velocity)
     fastest = float(np.linalg.norm(velocity, axis=-1).max())
     turn = fastest * (end - start)
@@ -96,11 +96,6 @@ def _evaluated(trajectory: Trajectory) -> Samples:
     if len(times) > MOST:
         notes.append(f"Evaluated at {count} times for display; the trajectory has {len(times)} samples.")
     again = system.sample(np.linspace(start, shown, count))
-    if axes is not None:
-        axes = np.asarray(axes)
-        turned = rotation.multiply(np.asarray(again.attitude), rotation.from_matrix(axes))
-        again = replace(again, attitude=turned, momentum=np.asarray(again.momentum) @ axes,
-                        angular_velocity=np.asarray(again.angular_velocity) @ axes)  # fmt: skip
     return replace(_plain(again), joined=True, notes=tuple(notes))
 
 
