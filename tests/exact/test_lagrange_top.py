@@ -195,3 +195,10 @@ def test_bad_times_and_tilts_are_named():
         steady_precession(MOMENTS, 1.0, 4.0, 5.0)
     with pytest.raises(InvalidInput, match="axis of symmetry"):
         sleeping_threshold((1.0, 2.0, 3.0), 1.0)
+
+
+def test_unequal_moments_are_shown_with_the_digits_that_tell_them_apart():
+    with pytest.raises(InvalidInput, match=r"got \(1.0, 1.0000000000000002, 0.5\) kg m², 2.2e-16 .* by rounding: give"):
+        ph.LagrangeMotion((1.0, 1.0 + 2.0**-52, 0.5), 1.0, (0.1, 0.0, 2.0))
+    with pytest.raises(InvalidInput, match="Other heavy tops have no closed form"):
+        ph.LagrangeMotion((1.0, 1.1, 0.5), 1.0, (0.1, 0.0, 2.0))

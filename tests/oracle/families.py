@@ -183,6 +183,13 @@ def huge_scale(rng: Rng):
     return _triaxial(rng) * _power(rng, -100, 100), _direction(rng) * _power(rng, -100, 100)
 
 
+def tiny_components(rng: Rng):
+    """One component leads; the others, or one of them, are down to 1e-290 of it, where their squares vanish."""
+    momentum = np.array([_sign(rng) * _power(rng, -290, -130) * rng.choice((0.0, 1.0, 1.0)) for _ in range(3)])
+    momentum[rng.integers(3)] = _sign(rng) * _power(rng, -1, 1)
+    return _triaxial(rng), momentum
+
+
 TRAPS = (
     ((3, 4, 6), (1, 2.5, 1)),
     ((3, 4, 6), (-1, 0.3, 1)),
@@ -207,6 +214,7 @@ FAMILIES: tuple[Callable[[Rng], tuple[np.ndarray, np.ndarray]], ...] = (
     generic, short_axis, long_axis, wide_moments, wide_spin, near_oblate, near_prolate, near_sphere,
     near_separatrix, near_separatrix_backward, saddle, separatrix_near_symmetric, exact_separatrix, near_permanent,
     flat, sphere, oblate, prolate, permanent, zero_component, one_ulp, huge_scale, traps,
+    tiny_components,
 )  # fmt: skip
 
 

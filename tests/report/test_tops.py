@@ -6,7 +6,9 @@ import pytest
 import polhode as ph
 from polhode.errors import InvalidInput
 from polhode.report.choice import report_of
+from polhode.report.tops import _axis_third
 from polhode.spec.reading import read_spec
+from polhode.systems.heavy_top import HeavyTop
 
 CONE = 'parts = [{shape = "cone", mass = "60 g", radius = "3 cm", height = "4 cm", at = ["0 m", "0 m", "3 cm"]}]'
 BOX = 'parts = [{shape = "box", mass = "1 kg", size = ["1 m", "2 m", "3 m"], at = ["0.5 m", "1 m", "1.5 m"]}]'
@@ -125,3 +127,14 @@ def test_whole_quarter_leans_are_exact(read, lean, spin, regime):
     assert values["regime"] == regime and ("too slowly" in values["summary"]) == (regime == "sleeping")
     if regime == "planar":
         assert values["precession_rate"] is None and values["steady_precession"] is None
+
+
+def test_moments_that_are_equal_but_for_rounding(read):
+    """At this pivot 0.832 + 1.7 · 0.2² is an ulp above 0.9: the top is spherical there."""
+    body = 'mass = "1.7 kg"\nmoments = ["0.8320000000000001 kg*m^2", "0.8320000000000001 kg*m^2", "0.9 kg*m^2"]'
+    system = '[system]\nkind = "lagrange-top"\npivot = ["0 m", "0 m", "-0.2 m"]\nlean = "30 deg"'
+    found = report_of(read(body, system, '[spin]\nrate = "9 rad/s"\nabout = "z"\n[time]\nuntil = "1 s"\nsamples = 5'))
+    assert np.ptp(found.exact.moments) == 0.0 and found.exact.moments[0] == pytest.approx(0.9, rel=1e-15)
+    # the centre of mass fixed: an axis of symmetry whose other moments a turned body has equal but for rounding
+    moments = 0.3, 0.7, np.nextafter(0.7, 1.0)
+    assert np.asarray(_axis_third(HeavyTop(moments, 0.0)).moments).tolist() == [0.7, 0.7, 0.3]

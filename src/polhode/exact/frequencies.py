@@ -36,7 +36,7 @@ def canonical_frequencies(body: Reduction) -> Frequencies:
     A, B, C, P, Q, G2 = body.A, body.B, body.C, body.P, body.Q, body.G2
     BQ = dd.multiply(B, Q)
     l1, _, l3 = body.canonical
-    constant = ~(BQ[0] > 0) | ~(P[0] > 0) | ((l1 == 0) & (l3 == 0))
+    constant = ~(BQ[0] > 0) | ~(body.root_P > 0) | ((l1 == 0) & (l3 == 0))
     separatrix = ~((C[0] > 0) & (body.root_S[0] > 0)) & ~constant
     G = dd.sqrt(G2)
     modulus_rate = dd.sqrt(BQ)

@@ -51,7 +51,7 @@ def characteristics(moments: Array, momentum: Array) -> Characteristics:
     sense = xp.where(body.long_axis, -1.0, 1.0)
     has_rate = ~rates.constant
     period = dd.divide(dd.multiply(scaled_period, body.V), (body.rate_scale, 0.0 * body.rate_scale))
-    modulus = xp.sqrt((body.A[0] * body.P[0]) / (body.B[0] * body.Q[0]))
+    modulus = xp.sqrt(body.A[0] / body.B[0]) * (body.root_P / xp.sqrt(body.Q[0]))
     axis = _sum_index(xp, body)
     return Characteristics(
         regime=regime,

@@ -26,6 +26,7 @@ from polhode.special.doubledouble import two_sum
 from polhode.trajectory import Trajectory
 
 Array = Any
+ROUNDING = 1e-12  # relative; what sums leave of equal moments
 
 
 @dataclass(frozen=True, eq=False)
@@ -241,10 +242,13 @@ def _checked_symmetry(xp: Any, moments: Array) -> Array:
     equal = (moments[..., 0] == moments[..., 1])[..., None]
     if not is_traced(moments) and not bool(xp.all(equal | xp.isnan(moments[..., :1]))):
         bad = np.asarray(moments)[~np.asarray(equal)[..., 0]][0]
-        raise InvalidInput(
-            f"`moments` must be (I1, I1, I3), the first two equal; got {np.array2string(bad, separator=', ')} kg m². "
-            "Other heavy tops have no closed form: put the axis third, or use HeavyTop with simulate."
-        )
+        apart = abs(bad[0] - bad[1]) / max(bad[:2])
+        remedy = (
+            "They differ by rounding: give one of them twice." if apart <= ROUNDING
+            else "Other heavy tops have no closed form: put the axis third, or use HeavyTop with simulate."
+        )  # fmt: skip
+        raise InvalidInput(f"`moments` must be (I1, I1, I3), the first two equal; got {tuple(bad.tolist())} kg m², "
+                           f"{apart:.1e} of their size apart. {remedy}")  # fmt: skip
     return xp.where(equal, moments, np.nan)
 
 

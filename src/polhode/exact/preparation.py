@@ -20,6 +20,8 @@ from polhode.special.doubledouble import DoubleDouble
 from polhode.special.elliptic import nome_per_parameter
 
 Array = Any
+HUGE = 2.0**-400, 2.0**-200  # a hyperbolic sine above the inverse of the first is scaled by the second
+LOG_OF_SCALE: DoubleDouble = (138.62943611198907, -3.3555121496085278e-15)  # 200 ln 2
 
 
 class Prepared(NamedTuple):
@@ -80,7 +82,7 @@ def _permanent_rate(body: Reduction) -> DoubleDouble:
 
 def _argument_columns(body: Reduction, rates: Frequencies, m: Array, m1: Array) -> tuple[Array, ...]:
     singles = (x[0] for x in (body.A, body.B, body.C, body.P, body.Q, rates.G))
-    return (*singles, *body.canonical, m, m1, rates.separatrix, *rates.modulus_rate, *rates.mean)
+    return (*singles, *body.canonical, m, m1, rates.separatrix, *rates.modulus_rate, *rates.mean, body.root_P)
 
 
 def _landen(k: Array, dn: Array, sinh_times_cosine: Array, cosine: Array, dc: Array) -> tuple[Array, Array]:
@@ -106,16 +108,18 @@ def _landen(k: Array, dn: Array, sinh_times_cosine: Array, cosine: Array, dc: Ar
 
 def _full_arguments(*columns: Array) -> tuple[Array, ...]:
     """Return start, coefficients of A and B, and idle entries of the form for m ≤ ½."""
-    A, B, C, P, Q, _, l1, l2, l3, m, m1 = columns[:11]
+    A, B, C, _, Q, _, l1, l2, l3, m, m1 = columns[:11]
     xp = namespace(A)
     total = B * Q
     k = xp.sqrt(m1 / total)
     q_over_m = nome_per_parameter(m / total, k)
     q = q_over_m * (m / total)
-    factor, sinh = _landen(k, l3 * xp.sqrt(C / Q), xp.sqrt(B) * xp.sqrt(Q / P), xp.sqrt(B), xp.sqrt(C))
-    grown = sinh + xp.sqrt(1.0 + sinh * sinh)
-    g = 1.0 / grown
-    r = (A / B) * q_over_m * (P / Q) * grown * grown
+    # √(P/Q) sinh, as the hyperbolic sine itself overflows beside a stable axis
+    small = columns[16] / xp.sqrt(Q)
+    factor, scaled = _landen(k, l3 * xp.sqrt(C / Q), xp.sqrt(B), xp.sqrt(B), xp.sqrt(C))
+    grown = scaled + xp.sqrt(small * small + scaled * scaled)
+    g = small / grown
+    r = (A / B) * q_over_m * grown * grown
     start = xp.atan2(xp.sqrt(B) * l2 * factor, xp.sqrt(C) * l1) * (0.25 / math.pi)
     g2, q2, r2 = g * g, q * q, r * r
     q3, q4 = q2 * q, q2 * q2
@@ -139,14 +143,16 @@ def _complementary_arguments(*columns: Array) -> tuple[Array, ...]:
     k = xp.where(separatrix, 1.0, xp.sqrt(m / total))
     small = xp.where(separatrix, 0.0, m1 / total)
     q = small * nome_per_parameter(small, k)
-    cosine = xp.sqrt(C) * xp.abs(l1)
-    factor, sinh = _landen(
-        k, xp.sqrt(P / B) / G, xp.abs(xp.sqrt(B) * l2), cosine, xp.sqrt(C) * l3 * xp.sqrt(P / Q)
-    )
+    cosine, dc, along = xp.sqrt(C) * xp.abs(l1), xp.sqrt(C) * l3 * xp.sqrt(P / Q), xp.abs(xp.sqrt(B) * l2)
+    # close to the unstable axis the hyperbolic sine and its square leave the range of numbers
+    huge = cosine + dc < HUGE[0] * along
+    factor, sinh = _landen(k, xp.sqrt(P / B) / G, xp.where(huge, HUGE[1] * along, along), cosine, dc)
     y = xp.atan(xp.sqrt(Q / P) * factor)
-    x = xp.asinh(sinh)
-    back = xp.sinh(x)
-    x = dd.fast_two_sum(x, (sinh - back) / xp.sqrt(1.0 + back * back))
+    x = xp.where(huge, xp.log(2.0 * sinh), xp.asinh(sinh))
+    back = xp.where(huge, 0.5 * xp.exp(x), xp.sinh(x))
+    x = dd.fast_two_sum(x, (sinh - back) / xp.where(huge, back, xp.sqrt(1.0 + back * back)))
+    zero = xp.zeros_like(q)
+    x = dd.where(huge, dd.add(x, tuple(c + zero for c in LOG_OF_SCALE)), x)
     x = dd.scale(x, xp.where((l2 < 0) != (l1 < 0), -1.0, 1.0))
     # πK/K' = 2K/θ3², and 1/θ3² is 1 less the small correction
     pi = tuple(c + xp.zeros_like(q) for c in dd.PI)

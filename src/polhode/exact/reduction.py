@@ -14,6 +14,9 @@ from polhode.special import doubledouble as dd
 from polhode.special.doubledouble import DoubleDouble
 
 Array = Any
+TINY_RATIO = 2.0**-900  # of components of L, below which numbers with it are scaled up by LIFT binary places
+LIFT = 100
+SHARP = 1e-280  # products of double-doubles above it have all their digits
 Triple = tuple[Array, Array, Array]
 
 
@@ -25,7 +28,7 @@ class Reduction(NamedTuple):
     """
 
     moments: Triple  # ascending, scaled by a power of two so that ½ ≤ I3 < 1
-    momentum: Triple  # along the sorted axes, scaled so that ½ ≤ max |L_i| < 1
+    momentum: Triple  # along the sorted axes, scaled so that ½ ≤ max |L_i| < 1, times 2^LIFT beside a tiny component
     canonical: Triple  # momentum after mirror and half turn, third component ≥ 0
     A: DoubleDouble
     B: DoubleDouble
@@ -34,6 +37,7 @@ class Reduction(NamedTuple):
     Q: DoubleDouble
     S: DoubleDouble
     root_S: DoubleDouble  # √−S, sharp where S itself underflows
+    root_P: Array  # √P, likewise
     V: DoubleDouble
     G2: DoubleDouble  # |L|²
     long_axis: Array  # whether the mirror was applied
@@ -66,6 +70,11 @@ def _sorted_and_scaled(moments: Array, momentum: Array) -> tuple[Any, ...]:
     _, moment_exponent = xp.frexp(I[2])
     size = xp.maximum(xp.maximum(xp.abs(L[0]), xp.abs(L[1])), xp.abs(L[2]))
     _, momentum_exponent = xp.frexp(size)
+    # a component down to the smallest number keeps its digits in what is formed of it
+    smallest = size
+    for x in L:
+        smallest = xp.minimum(smallest, xp.where(x == 0, size, xp.abs(x)))
+    momentum_exponent = momentum_exponent - xp.where(smallest < TINY_RATIO * size, LIFT, 0)
     I = tuple(xp.ldexp(x, -moment_exponent) for x in I)  # noqa: E741
     L = tuple(parity * xp.ldexp(x, -momentum_exponent) for x in L)
     _, exponent = xp.frexp(xp.maximum(xp.abs(L[0]), xp.abs(L[2])))
@@ -100,6 +109,7 @@ def _assembled(sorted_: tuple[Any, ...], sums: tuple[DoubleDouble, ...], S: Doub
         Q=Q,
         S=dd.scale(dd.scale(minus_S, -near), near),
         root_S=dd.scale(dd.sqrt(minus_S), near),
+        root_P=_root_of_sum(P[0], C[0], l1, B[0], L[1]),
         V=dd.multiply_float(dd.two_product(I[0], I[1]), I[2]),
         G2=G2,
         long_axis=long_axis,
@@ -107,6 +117,16 @@ def _assembled(sorted_: tuple[Any, ...], sums: tuple[DoubleDouble, ...], S: Doub
         momentum_scale=scales[0],
         rate_scale=scales[1],
     )
+
+
+def _root_of_sum(value: Array, C: Array, x: Array, B: Array, y: Array) -> Array:
+    """Return √(C x² + B y²), of which the sum is given but may have lost digits, or all, to underflow."""
+    xp = namespace(value)
+    _, exponent = xp.frexp(xp.maximum(xp.abs(x), xp.abs(y)))
+    one = xp.ones_like(value)
+    up, down = xp.ldexp(one, -exponent), xp.ldexp(one, exponent)
+    x, y = x * up, y * up
+    return xp.where(value > SHARP, xp.sqrt(value), xp.sqrt(C * x * x + B * y * y) * down)
 
 
 def half_turn_sign(body: Reduction) -> Array:

@@ -32,6 +32,7 @@ from polhode.simulation import STEP_ANGLE, fastest_rate, simulate
 from polhode.spec.reading import Spec
 from polhode.spec.systems import HeavyTopTable, LagrangeTopTable
 from polhode.systems.heavy_top import ALONG, HeavyTop
+from polhode.systems.top_integrals import EQUAL
 from polhode.trajectory import Trajectory
 
 Array = Any
@@ -346,7 +347,7 @@ def _axis_third(top: HeavyTop) -> HeavyTop:
     case, k = top.case or ("none", 0)
     axis = np.asarray(top.axis)
     if case == "Euler":  # any axis of symmetry will do
-        pairs = [k for k in range(3) if moments[(k + 1) % 3] == moments[(k + 2) % 3]]
+        pairs = [k for k in range(3) if abs(moments[(k + 1) % 3] - moments[(k + 2) % 3]) <= EQUAL * moments.max()]
         case, k = ("Lagrange", pairs[0]) if pairs else ("none", 0)
         axis = np.eye(3)[k]
     if case != "Lagrange":
@@ -357,7 +358,7 @@ def _axis_third(top: HeavyTop) -> HeavyTop:
     if k < 0:
         first = rotation.perpendicular(axis)
         turned = np.stack([first, np.cross(axis, first), axis], axis=-1)
-        return HeavyTop(moments, float(top.mgl), (0.0, 0.0, 1.0), axes @ turned)
+        return HeavyTop((moments[1],) * 3, float(top.mgl), (0.0, 0.0, 1.0), axes @ turned)  # equal but for rounding
     i, j = (k + 1) % 3, (k + 2) % 3
     side = -1.0 if axis[k] < 0 else 1.0
     turned = np.stack([np.eye(3)[i], side * np.eye(3)[j], side * np.eye(3)[k]], axis=-1)

@@ -28,6 +28,7 @@ def third_kind_agm(a: DoubleDouble, g: DoubleDouble, pp: DoubleDouble) -> tuple[
     xp = namespace(a[0])
     q = dd.from_float(xp.ones_like(a[0]))
     _, exponent = xp.frexp(a[0])  # rates down to 1e-150, whose fourth powers would underflow
+    exponent = xp.minimum(exponent, xp.zeros_like(exponent))  # scaled down, a tiny g would
     up, down = xp.ldexp(xp.ones_like(a[0]), exponent), xp.ldexp(xp.ones_like(a[0]), -exponent)
     a, g, pp = dd.scale(a, down), dd.scale(g, down), dd.scale(dd.scale(pp, down), down)
     state = iterate_until(_agm_step, _agm_finished, (*a, *g, *pp, *q, *q), at_once=3, most=MOST_STEPS)
