@@ -234,7 +234,7 @@ def test_files_that_are_not_what_they_claim(tmp_path):
             read_ck(cut, sclk=files[2], fk=files[1])
     with pytest.raises(FormatError, match=r"a\.bc.*--sclk"):
         read_ck(files[0], sclk=files[3])
-    with pytest.raises(InvalidInput, match="no such kernel file"):
+    with pytest.raises(InvalidInput, match="no such clock kernel file"):
         read_ck(files[0], sclk=tmp_path / "none.tsc")
     assert spice.ktotal("ALL") == 0
 

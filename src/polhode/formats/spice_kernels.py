@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import math
 import re
+import tempfile
 import threading
 from collections.abc import Iterator, Sequence
 from pathlib import Path
@@ -82,9 +83,22 @@ def loaded(kernels: Sequence[Path]) -> Iterator[Any]:
         stack.enter_context(spice_alone())
         for kernel in kernels:
             with worded(kernel, "Check that it is a SPICE kernel, whole and of the kind that its option asks for."):
-                spice.furnsh(str(kernel))
+                try:
+                    spice.furnsh(str(kernel))
+                except spice.exceptions.SpiceyError:
+                    _forget(spice)
+                    raise
             stack.callback(spice.unload, str(kernel))
         yield spice
+
+
+def _forget(spice: Any) -> None:
+    """Take out what SPICE kept of a kernel that it refused half-way: unloading any text loads the others anew."""
+    with tempfile.TemporaryDirectory(prefix="polhode-") as folder:
+        empty = Path(folder, "empty.tf")
+        empty.write_text("KPL/FK\n", "ascii")
+        spice.furnsh(str(empty))
+        spice.unload(str(empty))
 
 
 @contextlib.contextmanager

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import tempfile
 from collections.abc import Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -13,34 +12,22 @@ import numpy as np
 
 from polhode import rotation
 from polhode.errors import FormatError, InvalidInput
+from polhode.formats.epochs import TIME_SYSTEMS, read_epoch
 from polhode.formats.given_axes import check_recorded
 from polhode.formats.labels import AttitudeLabels
-from polhode.formats.opening import MB, check_is_file, open_file
-from polhode.formats.spice_kernels import DIRECTORY, KINDS, loaded, worded
+from polhode.formats.numerals import read_number
+from polhode.formats.opening import MB, open_file
+from polhode.formats.spice_checks import Segment, byte_order, check_ck, check_text_kernel, record_ticks
+from polhode.formats.spice_kernels import KINDS, loaded, worded
 from polhode.formats.time_scales import as_epoch, leap_seconds_kernel
 from polhode.trajectory import Trajectory
 
 Array = Any
 BEGINNINGS = (b"DAF/CK", b"NAIF/DAF")
-SUMMARY = (2, 6)  # doubles and integers of a segment's descriptor
-PACKETS = {0: 8, 1: 4, 2: 14, 3: 7}  # doubles to a packet, by subtype of type 5
 LARGEST_FILE = 2000 * MB  # as much as SPICE addresses by four bytes
-LARGEST_TEXT = 64 * MB  # of a frame, clock or leap-seconds kernel
+MOST_SECONDS = 6e10  # 1900 years either way of 2000
 EQUAL = 2000  # samples, spread evenly, of types that keep no records at times of their own
 NEEDED = "It needs the clock kernel (.tsc) of its spacecraft, often a frame kernel (.tf): give --sclk, --fk, --lsk."
-
-
-@dataclass(frozen=True)
-class _Segment:
-    """What a segment's descriptor says; addresses count doubles from 1."""
-
-    first_tick: float
-    last_tick: float
-    reference: int
-    kind: int
-    has_rates: bool
-    start: int
-    end: int
 
 
 def read_ck(
@@ -73,100 +60,71 @@ def read_ck(
         begun = file.read(8)
     if not begun.startswith(BEGINNINGS):
         raise FormatError(f"{path}: is no C-kernel, as it does not begin with DAF/CK. Check the file.")
-    found = {name: _beside(path, ending, chosen) for (name, ending), chosen in
+    found = {name: _beside(path, name, ending, chosen) for (name, ending), chosen in
              zip(KINDS.items(), (fk, sclk, lsk), strict=True)}  # fmt: skip
     if found["clock"] is None:
         raise InvalidInput(f"{path}: needs the clock kernel of its spacecraft; give it with --sclk FILE.tsc.")
+    segments = check_ck(path)
     with tempfile.TemporaryDirectory(prefix="polhode-") as folder:
         if found["leap seconds"] is None:
             found["leap seconds"] = Path(folder, "polhode.tls")
             found["leap seconds"].write_text(leap_seconds_kernel(), "ascii")
-        return _read(path, [kernel for kernel in found.values() if kernel is not None], spice_id)
+        return _read(path, [kernel for kernel in found.values() if kernel is not None], segments, spice_id)
 
 
-def _read(path: Path, kernels: Sequence[Path], spice_id: int | None) -> Trajectory:
-    with loaded([*kernels, path]) as spice, worded(path, NEEDED):
-        number = _whose(spice, path, spice_id)
-        segments = _segments(spice, path, number)
-        clock = int(spice.ckmeta(number, "SCLK"))
-        if _pool(spice, f"SCLK_DATA_TYPE_{-clock}") is None:
-            raise FormatError(f"{path}: no kernel loaded with it has its clock, of number {clock}. Check --sclk.")
-        ticks = np.unique(np.concatenate([_record_ticks(spice, path, segment) for segment in segments]))
-        return _sampled(spice, path, number, clock, ticks, segments)
+def _read(path: Path, kernels: Sequence[Path], segments: Sequence[Segment], spice_id: int | None) -> Trajectory:
+    try:
+        with loaded([*kernels, path]) as spice, worded(path, NEEDED):
+            number = _whose(path, segments, spice_id)
+            segments = [one for one in segments if one.instrument == number]
+            clock = int(spice.ckmeta(number, "SCLK"))
+            if _pool(spice, f"SCLK_DATA_TYPE_{-clock}") is None:
+                raise FormatError(f"{path}: no kernel loaded with it has its clock, of number {clock}. Check --sclk.")
+            return _sampled(spice, path, number, clock, _ticks(path, segments), segments)
+    except InvalidInput:
+        raise
+    except Exception:  # what SPICE hands over need not be text, numbers, or as many as were asked for
+        why = "cannot be read with the kernels that go with it; one of them is damaged, or of another spacecraft"
+        raise FormatError(f"{path}: {why}. Check --sclk, --fk and --lsk.") from None
 
 
-def _beside(path: Path, ending: str, chosen: str | Path | None) -> Path | None:
-    if chosen is not None:
-        check_is_file(Path(chosen), "kernel", LARGEST_TEXT)
-        return Path(chosen)
-    beside = path.with_suffix(f".{ending}")
-    if not beside.exists():
+def _beside(path: Path, name: str, ending: str, chosen: str | Path | None) -> Path | None:
+    beside = path.with_suffix(f".{ending}") if chosen is None else Path(chosen)
+    if chosen is None and not beside.exists():
         return None
-    check_is_file(beside, "kernel", LARGEST_TEXT)
+    check_text_kernel(beside, f"{name} kernel")
     return beside
 
 
-def _whose(spice: Any, path: Path, spice_id: int | None) -> int:
-    numbers = [int(number) for number in spice.ckobj(str(path))]
+def _whose(path: Path, segments: Sequence[Segment], spice_id: int | None) -> int:
+    numbers = sorted({one.instrument for one in segments})
     if spice_id is None and len(numbers) == 1:
         return numbers[0]
     if spice_id in numbers:
         return int(spice_id)
     if spice_id is not None and 1000 * spice_id in numbers:
         return 1000 * spice_id
-    held = ", ".join(map(str, numbers)) or "none"
+    held = ", ".join(map(str, numbers[:20])) or "none"
     came = "none was asked for" if spice_id is None else f"got {spice_id}"
     raise InvalidInput(f"{path}: holds attitudes of the numbers {held}; {came}. Choose one with --spice-id.")
 
 
-def _segments(spice: Any, path: Path, number: int) -> list[_Segment]:
+def _ticks(path: Path, segments: Sequence[Segment]) -> Array:
+    """Return the clock's times (n,) at which segments have records; evenly spread ones where they have none."""
+    doubles = np.memmap(path, dtype=f"{byte_order(path)}f8", mode="r", shape=(path.stat().st_size // 8,))
     found = []
-    handle = spice.dafopr(str(path))
-    try:
-        spice.dafbfs(handle)
-        while spice.daffna():
-            doubles, integers = spice.dafus(spice.dafgs(), *SUMMARY)
-            instrument, reference, kind, rates, start, end = (int(value) for value in integers)
-            if instrument == number:
-                first, last = float(doubles[0]), float(doubles[1])
-                found.append(_Segment(first, last, reference, kind, bool(rates), start, end))
-    finally:
-        spice.dafcls(handle)
-    return found
+    for one in segments:
+        ticks, _ = record_ticks(path, one, doubles[one.start - 1 : one.end])
+        even = np.linspace(one.first_tick, one.last_tick, EQUAL)
+        found.append(even if ticks is None else np.array(ticks, dtype=float))
+    return np.unique(np.concatenate(found))
 
 
-def _record_ticks(spice: Any, path: Path, segment: _Segment) -> Array:
-    """Return the clock's times (n,) at which a segment has records; evenly spread ones where it has none.
-
-    Layouts: NAIF, *CK Required Reading*, data types 1, 2, 3 and 5.
-    """
-    start, end = segment.start, segment.end
-    size = 7 if segment.has_rates else 4
-    handle = spice.dafopr(str(path))
-
-    def part(first: int, count: int) -> Array:
-        return np.atleast_1d(np.asarray(spice.dafgda(handle, first, first + count - 1)))
-
-    try:
-        if segment.kind in (1, 3):
-            count = int(part(end, 1)[0])
-            return part(start + size * count, count)
-        if segment.kind == 2:  # start and stop of each, and a directory, but no count
-            count = (DIRECTORY * (end - start + 1) + DIRECTORY) // (10 * DIRECTORY + 1)
-            return part(start + 8 * count, 2 * count)
-        if segment.kind == 5:
-            subtype, _, _, count = part(end - 3, 4).astype(int)
-            return part(start + PACKETS[int(subtype)] * int(count), int(count))
-        return np.linspace(segment.first_tick, segment.last_tick, EQUAL)
-    finally:
-        spice.dafcls(handle)
-
-
-def _sampled(spice: Any, path: Path, number: int, clock: int, ticks: Array, segments: Sequence[_Segment]) -> Trajectory:
+def _sampled(spice: Any, path: Path, number: int, clock: int, ticks: Array, segments: Sequence[Segment]) -> Trajectory:
     reference = spice.frmnam(segments[0].reference)
     has_rates = all(segment.has_rates for segment in segments)
     matrices, rates, found = np.empty((len(ticks), 3, 3)), np.empty((len(ticks), 3)), np.zeros(len(ticks), dtype=bool)
-    for k, tick in enumerate(ticks):
+    for k, tick in enumerate(ticks.tolist()):
         try:
             if has_rates:
                 matrices[k], rates[k], _ = spice.ckgpav(number, tick, 0.0, reference)
@@ -179,7 +137,7 @@ def _sampled(spice: Any, path: Path, number: int, clock: int, ticks: Array, segm
         raise FormatError(f"{path}: SPICE finds no attitude in it. Check the clock and frame kernels.")
     attitude = _continuous(rotation.conjugate(rotation.from_matrix(matrices[found])))
     velocity = rotation.rotate(rotation.conjugate(attitude), rates[found]) if has_rates else None
-    times, epoch, system = _times(spice, clock, ticks[found])
+    times, epoch, system = _times(spice, path, clock, ticks[found])
     check_recorded(path, times, attitude, velocity)
     labels = AttitudeLabels(
         object_name=_name(spice, number), reference_frame="EME2000" if reference == "J2000" else reference,
@@ -212,27 +170,47 @@ def _frame(spice: Any, number: int) -> str:
         return f"CK {number}"
 
 
-def _times(spice: Any, clock: int, ticks: Array) -> tuple[Array, str, str]:
+def _times(spice: Any, path: Path, clock: int, ticks: Array) -> tuple[Array, str, str]:
     """Return times [s] since an epoch, the epoch, and its time system."""
     number = -clock
     table = _pool(spice, f"SCLK01_COEFFICIENTS_{number}")
     moduli = _pool(spice, f"SCLK01_MODULI_{number}")
     if table is None or moduli is None:
         since = np.array([spice.sct2e(clock, tick) for tick in ticks])
-        zero = np.floor(since[0])
-        return since - zero, as_epoch(Fraction(float(zero))), "TDB"
+        zero = _zero(path, since[0])
+        return since - zero, as_epoch(Fraction(zero)), "TDB"
     system = "TT" if _pool(spice, f"SCLK01_TIME_SYSTEM_{number}") == 2 else "TDB"  # where it is silent, TDB
+    if len(table) % 3 or not np.isfinite(table).all() or not (moduli > 0).all() or (np.diff(table[::3]) <= 0).any():
+        raise FormatError(f"{path}: the clock kernel's table for clock {clock} is broken. Check --sclk.")
     table, per_second = table.reshape(-1, 3), float(np.prod(moduli[1:]))
     row = np.clip(np.searchsorted(table[:, 0], ticks, side="right") - 1, 0, None)
     elapsed = (ticks - table[row, 0]) / per_second * table[row, 2]
-    try:
-        own_system, own_epoch, own_zero = spice.gcpool(f"POLHODE_EPOCH_{number}", 0, 3)
-        return elapsed + float(own_zero), own_epoch, own_system
-    except spice.exceptions.NotFoundError:
-        pass
+    own = _own_epoch(spice, number)
+    if own is not None:
+        return elapsed + own[2], own[1], own[0]
     # a double of seconds since 2000 is coarse: whole seconds come off before the rest is added
-    zero = np.floor(table[row[0], 1] + elapsed[0])
-    return (table[row, 1] - zero) + elapsed, as_epoch(Fraction(float(zero))), system
+    zero = _zero(path, table[row[0], 1] + elapsed[0])
+    return (table[row, 1] - zero) + elapsed, as_epoch(Fraction(zero)), system
+
+
+def _own_epoch(spice: Any, number: int) -> tuple[str, str, float] | None:
+    """Return time system, epoch and clock's zero [s] that a kernel of polhode's has."""
+    try:
+        system, epoch, zero = spice.gcpool(f"POLHODE_EPOCH_{number}", 0, 3)
+    except spice.exceptions.NotFoundError:
+        return None
+    read_epoch(epoch, system)
+    if system not in TIME_SYSTEMS:
+        raise ValueError(system)
+    return system, epoch, read_number(zero)
+
+
+def _zero(path: Path, seconds: float) -> float:
+    """Return the whole second of a time past J2000, which a calendar of four digits has."""
+    if not abs(seconds) < MOST_SECONDS:
+        why = f"its clock kernel gives {seconds:g} s past 2000, outside the calendar"
+        raise FormatError(f"{path}: {why}. Check --sclk.")
+    return float(np.floor(seconds))
 
 
 def _pool(spice: Any, name: str) -> Array | None:
