@@ -11,7 +11,7 @@ from importlib import import_module
 from pathlib import Path
 
 from polhode.cli.destinations import check_spares
-from polhode.errors import FormatError, InvalidInput, NotConverged
+from polhode.errors import FormatError, InvalidInput, NotConverged, printable, shown
 from polhode.formats.dataset import label_attributes
 from polhode.report.base import AbstractReport
 from polhode.report.choice import report_of
@@ -59,7 +59,7 @@ def run_export(path: Path, forms: Sequence[str], out: Path | None) -> None:
         if form not in FORMS:
             near = difflib.get_close_matches(form.lower(), FORMS, n=1)
             hint = f"Did you mean {near[0]}?" if near else "Choose one of these."
-            raise InvalidInput(f"--to must be one of {', '.join(FORMS)}; got {form!r}. {hint}")
+            raise InvalidInput(f"--to must be one of {', '.join(FORMS)}; got {shown(form)}. {hint}")
     if out is not None and len(wanted) > 1:
         raise InvalidInput(f"--out names one file, and {len(wanted)} forms are asked for. Leave it out, or write one.")
     if out is not None:
@@ -79,8 +79,8 @@ def run_export(path: Path, forms: Sequence[str], out: Path | None) -> None:
         except InvalidInput as error:
             raise InvalidInput(f"{form}: {error}") from None
         count = f"{len(report.trajectory.times)} samples, " if FORMS[form].sampled else ""
-        shown = _shown_part(report) if form == "gltf" else ""
-        print(f"{written}: {count}{FORMS[form].holds}{shown}")
+        part = _shown_part(report) if form == "gltf" else ""
+        print(printable(f"{written}: {count}{FORMS[form].holds}{part}"))
         if form in ("aem", "ck"):
             _warn_of_long_turns(report, form)
 

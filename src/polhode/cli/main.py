@@ -8,6 +8,7 @@ import sys
 from typing import NoReturn
 
 from polhode.cli.stopping import SIGNALS, Stopped, said, stopped_by_signals
+from polhode.cli.terminal import readable_output
 from polhode.errors import PolhodeError
 
 MISTAKE, PIPE_CLOSED = 2, 1  # exit codes
@@ -23,7 +24,7 @@ def main(arguments: list[str] | None = None) -> NoReturn:
         SystemExit: always; with 128 and its number after a signal, and 1 where nobody reads the output any more.
     """
     try:
-        with stopped_by_signals():
+        with readable_output(), stopped_by_signals():
             code = _run(arguments)
     except Stopped as stop:
         _tell(said(stop.number))

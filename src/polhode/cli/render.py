@@ -7,17 +7,21 @@ from collections.abc import Iterable, Sequence
 from typing import Any
 
 from rich.console import Console
-from rich.markup import escape
 from rich.table import Table
+from rich.text import Text
 
+from polhode.errors import printable
 from polhode.report.base import Listing, Section
 
 STYLES = {"stable": "green", "unstable": "red", "undecided": "yellow"}
 
 
 def as_json(values: dict[str, Any]) -> str:
-    """Return one JSON object; there is no NaN or infinity in it, and it would be an error if there were."""
-    return json.dumps(values, indent=2, ensure_ascii=False, allow_nan=False)
+    """Return one JSON object in ASCII, which every encoding can hold.
+
+    There is no NaN or infinity in it, and it would be an error if there were.
+    """
+    return json.dumps(values, indent=2, ensure_ascii=True, allow_nan=False)
 
 
 def print_report(
@@ -26,17 +30,22 @@ def print_report(
 ) -> None:  # fmt: skip
     """Print a report; parts that are empty are left out."""
     console = Console()
-    console.print(f"[bold]{escape(name)}[/bold]")
+    console.print(_text(name, "bold"))
     if summary:
-        console.print(escape(summary), highlight=False)
+        console.print(_text(summary))
     for section in sections:
         console.print(_listing(section) if isinstance(section, Listing) else _section(section))
     for note in notes:
-        console.print(f"Note: {escape(note)}", style="yellow", highlight=False)
+        console.print(_text(f"Note: {note}", "yellow"))
     if files:
-        console.print("Written:", escape(", ".join(files)), style="dim", highlight=False)
+        console.print(_text(f"Written: {', '.join(files)}", "dim"))
     if removed:
-        console.print("Removed, of an earlier report:", escape(", ".join(removed)), style="dim", highlight=False)
+        console.print(_text(f"Removed, of an earlier report: {', '.join(removed)}", "dim"))
+
+
+def _text(text: str, style: str = "") -> Text:
+    """Return text as it stands: brackets and colons are no markup, and control characters are escaped."""
+    return Text(printable(text), style)
 
 
 def _section(section: Section) -> Table:
@@ -44,7 +53,7 @@ def _section(section: Section) -> Table:
     table.show_header = False
     for label, text in section.lines:
         if text is not None:
-            table.add_row(label, escape(text))
+            table.add_row(_text(label), _text(text))
     return table
 
 
@@ -55,13 +64,13 @@ def _listing(listing: Listing) -> Table:
     return table
 
 
-def _cell(text: str) -> str:
-    style = STYLES.get(text.split(" ")[0].rstrip(",;"))
-    return f"[{style}]{escape(text)}[/{style}]" if style and len(text) < 24 else escape(text)
+def _cell(text: str) -> Text:
+    style = STYLES.get(text.split(" ")[0].rstrip(",;"), "")
+    return _text(text, style if len(text) < 24 else "")
 
 
 def _table(title: str, columns: Sequence[str]) -> Table:
-    table = Table(title=title, title_justify="left", title_style="bold", box=None, padding=(0, 2, 0, 0))
+    table = Table(title=_text(title, "bold"), title_justify="left", box=None, padding=(0, 2, 0, 0))
     for name in columns:
-        table.add_column(name, overflow="fold")
+        table.add_column(_text(name), overflow="fold")
     return table

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from polhode.cli.render import as_json, print_report
-from polhode.errors import InvalidInput, NotConverged
+from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.formats.paths import written_together
 from polhode.report.choice import report_of
 from polhode.spec.reading import read_spec
@@ -22,7 +22,8 @@ def figure_forms(named: list[str]) -> list[str]:
     forms = [form.strip().lower().removeprefix(".") for item in named for form in item.split(",")]
     if unknown := [form for form in forms if form not in FORMS]:
         known = ", ".join(FORMS)
-        raise InvalidInput(f"`--figures` must be one or more of {known}; got {unknown[0]!r}. Leave it out for png.")
+        got = shown(unknown[0])
+        raise InvalidInput(f"`--figures` must be one or more of {known}; got {got}. Leave it out for png.")
     return list(dict.fromkeys(forms)) or ["png"]
 
 

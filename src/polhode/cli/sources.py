@@ -10,7 +10,7 @@ import numpy as np
 
 from polhode.analysis.comparison import AttitudeHistory, Mechanics
 from polhode.bodies.frame import BodyFrame
-from polhode.errors import FormatError, InvalidInput, NotConverged
+from polhode.errors import FormatError, InvalidInput, NotConverged, printable
 from polhode.exact.free_body import FreeMotion
 from polhode.exact.lagrange_top import LagrangeMotion
 from polhode.formats.given_axes import along_given_axes, single_attitude
@@ -230,4 +230,4 @@ def _history(path: Path, trajectory: Trajectory) -> AttitudeHistory:
     times, first = np.unique(np.asarray(trajectory.times), return_index=True)
     velocity = trajectory.angular_velocity
     velocity = None if velocity is None else np.asarray(velocity)[first]
-    return AttitudeHistory(path.name, times, attitude[first], velocity)
+    return AttitudeHistory(printable(path.name), times, attitude[first], velocity)

@@ -1,0 +1,60 @@
+"""Output that every terminal can show: signs that its encoding lacks are written in other words."""
+
+from __future__ import annotations
+
+import codecs
+import contextlib
+import io
+import sys
+import unicodedata
+from collections.abc import Iterator
+
+HANDLER = "polhode-readable"
+IN_ASCII = {
+    "−": "-", "–": "-", "—": "-", "‘": "'", "’": "'", "“": '"', "”": '"', "…": "...", "·": "*", "×": "x",
+    "°": " deg", "√": "sqrt ", "∞": "infinity", "≤": "<=", "≥": ">=", "≠": "!=", "≈": "~", "∝": "~", "±": "+-",
+    "→": "->", "←": "<-", "∂": "d", "∑": "sum ", "Σ": "sum ", "α": "alpha", "β": "beta", "γ": "gamma",
+    "Γ": "Gamma", "δ": "delta", "Δ": "Delta", "ε": "epsilon", "ζ": "zeta", "θ": "theta", "κ": "kappa",
+    "λ": "lambda", "μ": "u", "µ": "u", "ν": "nu", "ξ": "xi", "π": "pi", "ρ": "rho", "σ": "sigma", "τ": "tau",
+    "φ": "phi", "χ": "chi", "ψ": "psi", "ω": "omega", "Ω": "Omega", "¹": "^1", "²": "^2", "³": "^3", "⁴": "^4",
+    "⁵": "^5", "⁶": "^6", "⁻": "^-", "½": "1/2", "¼": "1/4",
+}  # fmt: skip
+
+
+def in_ascii(text: str) -> str:
+    """Return text in ASCII: mathematical signs by name, letters without accents, the rest as ``\\\\u`` and its code.
+
+    >>> in_ascii("I₁ + I₂ ≥ I₃ kg m², 30°, Ω = −1, Körper, 人")
+    'I1 + I2 >= I3 kg m^2, 30 deg, Omega = -1, Korper, \\\\u4eba'
+    """
+    return "".join(c if c.isascii() else IN_ASCII.get(c) or _plainer(c) for c in text)
+
+
+def _plainer(character: str) -> str:
+    letters = unicodedata.normalize("NFKD", character).encode("ascii", "ignore").decode()
+    return letters or character.encode("ascii", "backslashreplace").decode()
+
+
+def _replaced(error: UnicodeError) -> tuple[str, int]:
+    if not isinstance(error, UnicodeEncodeError):
+        raise error
+    return in_ascii(error.object[error.start : error.end]), error.end
+
+
+codecs.register_error(HANDLER, _replaced)
+
+
+@contextlib.contextmanager
+def readable_output() -> Iterator[None]:
+    """Let standard output and error write in ASCII what their encoding cannot hold, for as long as this lasts."""
+    before = []
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):  # there may be none, or something in its place
+            before.append((stream, stream.errors))
+            stream.reconfigure(errors=HANDLER)
+    try:
+        yield
+    finally:
+        for stream, errors in before:
+            with contextlib.suppress(OSError, ValueError):  # closed, or nobody listens
+                stream.reconfigure(errors=errors)

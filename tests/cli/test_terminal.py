@@ -1,0 +1,89 @@
+"""What is printed: nothing that a terminal obeys, in any encoding, and JSON that is JSON."""
+
+import json
+import os
+import re
+import subprocess
+import sys
+
+import pytest
+
+from polhode.cli.main import main
+from polhode.cli.terminal import in_ascii
+
+WAIT = 120  # s, of a command in a process of its own
+SPEC = """
+name = "[red]b[/red] [link=file:///x]c[/link] :bomb: \\u001b]0;owned\\u0007 \\u202e Ω人"
+[body]
+moments = ["1 kg*m^2", "2 kg*m^2", "3 kg*m^2"]
+[spin]
+rate = "60 rpm"
+about = 2
+tilt = "1 deg"
+[time]
+samples = 20
+"""
+PRINTED = "[red]b[/red] [link=file:///x]c[/link] :bomb: \\x1b]0;owned\\x07 \\u202e "
+ENCODINGS = ["ascii", "cp1252", "utf-8", "latin-1:strict", "cp437"]
+
+
+@pytest.fixture
+def spec(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "case.toml").write_text(SPEC, "utf-8")
+    return "case.toml"
+
+
+def run(arguments, capfd):
+    with pytest.raises(SystemExit) as stopped:
+        main(arguments)
+    out, err = capfd.readouterr()
+    return stopped.value.code or 0, out, err
+
+
+def in_process(arguments, encoding="utf-8", **more):
+    command = [sys.executable, "-m", "polhode.cli.main", *arguments]
+    environment = os.environ | {"PYTHONIOENCODING": encoding}
+    return subprocess.run(command, capture_output=True, timeout=WAIT, env=environment, check=False, **more)
+
+
+def test_names_are_printed_as_they_stand(spec, capfd):
+    code, out, _ = run(["body", spec], capfd)
+    assert code == 0 and out.startswith(PRINTED) and "\x1b" not in out
+
+
+@pytest.mark.parametrize("arguments", [["body", "no\x1b[31m.toml"], ["body", os.fsdecode(b"\xff\x1b.toml")],
+                                       ["export", "case.toml", "--to", "\x1b[31mcsv"], ["bo\x1bdy"],
+                                       ["body", "--\x1b[31mx"], ["live", "--port", "\x1b[31m"],
+                                       ["report", "case.toml", "--figures", "[red]\x1b"]])  # fmt: skip
+def test_messages_hold_nothing_that_a_terminal_obeys(spec, capfd, arguments):
+    code, out, err = run(arguments, capfd)
+    assert code == 2 and out == "" and err and "\x1b" not in err and "Traceback" not in err
+
+
+@pytest.mark.parametrize("encoding", ENCODINGS)
+def test_every_encoding_holds_the_output(spec, encoding):
+    done = in_process(["body", spec], encoding)
+    assert done.returncode == 0 and done.stderr == b""
+    text = done.stdout.decode(encoding.split(":")[0])
+    assert text.startswith(PRINTED) and re.search(r"kg m(²|\^2)", text)
+
+
+def test_json_is_ascii_in_every_encoding(spec):
+    done = in_process(["body", spec, "--json"], "ascii")
+    assert done.returncode == 0 and json.loads(done.stdout.decode("ascii"))["name"].endswith("Ω人")
+
+
+def test_names_of_files_that_are_not_utf8(spec, tmp_path, capfd):
+    name = os.fsdecode(b"a\xff\x1b.toml")
+    (tmp_path / "case.toml").rename(tmp_path / name)
+    (tmp_path / name).write_text(SPEC.replace("name =", "#"), "utf-8")
+    code, out, err = run(["export", name, "--to", "csv"], capfd)
+    assert (code, err) == (0, "") and out.startswith("a\\udcff\\x1b.csv: ")
+    assert (tmp_path / os.fsdecode(b"a\xff\x1b.csv")).is_file()
+    code, out, err = run(["body", name, "--json"], capfd)
+    assert (code, err) == (0, "") and json.loads(out)["name"] == "a\\udcff\\x1b"
+
+
+def test_signs_have_names_in_ascii():
+    assert in_ascii("−1.5 kg m² ≥ 30°, Ω·L, µ, naïve, 人") == "-1.5 kg m^2 >= 30 deg, Omega*L, u, naive, \\u4eba"
