@@ -157,7 +157,8 @@ def _towards_upright(top: Spherical, tau: fmpq, bits: int) -> tuple[acb, acb, ac
     enough = (DECAYED + 2 * start.log().abs_upper() + 10) / decay
     if abs(arb(tau)) <= enough:
         return taylor(top, arb(tau), bits)
-    arrival = fmpq(int(enough.abs_upper().ceil().unique_fmpz()) if enough > 1 else 1) * (1 if tau > 0 else -1)
+    # any rational time beyond is right; one far beyond would cost a step for every radian
+    arrival = exact(1.01 * float(enough)) * (1 if tau > 0 else -1)
     alpha, _, _ = taylor(top, arb(arrival), 140, growth=1.2 * float(enough * decay))
     return alpha * _turn(arb(top.a * (tau - arrival)) / 2), acb(0), acb(0)
 

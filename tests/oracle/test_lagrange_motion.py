@@ -29,8 +29,8 @@ from oracle.reference import exact
 
 WORST_ERROR = 16.0
 """eps, for every attitude entry and every entry of L over the largest |L| of the motion: the promise of the library."""
-SUITE_PER_FAMILY, SWEEP_PER_FAMILY, MIXED_PER_FAMILY = 8, 250, 3
-"""216, 6,750 and 81 cases over the 27 families."""
+SUITE_PER_FAMILY, SWEEP_PER_FAMILY, MIXED_PER_FAMILY = 8, 100, 3
+"""216, 2,700 and 81 cases over the 27 families."""
 SAME = 4.0
 """eps between two evaluations of one formula, whose vector loops may round sines and products differently."""
 ORACLES_AGREE = 2.0**-155
