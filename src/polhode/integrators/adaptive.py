@@ -14,11 +14,12 @@ import jax.numpy as jnp
 import numpy as np
 import optimistix
 
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, NotConverged
 from polhode.systems.base import AbstractSystem
 
 Array = Any
 TOLERANCE = 1e-12  # of a step, relative; below it rounding of the stages is all that is left
+MOST_STEPS = 15_000_000  # of a run, some ten minutes
 TIME_ROUNDING = 1e-16  # of the times: shorter steps do not advance
 EVENT_TOLERANCE = 1e-15  # of an event's time, relative: a few roundings
 
@@ -80,12 +81,14 @@ def solve_adaptively(
 
     Raises:
         InvalidInput: if an event has already happened at the start, or for a batch of states with events.
+        NotConverged: if it takes too many steps.
     """  # fmt: skip
     _check_events(system, times[0], state)
     largest = None if step is None else jnp.asarray(float(step))
     if meter is None:
         meter = diffrax.NoProgressMeter()
     solution = _solve(system, solver, state, jnp.asarray(times), largest, meter)
+    _check_reached(solution, times)
     results: Any = diffrax.RESULTS
     ended = bool(solution.result == results.event_occurred)
     reached = np.isfinite(np.asarray(solution.ts[0])) if ended else np.ones(len(times), bool)
@@ -98,6 +101,14 @@ def solve_adaptively(
         ts, ys = np.append(ts[before], last), _joined(_taken(ys, before), solution.ys[1])
     fine = ended or bool(solution.result == results.successful)
     return AdaptiveMotion(ts, ys.state, ys.received, event, fine, int(solution.stats["num_steps"]))
+
+
+def _check_reached(solution: Any, times: np.ndarray) -> None:
+    if int(np.max(np.asarray(solution.stats["num_steps"]))) >= MOST_STEPS:
+        raise NotConverged(
+            f"{MOST_STEPS:.1e} steps did not reach the last time, {times[-1]:g} s, and at most so many are taken. Give "
+            "an earlier last time, which is `time.until` in a spec, or follow the motion in parts."
+        )
 
 
 def _check_events(system: AbstractSystem, t: float, state: Array) -> None:
@@ -139,7 +150,7 @@ def _solve(
         stepsize_controller=diffrax.ClipStepSizeController(control, step_ts=times),
         saveat=diffrax.SaveAt(subs=[diffrax.SubSaveAt(ts=times), diffrax.SubSaveAt(t1=True)]),
         event=diffrax.Event(lowest, EventBisection(), direction=False) if system.events else None,
-        max_steps=None, progress_meter=meter, adjoint=diffrax.ForwardMode(),
+        max_steps=MOST_STEPS, progress_meter=meter, adjoint=diffrax.ForwardMode(),
     )  # fmt: skip
     whole = lambda y: _Carried(y.state * scale, {name: y.received[name] * size for name, size in sizes.items()})  # noqa: E731
     saved: Any = solution.ys

@@ -18,6 +18,7 @@ from polhode.bodies.frame import BodyFrame
 from polhode.errors import InvalidInput
 from polhode.report.base import AbstractReport, Listing, Section
 from polhode.report.free_body import body_summary
+from polhode.report.length import ADAPTIVE, ORBITING, TURNING, check_length
 from polhode.report.wording import angle, body_section, drifts, number, stability_values, vector, verdicts
 from polhode.simulation import simulate
 from polhode.spec.reading import Spec
@@ -212,9 +213,20 @@ def damped_body_report(spec: Spec, table: DampedBodyTable, times: Array | None) 
         end, cut = _end(table, moments, momentum, axes)
         times = np.linspace(0.0, end, spec.samples)
     state = np.concatenate([attitude, momentum])
+    steps = _fewest_steps(table, moments, norm, float(np.ptp(times)))
+    shown = check_length(spec.until, times, steps, ADAPTIVE)
     # adaptive steps, as they integrate the energy's balance beside the motion
-    trajectory = simulate(system, state, times, method=diffrax.Dopri8())
+    trajectory = simulate(system, state, times, method=diffrax.Dopri8(), progress=shown)
     return DampedBodyReport(spec, table, trajectory, axes, cut)
+
+
+def _fewest_steps(table: DampedBodyTable, moments: Array, norm: float, span: float) -> float:
+    """Return about how many adaptive steps a run takes at least: those of the slowest rotation with this |L|.
+
+    Drag takes |L| itself, and leaves what follows the orbit.
+    """
+    around = 0.0 if table.orbital_period is None else ORBITING * 2.0 * math.pi / table.orbital_period
+    return span * (TURNING * norm / float(np.max(moments)) if table.damping is not None else around)
 
 
 def _system(table: DampedBodyTable, moments: Array, norm: float) -> DoubleBracket | TorquedBody:

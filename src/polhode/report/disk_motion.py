@@ -9,9 +9,17 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode.analysis.rolling import critical_rolling_speed, critical_spin_rate, nutation, rolling_stability
-from polhode.analysis.spin_down import ASYMPTOTIC_FIT, FALL_SAMPLES, SpinDown, adiabatic_end, spin_down
+from polhode.analysis.spin_down import (
+    ASYMPTOTIC_FIT,
+    FALL_SAMPLES,
+    STEPS_PER_RADIAN,
+    SpinDown,
+    adiabatic_end,
+    spin_down,
+)
 from polhode.errors import InvalidInput, NotConverged
 from polhode.report.euler_disk import EulerDiskReport, LawShare, Path, Steady, law_names
+from polhode.report.length import ADAPTIVE, check_length
 from polhode.simulation import simulate
 from polhode.spec.reading import Spec
 from polhode.spec.systems import EulerDiskTable
@@ -53,8 +61,12 @@ def euler_disk_report(spec: Spec, table: EulerDiskTable, times: Array | None) ->
         opening = _dense(disk, start, 0.0, turn, TURN_SAMPLES)
     else:
         found, opening = None, None
-        span = PERIODS * _period(disk, start, steady)
-        trajectory = simulate(disk, start, np.linspace(0.0, span, spec.samples) if times is None else times)
+        if times is None:
+            times = np.linspace(0.0, PERIODS * _period(disk, start, steady), spec.samples)
+        # losses bring it to an end, of which nothing is known yet
+        steps = 0.0 if table.dissipation else STEPS_PER_RADIAN * float(np.ptp(times)) * _fastest(disk, start)
+        shown = check_length(spec.until, times, steps, ADAPTIVE)
+        trajectory = simulate(disk, start, times, progress=shown)
         path = _first_turns(disk, trajectory, spec.samples)
     by_energy = None if found is None or table.precession is not None else adiabatic_end(disk, table.tilt)
     upright = not table.thickness and abs(table.tilt - 0.5 * math.pi) < UPRIGHT
@@ -108,8 +120,12 @@ def _period(disk: EulerDisk, start: Array, steady: Steady | None) -> float:
     """Return the time of a small nutation, of a turn where it is unstable, of a swing where nothing turns."""
     if steady is not None and steady.nutation:
         return 2.0 * math.pi / steady.nutation
-    rates = (abs(float(disk.precession(start))), float(jnp.linalg.norm(start[5:])))
-    return 2.0 * math.pi / max(*rates, math.sqrt(float(disk.mechanics.gravity / disk.mechanics.radius)))
+    swinging = math.sqrt(float(disk.mechanics.gravity / disk.mechanics.radius))
+    return 2.0 * math.pi / max(_fastest(disk, start), swinging)
+
+
+def _fastest(disk: EulerDisk, start: Array) -> float:
+    return max(abs(float(disk.precession(start))), float(jnp.linalg.norm(start[5:])))
 
 
 def _first_turns(disk: EulerDisk, trajectory: Trajectory, samples: int) -> Path:

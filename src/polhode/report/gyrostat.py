@@ -15,6 +15,7 @@ from polhode.bodies.body import Body, principal_axes
 from polhode.bodies.frame import BodyFrame
 from polhode.errors import InvalidInput
 from polhode.report.base import AbstractReport, Listing, Section
+from polhode.report.length import ADAPTIVE, SPLITTING, TURNING, check_length, equal_steps
 from polhode.report.wording import (
     angle,
     axes_lines,
@@ -271,13 +272,18 @@ def gyrostat_report(spec: Spec, table: GyrostatTable, times: Array | None) -> Gy
     if times is None:
         times = np.linspace(0.0, _span(table, moments, velocity, total), spec.samples)
     state = np.concatenate([attitude, total])
+    span = float(np.ptp(times))
     if table.motor_torque is None:
+        steps = equal_steps(span, _rate(moments, velocity, total), table.step)
+        check_length(spec.until, times, steps, SPLITTING, "Or a longer `system.step`.")
         trajectory = simulate(Gyrostat(moments, momentum * along), state, times, order=ORDER,
                               step=table.step or _step(moments, velocity, total))  # fmt: skip
         last = momentum
     else:
         system = TorquedGyrostat(moments, along, table.rotor_moment, table.motor_torque)
-        trajectory = simulate(system, np.append(state, momentum), times, step=table.step)
+        steps = max(_driven_steps(table, moments, total, span), span / (table.step or math.inf))
+        shown = check_length(spec.until, times, steps, ADAPTIVE)
+        trajectory = simulate(system, np.append(state, momentum), times, step=table.step, progress=shown)
         last = float(np.asarray(trajectory.states)[-1, 7])
     k = _symmetry(moments, along)
     nutation = None
@@ -385,6 +391,12 @@ def _rate(moments: Array, velocity: Array, total: Array) -> float:
 def _step(moments: Array, velocity: Array, total: Array) -> float | None:
     turning = _rate(moments, velocity, total)
     return STEP_ANGLE / turning if turning else None
+
+
+def _driven_steps(table: GyrostatTable, moments: Array, total: Array, span: float) -> float:
+    """Return about how many adaptive steps a run takes at least: |L| stays, so the carrier turns back as h grows."""
+    turned = (0.5 * abs(table.motor_torque or 0.0) * span - float(np.linalg.norm(total))) * span / np.max(moments)
+    return TURNING * max(float(turned), 0.0)
 
 
 def _span(table: GyrostatTable, moments: Array, velocity: Array, total: Array) -> float:

@@ -16,6 +16,7 @@ from polhode.bodies.body import Body
 from polhode.bodies.frame import BodyFrame
 from polhode.errors import InvalidInput
 from polhode.report.base import AbstractReport, Listing, Section
+from polhode.report.length import ADAPTIVE, ORBITING, check_length
 from polhode.report.wording import body_section, drifts, number
 from polhode.simulation import simulate
 from polhode.spec.reading import Spec
@@ -226,8 +227,11 @@ def spin_orbit_report(spec: Spec, table: SpinOrbitTable, times: Array | None) ->
     e = table.eccentricity
     fastest = max(abs(table.spin_ratio), math.sqrt(1.0 + e) / (1.0 - e) ** 1.5)
     highest = min(max(LISTED[0], 0.5 * math.ceil(2.0 * fastest)), LISTED[1])
+    steps = ORBITING * float(np.ptp(times)) * n * max(1.0, abs(table.spin_ratio))
+    shown = check_length(spec.until, times, steps, ADAPTIVE)
+    trajectory = simulate(system, state, times, progress=shown)
     return SpinOrbitReport(
-        spec.body, system, simulate(system, state, times), resonances(system, highest), spin_motion(system, state),
+        spec.body, system, trajectory, resonances(system, highest), spin_motion(system, state),
         table.section_orbits,
     )  # fmt: skip
 

@@ -17,6 +17,7 @@ from polhode.errors import InvalidInput
 from polhode.exact.lagrange_top import LagrangeMotion
 from polhode.exact.steady_precession import SteadyPrecession, sleeping_threshold, steady_precession
 from polhode.report.base import AbstractReport, Listing, Section
+from polhode.report.length import SPLITTING, check_length, equal_steps
 from polhode.report.wording import (
     angle,
     axes_lines,
@@ -28,7 +29,7 @@ from polhode.report.wording import (
     vector,
     verdicts,
 )
-from polhode.simulation import STEP_ANGLE, fastest_rate, simulate
+from polhode.simulation import fastest_rate, simulate
 from polhode.spec.reading import Spec
 from polhode.spec.systems import HeavyTopTable, LagrangeTopTable
 from polhode.systems.heavy_top import ALONG, HeavyTop
@@ -147,7 +148,6 @@ INVARIANT_UNITS = {
     "Goryachev and Chaplygin's integral": "1/s³",
 }  # fmt: skip
 NAMES = {"|P|²": "|Γ|²", "Π·P": "vertical_momentum"}  # the Casimirs of se(3)*, called by what they are here
-MOST_STEPS = 30_000_000  # some ten minutes
 
 
 @dataclass(frozen=True)
@@ -261,22 +261,14 @@ def heavy_top_report(spec: Spec, table: HeavyTopTable, times: Array | None) -> T
                       momentum=np.asarray(top.axes) @ momentum)  # fmt: skip
     if times is None:
         times = np.linspace(0.0, PERIODS * _natural_period(top, momentum), spec.samples)
-    _check_length(top, state, times, table.step)
+    rate, span = fastest_rate(top, state), float(np.ptp(times))
+    check_length(spec.until, times, equal_steps(span, rate, table.step), SPLITTING,
+                 'Or a longer `system.step`, or kind = "lagrange-top" if it is one.')  # fmt: skip
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", UserWarning)
         trajectory = _called(simulate(top, state, times, step=table.step, order=table.order))
     warned = tuple(str(warning.message) for warning in caught)
     return TopReport(spec, top, np.asarray(table.pivot), trajectory, _verdicts(top, momentum), free, warned)
-
-
-def _check_length(top: HeavyTop, state: Array, times: Array, step: float | None) -> None:
-    rate = fastest_rate(top, state)
-    steps = float(np.ptp(times)) / (step or (STEP_ANGLE / rate if rate else np.inf))
-    if steps > MOST_STEPS:
-        raise InvalidInput(
-            f"`time.until` of {float(times[-1]):g} s would take {steps:.1e} steps; at most {MOST_STEPS:.0e} are "
-            'taken here. Check the unit, give a shorter time or a longer `step`, or kind = "lagrange-top" if it is one.'
-        )
 
 
 def _called(trajectory: Trajectory) -> Trajectory:
