@@ -7,6 +7,8 @@ from typing import Annotated
 
 import typer
 
+from polhode.cli.arguments import StrictCommand, whole_number
+
 app = typer.Typer(
     name="polhode",
     help="How does this thing rotate? Exact motion of rigid bodies, and what it means.",
@@ -26,7 +28,11 @@ FrameKernel = Annotated[
 LeapSeconds = Annotated[
     Path | None, typer.Option("--lsk", metavar="FILE", help="Leap-seconds kernel (default: beside it, .tls, or ours).")
 ]
-SpiceId = Annotated[int | None, typer.Option("--spice-id", metavar="N", help="Whose attitude, of several in a kernel.")]
+SpiceId = Annotated[
+    int | None,
+    typer.Option("--spice-id", metavar="N", parser=whole_number(-(2**31), 2**31 - 1),
+                 help="Whose attitude, of several in a kernel."),
+]  # fmt: skip
 
 
 @app.callback(invoke_without_command=True)
@@ -41,7 +47,7 @@ def about(
         raise typer.Exit
 
 
-@app.command()
+@app.command(cls=StrictCommand)
 def report(
     spec: SpecPath,
     json: AsJson = False,
@@ -61,7 +67,7 @@ def report(
     run_report(spec, json, out, figures or [], html)
 
 
-@app.command()
+@app.command(cls=StrictCommand)
 def view(
     spec: SpecPath,
     out: Annotated[
@@ -76,12 +82,15 @@ def view(
     run_view(spec, out, not no_open)
 
 
-@app.command()
+@app.command(cls=StrictCommand)
 def live(
     spec: Annotated[
         Path | None, typer.Argument(metavar="[SPEC]", help="TOML file to begin with; without one, a T-handle's like.")
     ] = None,
-    port: Annotated[int, typer.Option("--port", help="Where the browser finds it; 0 for any free one.")] = 8080,
+    port: Annotated[
+        int, typer.Option("--port", metavar="N", parser=whole_number(0, 65535),
+                          help="Where the browser finds it; 0 for any free one.")
+    ] = 8080,
     no_open: Annotated[bool, typer.Option("--no-open", help="Serve without opening a browser.")] = False,
 ) -> None:
     """Play with a body: sliders for its moments and spin, and its exact motion as they move."""
@@ -90,7 +99,7 @@ def live(
     run_live(spec, port, not no_open)
 
 
-@app.command()
+@app.command(cls=StrictCommand)
 def body(spec: SpecPath, json: AsJson = False) -> None:
     """Print the body's mass properties alone."""
     from polhode.cli.body import run_body
@@ -98,7 +107,7 @@ def body(spec: SpecPath, json: AsJson = False) -> None:
     run_body(spec, json)
 
 
-@app.command()
+@app.command(cls=StrictCommand)
 def export(
     spec: SpecPath,
     to: Annotated[
@@ -116,7 +125,7 @@ def export(
     run_export(spec, to, out)
 
 
-@app.command("import")
+@app.command("import", cls=StrictCommand)
 def import_(
     file: Annotated[Path, typer.Argument(metavar="FILE", help="CCSDS AEM or SPICE C-kernel.")],
     json: AsJson = False,
@@ -137,7 +146,7 @@ def import_(
     run_import(file, json, out, spec, Kernels(sclk, fk, lsk, spice_id))
 
 
-@app.command()
+@app.command(cls=StrictCommand)
 def compare(
     a: Annotated[Path, typer.Argument(metavar="A", help="Spec, dataset or CSV of polhode's, CCSDS AEM or C-kernel.")],
     b: Annotated[Path, typer.Argument(metavar="B", help="The same; times are counted by A.")],

@@ -39,9 +39,11 @@ def main(arguments: list[str] | None = None) -> NoReturn:
 def _run(arguments: list[str] | None) -> int | str | None:
     """Return the exit code of a command."""
     try:
+        from polhode.cli.arguments import check_arguments
         from polhode.cli.commands import app
 
         try:
+            check_arguments(sys.argv[1:] if arguments is None else arguments)
             app(arguments)
         finally:
             if sys.stdout is not None:
