@@ -4,6 +4,7 @@ import json
 import subprocess
 import sys
 
+import numpy as np
 import pytest
 
 from polhode.cli.main import main
@@ -159,3 +160,14 @@ def test_importing_polhode_imports_nothing_heavy():
     code = f"import sys, polhode; polhode.FreeMotion, polhode.Body; print([n for n in {HEAVY!r} if n in sys.modules])"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "[]"
+
+
+def test_a_lack_of_memory_is_one_message(spec, capsys, monkeypatch):
+    from polhode.cli import body
+
+    def lacks(path, json):
+        np.empty(2**58)
+
+    monkeypatch.setattr(body, "run_body", lacks)
+    code, out, err = run(["body", spec()], capsys)
+    assert code == 2 and out == "" and "not enough memory" in err and "2.00 EiB" in err and err.count("\n") == 1

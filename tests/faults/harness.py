@@ -1,5 +1,6 @@
 """Commands struck by signals at chosen moments, and what must hold afterwards."""
 
+import os
 import random
 import re
 import signal
@@ -158,3 +159,8 @@ def moments(seed, count, seconds):
     """Return moments at random, a third of them None: in the midst of writing."""
     chance = random.Random(seed)
     return [None if k % 3 == 0 else chance.uniform(0.0, seconds) for k in range(count)]
+
+
+def environment(**more):
+    """Return the environment of a command with more in it."""
+    return os.environ | more

@@ -1,4 +1,4 @@
-"""Commands that are killed, stopped or unheard end as promised, and lose nothing.
+"""Commands that are killed, stopped, unheard or unreadable end as promised, and lose nothing.
 
 After each: its exit code, the older file as it was or the newer one whole, nothing left behind, one message and no
 traceback. After a kill that nothing can catch, what is left goes with the next command that writes there.
@@ -11,7 +11,7 @@ import sys
 
 import pytest
 
-from faults.harness import CODES, COMMANDS, PATIENCE, Reference, moments, prepare, start, strike
+from faults.harness import CODES, COMMANDS, PATIENCE, Reference, environment, moments, prepare, start, strike
 
 pytestmark = [
     pytest.mark.skipif(not sys.platform.startswith("linux"), reason="signals are told by /proc"),
@@ -93,3 +93,14 @@ def test_output_that_cannot_be_written_is_one_message(tmp_path):
     with open("/dev/full", "wb") as full:  # noqa: PTH123
         code, _, err = run(prepare(tmp_path / "a"), "body", "case.toml", stdout=full)
     assert code == 2 and err.decode().count("\n") == 1 and b"No space left on device" in err
+
+
+@pytest.mark.parametrize("encoding", ["ascii", "cp1252"])
+def test_terminals_with_few_letters(tmp_path, encoding):
+    folder = prepare(tmp_path / "a")
+    code, out, err = run(folder, "body", "case.toml", env=environment(PYTHONIOENCODING=encoding))
+    assert code == 0 and err == b"" and out.decode(encoding)
+    text = (folder / "case.toml").read_text("utf-8").replace("samples", "samplés")
+    (folder / "case.toml").write_text(text, "utf-8")
+    code, out, err = run(folder, "body", "case.toml", env=environment(PYTHONIOENCODING=encoding))
+    assert code == 2 and out == b"" and b"Traceback" not in err and err.decode(encoding).startswith("polhode: ")

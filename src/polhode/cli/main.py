@@ -53,6 +53,9 @@ def _run(arguments: list[str] | None) -> int | str | None:
     except PolhodeError as error:
         _tell(f"polhode: {error}\n")
         return MISTAKE
+    except MemoryError as error:
+        _tell(f"polhode: there is not enough memory ({error}). Give fewer `samples` under [time], or a smaller file.\n")
+        return MISTAKE
     except BrokenPipeError:
         _silence()
         return PIPE_CLOSED
