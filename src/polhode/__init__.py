@@ -20,7 +20,8 @@ if TYPE_CHECKING:
         testing,
         viewer,
     )
-    from polhode.analysis.stability import find_equilibria, stability
+    from polhode.analysis.equilibria import find_equilibria
+    from polhode.analysis.stability import stability
     from polhode.bodies import shapes
     from polhode.bodies.atoms import from_atoms
     from polhode.bodies.body import Body, combine
@@ -48,7 +49,7 @@ _HOME = {
     "LagrangeMotion": "polhode.exact.lagrange_top",
     "NotConverged": "polhode.errors",
     "Trajectory": "polhode.trajectory",
-    "find_equilibria": "polhode.analysis.stability",
+    "find_equilibria": "polhode.analysis.equilibria",
     "simulate": "polhode.simulation",
     "stability": "polhode.analysis.stability",
 }

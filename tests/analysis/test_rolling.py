@@ -34,6 +34,7 @@ def test_nutation_of_a_disk_whose_centre_is_at_rest(tilt):
     assert abs(ratio**2 - (3 / 5 + np.sin(tilt) ** 2 / 5)) < 1e-13
     verdict = ph.stability(thin, state)
     assert verdict.verdict == "stable" and "positive definite" in verdict.certificate
+    assert verdict.restriction == "in tilt and rates, not in heading and place"
     assert abs(verdict.spectrum.imag.max() - nutation(thin, state)) < 1e-8 * nutation(thin, state)
 
 

@@ -277,7 +277,7 @@ def test_dependent_casimirs():
 
 
 @pytest.mark.parametrize("ratio", [1e-12, 1e-30, 1e12])
-@pytest.mark.parametrize("norm", [1e-100, 1.0, 1e100])
+@pytest.mark.parametrize("norm", [1e-200, 1e-100, 1.0, 1e100, 1e200])
 def test_verdicts_do_not_depend_on_units(ratio, norm):
     moments = (ratio, 1.0, 1 / ratio)
     found = [energy_casimir(*free_body_matrices(moments, axis, norm)) for axis in range(3)]
@@ -345,3 +345,11 @@ def test_points_that_are_no_equilibria_and_bad_shapes():
         energy_casimir(flow[:2, :2], gradient, *rest)
     with pytest.raises(InvalidInput, match="positive"):
         axis_stability((0.0, 1.0, 1.0), 1.0)
+
+
+@pytest.mark.parametrize(("moments", "norm"), [
+    ((1e-300, 1.0, 1e300), 1.0), ((1e-5, 2e-5, 3e-5), 1e305), ((1e300, 2e300, 3e300), 1e-300),
+])  # fmt: skip
+def test_axes_whose_rates_are_no_numbers_are_refused(moments, norm):
+    with pytest.raises(InvalidInput, match="choose other units"):
+        axis_stability(moments, norm)

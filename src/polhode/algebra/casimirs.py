@@ -93,7 +93,7 @@ def _generators(brackets: list[list[dict[int, Fraction]]]) -> list[int]:
         chosen.append(i)
         span = np.vstack([span, unit])
         while True:
-            products = np.einsum("ai,bj,ijk->abk", span, span, dense).reshape(-1, dim)
+            products = np.tensordot(span, np.tensordot(span, dense, (1, 1)), (1, 1)).reshape(-1, dim)
             _, sizes, rows = np.linalg.svd(np.vstack([span, products]))
             rank = int((sizes > 1e-9 * sizes[0]).sum())
             if rank == len(span):

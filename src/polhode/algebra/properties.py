@@ -35,3 +35,17 @@ def index(algebra: AbstractLieAlgebra) -> int:
     tensors = np.einsum("ijk,nk->nij", c, points)
     ranks = np.linalg.matrix_rank(tensors, tol=RANK_TOLERANCE * max(np.abs(tensors).max(initial=0.0), 1e-300))
     return int(len(c) - np.max(ranks))
+
+
+def is_compact(algebra: AbstractLieAlgebra) -> bool:
+    """Whether the inner automorphisms form a compact group: then orbits are compact, and Casimirs tell them apart.
+
+    Exactly where the Killing form is negative on a complement of the centre, as for so(n), su(n), and their sums.
+
+    >>> from polhode.algebra import SE3, SL, SO
+    >>> is_compact(SO(4)), is_compact(SL(2)), is_compact(SE3())
+    (True, False, False)
+    """
+    sizes = np.linalg.eigvalsh(killing_form(algebra))
+    zero = RANK_TOLERANCE * max(np.abs(sizes).max(initial=0.0), 1e-300)
+    return bool((sizes <= zero).all() and (sizes < -zero).sum() == algebra.dim - len(centre(algebra)))

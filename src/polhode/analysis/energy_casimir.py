@@ -1,9 +1,11 @@
 """Stability of an equilibrium of a Lie–Poisson system, by the energy–Casimir method and by the spectrum.
 
-An equilibrium is a critical point of F = H + Σ λ_k C_k. If the second variation of F is definite on the tangent space
-of the leaf (the null space of the dC_k), F itself confines every motion that starts near: that is the certificate. If
-the linearised flow on the leaf has an exponent with positive real part, its mode shows how neighbours leave. Between
-the two the matrices alone decide nothing, and that is said.
+An equilibrium is a critical point of F = H + Σ λ_k C_k. If the second variation of F is definite on the null space of
+the dC_k, then F + Σ c_k (C_k − C_k⁰)² has a strict extremum in the whole space for some c_k, and confines every motion
+that starts near: that is the certificate. It needs nothing of the C_k but that they are conserved; where leaves are
+singular the null space is larger than the leaf's tangent space, and the test is only harder to pass. If the linearised
+flow has an exponent with positive real part, its mode shows how neighbours leave. Between the two the matrices alone
+decide nothing, and that is said.
 
 Source: Holm, Marsden, Ratiu & Weinstein, Phys. Rep. 123 (1985) 1; Marsden & Ratiu, *Introduction to Mechanics and
 Symmetry*, §1.7 and §15.
@@ -22,6 +24,7 @@ from polhode.errors import InvalidInput
 
 Array = Any
 EQUILIBRIUM_TOLERANCE = 1e-8  # what may be left of dH + Σ λ dC relative to its terms: a solver's, not rounding
+SHOWN = 1e-12  # components of a unit direction below it are rounding errors
 NO_ENERGY = 1e-12  # weight of H, among weights of order one, that counts as none in a function of conserved quantities
 
 
@@ -29,13 +32,19 @@ NO_ENERGY = 1e-12  # weight of H, among weights of order one, that counts as non
 class Stability:
     """A verdict with its certificate.
 
+    "stable" is Lyapunov's: motions that start near enough, in any direction, on this leaf or on others, stay near for
+    all times. Where less is proved, ``restriction`` says what. "unstable" means that some motions leave however near
+    they start. "undecided" is all else, also where stability is proved on the leaf alone; the certificate says which.
+
     Attributes:
         verdict: "stable", "unstable" or "undecided".
         rate: largest real part of an exponent of the linearised flow on the leaf [1/s].
         growth: "exponential", "linear", or None for a verdict that is not "unstable".
         direction: (n,) unit direction in which neighbours leave, or None.
         certificate: the function that proves stability, the growth that disproves it, or why neither is known.
-        spectrum: exponents of the linearised flow on the leaf [1/s], complex.
+        spectrum: exponents of the linearised flow on the null space of the dC [1/s], complex; those that vanish
+            everywhere across regular leaves are left out.
+        restriction: what "stable" is restricted to, such as "up to the flow of J1"; None for all small perturbations.
     """
 
     verdict: str
@@ -44,6 +53,7 @@ class Stability:
     direction: Array | None
     certificate: str
     spectrum: Array
+    restriction: str | None = None
 
 
 def energy_casimir(
@@ -56,6 +66,9 @@ def energy_casimir(
     on_equilibria: bool = False,
     is_equilibrium: bool = False,
     tolerance: float = 1e-12,
+    sizes: tuple[Array, Array] | None = None,
+    contained: Array | None = None,
+    unit: float = 1.0,
 ) -> Stability:
     """Return the verdict on an equilibrium from the matrices there, in any consistent units.
 
@@ -72,11 +85,16 @@ def energy_casimir(
         casimir_hessians: (k, n, n) D²C_k.
         casimir_names: what to call the Casimirs in the certificate; C1, C2, … if empty.
         on_equilibria: whether every null direction of the second variation on the leaf is known to be tangent to a
-            family of equilibria on it. Then a shear along it moves neighbours away at a steady rate.
+            family of equilibria on it. Then a shear along it moves neighbours away at a steady rate. Where the whole
+            leaf is such a family, only a shear from other leaves is looked for.
         is_equilibrium: whether the field is known to vanish here. On singular leaves it may although dH is no
             combination of the dC; the spectrum alone can then decide.
         tolerance: relative error of the entries, which decides what counts as zero. Zero for matrices whose entries
             are right to their last digit.
+        sizes: (n,) of the terms of which dH is the sum and (n, n) of those of the linearisation. Where dH or the flow
+            vanishes but for rounding errors of these terms, it is judged beside them; without them, beside itself.
+        contained: (k,) multiples of the C_k that the given derivatives of H contain; the certificate names them.
+        unit: of the state, if H and the C_k are given in its square: the certificate's squares are then divided by it.
 
     Raises:
         InvalidInput: for shapes that do not match, values that are not finite, a point that is no equilibrium, or
@@ -92,7 +110,9 @@ def energy_casimir(
     dC = np.asarray(casimir_gradients, dtype=float).reshape(-1, g.size)
     ddC = np.asarray(casimir_hessians, dtype=float).reshape(-1, g.size, g.size)
     _check(A, g, H, dC, ddC, casimir_names, tolerance)
-    leaf = scaled_leaf(A, g, H, dC, ddC, tolerance)
+    leaf = scaled_leaf(A, g, H, dC, ddC, tolerance, sizes)
+    if not np.isfinite(leaf.multipliers).all():
+        raise InvalidInput("the multipliers of the Casimirs overflow; choose units in which |μ| is nearer to one.")
     names = list(casimir_names) or [f"C{k + 1}" for k in range(len(dC))]
     if leaf.residual > EQUILIBRIUM_TOLERANCE:
         return _on_singular_leaf(leaf, is_equilibrium)
@@ -102,9 +122,10 @@ def energy_casimir(
     curvatures = np.linalg.eigvalsh(second)
     zero = leaf.zero(weights)
     signs = int((curvatures > zero).sum()), int((curvatures < -zero).sum())
-    function = _function(weights / (weights[0] or 1.0), names)
+    total = weights if contained is None else weights + np.r_[0.0, weights[0] * contained]
+    function = _function(total / (weights[0] or 1.0), names)
     if max(signs) == curvatures.size:
-        return _stable(leaf, weights, second, function, names)
+        return _stable(leaf, weights, second, function, names, unit)
     spectrum, rate, way = _growth(leaf)
     if way is not None:
         return _unstable(spectrum, rate, way)
@@ -119,7 +140,9 @@ def energy_casimir(
     return Stability("undecided", 0.0, None, None, text, spectrum)
 
 
-def _stable(leaf: Leaf, weights: Array, second: Array, function: str, names: list[str]) -> Stability:
+def _stable(
+    leaf: Leaf, weights: Array, second: Array, function: str, names: list[str], unit: float
+) -> Stability:
     """State the function; multiples of (C − C⁰)² make it definite across leaves too, hence on all of the space."""
     sizes, vectors = np.linalg.eigh(second)
     sign = -1.0 if sizes.size and sizes[0] < 0 else 1.0
@@ -127,12 +150,13 @@ def _stable(leaf: Leaf, weights: Array, second: Array, function: str, names: lis
     # √|D²F| makes the flow antisymmetric, so that its exponents come out imaginary, as they are
     turned = root[:, None] * (vectors.T @ leaf.flow @ vectors) / root
     turned = np.linalg.eigvalsh(0.5j * (turned - turned.T))
-    spectrum = 1j * np.sort_complex(turned)[::-1] + 0.0
+    spectrum = leaf.unit * (1j * np.sort_complex(turned)[::-1] + 0.0)
     sign = sign * (np.sign(weights[0]) or 1.0)
-    squares = sign * leaf.squares(weights) / abs(weights[0] or 1.0)
-    for square, name in zip(squares, names, strict=True):
+    squares, lengths = leaf.squares(weights)
+    squares = sign * squares / abs(weights[0] or 1.0)
+    for square, length, name in zip(squares, lengths, names, strict=True):
         if square:
-            function += f" {'+' if square > 0 else '−'} {abs(square):.6g} Δ({name})²"
+            function += f" {'+' if square > 0 else '−'} {_square(abs(square), length, name, unit)}"
     text = f"the second variation of {function} is {'positive' if sign > 0 else 'negative'} definite"
     if sizes.size:
         text += f", on the leaf by {np.abs(sizes).min() / leaf.size(weights):.3g} of its largest term"
@@ -151,20 +175,34 @@ def _on_equilibria(leaf: Leaf, second: Array, zero: float, function: str, spectr
     sizes, vectors = np.linalg.eigh(second)
     flat = vectors[:, np.abs(sizes) <= zero]
     if flat.shape[1] == sizes.size:
-        text = f"every neighbour on the leaf is an equilibrium, as {function} is constant there"
-        return Stability("stable", 0.0, None, None, text, spectrum)
+        return _all_at_rest(leaf, function, spectrum)
     across = leaf.flow - flat @ (flat.T @ leaf.flow)
-    drivers = null_space(across, leaf.noise * np.abs(leaf.flow).max())
+    drivers = null_space(across, leaf.noise * leaf.flow_size)
     _, shear, rows = np.linalg.svd(leaf.flow @ drivers)
-    if shear[0] <= leaf.noise * np.abs(leaf.flow).max():
+    if shear[0] <= leaf.noise * leaf.flow_size:
         text = (
             f"the second variation of {function} on the leaf is degenerate, along equilibria without shear: "
             "neighbours drift along them, if at all, at a rate of second order in the distance"
         )
         return Stability("undecided", 0.0, None, None, text, spectrum)
     driver = drivers @ rows[0]
-    moved, displaced = leaf.out(leaf.flow @ driver), leaf.out(driver)
-    rate, way = np.linalg.norm(moved) / np.linalg.norm(displaced), _unit(moved)
+    return _shear(leaf.out(leaf.flow @ driver), leaf.out(driver), leaf.unit, spectrum)
+
+
+def _all_at_rest(leaf: Leaf, function: str, spectrum: Array) -> Stability:
+    """Judge a leaf of equilibria: its neighbours may hold none, and then drift past at a rate of their distance."""
+    _, sizes, rows = np.linalg.svd(leaf.full)
+    if sizes[0] > leaf.noise * leaf.flow_size:
+        return _shear(leaf.scale * (leaf.full @ rows[0]), leaf.scale * rows[0], leaf.unit, spectrum)
+    text = (
+        f"every neighbour on the leaf is an equilibrium, as {function} is constant there; "
+        "on neighbouring leaves motions drift, if at all, at a rate of second order in the distance"
+    )
+    return Stability("undecided", 0.0, None, None, text, spectrum)
+
+
+def _shear(moved: Array, displaced: Array, unit: float, spectrum: Array) -> Stability:
+    rate, way = float(unit * np.linalg.norm(moved) / np.linalg.norm(displaced)), _unit(moved)
     text = f"neighbours leave at a steady rate along ({_shown(way)}), {rate:.6g}/s times their distance"
     return Stability("unstable", 0.0, "linear", way, text, spectrum)
 
@@ -202,9 +240,9 @@ def _growth(leaf: Leaf) -> tuple[Array, float, Array | None]:
     spectrum, left, right = found
     k = int(np.argmax(spectrum.real))
     alignment = max(abs(np.vdot(left[:, k], right[:, k])), np.finfo(float).tiny)
-    if spectrum[k].real <= leaf.noise * np.abs(leaf.flow).max() / alignment:
-        return spectrum, 0.0, None
-    return spectrum, float(spectrum[k].real), _unit(leaf.out(_largest_real_part(right[:, k])))
+    if spectrum[k].real <= leaf.noise * leaf.flow_size / alignment:
+        return leaf.unit * spectrum, 0.0, None
+    return leaf.unit * spectrum, leaf.unit * float(spectrum[k].real), _unit(leaf.out(_largest_real_part(right[:, k])))
 
 
 def _unstable(spectrum: Array, rate: float, way: Array) -> Stability:
@@ -251,8 +289,22 @@ def _function(weights: Array, names: list[str]) -> str:
     text = "H" if weights[0] else ""
     for weight, name in zip(weights[1:], names, strict=True):
         if weight:
-            text += f" {'+' if weight >= 0 else '−'} {abs(weight):.6g} {name}"
+            text += f" {'+' if weight >= 0 else '−'} {abs(weight):.6g} {bracketed(name)}"
     return text.removeprefix(" + ").strip()
+
+
+def bracketed(name: str) -> str:
+    """Return a function's name as a factor: a sum in brackets."""
+    return f"({name})" if name.startswith("−") or any(f" {sign} " in name for sign in "+−") else name
+
+
+def _square(weight: float, length: float, name: str, unit: float) -> str:
+    """Return weight (C − C⁰)²/(length · unit)² in words, with what is squared apart where it would overflow."""
+    if unit != 1.0:
+        weight, length = weight / length**2, unit
+    if 1e-140 < length < 1e140:
+        return f"{weight / length**2:.6g} Δ({name})²"
+    return f"{weight:.6g} (Δ({name})/{length:.6g})²"
 
 
 def _unit(vector: Array) -> Array:
@@ -262,4 +314,4 @@ def _unit(vector: Array) -> Array:
 
 
 def _shown(vector: Array) -> str:
-    return ", ".join(f"{x:.4g}" for x in vector)
+    return ", ".join(f"{x:.4g}" for x in np.where(np.abs(vector) > SHOWN, vector, 0.0))

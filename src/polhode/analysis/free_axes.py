@@ -43,14 +43,19 @@ def _about(I: Array, norm: float, i: int) -> Stability:  # noqa: E741
     """Judge axis i in units where I_i = |L| = 1; the Casimir has been taken out of the energy beforehand."""
     j, k = (i + 1) % 3, (i + 2) % 3
     curvature = np.zeros((3, 3))
-    curvature[j, j], curvature[k, k] = (I[i] - I[j]) / I[j], (I[i] - I[k]) / I[k]
+    with np.errstate(over="ignore", under="ignore"):
+        curvature[j, j], curvature[k, k] = (I[i] - I[j]) / I[j], (I[i] - I[k]) / I[k]
+        rate = norm / I[i]
+    if not (np.isfinite(curvature).all() and np.isfinite(rate) and (rate > 0.0) == (norm > 0.0)):
+        raise InvalidInput(
+            f"`moments` {I.tolist()} and |L| = {norm:g} give numbers that overflow or underflow; choose other units."
+        )
     flow = np.zeros((3, 3))
     flow[j, k], flow[k, j] = -curvature[k, k], curvature[j, j]
     axis = np.eye(3)[i]
     found = energy_casimir(
         flow, np.zeros(3), curvature, axis[None], np.eye(3)[None], ["½|L|²"], on_equilibria=True, tolerance=0.0
     )
-    rate = norm / I[i]
     function = f"H − |L|²/(2·{I[i]:.6g})"
     terms = _quadratic_form({f"δL{n + 1}²": curvature[n, n] / I[i] for n in (j, k)})
     if norm == 0.0:
@@ -63,7 +68,8 @@ def _about(I: Array, norm: float, i: int) -> Stability:  # noqa: E741
         None: f"{function} has an extremum on the sphere: {terms}",
     }[found.growth]
     if not curvature.any():
-        text = f"every axis of a sphere is a rest of L: {function} is constant"
+        text = f"every L of a sphere is at rest: {function} is zero everywhere"
+        return replace(found, verdict="stable", certificate=text)
     return replace(found, rate=found.rate * rate, spectrum=found.spectrum * rate, certificate=text)
 
 

@@ -58,7 +58,10 @@ def rolling_stability(disk: EulerDisk, state: Array) -> Stability:
         )
     found = energy_casimir(flow, slope, curvature, dJ, ddJ, ["J2", "J3"], is_equilibrium=True, tolerance=1e-12)
     where = "; J2, J3 are ω2, ω3 carried to this tilt by their linear equations"
-    return replace(found, certificate=found.certificate + (where if "J" in found.certificate else ""))
+    restriction = "in tilt and rates, not in heading and place" if found.verdict == "stable" else None
+    return replace(
+        found, certificate=found.certificate + (where if "J" in found.certificate else ""), restriction=restriction
+    )
 
 
 def nutation(disk: EulerDisk, state: Array) -> float | None:

@@ -16,6 +16,7 @@ from polhode.errors import InvalidInput
 Array = Any
 CONSERVATION_TOLERANCE = 1e-6  # what may be left of dC A and D²F A + (D²F A)ᵀ relative to their terms, after a solver
 RANK_TOLERANCE = 1e-12  # singular value of unit gradients below which they are dependent
+ROUNDING = 1e-14  # multipliers below it, in units of the terms of dH, are those of its rounding errors
 SWEEPS = 8
 ROUNDS = 200
 GAP = 0.1
@@ -25,7 +26,9 @@ class Leaf(NamedTuple):
     """An equilibrium's matrices on the tangent space of its leaf, in scaled coordinates x = scale · y.
 
     Attributes:
-        flow: (d, d) linearised flow along ``basis`` [1/s].
+        flow: (d, d) linearised flow along ``basis``, in ``unit``.
+        full: (n, n) the same on all of the space.
+        flow_size: the largest of the terms of which the flow's entries are sums.
         drift: (k, n) dC A for unit dC, relative to the largest entry of A; zero for Casimirs.
         hessians: (1+k, d, d) second derivatives of H and the C_k along ``basis``.
         terms: (1+k, d, d) the same in absolute values of all entries, which bound the effect of their errors.
@@ -36,10 +39,13 @@ class Leaf(NamedTuple):
         basis: (n, d) orthonormal.
         scale: (n,) powers of two.
         residual: what is left of dH + Σ λ dC, relative to its terms.
-        tolerance: relative error of the entries, as stated by the caller.
+        tolerance: relative error of the entries, as stated by the caller, or of the λ where gradients nearly depend.
+        unit: of the flow [1/s], a power of two.
     """
 
     flow: Array
+    full: Array
+    flow_size: float
     drift: Array
     hessians: Array
     terms: Array
@@ -51,6 +57,7 @@ class Leaf(NamedTuple):
     scale: Array
     residual: float
     tolerance: float
+    unit: float
 
     @property
     def noise(self) -> float:
@@ -59,11 +66,11 @@ class Leaf(NamedTuple):
 
     def combination(self, weights: Array) -> Array:
         """Return Σ weights · second derivatives, (d, d)."""
-        return np.einsum("k,kij->ij", weights, self.hessians)
+        return np.tensordot(weights, self.hessians, 1)
 
     def size(self, weights: Array) -> float:
         """Return the largest term of the combination, before anything cancels."""
-        return float(np.einsum("k,kij->ij", np.abs(weights), self.terms).max(initial=0.0))
+        return float(np.tensordot(np.abs(weights), self.terms, 1).max(initial=0.0))
 
     def zero(self, weights: Array) -> float:
         """Return how far from zero errors of the entries can move an eigenvalue of the combination."""
@@ -83,28 +90,27 @@ class Leaf(NamedTuple):
         if weights is None or not self.basis.shape[1]:
             return
         change = self.combination(weights) @ self.flow
-        terms = np.einsum("k,kij->ij", np.abs(weights), self.terms) @ np.abs(self.flow)
-        if np.abs(change + change.T).max() > CONSERVATION_TOLERANCE * terms.max():
+        terms = np.tensordot(np.abs(weights), self.terms, 1).max() * self.flow_size
+        if np.abs(change + change.T).max() > CONSERVATION_TOLERANCE * terms:
             raise InvalidInput(
                 "the linearised flow does not conserve the second variation of H + Σ λ C: D²F A must be antisymmetric. "
                 "Check that the Hessians and the linearisation belong to the same conservative system and point."
             )
 
-    def squares(self, weights: Array) -> Array:
-        """Return c_k ≥ 0 with |D²F| + 2 Σ c_k dC_k dC_kᵀ positive definite on all of the space, for D²F definite here.
+    def squares(self, weights: Array) -> tuple[Array, Array]:
+        """Return c_k ≥ 0 and ℓ_k with |D²F| + 2 Σ (c_k/ℓ_k²) dC_k dC_kᵀ definite on all of the space, for D²F so here.
 
         By Schur's complement the part across the leaf must exceed what the coupling takes away [Finsler's lemma].
         """
-        K = np.einsum("k,kij->ij", weights, self.whole)
+        K = np.tensordot(weights, self.whole, 1)
         K = 0.5 * (K + K.T)
         if self.basis.shape[1] and self.combination(weights)[0, 0] < 0:
             K = -K
-        lengths = np.linalg.norm(self.gradients, axis=1)
-        squares = np.zeros(len(lengths))
+        squares, lengths = np.zeros(len(self.gradients)), _unit_rows(self.gradients)[1]
         rows = self.gradients[lengths > 0] / lengths[lengths > 0, None]
         across = np.linalg.svd(self.basis.T)[2][self.basis.shape[1] :].T if self.basis.size else np.eye(len(K))
         if not across.shape[1]:
-            return squares
+            return squares, lengths
         coupling = self.basis.T @ K @ across
         inner = self.basis.T @ K @ self.basis
         left = across.T @ K @ across - (coupling.T @ np.linalg.solve(inner, coupling) if coupling.size else 0.0)
@@ -113,11 +119,13 @@ class Leaf(NamedTuple):
         worst = np.linalg.eigvalsh(left)[0]
         if worst <= self.zero(weights):
             # twice what is needed or more: the digits that are printed must not spoil the proof
-            squares[lengths > 0] = max(-worst, self.size(weights)) / lengths[lengths > 0] ** 2
-        return squares
+            squares[lengths > 0] = max(-worst, self.size(weights))
+        return squares, lengths
 
 
-def scaled_leaf(A: Array, g: Array, H: Array, dC: Array, ddC: Array, tolerance: float) -> Leaf:
+def scaled_leaf(
+    A: Array, g: Array, H: Array, dC: Array, ddC: Array, tolerance: float, sizes: tuple[Array, Array] | None = None
+) -> Leaf:
     """Return the leaf's matrices.
 
     Args:
@@ -127,25 +135,34 @@ def scaled_leaf(A: Array, g: Array, H: Array, dC: Array, ddC: Array, tolerance: 
         dC: (k, n) gradients of the Casimirs.
         ddC: (k, n, n) their Hessians.
         tolerance: relative error of the entries.
+        sizes: (n,) of the terms of which dH is the sum, (n, n) of those of A; both may vanish but for their rounding.
     """
+    gradient_sizes, flow_sizes = (np.zeros(g.size), np.abs(A)) if sizes is None else sizes
     scale, multipliers = np.ones(g.size), np.zeros(len(dC))
     for _ in range(SWEEPS):
-        multipliers = _multipliers(g * scale, dC * scale)
-        terms = np.abs(H) + np.einsum("k,kij->ij", np.abs(multipliers), np.abs(ddC))
-        scale = _equilibrating(terms)
+        multipliers = _multipliers(g * scale, dC * scale, gradient_sizes * scale)
+        scale = _equilibrating(np.abs(H) + np.tensordot(np.abs(multipliers), np.abs(ddC), 1))
     square = scale[:, None] * scale
     A, g, dC = A * scale / scale[:, None], g * scale, dC * scale
+    flow_sizes = np.maximum(np.abs(A), flow_sizes * scale / scale[:, None])
+    largest = float(flow_sizes.max(initial=0.0))
+    unit = 2.0 ** np.rint(np.log2(largest)) if largest else 1.0
+    A, flow_sizes = A / unit, flow_sizes / unit
     whole = np.concatenate([H[None], ddC]) * square
-    residual = _residual(g, dC, multipliers)
+    residual = _residual(g, dC, multipliers, gradient_sizes * scale)
     gradients, lengths = _unit_rows(dC)
     basis = _coordinates_or_null_space(gradients[lengths > 0], g.size)
-    on_leaf = lambda x: np.einsum("ia,kij,jb->kab", basis, x, basis)  # noqa: E731
-    hessians, size = on_leaf(0.5 * (whole + whole.transpose(0, 2, 1))), np.abs(basis)
+    size = np.abs(basis)
+    hessians = basis.T @ (0.5 * (whole + whole.transpose(0, 2, 1))) @ basis
+    angles = np.linalg.svd(gradients, compute_uv=False)
+    narrowest = float(angles[angles > RANK_TOLERANCE].min(initial=1.0))
     return Leaf(
         flow=basis.T @ A @ basis,
-        drift=gradients @ A / (np.abs(A).max(initial=0.0) or 1.0),
+        full=A,
+        flow_size=float((size.T @ flow_sizes @ size).max(initial=0.0)) if basis.shape[1] else 1.0,
+        drift=gradients @ A / (flow_sizes.max(initial=0.0) or 1.0),
         hessians=hessians,
-        terms=np.einsum("ia,kij,jb->kab", size, np.abs(whole), size),
+        terms=size.T @ np.abs(whole) @ size,
         whole=whole,
         gradients=dC,
         multipliers=multipliers,
@@ -153,7 +170,8 @@ def scaled_leaf(A: Array, g: Array, H: Array, dC: Array, ddC: Array, tolerance: 
         basis=basis,
         scale=scale,
         residual=residual,
-        tolerance=tolerance,
+        tolerance=max(tolerance, np.finfo(float).eps / narrowest) if tolerance else 0.0,
+        unit=float(unit),
     )
 
 
@@ -174,10 +192,10 @@ def definite_combination(matrices: Array, tolerance: float) -> Array | None:
 
     c, points, distance = np.eye(len(matrices))[0], [], np.inf
     for _ in range(ROUNDS):
-        sizes, vectors = np.linalg.eigh(np.einsum("k,kij->ij", c, matrices))
+        sizes, vectors = np.linalg.eigh(np.tensordot(c, matrices, 1))
         if sizes[0] > (1.0 - GAP) * distance:
             return c
-        points.append(np.einsum("i,kij,j->k", vectors[:, 0], matrices, vectors[:, 0]))
+        points.append(matrices @ vectors[:, 0] @ vectors[:, 0])
         corners = np.array(points).T
         # nearest point of a convex hull as non-negative least squares: the row of ones makes the weights sum to one
         weights, _ = nnls(np.vstack([corners, np.ones(len(points))]), np.r_[np.zeros(len(c)), 1.0])
@@ -186,7 +204,7 @@ def definite_combination(matrices: Array, tolerance: float) -> Array | None:
         if distance <= max(tolerance, np.finfo(float).eps):
             return None
         c = nearest / distance
-    return c if np.linalg.eigvalsh(np.einsum("k,kij->ij", c, matrices))[0] > 0 else None
+    return c if np.linalg.eigvalsh(np.tensordot(c, matrices, 1))[0] > 0 else None
 
 
 def null_space(matrix: Array, tolerance: float) -> Array:
@@ -195,14 +213,16 @@ def null_space(matrix: Array, tolerance: float) -> Array:
     return rows[int((sizes > tolerance).sum()) :].T
 
 
-def _multipliers(g: Array, dC: Array) -> Array:
-    """Return λ with dH + Σ λ dC = 0, nearest to zero in units of unit gradients."""
+def _multipliers(g: Array, dC: Array, sizes: Array) -> Array:
+    """Return λ with dH + Σ λ dC = 0, nearest to zero in units of unit gradients, or zero where it is but rounding."""
     if not len(dC):
         return np.zeros(0)
     rows, lengths = _unit_rows(dC)
     # divided before solving, for gradients near the largest and smallest numbers
     size = np.abs(g).max(initial=0.0) or 1.0
-    return np.linalg.lstsq(rows.T, -g / size, rcond=RANK_TOLERANCE)[0] * size / np.where(lengths > 0, lengths, 1.0)
+    found = np.linalg.lstsq(rows.T, -g / size, rcond=RANK_TOLERANCE)[0]
+    found = np.where(np.abs(found) * size > ROUNDING * sizes.max(initial=0.0), found, 0.0)
+    return found * size / np.where(lengths > 0, lengths, 1.0)
 
 
 def _equilibrating(terms: Array) -> Array:
@@ -238,8 +258,10 @@ def _coordinates_or_null_space(rows: Array, n: int) -> Array:
     return np.hstack([free, inside])
 
 
-def _residual(g: Array, dC: Array, multipliers: Array) -> float:
-    """Return what is left of dH + Σ λ dC relative to its terms."""
+def _residual(g: Array, dC: Array, multipliers: Array, sizes: Array) -> float:
+    """Return what is left of dH + Σ λ dC relative to its terms, and to those of which dH itself is the sum."""
     parts = np.vstack([g, multipliers[:, None] * dC])
-    parts = parts / (np.abs(parts).max(initial=0.0) or 1.0)
-    return float(np.linalg.norm(parts.sum(axis=0)) / (np.linalg.norm(np.abs(parts).sum(axis=0)) or 1.0))
+    largest = max(np.abs(parts).max(initial=0.0), sizes.max(initial=0.0)) or 1.0
+    parts, sizes = parts / largest, sizes / largest
+    whole = np.maximum(np.abs(parts).sum(axis=0), sizes)
+    return float(np.linalg.norm(parts.sum(axis=0)) / (np.linalg.norm(whole) or 1.0))

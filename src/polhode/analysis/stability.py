@@ -1,7 +1,10 @@
-"""Equilibria of any Lie–Poisson system and their stability, by automatic differentiation.
+"""Stability of equilibria of any Lie–Poisson system, by automatic differentiation.
 
-What is differentiated goes to ``energy_casimir``, which judges. Source: Holm, Marsden, Ratiu & Weinstein, Phys. Rep.
-123 (1985) 1; for relative equilibria Simo, Lewis & Marsden, Arch. Rational Mech. Anal. 115 (1991) 15.
+What is differentiated and checked by ``conserved`` goes to ``energy_casimir``, which judges. Where Casimirs are missing
+or the leaf is singular, the leaf's own tangent space, the image of the Poisson tensor, is judged as well.
+Source: Holm, Marsden, Ratiu & Weinstein, Phys. Rep. 123 (1985) 1; for relative equilibria Simo, Lewis & Marsden, Arch.
+Rational Mech. Anal. 115 (1991) 15; for singular leaves Patrick, Roberts & Wulff, Arch. Rational Mech. Anal. 174 (2004)
+301.
 """
 
 from __future__ import annotations
@@ -10,57 +13,71 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import Any
 
+import equinox as eqx
 import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.algebra.casimirs import polynomial_casimirs
-from polhode.algebra.properties import index
+from polhode.algebra.properties import index, is_compact
+from polhode.analysis.conserved import Casimirs, Energy, Source, casimirs_of, check_motion, samples_around
 from polhode.analysis.energy_casimir import Stability, energy_casimir
+from polhode.analysis.equilibrium_data import Problem, problem
 from polhode.analysis.first_method import first_method
 from polhode.analysis.rolling import rolling_stability
 from polhode.analysis.second_variation import null_space
 from polhode.errors import InvalidInput
 from polhode.poisson.brackets import as_points
-from polhode.systems.base import AbstractLiePoissonSystem
+from polhode.systems.base import AbstractLiePoissonSystem, check_scalar
 from polhode.systems.euler_disk import EulerDisk
 
 Array = Any
 Function = Callable[[Array], Array]
 AT_REST = 1e-8  # of |dH| |μ|: a field below it vanishes, up to the solver that found the point
-DIFFERENTIATION = 1e-12  # relative error of second derivatives by AD of functions of order one
 NULL = 1e-9  # singular values of the linearised flow below it, relative to the largest, vanish
-HIGHEST_DEGREE = 4  # of Casimirs looked for where the algebra does not name enough
-STARTS = 64
-SAME = 1e-6  # distance, in units of |μ|, below which two equilibria are one
-SOLVED = 1e-10
+RANK = 1e-13  # singular values of the Poisson tensor below it, per dimension, are rounding errors
 
 
 def stability(
-    system: AbstractLiePoissonSystem | EulerDisk, equilibrium: Array, integrals: Sequence[Function] = ()
+    system: AbstractLiePoissonSystem | EulerDisk,
+    equilibrium: Array,
+    integrals: Sequence[Function] = (),
+    casimirs: Sequence[Function] | None = None,
 ) -> Stability:
     """Return the verdict on an equilibrium, or on a relative equilibrium if conserved functions are given.
 
-    The spectrum is that of the linearised flow on the leaf. Is the second variation of H + Σ λ C definite there, it
-    proves stability; is an exponent's real part positive, it disproves it. Integrals J whose gradients depend on the
-    Casimirs' at the point, as a top's spin where it sleeps, take part in the sum. With others a motion along their
-    symmetries, dH + Σ λ dC + Σ ω dJ = 0, is judged on the level of J, the symmetries' directions divided out. Where
-    energy is lost the exponents alone decide, Lyapunov's first method.
+    If the second variation of F = H + Σ λ C + Σ ω J, dF = 0, is definite on the null space of the dC and dJ, it proves
+    Lyapunov's stability against all small perturbations, on this leaf and on others; an exponent of the linearised flow
+    with positive real part disproves it. Integrals J that are at rest at the point, as a top's spin where it sleeps,
+    take part like Casimirs. With others a motion along their flows is judged on the level of J, the flows' directions
+    divided out: "stable" then holds up to these flows, which ``restriction`` says.
+
+    Where this decides nothing and the null space is larger than the leaf's tangent space, because the leaf is singular
+    or Casimirs are missing, H + Σ ω J is judged on the tangent space itself. An extremum there proves stability against
+    all perturbations if the point is regular, for leaves nearby then hold extrema too, or if the group is compact, for
+    leaves nearby then stay near this one. Else it proves stability on the leaf alone, and the verdict is "undecided".
+
+    Where energy is lost the exponents alone decide, Lyapunov's first method.
 
     Args:
-        system: any Lie–Poisson system; what it names conserved takes part by itself where its gradient depends on the
-            Casimirs'. Or a rolling disk, whose linear integrals take the Casimirs' place, see ``rolling_stability``.
+        system: any Lie–Poisson system; what it names conserved takes part by itself where it is at rest at the point.
+            Or a rolling disk, whose linear integrals take the Casimirs' place, see ``rolling_stability``.
         equilibrium: one point of the dual, (*element_shape), without attitude; of a disk a state of steady motion.
-        integrals: further conserved functions of one point, real, whose flows commute; none where energy is lost.
+        integrals: further conserved functions of one point, real; those that are not at rest at the point must commute
+            with each other. None where energy is lost.
+        casimirs: Casimirs as functions of one point, real, instead of those that the algebra names or that are found.
 
     Raises:
-        InvalidInput: for a wrong shape, or a point that is no (relative) equilibrium.
+        InvalidInput: for a wrong shape, a point that is no (relative) equilibrium, functions without finite second
+            derivatives there, integrals that are not conserved or do not commute, Casimirs that are none, or a system
+            that does not move by its energy alone. All are checked at random points nearby.
 
     >>> from polhode.systems import FreeRigidBody
     >>> [stability(FreeRigidBody((1.0, 2.0, 3.0)), row).verdict for row in np.eye(3)]
     ['stable', 'unstable', 'stable']
     """
     if isinstance(system, EulerDisk):
+        if len(integrals) or casimirs is not None:
+            raise InvalidInput("a disk's integrals are its own; leave out `integrals` and `casimirs`.")
         return rolling_stability(system, equilibrium)
     if not isinstance(system, AbstractLiePoissonSystem):
         raise InvalidInput(f"`system` must be a Lie–Poisson system or an EulerDisk; got {type(system).__name__}.")
@@ -68,207 +85,210 @@ def stability(
     mu = as_points(algebra, equilibrium)
     if mu.shape != algebra.element_shape:
         raise InvalidInput(f"`equilibrium` must be one point {algebra.element_shape}; got shape {mu.shape}.")
-    z = algebra.to_dual_vector(mu)
-    energy, casimirs, names = _functions(system)
+    for k, function in enumerate(integrals):
+        check_scalar(f"integrals[{k}]", function, algebra.element_shape, algebra.dtype)
+    z = np.asarray(algebra.to_dual_vector(mu))
+    check_motion(system, samples_around(np.asarray(algebra.structure_constants()), z))
+    known = casimirs_of(algebra, casimirs)
     if not system.conserves_energy:
-        return _judge_dissipative(system, casimirs, z)
-    known = [_in_coordinates(system, function) for function in system.extra_invariants.values()]
-    extra = [_in_coordinates(system, function) for function in integrals]
-    g, H, tensor, constants = _derivatives(system, [energy, casimirs, *known, *extra], z)
-    k = 1 + len(names)
-    bound = [n for n in range(k, len(g)) if _depends(g[n], g[1:k])]
-    free = [n for n in range(k + len(known), len(g)) if n not in bound]
-    weights = np.zeros(len(g))
-    weights[0] = 1.0
-    if free:
-        weights[free] = -np.linalg.lstsq(tensor @ g[free].T, tensor @ g[0], rcond=None)[0]
-    slope, curvature = weights @ g, np.einsum("k,kij->ij", weights, H)
-    flow = tensor @ curvature + np.einsum("jik,i->jk", constants, slope)
-    # beside dH what it is made of counts, as where a gyrostat's body rests dH itself vanishes
-    size = max(float(np.linalg.norm(slope)), float(np.abs(flow).max())) * float(np.linalg.norm(z))
-    _check_at_rest(tensor @ slope, size, bool(free))
-    taking_part = [*range(1, k), *bound]
-    dC, ddC = g[taking_part], H[taking_part]
-    names = [*names, *(f"J{n + 1}" for n in range(len(bound) + len(free)))]
-    if free:
-        return _judge_relative(tensor, (flow, slope, curvature, dC, ddC), (g[free], H[free]), names)
-    rate = max(float(np.abs(slope).max()), float(np.abs(flow).max()))
-    family = _on_equilibria(_field(system, energy), casimirs, np.asarray(z), flow, dC, rate)
-    return energy_casimir(
-        flow, slope, curvature, dC, ddC, names, on_equilibria=family, is_equilibrium=True, tolerance=DIFFERENTIATION
-    )
+        if len(integrals):
+            raise InvalidInput("`integrals` must be left out where energy is lost: exponents alone decide there.")
+        return _judge_dissipative(system, known, z)
+    found = problem(system, known, tuple(integrals), z, casimirs is not None)
+    return _noted(_judged(found), known.missing)
 
 
-def find_equilibria(system: AbstractLiePoissonSystem, state: Array, starts: int = STARTS, seed: int = 0) -> Array:
-    """Return the equilibria on the Casimirs' levels of one point, (m, *element_shape), lowest energy first.
+def _judged(p: Problem) -> Stability:
+    """Judge as an equilibrium if it is one; else, or where that decides nothing, up to the flows of the integrals."""
+    sizes = p.sizes(np.eye(len(p.g))[0])
+    resting = np.linalg.norm(p.tensor @ p.g[0]) <= AT_REST * sizes[2]
+    found = None
+    if resting or not p.free:
+        _check_at_rest(p.tensor @ p.g[0], sizes[2], False)
+        found = _judge(p, np.eye(len(p.g))[0])
+        if found.verdict != "undecided" or not p.free:
+            return found
+    weights = np.eye(len(p.g))[0]
+    if not resting:
+        weights[p.free] = -np.linalg.lstsq(p.tensor @ p.g[p.free].T, p.tensor @ p.g[0], rcond=None)[0]
+    _check_at_rest(p.tensor @ (weights @ p.g), p.sizes(weights)[2], True)
+    relative = _judge(p, weights, p.free)
+    if relative.verdict == "undecided" and found is not None:
+        return found
+    if relative.verdict == "stable":
+        flows = ", ".join(p.names[n - 1] for n in p.free)
+        words = f"up to the flow{'s' if len(p.free) > 1 else ''} of {flows}"
+        relative = replace(relative, certificate=f"{relative.certificate}; {words}", restriction=words)
+    return relative
 
-    Levenberg and Marquardt's method from random starts of the point's size; what settles is sharpened and counted once.
-    Where equilibria come in families, members of these. An incomplete list cannot be ruled out: take more starts.
+
+def _judge(p: Problem, weights: Array, divided: Sequence[int] = ()) -> Stability:
+    """Judge H + Σ ω J by all that is conserved and at rest, then on the leaf's tangent space.
 
     Args:
-        system: any Lie–Poisson system.
-        state: one point of the dual, not zero.
-        starts: how many random starts.
-        seed: of the random generator.
-
-    Raises:
-        InvalidInput: for a wrong shape or the zero point.
+        p: the problem.
+        weights: (1+k+j,) of H and the integrals.
+        divided: integrals whose flows are divided out, all of whose levels are kept.
     """
-    import optimistix
+    if p.still and not len(divided):
+        text = "the field vanishes at all points: every neighbour is an equilibrium"
+        return Stability("stable", 0.0, None, None, text, np.zeros(0, complex))
+    slope, curvature = weights @ p.g, np.tensordot(weights, p.H, 1)
+    flow = p.tensor @ curvature + np.einsum("jik,i->jk", p.constants, slope)
+    sizes = p.sizes(weights)
+    rows = [n for n in range(1, len(p.g)) if n not in p.free]
+    kept = [*rows, *divided]
+    # across the directions in which the symmetries move
+    across = null_space(_unit_rows(p.g[list(divided)] @ p.tensor.T), NULL) if len(divided) else np.eye(len(slope))
 
-    algebra = system.algebra
-    mu = as_points(algebra, state)
-    if mu.shape != algebra.element_shape or not bool(jnp.any(mu != 0)):
-        raise InvalidInput(f"`state` must be one point {algebra.element_shape} other than zero; got shape {mu.shape}.")
-    level = np.asarray(algebra.to_dual_vector(mu))
-    energy, casimirs, _ = _functions(system)
-    field = _field(system, energy)
-    unit = float(np.linalg.norm(level))
-    rate = float(np.linalg.norm(jax.grad(energy)(jnp.asarray(level)))) or 1.0
-    wanted = casimirs(jnp.asarray(level))
-    slopes = np.linalg.norm(np.asarray(jax.jacfwd(casimirs)(jnp.asarray(level))), axis=1) * unit
-    slopes = np.where(slopes > 0, slopes, 1.0)
+    def judged(basis: Array, H: Array, chosen: Sequence[int], error: float, **options: Any) -> Stability:
+        inside, leafwise = np.abs(basis), basis is not across
+        found = energy_casimir(
+            p.unit * basis.T @ flow @ basis, (0.0 if leafwise else 1.0) * slope @ basis, basis.T @ H @ basis,
+            p.g[chosen] @ basis, (0.0 if leafwise else 1.0) * basis.T @ p.H[chosen] @ basis,
+            is_equilibrium=True, tolerance=min(error, 0.5), unit=p.unit,
+            sizes=((0.0 if leafwise else 1.0) * sizes[0] @ inside, p.unit * inside.T @ sizes[1] @ inside), **options,
+        )  # fmt: skip
+        return found if found.direction is None else replace(found, direction=basis @ found.direction)
 
-    def residual(x: Array, args: Any = None) -> Array:
-        return jnp.concatenate([field(unit * x) / (rate * unit), (casimirs(unit * x) - wanted) / slopes])
-
-    solver = optimistix.LevenbergMarquardt(rtol=1e-10, atol=1e-12)
-    draws = np.random.default_rng(seed).normal(size=(starts, len(level))) / np.sqrt(len(level))
-
-    @jax.jit
-    @jax.vmap
-    def solve(start: Array) -> Array:
-        return optimistix.least_squares(residual, solver, start, max_steps=200, throw=False).value
-
-    jacobian = jax.jit(jax.jacfwd(residual))
-    found: list[np.ndarray] = []
-    for x in np.asarray(solve(jnp.asarray(draws))):
-        if not np.isfinite(x).all():
-            continue
-        left = np.asarray(residual(x))
-        for _ in range(3):
-            better = x - np.linalg.lstsq(np.asarray(jacobian(x)), left, rcond=NULL)[0]
-            rest = np.asarray(residual(better))
-            if np.linalg.norm(rest) < np.linalg.norm(left):  # not so beside bifurcations
-                x, left = better, rest
-        good = np.linalg.norm(left) < SOLVED
-        if good and all(np.linalg.norm(x - other) > SAME for other in found):
-            found.append(x)
-    points = unit * np.array(sorted(found, key=lambda x: float(energy(unit * x)))).reshape(-1, len(level))
-    return np.asarray(algebra.from_dual_vector(jnp.asarray(points)))
+    family = not len(divided) and _on_equilibria(p, flow, p.g[rows], float(sizes[1].max()))
+    found = judged(across, curvature, kept, p.error, casimir_names=[p.names[n - 1] for n in kept],
+                   on_equilibria=family, contained=weights[kept])  # fmt: skip
+    tangent, effective, error = _on_tangent(p, flow, sizes[1])
+    if found.verdict != "undecided" or tangent.shape[1] >= null_space(_unit_rows(p.g[rows]), NULL).shape[1]:
+        return found
+    leaf = tangent @ null_space(_unit_rows(p.g[list(divided)] @ p.tensor.T) @ tangent, NULL)
+    leafwise = judged(leaf, effective, list(divided), error)
+    return _leafwise(p, found, leafwise, tangent.shape[1], "H + Σ ω J" if len(divided) else "H")
 
 
-def _functions(system: AbstractLiePoissonSystem) -> tuple[Function, Function, list[str]]:
-    """Return energy and Casimirs as functions of coordinates ⟨μ, e_i⟩, and the Casimirs' names."""
-    algebra = system.algebra
-    energy = _in_coordinates(system, system.energy)
-    names = list(algebra.casimir_names)
-    if len(names) < index(algebra):
-        polynomials = polynomial_casimirs(algebra, HIGHEST_DEGREE)
-        return energy, lambda x: jnp.stack([p(x) for p in polynomials]), [str(p) for p in polynomials]
-    return energy, lambda x: algebra.casimirs(algebra.from_dual_vector(x)), names
+def _leafwise(p: Problem, found: Stability, leafwise: Stability, dimension: int, function: str) -> Stability:
+    """Return what an extremum on the leaf says about all neighbours."""
+    if leafwise.verdict != "stable":
+        return found
+    sign = "negative" if "negative definite" in leafwise.certificate else "positive"
+    text = f"the second variation of {function} on the leaf, of dimension {dimension}, is {sign} definite"
+    if dimension == p.y.size - index(p.system.algebra):
+        text += "; the point is regular, so that leaves nearby have such extrema too"
+        return replace(leafwise, certificate=text)
+    if is_compact(p.system.algebra):
+        text += "; the leaf is singular, but the group compact, so that leaves nearby stay near it"
+        return replace(leafwise, certificate=text)
+    text = (
+        f"on its own leaf the equilibrium is stable: {text}; but the leaf is singular, leaves nearby are larger, "
+        "and motions on these are not confined by it"
+    )
+    return replace(found, certificate=text)
 
 
-def _derivatives(system: AbstractLiePoissonSystem, functions: list[Function], z: Array) -> tuple[Array, ...]:
-    """Return gradients (m, n) and Hessians (m, n, n) of functions of coordinates, one behind the other, the tensor
-    π_ij = {x_i, x_j} (n, n), whose product with a gradient is the field, and its derivative (n, n, n)."""
-    every = lambda x: jnp.concatenate([jnp.atleast_1d(function(x)) for function in functions])  # noqa: E731
-    gradients, hessians = jax.jit(lambda x: (jax.jacrev(every)(x), jax.hessian(every)(x)))(z)
-    constants = system.sign * system.algebra.structure_constants()
-    return np.asarray(gradients), np.asarray(hessians), constants @ np.asarray(z), constants
+def _on_tangent(p: Problem, flow: Array, flow_sizes: Array) -> tuple[Array, Array, float]:
+    """Return an orthonormal basis (n, d) of the leaf's tangent space, the function's Hessian there (n, n), its error.
 
-
-def _depends(gradient: Array, rows: Array) -> bool:
-    """Whether a gradient is a combination of the rows."""
-    size = np.linalg.norm(gradient)
-    if not len(rows) or size == 0.0:
-        return bool(size == 0.0)
-    left = gradient - rows.T @ np.linalg.lstsq(rows.T, gradient, rcond=NULL)[0]
-    return bool(np.linalg.norm(left) <= NULL * size)
+    On tangent vectors v = π ξ of an equilibrium D²F(v, w) = −ξ·A w, with A the linearised flow: A = π D²F in
+    coordinates in which leaves are flat.
+    """
+    left, sizes, _ = np.linalg.svd(p.tensor)
+    largest = float((np.abs(p.constants) @ np.abs(p.y)).max(initial=0.0))
+    rank = int((sizes > RANK * len(sizes) * largest).sum())
+    tangent = left[:, :rank]
+    if not rank:
+        return tangent, np.zeros_like(flow), p.error
+    inverse = tangent @ np.linalg.inv(tangent.T @ p.tensor @ tangent) @ tangent.T
+    effective = inverse @ flow @ tangent @ tangent.T
+    effective = 0.5 * (effective + effective.T)
+    amplified = float(flow_sizes.max()) / (sizes[rank - 1] * (np.abs(effective).max() or 1.0))
+    return tangent, effective, p.error * max(1.0, amplified)
 
 
 def _check_at_rest(field: Array, size: float, relative: bool) -> None:
-    left = np.linalg.norm(field)
-    if left > AT_REST * max(size, np.finfo(float).tiny):
+    left = float(np.linalg.norm(field))
+    if left > AT_REST * size:
         kind = "relative equilibrium" if relative else "equilibrium"
         raise InvalidInput(
-            f"the point is no {kind}: the field there is {left:.3g} where its terms are {size:.3g}. "
+            f"the point is no {kind}: the field there is {left / size:.3g} of its terms. "
             "Find one by `find_equilibria`, or give the integrals whose symmetries carry it along."
         )
 
 
-def _in_coordinates(system: AbstractLiePoissonSystem, function: Function) -> Function:
-    return lambda x: function(system.algebra.from_dual_vector(x))
+def _noted(found: Stability, missing: str) -> Stability:
+    """Return an undecided verdict with the Casimirs that might have helped."""
+    if found.verdict != "undecided" or not missing:
+        return found
+    return replace(found, certificate=f"{found.certificate}; {missing}")
 
 
-def _field(system: AbstractLiePoissonSystem, energy: Function) -> Function:
-    """Return the Hamiltonian field of a function of coordinates; partial derivatives are coordinates of dH."""
-    algebra = system.algebra
-
-    def field(x: Array) -> Array:
-        generator = -system.sign * algebra.from_vector(jax.grad(energy)(x))
-        return algebra.to_dual_vector(algebra.coadjoint(generator, algebra.from_dual_vector(x)))
-
-    return field
+def _unit_rows(rows: Array) -> Array:
+    lengths = np.linalg.norm(rows, axis=1, keepdims=True)
+    return rows / np.where(lengths > 0, lengths, 1.0)
 
 
-def _judge_dissipative(system: AbstractLiePoissonSystem, casimirs: Function, z: Array) -> Stability:
+def _judge_dissipative(system: AbstractLiePoissonSystem, casimirs: Casimirs, z: Array) -> Stability:
     """Judge by the exponents alone, those of the field that moves the system, on the leaf."""
-    field = lambda x: _moved(system, x)  # noqa: E731
-    linearization, rows = np.asarray(jax.jacfwd(field)(z)), np.asarray(jax.jacfwd(casimirs)(z))
-    _check_at_rest(np.asarray(field(z)), float(np.abs(linearization).max() * np.linalg.norm(z)), False)
-    return first_method(linearization, null_space(rows, NULL * np.abs(rows).max(initial=0.0)), DIFFERENTIATION)
+    field, linearization = (np.asarray(x) for x in _moved_with_slope(system, jnp.asarray(z)))
+    if not (np.isfinite(field).all() and np.isfinite(linearization).all()):
+        raise InvalidInput("the field must have finite derivatives at the equilibrium; got NaN or an infinity.")
+    rows = _unit_rows(np.asarray(jax.jacfwd(casimirs.source)(jnp.asarray(z))).reshape(-1, z.size))
+    _check_at_rest(field, float(np.abs(linearization).max() * np.linalg.norm(z)), False)
+    return _noted(first_method(linearization, null_space(rows, NULL)), casimirs.missing)
 
 
-def _moved(system: AbstractLiePoissonSystem, x: Array) -> Array:
-    point = system.algebra.from_dual_vector(x)
-    return system.algebra.to_dual_vector(system.algebra.coadjoint(system.generator(0.0, point), point))
+@eqx.filter_jit
+def _moved_with_slope(system: AbstractLiePoissonSystem, x: Array) -> tuple[Array, Array]:
+    def field(x: Array) -> Array:
+        point = system.algebra.from_dual_vector(x)
+        return system.algebra.to_dual_vector(system.algebra.coadjoint(system.generator(0.0, point), point))
+
+    return field(x), jax.jacfwd(field)(x)
 
 
-def _judge_relative(
-    tensor: Array, matrices: tuple[Array, ...], integrals: tuple[Array, Array], names: list[str]
-) -> Stability:
-    """Judge on the level of the integrals, in coordinates across the directions in which their symmetries move."""
-    flow, g, H, dC, ddC = matrices
-    dJ, ddJ = integrals
-    _, sizes, rows = np.linalg.svd(dJ @ tensor.T)
-    basis = rows[int((sizes > NULL * max(sizes[0], np.finfo(float).tiny)).sum()) :].T
-    found = energy_casimir(
-        basis.T @ flow @ basis, g @ basis, basis.T @ H @ basis, np.concatenate([dC, dJ]) @ basis,
-        np.einsum("ia,kij,jb->kab", basis, np.concatenate([ddC, ddJ]), basis), names,
-        is_equilibrium=True, tolerance=DIFFERENTIATION,
-    )  # fmt: skip
-    return found if found.direction is None else replace(found, direction=basis @ found.direction)
-
-
-def _on_equilibria(
-    field: Function, casimirs: Function, z: np.ndarray, flow: Array, dC: Array, rate: float
-) -> bool:
+def _on_equilibria(p: Problem, flow: Array, dC: Array, rate: float) -> bool:
     """Whether every direction in which the linearised flow on the leaf vanishes leads to equilibria on the leaf.
 
     From a point a little off in such a direction Newton's method must come back to an equilibrium at a distance of
     second order.
     """
-    _, sizes, rows = np.linalg.svd(dC) if len(dC) else (None, np.zeros(0), np.eye(len(z)))
-    tangent = rows[int((sizes > NULL * max(sizes.max(initial=0.0), np.finfo(float).tiny)).sum()) :].T
-    if not tangent.shape[1]:
+    tangent = null_space(_unit_rows(dC), NULL)
+    if not tangent.shape[1] or not p.y.any():
         return False
-    on_leaf = tangent.T @ flow @ tangent
-    _, sizes, rows = np.linalg.svd(on_leaf)
+    _, sizes, rows = np.linalg.svd(tangent.T @ flow @ tangent)
     still = tangent @ rows[int((sizes > NULL * rate).sum()) :].T
     if not still.shape[1]:
         return False
-    level = np.asarray(casimirs(jnp.asarray(z)))
-    residual = jax.jit(lambda x: jnp.concatenate([field(x), casimirs(x) - level]))
-    jacobian = jax.jit(jax.jacfwd(residual))
-    size = np.linalg.norm(z)
-    for way in still.T:
-        off = 1e-3 * size
-        start = z + off * way
-        x = start
-        for _ in range(6):
-            x = x - np.linalg.lstsq(np.asarray(jacobian(x)), np.asarray(residual(x)), rcond=1e-4)[0]
-        settled = np.linalg.norm(np.asarray(field(jnp.asarray(x)))) <= AT_REST * off * rate
-        if not (settled and np.linalg.norm(x - start) < 0.05 * off):
-            return False
-    return True
+    off = 1e-3 * np.linalg.norm(p.y)
+    settled = _settled(p.system, p.casimirs, jnp.asarray(p.y), jnp.asarray(p.unit), jnp.asarray(p.y + off * still.T))
+    points, fields = (np.asarray(x) for x in settled)
+    near = np.linalg.norm(points - (p.y + off * still.T), axis=1) < 0.05 * off
+    return bool((near & (np.linalg.norm(fields, axis=1) <= AT_REST * off * rate)).all())
+
+
+@eqx.filter_jit
+def _settled(system: AbstractLiePoissonSystem, casimirs: Source, y: Array, unit: Array, starts: Array) -> Any:
+    """Return where Newton's method takes each start on the Casimirs' levels of y, and the field there."""
+    level = casimirs(y)
+    field = scaled_field(system, unit)
+
+    def residual(x: Array) -> Array:
+        return jnp.concatenate([field(x), casimirs(x) - level])
+
+    def settle(x: Array) -> tuple[Array, Array]:
+        step = lambda _, x: x - jnp.linalg.lstsq(jax.jacfwd(residual)(x), residual(x), rcond=1e-4)[0]  # noqa: E731
+        x = jax.lax.fori_loop(0, 6, step, x)
+        return x, field(x)
+
+    return jax.vmap(settle)(starts)
+
+
+def scaled_field(system: AbstractLiePoissonSystem, unit: Any) -> Function:
+    """Return the Hamiltonian field in coordinates y = μ/unit, divided by unit².
+
+    Partial derivatives of H with respect to coordinates are those of dH.
+    """
+    algebra = system.algebra
+    energy = Energy(system)
+
+    def field(y: Array) -> Array:
+        slope = jax.grad(lambda x: energy(x)[0])(unit * y) / unit
+        generator = -system.sign * algebra.from_vector(slope)
+        return algebra.to_dual_vector(algebra.coadjoint(generator, algebra.from_dual_vector(y)))
+
+    return field

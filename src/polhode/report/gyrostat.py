@@ -10,7 +10,8 @@ import numpy as np
 
 from polhode import rotation
 from polhode.analysis.energy_casimir import Stability
-from polhode.analysis.stability import find_equilibria, stability
+from polhode.analysis.equilibria import find_equilibria
+from polhode.analysis.stability import stability
 from polhode.bodies.body import Body, principal_axes
 from polhode.bodies.frame import BodyFrame
 from polhode.errors import InvalidInput

@@ -371,8 +371,8 @@ def _verdicts(top: HeavyTop, momentum: Array) -> dict[str, Stability]:
 
 
 def _in_a_tops_words(found: Stability) -> Stability:
-    """Return a verdict with the Casimirs of se(3)* called by what they are here."""
-    text = found.certificate.replace("|P|²", "|Γ|²").replace("Π·P", "Π·Γ").replace("J1", "Π·χ")
+    """Return a verdict with the Casimirs of se(3)* and Lagrange's integral called by what they are here."""
+    text = found.certificate.replace("|P|²", "|Γ|²").replace("Π·P", "Π·Γ").replace("Lagrange's ", "")
     return replace(found, certificate=text)
 
 

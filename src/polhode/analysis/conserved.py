@@ -1,0 +1,346 @@
+"""What a Lie–Poisson system conserves, as functions of coordinates ⟨μ, e_i⟩: compiled derivatives, and checks.
+
+A certificate is worth as much as the conservation laws it is made of. Each function that takes part is therefore
+checked at random points near the equilibrium, away from it and along its orbit, not only at the point itself.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from functools import lru_cache
+from typing import Any, NamedTuple
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+import numpy as np
+from scipy.linalg import expm
+
+from polhode.algebra.base import AbstractLieAlgebra
+from polhode.algebra.casimirs import polynomial_casimirs
+from polhode.algebra.constants import ConstantsAlgebra
+from polhode.algebra.polynomial import Polynomial
+from polhode.algebra.properties import index
+from polhode.errors import InvalidInput
+from polhode.systems.agreement import moves_by_generator
+from polhode.systems.base import AbstractLiePoissonSystem, check_scalar
+
+Array = Any
+Function = Callable[[Array], Array]
+CONSERVED = 4e-12  # of the terms of {F, G}, what rounding of smooth derivatives and of parameters may leave
+NOISE = 20.0  # times the change of {F, G} over a rounding error of the point, for functions that lose digits inside
+RANK = 1e-9  # singular values of unit gradients below which user's Casimirs depend on each other
+HIGHEST_DEGREE = 4  # of Casimirs looked for where the algebra does not name enough
+DISTANCES = (0.01, 0.1, 0.5, 1.0)  # of the points at which conservation is checked, in units of |μ|
+DRAWS = 3  # points at each distance
+STEP = 1e-6  # of the difference quotients that must agree with second derivatives, in units of |μ|
+KINK = 1e-3  # disagreement between the two, relative to the derivatives, beyond which there are none
+DIFFERENTIATION = 1e-12  # relative error of second derivatives by AD of functions of order one
+DISAGREEMENT = 1e-9  # of generator and dH, relative: both are right to rounding
+TIMES = (0.0, 0.276, 0.618)  # [s] at which a generator must be the same
+USUAL = 2.0**200  # sizes of μ whose squares are far from overflow
+TRACING = (jax.errors.ConcretizationTypeError, jax.errors.TracerArrayConversionError)
+
+
+class Source(eqx.Module):
+    """Functions of coordinates, one array (k,) of values at a point (n,)."""
+
+    def __call__(self, x: Array) -> Array:
+        raise NotImplementedError
+
+
+class Energy(Source):
+    system: AbstractLiePoissonSystem
+
+    def __call__(self, x: Array) -> Array:
+        return self.system.energy(self.system.algebra.from_dual_vector(x))[None]
+
+
+class Known(Source):
+    """What the system itself names conserved."""
+
+    system: AbstractLiePoissonSystem
+
+    def __call__(self, x: Array) -> Array:
+        point = self.system.algebra.from_dual_vector(x)
+        return _stacked([function(point) for function in self.system.extra_invariants.values()])
+
+
+class Own(Source):
+    """The Casimirs that the algebra names."""
+
+    algebra: AbstractLieAlgebra
+
+    def __call__(self, x: Array) -> Array:
+        return self.algebra.casimirs(self.algebra.from_dual_vector(x))
+
+
+class Given(Source):
+    """Functions of one point of the dual, from the user."""
+
+    algebra: AbstractLieAlgebra
+    functions: tuple[Function, ...]
+
+    def __call__(self, x: Array) -> Array:
+        point = self.algebra.from_dual_vector(x)
+        return _stacked([function(point) for function in self.functions])
+
+
+class Polynomials(Source):
+    polynomials: tuple[Polynomial, ...]
+
+    def __call__(self, x: Array) -> Array:
+        return _stacked([polynomial(x) for polynomial in self.polynomials])
+
+
+class Casimirs(NamedTuple):
+    """Casimirs as one source, their names, and what is said where some are missing."""
+
+    source: Source
+    names: list[str]
+    missing: str
+
+
+def casimirs_of(algebra: AbstractLieAlgebra, given: Sequence[Function] | None) -> Casimirs:
+    """Return the user's Casimirs, or those that the algebra names, or polynomials found by exact algebra."""
+    if given is not None:
+        functions = tuple(given)
+        for k, function in enumerate(functions):
+            check_scalar(f"casimirs[{k}]", function, algebra.element_shape, algebra.dtype)
+        names = [f"C{k + 1}" for k in range(len(functions))]
+        return Casimirs(Given(algebra, functions), names, _missing(len(functions), index(algebra), "were given"))
+    wanted = index(algebra)
+    names = list(algebra.casimir_names)
+    if len(names) >= wanted:
+        return Casimirs(Own(algebra), names, "")
+    constants = np.ascontiguousarray(algebra.structure_constants())
+    try:
+        found = _polynomials(constants.tobytes(), len(constants))
+    except InvalidInput as error:
+        return Casimirs(Own(algebra), names, _missing(len(names), wanted, f"are known ({error})"))
+    texts = [str(p) for p in found]
+    return Casimirs(Polynomials(found), texts, _missing(len(found), wanted, f"of degree ≤ {HIGHEST_DEGREE} exist"))
+
+
+def _missing(count: int, wanted: int, how: str) -> str:
+    if count >= wanted:
+        return ""
+    return f"only {count} of {wanted} Casimirs {how.rstrip('.)')}{')' if '(' in how else ''}: give them by `casimirs=`"
+
+
+@lru_cache(maxsize=16)
+def _polynomials(constants: bytes, dim: int) -> tuple[Polynomial, ...]:
+    table = np.frombuffer(constants).reshape(dim, dim, dim)
+    return tuple(polynomial_casimirs(ConstantsAlgebra(table), HIGHEST_DEGREE))
+
+
+def unit_of(z: Array) -> float:
+    """Return a power of two near the size of z where its squares might overflow, else one."""
+    largest = float(np.abs(z).max(initial=0.0))
+    return 1.0 if largest == 0.0 or 1.0 / USUAL < largest < USUAL else 2.0 ** round(math.log2(largest))
+
+
+# ---------------------------------------------------------------------- derivatives
+
+
+class Derivatives(NamedTuple):
+    """Gradients (k, n) and Hessians (k, n, n) at the point, gradients (m, k, n) at samples, and what to think of them.
+
+    ``errors`` (k,) are relative to the largest entry of each Hessian, measured as its change over a few rounding errors
+    of the point. ``rough`` (k,) is by how much difference quotients of the gradient miss the Hessian, relative to both;
+    infinite where a derivative is.
+    """
+
+    gradients: Array
+    hessians: Array
+    around: Array
+    errors: Array
+    rough: Array
+
+    @property
+    def smooth(self) -> Array:
+        """Whether each function is twice differentiable, (k,)."""
+        return self.rough <= KINK
+
+    def chosen(self, rows: list[int]) -> Derivatives:
+        """Return those of some of the functions."""
+        return Derivatives(self.gradients[rows], self.hessians[rows], self.around[:, rows], self.errors[rows],
+                           self.rough[rows])  # fmt: skip
+
+
+def derivatives(source: Source, z: Array, samples: Array) -> Derivatives:
+    """Differentiate at z (n,), and once at each sample (m, n); what is not finite there is left so."""
+    rng = np.random.default_rng(1)
+    size = float(np.abs(z).max(initial=0.0)) or 1.0
+    ways = rng.choice([-1.0, 1.0], size=(2, z.size))
+    ways = np.vstack([ways, -ways])
+    rounded = z * (1.0 + 2.0**-51 * rng.choice([-1.0, 1.0], size=(2, z.size)))
+    points, centres = np.vstack([z, z + STEP * size * ways, samples]), np.vstack([z, rounded])
+    gradients, hessians = (np.asarray(x) for x in differentiate(source, points, centres))
+    slopes, curvatures = gradients[0], hessians[0]
+    with np.errstate(invalid="ignore"):
+        quotients = (gradients[1:5] - slopes) / STEP
+        expected = size * np.einsum("kij,mj->mki", curvatures, ways)
+        scale = size * np.abs(curvatures).max(axis=(1, 2), initial=0.0) + np.abs(slopes).max(axis=1, initial=0.0)
+        off = np.abs(quotients - expected).max(axis=(0, 2), initial=0.0) / np.where(scale > 0, scale, 1.0)
+        largest = np.abs(curvatures).max(axis=(1, 2), initial=0.0)
+        change = np.abs(hessians[1:] - curvatures).max(axis=(0, 2, 3), initial=0.0)
+    errors = np.maximum(DIFFERENTIATION, change / np.where(largest > 0, largest, 1.0))
+    finite = np.isfinite(slopes).all(axis=1) & np.isfinite(curvatures).all(axis=(1, 2))
+    rough = np.where(finite & ~np.isnan(off), off, np.inf)
+    return Derivatives(slopes, curvatures, gradients[5:], errors, rough)
+
+
+def refuse_rough(found: Derivatives, name: str) -> None:
+    """Refuse functions without second derivatives at the point.
+
+    Raises:
+        InvalidInput: naming them.
+    """
+    if not (np.isfinite(found.gradients).all() and np.isfinite(found.hessians).all()):
+        raise InvalidInput(
+            f"{name} must have finite first and second derivatives at the equilibrium; got NaN or an infinity. "
+            "Check that the function is smooth there, or choose units in which |μ| is nearer to one."
+        )
+    if not found.smooth.all():
+        raise InvalidInput(
+            f"{name} must be twice differentiable at the equilibrium; difference quotients of its gradient differ "
+            f"from the second derivative by {found.rough.max():.3g} of it. Replace kinks and jumps by smooth functions."
+        )
+
+
+def differentiate(source: Source, points: Array, centres: Array) -> tuple[Array, Array]:
+    """Return gradients (m, k, n) at points and Hessians (…, k, n, n) at centres, compiled once for each structure."""
+    points, centres = jnp.asarray(points), jnp.asarray(centres)
+    try:
+        return _differentiate(source, points, centres)
+    except TRACING:  # functions that branch on their own parameters: these are constants then
+        return jax.jit(lambda p, c: (jax.vmap(jax.jacrev(source))(p), jax.vmap(jax.hessian(source))(c)))(
+            points, centres
+        )
+
+
+@eqx.filter_jit
+def _differentiate(source: Source, points: Array, centres: Array) -> tuple[Array, Array]:
+    return jax.vmap(jax.jacrev(source))(points), jax.vmap(jax.hessian(source))(centres)
+
+
+def samples_around(constants: Array, z: Array) -> Array:
+    """Return random points near z, away from it, and on its orbit, where most functions are still defined.
+
+    (2m, n): behind the m points their neighbours at a rounding error's distance, which show how exact derivatives are.
+    """
+    rng = np.random.default_rng(2)
+    size = float(np.abs(z).max(initial=0.0)) or 1.0
+    near = [z + r * size * rng.normal(size=z.size) for r in DISTANCES for _ in range(DRAWS)]
+    scale = float(np.abs(constants).max(initial=0.0)) or 1.0
+    turns = [expm(np.einsum("i,ijk->jk", rng.normal(size=z.size) / scale, constants)) for _ in range(DRAWS)]
+    points = np.array([*near, *(turn @ z for turn in turns)])
+    return np.vstack([points, points * (1.0 + 2.0**-51 * rng.choice([-1.0, 1.0], size=points.shape))])
+
+
+# ---------------------------------------------------------------------- checks
+
+
+def check_commute(tensors: Array, first: Array, second: Array, names: tuple[str, str], remedy: str) -> None:
+    """Refuse two functions whose bracket does not vanish at all samples.
+
+    Args:
+        tensors: (2m, n, n) π at the samples.
+        first: (2m, n) gradient of one.
+        second: (2m, n) gradient of the other.
+        names: of both.
+        remedy: the message's last sentence.
+
+    Raises:
+        InvalidInput: with the size of the bracket.
+    """
+    good = np.isfinite(first).all(axis=1) & np.isfinite(second).all(axis=1) & np.isfinite(tensors).all(axis=(1, 2))
+    good = np.tile(good[: len(good) // 2] & good[len(good) // 2 :], 2)
+    if good.sum() < 2 * DRAWS:
+        raise InvalidInput(
+            f"{names[0]} and {names[1]} must be defined around the equilibrium; their derivatives are finite at "
+            f"{good.sum() // 2} of {len(good) // 2} points there. Check their domain."
+        )
+    first, second, tensors = _normalised(first[good]), _normalised(second[good]), tensors[good]
+    values = np.einsum("mi,mi->m", first, np.einsum("mij,mj->mi", tensors, second))
+    terms = np.einsum("mi,mi->m", np.abs(first), np.einsum("mij,mj->mi", np.abs(tensors), np.abs(second)))
+    values, rounded = np.split(values / (terms.max() or 1.0), 2)
+    worst = float(np.abs(values).max())
+    if worst > max(CONSERVED, NOISE * float(np.abs(values - rounded).max())):
+        raise InvalidInput(
+            f"{{{names[0]}, {names[1]}}} must vanish around the equilibrium; at points nearby it is up to {worst:.3g} "
+            f"of its terms. {remedy}"
+        )
+
+
+def check_casimirs(tensors: Array, gradients: Array) -> None:
+    """Refuse functions (m, k, n) that are no Casimirs, {C, x_i} = 0, or that depend on each other.
+
+    Raises:
+        InvalidInput: with the one at fault.
+    """
+    n = tensors.shape[-1]
+    for k in range(gradients.shape[1]):
+        for i in range(n):
+            unit = np.broadcast_to(np.eye(n)[i], gradients[:, k].shape)
+            check_commute(tensors, gradients[:, k], unit, (f"casimirs[{k}]", f"x{i + 1}"),
+                          "A Casimir commutes with every coordinate; check the function.")  # fmt: skip
+    fine = gradients[np.isfinite(gradients).all(axis=(1, 2))]
+    count = gradients.shape[1]
+    lengths = np.linalg.norm(fine, axis=2, keepdims=True)
+    sizes = np.linalg.svd(fine / np.where(lengths > 0, lengths, 1.0), compute_uv=False)
+    rank = int((sizes > RANK).sum(axis=1).max(initial=0))
+    if rank < count:
+        raise InvalidInput(
+            f"`casimirs` must be independent: the gradients of these {count} span {rank} dimensions everywhere. "
+            "Leave out those that are functions of others."
+        )
+
+
+def check_motion(system: AbstractLiePoissonSystem, samples: Array) -> None:
+    """Refuse a system that does not move by its energy alone, or where energy is lost by a generator without time.
+
+    Systems of this package are taken to do so, as their tests check.
+
+    Args:
+        system: any.
+        samples: (m, n) coordinates of points.
+
+    Raises:
+        InvalidInput: naming what is overridden.
+    """
+    kind, base = type(system), AbstractLiePoissonSystem
+    if not moves_by_generator(system):
+        raise InvalidInput(
+            f"{kind.__name__} overrides `vector_field`, which a verdict from its energy would not see. "
+            "Override `generator(t, point)` instead."
+        )
+    if kind.__module__.partition(".")[0] == "polhode" or (kind.generator is base.generator
+                                                          and kind.velocity is base.velocity):  # fmt: skip
+        return
+    algebra = system.algebra
+    points = algebra.from_dual_vector(jnp.asarray(samples))
+    moved = np.stack([np.asarray(algebra.to_vector(system.generator(t, points))) for t in TIMES])
+    wanted = moved[0]
+    if system.conserves_energy:
+        gradients, _ = differentiate(Energy(system), samples, samples[:1])
+        wanted = -system.sign * np.asarray(gradients)[:, 0]
+    good = np.isfinite(wanted).all(axis=1)
+    off = np.abs(moved - wanted)[:, good].max(initial=0.0) / (np.abs(wanted[good]).max(initial=0.0) or 1.0)
+    if off > DISAGREEMENT:
+        raise InvalidInput(
+            f"{kind.__name__} does not move by its energy alone: its `generator` differs from dH, or depends on time, "
+            f"by {off:.2g}. A verdict needs equations of motion without time; where energy is lost, "
+            "let `conserves_energy` be False."
+        )
+
+
+def _normalised(vectors: Array) -> Array:
+    sizes = np.abs(vectors).max(axis=1, keepdims=True)
+    return vectors / np.where(sizes > 0, sizes, 1.0)
+
+
+def _stacked(values: list[Array]) -> Array:
+    return jnp.stack(values) if values else jnp.zeros(0)

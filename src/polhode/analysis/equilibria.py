@@ -1,0 +1,120 @@
+"""Equilibria of any Lie–Poisson system on the leaf of a point, by least squares from random starts."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+import numpy as np
+
+from polhode.analysis.conserved import Energy, Source, casimirs_of, unit_of
+from polhode.analysis.stability import scaled_field
+from polhode.errors import InvalidInput
+from polhode.poisson.brackets import as_points
+from polhode.systems.base import AbstractLiePoissonSystem
+
+Array = Any
+Function = Callable[[Array], Array]
+STARTS = 64
+NULL = 1e-9  # singular values below it, relative to the largest, do not move a point that is sharpened
+SHARPENED = 3
+SAME = 1e-6  # distance, in units of |μ|, below which two equilibria are one
+SOLVED = 1e-10
+NODES = 12  # of Gauss's rule along a ray: exact for energies of degree 24
+
+
+def find_equilibria(
+    system: AbstractLiePoissonSystem,
+    state: Array,
+    starts: int = STARTS,
+    seed: int = 0,
+    casimirs: Sequence[Function] | None = None,
+) -> Array:
+    """Return the equilibria on the Casimirs' levels of one point, (m, *element_shape), lowest energy first.
+
+    Levenberg and Marquardt's method from random starts of the point's size; what settles is sharpened and counted once.
+    Where equilibria come in families, members of these. An incomplete list cannot be ruled out: take more starts.
+
+    Args:
+        system: any Lie–Poisson system.
+        state: one point of the dual, not zero.
+        starts: how many random starts.
+        seed: of the random generator.
+        casimirs: Casimirs as functions of one point, real, instead of those that the algebra names or that are found.
+
+    Raises:
+        InvalidInput: for a wrong shape, the zero point, or an algebra some of whose Casimirs are neither known nor
+            given.
+    """
+    algebra = system.algebra
+    mu = as_points(algebra, state)
+    if mu.shape != algebra.element_shape or not bool(jnp.any(mu != 0)):
+        raise InvalidInput(f"`state` must be one point {algebra.element_shape} other than zero; got shape {mu.shape}.")
+    known = casimirs_of(algebra, casimirs)
+    if known.missing:
+        raise InvalidInput(f"the levels of all Casimirs are needed, but {known.missing}.")
+    z = np.asarray(algebra.to_dual_vector(mu))
+    unit = unit_of(z)
+    draws = np.random.default_rng(seed).normal(size=(starts, z.size)) / np.sqrt(z.size)
+    found, left, energies, works = (
+        np.asarray(x)
+        for x in _solved(system, known.source, jnp.asarray(z / unit), jnp.asarray(unit), jnp.asarray(draws))
+    )
+    energies = energies if unit == 1.0 else works
+    good = np.isfinite(found).all(axis=1) & (left < SOLVED)
+    kept: list[int] = []
+    for k in np.flatnonzero(good):
+        if all(np.linalg.norm(found[k] - found[other]) > SAME for other in kept):
+            kept.append(int(k))
+    if not np.isfinite(energies[kept]).all():
+        raise InvalidInput("the energy must be finite at the equilibria; choose units in which |μ| is nearer to one.")
+    order = sorted(kept, key=lambda k: float(energies[k]))
+    points = unit * np.linalg.norm(z / unit) * found[order].reshape(-1, z.size)
+    return np.asarray(algebra.from_dual_vector(jnp.asarray(points)))
+
+
+@eqx.filter_jit
+def _solved(
+    system: AbstractLiePoissonSystem, casimirs: Source, level: Array, unit: Array, draws: Array
+) -> tuple[Array, Array, Array, Array]:
+    """Return where each start settles, in units of |level|, what is left of the equations there, and the energies.
+
+    These twice: as they are, and as ∫ dH along the ray from zero in ``unit``², which neither overflows nor underflows.
+    """
+    import optimistix
+
+    size = jnp.linalg.norm(level)
+    energy, field = Energy(system), scaled_field(system, unit)
+    differential = jax.grad(lambda x: energy(x)[0])
+    slope = jnp.linalg.norm(differential(unit * level) / unit)
+    rate = jnp.where(slope > 0, slope, 1.0)
+    nodes, shares = np.polynomial.legendre.leggauss(NODES)
+    wanted = casimirs(level)
+    slopes = jnp.linalg.norm(jax.jacfwd(casimirs)(level).reshape(-1, level.size), axis=1) * size
+    slopes = jnp.where(slopes > 0, slopes, 1.0)
+
+    def residual(x: Array, args: Any = None) -> Array:
+        return jnp.concatenate([field(size * x) / (rate * size), (casimirs(size * x) - wanted) / slopes])
+
+    solver = optimistix.LevenbergMarquardt(rtol=1e-10, atol=1e-12)
+
+    def work(y: Array) -> Array:
+        slopes = jax.vmap(lambda t: differential(unit * t * y) / unit)(0.5 + 0.5 * nodes)
+        return 0.5 * shares @ (slopes @ y)
+
+    def solve(start: Array) -> tuple[Array, Array, Array, Array]:
+        x = optimistix.least_squares(residual, solver, start, max_steps=200, throw=False).value
+
+        def sharpen(_: Any, x: Array) -> Array:
+            left = residual(x)
+            better = x - jnp.linalg.lstsq(jax.jacfwd(residual)(x), left, rcond=NULL)[0]
+            # not better beside bifurcations
+            return jnp.where(jnp.linalg.norm(residual(better)) < jnp.linalg.norm(left), better, x)
+
+        x = jax.lax.fori_loop(0, SHARPENED, sharpen, x)
+        return x, jnp.linalg.norm(residual(x)), energy(unit * size * x)[0], work(size * x)
+
+    return jax.vmap(solve)(draws)

@@ -1,0 +1,142 @@
+"""An equilibrium's matrices: all that is conserved there, differentiated and checked, free of units."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import jax.numpy as jnp
+import numpy as np
+
+from polhode.analysis.conserved import (
+    Casimirs,
+    Derivatives,
+    Energy,
+    Given,
+    Known,
+    Source,
+    check_casimirs,
+    check_commute,
+    derivatives,
+    refuse_rough,
+    samples_around,
+    unit_of,
+)
+from polhode.systems.base import AbstractLiePoissonSystem
+
+Array = Any
+Function = Callable[[Array], Array]
+NULL = 1e-9  # of a function's field relative to its terms: below it the function's flow leaves the point where it is
+STILL = 1e-13  # a field below it, relative to its terms, at all random points vanishes everywhere
+
+
+class Problem(NamedTuple):
+    """An equilibrium in coordinates y = μ/unit, with H/unit² in unit² and time in 1/unit.
+
+    Attributes:
+        g, H: (1+k+j, n) gradients and (…, n, n) Hessians of H, the k Casimirs and the j integrals at rest or given.
+        tensor, constants: π and its derivative.
+        names: of the Casimirs and integrals.
+        free: which integrals are not at rest at the point.
+        error: relative, of the second derivatives.
+        still: whether the field vanishes all around.
+    """
+
+    system: AbstractLiePoissonSystem
+    casimirs: Source
+    y: Array
+    unit: float
+    g: Array
+    H: Array
+    tensor: Array
+    constants: Array
+    names: list[str]
+    free: list[int]
+    error: float
+    still: bool
+
+    def sizes(self, weights: Array) -> tuple[Array, Array, float]:
+        """Return the sizes of the terms that make up dF (n,), the flow (n, n), and the field.
+
+        A gradient that vanishes is a sum of terms that cancel: rounding errors of the point alone change it by those of
+        |D²F| |μ|.
+        """
+        terms = np.abs(weights) @ (np.abs(self.g) + np.abs(self.H) @ np.abs(self.y))
+        tensor = np.abs(self.constants) @ np.abs(self.y)
+        turned = np.einsum("jik,i->jk", np.abs(self.constants), terms)
+        flow = tensor @ np.tensordot(np.abs(weights), np.abs(self.H), 1) + turned
+        return terms, flow, float(tensor.max(initial=0.0) * terms.max(initial=0.0))
+
+
+def problem(
+    system: AbstractLiePoissonSystem, casimirs: Casimirs, integrals: tuple[Function, ...], z: Array, given: bool
+) -> Problem:
+    """Differentiate all functions, and refuse those that are not conserved."""
+    unit = unit_of(z)
+    y, constants = z / unit, system.sign * np.asarray(system.algebra.structure_constants())
+    around = samples_around(constants, y)
+    tensors = np.einsum("ijk,mk->mij", constants, around)
+    energy = _in_units(derivatives(Energy(system), z, unit * around), unit)
+    refuse_rough(energy, "the energy")
+    own = derivatives(casimirs.source, y, around)
+    refuse_rough(own, "each Casimir")
+    if given:
+        check_casimirs(tensors, own.around)
+    parts, names, free = [energy, own], _scaled_names(casimirs, y, unit), []
+    tensor = constants @ y
+    extra = [(Known(system), list(system.extra_invariants), False),
+             (Given(system.algebra, integrals), [f"J{k + 1}" for k in range(len(integrals))], True)]  # fmt: skip
+    for source, titles, wanted in extra:
+        if not titles:
+            continue
+        found = _in_units(derivatives(source, z, unit * around), unit)
+        if wanted:
+            refuse_rough(found, "each of `integrals`")
+        rest = [_is_at_rest(tensor, gradient) for gradient in found.gradients]
+        taken = [k for k in range(len(titles)) if wanted or (rest[k] and found.smooth[k])]
+        for k in taken:
+            check_commute(tensors, found.around[:, k], energy.around[:, 0], (titles[k], "H"),
+                          "It is not conserved; check the function, its sign and its parameters.")  # fmt: skip
+        free += [1 + len(names) + n for n, k in enumerate(taken) if not rest[k]]
+        names += [titles[k] for k in taken]
+        parts.append(found.chosen(taken))
+    near = np.concatenate([part.around for part in parts], axis=1)
+    labels = ["H", *names]
+    for n in free:
+        for m in range(1 + len(own.gradients), len(labels)):
+            if m < n or m not in free:
+                check_commute(tensors, near[:, n], near[:, m], (labels[n], labels[m]),
+                              "Symmetries that are divided out must commute; give one of the two alone.")  # fmt: skip
+    slopes = energy.around[:, 0]
+    still = _vanishes(np.einsum("mij,mj->mi", tensors, slopes),
+                      np.einsum("mij,mj->mi", np.abs(tensors), np.abs(slopes)))  # fmt: skip
+    g, H = (np.concatenate([getattr(part, field) for part in parts]) for field in ("gradients", "hessians"))
+    error = max(float(part.errors.max(initial=0.0)) for part in parts)
+    return Problem(system, casimirs.source, y, unit, g, H, tensor, constants, names, free, error, still)
+
+
+def _is_at_rest(tensor: Array, gradient: Array) -> bool:
+    """Whether a function's flow leaves the point where it is."""
+    return bool(np.abs(tensor @ gradient).max() <= NULL * np.abs(tensor).max() * np.abs(gradient).max())
+
+
+def _in_units(found: Derivatives, unit: float) -> Derivatives:
+    """Return derivatives of f(unit · y)/unit²."""
+    return found._replace(gradients=found.gradients / unit, around=found.around / unit)
+
+
+def _scaled_names(casimirs: Casimirs, y: Array, unit: float) -> list[str]:
+    """Return the names of unit² C(μ/unit), which is C itself if C is quadratic."""
+    if unit == 1.0:
+        return list(casimirs.names)
+    ones, twos = (np.asarray(casimirs.source(jnp.asarray(x))) for x in (np.cos(np.arange(y.size)),
+                                                                         2.0 * np.cos(np.arange(y.size))))  # fmt: skip
+    quadratic = np.isclose(twos, 4.0 * ones, rtol=1e-9)
+    return [name if plain else f"({unit:.3g})² ({name} of μ/{unit:.3g})"
+            for name, plain in zip(casimirs.names, quadratic, strict=True)]  # fmt: skip
+
+
+def _vanishes(values: Array, terms: Array) -> bool:
+    good = np.isfinite(values).all(axis=1)
+    values, terms = values[good], terms[good].max(axis=1, keepdims=True)
+    return bool(good.sum() > len(good) // 2 and (np.abs(values) <= STILL * terms).all())
