@@ -10,7 +10,7 @@ from mpmath import mp
 
 import polhode as ph
 from oracle.derivatives import Direction, reference_derivative
-from oracle.families import draw
+from oracle.families import Case, draw
 from polhode.errors import InvalidInput
 from polhode.exact.derivative import state_tangent
 
@@ -19,6 +19,8 @@ WORST = 1e-13
 GROWTH_SHOWN = 300.0
 """λt; a motion that starts at the saddle leaves it as e^{λt}, which is capped at e^340: there derivatives need only be
 finite. The oracle's steps do not reach further either."""
+UNRESOLVED = ("tiny_components",)
+"""The oracle's steps are made for starts down to 1e-150: of smaller components its own error is all it shows."""
 PER_FAMILY = 3
 LONGEST = 12.0
 """Decades of ωt."""
@@ -74,7 +76,7 @@ def worst_by_family(cases, found):
 
 
 def check(count, seed, announce):
-    cases = [case for case in draw(count, seed, LONGEST) if any(case.momentum)]
+    cases = [case for case in draw(count, seed, LONGEST) if any(case.momentum) and case.family not in UNRESOLVED]
     worst = worst_by_family(cases, jacobian(cases))
     lines = [f"derivatives against the oracle, {len(cases)} cases, worst of the Jacobian's size:"]
     announce("\n".join([*lines, *(f"  {family:26}{error:10.1e}" for family, error in worst.items())]))
@@ -88,6 +90,19 @@ def test_derivatives_in_every_family(announce):
 @pytest.mark.sweep
 def test_derivatives_in_a_larger_draw(announce):
     check(20, 6, announce)
+
+
+@pytest.mark.parametrize("leading", [0, 1, 2])
+def test_derivatives_beside_an_axis_are_those_on_it_or_none(leading):
+    momenta = np.zeros((6, 3))
+    momenta[:, leading], momenta[1:, (leading + 1) % 3] = 1.0, (1e-100, 1e-150, 1e-156, 1e-200, 1e-290)
+    on, *beside = zip(*jacobian([Case("beside", MOMENTS, tuple(L), 2.0) for L in momenta]), strict=True)
+    for k, (turn, change) in enumerate(beside):
+        if leading == 1 and k > 1:
+            # κ = −CS, which ties them to the saddle, has underflowed
+            assert np.isnan(turn).any() and np.isnan(change).any()
+        else:
+            assert np.abs(turn - on[0]).max() < SAME and np.abs(change - on[1]).max() < SAME
 
 
 def test_a_wrong_derivative_is_caught():

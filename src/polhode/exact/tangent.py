@@ -18,6 +18,7 @@ from polhode.exact.tangent_kernel import Kernel, elliptic_kernel
 from polhode.special import doubledouble as dd
 
 Array = Any
+LEAST_KAPPA = 1e-306
 FARTHEST = 340.0
 Vector = tuple[Array, Array, Array]
 Changes = tuple[Array, ...]  # of A, B, C, P, Q, b, κ, and of the momentum at the epoch
@@ -120,7 +121,10 @@ def _canonical(prepared: Prepared) -> Canonical:
     xp = namespace(A)
     b, g = B * Q, A * P
     # S vanishes only on the separatrix; where it underflows beside the saddle its root does not
-    kappa = xp.where(rates.separatrix, 0.0, C * (body.root_S[0] / V) * body.root_S[0])
+    kappa = C * (body.root_S[0] / V) * body.root_S[0]
+    # nearer still κ underflows too, and a derivative without it would be wrong
+    kappa = xp.where((kappa > LEAST_KAPPA) | rates.constant, kappa, xp.nan)
+    kappa = xp.where(rates.separatrix, 0.0, kappa)
     return Canonical(A, B, C, P, Q, S, b, g, kappa, g <= kappa, body.long_axis)
 
 
