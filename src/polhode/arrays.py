@@ -60,6 +60,31 @@ def namespace(*values: Any) -> Any:
     return numpy_namespace
 
 
+def refuse_single_precision(**named: Any) -> None:
+    """Refuse arrays, and nests of them, with fewer digits than float64: seven cannot carry a phase or an invariant.
+
+    JAX makes such arrays until 64 bits are switched on, which importing ``polhode.algebra`` does; those from before
+    stay as they are. Traced arrays are refused too, as their types are known.
+    """
+    for name, value in named.items():
+        if isinstance(value, list | tuple):
+            for part in value:
+                refuse_single_precision(**{name: part})
+            continue
+        dtype = str(getattr(value, "dtype", ""))
+        if dtype in ("float16", "bfloat16", "float32", "complex64") or dtype.startswith("float8"):
+            raise InvalidInput(f"`{name}` must be float64; got {dtype}. {_remedy(is_jax(value))}")
+
+
+def _remedy(jax_array: bool) -> str:
+    if not jax_array:
+        return "Convert it with astype(float) if seven digits are all there is to know."
+    return (
+        "Call jax.config.update('jax_enable_x64', True) before the first JAX array is made; one made before has lost "
+        "digits, so make it anew."
+    )
+
+
 def as_float64(xp: Any, value: Any, name: str) -> Array:
     """Return ``value`` as a float64 array of the namespace.
 
@@ -67,18 +92,27 @@ def as_float64(xp: Any, value: Any, name: str) -> Array:
         InvalidInput: if it is a float32 or complex array, or not numeric at all. Single precision cannot carry
             phases, so it is refused instead of silently widened.
     """
-    dtype = getattr(value, "dtype", None)
-    if dtype is not None and any(kind in str(dtype) for kind in ("float16", "float32", "complex")):
-        hint = " and set jax.config.update('jax_enable_x64', True)" if is_jax(value) else ""
-        raise InvalidInput(f"`{name}` must be real and float64; got {dtype}. Convert it to float64{hint}.")
+    refuse_single_precision(**{name: value})
+    if "complex" in str(getattr(value, "dtype", "")):
+        raise InvalidInput(f"`{name}` must be real; got {value.dtype}. Take its real part if that is meant.")
     try:
         native = _library(type(value)) != "numpy"
         kind = "f" if native else np.asarray(value).dtype.kind
         if kind in "SUMm" or (kind == "O" and any(x is None for x in np.asarray(value).flat)):
             raise TypeError("text, dates and None are no numbers")
+        if "jax" in str(getattr(xp, "__name__", "")):
+            _refuse_disabled_double_precision(name)
         return xp.asarray(value if native else np.asarray(value, dtype=np.float64), dtype=xp.float64)
     except (TypeError, ValueError, OverflowError) as error:
         raise InvalidInput(f"`{name}` must be an array of numbers; got {shown(value)} ({error}).") from None
+
+
+def _refuse_disabled_double_precision(name: str) -> None:
+    """Refuse what JAX would turn to float32, be it whole numbers or NumPy's float64 beside JAX arrays."""
+    import jax
+
+    if not jax.config.jax_enable_x64:
+        raise InvalidInput(f"`{name}` must be float64, and JAX's is switched off. {_remedy(True)}")
 
 
 def barrier(values: Any) -> Any:

@@ -15,6 +15,7 @@ import numpy as np
 
 from polhode.algebra.power import Power
 from polhode.algebra.so3 import SO3
+from polhode.arrays import refuse_single_precision
 from polhode.errors import InvalidInput, NotConverged
 from polhode.integrators.adaptive import solve_adaptively
 from polhode.integrators.base import AbstractOrbitSolver
@@ -268,6 +269,7 @@ def _meter(wanted: bool) -> Any:
 
 
 def _checked_times(times: Array) -> np.ndarray:
+    refuse_single_precision(times=times)
     try:
         values = np.asarray(times, dtype=float)
     except (TypeError, ValueError):

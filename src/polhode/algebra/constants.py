@@ -8,6 +8,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode.algebra.base import AbstractLieAlgebra
+from polhode.arrays import refuse_single_precision
 from polhode.errors import InvalidInput
 
 Array = Any
@@ -71,6 +72,7 @@ def from_structure_constants(constants: Array) -> ConstantsAlgebra:
 
 def checked_constants(constants: Array) -> np.ndarray:
     """Return structure constants as a read-only array after the checks of ``from_structure_constants``."""
+    refuse_single_precision(constants=constants)
     try:
         c = np.array(constants, dtype=float)
     except (TypeError, ValueError):
@@ -108,6 +110,7 @@ def from_matrices(basis: Array) -> MatrixBasisAlgebra:
     Raises:
         InvalidInput: if the matrices depend on each other, or a commutator leaves their span; its indices are named.
     """
+    refuse_single_precision(basis=basis)
     try:
         matrices = np.array(basis)
         matrices = matrices.astype(complex if np.iscomplexobj(matrices) else float)

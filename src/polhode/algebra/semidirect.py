@@ -8,6 +8,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode.algebra.base import AbstractLieAlgebra
+from polhode.arrays import refuse_single_precision
 from polhode.errors import InvalidInput
 
 Array = Any
@@ -32,6 +33,7 @@ class Semidirect(AbstractLieAlgebra):
     generators: np.ndarray
 
     def __init__(self, algebra: AbstractLieAlgebra, generators: Array) -> None:
+        refuse_single_precision(generators=generators)
         rho = np.array(generators, dtype=float)
         if rho.ndim != 3 or rho.shape[0] != algebra.dim or rho.shape[1] != rho.shape[2]:
             raise InvalidInput(f"`generators` must have shape ({algebra.dim}, m, m); got {rho.shape}.")

@@ -47,7 +47,8 @@ class FreeMotion:
 
     Batch axes of all four are broadcast against each other, and times against them: one body at many times t (T,);
     many bodies each at its time t (N,); all with all: momentum (N, 1, 3), t (T,). JAX arrays in, JAX arrays out, with
-    ``jit``, ``vmap`` and derivatives through moments, momentum, attitude, epoch and time.
+    ``jit``, ``vmap`` and derivatives through moments, momentum, attitude, epoch and time. Derivatives are NaN of
+    motions that start closer than 1e-153 |L| to the unstable axis. JAX on the CPU takes numbers below 2e-308 for zero.
 
     Scalar answers such as ``period`` are floats for one body, None where infinite or undefined; in batches they are
     arrays with inf where infinite and NaN where undefined.

@@ -14,7 +14,7 @@ import jax
 import jax.numpy as jnp
 
 from polhode.algebra.base import AbstractLieAlgebra
-from polhode.arrays import is_traced
+from polhode.arrays import is_traced, refuse_single_precision
 from polhode.errors import InvalidInput
 
 Array = Any
@@ -97,6 +97,7 @@ def as_points(algebra: AbstractLieAlgebra, mu: Array) -> Array:
     Raises:
         InvalidInput: for wrong shapes or known values that are not finite.
     """
+    refuse_single_precision(point=mu)
     try:
         mu = jnp.asarray(mu, dtype=algebra.dtype)
     except (TypeError, ValueError):

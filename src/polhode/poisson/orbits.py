@@ -14,6 +14,7 @@ import numpy as np
 
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.so3 import SO3
+from polhode.arrays import refuse_single_precision
 from polhode.errors import InvalidInput
 from polhode.poisson.brackets import as_points, poisson_tensor
 
@@ -40,6 +41,7 @@ def kks_form(algebra: AbstractLieAlgebra, mu: Array, x: Array, y: Array, sign: i
     """Return ω(ad*_x μ, ad*_y μ) = sign · ⟨μ, [x, y]⟩ (…) for elements x, y that generate the two tangent vectors."""
     if sign not in (-1, 1):
         raise InvalidInput(f"`sign` must be −1 or +1; got {sign!r}.")
+    refuse_single_precision(x=x, y=y)
     return sign * algebra.pairing(as_points(algebra, mu), algebra.bracket(jnp.asarray(x), jnp.asarray(y)))
 
 
@@ -67,6 +69,7 @@ def symplectic_area(momenta: Array, sign: int = -1) -> float:
     The curve is closed by its first point; its pieces are taken as arcs of great circles, for which the sum of the
     signed triangles seen from the first point is exact. The area is that modulo the whole sphere, in (−2π, 2π] |L|.
     """
+    refuse_single_precision(momenta=momenta)
     points = np.asarray(momenta, dtype=float)
     if points.ndim != 2 or points.shape[1] != 3 or len(points) < 3 or not np.isfinite(points).all():
         raise InvalidInput(f"`momenta` must be at least three finite points (n, 3); got shape {points.shape}.")

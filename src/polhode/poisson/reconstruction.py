@@ -15,6 +15,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode import rotation
+from polhode.arrays import refuse_single_precision
 from polhode.errors import InvalidInput
 
 Array = Any
@@ -53,6 +54,7 @@ def reconstruct(
     Raises:
         InvalidInput: for shapes that do not match, fewer than two samples, times that do not advance, or L = 0.
     """
+    refuse_single_precision(times=times, momentum=momentum, attitude=attitude)
     t, L = jnp.asarray(times, dtype=jnp.float64), jnp.asarray(momentum, dtype=jnp.float64)
     if t.ndim != 1 or len(t) < 2 or L.shape != (len(t), 3):
         raise InvalidInput(f"`times` (T,) and `momentum` (T, 3) must match, T at least 2; got {t.shape} and {L.shape}.")

@@ -10,6 +10,7 @@ from __future__ import annotations
 from typing import Any
 
 from polhode import rotation
+from polhode.arrays import refuse_single_precision
 from polhode.errors import InvalidInput
 
 Array = Any
@@ -17,12 +18,14 @@ Array = Any
 
 def left_trivialize(attitude: Array, covector: Array) -> Array:
     """Return the body momentum L (…, 3) of covectors P (…, 3, 3) at attitudes (…, 4)."""
+    refuse_single_precision(covector=covector)
     R = rotation.as_matrix(attitude)
     return _antisymmetric_part(_transpose(R) @ covector)
 
 
 def right_trivialize(attitude: Array, covector: Array) -> Array:
     """Return the space momentum π (…, 3) of covectors P (…, 3, 3) at attitudes (…, 4)."""
+    refuse_single_precision(covector=covector)
     R = rotation.as_matrix(attitude)
     return _antisymmetric_part(covector @ _transpose(R))
 
@@ -32,6 +35,7 @@ def lifted_action(turn: Array, attitude: Array, covector: Array) -> tuple[Array,
 
     It leaves the body momentum as it is and turns the space momentum by G.
     """
+    refuse_single_precision(covector=covector)
     return rotation.multiply(turn, attitude), rotation.as_matrix(turn) @ covector
 
 

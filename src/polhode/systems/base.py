@@ -15,6 +15,7 @@ from polhode import rotation
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.se3 import SE3
 from polhode.algebra.so3 import SO3
+from polhode.arrays import refuse_single_precision
 from polhode.errors import InvalidInput
 
 Array = Any
@@ -222,6 +223,7 @@ class AbstractLiePoissonSystem(AbstractSystem):
         Raises:
             InvalidInput: if its last axes are neither a point's nor, where there is one, attitude and point.
         """
+        refuse_single_precision(state=state)
         shape, own = jnp.shape(state), self.algebra.element_shape
         if self.carries_attitude and shape and shape[-1] == 4 + own[0]:
             return Parts(state[..., :4], state[..., 4:])
@@ -240,6 +242,7 @@ def as_finite_state(state: Array, dtype: Any, length: int | None = None) -> Arra
     Raises:
         InvalidInput: for what is no number, NaN or an infinity, or a last axis not of the length.
     """
+    refuse_single_precision(state=state)
     try:
         state = jnp.asarray(state, dtype=dtype)
     except (TypeError, ValueError):

@@ -9,6 +9,7 @@ import numpy as np
 
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.se3 import SE3
+from polhode.arrays import refuse_single_precision
 from polhode.errors import InvalidInput
 from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow
 from polhode.systems.free_flow import free_flow
@@ -42,6 +43,7 @@ class BrunBody(AbstractLiePoissonSystem):
     def __init__(self, moments: Array, strength: float) -> None:
         if not (np.ndim(strength) == 0 and np.isfinite(strength)):
             raise InvalidInput(f"`strength` must be one finite number [1/s²]; got {strength!r}.")
+        refuse_single_precision(strength=strength)
         self.algebra, self.moments, self.strength = SE3(), checked_moments(moments), jnp.asarray(float(strength))
 
     def energy(self, point: Array) -> Array:

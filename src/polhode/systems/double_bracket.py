@@ -9,6 +9,7 @@ import numpy as np
 
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.so3 import SO3
+from polhode.arrays import refuse_single_precision
 from polhode.errors import InvalidInput
 from polhode.systems.base import AbstractLiePoissonSystem, Balance
 from polhode.systems.free_rigid_body import checked_moments
@@ -41,6 +42,7 @@ class DoubleBracket(AbstractLiePoissonSystem):
     def __init__(self, moments: Array, rate: float) -> None:
         if not (np.ndim(rate) == 0 and np.isfinite(rate) and rate >= 0):
             raise InvalidInput(f"`rate` must be finite and not negative [s/(kg m²)]; got {rate!r}.")
+        refuse_single_precision(rate=rate)
         self.algebra, self.moments, self.rate = SO3(), checked_moments(moments), jnp.asarray(float(rate))
 
     def energy(self, point: Array) -> Array:

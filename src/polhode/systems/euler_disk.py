@@ -11,6 +11,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode import rotation
+from polhode.arrays import refuse_single_precision
 from polhode.errors import InvalidInput
 from polhode.special.legendre import LegendreFunction, legendre_function
 from polhode.systems.base import AbstractSystem, Balance, Vectors, as_finite_state
@@ -71,6 +72,7 @@ class EulerDisk(AbstractSystem):
         dissipation: Sequence[RollingDissipation] | RollingDissipation = (),
     ) -> None:
         m, a, g = (_positive(*x) for x in (("mass", mass, "kg"), ("radius", radius, "m"), ("gravity", gravity, "m/s²")))
+        refuse_single_precision(thickness=thickness)
         h = float(np.asarray(thickness, dtype=float))
         if not (math.isfinite(h) and 0.0 <= h <= 2.0 * a):
             raise InvalidInput(
@@ -251,6 +253,7 @@ class EulerDisk(AbstractSystem):
         Raises:
             InvalidInput: for a disk that lies flat or on the wrong rim, or a velocity that does not roll.
         """  # fmt: skip
+        refuse_single_precision(attitude=attitude)
         w, x, y, z = (float(k) for k in np.asarray(rotation.normalize(np.asarray(attitude, dtype=float))))
         theta = 2.0 * math.atan2(math.hypot(x, y), math.hypot(w, z))
         self._check_tilt(np.asarray(theta))
@@ -357,6 +360,7 @@ def _as_jax(function: LegendreFunction) -> LegendreFunction:
 
 
 def _positive(name: str, value: Array, unit: str) -> float:
+    refuse_single_precision(**{name: value})
     number = np.asarray(value, dtype=float)
     if number.shape != () or not (np.isfinite(number) and number > 0):
         raise InvalidInput(f"`{name}` must be a positive finite number [{unit}]; got {value!r}.")

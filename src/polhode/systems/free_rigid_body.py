@@ -9,6 +9,7 @@ import numpy as np
 
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.so3 import SO3
+from polhode.arrays import refuse_single_precision
 from polhode.errors import InvalidInput
 from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow
 
@@ -74,6 +75,7 @@ def checked_moments(moments: Array) -> Array:
     Raises:
         InvalidInput: otherwise.
     """
+    refuse_single_precision(moments=moments)
     values = np.asarray(moments, dtype=float)
     if values.shape != (3,) or not (np.isfinite(values).all() and (values > 0).all()):
         raise InvalidInput(f"`moments` must be three positive finite numbers [kg m²]; got {values.tolist()}.")

@@ -10,6 +10,7 @@ import numpy as np
 from polhode import rotation
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.so3 import SO3
+from polhode.arrays import refuse_single_precision
 from polhode.errors import InvalidInput
 from polhode.systems.base import (
     AbstractLiePoissonSystem,
@@ -90,6 +91,7 @@ class TorquedGyrostat(AbstractSystem):
         axis = _vector("axis", axis)
         if not bool(jnp.any(axis != 0)):
             raise InvalidInput("`axis` must be a direction (3,); got (0, 0, 0).")
+        refuse_single_precision(rotor_moment=rotor_moment, torque=torque)
         if not (np.ndim(rotor_moment) == 0 and np.isfinite(rotor_moment) and rotor_moment > 0):
             raise InvalidInput(f"`rotor_moment` must be positive and finite [kg m²]; got {rotor_moment!r}.")
         if not (np.ndim(torque) == 0 and np.isfinite(torque)):
@@ -130,6 +132,7 @@ class TorquedGyrostat(AbstractSystem):
 
 
 def _vector(name: str, value: Array) -> Array:
+    refuse_single_precision(**{name: value})
     try:
         vector = np.asarray(value, dtype=float)
     except (TypeError, ValueError):

@@ -12,6 +12,7 @@ import numpy as np
 from polhode import rotation
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.se3 import SE3
+from polhode.arrays import refuse_single_precision
 from polhode.bodies.body import Body, principal_axes
 from polhode.errors import InvalidInput
 from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow
@@ -54,6 +55,7 @@ class HeavyTop(AbstractLiePoissonSystem):
     case: tuple[str, int] | None = eqx.field(static=True)
 
     def __init__(self, moments: Array, mgl: float, axis: Array = (0.0, 0.0, 1.0), axes: Array | None = None) -> None:
+        refuse_single_precision(mgl=mgl, axis=axis, axes=axes)
         size = np.linalg.norm(np.asarray(axis, dtype=float)) if np.shape(axis) == (3,) else np.nan
         if not (np.isfinite(size) and size > 0):
             raise InvalidInput(f"`axis` must be a direction (3,), from fixed point to centre of mass; got {axis!r}.")
@@ -107,6 +109,7 @@ class HeavyTop(AbstractLiePoissonSystem):
         """
         if angular_velocity is not None and momentum is not None:
             raise InvalidInput("give `angular_velocity` or `momentum`, not both.")
+        refuse_single_precision(attitude=attitude, angular_velocity=angular_velocity, momentum=momentum)
         given = rotation.normalize(jnp.asarray(attitude, dtype=float))
         turned = rotation.multiply(given, rotation.from_matrix(self.axes))
         vector = angular_velocity if momentum is None else momentum

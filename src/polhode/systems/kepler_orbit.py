@@ -10,6 +10,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode.arrays import refuse_single_precision
 from polhode.errors import InvalidInput
 
 Array = Any
@@ -166,6 +167,7 @@ def checked_number(
     """
     rule = "a finite number" + (f" above {above:g}" if above is not None else "")
     rule += f" not below {least:g}" if least is not None else ""
+    refuse_single_precision(**{name: value})
     try:
         number = np.asarray(value, dtype=float)
     except (TypeError, ValueError):

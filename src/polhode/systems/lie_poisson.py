@@ -10,6 +10,7 @@ import jax
 import jax.numpy as jnp
 
 from polhode.algebra.base import AbstractLieAlgebra
+from polhode.arrays import refuse_single_precision
 from polhode.errors import InvalidInput
 from polhode.systems.base import AbstractLiePoissonSystem, check_scalar
 
@@ -66,6 +67,7 @@ class LiePoisson(AbstractLiePoissonSystem):
 
     def _batched(self, function: Callable[[Array], Array]) -> Callable[[Array], Array]:
         def values(point: Array) -> Array:
+            refuse_single_precision(point=point)
             point = jnp.asarray(point, dtype=self.algebra.dtype)
             batched = function
             for _ in self.algebra.batch_shape(point):

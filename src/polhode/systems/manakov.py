@@ -11,6 +11,7 @@ import numpy as np
 
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.matrix import SO
+from polhode.arrays import refuse_single_precision
 from polhode.errors import InvalidInput
 from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, components
 
@@ -34,6 +35,7 @@ class Manakov(AbstractLiePoissonSystem):
     size: int = eqx.field(static=True)
 
     def __init__(self, masses: Array) -> None:
+        refuse_single_precision(masses=masses)
         values = np.asarray(masses, dtype=float)
         if values.ndim != 1 or len(values) < 3 or not np.isfinite(values).all():
             raise InvalidInput(f"`masses` must be at least three finite numbers (n,); got shape {values.shape}.")

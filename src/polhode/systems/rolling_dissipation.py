@@ -19,6 +19,7 @@ import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
 
+from polhode.arrays import refuse_single_precision
 from polhode.errors import InvalidInput
 from polhode.systems.rolling_mechanics import RollingMechanics
 
@@ -198,6 +199,7 @@ def couples(
 
 
 def _positive(name: str, value: Array, unit: str) -> Array:
+    refuse_single_precision(**{name: value})
     number = np.asarray(value, dtype=float)
     if number.shape != () or not (np.isfinite(number) and number > 0):
         raise InvalidInput(

@@ -10,6 +10,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode import rotation
+from polhode.arrays import refuse_single_precision
 from polhode.errors import InvalidInput
 from polhode.systems.free_rigid_body import checked_moments
 from polhode.systems.kepler_orbit import KeplerOrbit, checked_number
@@ -51,6 +52,7 @@ class LinearDrag(AbstractTorque):
     coefficient: Array
 
     def __init__(self, coefficient: Array) -> None:
+        refuse_single_precision(coefficient=coefficient)
         values = np.asarray(coefficient, dtype=float)
         if values.shape not in ((), (3,)) or not (np.isfinite(values).all() and (values >= 0).all()):
             raise InvalidInput(

@@ -1,0 +1,151 @@
+"""Numbers with seven digits are refused wherever they come in, whoever made them, with a word on what to do."""
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+import pytest
+from jaxtyping import config
+
+import polhode as ph
+from limited import run_limited
+from polhode import algebra, poisson, systems
+from polhode.errors import InvalidInput
+from polhode.special.carlson import carlson_rf
+from polhode.special.theta import theta3
+from polhode.systems.kepler_orbit import KeplerOrbit
+from polhode.systems.torques import LinearDrag
+
+LONG_ENOUGH = 120.0
+"""Seconds; some four are needed."""
+THREE, FOUR, SIX, MATRIX = (1.0, 2.0, 2.5), (1.0, 0.0, 0.0, 0.0), (1.0, 2.0, 3.0, 2.0, 3.0, 5.0), np.eye(3)
+BODY = systems.FreeRigidBody(THREE)
+SO3 = algebra.SO3()
+
+
+def half(point):
+    return 0.5 * jnp.sum(point**2)
+
+
+ENTRIES = {
+    "FreeMotion moments": (THREE, lambda x: ph.FreeMotion(x, THREE)),
+    "FreeMotion momentum": (THREE, lambda x: ph.FreeMotion(THREE, x)),
+    "FreeMotion attitude": (FOUR, lambda x: ph.FreeMotion(THREE, THREE, x)),
+    "FreeMotion epoch": (0.0, lambda x: ph.FreeMotion(THREE, THREE, FOUR, x)),
+    "FreeMotion time": (1.0, lambda x: ph.FreeMotion(THREE, THREE).state(x)),
+    "FreeMotion times": (THREE, lambda x: ph.FreeMotion(THREE, THREE).sample(x)),
+    "FreeMotion.from_body": (THREE, lambda x: ph.FreeMotion.from_body(ph.shapes.sphere(1.0, 1.0), x)),
+    "LagrangeMotion moments": ((1.0, 1.0, 0.5), lambda x: ph.LagrangeMotion(x, 1.0, THREE)),
+    "LagrangeMotion mgl": (1.0, lambda x: ph.LagrangeMotion((1.0, 1.0, 0.5), x, THREE)),
+    "LagrangeMotion time": (1.0, lambda x: ph.LagrangeMotion((1.0, 1.0, 0.5), 1.0, THREE).state(x)),
+    "list of numbers": ([np.float32(1.0), 2.0, 3.0], lambda x: ph.FreeMotion(x, THREE)),
+    "Body": (MATRIX, lambda x: ph.Body(1.0, (0.0, 0.0, 0.0), x)),
+    "rotation": (FOUR, ph.rotation.as_matrix),
+    "rotation vector": (THREE, ph.rotation.from_rotation_vector),
+    "axis": (THREE, lambda x: ph.rotation.from_axis_angle(x, 1.0)),
+    "angle": (1.0, lambda x: ph.rotation.from_axis_angle(THREE, x)),
+    "elliptic integral": (0.3, lambda x: carlson_rf(x, 1.0, 2.0)),
+    "theta function": (0.1, lambda x: theta3(0.3, x)),
+    "FreeRigidBody": (THREE, systems.FreeRigidBody),
+    "HeavyTop": (THREE, lambda x: systems.HeavyTop(x, 1.0)),
+    "HeavyTop axis": (THREE, lambda x: systems.HeavyTop(THREE, 1.0, x)),
+    "HeavyTop mgl": (1.0, lambda x: systems.HeavyTop(THREE, x)),
+    "HeavyTop state": (THREE, lambda x: systems.HeavyTop(THREE, 1.0).state(angular_velocity=x)),
+    "Gyrostat rotor": (THREE, lambda x: systems.Gyrostat(THREE, x)),
+    "Kirchhoff": (SIX, systems.Kirchhoff),
+    "Manakov": (THREE, systems.Manakov),
+    "DoubleBracket rate": (0.3, lambda x: systems.DoubleBracket(THREE, x)),
+    "BrunBody strength": (0.3, lambda x: systems.BrunBody(THREE, x)),
+    "EulerDisk": (1.0, lambda x: systems.EulerDisk(x, 0.1)),
+    "EulerDisk thickness": (0.01, lambda x: systems.EulerDisk(1.0, 0.1, x)),
+    "LinearDrag": (0.3, LinearDrag),
+    "KeplerOrbit": (0.3, lambda x: KeplerOrbit(1.0, x)),
+    "point": (THREE, poisson.bracket(SO3, half, lambda L: L[0])),
+    "field": (THREE, poisson.hamiltonian_field(SO3, half)),
+    "kks_form": (THREE, lambda x: poisson.kks_form(SO3, THREE, x, jnp.ones(3))),
+    "orbit_dimension": (THREE, lambda x: poisson.orbit_dimension(SO3, x)),
+    "covector": (MATRIX, lambda x: poisson.reduction.left_trivialize(FOUR, x)),
+    "reconstruct": (THREE, lambda x: poisson.reconstruct(x, np.ones((3, 3)), lambda L: L)),
+    "vector_field": (THREE, lambda x: BODY.vector_field(0.0, x)),
+    "invariants": (THREE, BODY.invariants),
+    "LiePoisson energy": (THREE, systems.LiePoisson(SO3, half).energy),
+    "structure constants": (np.zeros((2, 2, 2)), algebra.from_structure_constants),
+    "basis of matrices": (algebra.SU(2).basis, algebra.from_matrices),
+    "simulate state": (THREE, lambda x: ph.simulate(BODY, x, (0.0, 1.0))),
+    "simulate times": ((0.0, 1.0), lambda x: ph.simulate(BODY, THREE, x)),
+    "stability": ((0.0, 1.0, 0.0), lambda x: ph.stability(BODY, x)),
+    "find_equilibria": ((0.0, 1.0, 0.0), lambda x: ph.find_equilibria(BODY, x)),
+}
+
+
+@pytest.fixture(autouse=True)
+def any_type_of_number():
+    """What a user's call without a type checker does."""
+    config.update("jaxtyping_disable", True)
+    yield
+    config.update("jaxtyping_disable", False)
+
+
+def single(value, make):
+    if isinstance(value, list):
+        return value
+    return make(value, dtype="complex64" if np.iscomplexobj(value) else "float32")
+
+
+@pytest.mark.parametrize("make", [np.asarray, jnp.asarray], ids=["NumPy", "JAX"])
+@pytest.mark.parametrize("entry", ENTRIES)
+def test_single_precision_is_refused(entry, make):
+    value, call = ENTRIES[entry]
+    with pytest.raises(InvalidInput, match=r"must be float64; got (float32|complex64)\. C"):
+        call(single(value, make))
+
+
+@pytest.mark.parametrize("dtype", ["float16", "bfloat16", "complex64"])
+def test_other_types_of_few_digits(dtype):
+    with pytest.raises(InvalidInput, match=dtype):
+        ph.FreeMotion(jnp.asarray(THREE, dtype=dtype), THREE)
+
+
+def test_traced_numbers_are_refused_as_their_type_is_known():
+    with pytest.raises(InvalidInput, match="float32"):
+        jax.jit(lambda x: ph.FreeMotion(x, jnp.asarray(THREE)).momentum(1.0))(jnp.asarray(THREE, dtype="float32"))
+
+
+def test_whole_numbers_and_plain_ones_are_good():
+    wanted = ph.FreeMotion((1.0, 2.0, 3.0), (1.0, 1.0, 2.0)).energy
+    assert ph.FreeMotion(jnp.array([1, 2, 3]), np.array([1, 1, 2], dtype=np.int32)).energy == wanted
+
+
+BEFORE_64_BITS = """
+import polhode as ph
+import jax
+import jax.numpy as jnp
+import numpy as np
+
+I, whole = jnp.array([1.0, 2.0, 3.3]), jnp.array([1, 2, 3])
+assert I.dtype == "float32"
+
+def refused(call):
+    try:
+        call()
+    except ph.InvalidInput as error:
+        assert "jax_enable_x64" in str(error), error
+        return
+    raise AssertionError("not refused")
+
+for x in (I, whole):
+    refused(lambda: ph.FreeMotion(x, (0.3, 1.8, 1.5)))
+    refused(lambda: ph.FreeMotion((1.0, 2.0, 3.3), x))
+    refused(lambda: ph.rotation.from_rotation_vector(x))
+    refused(lambda: jax.jit(ph.rotation.from_rotation_vector)(x))
+refused(lambda: ph.FreeMotion((1.0, 2.0, 3.3), (0.3, 1.8, 1.5)).state(I[0]))
+refused(lambda: jax.jit(lambda t: ph.FreeMotion((1.0, 2.0, 3.3), (0.3, 1.8, 1.5)).momentum(t))(2.0))
+ph.algebra
+assert jnp.array([1.0]).dtype == "float64"
+refused(lambda: ph.systems.FreeRigidBody(I))
+refused(lambda: ph.FreeMotion(I, (0.3, 1.8, 1.5)))
+ph.FreeMotion(whole, (0.3, 1.8, 1.5))
+"""
+
+
+def test_what_was_made_before_64_bits_were_switched_on():
+    run_limited(BEFORE_64_BITS, LONG_ENOUGH)
