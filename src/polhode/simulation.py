@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import sys
 import warnings
-from typing import Any
+from typing import Any, NamedTuple
 
 import diffrax
 import equinox as eqx
@@ -17,8 +17,10 @@ from polhode.algebra.power import Power
 from polhode.algebra.so3 import SO3
 from polhode.arrays import refuse_single_precision
 from polhode.errors import InvalidInput, NotConverged
-from polhode.integrators.adaptive import solve_adaptively
+from polhode.integrators.accuracy import measured_run, run_to_tolerance
+from polhode.integrators.adaptive import adaptive_error, solve_adaptively
 from polhode.integrators.base import AbstractOrbitSolver
+from polhode.integrators.equal_steps import run_by_equal_steps, step_counts
 from polhode.integrators.lie_midpoint import LieMidpoint
 from polhode.integrators.spherical_midpoint import SphericalMidpoint
 from polhode.integrators.splitting import Splitting
@@ -27,7 +29,20 @@ from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
 from polhode.trajectory import Trajectory
 
 Array = Any
-STEP_ANGLE = 0.05  # rad by which the fastest rotation turns in a default step
+
+
+class _Asked(NamedTuple):
+    """What ``simulate`` was asked for beside system, state, times and method."""
+
+    step: float | None
+    order: int | None
+    progress: bool | None
+    throw: bool
+    tolerance: float | None
+    estimate_error: bool
+
+
+STEP_ANGLE = 0.05  # rad by which the fastest rotation turns in a default step of low order
 TOO_LONG = 1.0  # rad in a step from which a given step draws a warning
 LONG_RUN = 2_000_000  # steps from which progress is shown, on a terminal
 
@@ -41,6 +56,8 @@ def simulate(
     order: int | None = None,
     progress: bool | None = None,
     throw: bool = True,
+    tolerance: float | None = None,
+    estimate_error: bool = True,
 ) -> Trajectory:
     """Return the motion of a system from a state at the first time, sampled at all times.
 
@@ -57,77 +74,146 @@ def simulate(
             or any diffrax solver. By default splitting into exact flows where a Lie–Poisson system has them, the
             spherical midpoint rule for spins, else Lie's midpoint rule; diffrax's ``Dopri8`` for any other system, and
             for one that overrides ``vector_field``.
-        step: largest step [s]; by default a twentieth of a radian of the fastest rotation at the start.
+        step: largest step [s]; by default each copy's fastest rotation at the start turns by 0.2 rad in a step at order
+            8, 0.1 at order 6, 0.05 at lower orders.
         order: of the method, by default its own.
         progress: whether to show it on standard error; by default for long runs on a terminal.
-        throw: raise if an implicit step fails; otherwise the status says so, and states after it are infinite.
+        throw: raise if an implicit step fails in any copy; otherwise the status says so, and the states of that copy
+            after it are infinite.
+        tolerance: of the error relative to the state's size, instead of a step. Steps are shortened from the default
+            until ``error_estimate`` is below it. diffrax's solvers take it as the tolerance of a step.
+        estimate_error: whether to run twice, with other steps, and say by ``error_estimate`` how far the motion is from
+            the true one. The second run costs half as much as the first; twice as much where samples are a step apart.
 
     Returns:
-        Trajectory with ``invariants``, ``balances`` and their ``drift``, ``statistics`` of steps and iterations.
+        Trajectory with ``invariants``, ``balances`` and their ``drift``, ``statistics`` of steps and iterations (the
+        most of all copies), and ``error_estimate``.
 
     Raises:
         InvalidInput: for wrong shapes, a state with NaN, times out of order, a step that is not positive, or a system
             whose energy, velocity, generator and flows disagree.
-        NotConverged: if an implicit step does not converge, or adaptive steps shrink to nothing.
+        NotConverged: if an implicit step does not converge, adaptive steps shrink to nothing, or no step meets the
+            tolerance.
     """
     if not isinstance(system, AbstractSystem):
         raise InvalidInput(f"`system` must be one of polhode.systems; got {type(system).__name__}.")
     state, times = system.check_state(state), _checked_times(times)
-    if step is not None and not (np.ndim(step) == 0 and math.isfinite(step) and step > 0):
-        raise InvalidInput(f"`step` must be a positive finite time [s]; got {step!r}.")
+    for name, value, unit in (("step", step, " time [s]"), ("tolerance", tolerance, " number")):
+        if value is not None and not (np.ndim(value) == 0 and math.isfinite(value) and value > 0):
+            raise InvalidInput(f"`{name}` must be a positive finite{unit}; got {value!r}.")
+    if step is not None and tolerance is not None and not _is_adaptive(method):
+        raise InvalidInput("give `step` or `tolerance`, which chooses the step, not both.")
+    asked = _Asked(step, order, progress, throw, tolerance, estimate_error)
     with warnings.catch_warnings():
         # diffrax warns of complex states in general; our solvers' arithmetic is tested on them
         warnings.filterwarnings("ignore", message="Complex dtype support in Diffrax")
         if isinstance(system, AbstractLiePoissonSystem):
             check_agreement(system, state, times, by_flows=_would_split(system, method))
             if _goes_along_orbit(system, method):
-                return _by_equal_steps(system, state, times, method, step, order, progress, throw)
-        solver = _adaptive_solver(system, method, order)
-        motion = solve_adaptively(system, solver, state, times, _meter(bool(progress)), step)
-    if throw and not motion.successful:
+                return _by_equal_steps(system, state, times, method, asked)
+        return _by_adaptive_steps(system, state, times, method, asked)
+
+
+def _by_adaptive_steps(
+    system: AbstractSystem, state: Array, times: np.ndarray, method: Any, asked: _Asked
+) -> Trajectory:
+    solver = _adaptive_solver(system, method, asked.order)
+    motion = solve_adaptively(system, solver, state, times, _meter(bool(asked.progress)), asked.step, asked.tolerance)
+    failed = np.argwhere(~motion.successful)
+    which = "" if not np.ndim(motion.successful) or not len(failed) else (
+        f" in {len(failed)} of {motion.successful.size} copies, first {_indices(failed[0])}")  # fmt: skip
+    if asked.throw and len(failed):
         raise NotConverged(
-            f"{type(solver).__name__} could not hold its tolerance after {motion.steps} steps: the motion runs into a "
-            "singularity or leaves the finite numbers. End it earlier."
+            f"{type(solver).__name__} could not hold its tolerance after {motion.steps} steps{which}: the motion runs "
+            "into a singularity or leaves the finite numbers. End it earlier."
         )
-    status = motion.event or ("successful" if motion.successful else f"not converged: {_why(solver)}")
-    return trajectory_of(system, motion.times, motion.states, status, {"steps": motion.steps}, motion.received)
+    failure = f"not converged: {type(solver).__name__} failed{which}"
+    status = motion.event or (failure if len(failed) else "successful")
+    error = None
+    if asked.estimate_error:
+        error = adaptive_error(system, solver, state, times, motion, asked.step, asked.tolerance)
+    return trajectory_of(system, motion.times, motion.states, status, {"steps": motion.steps}, motion.received, error)
 
 
 def _by_equal_steps(
-    system: AbstractLiePoissonSystem, state: Array, times: np.ndarray, method: Any, step: float | None,
-    order: int | None, progress: bool | None, throw: bool,
-) -> Trajectory:  # fmt: skip
-    rate = fastest_rate(system, state, times)
-    size = float(step) if step is not None else (STEP_ANGLE / rate if rate > 0 else math.inf)
-    size = min(size, float(np.abs(np.diff(times)).max()))  # no step is longer than from sample to sample
-    if isinstance(method, AbstractOrbitSolver):
-        _check_made(method, system, step, order)
-    solver = _solver(system, method, size, order)
-    if rate * float(solver.step_size) > TOO_LONG:
+    system: AbstractLiePoissonSystem, state: Array, times: np.ndarray, method: Any, asked: _Asked
+) -> Trajectory:
+    rates = turning_rates(system, state, times)
+    solver, sizes = _prepared(system, method, rates, times, asked)
+    longest = float(np.max(sizes * rates, initial=0.0))
+    if longest > TOO_LONG and asked.tolerance is None:
+        at = float(np.ravel(sizes)[np.argmax(sizes * rates)])
         warnings.warn(
-            f"a step of {float(solver.step_size):.3g} s turns the fastest rotation by "
-            f"{rate * float(solver.step_size):.3g} rad; below {TOO_LONG / rate:.3g} s it is resolved.",
+            f"a step of {at:.3g} s turns the fastest rotation by {longest:.3g} rad; "
+            f"below {TOO_LONG * at / longest:.3g} s it is resolved.",
             stacklevel=3,
         )
-    expected = float(np.ptp(times)) / size
-    meter = _meter(progress if progress is not None else expected > LONG_RUN and sys.stderr.isatty())
-    solution = _solve(system, solver, state, jnp.asarray(times), meter)
-    ended, memory = bool(solution.result == diffrax.RESULTS.successful), solution.solver_state
-    statistics = {"steps": int(memory.steps), "iterations": int(memory.iterations)}
-    if throw and not ended:
-        raise NotConverged(
-            f"the {type(solver).__name__} step did not converge, or the state left the finite numbers, after "
-            f"{statistics['steps']} steps. Take a shorter `step`, or an explicit method such as MuntheKaas."
-        )
-    status = "successful" if ended else f"not converged: {_why(solver)}"
-    return trajectory_of(system, times, solution.ys, status, statistics, {})
+    counts = step_counts(times, sizes).sum(axis=-1)
+    shown = asked.progress if asked.progress is not None else counts.max() > LONG_RUN and sys.stderr.isatty()
+    given = solver, state, times, sizes, rates
+    if asked.tolerance is not None:
+        run, sizes, error = run_to_tolerance(*given, asked.tolerance, _meter(bool(shown)), _meter(False))
+    elif asked.estimate_error:
+        run, sizes, error = measured_run(*given, _meter(bool(shown)), _meter(False))
+    else:
+        run, error = run_by_equal_steps(*given, _meter(bool(shown))), None
+    steps = step_counts(times, sizes).sum(axis=-1)
+    statistics = {"steps": int(steps.max()), "iterations": int(run.iterations.max())}
+    name, failed = type(solver).__name__, np.argwhere(~run.fine)
+    if len(failed):
+        which = "" if not run.fine.ndim else f" in {len(failed)} of {run.fine.size} copies, first {_indices(failed[0])}"
+        if asked.throw:
+            raise NotConverged(
+                f"the {name} step did not converge, or the state left the finite numbers{which}. Take a shorter "
+                "`step`, or an explicit method such as MuntheKaas; with `throw=False` the other copies are returned."
+            )
+        status = f"not converged: {name} failed{which}"
+    else:
+        status = "successful"
+    return trajectory_of(system, times, run.states, status, statistics, {}, error)
+
+
+def _indices(where: np.ndarray) -> str:
+    return str(int(where[0])) if len(where) == 1 else str(tuple(int(k) for k in where))
+
+
+def _prepared(
+    system: AbstractLiePoissonSystem, method: Any, rates: Array, times: np.ndarray, asked: _Asked
+) -> tuple[Any, Array]:
+    """Return the solver and each copy's largest step."""
+    if isinstance(method, AbstractOrbitSolver):
+        if asked.step is not None or asked.order is not None or asked.tolerance is not None:
+            raise InvalidInput(
+                "`step`, `order` and `tolerance` go with a class of methods; the solver given was made with its own."
+            )
+        if not bool(eqx.tree_equal(method.system, system)):
+            raise InvalidInput("`method` was made for another system; make it with the one that is simulated.")
+        solver, sizes = method, np.full(rates.shape, float(method.step_size))
+    else:
+        solver = _solver(system, method, asked.order)
+        angle = step_angle(solver.order(None))
+        with np.errstate(divide="ignore"):
+            sizes = np.full(rates.shape, float(asked.step)) if asked.step is not None else angle / rates
+    # no step is longer than from sample to sample
+    return solver, np.minimum(sizes, float(np.abs(np.diff(times)).max()))
 
 
 def fastest_rate(system: AbstractLiePoissonSystem, state: Array, times: Array = (0.0,)) -> float:
-    """Return an upper estimate of the rate [rad/s] at which the group turns at a state, at some of the times."""
+    """Return an upper estimate of the rate [rad/s] at which the group turns at any of the states."""
+    return float(np.max(turning_rates(system, state, times), initial=0.0))
+
+
+def step_angle(order: int) -> float:
+    """Return by how much [rad] the fastest rotation turns in a default step of a method."""
+    return {6: 0.1, 8: 0.2}.get(order, STEP_ANGLE)
+
+
+def turning_rates(system: AbstractLiePoissonSystem, state: Array, times: Array) -> Array:
+    """Return upper estimates of the rates (batch…) [rad/s] at which the group turns at states, at some of the times."""
     point, first, last = system.parts(state).point, float(times[0]), float(times[-1])
     moments = {first + share * (last - first) for share in MOMENTS_OF_TIME} if _is_driven(system) else {first}
-    return max(float(jnp.max(system.algebra.rate(system.generator(t, point)), initial=0.0)) for t in moments)
+    rates = [np.asarray(system.algebra.rate(system.generator(t, point)), dtype=float) for t in moments]
+    return np.max(np.broadcast_arrays(*rates, np.zeros(system.algebra.batch_shape(point))), axis=0)
 
 
 def _is_driven(system: AbstractLiePoissonSystem) -> bool:
@@ -160,56 +246,30 @@ def _adaptive_solver(system: AbstractSystem, method: Any, order: int | None) -> 
     return diffrax.Dopri8() if method is None else method
 
 
-def _solver(system: AbstractLiePoissonSystem, method: Any, step: float, order: int | None) -> Any:
+def _solver(system: AbstractLiePoissonSystem, method: Any, order: int | None) -> Any:
     if method is None:
         algebra = system.algebra
         spins = isinstance(algebra, Power) and isinstance(algebra.algebra, SO3)
         method = Splitting if system.flows else SphericalMidpoint if spins else LieMidpoint
     if isinstance(method, type) and issubclass(method, AbstractOrbitSolver):
-        size = jnp.asarray(step, dtype=float)
-        return method(system, size) if order is None else method(system, size, order=order)  # type: ignore[call-arg]
-    if isinstance(method, AbstractOrbitSolver):
-        if order is not None:
-            raise InvalidInput("`order` goes with a class of methods; the solver given has its own.")
-        return method
+        any_size = jnp.asarray(1.0)
+        return method(system, any_size) if order is None else method(system, any_size, order=order)  # type: ignore[call-arg]
     raise InvalidInput(f"`method` must be a class of polhode.integrators or a diffrax solver; got {method!r}.")
-
-
-def _rhs(t: Array, state: Array, system: AbstractLiePoissonSystem) -> Array:
-    return system.vector_field(t, state)
-
-
-def _check_made(
-    solver: AbstractOrbitSolver, system: AbstractLiePoissonSystem, step: float | None, order: int | None
-) -> None:
-    if step is not None or order is not None:
-        raise InvalidInput("`step` and `order` go with a class of methods; the solver given was made with its own.")
-    if not bool(eqx.tree_equal(solver.system, system)):
-        raise InvalidInput("`method` was made for another system; make it with the one that is simulated.")
-
-
-@eqx.filter_jit
-def _solve(system: Any, solver: Any, state: Array, times: Array, meter: Any) -> Any:
-    return diffrax.diffeqsolve(
-        diffrax.ODETerm(_rhs), solver, times[0], times[-1], None, state, args=system, throw=False,
-        stepsize_controller=diffrax.StepTo(times), saveat=diffrax.SaveAt(t0=True, steps=True, solver_state=True),
-        max_steps=len(times) - 1, progress_meter=meter, adjoint=diffrax.ForwardMode(),
-    )  # fmt: skip
 
 
 def trajectory_of(
     system: AbstractSystem, times: np.ndarray, states: Array, status: str, statistics: dict[str, int],
-    received: dict[str, Array],
+    received: dict[str, Array], error_estimate: Array | None = None,
 ) -> Trajectory:  # fmt: skip
-    """Return samples, time first, as a trajectory with all that the system says of them."""
+    """Return samples (batch…, T, …) as a trajectory with all that the system says of them."""
     axis = jnp.ndim(states) - 1 - system.state_axes
-    states = jnp.moveaxis(states, 0, axis)
+    states = jnp.asarray(states)
     invariants = {name: np.asarray(value) for name, value in _invariants(system, states).items()}
     # what holds on other leaves only is NaN on this one
     invariants = {name: value for name, value in invariants.items() if not np.isnan(value).all()}
     balances = eqx.filter_jit(system.balances)(jnp.asarray(times), states)
     values = {name: np.asarray(balance.value) for name, balance in balances.items()}
-    got = {name: np.moveaxis(np.asarray(value), 0, axis) for name, value in received.items()}
+    got = {name: np.asarray(value) for name, value in received.items()}
     vectors = [None if x is None else np.asarray(x) for x in system.vectors(states)]
     terms = _terms(system, jnp.take(states, 0, axis=axis)) if jnp.isrealobj(states) else {}
     drift = {name: _drift(value, axis, terms.get(name)) for name, value in invariants.items()}
@@ -226,6 +286,7 @@ def trajectory_of(
         drift=drift | {name: _drift(values[name] - value, axis) for name, value in got.items()},
         status=status,
         statistics=statistics,
+        error_estimate=error_estimate,
     )
 
 
@@ -245,10 +306,6 @@ def _terms(system: AbstractSystem, state: Array) -> dict[str, Array]:
     for _ in range(jnp.ndim(state) - system.state_axes):
         of_one = jax.vmap(of_one)
     return of_one(state)
-
-
-def _why(solver: Any) -> str:
-    return f"{type(solver).__name__} failed"
 
 
 def _drift(values: np.ndarray, axis: int, terms: Array | None = None) -> Array:

@@ -26,6 +26,8 @@ class Trajectory:
             sample and what it received since, relative to its size or that of its terms, (batch…).
         status: what the method says of itself ("exact", how a solve ended, or the event that ended the motion).
         statistics: how many steps and iterations of implicit steps it took.
+        error_estimate: estimated largest error of the states, relative to the size of attitude and momentum, (batch…);
+            infinite where it is not known, None where it was not asked for or the motion is exact.
     """
 
     system: Any
@@ -40,3 +42,4 @@ class Trajectory:
     drift: dict[str, Array] = field(default_factory=dict)
     status: str = "exact"
     statistics: dict[str, int] = field(default_factory=dict)
+    error_estimate: Array | None = None

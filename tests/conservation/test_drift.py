@@ -53,7 +53,8 @@ def names(case):
 
 
 def run(name, method, order, count):
-    return ph.simulate(SYSTEMS[name], STARTS[name], np.linspace(0.0, count * STEP, 401), method, step=STEP, order=order)
+    return ph.simulate(SYSTEMS[name], STARTS[name], np.linspace(0.0, count * STEP, 401), method, step=STEP, order=order,
+                       estimate_error=False)  # fmt: skip
 
 
 def kept(system, trajectory):

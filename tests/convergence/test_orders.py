@@ -43,7 +43,9 @@ CASES = [
     *(("four", Splitting, k, {}, LONG if k == 6 else SHORT) for k in (2, 4, 6)),
     *(("eight", IsospectralMidpoint, k, {}, (0.05, 0.025, 0.0125)) for k in (2, 4)),
     *(("eight", MuntheKaas, k, {}, (0.05, 0.025, 0.0125)) for k in (2, 4)),
-    ("pair", SphericalMidpoint, 2, {}, SHORT),
+    ("body", Splitting, 8, {}, (0.8, 0.4, 0.2)),
+    ("eight", IsospectralMidpoint, 8, {}, LONG),
+    *(("pair", SphericalMidpoint, k, {}, SHORT if k == 2 else LONG) for k in (2, 6)),
     ("pair", LieMidpoint, 4, {}, SHORT),
 ]
 
@@ -51,7 +53,7 @@ CASES = [
 def end(name, method, step, order, **more):
     system = SYSTEMS[name]
     solver = method(system, jnp.asarray(step), order=order, **more)
-    return np.asarray(ph.simulate(system, STARTS[name], [0.0, SPAN], method=solver).states[-1])
+    return np.asarray(ph.simulate(system, STARTS[name], [0.0, SPAN], method=solver, estimate_error=False).states[-1])
 
 
 def reference(name):

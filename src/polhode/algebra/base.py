@@ -141,22 +141,27 @@ class AbstractLieAlgebra(eqx.Module):
     def exp_change(self, x: Array, mu: Array) -> Array:
         """Return Ad*_{exp x} μ − μ without cancellation, so that many small steps round little.
 
-        By Σ_{k≥1} (ad*_x)ᵏ μ/k!, summed until the terms vanish beside the sum: exact to rounding for |ad_x| up to
-        about 2π. Beyond, what does not converge comes out as NaN.
+        By Σ_{k≥1} (ad*_x)ᵏ μ/k!, summed until the terms vanish beside the sum, each copy of a batch to its own: exact
+        to rounding for |ad_x| up to about 2π. Beyond, what does not converge comes out as NaN.
         """
+        own = tuple(range(-len(self.element_shape), 0))
+
+        def going(term: Array, total: Array) -> Array:
+            size, whole = (jnp.max(jnp.abs(a), axis=own, keepdims=True, initial=0.0) for a in (term, total))
+            return size > 1e-18 * whole
 
         def unfinished(carried: Array) -> Array:
             k, term, total = carried
-            return (k < SERIES_TERMS) & jnp.any(jnp.abs(term) > 1e-18 * jnp.max(jnp.abs(total), initial=0.0))
+            return (k < SERIES_TERMS) & jnp.any(going(term, total))
 
         def add(carried: Array) -> Array:
             k, term, total = carried
-            term = self.coadjoint(x, term) / (k + 1)
+            term = jnp.where(going(term, total), self.coadjoint(x, term) / (k + 1), 0.0)
             return k + 1, term, total + term
 
         first = self.coadjoint(x, mu)
-        count, _, total = jax.lax.while_loop(unfinished, add, (1, first, first))
-        return jnp.where(count < SERIES_TERMS, total, jnp.nan)
+        _, term, total = jax.lax.while_loop(unfinished, add, (1, first, first))
+        return jnp.where(going(term, total), jnp.nan, total)
 
     def cayley_change(self, x: Array, mu: Array) -> Array:
         """Return Ad*_{cay x} μ − μ."""

@@ -1,7 +1,7 @@
 """Any system by one of diffrax's own solvers with adaptive steps, up to what ends its motion.
 
 The error of a step is held to the tolerance relative to each component's size and to its scale. Balances are integrated
-beside the motion, under the same control.
+beside the motion, under the same control. Each copy of a batch has its own steps and scales.
 """
 
 from __future__ import annotations
@@ -10,37 +10,41 @@ from typing import Any, NamedTuple
 
 import diffrax
 import equinox as eqx
+import jax
 import jax.numpy as jnp
 import numpy as np
 import optimistix
 
 from polhode.errors import InvalidInput, NotConverged
+from polhode.integrators.difference import EPS, LARGE, difference
 from polhode.systems.base import AbstractSystem
 
 Array = Any
 TOLERANCE = 1e-12  # of a step, relative; below it rounding of the stages is all that is left
 MOST_STEPS = 15_000_000  # of a run, some ten minutes
+LOOSER = 100.0  # the tolerance of the second run, by which the error is estimated
+GAIN = 30.0  # at least so much larger its error is
 TIME_ROUNDING = 1e-16  # of the times: shorter steps do not advance
 EVENT_TOLERANCE = 1e-15  # of an event's time, relative: a few roundings
 
 
 class AdaptiveMotion(NamedTuple):
-    """What came out, time first.
+    """What came out.
 
     Attributes:
         times: (T,) [s] samples up to the end; the last is the event's own time if one ended the motion.
-        states: (T, …).
-        received: name → what each balance received since the first time, (T, batch…).
+        states: (batch…, T, …).
+        received: name → what each balance received since the first time, (batch…, T).
         event: name of what ended the motion, or None.
-        successful: whether it reached its end.
-        steps: how many were taken.
+        successful: (batch…) whether it reached its end.
+        steps: how many were taken, by the copy that took most.
     """
 
     times: np.ndarray
     states: Array
     received: dict[str, Array]
     event: str | None
-    successful: bool
+    successful: np.ndarray
     steps: int
 
 
@@ -67,7 +71,7 @@ class _Carried(NamedTuple):
 
 def solve_adaptively(
     system: AbstractSystem, solver: diffrax.AbstractSolver, state: Array, times: np.ndarray, meter: Any = None,
-    step: float | None = None,
+    step: float | None = None, tolerance: float | None = None,
 ) -> AdaptiveMotion:
     """Return the motion at times, or up to the first of the system's events.
 
@@ -78,6 +82,7 @@ def solve_adaptively(
         times: (T,) [s], in one direction.
         meter: of diffrax, for progress.
         step: the largest [s].
+        tolerance: of a step, relative.
 
     Raises:
         InvalidInput: if an event has already happened at the start, or for a batch of states with events.
@@ -87,9 +92,18 @@ def solve_adaptively(
     largest = None if step is None else jnp.asarray(float(step))
     if meter is None:
         meter = diffrax.NoProgressMeter()
-    solution = _solve(system, solver, state, jnp.asarray(times), largest, meter)
+    batch = jnp.shape(state)[: jnp.ndim(state) - system.state_axes]
+    states = jnp.reshape(state, (-1, *jnp.shape(state)[len(batch) :])) if batch else state
+    allowed = jnp.asarray(TOLERANCE if tolerance is None else tolerance)
+    run = _solve_each if batch else _solve
+    solution = run(system, solver, states, jnp.asarray(times), largest, allowed, meter)
     _check_reached(solution, times)
     results: Any = diffrax.RESULTS
+    steps = int(np.max(solution.stats["num_steps"], initial=0))
+    if batch:
+        ys = jax.tree.map(lambda y: jnp.reshape(y, (*batch, *y.shape[1:])), solution.ys[0])
+        fine = np.reshape(np.asarray(jax.vmap(lambda r: r == results.successful)(solution.result)), batch)
+        return AdaptiveMotion(times, ys.state, ys.received, None, fine, steps)
     ended = bool(solution.result == results.event_occurred)
     reached = np.isfinite(np.asarray(solution.ts[0])) if ended else np.ones(len(times), bool)
     ts, ys = times[reached], _taken(solution.ys[0], reached)
@@ -99,8 +113,29 @@ def solve_adaptively(
         event = min(system.events, key=lambda name: float(system.events[name](jnp.asarray(last), final)))
         before = np.abs(ts - times[0]) < abs(last - times[0])
         ts, ys = np.append(ts[before], last), _joined(_taken(ys, before), solution.ys[1])
-    fine = ended or bool(solution.result == results.successful)
-    return AdaptiveMotion(ts, ys.state, ys.received, event, fine, int(solution.stats["num_steps"]))
+    fine = np.asarray(ended or bool(solution.result == results.successful))
+    return AdaptiveMotion(ts, ys.state, ys.received, event, fine, steps)
+
+
+def adaptive_error(
+    system: AbstractSystem, solver: diffrax.AbstractSolver, state: Array, times: np.ndarray, motion: AdaptiveMotion,
+    step: float | None = None, tolerance: float | None = None,
+) -> Array:  # fmt: skip
+    """Return the estimated error (batch…) of a motion, from a second run with a hundred times the tolerance.
+
+    The error of a motion goes with the tolerance of its steps, so that the second run has nearly all of the difference,
+    at about half the steps. What comes after an event is not compared.
+    """
+    looser = LOOSER * (TOLERANCE if tolerance is None else tolerance)
+    other = solve_adaptively(system, solver, state, times, None, step, looser)
+    count = min(len(motion.times), len(other.times)) - (motion.event is not None or other.event is not None)
+    axis = jnp.ndim(motion.states) - 1 - system.state_axes
+    one, two = (np.asarray(jnp.take(m.states, jnp.arange(max(count, 1)), axis=axis)) for m in (motion, other))
+    with np.errstate(invalid="ignore"):
+        off = difference(system, one, two)
+    rounding = np.minimum(off, EPS * motion.steps)
+    error = np.where(off > LARGE, off, np.maximum(off / GAIN, rounding))
+    return np.where(motion.successful & other.successful, error, np.inf)
 
 
 def _check_reached(solution: Any, times: np.ndarray) -> None:
@@ -124,9 +159,8 @@ def _check_events(system: AbstractSystem, t: float, state: Array) -> None:
             )
 
 
-@eqx.filter_jit
-def _solve(
-    system: AbstractSystem, solver: Any, state: Array, times: Array, largest: Array | None, meter: Any
+def _solve_one(
+    system: AbstractSystem, solver: Any, state: Array, times: Array, largest: Array | None, tolerance: Array, meter: Any
 ) -> Any:  # fmt: skip
     scale = system.scales(state)
     start = system.balances(times[0], state)
@@ -142,7 +176,7 @@ def _solve(
         return jnp.min(jnp.stack([event(t, y.state * scale) for event in system.events.values()]))
 
     least = TIME_ROUNDING * jnp.max(jnp.abs(times))
-    control = diffrax.PIDController(rtol=TOLERANCE, atol=TOLERANCE, dtmin=least, dtmax=largest, force_dtmin=False)
+    control = diffrax.PIDController(rtol=tolerance, atol=tolerance, dtmin=least, dtmax=largest, force_dtmin=False)
     # samples are steps: interpolation between steps costs three digits
     solution = diffrax.diffeqsolve(
         diffrax.ODETerm(rates), solver, times[0], times[-1], None,
@@ -155,6 +189,17 @@ def _solve(
     whole = lambda y: _Carried(y.state * scale, {name: y.received[name] * size for name, size in sizes.items()})  # noqa: E731
     saved: Any = solution.ys
     return eqx.tree_at(lambda s: s.ys, solution, [whole(y) for y in saved])
+
+
+_solve = eqx.filter_jit(_solve_one)
+
+
+@eqx.filter_jit
+def _solve_each(
+    system: AbstractSystem, solver: Any, states: Array, times: Array, largest: Array | None, tolerance: Array,
+    meter: Any,
+) -> Any:  # fmt: skip
+    return jax.vmap(lambda state: _solve_one(system, solver, state, times, largest, tolerance, meter))(states)
 
 
 def _taken(ys: _Carried, which: np.ndarray) -> _Carried:

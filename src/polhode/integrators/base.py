@@ -1,9 +1,9 @@
 """The frame of every integrator: inner steps, compensated sums, counting, and honest failure.
 
-diffrax steps from sample to sample; the solver takes ⌈Δt/step⌉ equal steps between. A method gives the *change* of the
-state over a step, computed without cancellation; changes are added by compensated sums, so that what a method keeps
-drifts by the rounding of small changes, not of whole states. Source: Higham, *Accuracy and Stability of Numerical
-Algorithms*, §4.3; Hairer, McLachlan & Razakarivony, BIT 48 (2008) 231.
+From sample to sample a solver takes ⌈Δt/step⌉ equal steps, for one state at a time: a batch is a ``vmap``. A method
+gives the *change* of the state over a step, computed without cancellation; changes are added by compensated sums, so
+that what a method keeps drifts by the rounding of small changes, not of whole states. Source: Higham, *Accuracy and
+Stability of Numerical Algorithms*, §4.3; Hairer, McLachlan & Razakarivony, BIT 48 (2008) 231.
 """
 
 from __future__ import annotations
@@ -37,11 +37,12 @@ class Change(NamedTuple):
 
 
 class Memory(NamedTuple):
-    """What a solver carries along: what the last sums lost, steps and iterations so far."""
+    """What a solver carries along: what the last sums lost, steps and iterations so far, whether all went well."""
 
     lost: Array
     steps: Array
     iterations: Array
+    fine: Array
 
 
 class AbstractOrbitSolver(diffrax.AbstractSolver):
@@ -71,35 +72,42 @@ class AbstractOrbitSolver(diffrax.AbstractSolver):
     def order(self, terms: Any) -> int:
         """Return the order of convergence."""
 
+    def memory(self, state: Array) -> Memory:
+        """Return what is carried along from a start."""
+        return Memory(jnp.zeros_like(state), jnp.zeros((), int), jnp.zeros((), int), jnp.asarray(True))
+
+    def advance(self, start: Array, span: Array, state: Array, memory: Memory) -> tuple[Array, Memory]:
+        """Return the state a span after the start, by equal steps of at most ``step_size``; infinite if one failed."""
+        count = step_count(jnp, span, self.step_size).astype(int)
+        h = span / count
+
+        def unfinished(carried: tuple[Array, ...]) -> Array:
+            return (carried[0] < count) & carried[-1]
+
+        def step(carried: tuple[Array, ...]) -> tuple[Array, ...]:
+            k, now, lost, iterations, _ = carried
+            found = self.change(start + k * h, h, now)
+            wanted = found.state + lost
+            later = now + wanted
+            lost = (now - later) + wanted
+            return k + 1, later, lost, iterations + found.iterations, found.converged
+
+        first = (jnp.zeros((), int), state, memory.lost, memory.iterations, memory.fine)
+        steps, end, lost, iterations, fine = jax.lax.while_loop(unfinished, step, first)
+        fine = fine & jnp.all(jnp.isfinite(end))
+        return jnp.where(fine, end, jnp.inf), Memory(lost, memory.steps + steps, iterations, fine)
+
     def init(self, terms: Any, t0: Array, t1: Array, y0: Array, args: Any) -> Memory:
-        return Memory(jnp.zeros_like(y0), jnp.zeros((), int), jnp.zeros((), int))
+        return self.memory(y0)
 
     def step(
         self, terms: Any, t0: Array, t1: Array, y0: Array, args: Any, solver_state: Memory, made_jump: Any
     ) -> tuple[Array, None, dict[str, Array], Memory, Any]:
         span = terms.contr(t0, t1)
-        # a step that fits but for rounding is not halved
-        count = jnp.maximum(jnp.ceil(jnp.abs(span) / self.step_size * (1.0 - 1e-12)), 1.0).astype(int)
-        h = span / count
-        start_time = jnp.sign(span) * t0  # diffrax runs backwards in the negative of the time
-
-        def unfinished(carried: tuple[Array, ...]) -> Array:
-            return (carried[0] < count) & carried[-1]
-
-        def advance(carried: tuple[Array, ...]) -> tuple[Array, ...]:
-            k, state, lost, iterations, _ = carried
-            found = self.change(start_time + k * h, h, state)
-            wanted = found.state + lost
-            later = state + wanted
-            lost = (state - later) + wanted
-            return k + 1, later, lost, iterations + found.iterations, found.converged
-
-        start = (jnp.zeros((), int), y0, solver_state.lost, solver_state.iterations, jnp.asarray(True))
-        steps, y1, lost, iterations, fine = jax.lax.while_loop(unfinished, advance, start)
-        fine = fine & jnp.all(jnp.isfinite(y1))
+        # diffrax runs backwards in the negative of the time
+        y1, memory = self.advance(jnp.sign(span) * t0, span, y0, solver_state)
         results: Any = diffrax.RESULTS
-        result = results.where(fine, results.successful, results.nonlinear_divergence)
-        memory = Memory(lost, solver_state.steps + steps, iterations)
+        result = results.where(memory.fine, results.successful, results.nonlinear_divergence)
         return y1, None, {"y0": y0, "y1": y1}, memory, result
 
     def func(self, terms: Any, t0: Array, y0: Array, args: Any) -> Array:
@@ -109,3 +117,8 @@ class AbstractOrbitSolver(diffrax.AbstractSolver):
 def explicit(state: Array) -> Change:
     """Return the change of a step that solves nothing."""
     return Change(state, jnp.zeros((), int), jnp.asarray(True))
+
+
+def step_count(xp: Any, span: Array, step_size: Array) -> Array:
+    """Return how many steps of at most a size make a span; one that fits but for rounding is not halved."""
+    return xp.maximum(xp.ceil(xp.abs(span) / step_size * (1.0 - 1e-12)), 1.0)

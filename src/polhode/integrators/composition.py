@@ -1,21 +1,36 @@
 """Symmetric compositions that raise the order of symmetric methods of order two.
 
 Sources: Suzuki, Phys. Lett. A 146 (1990) 319 (order 4, five stages); Kahan & Li, Math. Comp. 66 (1997) 1089 (order 6,
-nine stages, s9odr6a).
+nine stages, s9odr6a; order 8, seventeen stages, s17odr8a).
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import Any
+
+import jax
+import jax.numpy as jnp
 import numpy as np
 
 from polhode.errors import InvalidInput
+from polhode.integrators.base import Change
+
+Array = Any
 
 _SUZUKI = 1.0 / (4.0 - 4.0 ** (1.0 / 3.0))
 _KAHAN_LI = (0.39216144400731413928, 0.33259913678935943860, -0.70624617255763935981, 0.08221359629355080023)
+_KAHAN_LI_8 = (
+    0.13020248308889008087881763, 0.56116298177510838456196441, -0.38947496264484728640807860,
+    0.15884190655515560089621075, -0.39590389413323757733623154, 0.18453964097831570709183254,
+    0.25837438768632204729397911, 0.29501172360931029887096624,
+)  # fmt: skip
+DEFAULT_ORDER = 8
 STAGES: dict[int, tuple[float, ...]] = {
     2: (1.0,),
     4: (_SUZUKI, _SUZUKI, 1.0 - 4.0 * _SUZUKI, _SUZUKI, _SUZUKI),
     6: (*_KAHAN_LI, 1.0 - 2.0 * sum(_KAHAN_LI), *_KAHAN_LI[::-1]),
+    8: (*_KAHAN_LI_8, 1.0 - 2.0 * sum(_KAHAN_LI_8), *_KAHAN_LI_8[::-1]),
 }
 
 
@@ -23,10 +38,10 @@ def stages(order: int) -> np.ndarray:
     """Return the fractions of a step that compose a method of the order.
 
     Raises:
-        InvalidInput: for another order than 2, 4 or 6.
+        InvalidInput: for another order than 2, 4, 6 or 8.
     """
     if order not in STAGES:
-        raise InvalidInput(f"`order` of a composition must be 2, 4 or 6; got {order!r}.")
+        raise InvalidInput(f"`order` of a composition must be 2, 4, 6 or 8; got {order!r}.")
     return np.array(STAGES[order])
 
 
@@ -34,3 +49,21 @@ def stage_times(order: int) -> np.ndarray:
     """Return the fraction of the step at which each stage begins."""
     fractions = stages(order)
     return np.cumsum(fractions) - fractions
+
+
+def composed(stage: Callable[[Array, Array, Array], Change], order: int, t: Array, h: Array, state: Array) -> Change:
+    """Return the change by stages of t, their length and state that make a step of the order."""
+    if order == 2:
+        return stage(t, h, state)
+    fractions, begins = jnp.asarray(stages(order)), jnp.asarray(stage_times(order))
+
+    def add(k: Array, carried: tuple[Array, Change]) -> tuple[Array, Change]:
+        now, total = carried
+        found = stage(t + begins[k] * h, fractions[k] * h, now)
+        total = Change(
+            total.state + found.state, total.iterations + found.iterations, total.converged & found.converged
+        )
+        return now + found.state, total
+
+    none = Change(jnp.zeros_like(state), jnp.zeros((), int), jnp.asarray(True))
+    return jax.lax.fori_loop(0, len(fractions), add, (state, none))[1]

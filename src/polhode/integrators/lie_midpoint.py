@@ -11,7 +11,7 @@ import jax.numpy as jnp
 from polhode.algebra.matrix import AbstractMatrixAlgebra
 from polhode.errors import InvalidInput
 from polhode.integrators.base import AbstractOrbitSolver, Change
-from polhode.integrators.composition import stage_times, stages
+from polhode.integrators.composition import DEFAULT_ORDER, composed, stages
 from polhode.integrators.fixed_point import fixed_point
 from polhode.integrators.group import attitude_by_cayley, attitude_by_exp
 from polhode.systems.base import AbstractLiePoissonSystem, joined
@@ -20,7 +20,7 @@ Array = Any
 
 
 class LieMidpoint(AbstractOrbitSolver):
-    """μ₁ = Ad*_{τ(x)} μ₀ with x = h ξ(μ_middle), composed to order 2 or 4; implicit.
+    """μ₁ = Ad*_{τ(x)} μ₀ with x = h ξ(μ_middle), composed to order 2, 4, 6 or 8; implicit.
 
     With τ = exp the middle is Ad*_{exp(x/2)} μ₀; with τ = Cayley's map it is (μ₀ + μ₁)/2, which on so(3) is the
     implicit midpoint rule. For any algebra with exp, for quadratic groups with Cayley.
@@ -28,7 +28,7 @@ class LieMidpoint(AbstractOrbitSolver):
     Args:
         system: any Lie–Poisson system.
         step_size: largest step [s].
-        order: 2 or 4.
+        order: 2, 4, 6 or 8.
         coordinates: "cayley", "exp", or None for Cayley where the group has it.
 
     Source: Engø & Faltinsen, SIAM J. Numer. Anal. 39 (2001) 128; Bogfjellmo & Marthinsen, Found. Comput. Math. 16
@@ -42,9 +42,10 @@ class LieMidpoint(AbstractOrbitSolver):
     keeps: ClassVar[str] = "the coadjoint orbit, hence every Casimir; time reversal"
 
     def __init__(
-        self, system: AbstractLiePoissonSystem, step_size: Array, order: int = 2, coordinates: str | None = None
+        self, system: AbstractLiePoissonSystem, step_size: Array, order: int = DEFAULT_ORDER,
+        coordinates: str | None = None,
     ) -> None:
-        _check_order(order)
+        stages(order)
         if coordinates is None:
             coordinates = "cayley" if has_cayley(system) else "exp"
         if coordinates not in ("cayley", "exp"):
@@ -57,7 +58,7 @@ class LieMidpoint(AbstractOrbitSolver):
         return self.own_order
 
     def change(self, t: Array, h: Array, state: Array) -> Change:
-        return _composed(self._stage, self.own_order, t, h, state)
+        return composed(self._stage, self.own_order, t, h, state)
 
     def _stage(self, t: Array, h: Array, state: Array) -> Change:
         algebra, (attitude, point) = self.system.algebra, self.system.parts(state)
@@ -79,7 +80,7 @@ class LieMidpoint(AbstractOrbitSolver):
 
 
 class IsospectralMidpoint(AbstractOrbitSolver):
-    """W₀ = (1 − x†/2) W̃ (1 + x†/2), W₁ = (1 + x†/2) W̃ (1 − x†/2), x = h ξ(W̃), composed to order 2 or 4; implicit.
+    """W₀ = (1 − x†/2) W̃ (1 + x†/2), W₁ = (1 + x†/2) W̃ (1 − x†/2), x = h ξ(W̃), composed to order 2, 4, 6 or 8; implicit.
 
     For matrix algebras of quadratic groups, so(n), su(n), sp(n); symplectic on the orbit.
 
@@ -91,8 +92,8 @@ class IsospectralMidpoint(AbstractOrbitSolver):
     own_order: int = eqx.field(static=True)
     keeps: ClassVar[str] = "the spectrum, hence every Casimir; the Poisson structure; time reversal"
 
-    def __init__(self, system: AbstractLiePoissonSystem, step_size: Array, order: int = 2) -> None:
-        _check_order(order)
+    def __init__(self, system: AbstractLiePoissonSystem, step_size: Array, order: int = DEFAULT_ORDER) -> None:
+        stages(order)
         if not (isinstance(system.algebra, AbstractMatrixAlgebra) and has_cayley(system)):
             raise InvalidInput(
                 f"`IsospectralMidpoint` needs so(n), su(n) or sp(n) as matrices; got {system.algebra.name}. "
@@ -104,7 +105,7 @@ class IsospectralMidpoint(AbstractOrbitSolver):
         return self.own_order
 
     def change(self, t: Array, h: Array, state: Array) -> Change:
-        return _composed(self._stage, self.own_order, t, h, state)
+        return composed(self._stage, self.own_order, t, h, state)
 
     def _stage(self, t: Array, h: Array, state: Array) -> Change:
         algebra: Any = self.system.algebra
@@ -127,25 +128,3 @@ def has_cayley(system: AbstractLiePoissonSystem) -> bool:
     except InvalidInput:
         return False
     return True
-
-
-def _composed(stage: Any, order: int, t: Array, h: Array, state: Array) -> Change:
-    if order == 2:
-        return stage(t, h, state)
-    fractions, begins = jnp.asarray(stages(order)), jnp.asarray(stage_times(order))
-
-    def add(k: Array, carried: tuple[Array, Change]) -> tuple[Array, Change]:
-        now, total = carried
-        found = stage(t + begins[k] * h, fractions[k] * h, now)
-        total = Change(
-            total.state + found.state, total.iterations + found.iterations, total.converged & found.converged
-        )
-        return now + found.state, total
-
-    none = Change(jnp.zeros_like(state), jnp.zeros((), int), jnp.asarray(True))
-    return jax.lax.fori_loop(0, len(fractions), add, (state, none))[1]
-
-
-def _check_order(order: int) -> None:
-    if order not in (2, 4):
-        raise InvalidInput(f"`order` must be 2 or 4; got {order!r}.")

@@ -11,6 +11,7 @@ from polhode.algebra.power import Power
 from polhode.algebra.so3 import SO3
 from polhode.errors import InvalidInput
 from polhode.integrators.base import AbstractOrbitSolver, Change
+from polhode.integrators.composition import DEFAULT_ORDER, composed, stages
 from polhode.integrators.fixed_point import fixed_point
 from polhode.systems.base import AbstractLiePoissonSystem
 
@@ -18,11 +19,12 @@ Array = Any
 
 
 class SphericalMidpoint(AbstractOrbitSolver):
-    """w₁ − w₀ = h X(|w₀| (w₀ + w₁)/|w₀ + w₁|) on products of spheres; implicit, of order two.
+    """w₁ − w₀ = h X(|w₀| (w₀ + w₁)/|w₀ + w₁|) on products of spheres, composed to order 2, 4, 6 or 8; implicit.
 
     Args:
         system: on SO3 or a Power of it, without attitude.
         step_size: largest step [s].
+        order: 2, 4, 6 or 8.
 
     Source: McLachlan, Modin & Verdier, Phys. Rev. E 89 (2014) 061301.
     """
@@ -30,15 +32,14 @@ class SphericalMidpoint(AbstractOrbitSolver):
     system: AbstractLiePoissonSystem
     step_size: Array
     keeps: ClassVar[str] = "the length of every spin, the Poisson structure; time reversal; linear symmetries' momenta"
-    own_order: int = eqx.field(static=True, default=2)
+    own_order: int = eqx.field(static=True)
 
-    def __init__(self, system: AbstractLiePoissonSystem, step_size: Array, order: int = 2) -> None:
+    def __init__(self, system: AbstractLiePoissonSystem, step_size: Array, order: int = DEFAULT_ORDER) -> None:
         algebra = system.algebra
         single = algebra.algebra if isinstance(algebra, Power) else algebra
         if not isinstance(single, SO3):
             raise InvalidInput(f"`SphericalMidpoint` needs SO3 or a Power of it; got {algebra.name}. Take LieMidpoint.")
-        if order != 2:
-            raise InvalidInput(f"`order` of SphericalMidpoint must be 2; got {order!r}.")
+        stages(order)
         self.system, self.step_size, self.own_order = system, step_size, order
 
     def order(self, terms: Any) -> int:
@@ -48,6 +49,9 @@ class SphericalMidpoint(AbstractOrbitSolver):
         attitude, point = self.system.parts(state)
         if attitude is not None:
             raise InvalidInput("`SphericalMidpoint` moves momenta only, not an attitude; take LieMidpoint.")
+        return composed(self._stage, self.own_order, t, h, point)
+
+    def _stage(self, t: Array, h: Array, point: Array) -> Change:
         half_way = t + 0.5 * h
         length = jnp.linalg.norm(point, axis=-1, keepdims=True)
 

@@ -10,19 +10,19 @@ import jax.numpy as jnp
 
 from polhode.errors import InvalidInput
 from polhode.integrators.base import AbstractOrbitSolver, Change, explicit
-from polhode.integrators.composition import stages
+from polhode.integrators.composition import DEFAULT_ORDER, composed, stages
 from polhode.systems.base import AbstractLiePoissonSystem, components
 
 Array = Any
 
 
 class Splitting(AbstractOrbitSolver):
-    """The system's exact flows in a symmetric product, composed to order 2, 4 or 6; explicit.
+    """The system's exact flows in a symmetric product, composed to order 2, 4, 6 or 8; explicit.
 
     Args:
         system: with ``flows``.
         step_size: largest step [s].
-        order: 2, 4 or 6.
+        order: 2, 4, 6 or 8.
 
     Raises:
         InvalidInput: if the system names no flows.
@@ -36,7 +36,7 @@ class Splitting(AbstractOrbitSolver):
     own_order: int = eqx.field(static=True)
     keeps: ClassVar[str] = "every Casimir, the orbit, the Poisson structure; time reversal"
 
-    def __init__(self, system: AbstractLiePoissonSystem, step_size: Array, order: int = 2) -> None:
+    def __init__(self, system: AbstractLiePoissonSystem, step_size: Array, order: int = DEFAULT_ORDER) -> None:
         stages(order)
         if not system.flows:
             raise InvalidInput(
@@ -52,23 +52,13 @@ class Splitting(AbstractOrbitSolver):
         parts = [(flow, 0.5) for flow in flows[:-1]]
         parts = [*parts, (flows[-1], 1.0), *parts[::-1]]
 
-        def stage(h: Array, state: Array) -> Array:
+        def stage(_: Array, h: Array, state: Array) -> Change:
             now, total = components(state), [0.0] * state.shape[-1]
             for flow, share in parts:
                 moved = flow(share * h, now)
                 now = tuple(x + d for x, d in zip(now, moved, strict=True))
                 total = [x + d for x, d in zip(total, moved, strict=True)]
             # XLA would compute the whole stage anew for each use of the sum
-            return jax.lax.optimization_barrier(jnp.stack(total, axis=-1))
+            return explicit(jax.lax.optimization_barrier(jnp.stack(total, axis=-1)))
 
-        if self.own_order == 2:
-            return explicit(stage(h, state))
-        fractions = jnp.asarray(stages(self.own_order))
-
-        def add(k: Array, carried: tuple[Array, Array]) -> tuple[Array, Array]:
-            now, total = carried
-            moved = stage(fractions[k] * h, now)
-            return now + moved, total + moved
-
-        carried = (state, jnp.zeros_like(state))
-        return explicit(jax.lax.fori_loop(0, len(fractions), add, carried)[1])
+        return composed(stage, self.own_order, t, h, state)

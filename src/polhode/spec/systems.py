@@ -35,7 +35,7 @@ from polhode.spec.fields import (
 from polhode.spec.models import Strict
 
 STANDARD_GRAVITY = 9.80665  # m/s²
-Order = Annotated[Literal[2, 4, 6], one_of(2, 4, 6)]
+Order = Annotated[Literal[2, 4, 6, 8], one_of(2, 4, 6, 8)]
 
 
 class SystemTable(Strict):
@@ -56,7 +56,7 @@ class HeavyTopTable(SystemTable):
     gravity: Acceleration = STANDARD_GRAVITY
     lean: Lean | None = None
     step: Duration | None = None
-    order: Order = 4
+    order: Order = 8
 
 
 class LagrangeTopTable(SystemTable):

@@ -50,18 +50,19 @@ def free_turn(moments: Array, time: Array, momentum: Components) -> Components:
     """
     inverse = tuple(1.0 / moments[k] for k in range(3))
     size = jnp.sqrt(momentum[0] ** 2 + momentum[1] ** 2 + momentum[2] ** 2)
-    angle = jnp.max(jnp.abs(time) * size) * jnp.max(1.0 / moments)
+    angle = jnp.abs(time) * size * jnp.max(1.0 / moments)
     pieces = jnp.clip(jnp.nan_to_num(jnp.ceil(angle / ANGLE), nan=1.0), 1, MOST_PIECES).astype(int)
     share = time / pieces
 
-    def piece(_: Array, carried: tuple[Components, Components]) -> tuple[Components, Components]:
+    def piece(k: Array, carried: tuple[Components, Components]) -> tuple[Components, Components]:
         total, now = carried
-        turn = _series(inverse, share, now)
+        # each copy has pieces of its own; one that is through stays as it is
+        turn = tuple(jnp.where(k < pieces, x, 0.0) for x in _series(inverse, share, now))
         moved = turned_back(turn, now)
         return composed(total, turn), tuple(x + d for x, d in zip(now, moved, strict=True))
 
     still = (jnp.zeros_like(size),) * 4
-    return jax.lax.fori_loop(0, pieces, piece, (still, momentum))[0]
+    return jax.lax.fori_loop(0, jnp.max(pieces), piece, (still, momentum))[0]
 
 
 def turned_back(turn: Components, vector: Components) -> Components:

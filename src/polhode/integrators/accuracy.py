@@ -1,0 +1,92 @@
+"""How far a run by equal steps is from the true motion, by a second run with other steps.
+
+A method of order p errs by E ∝ Σ Δt hᵖ. Two runs with steps h and h' differ by (R − 1) E with R = Σ Δt h'ᵖ / Σ Δt hᵖ,
+which gives E: Richardson's extrapolation. Where the runs differ by much, the law does not hold and the difference is
+the estimate, as for chaotic motion after its memory has gone; below rounding nothing is claimed.
+Source: Hairer, Nørsett & Wanner, *Solving Ordinary Differential Equations I*, II.4.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from polhode.errors import NotConverged
+from polhode.integrators.base import AbstractOrbitSolver
+from polhode.integrators.difference import EPS, LARGE, difference
+from polhode.integrators.equal_steps import Run, run_by_equal_steps, step_counts
+
+Array = Any
+SAFETY = 0.7  # of the tolerance, at which the next step size aims
+SHORTEST = 1 / 32  # of a step, in one round
+ROUNDS = 8
+MAX_STEPS = 1e9  # of all copies together, in one round
+
+
+class Measured(NamedTuple):
+    """A run with its largest steps (batch…) [s] and its estimated error (batch…), None if not asked for."""
+
+    run: Run
+    sizes: Array
+    error: np.ndarray | None
+
+
+def measured_run(
+    solver: AbstractOrbitSolver, state: Array, times: np.ndarray, sizes: Array, rates: Array, meter: Any,
+    quiet: Any,
+) -> Measured:  # fmt: skip
+    """Return a run and its error, relative to the size of attitude, momentum and what else the state holds.
+
+    The second run takes steps twice as long, at half the cost; or half as long, at twice the cost, where samples are a
+    step apart and steps cannot be longer, or the longer ones failed.
+    """
+    run = run_by_equal_steps(solver, state, times, sizes, rates, meter)
+    counts = step_counts(times, sizes)
+    others = np.where(counts.min(axis=-1) > 1, 2.0, 0.5) * sizes
+    second = run_by_equal_steps(solver, state, times, others, rates, quiet)
+    failed = ~second.fine & run.fine & (others > sizes)
+    if failed.any():
+        others = np.where(failed, 0.5 * sizes, others)
+        second = run_by_equal_steps(solver, state, times, others, rates, quiet)
+    order = solver.order(None)
+    gaps = np.abs(np.diff(times)) / np.ptp(times)
+    power, other_power = (np.sum(gaps * (gaps / n) ** order, axis=-1) for n in (counts, step_counts(times, others)))
+    gain = np.abs(other_power / power - 1.0)
+    with np.errstate(invalid="ignore"):
+        off = difference(solver.system, run.states, second.states)
+    rounding = EPS * (1.0 + rates * np.ptp(times))
+    error = np.where(off > LARGE, off * np.maximum(1.0, 1.0 / gain), np.maximum(off / gain, np.minimum(off, rounding)))
+    return Measured(run, sizes, np.where(run.fine & second.fine, error, np.inf))
+
+
+def run_to_tolerance(
+    solver: AbstractOrbitSolver, state: Array, times: np.ndarray, sizes: Array, rates: Array,
+    tolerance: float, meter: Any, quiet: Any,
+) -> Measured:  # fmt: skip
+    """Return a run whose estimated error is within the tolerance, by shorter steps where it was not.
+
+    Raises:
+        NotConverged: if steps no longer help, or would be too many.
+    """
+    last = error = np.full(np.shape(rates), np.inf)
+    stuck, wanted = np.zeros(np.shape(rates), bool), 0.0
+    for _ in range(ROUNDS):
+        found = measured_run(solver, state, times, sizes, rates, meter, quiet)
+        error = np.asarray(found.error)
+        missed = error > tolerance
+        if not missed.any():
+            return found
+        stuck = missed & np.isfinite(error) & (error > 0.9 * last)
+        shorter = (SAFETY * tolerance / error) ** (1.0 / solver.order(None))
+        sizes = np.where(missed, sizes * np.clip(shorter, SHORTEST, 0.8), sizes)
+        wanted = float(step_counts(times, sizes).sum(axis=-1).max()) * sizes.size
+        if stuck.any() or wanted > MAX_STEPS:
+            break
+        last = error
+    why = "shorter steps no longer help, as rounding or chaos has the error" if stuck.any() else (
+        f"it would take about {wanted:.1e} steps, or more than {ROUNDS} rounds of shorter ones")  # fmt: skip
+    raise NotConverged(
+        f"`tolerance` {tolerance:g} could not be met: the estimated error is {error.max():.2g}, and {why}. "
+        "Allow more, shorten the time, or take a method of higher order."
+    )

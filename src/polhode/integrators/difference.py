@@ -1,0 +1,38 @@
+"""How far two motions of one system are apart."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import jax
+import numpy as np
+
+from polhode.algebra.se3 import SE3
+from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
+
+Array = Any
+LARGE = 0.05  # of the state's size: runs that differ by more are not in the regime of small errors
+EPS = float(np.finfo(float).eps)
+
+
+def difference(system: AbstractSystem, one: Array, other: Array) -> Array:
+    """Return the largest difference (batch…) of two motions (batch…, T, …), relative to the sizes of a state's parts.
+
+    Parts are the attitude, of size one, and what has a unit of its own: on se(3)* the angular and the linear part, the
+    point of other algebras, each component of other systems.
+    """
+    axis = one.ndim - 1 - system.state_axes
+    own = tuple(range(axis, one.ndim))
+    gap, size = np.abs(one - other), np.abs(one)
+    if not isinstance(system, AbstractLiePoissonSystem):
+        first = np.take(one, 0, axis=axis).reshape(-1, one.shape[-1])
+        scales = np.asarray(jax.vmap(system.scales)(first)).reshape(*one.shape[:axis], -1)
+        largest = np.maximum(size.max(axis=axis), scales)
+        return np.max(gap.max(axis=axis) / np.where(largest > 0, largest, 1.0), axis=-1)
+    start = 0 if system.parts(one).attitude is None else 4
+    shares = [gap[..., :4].max(axis=own)] if start else []
+    middle = start + 3 if isinstance(system.algebra, SE3) else None
+    for part in [slice(start, middle), *([slice(middle, None)] if middle else [])]:
+        largest = size[..., part].max(axis=own)
+        shares.append(gap[..., part].max(axis=own) / np.where(largest > 0, largest, 1.0))
+    return np.max(shares, axis=0)

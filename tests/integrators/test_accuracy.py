@@ -1,0 +1,145 @@
+"""The error that a trajectory says, beside the error that it has."""
+
+from typing import Any
+
+import diffrax
+import jax.numpy as jnp
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+import polhode as ph
+from polhode import systems
+from polhode.errors import InvalidInput, NotConverged
+from polhode.integrators import LieMidpoint, MuntheKaas, Splitting, equal_steps
+
+FACTOR = 10.0  # between an estimate and the error
+ROUNDING = 1e-13  # errors below it are claimed by no estimate
+DEFAULT = 1e-9  # state error of the default method and step at t = 100
+MOMENTS = (1.0, 2.0, 3.0)
+START = np.array([0.5, -0.5, 0.1, 0.7, 0.3, 1.8, 1.5])
+START[:4] /= np.linalg.norm(START[:4])
+EXACT = ph.FreeMotion(MOMENTS, START[4:], START[:4])
+SPARSE = np.linspace(0.0, 100.0, 11)
+body = systems.FreeRigidBody(MOMENTS)
+
+
+def error_of(found: Any, exact: Any = EXACT) -> float:
+    attitude, momentum = exact.state(found.times)
+    off = np.abs(found.momentum - momentum).max() / np.abs(momentum).max()
+    return max(off, np.abs(found.attitude - attitude).max())
+
+
+def check(found: Any, exact: Any = EXACT) -> None:
+    estimate, error = float(found.error_estimate), error_of(found, exact)
+    assert error / FACTOR <= estimate <= FACTOR * error or max(error, estimate) < ROUNDING, (estimate, error)
+
+
+@pytest.mark.parametrize(
+    ("method", "more"),
+    [
+        (None, {}), (Splitting, {"order": 2}), (Splitting, {"order": 4, "step": 0.2}),
+        (Splitting, {"order": 8, "step": 0.5}), (MuntheKaas, {"step": 0.1}),
+        pytest.param(LieMidpoint, {"order": 6}, marks=pytest.mark.sweep),
+    ],
+)  # fmt: skip
+def test_estimate_beside_the_exact_motion(method, more):
+    found = ph.simulate(body, START, SPARSE, method, **more)
+    check(found)
+
+
+def test_the_default_is_exact_enough():
+    assert error_of(ph.simulate(body, START, SPARSE)) < DEFAULT
+
+
+@pytest.mark.parametrize(
+    "times", [np.linspace(0.0, 100.0, 801), np.cumsum(np.random.default_rng(0).uniform(0.01, 2.0, 100))],
+    ids=["a step apart", "uneven"],
+)  # fmt: skip
+def test_estimate_whatever_the_samples(times):
+    found = ph.simulate(body, START, times, step=0.5, order=4)
+    check(found, ph.FreeMotion(MOMENTS, START[4:], START[:4], epoch=times[0]))
+
+
+@pytest.mark.sweep
+def test_estimate_beside_the_exact_top():
+    moments, attitude = (1.0, 1.0, 0.5), np.array([0.9, 0.3, 0.2, 0.1]) / np.linalg.norm([0.9, 0.3, 0.2, 0.1])
+    top = systems.HeavyTop(moments, 1.0)
+    state = np.asarray(top.state(attitude, angular_velocity=(0.3, 0.2, 6.0)))
+    exact = ph.LagrangeMotion(moments, 1.0, state[4:7], attitude)
+    for order, step in ((None, None), (2, None), (6, 0.1)):
+        found = ph.simulate(top, state, SPARSE, order=order, step=step)
+        check(found, exact)
+    assert error_of(ph.simulate(top, state, SPARSE), exact) < DEFAULT
+
+
+class Shaken(systems.FreeRigidBody):
+    """Turned to and fro from outside, hard enough for chaos."""
+
+    def generator(self, t, point):
+        return super().generator(t, point) + 2.0 * jnp.sin(t) * jnp.array([0.6, 0.0, 1.0])
+
+    @property
+    def conserves_energy(self):
+        return False
+
+
+def test_a_chaotic_motion_says_that_it_is_lost():
+    shaken: Any = Shaken
+    momentum = START[4:]
+    found: Any = ph.simulate(shaken(MOMENTS), momentum, [0.0, 200.0], MuntheKaas, step=0.1)
+    turn = lambda t, L: np.cross(L, L / MOMENTS + 2.0 * np.sin(t) * np.array([0.6, 0.0, 1.0]))  # noqa: E731
+    true = solve_ivp(turn, (0.0, 200.0), momentum, "DOP853", rtol=1e-13, atol=1e-13).y[:, -1]
+    assert np.abs(found.states[-1] - true).max() > 0.1, "not lost: choose a harder drive"
+    assert found.drift["|L|²"] < ROUNDING
+    assert found.error_estimate > 0.1
+
+
+@pytest.mark.parametrize("tolerance", [1e-3, 1e-8, 1e-12])
+def test_tolerance_chooses_the_step(tolerance):
+    found = ph.simulate(body, START, SPARSE, order=6, tolerance=tolerance)
+    assert found.error_estimate <= tolerance
+    assert error_of(found) < 2.0 * tolerance
+
+
+def test_a_tolerance_below_rounding_is_refused():
+    with pytest.raises(NotConverged, match="`tolerance` 1e-18 could not be met"):
+        ph.simulate(body, START, 0.1 * SPARSE, order=6, tolerance=1e-18)
+
+
+@pytest.mark.parametrize("tolerance", [None, 1e-8])
+def test_estimate_of_adaptive_steps(tolerance):
+    found = ph.simulate(body, START, SPARSE, diffrax.Dopri8(), tolerance=tolerance)
+    check(found)
+
+
+def test_no_estimate_is_none():
+    assert ph.simulate(body, START, SPARSE, estimate_error=False).error_estimate is None
+    assert EXACT.sample(SPARSE).error_estimate is None
+
+
+def test_estimate_and_tolerance_compile_nothing_more():
+    run: Any = equal_steps._run_one
+    compiled = run._cached
+    ph.simulate(body, START, SPARSE, order=6, estimate_error=False)
+    before = compiled._cache_size()
+    ph.simulate(body, START, SPARSE, order=6, tolerance=1e-12)
+    ph.simulate(body, START, 2.0 * SPARSE, order=6, step=0.3)
+    assert compiled._cache_size() == before
+    ph.simulate(body, START, SPARSE[:5], order=6)
+    assert compiled._cache_size() == before + 1
+
+
+@pytest.mark.parametrize(
+    ("more", "words"),
+    [
+        ({"tolerance": 0.0}, "`tolerance` must be a positive"),
+        ({"tolerance": np.nan}, "`tolerance` must be a positive"),
+        ({"tolerance": 1e-6, "step": 0.1}, "not both"),
+        ({"tolerance": 1e-6, "method": Splitting(body, jnp.asarray(0.1))}, "made with its own"),
+    ],
+)
+@pytest.mark.usefixtures("any_type")
+def test_bad_input(more, words):
+    with pytest.raises(InvalidInput, match=words):
+        ph.simulate(body, START, SPARSE, **more)
