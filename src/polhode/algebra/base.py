@@ -23,7 +23,16 @@ Array = Any
 SERIES_TERMS = 60  # of Σ ad*ᵏμ/k!: enough for a turn by 2π and more in one step
 
 
-class AbstractLieAlgebra(eqx.Module):
+class HashableModule(eqx.Module):
+    """A module whose hash is that of its contents, arrays included, so that ``jax.jit`` takes its methods."""
+
+    def __hash__(self) -> int:
+        leaves, structure = jax.tree.flatten(self)
+        return hash((structure, *((x.shape, np.asarray(x).tobytes()) if eqx.is_array(x) or isinstance(x, np.ndarray)
+                                  else x for x in leaves)))  # fmt: skip
+
+
+class AbstractLieAlgebra(HashableModule):
     """A finite-dimensional real Lie algebra.
 
     Subclasses give ``dim``, ``element_shape``, ``bracket`` and ``coadjoint``, structured and batched; the rest follows,

@@ -12,7 +12,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode import rotation
-from polhode.algebra.base import AbstractLieAlgebra
+from polhode.algebra.base import AbstractLieAlgebra, HashableModule
 from polhode.algebra.se3 import SE3
 from polhode.algebra.so3 import SO3
 from polhode.arrays import refuse_single_precision
@@ -58,7 +58,7 @@ class Balance(NamedTuple):
     rate: Array
 
 
-class AbstractSystem(eqx.Module):
+class AbstractSystem(HashableModule):
     """Something with a state that moves and quantities that do not change while it does."""
 
     @abc.abstractmethod

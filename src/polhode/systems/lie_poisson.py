@@ -20,6 +20,10 @@ Array = Any
 class LiePoisson(AbstractLiePoissonSystem):
     """The motion of a Hamiltonian given as a function of one point.
 
+    What is compiled for one function serves it again, not another function. Where only parameters change, give them
+    beside the function, as ``jax.tree_util.Partial(function, parameters)`` with H(parameters, point), or as the fields
+    of an ``equinox.Module`` with ``__call__``: then they are data, and nothing is compiled anew.
+
     Args:
         algebra: the Lie algebra.
         hamiltonian: H of one point of the dual, a real scalar; differentiable by JAX.

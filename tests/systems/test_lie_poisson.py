@@ -1,0 +1,94 @@
+"""A Hamiltonian as data: what is compiled serves again, and methods can be jitted."""
+
+from typing import Any
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+import numpy as np
+import pytest
+
+import polhode as ph
+from polhode import algebra as lie
+from polhode.integrators import equal_steps
+from polhode.systems import LiePoisson
+from specimens import ALGEBRAS, SYSTEMS, named
+
+MOMENTUM = np.array([0.3, 1.8, 1.5])
+TIMES = [0.0, 1.0]
+
+
+def kinetic(moments, L):
+    return 0.5 * jnp.sum(L**2 / moments)
+
+
+def as_bound(moments):
+    return jax.tree_util.Partial(kinetic, jnp.asarray(moments))
+
+
+class Kinetic(eqx.Module):
+    moments: jax.Array
+
+    def __call__(self, L):
+        return kinetic(self.moments, L)
+
+
+def as_module(moments):
+    return Kinetic(jnp.asarray(moments))
+
+
+def as_closure(moments):
+    return lambda L: kinetic(jnp.asarray(moments), L)
+
+
+def compiled() -> int:
+    run: Any = equal_steps._run_one
+    return run._cached._cache_size()
+
+
+def move(hamiltonian):
+    return ph.simulate(LiePoisson(lie.SO3(), hamiltonian), MOMENTUM, TIMES, order=2, step=0.01).states[-1]
+
+
+@pytest.mark.parametrize("made", [as_bound, as_module])
+def test_parameters_are_data(made):
+    ends, counts = [], []
+    for moments in ((1.0, 2.0, 3.0), (1.0, 2.0, 2.5)):
+        before = compiled()
+        ends.append(move(made(moments)))
+        counts.append(compiled() - before)
+        exact = ph.FreeMotion(moments, MOMENTUM).momentum(1.0)
+        assert np.abs(ends[-1] - exact).max() < 1e-4
+    assert counts == [1, 0]
+
+
+def test_one_function_is_compiled_once_and_closures_each():
+    function = as_closure((1.0, 2.0, 3.0))
+    before = compiled()
+    move(function)
+    move(function)
+    assert compiled() == before + 1
+    move(as_closure((1.0, 2.0, 3.0)))
+    assert compiled() == before + 2
+
+
+def test_methods_can_be_jitted():
+    body = LiePoisson(lie.SO3(), as_closure((1.0, 2.0, 3.0)), {"same": as_closure((1.0, 2.0, 3.0))})
+    want = np.cross(MOMENTUM, MOMENTUM / np.array([1.0, 2.0, 3.0]))
+    assert np.abs(jax.jit(body.vector_field)(0.0, jnp.asarray(MOMENTUM)) - want).max() < 1e-15
+    free = ph.systems.FreeRigidBody((1.0, 2.0, 3.0))
+    assert np.abs(jax.jit(free.vector_field)(0.0, jnp.asarray(MOMENTUM)) - want).max() < 1e-15
+    own = lie.from_structure_constants(lie.SO3().structure_constants())
+    x, y = jnp.array([1.0, 0.0, 0.0]), jnp.array([0.0, 1.0, 0.0])
+    assert jax.jit(own.bracket)(x, y).tolist() == [0.0, 0.0, 1.0]
+
+
+@pytest.mark.parametrize("specimen", [*SYSTEMS, *ALGEBRAS], ids=named)
+def test_every_system_and_algebra_has_the_hash_of_its_contents(specimen):
+    leaves, structure = jax.tree.flatten(specimen)
+    again = jax.tree.unflatten(structure, [jnp.array(x) if eqx.is_array(x) else x for x in leaves])
+    assert hash(again) == hash(specimen)
+
+
+def test_other_moments_have_another_hash():
+    assert hash(ph.systems.FreeRigidBody((1.0, 2.0, 3.0))) != hash(ph.systems.FreeRigidBody((1.0, 2.0, 2.5)))
