@@ -63,6 +63,18 @@ def test_a_diffrax_solver_may_be_given():
     assert np.abs(found.momentum - ph.FreeMotion(MOMENTS, MOMENTUM).momentum(TIMES)).max() < 1e-9
 
 
+@pytest.mark.parametrize("scale", [1e200, 1e-200])
+@pytest.mark.parametrize("heavy", [True, False])
+def test_states_whose_squares_are_no_numbers(scale, heavy):
+    moments, times = np.array(MOMENTS) * (scale if heavy else 1.0), TIMES * (1.0 if heavy else 1.0 / scale)
+    with pytest.warns(UserWarning, match="beyond double precision"):
+        found = ph.simulate(systems.FreeRigidBody(moments), scale * MOMENTUM, times, LieMidpoint)
+    wanted = ph.FreeMotion(MOMENTS, MOMENTUM).momentum(TIMES)
+    assert np.abs(found.states / scale - wanted).max() < 1e-9
+    assert "|L|²" not in found.drift and all(value < 1e-12 for value in found.drift.values())
+    assert found.error_estimate < 1e-9
+
+
 def test_equilibria_stay():
     pair = systems.LiePoisson(lie.Power(lie.SO3(), 2), spins)
     up = np.array([[0.0, 0, 1], [0, 0, 1]])

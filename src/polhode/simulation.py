@@ -43,6 +43,7 @@ class _Asked(NamedTuple):
 
 
 STEP_ANGLE = 0.05  # rad by which the fastest rotation turns in a default step of low order
+TINY = 1e-150  # a state whose squares lose digits, or are zero
 TOO_LONG = 1.0  # rad in a step from which a given step draws a warning
 LONG_RUN = 2_000_000  # steps from which progress is shown, on a terminal
 
@@ -139,6 +140,11 @@ def _by_equal_steps(
     system: AbstractLiePoissonSystem, state: Array, times: np.ndarray, method: Any, asked: _Asked
 ) -> Trajectory:
     rates = turning_rates(system, state, times)
+    if not np.isfinite(rates).all():
+        raise InvalidInput(
+            f"`state` is too large: the rate of turning of {type(system).__name__} at it overflows. "
+            "Choose units in which it is nearer to one."
+        )
     solver, sizes = _prepared(system, method, rates, times, asked)
     longest = float(np.max(sizes * rates, initial=0.0))
     if longest > TOO_LONG and asked.tolerance is None:
@@ -267,6 +273,7 @@ def trajectory_of(
     invariants = {name: np.asarray(value) for name, value in _invariants(system, states).items()}
     # what holds on other leaves only is NaN on this one
     invariants = {name: value for name, value in invariants.items() if not np.isnan(value).all()}
+    invariants = _representable(system, np.asarray(states), invariants)
     balances = eqx.filter_jit(system.balances)(jnp.asarray(times), states)
     values = {name: np.asarray(balance.value) for name, balance in balances.items()}
     got = {name: np.asarray(value) for name, value in received.items()}
@@ -288,6 +295,22 @@ def trajectory_of(
         statistics=statistics,
         error_estimate=error_estimate,
     )
+
+
+def _representable(system: AbstractSystem, states: Array, invariants: dict[str, Array]) -> dict[str, Array]:
+    """Return the invariants whose values neither overflow nor vanish in underflow, with a warning of the others."""
+    if not np.isfinite(states).all() or not isinstance(system, AbstractLiePoissonSystem):
+        return invariants
+    size = float(np.max(np.abs(np.asarray(system.parts(states).point)), initial=0.0))
+    tiny = 0.0 < size < TINY
+    lost = [k for k, v in invariants.items() if not np.isfinite(v).all() or (tiny and np.abs(v).max() < TINY**2)]
+    if lost:
+        warnings.warn(
+            f"{', '.join(lost)}: the values of what is conserved are beyond double precision at states of size "
+            f"{size:.1e}, and are left out. Choose units in which states are nearer to one.",
+            stacklevel=2,
+        )
+    return {name: value for name, value in invariants.items() if name not in lost}
 
 
 @eqx.filter_jit

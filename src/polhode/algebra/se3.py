@@ -9,7 +9,7 @@ import jax.numpy as jnp
 
 from polhode import rotation
 from polhode.algebra.base import AbstractLieAlgebra
-from polhode.algebra.so3 import SO3
+from polhode.algebra.so3 import SO3, scaled_norm
 
 Array = Any
 
@@ -42,7 +42,7 @@ class SE3(AbstractLieAlgebra):
         return jnp.stack([jnp.sum(linear * linear, axis=-1), jnp.sum(angular * linear, axis=-1)], axis=-1)
 
     def rate(self, x: Array) -> Array:
-        return jnp.linalg.norm(x[..., :3], axis=-1)
+        return scaled_norm(x[..., :3])
 
     def exp(self, x: Array) -> Array:
         a, b = _parts(x)

@@ -48,7 +48,7 @@ class SO3(AbstractLieAlgebra):
         return jnp.sum(jnp.asarray(mu) ** 2, axis=-1, keepdims=True)
 
     def rate(self, x: Array) -> Array:
-        return jnp.linalg.norm(x, axis=-1)
+        return scaled_norm(x)
 
     def exp(self, x: Array) -> Array:
         s, c = half_angle_factors(jnp.asarray(x))
@@ -70,3 +70,11 @@ class SO3(AbstractLieAlgebra):
     def cayley_change(self, x: Array, mu: Array) -> Array:
         once = jnp.cross(mu, x)
         return (once + 0.5 * jnp.cross(once, x)) / (1.0 + 0.25 * jnp.sum(x * x, axis=-1, keepdims=True))
+
+
+def scaled_norm(x: Array) -> Array:
+    """Return |x| (…) of vectors whose squares may be beyond the largest or smallest number."""
+    x = jnp.asarray(x)
+    largest = jnp.max(jnp.abs(x), axis=-1, keepdims=True)
+    size = jnp.where(largest > 0, largest, 1.0)
+    return size[..., 0] * jnp.linalg.norm(x / size, axis=-1)

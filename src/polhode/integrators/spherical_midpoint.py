@@ -8,7 +8,7 @@ import equinox as eqx
 import jax.numpy as jnp
 
 from polhode.algebra.power import Power
-from polhode.algebra.so3 import SO3
+from polhode.algebra.so3 import SO3, scaled_norm
 from polhode.errors import InvalidInput
 from polhode.integrators.base import AbstractOrbitSolver, Change
 from polhode.integrators.composition import DEFAULT_ORDER, composed, stages
@@ -53,11 +53,11 @@ class SphericalMidpoint(AbstractOrbitSolver):
 
     def _stage(self, t: Array, h: Array, point: Array) -> Change:
         half_way = t + 0.5 * h
-        length = jnp.linalg.norm(point, axis=-1, keepdims=True)
+        length = scaled_norm(point)[..., None]
 
         def improved(change: Array) -> Array:
             middle = point + 0.5 * change
-            size = jnp.linalg.norm(middle, axis=-1, keepdims=True)
+            size = scaled_norm(middle)[..., None]
             middle = middle * (length / jnp.where(size > 0, size, 1.0))
             return h * self.system.algebra.coadjoint(self.system.generator(half_way, middle), middle)
 

@@ -49,8 +49,9 @@ def free_turn(moments: Array, time: Array, momentum: Components) -> Components:
         momentum: three components (…) at the start.
     """
     inverse = tuple(1.0 / moments[k] for k in range(3))
-    size = jnp.sqrt(momentum[0] ** 2 + momentum[1] ** 2 + momentum[2] ** 2)
-    angle = jnp.abs(time) * size * jnp.max(1.0 / moments)
+    # the rates' size, as squares of momenta may overflow
+    x, y, z = (jnp.abs(time) * momentum[k] * jnp.max(1.0 / moments) for k in range(3))
+    angle = jnp.sqrt(x * x + y * y + z * z)
     pieces = jnp.clip(jnp.nan_to_num(jnp.ceil(angle / ANGLE), nan=1.0), 1, MOST_PIECES).astype(int)
     share = time / pieces
 
@@ -61,7 +62,7 @@ def free_turn(moments: Array, time: Array, momentum: Components) -> Components:
         moved = turned_back(turn, now)
         return composed(total, turn), tuple(x + d for x, d in zip(now, moved, strict=True))
 
-    still = (jnp.zeros_like(size),) * 4
+    still = (jnp.zeros_like(angle),) * 4
     return jax.lax.fori_loop(0, jnp.max(pieces), piece, (still, momentum))[0]
 
 

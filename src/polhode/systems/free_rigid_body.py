@@ -32,7 +32,7 @@ class FreeRigidBody(AbstractLiePoissonSystem):
         self.algebra, self.moments = SO3(), checked_moments(moments)
 
     def energy(self, point: Array) -> Array:
-        return 0.5 * jnp.sum(point * point / self.moments, axis=-1)
+        return 0.5 * jnp.sum(point * (point / self.moments), axis=-1)
 
     def velocity(self, point: Array) -> Array:
         return point / self.moments
