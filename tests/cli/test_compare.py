@@ -291,6 +291,22 @@ def test_names_that_differ_by_case_and_underscore_are_the_same(files, capsys):
     assert any("different names" in note for note in values_of(["compare", "odd.aem", "box.bc"], capsys)["notes"])
 
 
+def test_two_attitudes_at_one_time_are_a_contradiction(tmp_path, monkeypatch, capsys):
+    """One of them was taken silently; the same one twice is no contradiction."""
+    monkeypatch.chdir(tmp_path)
+    samples = FreeMotion((1.0, 2.0, 3.0), (0.3, 0.4, 0.5)).sample(np.array([0.0, 1.0, 1.0, 2.0, 0.5]))
+    write_dataset(samples, tmp_path / "same.nc")
+    with pytest.raises(SystemExit, match="0"):
+        main(["compare", "same.nc", "same.nc"])
+    attitude = samples.attitude.copy()
+    attitude[2] = attitude[3]
+    write_dataset(replace(samples, attitude=attitude), tmp_path / "two.nc")
+    capsys.readouterr()
+    with pytest.raises(SystemExit, match="2"):
+        main(["compare", "same.nc", "two.nc"])
+    assert "two.nc: has two attitudes at 1 s" in " ".join(capsys.readouterr().err.split())
+
+
 def test_one_attitude_is_one(files, capsys):
     write_aem(FreeMotion((1.0, 2.0, 3.0), (0.0, 0.1, 1.0)).sample(np.zeros(1)), "one.aem")
     assert "AEM with 1 attitude." in run(["import", "one.aem"], capsys)[1]

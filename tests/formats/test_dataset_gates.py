@@ -1,9 +1,11 @@
 """Datasets that were made to run code, fill the memory or mislead, and such that another tool changed."""
 
+import gc
 import json
 import os
 import pickle
 import shutil
+import warnings
 import zlib
 from dataclasses import replace
 
@@ -51,7 +53,8 @@ def changed(store, variable="energy", **entries):
 
 
 def refused(path, words):
-    with pytest.raises(FormatError, match=f"(?s)motion.*{words}") as error:
+    with warnings.catch_warnings(), pytest.raises(FormatError, match=f"(?s)motion.*{words}") as error:
+        warnings.simplefilter("error")
         formats.read_dataset(path)
     assert len(str(error.value)) < 2000
 
@@ -115,6 +118,12 @@ def test_documents_that_are_no_json(store, text, words):
     refused(store, words)
 
 
+def test_a_drift_of_too_many_digits(store):
+    path = store / "energy" / ".zattrs"
+    path.write_text(json.dumps(json.loads(path.read_text()) | {"drift": 2**70}))
+    assert formats.read_dataset(store).drift["energy"] == 2**70
+
+
 def test_chunks_that_unpack_to_more_than_they_should(store):
     """A megabyte of zlib unpacks to a thousand; Blosc and LZ4 say their size at the beginning."""
     changed(store, compressor={"id": "zlib", "level": 9})
@@ -156,6 +165,25 @@ def test_the_documents_on_the_disk_are_what_counts(store):
     assert len(formats.read_dataset(store).invariants["energy"]) == len(TIMES)
 
 
+@pytest.mark.parametrize("lost", ["momentum/.zarray", "time/.zarray"])
+def test_a_store_without_a_document_is_one_message(store, lost, capfd):
+    """zarr reads arrays side by side, and prints a traceback for each that it was not asked about any more."""
+    (store / lost).unlink()
+    (store / "empty").mkdir()
+    refused(store, "has folders that are not arrays")
+    gc.collect()
+    assert capfd.readouterr().err == ""
+
+
+@pytest.mark.parametrize("entries", [{"fill_value": {"a": 1}}, {"order": "Z"}, {"compressor": {"id": "blosc", "x": 1}}])
+def test_documents_that_zarr_refuses_are_one_message(store, entries, capfd):
+    for variable in ("energy", "momentum", "attitude"):
+        changed(store, variable, **entries)
+    refused(store, "")
+    gc.collect()
+    assert capfd.readouterr().err == ""
+
+
 def test_a_store_of_format_3(store):
     (store / "zarr.json").write_text("{}")
     refused(store, "format 3")
@@ -192,6 +220,23 @@ def test_virtual_variables(netcdf):
     with h5py.File(netcdf, "a") as file:
         file.create_virtual_dataset("outside", layout)
     refused(netcdf, "'outside' keeps its values in other files")
+
+
+def test_a_heap_that_leads_nowhere(netcdf):
+    """HDF5 walks such a heap of texts for ever; found by damaging files at random."""
+    content = bytearray(netcdf.read_bytes())
+    heap = content.find(b"GCOL")
+    for place, words in ((heap + 24, "damaged in a heap"), (heap + 8, "ends outside of it")):
+        patched = content.copy()
+        patched[place : place + 8] = b"\xff" * 8 if place == heap + 8 else (2**40).to_bytes(8, "little")
+        netcdf.write_bytes(patched)
+        refused(netcdf, words)
+    place = heap + 16
+    while content[place : place + 2] != b"\0\0":  # the free space at the end has the number 0
+        place += 16 + -(-int.from_bytes(content[place + 8 : place + 16], "little") // 8) * 8
+    content[place + 8 : place + 16] = bytes(8)
+    netcdf.write_bytes(content)
+    refused(netcdf, "damaged in a heap")
 
 
 def test_filters_that_would_load_a_plugin(netcdf):
@@ -264,15 +309,19 @@ def scaled(dataset):
     (set_at("time", 3, np.inf), "time of sample 3 is not a finite number; got inf"),
     (set_at("energy", 2, np.nan), "energy of sample 2 is not a finite number"),
     (set_at("angular_velocity", (5, 0), -np.inf), "angular velocity of sample 5"),
+    (set_at("attitude", 5, 1e300), "attitude of sample 5 is not a unit quaternion"),
     (set_at("attitude", 5, 0.3), "attitude of sample 5 is not a unit quaternion"),
     (set_at("principal_moments", 1, np.nan), "principal moments must be finite"),
     (set_at("principal_moments", 1, -2.0), "principal moments must be positive"),
     (set_at("principal_axes", (1, 1), 0.5), "principal_axes must be a rotation"),
+    (set_at("principal_axes", (1, 1), 1e300), "principal_axes must be a rotation"),
+    (attribute(None, source=["a", "b"]), "not one that polhode wrote"),
     (lambda d: d.assign(mass=np.nan), "mass must be finite"),
     (scaled, r"momentum of sample 3 is not a finite number; got nan at index \(3, 1\)"),
     (attribute("energy", role="leader"), "role of 'energy' must be one of invariant"),
     (attribute("energy", role=[1, 2]), "role of 'energy' must be one of"),
     (attribute("energy", role="state"), "'energy' needs the attribute place"),
+    (attribute("energy", drift=-np.inf), "drift of 'energy' must be a finite number"),
     (attribute("energy", drift="much"), "drift of 'energy' must be a finite number"),
     (attribute("energy", drift=[1.0, 2.0]), "drift of 'energy' must be a finite number"),
     (lambda d: d["energy"].attrs.pop("role") and None, "variable 'energy' is unknown"),

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from polhode import rotation
 from polhode.analysis.comparison import AttitudeHistory, Mechanics
 from polhode.bodies.frame import BodyFrame
 from polhode.errors import FormatError, InvalidInput, NotConverged, printable
@@ -21,6 +22,7 @@ from polhode.trajectory import Trajectory
 HEAD = 65536  # bytes in which a file shows what it is
 KINDS = {"spec": "spec", "dataset": "dataset", "csv": "CSV table", "aem": "AEM", "ck": "C-kernel"}
 KINDS_IN_WORDS = {kind: f"{'an' if name[0] == 'A' else 'a'} {name}" for kind, name in KINDS.items()}
+SAME_ATTITUDE = 1e-6  # rad; what seven digits of a quaternion leave between two samples of one time
 SAME_MOMENTUM = 1e-9  # of the largest; a rotor whose momentum is less changes no energy that is printed
 PICOSECOND = 1e-12  # s; epochs in an AEM are read to one
 TOPS = ("heavy-top", "lagrange-top")
@@ -227,7 +229,11 @@ def _history(path: Path, trajectory: Trajectory) -> AttitudeHistory:
         attitude = single_attitude(trajectory, "A comparison")
     except InvalidInput as error:
         raise InvalidInput(f"{path}: {error}") from None
-    times, first = np.unique(np.asarray(trajectory.times), return_index=True)
+    times, first, again = np.unique(np.asarray(trajectory.times), return_index=True, return_inverse=True)
+    apart = rotation.angle_between(attitude, attitude[first][again.reshape(-1)])
+    if apart.max() > SAME_ATTITUDE:
+        when = np.asarray(trajectory.times)[int(np.argmax(apart))]
+        raise InvalidInput(f"{path}: has two attitudes at {when:.9g} s, {apart.max():.3g} rad apart. Leave out one.")
     velocity = trajectory.angular_velocity
     velocity = None if velocity is None else np.asarray(velocity)[first]
     return AttitudeHistory(printable(path.name), times, attitude[first], velocity)

@@ -61,7 +61,7 @@ def read_dataset(path: str | Path) -> Trajectory:
     """
     path = Path(path)
     dataset = _loaded(path)
-    if dataset.attrs.get("source") != "polhode" or "time" not in dataset.coords:
+    if str(dataset.attrs.get("source")) != "polhode" or "time" not in dataset.coords:
         raise FormatError(f"{path}: is a dataset, but not one that polhode wrote. Read it with xarray.")
     check_variables(path, dataset)
     variables: dict[str, Any] = {str(name): variable for name, variable in dataset.data_vars.items()}
@@ -113,12 +113,15 @@ def _loaded_store(path: Path) -> xarray.Dataset:
     import xarray as xr
 
     try:
+        import zarr
         from zarr.storage import LocalStore
     except ImportError:
         raise InvalidInput('Zarr stores need zarr, which is not installed; `pip install "polhode[zarr]"`.') from None
-    check_store(path)
+    names = check_store(path)
     # a store by its path could be taken for an address; consolidated documents are copies that may say something else
     store: Any = LocalStore(path, read_only=True)
+    for name in names:  # one by one: what fails in zarr's own loop over all is printed beside the message
+        zarr.open_array(store, path=name, mode="r", zarr_format=2)
     return xr.load_dataset(store, engine="zarr", decode_times=False, consolidated=False, zarr_format=2)
 
 

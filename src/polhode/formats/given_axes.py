@@ -92,7 +92,8 @@ def check_recorded(path: Path, times: Array, attitude: Array | None, velocity: A
         raise FormatError(f"{path}: the angular velocity of sample {int(place[-2])} is not a finite number. {DAMAGED}")
     if attitude is None:
         return
-    norms = np.linalg.norm(np.asarray(attitude), axis=-1)
+    with np.errstate(over="ignore"):  # an infinite length is not one
+        norms = np.linalg.norm(np.asarray(attitude), axis=-1)
     wrong = ~(np.abs(norms - 1.0) <= UNIT)
     if wrong.any():
         place = tuple(np.argwhere(wrong)[0])

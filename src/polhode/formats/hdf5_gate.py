@@ -8,6 +8,7 @@ Source: The HDF Group, *HDF5 File Format Specification* and *HDF5 Filters*.
 from __future__ import annotations
 
 import math
+import mmap
 from pathlib import Path
 from typing import Any, NoReturn
 
@@ -16,9 +17,31 @@ from polhode.formats.zarr_gate import check_size
 
 MOST_VARIABLES, MOST_ATTRIBUTES = 2000, 200
 MOST_TEXTS = 10_000  # texts of one variable; names of axes are a handful
+HEAP = b"GCOL\x01\0\0\0"  # how a heap of texts and references of varying length begins
 LONGEST_ATTRIBUTE = 65536  # bytes, the most that HDF5 itself keeps in a header
 FILTERS = {1: "deflate", 2: "shuffle", 3: "fletcher32"}  # those that are in HDF5 itself and take no more than they give
 OF_DIMENSIONS = ("DIMENSION_LIST", "REFERENCE_LIST")  # how NetCDF says which axis is which
+
+
+def _check_heaps(path: Path, stored: int) -> None:
+    """Refuse heaps of text and references in which an entry does not lead on: HDF5 would walk them for ever."""
+    if not stored:
+        return
+    with path.open("rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as content:
+        begin = content.find(HEAP)
+        while begin >= 0:
+            size = int.from_bytes(content[begin + 8 : begin + 16], "little")
+            end, place = begin + size, begin + 16
+            if end > stored:
+                _refuse(path, "is cut short or damaged, as a heap of its text ends outside of it")
+            while place + 16 <= end:
+                number = int.from_bytes(content[place : place + 2], "little")
+                taken = int.from_bytes(content[place + 8 : place + 16], "little")
+                step = 16 + -(-taken // 8) * 8 if number else taken
+                if not 16 <= step <= end - place:
+                    _refuse(path, "is damaged in a heap of its text")
+                place += step
+            begin = content.find(HEAP, begin + 8)
 
 
 def check_hdf5(path: Path) -> None:
@@ -32,6 +55,7 @@ def check_hdf5(path: Path) -> None:
     import h5py
 
     stored = path.stat().st_size
+    _check_heaps(path, stored)
     with h5py.File(path, "r") as file:
         if len(file) > MOST_VARIABLES:
             _refuse(path, f"has {len(file)} variables, and may have {MOST_VARIABLES}")

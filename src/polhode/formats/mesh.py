@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import logging
 import warnings
 from pathlib import Path
 from typing import Any
@@ -69,8 +70,7 @@ def _loaded(path: Path, content: bytes) -> tuple[Array, Array]:
     if ending == "obj":
         return read_obj(path, as_text(path, content))
     content = checked(path, ending, content)
-    import trimesh
-
+    trimesh = _trimesh()
     try:
         with warnings.catch_warnings(), np.errstate(all="ignore"):
             warnings.simplefilter("ignore")
@@ -82,6 +82,16 @@ def _loaded(path: Path, content: bytes) -> tuple[Array, Array]:
     except Exception:  # trimesh raises whatever its many readers raise
         why = f"{path}: cannot be read as a mesh: it is broken, cut short, or not what its ending says. Export it anew."
         raise FormatError(why) from None
+
+
+def _trimesh() -> Any:
+    """Return trimesh, which prints tracebacks of its own unless somebody listens to its log."""
+    import trimesh
+
+    logger = logging.getLogger("trimesh")
+    if not logger.handlers:
+        logger.addHandler(logging.NullHandler())
+    return trimesh
 
 
 def _merged(vertices: Array, faces: Array) -> tuple[Array, Array]:
@@ -109,8 +119,7 @@ def _merged_nearby(vertices: Array, faces: Array) -> tuple[Array, Array]:
 
 def _filled(vertices: Array, faces: Array) -> tuple[Array, Array]:
     """Drop triangles that are degenerate or there twice, then close small holes."""
-    import trimesh
-
+    trimesh = _trimesh()
     a, b, c = faces.T
     faces = faces[(a != b) & (b != c) & (c != a)]
     _, first = np.unique(np.sort(faces, axis=1), axis=0, return_index=True)

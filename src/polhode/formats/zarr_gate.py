@@ -36,14 +36,18 @@ class _File(NamedTuple):
     size: int
 
 
-def check_store(folder: Path) -> None:
-    """Refuse a store (format 2) that is not what polhode writes.
+def check_store(folder: Path) -> list[str]:
+    """Return the names of the arrays in a store (format 2), after a look whether it is what polhode writes.
 
     Raises:
         FormatError: for links and devices in it, codecs other than ``CODECS``, filters, objects, and arrays or chunks
             that are larger than what is stored can be.
     """
     files = list(_files(folder, folder, 0))
+    names = sorted(entry.name for entry in folder.iterdir() if entry.is_dir())
+    arrays = {file.path.parent for file in files if file.path.name == ".zarray"}
+    if arrays != {folder / name for name in names}:
+        _refuse(folder, "has folders that are not arrays, or arrays within others. It is damaged; write it anew")
     stored, chunks, declared = sum(file.size for file in files), 0, 0
     for file in files:
         if file.path.name == "zarr.json":
@@ -51,9 +55,12 @@ def check_store(folder: Path) -> None:
         if file.path.name == ".zarray":
             count, size = _check_array(folder, file.path, files)
             chunks, declared = chunks + count, declared + size
+        if file.path.name == ".zattrs":
+            _document(folder, file.path)
     if chunks > MOST_CHUNKS:
         _refuse(folder, f"has {shown(chunks)} chunks, and may have {MOST_CHUNKS:,}. Write it anew with larger ones")
     check_size(folder, declared, stored)
+    return names
 
 
 def check_size(path: Path, declared: int, stored: int) -> None:
