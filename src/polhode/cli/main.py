@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import signal
 import sys
+import warnings
 from typing import NoReturn
 
 from polhode.cli.stopping import SIGNALS, Stopped, said, stopped_by_signals
@@ -27,6 +28,8 @@ def main(arguments: list[str] | None = None) -> NoReturn:
         with readable_output(), stopped_by_signals():
             code = _run(arguments)
     except Stopped as stop:
+        if arguments is None:
+            warnings.simplefilter("ignore")  # such as those of libraries whose work was not finished
         _tell(said(stop.number))
         code = 128 + stop.number
     if arguments is None:
