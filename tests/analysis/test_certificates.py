@@ -223,6 +223,7 @@ def test_energies_that_overflow_are_refused():
 
 # ---------------------------------------------------------------------- singular leaves, missing Casimirs
 
+@pytest.mark.sweep
 def test_which_groups_are_compact():
     compact = [so3, lie.SO(4), lie.Product(so3, lie.SO(2))]
     others = [se3, lie.SL(2), lie.AffineLine(), borel()]
@@ -253,6 +254,7 @@ def test_singular_leaves_of_compact_groups():
     assert set(verdicts) == {"stable", "unstable"}
 
 
+@pytest.mark.sweep
 def test_the_borel_subalgebra_of_sl3():
     """No polynomial Casimir: the leaf's tangent space decides at regular points, the user's Casimir writes it down."""
     system, start = borel_system(), np.array([1.0, 0.4, 0.3, 0.5, 0.8])
@@ -271,6 +273,7 @@ def test_the_borel_subalgebra_of_sl3():
     assert ph.stability(shifted, ideal).verdict == "stable"
 
 
+@pytest.mark.sweep
 def test_irrational_constants():
     system = irrational()
     for axis, verdict in enumerate(("stable", "unstable", "stable")):
