@@ -60,7 +60,7 @@ def test_report_puts_it_beside_the_figures(run, tmp_path):
 def test_it_is_all_or_nothing(run, tmp_path):
     (tmp_path / "taken" / "page.html").mkdir(parents=True)
     code, _, err = run("report", "case.toml", "--html", "--out", "taken")
-    assert code == 2 and "is a folder where a file has to go" in err
+    assert code == 2 and "is a folder, where a file has to go" in err
     assert [path.name for path in (tmp_path / "taken").iterdir()] == ["page.html"]
 
 
