@@ -111,7 +111,7 @@ def _refuse_disabled_double_precision(name: str) -> None:
     """Refuse what JAX would turn to float32, be it whole numbers or NumPy's float64 beside JAX arrays."""
     import jax
 
-    if not jax.config.jax_enable_x64:
+    if not jax.config.jax_enable_x64:  # pyright: ignore[reportAttributeAccessIssue]
         raise InvalidInput(f"`{name}` must be float64, and JAX's is switched off. {_remedy(True)}")
 
 
