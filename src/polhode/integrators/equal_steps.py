@@ -1,24 +1,30 @@
-"""A whole run by equal steps: one compiled scan over the samples, and every copy of a batch by itself.
+"""A whole run by equal steps: one compiled loop over the samples, and every copy of a batch by itself.
 
 Copies are run in blocks, each a ``vmap`` of the run of one: step size, iterations of implicit steps, pieces of flows
 and failures are a copy's own, so that its result is that of the copy alone but for the rounding of another vector
 length. A block is as slow as its fastest copy; copies are sorted by their rates, so that like ones stand together.
+
+The loop is called for one stretch of the time after another, always as the same compiled function: Python acts on
+Ctrl-C, and progress is shown, only between two calls.
 """
 
 from __future__ import annotations
 
+import itertools
 from typing import Any, NamedTuple
 
-import diffrax
 import equinox as eqx
 import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.integrators.base import AbstractOrbitSolver, step_count
+from polhode.integrators.base import AbstractOrbitSolver, Memory, step_count
 
 Array = Any
 BLOCK = 64  # copies: enough that a step's fixed costs do not count, few enough that a fast copy slows few others
+STRETCH = 50_000  # steps in one call, which take from a quarter of a second to a few seconds
+MOST_INTERVALS = 1_000_000
+AS_ONE = 8  # copies in a block that cost about as much as one
 
 
 class Run(NamedTuple):
@@ -48,22 +54,30 @@ def run_by_equal_steps(
         rates: (batch…) of the copies, by which they are sorted.
         meter: of diffrax, for progress.
     """
-    grid = jnp.asarray(times[:-1]), jnp.asarray(np.diff(times))
     own = solver.system.state_axes
     batch = jnp.shape(state)[: jnp.ndim(state) - own]
+    shown = meter.init()
+
+    def show(share: float) -> None:
+        nonlocal shown
+        shown = meter.step(shown, jnp.asarray(share))
+
     if not batch:
-        return Run(*(np.asarray(x) for x in _run_one(solver, jnp.asarray(sizes), state, grid, meter)))
+        run = _run_block(_go_one, solver, state, times, np.asarray(sizes), show)
+        meter.close(shown)
+        return run
     flat = np.asarray(state).reshape(-1, *jnp.shape(state)[len(batch) :])
     order = np.argsort(np.ravel(rates), kind="stable")
     flat, ordered = flat[order], np.ravel(sizes)[order]
     width = min(BLOCK, 1 << (len(flat) - 1).bit_length())
-    found, shown = [], meter.init()
+    found = []
     for first in range(0, len(flat), width):
         # the last block is filled up with its last copy, so that one compiled function serves every number of copies
         chosen = np.minimum(np.arange(first, first + width), len(flat) - 1)
-        block = _run_block(solver, jnp.asarray(ordered[chosen]), jnp.asarray(flat[chosen]), grid)
-        found.append([np.asarray(x)[: len(flat) - first] for x in block])
-        shown = meter.step(shown, jnp.asarray(min(1.0, (first + width) / len(flat))))
+        before, share = first / len(flat), width / len(flat)
+        show_block = lambda x, a=before, b=share: show(min(1.0, a + b * x))  # noqa: E731
+        block = _run_block(_go_block, solver, flat[chosen], times, ordered[chosen], show_block)
+        found.append([x[: len(flat) - first] for x in block])
     meter.close(shown)
     back = np.argsort(order)
     return Run(*(np.concatenate(x)[back].reshape(*batch, *x[0].shape[1:]) for x in zip(*found, strict=True)))
@@ -74,29 +88,58 @@ def step_counts(times: np.ndarray, sizes: Array) -> Array:
     return np.asarray(step_count(np, np.diff(times), np.asarray(sizes)[..., None]))
 
 
-def _run(solver: Any, size: Array, state: Array, grid: tuple[Array, Array], meter: Any) -> tuple[Array, ...]:
+def _run_block(go: Any, solver: Any, state: Array, times: np.ndarray, sizes: Array, show: Any) -> Run:
+    """Return the motion of one copy or of a block of them, stretch by stretch."""
+    longest = STRETCH // -(-sizes.size // AS_ONE)
+    # every interval between samples is cut into so many, as far as memory allows
+    parts = int(min(np.ceil(step_counts(times, sizes).max() / longest), max(1, MOST_INTERVALS // (len(times) - 1))))
+    fine = np.append(np.linspace(times[:-1], times[1:], parts, endpoint=False, axis=1), times[-1])
+    stretches = _stretches(step_counts(fine, sizes).reshape(-1, len(fine) - 1).max(axis=0), longest)
+    state, grid = jnp.asarray(state), (jnp.asarray(fine[:-1]), jnp.asarray(np.diff(fine)))
+    start, axis = state, sizes.ndim
+    memory = jax.vmap(solver.memory)(state) if axis else solver.memory(state)
+    saved = jnp.zeros((*sizes.shape, len(fine) - 1, *state.shape[axis:]), state.dtype)
+    for first, last in stretches:
+        limits = jnp.asarray(first), jnp.asarray(last)
+        state, memory, saved = go(solver, jnp.asarray(sizes), state, memory, saved, grid, limits)
+        jax.block_until_ready(state)
+        show(last / (len(fine) - 1))
+    kept = np.asarray(saved)[(slice(None),) * axis + (slice(parts - 1, None, parts),)]
+    states = np.concatenate([np.expand_dims(start, axis), kept], axis=axis)
+    return Run(states, np.asarray(memory.iterations), np.asarray(memory.fine))
+
+
+def _stretches(counts: Array, longest: int) -> list[tuple[int, int]]:
+    """Return from which to which interval each call goes, by the steps (n,) that every interval takes."""
+    borders = np.flatnonzero(np.diff(np.cumsum(counts) // longest)) + 1
+    return list(itertools.pairwise([0, *borders.tolist(), len(counts)]))
+
+
+def _go(
+    solver: Any, size: Array, state: Array, memory: Memory, saved: Array, grid: tuple[Array, Array],
+    limits: tuple[Array, Array],
+) -> tuple[Array, Memory, Array]:  # fmt: skip
+    """Go from one interval up to another, and save the state at the end of each."""
     solver = eqx.tree_at(lambda s: s.step_size, solver, size)
     begin, spans = grid
-    whole = jnp.sum(spans)
 
-    def advance(carried: tuple[Any, ...], interval: tuple[Array, Array]) -> tuple[tuple[Any, ...], Array]:
-        now, memory, shown = carried
-        start, span = interval
-        now, memory = solver.advance(start, span, now, memory)
-        shown = meter.step(shown, (start + span - begin[0]) / whole)
-        return (now, memory, shown), now
+    def over(k: Array, carried: tuple[Array, Memory, Array]) -> tuple[Array, Memory, Array]:
+        now, memory, saved = carried
+        now, memory = solver.advance(begin[k], spans[k], now, memory)
+        return now, memory, saved.at[k].set(now)
 
-    carried = state, solver.memory(state), meter.init()
-    (_, memory, shown), states = jax.lax.scan(advance, carried, (begin, spans))
-    meter.close(shown)
-    states = jnp.concatenate([state[None], states])
-    return states, memory.iterations, memory.fine
+    return jax.lax.fori_loop(*limits, over, (state, memory, saved))
 
 
-_run_one = eqx.filter_jit(_run)
+_go_one = eqx.filter_jit(_go)
 
 
 @eqx.filter_jit
-def _run_block(solver: Any, sizes: Array, states: Array, grid: tuple[Array, Array]) -> tuple[Array, ...]:
-    silent = diffrax.NoProgressMeter()
-    return jax.vmap(lambda size, state: _run(solver, size, state, grid, silent))(sizes, states)
+def _go_block(
+    solver: Any, sizes: Array, states: Array, memory: Memory, saved: Array, grid: tuple[Array, Array],
+    limits: tuple[Array, Array],
+) -> tuple[Array, Memory, Array]:  # fmt: skip
+    def one(size: Array, state: Array, memory: Memory, saved: Array) -> tuple[Array, Memory, Array]:
+        return _go(solver, size, state, memory, saved, grid, limits)
+
+    return jax.vmap(one)(sizes, states, memory, saved)
