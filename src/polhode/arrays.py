@@ -3,18 +3,21 @@ JAX array has come in."""
 
 from __future__ import annotations
 
+import functools
 import sys
 from collections.abc import Callable, Iterator
 from functools import cache
-from typing import Any
+from typing import Any, ParamSpec, TypeVar
 
 import array_api_compat
 import array_api_compat.numpy as numpy_namespace
 import numpy as np
 
-from polhode.errors import InvalidInput, shown
+from polhode.errors import InvalidInput, PolhodeError, shown
 
 Array = Any
+Parameters = ParamSpec("Parameters")
+Result = TypeVar("Result")
 
 
 @cache
@@ -42,6 +45,11 @@ def is_traced(*values: Any) -> bool:
     from jax.core import Tracer
 
     return any(isinstance(value, Tracer) for value in values)
+
+
+def known_false(condition: Any) -> bool:
+    """Whether a condition is known not to hold; what a traced function computes, of known arrays too, is not known."""
+    return not is_traced(condition) and not bool(condition)
 
 
 def namespace(*values: Any) -> Any:
@@ -113,6 +121,39 @@ def _refuse_disabled_double_precision(name: str) -> None:
 
     if not jax.config.jax_enable_x64:  # pyright: ignore[reportAttributeAccessIssue]
         raise InvalidInput(f"`{name}` must be float64, and JAX's is switched off. {_remedy(True)}")
+
+
+def known_numbers_only(function: Callable[Parameters, Result]) -> Callable[Parameters, Result]:
+    """Have a function that decides on numbers refuse traced ones; known ones are good within a traced function too.
+
+    There JAX would trace whatever is computed from them, so they are computed with at once.
+    """
+    name = function.__qualname__.removesuffix(".__init__")
+
+    @functools.wraps(function)
+    def checked(*args: Parameters.args, **kwargs: Parameters.kwargs) -> Result:
+        if "jax" not in sys.modules:
+            return function(*args, **kwargs)
+        import jax
+        import jax.numpy as jnp
+
+        refusal = InvalidInput(
+            f"the arguments of `{name}` must be known numbers, not traced by JAX: it decides on them. Call it outside "
+            "of jit, vmap and derivatives, and put traced numbers into what it returns."
+        )
+        if is_traced(*jax.tree.leaves((args, kwargs))):
+            raise refusal
+        if not is_traced(jnp.zeros(())):
+            return function(*args, **kwargs)
+        try:
+            with jax.ensure_compile_time_eval():
+                return function(*args, **kwargs)
+        except PolhodeError:
+            raise
+        except (TypeError, RuntimeError) as error:  # JAX's and Equinox's, where something within is traced
+            raise refusal from error
+
+    return checked
 
 
 def barrier(values: Any) -> Any:

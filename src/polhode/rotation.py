@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from polhode.arrays import as_float64, is_traced, namespace
+from polhode.arrays import as_float64, is_traced, known_false, namespace
 from polhode.errors import InvalidInput
 
 if TYPE_CHECKING:
@@ -68,7 +68,7 @@ def normalize(quaternion: Array) -> Array:
     """
     xp, (q,) = _arrays(quaternion=quaternion)
     largest = xp.max(xp.abs(q), axis=-1, keepdims=True)
-    if not is_traced(q) and not bool(xp.all((largest > 0) & xp.isfinite(largest))):
+    if known_false(xp.all((largest > 0) & xp.isfinite(largest))):
         raise InvalidInput("`quaternion` must be finite and not zero; a zero quaternion is no rotation.")
     q = q / largest
     return q / xp.sqrt(xp.sum(q * q, axis=-1, keepdims=True))
@@ -139,9 +139,9 @@ def _refuse_improper(xp: Any, m: Array) -> None:
         - a[..., 1] * (b[..., 0] * c[..., 2] - b[..., 2] * c[..., 0])
         + a[..., 2] * (b[..., 0] * c[..., 1] - b[..., 1] * c[..., 0])
     )
-    if not bool(xp.all(error < ORTHOGONALITY_TOLERANCE)):
+    if known_false(xp.all(error < ORTHOGONALITY_TOLERANCE)):
         raise InvalidInput("`matrix` must be orthogonal, Rᵀ R = 1, to 1e-6; orthogonalise it or check its entries.")
-    if not bool(xp.all(determinant > 0)):
+    if known_false(xp.all(determinant > 0)):
         raise InvalidInput("`matrix` must be a proper rotation, det R = +1; got a reflection. Flip one axis.")
 
 
@@ -178,7 +178,7 @@ def from_axis_angle(axis: Array, angle: Array) -> Array:
     axis = as_float64(xp, axis, "axis")
     angle = as_float64(xp, angle, "angle")
     largest = xp.max(xp.abs(axis), axis=-1, keepdims=True)
-    if not is_traced(axis) and not bool(xp.all(largest > 0)):
+    if known_false(xp.all(largest > 0)):
         raise InvalidInput("`axis` must not be zero; a rotation needs a direction.")
     unit = axis / largest
     unit = unit / xp.sqrt(xp.sum(unit * unit, axis=-1, keepdims=True))
@@ -254,7 +254,7 @@ def _unit(xp: Any, vector: Array, name: str) -> Array:
     if tuple(v.shape[-1:]) != (3,):
         raise InvalidInput(f"`{name}` must have shape (..., 3); got {tuple(v.shape)}.")
     largest = xp.max(xp.abs(v), axis=-1, keepdims=True)
-    if not is_traced(v) and not bool(xp.all((largest > 0) & xp.isfinite(largest))):
+    if known_false(xp.all((largest > 0) & xp.isfinite(largest))):
         raise InvalidInput(f"`{name}` must be finite and not zero; a vector of zero length has no direction.")
     v = v / largest
     return v / xp.sqrt(xp.sum(v * v, axis=-1, keepdims=True))

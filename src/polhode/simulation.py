@@ -15,7 +15,7 @@ import numpy as np
 
 from polhode.algebra.power import Power
 from polhode.algebra.so3 import SO3
-from polhode.arrays import refuse_single_precision
+from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, NotConverged
 from polhode.integrators.accuracy import measured_run, run_to_tolerance
 from polhode.integrators.adaptive import adaptive_error, solve_adaptively
@@ -48,6 +48,7 @@ TOO_LONG = 1.0  # rad in a step from which a given step draws a warning
 LONG_RUN = 2_000_000  # steps from which progress is shown, on a terminal
 
 
+@known_numbers_only
 def simulate(
     system: AbstractSystem,
     state: Array,

@@ -1,30 +1,109 @@
-"""A motion made and asked for one thing within one compiled function: what is not asked for is dropped, and it ends."""
+"""Every method and property of a motion alone in a compiled function: what is not asked for is dropped, and it ends.
+
+Each runs in a process of its own, as nothing else stops XLA while it compiles.
+"""
+
+import inspect
 
 import pytest
 
 from limited import run_limited
+from polhode.exact.free_body import FreeMotion
+from polhode.exact.lagrange_top import LagrangeMotion
 
-LONG_ENOUGH = 400.0
-"""Seconds; compiling takes half a minute."""
+LONG_ENOUGH = 1500.0
+"""Seconds for a group; compiling takes half a minute to two."""
+KINDS = {"FreeMotion": FreeMotion, "LagrangeMotion": LagrangeMotion}
+LEFT_OUT = {
+    "batch_shape": "a shape",
+    "from_body": "takes a body, whose numbers are known",
+    "along_principal_axes": "gives a motion, whose methods are tested",
+    "sample": "a trajectory for files and pictures, made of state",
+}
+EVALUATIONS = {"state", "attitude", "momentum", "angular_velocity", "rotation_matrix"}
 
-ALONE = """
+HEAD = """
 import jax
 jax.config.update("jax_enable_x64", True)
 import jax.numpy as jnp
 import numpy as np
 import polhode as ph
 
-kind, method = {kind!r}, {method!r}
-given = dict(FreeMotion=((1.0, 2.0, 3.3),), LagrangeMotion=((1.0, 1.0, 0.5), 0.7))[kind]
-momenta, times = np.array([[0.3, 1.8, 1.5], [0.9, 0.1, 0.2]]), np.array([1.0, 2.0])
-alone = lambda L, t: getattr(getattr(ph, kind)(*map(jnp.asarray, given), L), method)(t)
-found = jax.jit(alone)(jnp.asarray(momenta), jnp.asarray(times))
-wanted = getattr(getattr(ph, kind)(*given, momenta), method)(times)
-assert np.abs(np.asarray(found) - wanted).max() < 1e-14, (found, wanted)
+kind, names = {kind!r}, {names!r}
+given = dict(FreeMotion=([[1.0, 2.0, 3.3]] * 3,), LagrangeMotion=([[1.0, 1.0, 0.5]] * 3, [0.7] * 3))[kind]
+attitudes = np.array([[0.5, 0.5, 0.5, 0.5], [0.5, -0.5, 0.5, -0.5], [0.8, 0.6, 0.0, 0.0]])
+given += (np.array([[0.3, 1.8, 1.5], [0.9, 0.1, 0.2], [0.2, -0.3, 1.0]]), attitudes, np.array([0.0, 0.1, 0.2]))
+given = tuple(map(np.asarray, given))
+times, h = np.array([1.0, 2.0, 3.0]), 1e-5
+make = getattr(ph, kind)
+plain = make(*given)
+flat = lambda found: jnp.concatenate([jnp.reshape(x, (3, -1)) * 1.0 for x in jax.tree.leaves(found)], axis=1)
+
+def near(found, wanted, tolerance, name):
+    wanted = np.concatenate([np.reshape(x, (3, -1)) * 1.0 for x in jax.tree.leaves(wanted)], axis=1)
+    assert np.allclose(found, wanted, rtol=tolerance, atol=tolerance, equal_nan=True), (name, found, wanted)
+"""
+VALUES = """
+motion = make(*map(jnp.asarray, given))
+for name in names:
+    alone = lambda m, t: getattr(m, name)(t)
+    wanted = alone(plain, times)
+    near(flat(jax.jit(alone)(motion, times)), wanted, 1e-13, name)
+    near(flat(jax.jit(jax.vmap(alone))(motion, times)), wanted, 1e-13, "vmap " + name)
+"""
+NUMBERS = """
+motion = make(*map(jnp.asarray, given))
+for name in names:
+    near(flat(jax.jit(lambda m: getattr(m, name))(motion)), getattr(plain, name), 1e-12, name)
+"""
+DERIVATIVES = """
+motion = make(*map(jnp.asarray, given))
+for name in names:
+    alone = lambda m, t: getattr(m, name)(t)
+    slope = (alone(plain, times + h) - alone(plain, times - h)) / (2 * h)
+    change = jax.jit(lambda m, t: jax.jvp(lambda t: alone(m, t), (t,), (jnp.ones(3),))[1])(motion, times)
+    near(change, slope, 1e-8, "jvp " + name)
+    one = lambda m, t: jax.grad(lambda t: alone(m, t)[1])(t)
+    near(jax.jit(jax.vmap(one))(motion, times), slope[:, 1], 1e-8, "vmap of grad " + name)
+"""
+MADE_WITHIN = """
+alone = lambda *x: getattr(make(*x[:-1]), names[0])(x[-1])
+near(jax.jit(alone)(*given, times), alone(*given, times), 1e-13, names[0])
 """
 
 
+def public(kind):
+    """Return the names of methods and of properties."""
+    found = {name: inspect.getattr_static(kind, name) for name in dir(kind) if not name.startswith("_")}
+    of = lambda sort: {name for name, x in found.items() if sort(x)} - set(LEFT_OUT)  # noqa: E731
+    return of(inspect.isfunction), of(lambda x: isinstance(x, property))
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_no_method_is_forgotten(kind):
+    assert public(KINDS[kind])[0] == EVALUATIONS
+
+
+def cases():
+    for kind in KINDS:
+        yield kind, VALUES, sorted(EVALUATIONS), f"{kind} evaluations"
+        yield kind, NUMBERS, sorted(public(KINDS[kind])[1]), f"{kind} properties"
+        yield kind, DERIVATIVES, ["momentum"], f"{kind} derivatives by time"
+        yield kind, MADE_WITHIN, ["momentum"], f"{kind} made within"
+
+
 @pytest.mark.sweep
-@pytest.mark.parametrize(("kind", "method"), [("FreeMotion", "momentum"), ("LagrangeMotion", "momentum")])
-def test_one_method_alone_in_a_compiled_batch(kind, method):
-    run_limited(ALONE.format(kind=kind, method=method), LONG_ENOUGH)
+@pytest.mark.parametrize(("kind", "code", "names"), [pytest.param(*c[:3], id=c[3]) for c in cases()])
+def test_alone_in_a_compiled_batch(kind, code, names):
+    run_limited(HEAD.format(kind=kind, names=names) + code, LONG_ENOUGH)
+
+
+BROKEN = """
+plain, motion = np.ones((3, 1)), jnp.ones((3, 1)) * (1.0 + 1e-9)
+near(motion, plain, 1e-13, "a value that differs where it is traced")
+"""
+
+
+def test_a_broken_specimen_is_caught():
+    with pytest.raises(AssertionError, match="differs where it is traced"):
+        run_limited(HEAD.format(kind="FreeMotion", names=[]) + BROKEN, LONG_ENOUGH)

@@ -17,6 +17,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode.arrays import custom_derivative
 from polhode.errors import InvalidInput
 
 Array = Any
@@ -163,14 +164,25 @@ class AbstractLieAlgebra(HashableModule):
             k, term, total = carried
             return (k < SERIES_TERMS) & jnp.any(going(term, total))
 
-        def add(carried: Array) -> Array:
+        def add(x: Array, carried: Array) -> Array:
             k, term, total = carried
             term = jnp.where(going(term, total), self.coadjoint(x, term) / (k + 1), 0.0)
             return k + 1, term, total + term
 
-        first = self.coadjoint(x, mu)
-        _, term, total = jax.lax.while_loop(unfinished, add, (1, first, first))
-        return jnp.where(going(term, total), jnp.nan, total)
+        def summed(x: Array, mu: Array, known_count: bool) -> Array:
+            first = self.coadjoint(x, mu)
+            start = (1, first, first)
+            if known_count:
+                _, term, total = jax.lax.fori_loop(1, SERIES_TERMS, lambda _, now: add(x, now), start)
+            else:
+                _, term, total = jax.lax.while_loop(unfinished, lambda now: add(x, now), start)
+            return jnp.where(going(term, total), jnp.nan, total)
+
+        # reverse mode needs a known number of terms, of which most vanish
+        def rule(primals: Any, tangents: Any) -> tuple[Array, Array]:
+            return summed(*primals, False), jax.jvp(lambda x, mu: summed(x, mu, True), primals, tangents)[1]  # pyright: ignore[reportCallIssue]
+
+        return custom_derivative(lambda x, mu: summed(x, mu, False), rule)(jnp.asarray(x), jnp.asarray(mu))
 
     def cayley_change(self, x: Array, mu: Array) -> Array:
         """Return Ad*_{cay x} μ − μ."""

@@ -8,7 +8,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode.algebra.base import AbstractLieAlgebra
-from polhode.arrays import refuse_single_precision
+from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput
 
 Array = Any
@@ -52,6 +52,7 @@ class MatrixBasisAlgebra(ConstantsAlgebra):
         return jnp.einsum("...ik,...i->...k", adjoint.real, mu)
 
 
+@known_numbers_only
 def from_structure_constants(constants: Array) -> ConstantsAlgebra:
     """Return the algebra with [e_i, e_j] = Σ_k c[i,j,k] e_k, after checking that it is one.
 
@@ -112,6 +113,7 @@ def _check_jacobi(c: np.ndarray, scale: float) -> None:
         )
 
 
+@known_numbers_only
 def from_matrices(basis: Array) -> MatrixBasisAlgebra:
     """Return the algebra spanned over the reals by matrices, after checking that it closes under commutation.
 

@@ -8,7 +8,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode.algebra.base import AbstractLieAlgebra
-from polhode.arrays import refuse_single_precision
+from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput
 
 Array = Any
@@ -32,6 +32,7 @@ class Semidirect(AbstractLieAlgebra):
     algebra: AbstractLieAlgebra
     generators: np.ndarray
 
+    @known_numbers_only
     def __init__(self, algebra: AbstractLieAlgebra, generators: Array) -> None:
         refuse_single_precision(generators=generators)
         rho = np.array(generators, dtype=float)

@@ -20,6 +20,7 @@ from typing import Any
 import numpy as np
 
 from polhode.analysis.second_variation import Leaf, definite_combination, null_space, scaled_leaf
+from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput
 
 Array = Any
@@ -56,6 +57,7 @@ class Stability:
     restriction: str | None = None
 
 
+@known_numbers_only
 def energy_casimir(
     linearization: Array,
     energy_gradient: Array,

@@ -12,6 +12,7 @@ import numpy as np
 
 from polhode.analysis.conserved import Energy, Source, casimirs_of, unit_of
 from polhode.analysis.stability import scaled_field
+from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput
 from polhode.poisson.brackets import as_points
 from polhode.systems.base import AbstractLiePoissonSystem
@@ -26,6 +27,7 @@ SOLVED = 1e-10
 NODES = 12  # of Gauss's rule along a ray: exact for energies of degree 24
 
 
+@known_numbers_only
 def find_equilibria(
     system: AbstractLiePoissonSystem,
     state: Array,

@@ -8,10 +8,12 @@ import numpy as np
 from scipy.linalg import eig
 
 from polhode.analysis.energy_casimir import Stability
+from polhode.arrays import known_numbers_only
 
 Array = Any
 
 
+@known_numbers_only
 def first_method(linearization: Array, basis: Array | None = None, tolerance: float = 1e-12) -> Stability:
     """Return the verdict on an equilibrium from the derivative of any vector field there.
 

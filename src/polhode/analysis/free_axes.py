@@ -8,11 +8,13 @@ from typing import Any
 import numpy as np
 
 from polhode.analysis.energy_casimir import Stability, energy_casimir
+from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput
 
 Array = Any
 
 
+@known_numbers_only
 def axis_stability(moments: Array, momentum_norm: float) -> tuple[Stability, Stability, Stability]:
     """Return the verdicts on rotation about the three principal axes at the given |L|.
 

@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from polhode import rotation
+from polhode.arrays import as_float64, known_numbers_only, namespace
 from polhode.exact.free_body import FreeMotion
 from polhode.exact.reduction import canonical_reduction
 
@@ -26,6 +27,7 @@ class Herpolhode(NamedTuple):
     plane_distance: float
 
 
+@known_numbers_only
 def herpolhode(motion: FreeMotion) -> Herpolhode | None:
     """Return the herpolhode of one body's motion, None at rest.
 
@@ -52,20 +54,25 @@ def herpolhode(motion: FreeMotion) -> Herpolhode | None:
 
 def contact_point(angular_velocity: Array, energy: float) -> Array:
     """Return the point (…, 3) of the inertia ellipsoid that touches the plane, in the frame of the velocity."""
-    return np.asarray(angular_velocity) / np.sqrt(2.0 * energy)
+    xp = namespace(angular_velocity, energy)
+    return xp.asarray(angular_velocity) / xp.sqrt(xp.asarray(2.0 * energy))
 
 
 def touching_point(momentum: Array, moments: Array) -> Array:
     """Return the point (…, 3) of the ellipsoid that touches the plane while L is along the given directions (…, 3)."""
-    point = np.asarray(momentum) / np.asarray(moments)
-    return point / np.sqrt(np.sum(np.asarray(momentum) * point, axis=-1, keepdims=True))
+    xp = namespace(momentum, moments)
+    direction = xp.asarray(momentum)
+    point = direction / xp.asarray(moments)
+    return point / xp.sqrt(xp.sum(direction * point, axis=-1, keepdims=True))
 
 
 def ellipsoid_semi_axes(moments: Array) -> Array:
     """Return the semi-axes 1/√I_i (3,) of the inertia ellipsoid along the principal axes."""
-    return 1.0 / np.sqrt(np.asarray(moments, dtype=float))
+    xp = namespace(moments)
+    return 1.0 / xp.sqrt(as_float64(xp, moments, "moments"))
 
 
+@known_numbers_only
 def herpolhode_curve(motion: FreeMotion, times: Array) -> Array:
     """Return the herpolhode (T, 2) in the invariable plane, about the foot of the perpendicular, for one body.
 

@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from polhode.arrays import known_numbers_only
 from polhode.exact.free_body import FreeMotion
 
 Array = Any
@@ -24,6 +25,7 @@ BISECTIONS = 12  # each halves the error of a crossing, which starts at an edge 
 NEWTON_STEPS, STARTS, SETTLED = 40, 200, 1e-10
 
 
+@known_numbers_only
 def polhode_family(moments: Array) -> list[Array]:
     """Return unit polhodes (T, 3) around both stable axes, at given fractions of the way to the separatrix.
 
@@ -50,6 +52,7 @@ def polhode_family(moments: Array) -> list[Array]:
     return curves
 
 
+@known_numbers_only
 def polhode(motion: FreeMotion, points: int) -> Array | None:
     """Return one body's unit polhode (points + 1, 3) along the motion's axes, its ends equal; None without period.
 
@@ -66,6 +69,7 @@ def polhode(motion: FreeMotion, points: int) -> Array | None:
     return motion.momentum(even) / motion.momentum_norm
 
 
+@known_numbers_only
 def separatrix(moments: Array) -> list[Array]:
     """Return the two unit great circles (T, 3) on which A L1² = B L3²; none unless the moments (3,) ascend strictly."""
     I1, I2, I3 = moments
@@ -79,6 +83,7 @@ def separatrix(moments: Array) -> list[Array]:
     ]
 
 
+@known_numbers_only
 def level_segments(energy: Callable[[Array], Array], values: Sequence[float] | None = None) -> Array:
     """Return where a function of unit vectors (…, 3) has the values, as short pieces (n, 2, 3) on the unit sphere.
 
@@ -96,6 +101,7 @@ def level_segments(energy: Callable[[Array], Array], values: Sequence[float] | N
                                                   for v in (spread if values is None else values))])  # fmt: skip
 
 
+@known_numbers_only
 def saddle_energies(moments: Array, rotor: Array, norm: float) -> list[float]:
     """Return the energies of a gyrostat's saddles on |L| = norm, by Newton's method on Ω = λ u from many directions.
 

@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from polhode.arrays import known_numbers_only
 from polhode.exact.free_body import FreeMotion
 
 
@@ -18,6 +19,7 @@ class Precession(NamedTuple):
     sense: str
 
 
+@known_numbers_only
 def body_precession(motion: FreeMotion) -> Precession | None:
     """Return how L circles the encircled axis in the body's own frame, at 2π/T.
 
@@ -31,6 +33,7 @@ def body_precession(motion: FreeMotion) -> Precession | None:
     return Precession("body", 2.0 * math.pi / motion.period, sense)
 
 
+@known_numbers_only
 def space_precession(motion: FreeMotion) -> Precession | None:
     """Return how the encircled axis turns about L in space; always along L. For a symmetric body the rate is |L|/I1."""
     if motion.precession_rate is None or motion.encircled_axis is None:

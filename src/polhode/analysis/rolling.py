@@ -21,6 +21,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode.analysis.energy_casimir import Stability, energy_casimir
+from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput
 from polhode.systems.euler_disk import EulerDisk
 from polhode.systems.rolling_mechanics import RollingMechanics
@@ -29,6 +30,7 @@ Array = Any
 AT_REST = 1e-8  # of the terms of θ̈, relative: a steady motion found by a solver or typed in
 
 
+@known_numbers_only
 def rolling_stability(disk: EulerDisk, state: Array) -> Stability:
     """Return the verdict on a steady motion of a disk: in its tilt and rates, not in heading and place, which drift.
 
@@ -64,12 +66,14 @@ def rolling_stability(disk: EulerDisk, state: Array) -> Stability:
     )
 
 
+@known_numbers_only
 def nutation(disk: EulerDisk, state: Array) -> float | None:
     """Return the frequency [rad/s] of small nutation about a steady motion, None where it is not stable."""
     square = float(disk.mechanics.nutation_squared(state[0], state[6], state[7]))
     return math.sqrt(square) if square > 0.0 else None
 
 
+@known_numbers_only
 def critical_rolling_speed(disk: EulerDisk) -> float:
     """Return the speed [m/s] above which rolling straight ahead, upright, is stable: v² = ga/3 if uniform.
 
@@ -82,6 +86,7 @@ def critical_rolling_speed(disk: EulerDisk) -> float:
     return math.sqrt(m * g * a**3 * A / (C * (C + m * a * a)))
 
 
+@known_numbers_only
 def critical_spin_rate(disk: EulerDisk) -> float:
     """Return the rate [rad/s] above which spinning upright on the spot is stable: ω2² = mga/(A + ma²).
 

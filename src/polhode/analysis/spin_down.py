@@ -21,6 +21,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode.analysis.power_law import PowerLaw, Singularity, fit_singularity, power_law
+from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, NotConverged
 from polhode.integrators.adaptive import TOLERANCE, EventBisection, solve_adaptively
 from polhode.simulation import trajectory_of
@@ -73,6 +74,7 @@ class SpinDown:
         return next(iter(self.events), None)
 
 
+@known_numbers_only
 def spin_down(
     disk: EulerDisk, state: Array, decades: float = 4.0, samples_per_decade: int = 32, most_steps: int = 1_000_000
 ) -> SpinDown:
@@ -136,12 +138,14 @@ def spin_down(
     )
 
 
+@known_numbers_only
 def adiabaticity(disk: EulerDisk, state: Array) -> Array:
     """Return |θ̇|/(θ|φ̇|) of states (…, 8): by how much of itself the tilt falls in a radian of precession."""
     theta = jnp.minimum(state[..., 0], jnp.pi - state[..., 0])
     return jnp.abs(state[..., 5]) / (theta * jnp.abs(disk.precession(state)))
 
 
+@known_numbers_only
 def adiabatic_end(disk: EulerDisk, tilt: float) -> float | None:
     """Return t0 [s] by energy alone, ∫ dE/P along steady motions whose centre is at rest; None where it diverges.
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from polhode.analysis.periapsis_map import section
 from polhode.analysis.spin_orbit import STEPS, counted, lyapunov_exponent, resonance_strength, scaled_start, table_of
+from polhode.arrays import known_numbers_only
 from polhode.systems.spin_orbit import SpinOrbit
 
 Array = Any
@@ -55,6 +56,7 @@ class SpinMotion(NamedTuple):
     libration: Libration | None
 
 
+@known_numbers_only
 def spin_motion(system: SpinOrbit, state: Array, orbits: int | None = None) -> SpinMotion:
     """Return what one spin does from a periapsis on.
 

@@ -10,6 +10,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode.analysis.periapsis_map import Table, carry_neighbours, section, tabulate
+from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput
 from polhode.systems.spin_orbit import SpinOrbit
 
@@ -39,6 +40,7 @@ class Resonance:
     stable_angle: float | None
 
 
+@known_numbers_only
 def poincare_section(system: SpinOrbit, states: Array, periods: int, steps: int | None = None) -> Array:
     """Return the states at one periapsis after another, (…, periods + 1, 2), the given ones first.
 
@@ -66,6 +68,7 @@ def poincare_section(system: SpinOrbit, states: Array, periods: int, steps: int 
     return points * np.array([1.0, float(system.mean_motion)])
 
 
+@known_numbers_only
 def tangent_map(system: SpinOrbit, states: Array, periods: int = 1, steps: int | None = None) -> Array:
     """Return the derivative (…, 2, 2) of (θ, θ̇/n) after some periods by (θ, θ̇/n) at a periapsis; its determinant is 1.
 
@@ -81,6 +84,7 @@ def tangent_map(system: SpinOrbit, states: Array, periods: int = 1, steps: int |
     return np.asarray(grown)
 
 
+@known_numbers_only
 def lyapunov_exponent(system: SpinOrbit, states: Array, periods: int, steps: int | None = None) -> Array:
     """Return the estimates (…, periods) [1/s] of the largest Lyapunov exponent after each period; the last is the best.
 
@@ -102,6 +106,7 @@ def lyapunov_exponent(system: SpinOrbit, states: Array, periods: int, steps: int
     return np.moveaxis(np.cumsum(np.asarray(growth)[..., 0], axis=0), 0, -1) / times
 
 
+@known_numbers_only
 def resonances(system: SpinOrbit, largest: float = 3.0) -> list[Resonance]:
     """Return the resonances p = 1/2, 1, 3/2, … up to the largest order.
 
@@ -122,6 +127,7 @@ def resonances(system: SpinOrbit, largest: float = 3.0) -> list[Resonance]:
     return found
 
 
+@known_numbers_only
 def resonance_strength(order: float, eccentricity: float) -> float:
     """Return H(p, e) = (1/2π) ∫ (a/r)³ cos 2(f − pM) dM over one orbit, 2p an integer.
 
@@ -151,6 +157,7 @@ def resonance_strength(order: float, eccentricity: float) -> float:
     return 0.0 if abs(strength) < 4e-16 * float(np.abs(values).max()) else strength
 
 
+@known_numbers_only
 def overlap_threshold(eccentricity: Array) -> Array:
     """Return the asphericity 1/(2 + √(14 e)) from which the zones of p = 1 and p = 3/2 touch: chaos between them.
 

@@ -25,6 +25,7 @@ from polhode.analysis.equilibrium_data import Problem, problem
 from polhode.analysis.first_method import first_method
 from polhode.analysis.rolling import rolling_stability
 from polhode.analysis.second_variation import null_space
+from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput
 from polhode.poisson.brackets import as_points
 from polhode.systems.base import AbstractLiePoissonSystem, check_scalar
@@ -37,6 +38,7 @@ NULL = 1e-9  # singular values of the linearised flow below it, relative to the 
 RANK = 1e-13  # singular values of the Poisson tensor below it, per dimension, are rounding errors
 
 
+@known_numbers_only
 def stability(
     system: AbstractLiePoissonSystem | EulerDisk,
     equilibrium: Array,

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from polhode import rotation
+from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, NotConverged
 from polhode.exact.free_body import FreeMotion
 
@@ -28,6 +29,7 @@ SETTLED = 1000.0  # times e-folding: a start next to the saddle, down to the sma
 NODES, NODE_WEIGHTS = np.polynomial.legendre.leggauss(12)
 
 
+@known_numbers_only
 def racket_twist(motion: FreeMotion, handle: int = 0) -> float:
     """Return the twist [rad] about the handle while its azimuth about L turns once, the tennis-racket experiment.
 

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from polhode.arrays import known_numbers_only
 from polhode.bodies.body import Body
 from polhode.bodies.points import from_points
 from polhode.errors import InvalidInput
@@ -15,6 +16,7 @@ Array = Any
 ATOMIC_MASS_UNIT = 1.66053906892e-27  # kg, CODATA 2022
 
 
+@known_numbers_only
 def from_atoms(symbols: Sequence[str], positions: Array, masses: Array | None = None) -> Body:
     """Return a molecule as a rigid body of point masses, which is where its rotational constants come from.
 

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from polhode.arrays import known_numbers_only
 from polhode.bodies.body import Body
 from polhode.bodies.mesh_gate import checked_mesh, repaired_mesh, triple_products
 from polhode.errors import InvalidInput
@@ -13,6 +14,7 @@ from polhode.errors import InvalidInput
 Array = Any
 
 
+@known_numbers_only
 def from_mesh(
     vertices: Array,
     faces: Array,

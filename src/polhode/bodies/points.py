@@ -7,12 +7,14 @@ from typing import Any
 
 import numpy as np
 
+from polhode.arrays import known_numbers_only
 from polhode.bodies.body import LARGEST, Body, point_inertia
 from polhode.errors import InvalidInput
 
 Array = Any
 
 
+@known_numbers_only
 def from_points(masses: Array, positions: Array) -> Body:
     """Return point masses as one rigid body: J = Σ m (|r|² 1 − r rᵀ), r from the centre of mass.
 

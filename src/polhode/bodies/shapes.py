@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from polhode.arrays import as_float64, numpy_namespace
+from polhode.arrays import as_float64, known_numbers_only, numpy_namespace
 from polhode.bodies.body import Body
 from polhode.errors import InvalidInput
 
@@ -20,6 +20,7 @@ Array = Any
 SMALLEST, LARGEST = 1e-60, 1e60  # m or kg; no body is near
 
 
+@known_numbers_only
 def box(mass: float, size: Array) -> Body:
     """Return a rectangular block with edges ``size`` (3,) [m] along x, y, z: ⟨x²⟩ = size_x²/12.
 
@@ -30,6 +31,7 @@ def box(mass: float, size: Array) -> Body:
     return _shape(mass, _lengths("size", size) ** 2 / 12.0)
 
 
+@known_numbers_only
 def cylinder(mass: float, radius: float, height: float, inner_radius: float = 0.0) -> Body:
     """Return a solid cylinder about z, or a tube if ``inner_radius`` is given: ⟨x²⟩ = (R² + r²)/4, ⟨z²⟩ = h²/12."""
     mass, radius, height = _positive(mass=mass, radius=radius, height=height)
@@ -38,12 +40,14 @@ def cylinder(mass: float, radius: float, height: float, inner_radius: float = 0.
     return _shape(mass, (across, across, height**2 / 12.0))
 
 
+@known_numbers_only
 def ellipsoid(mass: float, semi_axes: Array) -> Body:
     """Return a solid ellipsoid with semi-axes (3,) [m] along x, y, z: ⟨x²⟩ = a²/5."""
     (mass,) = _positive(mass=mass)
     return _shape(mass, _lengths("semi_axes", semi_axes) ** 2 / 5.0)
 
 
+@known_numbers_only
 def sphere(mass: float, radius: float, inner_radius: float = 0.0) -> Body:
     """Return a solid ball, or a shell if ``inner_radius`` is given: ⟨x²⟩ = (R⁵ − r⁵)/(R³ − r³)/5."""
     mass, radius = _positive(mass=mass, radius=radius)
@@ -53,12 +57,14 @@ def sphere(mass: float, radius: float, inner_radius: float = 0.0) -> Body:
     return _shape(mass, (radius**2 * share / 5.0,) * 3)
 
 
+@known_numbers_only
 def cone(mass: float, radius: float, height: float) -> Body:
     """Return a solid circular cone about z, apex up, its base h/4 below the origin: ⟨x²⟩ = 3R²/20, ⟨z²⟩ = 3h²/80."""
     mass, radius, height = _positive(mass=mass, radius=radius, height=height)
     return _shape(mass, (0.15 * radius**2, 0.15 * radius**2, 0.0375 * height**2))
 
 
+@known_numbers_only
 def disk(mass: float, radius: float, inner_radius: float = 0.0) -> Body:
     """Return a flat disk of no thickness about z, or a ring if ``inner_radius`` is given: ⟨x²⟩ = (R² + r²)/4."""
     mass, radius = _positive(mass=mass, radius=radius)
@@ -66,6 +72,7 @@ def disk(mass: float, radius: float, inner_radius: float = 0.0) -> Body:
     return _shape(mass, (across, across, 0.0))
 
 
+@known_numbers_only
 def rod(mass: float, length: float) -> Body:
     """Return a thin rod along z: ⟨z²⟩ = length²/12.
 
@@ -75,6 +82,7 @@ def rod(mass: float, length: float) -> Body:
     return _shape(mass, (0.0, 0.0, length**2 / 12.0))
 
 
+@known_numbers_only
 def torus(mass: float, major_radius: float, minor_radius: float) -> Body:
     """Return a solid ring torus about z: a tube of ``minor_radius`` b around a circle of ``major_radius`` a.
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from polhode.arrays import as_float64, is_traced
+from polhode.arrays import as_float64, is_traced, known_false
 from polhode.errors import InvalidInput
 
 Array = Any
@@ -41,7 +41,7 @@ def checked(xp: Any, moments: Array, momentum: Array, attitude: Array, epoch: Ar
     length = xp.sqrt(xp.sum(attitude * attitude, axis=-1, keepdims=True))
     good_moments = xp.all((moments > 0) & xp.isfinite(moments), axis=-1, keepdims=True)
     good_length = xp.abs(length - 1.0) < UNIT_TOLERANCE
-    if not is_traced(moments, momentum, attitude, epoch):
+    if not is_traced(good_moments, good_length, epoch):
         _refuse(xp, moments, momentum, attitude, epoch, good_moments, good_length)
     nan = math.nan
     return (
@@ -73,14 +73,14 @@ def _refuse(
 def refuse_not_finite(xp: Any, **named: Array) -> None:
     """Refuse concrete arrays with NaN or an infinity."""
     for name, value in named.items():
-        if not is_traced(value) and not bool(xp.all(xp.isfinite(value))):
+        if known_false(xp.all(xp.isfinite(value))):
             raise InvalidInput(f"`{name}` must be finite; got NaN or an infinity. Check where it comes from.")
 
 
 def checked_times(xp: Any, t: Array, batch: tuple[int, ...]) -> Array:
     """Return times as float64; refuse concrete ones that are not finite, and shapes that do not fit the batch."""
     t = as_float64(xp, t, "t")
-    if not is_traced(t) and not bool(xp.all(xp.isfinite(t))):
+    if known_false(xp.all(xp.isfinite(t))):
         raise InvalidInput("`t` must be finite; got NaN or an infinity. Give times in seconds.")
     if t.shape and batch:
         common_shape(bodies=np.broadcast_to(0.0, batch), t=t)
@@ -89,7 +89,7 @@ def checked_times(xp: Any, t: Array, batch: tuple[int, ...]) -> Array:
 
 def refuse_overflow(xp: Any, attitude: Array, t: Array) -> None:
     """Refuse times whose phases have left the range of numbers, as the attitude shows."""
-    if not is_traced(attitude) and not bool(xp.all(xp.isfinite(attitude[..., 0]))):
+    if known_false(xp.all(xp.isfinite(attitude[..., 0]))):
         raise InvalidInput(
             "`t` times the rate of rotation must be within the range of numbers; "
             f"got times up to {float(xp.max(xp.abs(t))):g} s. Check times and rates."

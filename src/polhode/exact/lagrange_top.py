@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from polhode import rotation
-from polhode.arrays import as_float64, is_traced, namespace, register_node
+from polhode.arrays import as_float64, is_traced, known_false, namespace, register_node
 from polhode.errors import InvalidInput
 from polhode.exact import top_evaluation, top_geometry
 from polhode.exact.inputs import (
@@ -240,7 +240,7 @@ class LagrangeMotion:
 
 def _checked_symmetry(xp: Any, moments: Array) -> Array:
     equal = (moments[..., 0] == moments[..., 1])[..., None]
-    if not is_traced(moments) and not bool(xp.all(equal | xp.isnan(moments[..., :1]))):
+    if known_false(xp.all(equal | xp.isnan(moments[..., :1]))):
         bad = np.asarray(moments)[~np.asarray(equal)[..., 0]][0]
         apart = abs(bad[0] - bad[1]) / max(bad[:2])
         remedy = (

@@ -14,7 +14,7 @@ import jax
 import jax.numpy as jnp
 
 from polhode.algebra.base import AbstractLieAlgebra
-from polhode.arrays import is_traced, refuse_single_precision
+from polhode.arrays import known_false, refuse_single_precision
 from polhode.errors import InvalidInput
 
 Array = Any
@@ -103,7 +103,7 @@ def as_points(algebra: AbstractLieAlgebra, mu: Array) -> Array:
     except (TypeError, ValueError):
         raise InvalidInput(f"a point of the dual of {algebra.name} must be numbers; got {mu!r}.") from None
     algebra.batch_shape(mu)
-    if not is_traced(mu) and not bool(jnp.isfinite(mu).all()):
+    if known_false(jnp.isfinite(mu).all()):
         raise InvalidInput(f"a point of the dual of {algebra.name} must be finite; got NaN or an infinity.")
     return mu
 

@@ -14,7 +14,7 @@ import numpy as np
 
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.so3 import SO3
-from polhode.arrays import refuse_single_precision
+from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput
 from polhode.poisson.brackets import as_points, poisson_tensor
 
@@ -22,6 +22,7 @@ Array = Any
 RANK_TOLERANCE = 1e-10  # of singular values of the Poisson tensor, relative to the largest
 
 
+@known_numbers_only
 def orbit_dimension(algebra: AbstractLieAlgebra, mu: Array) -> Array:
     """Return the dimension (…) of the orbit through μ: the rank of the Poisson tensor, always even."""
     sizes = np.linalg.svd(np.asarray(poisson_tensor(algebra, mu)), compute_uv=False)
@@ -30,6 +31,7 @@ def orbit_dimension(algebra: AbstractLieAlgebra, mu: Array) -> Array:
     return int(dimension) if dimension.ndim == 0 else dimension
 
 
+@known_numbers_only
 def orbit_tangent(algebra: AbstractLieAlgebra, mu: Array) -> Array:
     """Return an orthonormal basis (d, dim) of the tangent space at one μ, in the coordinates ⟨·, e_i⟩."""
     mu = _one_point(algebra, mu)
@@ -45,6 +47,7 @@ def kks_form(algebra: AbstractLieAlgebra, mu: Array, x: Array, y: Array, sign: i
     return sign * algebra.pairing(as_points(algebra, mu), algebra.bracket(jnp.asarray(x), jnp.asarray(y)))
 
 
+@known_numbers_only
 def kks_matrix(algebra: AbstractLieAlgebra, mu: Array, sign: int = -1) -> Array:
     """Return ω(t_a, t_b) (d, d) in the basis of ``orbit_tangent`` at one μ."""
     tangent = orbit_tangent(algebra, mu)
@@ -54,6 +57,7 @@ def kks_matrix(algebra: AbstractLieAlgebra, mu: Array, sign: int = -1) -> Array:
     return sign * elements.T @ flow @ elements
 
 
+@known_numbers_only
 def restricted_bracket(algebra: AbstractLieAlgebra, mu: Array, sign: int = -1) -> Array:
     """Return {t_a, t_b} (d, d): the bracket on the orbit, of coordinates along ``orbit_tangent`` at one μ.
 
@@ -63,6 +67,7 @@ def restricted_bracket(algebra: AbstractLieAlgebra, mu: Array, sign: int = -1) -
     return tangent @ np.asarray(poisson_tensor(algebra, _one_point(algebra, mu), sign)) @ tangent.T
 
 
+@known_numbers_only
 def symplectic_area(momenta: Array, sign: int = -1) -> float:
     """Return ∫ω over the part of an SO(3) orbit to the left of a closed curve (n, 3) on it: sign · area/|L|.
 
@@ -84,6 +89,7 @@ def symplectic_area(momenta: Array, sign: int = -1) -> float:
     return sign * float(norms.mean()) * solid
 
 
+@known_numbers_only
 def liouville_volume(algebra: AbstractLieAlgebra, mu: Array) -> float:
     """Return the symplectic volume of the orbit through one μ: 4π|L| on SO(3)."""
     if not isinstance(algebra, SO3):

@@ -15,7 +15,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode import rotation
-from polhode.arrays import refuse_single_precision
+from polhode.arrays import known_false, refuse_single_precision
 from polhode.errors import InvalidInput
 
 Array = Any
@@ -59,10 +59,10 @@ def reconstruct(
     if t.ndim != 1 or len(t) < 2 or L.shape != (len(t), 3):
         raise InvalidInput(f"`times` (T,) and `momentum` (T, 3) must match, T at least 2; got {t.shape} and {L.shape}.")
     steps = jnp.diff(t)
-    if not bool(jnp.all(steps * steps[0] > 0)):
+    if known_false(jnp.all(steps * steps[0] > 0)):
         raise InvalidInput("`times` must advance in one direction, without repetitions.")
     norm = jnp.linalg.norm(L[0])
-    if not (bool(jnp.isfinite(L).all()) and float(norm) > 0):
+    if known_false(jnp.isfinite(L).all() & (norm > 0)):
         raise InvalidInput("`momentum` must be finite and not zero: at rest it does not tell the attitude.")
     h = steps[:, None]
     slopes = jnp.cross(L, velocity(L))

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from polhode.arrays import as_float64, is_traced, iterate, iterate_until, namespace
+from polhode.arrays import as_float64, forward_columns, is_jax, is_traced, iterate, iterate_until, namespace
 from polhode.errors import InvalidInput
 
 Array = Any
@@ -87,11 +87,22 @@ def carlson_rd(x: Array, y: Array, z: Array) -> Array:
 def carlson_rj(x: Array, y: Array, z: Array, p: Array) -> Array:
     """Return R_J(x, y, z, p) = 3/2 ∫₀^∞ dt / ((t+p) √((t+x)(t+y)(t+z))), p > 0, at most one of x, y, z zero.
 
+    JAX differentiates it once, in either mode.
+
     Raises:
         InvalidInput: for arguments outside.
     """
     xp, (x, y, z, p) = _arguments(x=x, y=y, z=z, p=p)
     _check(xp, {"x": x, "y": y, "z": z, "p": p}, (x + y > 0) & (y + z > 0) & (z + x > 0) & (p > 0))
+    if not is_jax(x):
+        return _third_kind(x, y, z, p)
+    columns = xp.stack(xp.broadcast_arrays(x, y, z, p), axis=-1)
+    # its loop ends where it has converged, and reverse mode would need the number of its steps beforehand
+    return forward_columns(lambda v: (_third_kind(*(v[..., k] for k in range(4))),), "carlson_rj")(columns)[0]
+
+
+def _third_kind(x: Array, y: Array, z: Array, p: Array) -> Array:
+    xp = namespace(x)
     root, (x, y, z, p) = _scaled(xp, x, y, z, p)
 
     def step(*now: Array) -> tuple[Array, ...]:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from polhode.arrays import as_float64, is_traced, namespace
+from polhode.arrays import as_float64, known_false, namespace
 from polhode.errors import InvalidInput
 from polhode.special import doubledouble as dd
 from polhode.special.carlson import carlson_rd, carlson_rf, carlson_rj
@@ -52,14 +52,14 @@ def complete_k(m1: Array) -> Array:
 
 def incomplete_f(angle: Array, m1: Array) -> Array:
     """Return F(φ | m) for |φ| ≤ π/2."""
-    xp, m1 = _parameter(m1)
+    xp, m1 = _parameter(m1, angle)
     s, cc, dd_ = _amplitude_squares(xp, angle, m1)
     return s * carlson_rf(cc, dd_, 1.0 + 0.0 * cc)
 
 
 def incomplete_e(angle: Array, m1: Array) -> Array:
     """Return E(φ | m) for |φ| ≤ π/2."""
-    xp, m1 = _parameter(m1)
+    xp, m1 = _parameter(m1, angle)
     s, cc, dd_ = _amplitude_squares(xp, angle, m1)
     one = 1.0 + 0.0 * cc
     # DLMF 19.25.9 with m1, all terms of one sign
@@ -70,7 +70,7 @@ def incomplete_e(angle: Array, m1: Array) -> Array:
 
 def incomplete_pi(n: Array, angle: Array, m1: Array) -> Array:
     """Return Π(n; φ | m) = ∫₀^φ dθ / ((1 − n sin²θ) √(1 − m sin²θ)) for |φ| ≤ π/2 and n sin²φ < 1."""
-    xp, m1 = _parameter(m1)
+    xp, m1 = _parameter(m1, angle, n)
     n = as_float64(xp, n, "n")
     s, cc, dd_ = _amplitude_squares(xp, angle, m1)
     one = 1.0 + 0.0 * cc
@@ -104,7 +104,7 @@ def _jacobi(u: Array, m1: Array) -> tuple[Array, Array, Array, Array]:
 def _parameter(m1: Array, *others: Array) -> tuple[Any, Array]:
     xp = namespace(m1, *others)
     m1 = as_float64(xp, m1, "m1")
-    if not is_traced(m1) and not bool(xp.all((m1 >= 0) & (m1 <= 1))):
+    if known_false(xp.all((m1 >= 0) & (m1 <= 1))):
         raise InvalidInput("`m1`, the complementary parameter 1 − m, must lie in [0, 1].")
     return xp, m1
 

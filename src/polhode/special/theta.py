@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from polhode.arrays import as_float64, is_traced, namespace
+from polhode.arrays import as_float64, known_false, namespace
 from polhode.errors import InvalidInput
 
 Array = Any
@@ -46,7 +46,7 @@ def theta(kind: int, z: Array, y: Array, q: Array) -> tuple[Array, Array]:
         raise InvalidInput(f"`kind` must be 1, 2, 3 or 4; got {kind!r}.")
     xp = namespace(z, y, q)
     z, y, q = (as_float64(xp, v, name) for v, name in ((z, "z"), (y, "y"), (q, "q")))
-    if not is_traced(q) and not bool(xp.all((q >= 0) & (q <= LARGEST_NOME))):
+    if known_false(xp.all((q >= 0) & (q <= LARGEST_NOME))):
         raise InvalidInput("`q` must lie in [0, 0.2]; take the complementary nome for larger ones.")
     zero = 0.0 * (z + y + q)
     real, imaginary = zero + (1.0 if kind > 2 else 0.0), zero

@@ -15,7 +15,7 @@ from polhode import rotation
 from polhode.algebra.base import AbstractLieAlgebra, HashableModule
 from polhode.algebra.se3 import SE3
 from polhode.algebra.so3 import SO3
-from polhode.arrays import refuse_single_precision
+from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput
 
 Array = Any
@@ -91,6 +91,7 @@ class AbstractSystem(HashableModule):
         """How many of a state's last axes are its own."""
         return 1
 
+    @known_numbers_only
     def check_state(self, state: Array) -> Array:
         """Return states to start from as an array.
 
@@ -203,6 +204,7 @@ class AbstractLiePoissonSystem(AbstractSystem):
     def state_axes(self) -> int:
         return len(self.algebra.element_shape)
 
+    @known_numbers_only
     def check_state(self, state: Array) -> Array:
         """Return states as an array of the algebra's kind.
 

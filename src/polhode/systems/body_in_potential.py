@@ -10,6 +10,7 @@ import jax.numpy as jnp
 
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.se3 import SE3
+from polhode.arrays import known_numbers_only
 from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, check_scalar, components
 from polhode.systems.free_flow import free_flow
 from polhode.systems.free_rigid_body import checked_moments
@@ -37,6 +38,7 @@ class BodyInPotential(AbstractLiePoissonSystem):
     moments: Array
     potential: Callable[[Array], Array]
 
+    @known_numbers_only
     def __init__(self, moments: Array, potential: Callable[[Array], Array]) -> None:
         check_scalar("potential", potential, (3,), jnp.float64)
         self.algebra, self.moments, self.potential = SE3(), checked_moments(moments), potential

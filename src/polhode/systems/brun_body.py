@@ -9,7 +9,7 @@ import numpy as np
 
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.se3 import SE3
-from polhode.arrays import refuse_single_precision
+from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput
 from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow
 from polhode.systems.free_flow import free_flow
@@ -40,6 +40,7 @@ class BrunBody(AbstractLiePoissonSystem):
     moments: Array
     strength: Array
 
+    @known_numbers_only
     def __init__(self, moments: Array, strength: float) -> None:
         if not (np.ndim(strength) == 0 and np.isfinite(strength)):
             raise InvalidInput(f"`strength` must be one finite number [1/s²]; got {strength!r}.")

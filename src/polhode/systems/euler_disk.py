@@ -11,7 +11,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode import rotation
-from polhode.arrays import refuse_single_precision
+from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput
 from polhode.special.legendre import LegendreFunction, legendre_function
 from polhode.systems.base import AbstractSystem, Balance, Vectors, as_finite_state
@@ -61,6 +61,7 @@ class EulerDisk(AbstractSystem):
     dissipation: tuple[RollingDissipation, ...]
     legendre: LegendreFunction | None
 
+    @known_numbers_only
     def __init__(
         self,
         mass: float,
@@ -218,6 +219,7 @@ class EulerDisk(AbstractSystem):
 
     # ------------------------------------------------------------------ where to start
 
+    @known_numbers_only
     def check_state(self, state: Array) -> Array:
         """Return a state as an array.
 
@@ -238,6 +240,7 @@ class EulerDisk(AbstractSystem):
         rate = jnp.sqrt(self.mechanics.gravity / a)
         return jnp.stack([jnp.ones_like(a)] * 3 + [a] * 2 + [rate] * 3)
 
+    @known_numbers_only
     def state(
         self, attitude: Array, angular_velocity: Array, contact: Array = (0.0, 0.0),
         center_velocity: Array | None = None,
@@ -268,6 +271,7 @@ class EulerDisk(AbstractSystem):
             self._check_rolling(state, np.asarray(as_finite_state(center_velocity, float)))
         return state
 
+    @known_numbers_only
     def rolling_state(
         self, tilt: float, precession: float | None = None, spin: float | None = None, heading: float = 0.0,
         face: float = 0.0, contact: Array = (0.0, 0.0),

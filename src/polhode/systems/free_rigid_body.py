@@ -9,7 +9,7 @@ import numpy as np
 
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.so3 import SO3
-from polhode.arrays import refuse_single_precision
+from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput
 from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow
 
@@ -28,6 +28,7 @@ class FreeRigidBody(AbstractLiePoissonSystem):
     algebra: AbstractLieAlgebra
     moments: Array
 
+    @known_numbers_only
     def __init__(self, moments: Array) -> None:
         self.algebra, self.moments = SO3(), checked_moments(moments)
 

@@ -10,7 +10,7 @@ import numpy as np
 from polhode import rotation
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.so3 import SO3
-from polhode.arrays import refuse_single_precision
+from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput
 from polhode.systems.base import (
     AbstractLiePoissonSystem,
@@ -49,6 +49,7 @@ class Gyrostat(AbstractLiePoissonSystem):
     moments: Array
     rotor: Array
 
+    @known_numbers_only
     def __init__(self, moments: Array, rotor: Array) -> None:
         self.algebra, self.moments, self.rotor = SO3(), checked_moments(moments), _vector("rotor", rotor)
 
@@ -87,6 +88,7 @@ class TorquedGyrostat(AbstractSystem):
     rotor_moment: Array
     torque: Array
 
+    @known_numbers_only
     def __init__(self, moments: Array, axis: Array, rotor_moment: float, torque: float) -> None:
         axis = _vector("axis", axis)
         if not bool(jnp.any(axis != 0)):
@@ -99,6 +101,7 @@ class TorquedGyrostat(AbstractSystem):
         self.moments, self.axis = checked_moments(moments), axis / jnp.linalg.norm(axis)
         self.rotor_moment, self.torque = jnp.asarray(float(rotor_moment)), jnp.asarray(float(torque))
 
+    @known_numbers_only
     def check_state(self, state: Array) -> Array:
         return check_unit_attitude(as_finite_state(state, float, length=8))
 

@@ -12,7 +12,7 @@ import numpy as np
 from polhode import rotation
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.se3 import SE3
-from polhode.arrays import refuse_single_precision
+from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.bodies.body import Body, principal_axes
 from polhode.errors import InvalidInput
 from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow
@@ -54,6 +54,7 @@ class HeavyTop(AbstractLiePoissonSystem):
     axes: Array
     case: tuple[str, int] | None = eqx.field(static=True)
 
+    @known_numbers_only
     def __init__(self, moments: Array, mgl: float, axis: Array = (0.0, 0.0, 1.0), axes: Array | None = None) -> None:
         refuse_single_precision(mgl=mgl, axis=axis, axes=axes)
         size = np.linalg.norm(np.asarray(axis, dtype=float)) if np.shape(axis) == (3,) else np.nan
@@ -67,6 +68,7 @@ class HeavyTop(AbstractLiePoissonSystem):
         self.case = integrable_case(np.asarray(self.moments), float(mgl), np.asarray(self.axis))
 
     @classmethod
+    @known_numbers_only
     def from_body(cls, body: Body, pivot: Array, gravity: float = STANDARD_GRAVITY) -> HeavyTop:
         """Return the top that a body makes about a fixed point, along its principal axes there.
 
@@ -120,6 +122,7 @@ class HeavyTop(AbstractLiePoissonSystem):
         parts = (jnp.broadcast_to(x, (*shape, x.shape[-1])) for x in (turned, spin, up))
         return jnp.concatenate(list(parts), axis=-1)
 
+    @known_numbers_only
     def upright(self, spin: float = 0.0, hanging: bool = False) -> Array:
         """Return the point (6,) of standing rotation about the vertical axis to the centre of mass, up or down.
 
@@ -138,6 +141,7 @@ class HeavyTop(AbstractLiePoissonSystem):
             )
         return jnp.concatenate([momentum, -self.axis if hanging else self.axis])
 
+    @known_numbers_only
     def check_state(self, state: Array) -> Array:
         state = super().check_state(state)
         attitude, point = self.parts(state)

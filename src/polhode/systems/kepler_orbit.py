@@ -10,7 +10,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.arrays import refuse_single_precision
+from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput
 
 Array = Any
@@ -45,6 +45,7 @@ class KeplerOrbit(eqx.Module):
     eccentricity: Array
     mean_anomaly_at_start: Array
 
+    @known_numbers_only
     def __init__(self, mean_motion: float, eccentricity: float, mean_anomaly: float = 0.0) -> None:
         self.mean_motion = checked_number("mean_motion", mean_motion, above=0.0, unit="rad/s")
         self.eccentricity = checked_number("eccentricity", eccentricity, least=0.0)
@@ -53,6 +54,7 @@ class KeplerOrbit(eqx.Module):
         self.mean_anomaly_at_start = checked_number("mean_anomaly", mean_anomaly, unit="rad")
 
     @classmethod
+    @known_numbers_only
     def from_semi_major_axis(
         cls, semi_major_axis: float, gravitational_parameter: float, eccentricity: float, mean_anomaly: float = 0.0
     ) -> KeplerOrbit:

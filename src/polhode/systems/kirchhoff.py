@@ -9,7 +9,7 @@ import numpy as np
 
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.se3 import SE3
-from polhode.arrays import refuse_single_precision
+from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput
 from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, components
 from polhode.systems.free_rigid_body import axis_flow
@@ -37,6 +37,7 @@ class Kirchhoff(AbstractLiePoissonSystem):
     inverse: Array
     diagonal: bool
 
+    @known_numbers_only
     def __init__(self, inertia: Array) -> None:
         refuse_single_precision(inertia=inertia)
         matrix = np.asarray(inertia, dtype=float)

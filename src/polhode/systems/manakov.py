@@ -11,7 +11,7 @@ import numpy as np
 
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.matrix import SO
-from polhode.arrays import refuse_single_precision
+from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput
 from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, components
 
@@ -34,6 +34,7 @@ class Manakov(AbstractLiePoissonSystem):
     masses: Array
     size: int = eqx.field(static=True)
 
+    @known_numbers_only
     def __init__(self, masses: Array) -> None:
         refuse_single_precision(masses=masses)
         values = np.asarray(masses, dtype=float)

@@ -19,7 +19,7 @@ import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.arrays import refuse_single_precision
+from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput
 from polhode.systems.rolling_mechanics import RollingMechanics
 
@@ -57,6 +57,7 @@ class AirLayer(RollingDissipation):
     vertical: ClassVar[bool] = False
     viscosity: Array
 
+    @known_numbers_only
     def __init__(self, viscosity: float) -> None:
         self.viscosity = _positive("viscosity", viscosity, "Pa s")
 
@@ -77,6 +78,7 @@ class BoundaryLayer(RollingDissipation):
     vertical: ClassVar[bool] = False
     coefficient: Array
 
+    @known_numbers_only
     def __init__(self, coefficient: float) -> None:
         self.coefficient = _positive("coefficient", coefficient, "W s^(5/2)")
 
@@ -97,6 +99,7 @@ class ViscousContourFriction(RollingDissipation):
     vertical: ClassVar[bool] = False
     coefficient: Array
 
+    @known_numbers_only
     def __init__(self, coefficient: float) -> None:
         self.coefficient = _positive("coefficient", coefficient, "W s²")
 
@@ -117,6 +120,7 @@ class DryContourFriction(RollingDissipation):
     vertical: ClassVar[bool] = False
     coefficient: Array
 
+    @known_numbers_only
     def __init__(self, coefficient: float) -> None:
         self.coefficient = _positive("coefficient", coefficient, "1")
 
@@ -135,6 +139,7 @@ class RollingCouple(RollingDissipation):
     vertical: ClassVar[bool] = False
     arm: Array
 
+    @known_numbers_only
     def __init__(self, arm: float) -> None:
         self.arm = _positive("arm", arm, "m")
 
@@ -158,6 +163,7 @@ class DrillingFriction(RollingDissipation):
     vertical: ClassVar[bool] = True
     arm: Array
 
+    @known_numbers_only
     def __init__(self, arm: float) -> None:
         self.arm = _positive("arm", arm, "m")
 

@@ -7,6 +7,7 @@ from typing import Any
 
 import jax.numpy as jnp
 
+from polhode.arrays import known_numbers_only
 from polhode.bodies.body import Body
 from polhode.errors import InvalidInput
 from polhode.systems.base import AbstractSystem, Balance, as_finite_state
@@ -41,6 +42,7 @@ class SpinOrbit(AbstractSystem):
     asphericity: Array
     orbit: KeplerOrbit
 
+    @known_numbers_only
     def __init__(
         self, asphericity: float, eccentricity: float, mean_motion: float = 1.0, mean_anomaly: float = 0.0
     ) -> None:
@@ -52,6 +54,7 @@ class SpinOrbit(AbstractSystem):
         self.orbit = KeplerOrbit(mean_motion, eccentricity, mean_anomaly)
 
     @classmethod
+    @known_numbers_only
     def from_body(cls, body: Body, orbit: KeplerOrbit) -> SpinOrbit:
         """Return the system of a body on an orbit, its axis of largest moment along the orbit's normal."""
         least, middle, largest = (float(moment) for moment in body.principal_moments)
@@ -95,6 +98,7 @@ class SpinOrbit(AbstractSystem):
         growth = depth * (3.0 * outward / ratio * jnp.cos(phase) - 2.0 * around * jnp.sin(phase))
         return {"energy_per_moment": Balance(energy, growth)}
 
+    @known_numbers_only
     def check_state(self, state: Array) -> Array:
         """Return states as an array.
 

@@ -9,6 +9,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode import rotation
+from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput
 from polhode.systems.base import AbstractSystem, Balance, Parts, Vectors, as_finite_state, check_unit_attitude, joined
 from polhode.systems.free_rigid_body import checked_moments
@@ -40,6 +41,7 @@ class TorquedBody(AbstractSystem):
     moments: Array
     torques: tuple[AbstractTorque, ...]
 
+    @known_numbers_only
     def __init__(self, moments: Array, torques: Sequence[AbstractTorque]) -> None:
         self.moments, self.torques = checked_moments(moments), tuple(torques)
         for torque in self.torques:
@@ -94,6 +96,7 @@ class TorquedBody(AbstractSystem):
             balances["jacobi_integral"] = Balance(gravity[0].jacobi_integral(t, attitude, velocity), power)
         return balances
 
+    @known_numbers_only
     def check_state(self, state: Array) -> Array:
         """Return states as an array.
 

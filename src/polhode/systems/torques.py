@@ -10,7 +10,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode import rotation
-from polhode.arrays import refuse_single_precision
+from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput
 from polhode.systems.free_rigid_body import checked_moments
 from polhode.systems.kepler_orbit import KeplerOrbit, checked_number
@@ -51,6 +51,7 @@ class LinearDrag(AbstractTorque):
 
     coefficient: Array
 
+    @known_numbers_only
     def __init__(self, coefficient: Array) -> None:
         refuse_single_precision(coefficient=coefficient)
         values = np.asarray(coefficient, dtype=float)
@@ -74,6 +75,7 @@ class QuadraticDrag(AbstractTorque):
 
     coefficient: Array
 
+    @known_numbers_only
     def __init__(self, coefficient: float) -> None:
         self.coefficient = checked_number("coefficient", coefficient, least=0.0, unit="N m s²")
 
@@ -97,6 +99,7 @@ class GravityGradient(AbstractTorque):
     moments: Array
     circular: bool = eqx.field(static=True)
 
+    @known_numbers_only
     def __init__(self, orbit: KeplerOrbit, moments: Array) -> None:
         self.orbit, self.moments = orbit, checked_moments(moments)
         self.circular = float(orbit.eccentricity) == 0.0

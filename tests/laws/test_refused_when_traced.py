@@ -1,0 +1,138 @@
+"""What decides on numbers refuses traced ones with one clear error, and works on known ones within ``jax.jit``."""
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+import numpy as np
+import pytest
+
+import polhode as ph
+from polhode import algebra, poisson, systems
+from polhode.analysis import first_method, free_axes, poinsot, polhodes, rolling, spin_down, spin_motion, spin_orbit
+from polhode.analysis.precession import body_precession, space_precession
+from polhode.analysis.twist import racket_twist
+from polhode.errors import InvalidInput
+
+THREE, FOUR, EYE = np.array([1.0, 2.0, 2.5]), np.array([1.0, 0.0, 0.0, 0.0]), np.eye(3)
+SIX, AXIS = np.array([1.0, 2.0, 3.0, 2.0, 3.0, 5.0]), np.array([0.0, 1.0, 0.0])
+BODY, SO3 = systems.FreeRigidBody(THREE), algebra.SO3()
+TOP, DISK = systems.HeavyTop(THREE, 1.0), systems.EulerDisk(1.0, 0.1)
+SPIN, ROLLING = systems.SpinOrbit(0.3, 0.1), systems.EulerDisk(1.0, 0.1).rolling_state(0.3)
+REFUSED = {
+    "FreeRigidBody": (THREE, systems.FreeRigidBody),
+    "HeavyTop": (AXIS, lambda x: systems.HeavyTop(THREE, 1.0, x)),
+    "HeavyTop.upright": (0.0, TOP.upright),
+    "Gyrostat": (THREE, lambda x: systems.Gyrostat(THREE, x)),
+    "TorquedGyrostat": (0.3, lambda x: systems.TorquedGyrostat(THREE, AXIS, x, 0.1)),
+    "BodyInPotential": (THREE, lambda x: systems.BodyInPotential(x, lambda up: up[2])),
+    "BrunBody": (0.3, lambda x: systems.BrunBody(THREE, x)),
+    "DoubleBracket": (0.3, lambda x: systems.DoubleBracket(THREE, x)),
+    "Kirchhoff": (SIX, systems.Kirchhoff),
+    "Manakov": (THREE, systems.Manakov),
+    "EulerDisk": (0.1, lambda x: systems.EulerDisk(1.0, x)),
+    "EulerDisk.state": (FOUR, lambda x: DISK.state(x, THREE)),
+    "EulerDisk.rolling_state": (0.3, DISK.rolling_state),
+    "AirLayer": (0.3, systems.AirLayer),
+    "BoundaryLayer": (0.3, systems.BoundaryLayer),
+    "ViscousContourFriction": (0.3, systems.ViscousContourFriction),
+    "DryContourFriction": (0.3, systems.DryContourFriction),
+    "RollingCouple": (0.3, systems.RollingCouple),
+    "DrillingFriction": (0.3, systems.DrillingFriction),
+    "KeplerOrbit": (0.3, lambda x: systems.KeplerOrbit(1.0, x)),
+    "KeplerOrbit.from_semi_major_axis": (1.0, lambda x: systems.KeplerOrbit.from_semi_major_axis(x, 1.0, 0.1)),
+    "SpinOrbit": (0.3, lambda x: systems.SpinOrbit(x, 0.1)),
+    "LinearDrag": (0.3, systems.LinearDrag),
+    "QuadraticDrag": (0.3, systems.QuadraticDrag),
+    "GravityGradient": (THREE, lambda x: systems.GravityGradient(systems.KeplerOrbit(1.0, 0.1), x)),
+    "TorquedBody": (THREE, lambda x: systems.TorquedBody(x, [])),
+    "AbstractLiePoissonSystem.check_state": (THREE, BODY.check_state),
+    "from_structure_constants": (SO3.structure_constants(), algebra.from_structure_constants),
+    "from_matrices": (algebra.SU(2).basis, algebra.from_matrices),
+    "Semidirect": (SO3.structure_constants(), lambda x: algebra.Semidirect(SO3, x)),
+    "orbit_dimension": (THREE, lambda x: poisson.orbit_dimension(SO3, x)),
+    "orbit_tangent": (THREE, lambda x: poisson.orbit_tangent(SO3, x)),
+    "kks_matrix": (THREE, lambda x: poisson.kks_matrix(SO3, x)),
+    "restricted_bracket": (THREE, lambda x: poisson.restricted_bracket(SO3, x)),
+    "symplectic_area": (EYE, poisson.symplectic_area),
+    "liouville_volume": (THREE, lambda x: poisson.liouville_volume(SO3, x)),
+    "stability": (AXIS, lambda x: ph.stability(BODY, x)),
+    "find_equilibria": (AXIS, lambda x: ph.find_equilibria(BODY, x)),
+    "simulate": (THREE, lambda x: ph.simulate(BODY, x, (0.0, 1.0))),
+    "first_method": (EYE, first_method.first_method),
+    "axis_stability": (THREE, lambda x: free_axes.axis_stability(x, 1.0)),
+    "polhode_family": (THREE, polhodes.polhode_family),
+    "separatrix": (THREE, polhodes.separatrix),
+    "saddle_energies": (THREE, lambda x: polhodes.saddle_energies(THREE, x, 1.0)),
+    "rolling_stability": (ROLLING, lambda x: rolling.rolling_stability(DISK, x)),
+    "nutation": (ROLLING, lambda x: rolling.nutation(DISK, x)),
+    "spin_down": (ROLLING, lambda x: spin_down.spin_down(DISK, x)),
+    "adiabaticity": (ROLLING, lambda x: spin_down.adiabaticity(DISK, x)),
+    "adiabatic_end": (0.3, lambda x: spin_down.adiabatic_end(DISK, x)),
+    "spin_motion": (THREE[:2], lambda x: spin_motion.spin_motion(SPIN, x)),
+    "poincare_section": (THREE[:2], lambda x: spin_orbit.poincare_section(SPIN, x, 2)),
+    "tangent_map": (THREE[:2], lambda x: spin_orbit.tangent_map(SPIN, x)),
+    "lyapunov_exponent": (THREE[:2], lambda x: spin_orbit.lyapunov_exponent(SPIN, x, 2)),
+    "resonance_strength": (0.1, lambda x: spin_orbit.resonance_strength(1.5, x)),
+    "overlap_threshold": (0.1, spin_orbit.overlap_threshold),
+    "Body": (EYE, lambda x: ph.Body(1.0, (0.0, 0.0, 0.0), x)),
+    "from_points": (EYE, lambda x: ph.from_points(THREE, x)),
+    "from_mesh": (EYE, lambda x: ph.from_mesh(x, [[0, 1, 2]], mass=1.0)),
+    "from_atoms": (EYE[:2], lambda x: ph.from_atoms(["O", "O"], x)),
+    "shapes.box": (THREE, lambda x: ph.shapes.box(1.0, x)),
+    "shapes.sphere": (1.0, lambda x: ph.shapes.sphere(x, 1.0)),
+}
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_traced_numbers_are_refused(name):
+    value, call = REFUSED[name]
+    for transformed in (jax.jit, jax.vmap, lambda f: lambda x: jax.jvp(f, (x[0],), (x[0],))):
+        with pytest.raises(InvalidInput, match=r"must be known.* not traced by JAX"):
+            transformed(lambda x: jax.tree.leaves(call(x)) and 0.0)(jnp.stack([jnp.asarray(value)] * 2))
+
+
+KNOWN = {
+    "stability": lambda: ph.stability(BODY, AXIS).rate,
+    "HeavyTop": lambda: systems.HeavyTop(THREE, 1.0, AXIS).energy(SIX),
+    "HeavyTop.state": lambda: TOP.state(jnp.asarray(FOUR), jnp.asarray(THREE)),
+    "KeplerOrbit": lambda: systems.KeplerOrbit(1.0, 0.1).direction(0.3),
+    "SpinOrbit": lambda: systems.SpinOrbit(0.3, 0.1).vector_field(0.3, THREE[:2]),
+    "GravityGradient": lambda: systems.GravityGradient(systems.KeplerOrbit(1.0, 0.1), THREE).torque(0.0, FOUR, AXIS),
+    "orbit_dimension": lambda: poisson.orbit_dimension(SO3, THREE),
+    "killing_form": lambda: algebra.killing_form(algebra.SU(2)),
+    "centre": lambda: algebra.centre(algebra.Heisenberg(1)),
+    "index": lambda: algebra.index(algebra.SE3()),
+    "polynomial_casimirs": lambda: len(algebra.polynomial_casimirs(SO3, 2)),
+    "normalize": lambda: ph.rotation.normalize(jnp.asarray(FOUR)),
+    "from_matrix": lambda: ph.rotation.from_matrix(EYE_OF_JAX),
+    "from_axis_angle": lambda: ph.rotation.from_axis_angle(THREE_OF_JAX, 0.3),
+    "shortest_between": lambda: ph.rotation.shortest_between(THREE_OF_JAX, jnp.asarray(AXIS)),
+    "poisson_tensor": lambda: poisson.poisson_tensor(SO3, THREE_OF_JAX),
+    "contact_point": lambda: poinsot.contact_point(THREE_OF_JAX, 0.5),
+    "racket_twist": lambda: racket_twist(MOTION),
+    "precession": lambda: body_precession(MOTION).rate + space_precession(MOTION).rate,
+    "herpolhode": lambda: poinsot.herpolhode(MOTION).inner_radius,
+    "polhode": lambda: polhodes.polhode(MOTION, 8),
+    "critical speeds": lambda: rolling.critical_rolling_speed(DISK) + rolling.critical_spin_rate(DISK),
+    "resonances": lambda: len(spin_orbit.resonances(SPIN)),
+}
+EYE_OF_JAX, THREE_OF_JAX = jnp.eye(3), jnp.asarray(THREE)
+MOTION = ph.FreeMotion(THREE, (0.3, 1.8, 1.5))
+
+
+@pytest.mark.parametrize("name", KNOWN)
+def test_known_numbers_within_a_traced_function(name):
+    """Constants of a traced function are known numbers, though JAX traces what is computed from them."""
+    found = jax.jit(lambda x: x + jnp.asarray(KNOWN[name](), dtype=float))(0.0)
+    assert np.abs(np.asarray(found) - np.asarray(KNOWN[name]())).max() < 1e-14
+
+
+def test_derivatives_by_what_a_system_is_made_of():
+    """The way round a constructor's refusal: put other numbers into a system that is there."""
+    energy = lambda moments: eqx.tree_at(lambda body: body.moments, BODY, moments).energy(THREE)  # noqa: E731
+    assert np.allclose(jax.jit(jax.grad(energy))(jnp.asarray(THREE)), -0.5, rtol=1e-15)
+
+
+def test_an_error_of_its_own_comes_through():
+    with pytest.raises(InvalidInput, match="positive"):
+        jax.jit(lambda x: systems.FreeRigidBody((-1.0, 2.0, 3.0)).energy(x))(THREE)

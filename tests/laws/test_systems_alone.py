@@ -1,0 +1,124 @@
+"""Every method of every system, orbit, torque and law of friction, alone under jit, vmap, jvp and grad."""
+
+import inspect
+
+import numpy as np
+import pytest
+
+from polhode import systems
+from polhode.systems.base import AbstractLiePoissonSystem, components
+from specimens import SYSTEMS
+from transformed import check_alone
+
+RNG = np.random.default_rng(4)
+MOMENTS = (1.0, 2.0, 2.5)
+ORBIT = systems.KeplerOrbit(0.7, 0.3, 0.4)
+DISK = systems.EulerDisk(0.4, 0.04, 0.01, dissipation=[systems.AirLayer(1.8e-4)])
+LAWS = [
+    systems.AirLayer(1.8e-4), systems.BoundaryLayer(1e-9), systems.ViscousContourFriction(1e-7),
+    systems.DryContourFriction(1e-5), systems.RollingCouple(1e-6), systems.DrillingFriction(1e-5),
+]  # fmt: skip
+SPECIMENS = [
+    *{type(system): system for system in reversed(SYSTEMS)}.values(), DISK, systems.SpinOrbit(0.89, 0.4), ORBIT, *LAWS,
+    systems.LinearDrag((0.1, 0.2, 0.3)), systems.QuadraticDrag(0.05), systems.GravityGradient(ORBIT, MOMENTS),
+    systems.TorquedBody(MOMENTS, [systems.LinearDrag(0.3), systems.GravityGradient(ORBIT, MOMENTS)]),
+    systems.TorquedGyrostat(MOMENTS, (1.0, 2.0, 3.0), 0.3, 0.1),
+]  # fmt: skip
+NOT_MOVING = {systems.AbstractLiePoissonSystem, systems.AbstractSystem, systems.AbstractTorque,
+              systems.RollingDissipation, systems.Balance}  # fmt: skip
+LEFT_OUT = {
+    "check_state": "refuses traced numbers, see test_refused_when_traced",
+    "upright": "refuses traced numbers, see test_refused_when_traced",
+    "rolling_state": "refuses traced numbers, see test_refused_when_traced",
+    "EulerDisk.state": "refuses traced numbers, see test_refused_when_traced",
+    "EulerDisk.linear_integrals": "of thin disks only, by Legendre functions of a table",
+    "HeavyTop.from_body": "takes a body, whose numbers are known",
+    "parts": "takes a state apart, and is called by the others",
+    "space_vectors": "is called by invariants, with an attitude",
+}
+DISK_START = np.array([0.4, 0.3, 0.2, 0.01, 0.02, 0.1, 6.0, 1.0])
+AT_ONCE = systems.FreeRigidBody
+BATCH_OF_TIMES_ONLY = ("vector_field", "balances", "generator", "torque", "jacobi_integral", "relative_velocity")
+
+
+def unit(rows):
+    return rows / np.linalg.norm(rows, axis=-1, keepdims=True)
+
+
+def starts(system):
+    """Return three states, with an attitude in front where the system may have one."""
+    if isinstance(system, systems.EulerDisk):
+        return DISK_START * (1.0 + 0.1 * RNG.uniform(size=(3, 8)))
+    if isinstance(system, systems.SpinOrbit):
+        return RNG.normal(size=(3, 2))
+    attitude = unit(RNG.normal(size=(3, 4)))
+    if not isinstance(system, AbstractLiePoissonSystem):
+        return np.concatenate([attitude, RNG.normal(size=(3, 4 if hasattr(system, "rotor_moment") else 3))], axis=1)
+    point = np.asarray(system.algebra.from_dual_vector(RNG.normal(size=(3, system.algebra.dim))))
+    if not system.carries_attitude:
+        return point
+    return np.concatenate([attitude, point], axis=1)
+
+
+def arguments(system, method):
+    state = starts(system) if not isinstance(system, NO_STATE) else None
+    values = {"t": RNG.uniform(0.5, 2.0, 3), "state": state, "attitude": unit(RNG.normal(size=(3, 4))),
+              "angular_velocity": RNG.normal(size=(3, 3)), "momentum": RNG.normal(size=(3, 3)),
+              "tilt": RNG.uniform(0.2, 0.5, 3), "precession": RNG.uniform(1.0, 2.0, 3)}  # fmt: skip
+    if isinstance(system, AbstractLiePoissonSystem):
+        values["point"] = np.asarray(system.algebra.from_dual_vector(RNG.normal(size=(3, system.algebra.dim))))
+    names = list(inspect.signature(method).parameters)
+    if method.__name__ == "state":  # angular velocity or momentum
+        names.remove("momentum")
+    return [None if name == "disk" else values[name] for name in names]
+
+
+NO_STATE = (systems.KeplerOrbit, systems.AbstractTorque, systems.RollingDissipation)
+
+
+def methods():
+    for system in SPECIMENS:
+        kind = type(system).__name__
+        for name in dir(type(system)):
+            plain = inspect.isfunction(inspect.getattr_static(type(system), name))
+            if plain and not name.startswith("_") and name not in LEFT_OUT and f"{kind}.{name}" not in LEFT_OUT:
+                slow = [] if isinstance(system, AT_ONCE) else [pytest.mark.sweep]
+                yield pytest.param(system, name, id=f"{kind} {name}", marks=slow)
+
+
+def test_no_public_class_is_forgotten():
+    classes = {getattr(systems, name) for name in systems.__all__}
+    assert classes - NOT_MOVING == {type(system) for system in SPECIMENS}
+
+
+@pytest.mark.parametrize(("system", "name"), list(methods()))
+def test_method_alone(system, name):
+    method = getattr(system, name)
+    given = arguments(system, method)
+    if name == "scales":  # of a whole batch at once
+        return check_alone(method, *given, batched=False)
+    if given[0] is None:  # the disk
+        return check_alone(lambda *x: method(DISK.mechanics, *x), *given[1:])
+    if np.iscomplexobj(given[-1]):
+        real = [np.asarray(system.algebra.to_dual_vector(x)) if np.iscomplexobj(x) else x for x in given]
+        last = system.algebra.from_dual_vector
+        return check_alone(lambda *x: method(*x[:-1], last(x[-1])), *real, batched=name not in BATCH_OF_TIMES_ONLY)
+    return check_alone(method, *given, batched=name not in BATCH_OF_TIMES_ONLY)
+
+
+@pytest.mark.parametrize("system", [s for s in SPECIMENS if isinstance(s, AbstractLiePoissonSystem) and s.flows],
+                         ids=lambda s: type(s).__name__)  # fmt: skip
+@pytest.mark.sweep
+def test_flows_alone(system):
+    """Each flow, and each further invariant: functions that a property gives."""
+    for flow in system.flows.values():
+        check_alone(lambda t, state, flow=flow: flow(t, components(state)), RNG.uniform(0.5, 2.0, 3), starts(system),
+                    batched=False)  # fmt: skip
+    for integral in system.extra_invariants.values():
+        check_alone(integral, arguments(system, system.energy)[0], batched=False)
+
+
+@pytest.mark.sweep
+def test_events_alone():
+    for event in DISK.events.values():
+        check_alone(event, RNG.uniform(0.5, 2.0, 3), starts(DISK), batched=False)
