@@ -64,7 +64,7 @@ for name in names:
     change = jax.jit(lambda m, t: jax.jvp(lambda t: alone(m, t), (t,), (jnp.ones(3),))[1])(motion, times)
     near(change, slope, 1e-8, "jvp " + name)
     one = lambda m, t: jax.grad(lambda t: alone(m, t)[1])(t)
-    near(jax.jit(jax.vmap(one))(motion, times), slope[:, 1], 1e-8, "vmap of grad " + name)
+    near(flat(jax.jit(jax.vmap(one))(motion, times)), slope[:, 1], 1e-8, "vmap of grad " + name)
 """
 MADE_WITHIN = """
 alone = lambda *x: getattr(make(*x[:-1]), names[0])(x[-1])
