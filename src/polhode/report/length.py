@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 
 from polhode.errors import InvalidInput
-from polhode.simulation import STEP_ANGLE
+from polhode.integrators.composition import stages
+from polhode.simulation import step_angle
 
 Array = Any
 
@@ -53,16 +54,22 @@ def check_length(until: float | None, times: Array, steps: float, each: float, r
     return seconds > SAID_FROM and sys.stderr.isatty()
 
 
-def equal_steps(span: float, rate: float, step: float | None) -> float:
+def equal_steps(span: float, rate: float, step: float | None, order: int = 6) -> float:
     """Return about how many equal steps a run takes; longer steps are taken in pieces that bound what they turn.
 
     Args:
         span: of the run [s].
         rate: of the fastest rotation [rad/s].
         step: that is asked for [s], None for the usual one.
+        order: of the method.
     """
-    usual = span * rate / STEP_ANGLE
+    usual = span * rate / step_angle(order)
     return usual if step is None else max(span / step, usual / PIECES)
+
+
+def splitting_step(order: int) -> float:
+    """Return how long a step of splitting takes [s]: each stage as long as those of order 6."""
+    return SPLITTING * len(stages(order)) / len(stages(6))
 
 
 def duration(seconds: float) -> str:

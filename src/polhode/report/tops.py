@@ -17,7 +17,7 @@ from polhode.errors import InvalidInput
 from polhode.exact.lagrange_top import LagrangeMotion
 from polhode.exact.steady_precession import SteadyPrecession, sleeping_threshold, steady_precession
 from polhode.report.base import AbstractReport, Listing, Section
-from polhode.report.length import SPLITTING, check_length, equal_steps
+from polhode.report.length import check_length, equal_steps, splitting_step
 from polhode.report.wording import (
     angle,
     axes_lines,
@@ -262,7 +262,7 @@ def heavy_top_report(spec: Spec, table: HeavyTopTable, times: Array | None) -> T
     if times is None:
         times = np.linspace(0.0, PERIODS * _natural_period(top, momentum), spec.samples)
     rate, span = fastest_rate(top, state), float(np.ptp(times))
-    check_length(spec.until, times, equal_steps(span, rate, table.step), SPLITTING,
+    check_length(spec.until, times, equal_steps(span, rate, table.step, table.order), splitting_step(table.order),
                  'Or a longer `system.step`, or kind = "lagrange-top" if it is one.')  # fmt: skip
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", UserWarning)
