@@ -19,7 +19,7 @@ from jaxtyping import config, install_import_hook
 install_import_hook("polhode", "typed.check")
 
 COMPILED = "JAX_COMPILATION_CACHE_DIR"
-MAX_RESIDENT = 1.2e9  # bytes of a worker from which it gives memory back
+MAX_RESIDENT = 1.1e9  # bytes of a worker from which it gives memory back
 MAX_SECONDS = 900  # of one test, on a machine that does other things too
 MAX_SECONDS_IN_A_BROWSER = 240
 MAX_SECONDS_OF_A_SWEEP = 3000
@@ -50,20 +50,18 @@ def pytest_collection_modifyitems(items):
 
 @pytest.fixture(autouse=True)
 def small_memory():
-    """Give back what compiling left over: the C library keeps what the compiler frees, 6 GB in the end."""
+    """Give back what compiling left over and, where that is not enough, what was compiled.
+
+    The C library keeps what the compiler frees, and JAX every function: 6 GB in the end. What is needed again comes
+    from disk.
+    """
     yield
     if _resident() > MAX_RESIDENT:
         _give_back()
-
-
-@pytest.fixture(autouse=True, scope="module")
-def few_compiled_functions():
-    """Drop what was compiled once it takes much memory; what is needed again comes from disk."""
-    yield
-    if "jax" in sys.modules and _resident() > MAX_RESIDENT:
-        sys.modules["jax"].clear_caches()
-        gc.collect()
-        _give_back()
+        if _resident() > MAX_RESIDENT and "jax" in sys.modules:
+            sys.modules["jax"].clear_caches()
+            gc.collect()
+            _give_back()
 
 
 def _give_back():
