@@ -83,7 +83,9 @@ def test_pxform_and_sxform_at_a_calendar_epoch(tmp_path, furnished, system, thei
 def test_the_file_is_about_the_given_axes(tmp_path, furnished):
     body = shapes.box(2.0, (0.1, 0.2, 0.4)).placed(rotation.as_matrix(rotation.from_rotation_vector((0.3, -0.5, 0.7))))
     given = FreeMotion.from_body(body, angular_velocity=(1.0, 2.0, 0.3))
-    principal = FreeMotion(body.principal_moments, given.momentum_at_epoch, given.attitude_at_epoch)
+    axes = body.principal_axes
+    attitude = rotation.multiply(given.attitude_at_epoch, rotation.from_matrix(axes))
+    principal = FreeMotion(body.principal_moments, given.momentum_at_epoch @ axes, attitude)
     furnished(write_ck(principal.sample(TIMES), tmp_path / "a.bc", labels=LABELS, frame=BodyFrame.of(body)))
     assert max(errors_by_spice(given.sample(TIMES), LABELS)) <= EXACT
 

@@ -119,7 +119,7 @@ def test_no_estimate_is_none():
 
 
 def test_estimate_and_tolerance_compile_nothing_more():
-    run: Any = equal_steps._run_one
+    run: Any = equal_steps._go_one
     compiled = run._cached
     ph.simulate(body, START, SPARSE, order=6, estimate_error=False)
     before = compiled._cache_size()

@@ -194,7 +194,7 @@ RIGHT = 'tilt = "5 deg"'
         (f'{THIN}\n{RIGHT}\ndissipation = [{{law = "boundary-layer", coefficient = "1 W*s^2"}}]',
          ["dissipation[0].coefficient: has the wrong unit", "W*s^2.5"]),
         (f'{THIN}\n{RIGHT}\ndissipation = [{{law = "dry-contour-friction", coefficient = "1"}}]',
-         ["dissipation[0].coefficient: must be a plain number"]),
+         ["dissipation[0].coefficient: must be a plain finite number"]),
         (f'{THIN}\n{RIGHT}\ndissipation = [{{law = "dry-contour-friction", coefficient = 0.0}}]',
          ["dissipation[0].coefficient: must be positive", "Leave the law out"]),
         (f'{THIN}\n{RIGHT}\ndissipation = {{law = "air-layer"}}', ["system.dissipation: must be a list"]),

@@ -42,7 +42,7 @@ def as_closure(moments):
 
 
 def compiled() -> int:
-    run: Any = equal_steps._run_one
+    run: Any = equal_steps._go_one
     return run._cached._cache_size()
 
 
