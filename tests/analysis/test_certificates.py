@@ -354,3 +354,15 @@ def test_integrals_would_lie_if_they_were_not_checked(monkeypatch):
     top = systems.BodyInPotential((1.0, 1.0, 0.5), lambda up: up[2])
     found = ph.stability(top, np.array([0, 0, 2.5, 0, 0, 1.0]), [lambda p: p[0]])
     assert (found.verdict, found.restriction) == ("stable", "up to the flow of J1")  # a lie: nothing keeps Π1
+
+
+@pytest.mark.parametrize("gap", [1e-14, 1e-12, 1e-10])
+@pytest.mark.parametrize(("moments", "axis"), [((1.0, 1.0, 1.5), 0), ((1.0, 1.5, 1.5), 2)])
+def test_moments_that_nearly_agree_make_no_circle_of_equilibria(gap, moments, axis):
+    """The closed form calls the axes of least and greatest moment stable; a steady drift along a circle is none."""
+    moments = np.array(moments)
+    moments[1 if axis == 0 else 2] *= 1.0 + gap
+    found = ph.stability(systems.FreeRigidBody(moments), np.eye(3)[axis])
+    assert found.verdict != "unstable"
+    exact = ph.stability(systems.FreeRigidBody((1.0, 1.0, 1.5)), np.eye(3)[0])
+    assert (exact.verdict, exact.growth) == ("unstable", "linear")

@@ -151,7 +151,8 @@ def test_an_attitude_that_is_none_is_found(tmp_path, wrong):
     single = MOTION.sample(TIMES)
     single.attitude[5] = wrong
     formats.write_csv(single, tmp_path / "motion.csv")
-    with pytest.raises(FormatError, match="attitude of sample 5 is not a"):
+    said = "line 7: 'nan' must be a number" if np.isnan(wrong) else "attitude of sample 5 is not a"
+    with pytest.raises(FormatError, match=said):
         formats.read_csv(tmp_path / "motion.csv")
 
 

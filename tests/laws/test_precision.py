@@ -143,6 +143,10 @@ ph.algebra
 assert jnp.array([1.0]).dtype == "float64"
 refused(lambda: ph.systems.FreeRigidBody(I))
 refused(lambda: ph.FreeMotion(I, (0.3, 1.8, 1.5)))
+H = lambda L: 0.5 * jnp.sum(L**2 / I)
+refused(lambda: ph.systems.LiePoisson(ph.algebra.SO3(), H))
+refused(lambda: ph.systems.BodyInPotential((1.0, 2.0, 3.3), H))
+refused(lambda: ph.stability(ph.systems.FreeRigidBody((1.0, 2.0, 3.3)), (0.0, 0.0, 1.0), integrals=[H]))
 ph.FreeMotion(whole, (0.3, 1.8, 1.5))
 """
 

@@ -219,3 +219,18 @@ def test_a_driven_motion_runs_back():
     there = run(MOMENTUM, [0.3, 5.0])
     back = run(there.states[-1], [5.0, 0.3])
     assert np.abs(back.states[-1] - MOMENTUM).max() < THERE_AND_BACK
+
+
+def test_a_drive_between_the_moments_looked_at_is_not_split():
+    """Inherited flows would leave it out: a structural rule, as any sampling can be missed."""
+
+    class Pulsed(FreeRigidBody):
+        def generator(self, t, point):
+            pulse = 100.0 * jnp.exp(-(((t - 13.37) / 0.05) ** 2)) * (jnp.abs(t - 13.37) < 0.3)
+            return (1.0 + pulse) * super().generator(t, point)
+
+    pulsed = Pulsed((1.0, 2.0, 3.3))
+    for method in (None, Splitting):
+        with pytest.raises(InvalidInput, match="`flows`"):
+            ph.simulate(pulsed, [0.3, 1.8, 1.5], [0.0, 20.0], method)
+    assert ph.simulate(pulsed, [0.3, 1.8, 1.5], [0.0, 1.0], LieMidpoint).status == "successful"

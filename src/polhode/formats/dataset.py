@@ -100,6 +100,10 @@ def as_dataset(
         if name in trajectory.drift and not batch:
             note["drift"] = float(trajectory.drift[name])
         variables[name] = (dims, np.asarray(values), note)
+    if trajectory.error_estimate is not None and np.isfinite(trajectory.error_estimate).all():
+        meaning = "estimated largest error of the states, relative to the size of attitude and momentum"
+        note = {"units": "1", "long_name": meaning, "role": "error estimate"}
+        variables["error_estimate"] = (batch, np.asarray(trajectory.error_estimate, dtype=float), note)
     if frame is not None:
         variables |= _frame_variables(frame)
         coordinates["given_axis"] = ("given_axis", ["x", "y", "z"])

@@ -84,6 +84,7 @@ def read_dataset(path: str | Path) -> Trajectory:
         received={name.removesuffix("_received"): arrays[name] for name in roles["received"]},
         drift={name: variable.attrs["drift"] for name, variable in variables.items() if "drift" in variable.attrs},
         status=str(dataset.attrs.get("status", "")),
+        error_estimate=next((arrays[name] for name in roles["error estimate"]), None),
     )
 
 

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     import xarray
 
 Array = Any
-ROLES = ("invariant", "balance", "received", "state")
+ROLES = ("invariant", "balance", "received", "state", "error estimate")
 VECTORS = {"attitude": ("quaternion", 4), "momentum": ("axis", 3), "angular_velocity": ("axis", 3)}
 FRAME = {  # name → dimensions and shape
     "principal_moments": (("axis",), (3,)),
@@ -67,6 +67,8 @@ def _check_along_time(path: Path, name: str, variable: Any, along: tuple[str, ..
         fits = dims == (*along, last) and variable.shape[-1] == count
     elif role in ("state", "received"):
         fits = dims == along
+    elif role == "error estimate":
+        fits = dims == along[:-1]
     elif role is not None:
         fits = dims[: len(along)] == along and len(dims) <= len(along) + 1
     elif name == "state":

@@ -18,12 +18,13 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode.errors import InvalidInput
 from polhode.integrators.base import AbstractOrbitSolver, Memory, step_count
 
 Array = Any
 BLOCK = 64  # copies: enough that a step's fixed costs do not count, few enough that a fast copy slows few others
 STRETCH = 50_000  # steps in one call, which take from a quarter of a second to a few seconds
-MOST_INTERVALS = 1_000_000
+MAX_STEPS = 1e10  # of a run: hours, and as many stretches as fit into memory
 AS_ONE = 8  # copies in a block that cost about as much as one
 
 
@@ -53,7 +54,16 @@ def run_by_equal_steps(
         sizes: (batch…) largest steps [s].
         rates: (batch…) of the copies, by which they are sorted.
         meter: of diffrax, for progress.
+
+    Raises:
+        InvalidInput: for a run of too many steps.
     """
+    wanted = float(step_counts(times, sizes).sum(axis=-1).max())
+    if not wanted <= MAX_STEPS:
+        raise InvalidInput(
+            f"the run would take {wanted:.1e} steps of {float(np.min(sizes)):.3g} s, and at most {MAX_STEPS:.0e} are "
+            "taken. Check `times` and `step` and their units, or follow the motion in parts."
+        )
     own = solver.system.state_axes
     batch = jnp.shape(state)[: jnp.ndim(state) - own]
     shown = meter.init()
@@ -91,8 +101,7 @@ def step_counts(times: np.ndarray, sizes: Array) -> Array:
 def _run_block(go: Any, solver: Any, state: Array, times: np.ndarray, sizes: Array, show: Any) -> Run:
     """Return the motion of one copy or of a block of them, stretch by stretch."""
     longest = STRETCH // -(-sizes.size // AS_ONE)
-    # every interval between samples is cut into so many, as far as memory allows
-    parts = int(min(np.ceil(step_counts(times, sizes).max() / longest), max(1, MOST_INTERVALS // (len(times) - 1))))
+    parts = int(np.ceil(step_counts(times, sizes).max() / longest))  # of every interval between samples
     fine = np.append(np.linspace(times[:-1], times[1:], parts, endpoint=False, axis=1), times[-1])
     stretches = _stretches(step_counts(fine, sizes).reshape(-1, len(fine) - 1).max(axis=0), longest)
     state, grid = jnp.asarray(state), (jnp.asarray(fine[:-1]), jnp.asarray(np.diff(fine)))

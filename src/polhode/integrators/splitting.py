@@ -11,6 +11,7 @@ import jax.numpy as jnp
 from polhode.errors import InvalidInput
 from polhode.integrators.base import AbstractOrbitSolver, Change, explicit
 from polhode.integrators.composition import DEFAULT_ORDER, composed, stages
+from polhode.systems.agreement import has_own_flows
 from polhode.systems.base import AbstractLiePoissonSystem, components
 
 Array = Any
@@ -41,6 +42,11 @@ class Splitting(AbstractOrbitSolver):
         if not system.flows:
             raise InvalidInput(
                 f"`Splitting` needs exact flows, and {type(system).__name__} names none; take LieMidpoint."
+            )
+        if not has_own_flows(system):
+            raise InvalidInput(
+                f"`Splitting` goes by the flows that {type(system).__name__} inherits, and not by the `generator` that "
+                "it overrides. Override `flows` too, with {} where no exact flows are known, or take LieMidpoint."
             )
         self.system, self.step_size, self.own_order = system, step_size, order
 

@@ -31,6 +31,13 @@ def moves_by_generator(system: AbstractLiePoissonSystem) -> bool:
     return type(system).vector_field is AbstractLiePoissonSystem.vector_field
 
 
+def has_own_flows(system: AbstractLiePoissonSystem) -> bool:
+    """Return whether the flows were written for the generator: no class that inherits them overrides it."""
+    order = type(system).__mro__
+    place = {name: next(k for k, base in enumerate(order) if name in vars(base)) for name in ("flows", "generator")}
+    return bool(system.flows) and place["flows"] <= place["generator"]
+
+
 def check_generated(system: AbstractLiePoissonSystem, method: str) -> None:
     """Refuse a system that says its vector field itself.
 

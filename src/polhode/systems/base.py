@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import abc
+import re
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
@@ -22,6 +23,7 @@ Array = Any
 Components = tuple[Array, ...]
 Flow = Callable[[Array, Components], Components]
 Event = Callable[[Array, Array], Array]
+SINGLE_PRECISION = re.compile(r"\b(?:b?f16|f32)\[")  # as a jaxpr writes the type of a value
 UNIT = 1e-6  # a quaternion further from unit length is taken for a mistake, not for rounding
 
 
@@ -305,3 +307,10 @@ def check_scalar(name: str, function: Callable[[Array], Array], shape: tuple[int
     got, kind = getattr(value, "shape", None), getattr(value, "dtype", np.dtype(object))
     if got != () or not jnp.issubdtype(kind, jnp.floating):
         raise InvalidInput(f"`{name}` must be a real scalar at one point; got shape {got} of {kind}.")
+    written = str(jax.make_jaxpr(function)(jax.ShapeDtypeStruct(shape, dtype)))
+    if SINGLE_PRECISION.search(written):
+        raise InvalidInput(
+            f"`{name}` computes in single precision, as an array that it holds is float32 or float16. Make its arrays "
+            "float64: JAX makes float32 ones until jax.config.update('jax_enable_x64', True), which importing the "
+            "systems and algebras of polhode does."
+        )
