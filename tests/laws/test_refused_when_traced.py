@@ -66,7 +66,6 @@ REFUSED = {
     "rolling_stability": (ROLLING, lambda x: rolling.rolling_stability(DISK, x)),
     "nutation": (ROLLING, lambda x: rolling.nutation(DISK, x)),
     "spin_down": (ROLLING, lambda x: spin_down.spin_down(DISK, x)),
-    "adiabaticity": (ROLLING, lambda x: spin_down.adiabaticity(DISK, x)),
     "adiabatic_end": (0.3, lambda x: spin_down.adiabatic_end(DISK, x)),
     "spin_motion": (THREE[:2], lambda x: spin_motion.spin_motion(SPIN, x)),
     "poincare_section": (THREE[:2], lambda x: spin_orbit.poincare_section(SPIN, x, 2)),

@@ -138,7 +138,6 @@ def spin_down(
     )
 
 
-@known_numbers_only
 def adiabaticity(disk: EulerDisk, state: Array) -> Array:
     """Return |θ̇|/(θ|φ̇|) of states (…, 8): by how much of itself the tilt falls in a radian of precession."""
     theta = jnp.minimum(state[..., 0], jnp.pi - state[..., 0])
