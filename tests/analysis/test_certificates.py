@@ -366,3 +366,10 @@ def test_moments_that_nearly_agree_make_no_circle_of_equilibria(gap, moments, ax
     assert found.verdict != "unstable"
     exact = ph.stability(systems.FreeRigidBody((1.0, 1.0, 1.5)), np.eye(3)[0])
     assert (exact.verdict, exact.growth) == ("unstable", "linear")
+
+
+@pytest.mark.usefixtures("any_type")
+@pytest.mark.parametrize("name", ["integrals", "casimirs"])
+def test_a_function_in_place_of_a_list_is_refused(name):
+    with pytest.raises(InvalidInput, match=f"`{name}` must be a list of functions"):
+        ph.stability(body, e2, **{name: lambda L: L[0]})

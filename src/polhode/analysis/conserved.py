@@ -24,7 +24,7 @@ from polhode.algebra.polynomial import Polynomial
 from polhode.algebra.properties import index
 from polhode.errors import InvalidInput
 from polhode.systems.agreement import moves_by_generator
-from polhode.systems.base import AbstractLiePoissonSystem, check_scalar
+from polhode.systems.base import AbstractLiePoissonSystem, checked_functions
 
 Array = Any
 Function = Callable[[Array], Array]
@@ -105,9 +105,7 @@ class Casimirs(NamedTuple):
 def casimirs_of(algebra: AbstractLieAlgebra, given: Sequence[Function] | None) -> Casimirs:
     """Return the user's Casimirs, or those that the algebra names, or polynomials found by exact algebra."""
     if given is not None:
-        functions = tuple(given)
-        for k, function in enumerate(functions):
-            check_scalar(f"casimirs[{k}]", function, algebra.element_shape, algebra.dtype)
+        functions = checked_functions("casimirs", given, algebra.element_shape, algebra.dtype)
         names = [f"C{k + 1}" for k in range(len(functions))]
         return Casimirs(Given(algebra, functions), names, _missing(len(functions), index(algebra), "were given"))
     wanted = index(algebra)

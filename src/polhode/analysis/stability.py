@@ -28,7 +28,7 @@ from polhode.analysis.second_variation import null_space
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput
 from polhode.poisson.brackets import as_points
-from polhode.systems.base import AbstractLiePoissonSystem, check_scalar
+from polhode.systems.base import AbstractLiePoissonSystem, checked_functions
 from polhode.systems.euler_disk import EulerDisk
 
 Array = Any
@@ -88,8 +88,7 @@ def stability(
     mu = as_points(algebra, equilibrium)
     if mu.shape != algebra.element_shape:
         raise InvalidInput(f"`equilibrium` must be one point {algebra.element_shape}; got shape {mu.shape}.")
-    for k, function in enumerate(integrals):
-        check_scalar(f"integrals[{k}]", function, algebra.element_shape, algebra.dtype)
+    integrals = checked_functions("integrals", integrals, algebra.element_shape, algebra.dtype)
     z = np.asarray(algebra.to_dual_vector(mu))
     check_motion(system, samples_around(np.asarray(algebra.structure_constants()), z))
     known = casimirs_of(algebra, casimirs)

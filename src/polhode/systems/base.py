@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import abc
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any, NamedTuple
 
 import equinox as eqx
@@ -17,7 +17,7 @@ from polhode.algebra.base import AbstractLieAlgebra, HashableModule
 from polhode.algebra.se3 import SE3
 from polhode.algebra.so3 import SO3
 from polhode.arrays import known_numbers_only, refuse_single_precision
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, shown
 
 Array = Any
 Components = tuple[Array, ...]
@@ -290,6 +290,19 @@ def attitude_change(attitude: Array | None, sine: Array, cosine_less_one: Array)
     if attitude is None:
         return None
     return rotation.multiply(attitude, jnp.concatenate([cosine_less_one, sine], axis=-1))
+
+
+def checked_functions(
+    name: str, given: Any, shape: tuple[int, ...], dtype: Any
+) -> tuple[Callable[[Array], Array], ...]:
+    """Return a list of functions; refuse what is not one, and functions as ``check_scalar`` does."""
+    if callable(given) or not isinstance(given, Iterable):
+        got = shown(given)
+        raise InvalidInput(f"`{name}` must be a list of functions of one point; got {got}. Put it in brackets.")
+    functions = tuple(given)
+    for k, function in enumerate(functions):
+        check_scalar(f"{name}[{k}]", function, shape, dtype)
+    return functions
 
 
 def check_scalar(name: str, function: Callable[[Array], Array], shape: tuple[int, ...], dtype: Any) -> None:
