@@ -89,7 +89,7 @@ def _remedy(jax_array: bool) -> str:
         return "Convert it with astype(float) if seven digits are all there is to know."
     return (
         "Call jax.config.update('jax_enable_x64', True) before the first JAX array is made; one made before has lost "
-        "digits, so make it anew."
+        "digits and must be made again."
     )
 
 
@@ -159,8 +159,8 @@ def known_numbers_only(function: Callable[Parameters, Result]) -> Callable[Param
 def barrier(values: Any) -> Any:
     """Have XLA finish a nest of tuples of arrays before it goes on; return arrays that are not traced as they are.
 
-    Where a stack is fused with what its parts share, XLA on CPU computes shared values anew for every part, and within
-    those anew again: exponentially in the length of the computation. An optimization barrier does not help, because
+    When XLA on the CPU fuses a stack with what its parts share, it recomputes the shared values for every part, and so on
+    down: the cost grows exponentially with the length of the computation. An optimization barrier does not help, because
     XLA for CPU removes it before it fuses. A loop it cannot see through stays.
     """
     if not is_traced(*_leaves(values)):

@@ -63,7 +63,7 @@ def flat(values, xp):
     return xp.concatenate([xp.reshape(v, (-1,)) for v in values])
 
 
-@pytest.mark.parametrize("name", public_functions())
+@pytest.mark.parametrize("name", list(public_functions()))
 def test_alone_under_every_transformation(name):
     room, _, last = name.rpartition(".")
     function = getattr(importlib.import_module(f"polhode.{room}"), last)

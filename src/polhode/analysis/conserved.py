@@ -6,6 +6,7 @@ checked at random points near the equilibrium, away from it and along its orbit,
 
 from __future__ import annotations
 
+import abc
 import math
 from collections.abc import Callable, Sequence
 from functools import lru_cache
@@ -44,10 +45,11 @@ TRACING = (jax.errors.ConcretizationTypeError, jax.errors.TracerArrayConversionE
 
 
 class Source(eqx.Module):
-    """Functions of coordinates, one array (k,) of values at a point (n,)."""
+    """Functions of coordinates."""
 
+    @abc.abstractmethod
     def __call__(self, x: Array) -> Array:
-        raise NotImplementedError
+        """Return the values (k,) at a point (n,)."""
 
 
 class Energy(Source):
@@ -274,7 +276,11 @@ def check_commute(tensors: Array, first: Array, second: Array, names: tuple[str,
 
 
 def check_casimirs(tensors: Array, gradients: Array) -> None:
-    """Refuse functions (m, k, n) that are no Casimirs, {C, x_i} = 0, or that depend on each other.
+    """Refuse functions that are not Casimirs, {C, x_i} = 0, or that depend on each other.
+
+    Args:
+        tensors: (m, n, n) π at the samples.
+        gradients: (m, k, n) of the functions.
 
     Raises:
         InvalidInput: with the one at fault.

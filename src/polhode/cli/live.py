@@ -33,6 +33,7 @@ def run_live(path: Path | None, port: int, open_it: bool) -> None:
     except Stopped as stop:
         if stop.number != signal.SIGINT:
             raise
+        stop.expected = True
     finally:
         app.stop()
 

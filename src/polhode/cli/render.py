@@ -19,7 +19,8 @@ STYLES = {"stable": "green", "unstable": "red", "undecided": "yellow"}
 def as_json(values: dict[str, Any]) -> str:
     """Return one JSON object in ASCII, which every encoding can hold.
 
-    There is no NaN or infinity in it, and it would be an error if there were.
+    Raises:
+        ValueError: for NaN or an infinity, which reports replace by null.
     """
     return json.dumps(values, indent=2, ensure_ascii=True, allow_nan=False)
 
@@ -44,7 +45,7 @@ def print_report(
 
 
 def _text(text: str, style: str = "") -> Text:
-    """Return text as it stands: brackets and colons are no markup, and control characters are escaped."""
+    """Return text for rich to print as it is: markup is not interpreted, and control characters are escaped."""
     return Text(printable(text), style)
 
 

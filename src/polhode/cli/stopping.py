@@ -25,22 +25,24 @@ class Stopped(BaseException):
 
     Attributes:
         number: of the signal.
+        expected: set it where the signal is the way to end a command, which then ends as if nothing had come.
     """
 
     def __init__(self, number: int) -> None:
         super().__init__(number)
         self.number = number
+        self.expected = False
 
 
 class _Watch:
     """What came, and the thread that sees to it.
 
     Attributes:
-        came: the first signal, None before.
+        came: what the first signal raised, None before.
     """
 
     def __init__(self) -> None:
-        self.came: int | None = None
+        self.came: Stopped | None = None
         self._ended = threading.Event()
         self._told, self._teller = socket.socketpair()
         self._teller.setblocking(False)
@@ -64,8 +66,8 @@ class _Watch:
 
     def _stop(self, number: int, frame: Any) -> None:
         if self.came is None and not self._ended.is_set():  # more of them do not hurry it
-            self.came = number
-            raise Stopped(number)
+            self.came = Stopped(number)
+            raise self.came
 
     def _see_to_it(self) -> None:
         with self._told:
@@ -77,7 +79,7 @@ class _Watch:
 
 @contextlib.contextmanager
 def stopped_by_signals() -> Iterator[None]:
-    """Raise ``Stopped`` out of the block on a signal, or out of its end where the block lost it.
+    """Raise ``Stopped`` out of the block on a signal, or at its end if the block lost it and did not expect it.
 
     Elsewhere than in the main thread it does nothing, as signals do not come there.
     """
@@ -93,9 +95,9 @@ def stopped_by_signals() -> Iterator[None]:
             raise  # otherwise it is what some library made of the signal
     finally:
         watch.end()
-        if watch.came is not None:
+        if watch.came is not None and not watch.came.expected:
             _remove_drafts()
-            raise Stopped(watch.came) from None
+            raise Stopped(watch.came.number) from None
 
 
 def said(number: int) -> str:

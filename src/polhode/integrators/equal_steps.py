@@ -24,7 +24,7 @@ from polhode.integrators.base import AbstractOrbitSolver, Memory, step_count
 Array = Any
 BLOCK = 64  # copies: enough that a step's fixed costs do not count, few enough that a fast copy slows few others
 STRETCH = 50_000  # steps in one call, which take from a quarter of a second to a few seconds
-MAX_STEPS = 1e10  # of a run: hours, and as many stretches as fit into memory
+MAX_STEPS = 1e10  # of a run, which takes hours
 AS_ONE = 8  # copies in a block that cost about as much as one
 
 
@@ -107,14 +107,13 @@ def _run_block(go: Any, solver: Any, state: Array, times: np.ndarray, sizes: Arr
     state, grid = jnp.asarray(state), (jnp.asarray(fine[:-1]), jnp.asarray(np.diff(fine)))
     start, axis = state, sizes.ndim
     memory = jax.vmap(solver.memory)(state) if axis else solver.memory(state)
-    saved = jnp.zeros((*sizes.shape, len(fine) - 1, *state.shape[axis:]), state.dtype)
+    saved = jnp.zeros((*sizes.shape, len(times) - 1, *state.shape[axis:]), state.dtype)
     for first, last in stretches:
-        limits = jnp.asarray(first), jnp.asarray(last)
+        limits = jnp.asarray(first), jnp.asarray(last), jnp.asarray(parts)
         state, memory, saved = go(solver, jnp.asarray(sizes), state, memory, saved, grid, limits)
         jax.block_until_ready(state)
         show(last / (len(fine) - 1))
-    kept = np.asarray(saved)[(slice(None),) * axis + (slice(parts - 1, None, parts),)]
-    states = np.concatenate([np.expand_dims(start, axis), kept], axis=axis)
+    states = np.concatenate([np.expand_dims(start, axis), np.asarray(saved)], axis=axis)
     return Run(states, np.asarray(memory.iterations), np.asarray(memory.fine))
 
 
@@ -126,18 +125,18 @@ def _stretches(counts: Array, longest: int) -> list[tuple[int, int]]:
 
 def _go(
     solver: Any, size: Array, state: Array, memory: Memory, saved: Array, grid: tuple[Array, Array],
-    limits: tuple[Array, Array],
+    limits: tuple[Array, Array, Array],
 ) -> tuple[Array, Memory, Array]:  # fmt: skip
-    """Go from one interval up to another, and save the state at the end of each."""
+    """Go from one interval up to another; of the parts of an interval between samples the last one's end stays saved."""
     solver = eqx.tree_at(lambda s: s.step_size, solver, size)
-    begin, spans = grid
+    (begin, spans), (first, last, parts) = grid, limits
 
     def over(k: Array, carried: tuple[Array, Memory, Array]) -> tuple[Array, Memory, Array]:
         now, memory, saved = carried
         now, memory = solver.advance(begin[k], spans[k], now, memory)
-        return now, memory, saved.at[k].set(now)
+        return now, memory, saved.at[k // parts].set(now)
 
-    return jax.lax.fori_loop(*limits, over, (state, memory, saved))
+    return jax.lax.fori_loop(first, last, over, (state, memory, saved))
 
 
 _go_one = eqx.filter_jit(_go)
@@ -146,7 +145,7 @@ _go_one = eqx.filter_jit(_go)
 @eqx.filter_jit
 def _go_block(
     solver: Any, sizes: Array, states: Array, memory: Memory, saved: Array, grid: tuple[Array, Array],
-    limits: tuple[Array, Array],
+    limits: tuple[Array, Array, Array],
 ) -> tuple[Array, Memory, Array]:  # fmt: skip
     def one(size: Array, state: Array, memory: Memory, saved: Array) -> tuple[Array, Memory, Array]:
         return _go(solver, size, state, memory, saved, grid, limits)
