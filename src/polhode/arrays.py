@@ -159,9 +159,9 @@ def known_numbers_only(function: Callable[Parameters, Result]) -> Callable[Param
 def barrier(values: Any) -> Any:
     """Have XLA finish a nest of tuples of arrays before it goes on; return arrays that are not traced as they are.
 
-    When XLA on the CPU fuses a stack with what its parts share, it recomputes the shared values for every part, and so on
-    down: the cost grows exponentially with the length of the computation. An optimization barrier does not help, because
-    XLA for CPU removes it before it fuses. A loop it cannot see through stays.
+    When XLA on the CPU fuses a stack with what its parts share, it recomputes the shared values for every part, and so
+    on down: the cost grows exponentially with the length of the computation. An optimization barrier does not help,
+    because XLA for CPU removes it before it fuses. A loop it cannot see through stays.
     """
     if not is_traced(*_leaves(values)):
         return values

@@ -127,7 +127,7 @@ def _go(
     solver: Any, size: Array, state: Array, memory: Memory, saved: Array, grid: tuple[Array, Array],
     limits: tuple[Array, Array, Array],
 ) -> tuple[Array, Memory, Array]:  # fmt: skip
-    """Go from one interval up to another; of the parts of an interval between samples the last one's end stays saved."""
+    """Go from one interval up to another, and save the state at the end of each span between samples."""
     solver = eqx.tree_at(lambda s: s.step_size, solver, size)
     (begin, spans), (first, last, parts) = grid, limits
 
