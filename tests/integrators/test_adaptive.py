@@ -87,6 +87,14 @@ def test_the_first_event_ends_the_motion(speed, event, when):
     assert np.abs(found.states[:, 0] - (1.0 + speed * found.times - found.times**2)).max() < 1e-14
 
 
+@pytest.mark.parametrize("last", [1e12, 1e300])
+def test_an_event_ends_the_motion_however_late_the_last_time_is(last):
+    """The shortest step was a rounding of the last time, so that a late one stopped the motion before its event."""
+    found = ph.simulate(Falling(), [1.0, 1.0], [0.0, last])
+    assert found.status == "ground" and abs(found.times[-1] - (1 + 5**0.5) / 2) < CLOSE
+    assert found.error_estimate is None  # nothing but the start could be compared
+
+
 def test_what_runs_away_says_so():
     with pytest.raises(NotConverged, match="singularity"):
         ph.simulate(Falling(explosive=True), [1.0, 1.0], [0.0, 1.0])

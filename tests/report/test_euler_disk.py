@@ -21,6 +21,7 @@ M, A, G, TILT = 0.4, 0.04, 9.80665, 0.05
 THIN = f'mass = "{M} kg"\nradius = "{A} m"'
 INTEGRALS = 1e-10
 BALANCE = 1e-10
+SAME_END = 1e-9  # of runs in time and by the disk's own clock
 FORMULA = 1e-12  # closed forms, a few roundings each
 
 
@@ -158,6 +159,15 @@ def test_any_start_is_watched_for_a_time(read):
     assert values["spin_down"] is None and values["end_energy"] < values["start"]["energy"]
     assert values["drift"]["energy"] < BALANCE
     assert values["steady"]["spin"] != -12.0 and values["steady"]["precession"] == pytest.approx(10.0, rel=FORMULA)
+
+
+def test_a_time_after_the_stop_ends_at_the_stop(read, ended):
+    law = 'dissipation = [{law = "viscous-contour-friction", coefficient = "2e-7 W*s^2"}]'
+    report = report_on(read(f'{THIN}\ntilt = "{TILT} rad"\n{law}', '[time]\nuntil = "1e12 s"\nsamples = 40'))
+    values = report.as_json_dict()
+    assert values["status"] == "flat" and len(report.trajectory.times) == 40
+    assert values["end_time"] == pytest.approx(ended.spin_down.events["flat"], rel=SAME_END)
+    assert "ends: flat" in report.summary
 
 
 @pytest.mark.parametrize(

@@ -24,7 +24,8 @@ TOLERANCE = 1e-12  # of a step, relative; below it rounding of the stages is all
 MOST_STEPS = 15_000_000  # of a run, some ten minutes
 LOOSER = 100.0  # the tolerance of the second run, by which the error is estimated
 GAIN = 30.0  # at least so much larger its error is
-TIME_ROUNDING = 1e-16  # of the times: shorter steps do not advance
+TIME_ROUNDING = 2e-15  # of the present time: shorter steps are rounded by a tenth, and a repeated one may be the same
+SHORTEST_STEP = 1e-290  # s; at time zero steps advance however short they are
 EVENT_TOLERANCE = 1e-15  # of an event's time, relative: a few roundings
 
 
@@ -60,6 +61,24 @@ class EventBisection(optimistix.Bisection):
         width = jnp.abs(state.upper - state.lower)
         narrow = width <= self.rtol * jnp.maximum(jnp.abs(state.upper), jnp.abs(state.lower))
         return narrow, optimistix.RESULTS.successful
+
+
+class PresentTimeControl(diffrax.PIDController):
+    """Step control whose shortest step is a rounding of the present time, whatever the last time is.
+
+    A motion that ends after a minute must not depend on whether it was asked for up to an hour or up to an age.
+    """
+
+    def _at(self, *times: Any) -> diffrax.PIDController:
+        present = jnp.max(jnp.abs(jnp.stack([jnp.asarray(t) for t in times])))
+        least = jnp.maximum(TIME_ROUNDING * present, SHORTEST_STEP)
+        return diffrax.PIDController(rtol=self.rtol, atol=self.atol, dtmin=least, dtmax=self.dtmax, force_dtmin=False)
+
+    def init(self, terms: Any, t0: Any, *args: Any, **named: Any) -> Any:
+        return self._at(t0).init(terms, t0, *args, **named)
+
+    def adapt_step_size(self, t0: Any, t1: Any, *args: Any, **named: Any) -> Any:
+        return self._at(t0, t1).adapt_step_size(t0, t1, *args, **named)
 
 
 class _Carried(NamedTuple):
@@ -120,17 +139,19 @@ def solve_adaptively(
 def adaptive_error(
     system: AbstractSystem, solver: diffrax.AbstractSolver, state: Array, times: np.ndarray, motion: AdaptiveMotion,
     step: float | None = None, tolerance: float | None = None,
-) -> Array:  # fmt: skip
+) -> Array | None:  # fmt: skip
     """Return the estimated error (batch…) of a motion, from a second run with a hundred times the tolerance.
 
     The error of a motion goes with the tolerance of its steps, so that the second run has nearly all of the difference,
-    at about half the steps. What comes after an event is not compared.
+    at about half the steps. Events are not compared; None where one comes before the second sample.
     """
     looser = LOOSER * (TOLERANCE if tolerance is None else tolerance)
     other = solve_adaptively(system, solver, state, times, None, step, looser)
     count = min(len(motion.times), len(other.times)) - (motion.event is not None or other.event is not None)
+    if count < 2:  # the start alone has no error, and says nothing
+        return None
     axis = jnp.ndim(motion.states) - 1 - system.state_axes
-    one, two = (np.asarray(jnp.take(m.states, jnp.arange(max(count, 1)), axis=axis)) for m in (motion, other))
+    one, two = (np.asarray(jnp.take(m.states, jnp.arange(count), axis=axis)) for m in (motion, other))
     with np.errstate(invalid="ignore"):
         off = difference(system, one, two)
     rounding = np.minimum(off, EPS * motion.steps)
@@ -175,8 +196,7 @@ def _solve_one(
         # one function whose zero is the first of all, as bisection seeks the zero of one
         return jnp.min(jnp.stack([event(t, y.state * scale) for event in system.events.values()]))
 
-    least = TIME_ROUNDING * jnp.max(jnp.abs(times))
-    control = diffrax.PIDController(rtol=tolerance, atol=tolerance, dtmin=least, dtmax=largest, force_dtmin=False)
+    control = PresentTimeControl(rtol=tolerance, atol=tolerance, dtmax=largest)
     # samples are steps: interpolation between steps costs three digits
     solution = diffrax.diffeqsolve(
         diffrax.ODETerm(rates), solver, times[0], times[-1], None,

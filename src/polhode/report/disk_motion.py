@@ -31,13 +31,15 @@ PERIODS = 10
 TURNS = 12  # of the contact, sampled densely
 TURN_SAMPLES = 125
 PAST_END = 1.1  # of the time to the end, so that its event is found anew
+JUST_PAST_END = 1.0 + 1e-9  # the same, as the last of many samples
 UPRIGHT = 1e-9  # rad
 
 
 def euler_disk_report(spec: Spec, table: EulerDiskTable, times: Array | None) -> EulerDiskReport:
     """Return the report on a rolling disk.
 
-    With dissipation and without times it is followed to its end, else for these times, or for ten nutations.
+    With dissipation and without times it is followed to its end, else for these times, or for ten nutations. What ends
+    it before the last of the times ends the samples too.
 
     Args:
         spec: its name and number of samples.
@@ -66,7 +68,7 @@ def euler_disk_report(spec: Spec, table: EulerDiskTable, times: Array | None) ->
         # losses bring it to an end, of which nothing is known yet
         steps = 0.0 if table.dissipation else STEPS_PER_RADIAN * float(np.ptp(times)) * _fastest(disk, start)
         shown = check_length(spec.until, times, steps, ADAPTIVE)
-        trajectory = simulate(disk, start, times, progress=shown)
+        trajectory = _sampled_to_its_end(disk, simulate(disk, start, times, progress=shown), spec.samples)
         path = _first_turns(disk, trajectory, spec.samples)
     by_energy = None if found is None or table.precession is not None else adiabatic_end(disk, table.tilt)
     upright = not table.thickness and abs(table.tilt - 0.5 * math.pi) < UPRIGHT
@@ -114,6 +116,14 @@ def _ended(disk: EulerDisk, start: Array) -> SpinDown:
     except (InvalidInput, NotConverged) as error:
         hint = "In a spec, [time] until follows any start for that long."
         raise type(error)(f"{error} {hint}") from None
+
+
+def _sampled_to_its_end(disk: EulerDisk, trajectory: Trajectory, samples: int) -> Trajectory:
+    """Return the same motion; anew with all its samples before its end, where it ends long before the last of them."""
+    if trajectory.status == "successful" or len(trajectory.times) > samples // 2:
+        return trajectory
+    first, last = float(trajectory.times[0]), float(trajectory.times[-1])
+    return simulate(disk, trajectory.states[0], np.linspace(first, first + JUST_PAST_END * (last - first), samples))
 
 
 def _period(disk: EulerDisk, start: Array, steady: Steady | None) -> float:
