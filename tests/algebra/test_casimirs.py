@@ -1,9 +1,12 @@
 """Casimirs found by exact algebra: the textbook's, and none where there is none."""
 
+from fractions import Fraction
+
 import numpy as np
 import pytest
 
 from polhode import algebra as lie
+from polhode.algebra import casimirs
 from polhode.errors import InvalidInput
 from specimens import ALGEBRAS
 
@@ -86,8 +89,31 @@ def test_a_polynomial_that_is_no_casimir_is_caught():
 def test_bad_input():
     with pytest.raises(InvalidInput, match="whole number"):
         lie.polynomial_casimirs(lie.SO3(), 0)
-    with pytest.raises(InvalidInput, match="lower the degree"):
+    with pytest.raises(InvalidInput, match="Lower the degree"):
         lie.polynomial_casimirs(lie.SO(8), 6)
     irrational = lie.SO3().structure_constants() * np.sqrt(2.0)
     with pytest.raises(InvalidInput, match="rational"):
         lie.polynomial_casimirs(lie.from_structure_constants(irrational), 2)
+
+
+def test_su4_ends_soon_as_its_equations_fall_apart():
+    """As one matrix of 11,554 × 3,060 it took minutes, in one call that no signal gets through."""
+    assert [c.degree for c in lie.polynomial_casimirs(lie.SU(4), 4)] == [2, 3, 4]
+
+
+def test_blocks_give_what_the_whole_gives(monkeypatch):
+    """In one block, as before, and in many: the same reduced echelon form."""
+    rng = np.random.default_rng(1)
+    rows = [{3 * int(k) + n % 3: Fraction(int(rng.integers(1, 9))) for k in rng.choice(6, 3, replace=False)}
+            for n in range(14)]  # fmt: skip
+    assert len(list(casimirs._blocks(rows, 18))) >= 3
+    apart = casimirs._reduced(rows, 18)
+    monkeypatch.setattr(casimirs, "_blocks", lambda rows, columns: [(rows, list(range(columns)))])
+    assert casimirs._reduced(rows, 18) == apart
+
+
+def test_a_system_too_large_is_refused_before_it_is_solved(monkeypatch):
+    monkeypatch.setattr(casimirs, "MOST_WORK", 1e4)
+    with pytest.raises(InvalidInput, match=r"equations for \d+ unknowns at once.*Lower the degree.*`casimirs=`"):
+        lie.polynomial_casimirs(lie.SO(4), 4)
+    assert len(lie.polynomial_casimirs(lie.SO(4), 2)) == 2

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from collections import defaultdict
+from collections.abc import Iterator
 from fractions import Fraction
 from itertools import combinations_with_replacement
 from typing import Any
@@ -17,19 +18,22 @@ import numpy as np
 
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.polynomial import Polynomial
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, shown
 
 Array = Any
 Terms = dict[tuple[int, ...], Fraction]
 LARGEST_DENOMINATOR = 10_000
-MOST_MONOMIALS = 20_000  # exact elimination beyond this takes hours
+MOST_MONOMIALS = 20_000  # writing down the equations takes a minute then
+MOST_WORK = 5e9  # rows × columns² of one block of equations: some six seconds of exact elimination, without a break
+REMEDY = "Lower the degree; `stability` takes Casimirs that are known otherwise by `casimirs=`."
 
 
 def polynomial_casimirs(algebra: AbstractLieAlgebra, degree: int) -> list[Polynomial]:
     """Return independent generators of the polynomial Casimirs up to a degree, lowest degree first.
 
     No constants, no products of others: in each degree a complement of the span of products of the generators found
-    before. Empty if there is none, as for the affine line.
+    before. Empty if there is none, as for the affine line. The equations fall apart into blocks without a common
+    unknown, sixteen of them on su(4); a block of more than 5e9 rows × columns² is refused.
 
     Args:
         algebra: with rational structure constants.
@@ -42,11 +46,11 @@ def polynomial_casimirs(algebra: AbstractLieAlgebra, degree: int) -> list[Polyno
     Source: Abellanas & Martínez Alonso, J. Math. Phys. 16 (1975) 1580.
     """
     if not isinstance(degree, int) or degree < 1:
-        raise InvalidInput(f"`degree` must be a whole number, at least 1; got {degree!r}.")
+        raise InvalidInput(f"`degree` must be a whole number, at least 1; got {shown(degree)}.")
     count = math.comb(algebra.dim + degree - 1, degree)
     if count > MOST_MONOMIALS:
         raise InvalidInput(f"`degree` {degree} in {algebra.dim} variables has {count} monomials, more than "
-                           f"{MOST_MONOMIALS}; lower the degree.")  # fmt: skip
+                           f"{MOST_MONOMIALS}. {REMEDY}")  # fmt: skip
     brackets = _rational_brackets(algebra)
     generators = _generators(brackets)
     found: list[Terms] = []
@@ -94,7 +98,7 @@ def _generators(brackets: list[list[dict[int, Fraction]]]) -> list[int]:
         span = np.vstack([span, unit])
         while True:
             products = np.tensordot(span, np.tensordot(span, dense, (1, 1)), (1, 1)).reshape(-1, dim)
-            _, sizes, rows = np.linalg.svd(np.vstack([span, products]))
+            _, sizes, rows = np.linalg.svd(np.vstack([span, products]), full_matrices=False)
             rank = int((sizes > 1e-9 * sizes[0]).sum())
             if rank == len(span):
                 break
@@ -137,7 +141,11 @@ def _null_space(rows: list[dict[int, Fraction]], columns: int) -> list[dict[int,
 
 
 def _reduced(rows: list[dict[int, Fraction]], columns: int) -> tuple[list[int], list[dict[int, Fraction]]]:
-    """Return pivots and rows of the reduced echelon form."""
+    """Return pivots and rows of the reduced echelon form, block by block.
+
+    Raises:
+        InvalidInput: for a block too large, before any is reduced, or without python-flint.
+    """
     if not rows:
         return [], []
     try:
@@ -146,17 +154,48 @@ def _reduced(rows: list[dict[int, Fraction]], columns: int) -> tuple[list[int], 
         raise InvalidInput(
             "exact Casimirs need python-flint, which is not installed; `pip install polhode[symbolic]`."
         ) from None
-    matrix = fmpq_mat(len(rows), columns)
-    for i, row in enumerate(rows):
-        for c, value in row.items():
-            matrix[i, c] = fmpq(value.numerator, value.denominator)
-    echelon, rank = matrix.rref()
-    pivots, reduced = [], []
-    for i in range(rank):
-        row = {c: Fraction(int(v.p), int(v.q)) for c in range(columns) if (v := echelon[i, c]) != 0}
-        pivots.append(min(row))
-        reduced.append(row)
-    return pivots, reduced
+    found: list[tuple[int, dict[int, Fraction]]] = []
+    for block, unknowns in _blocks(rows, columns):
+        matrix = fmpq_mat(len(block), len(unknowns))
+        place = {c: n for n, c in enumerate(unknowns)}
+        for i, row in enumerate(block):
+            for c, value in row.items():
+                matrix[i, place[c]] = fmpq(value.numerator, value.denominator)
+        echelon, rank = matrix.rref()
+        for i in range(rank):
+            row = {c: Fraction(int(v.p), int(v.q)) for n, c in enumerate(unknowns) if (v := echelon[i, n]) != 0}
+            found.append((min(row), row))
+    found.sort(key=lambda pair: pair[0])
+    return [pivot for pivot, _ in found], [row for _, row in found]
+
+
+def _blocks(rows: list[dict[int, Fraction]], columns: int) -> Iterator[tuple[list[dict[int, Fraction]], list[int]]]:
+    """Return the rows that share unknowns with each other, and these unknowns in order.
+
+    Exact elimination goes with the cube of its size, so that blocks take a hundredth of the whole; and between two of
+    them a signal gets through.
+    """
+    from scipy.sparse import coo_matrix
+    from scipy.sparse.csgraph import connected_components
+
+    pairs = np.array([(n, c) for n, row in enumerate(rows) for c in row])
+    size = len(rows) + columns
+    links = coo_matrix((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1] + len(rows))), shape=(size, size))
+    _, labels = connected_components(links, directed=False)
+    together: dict[int, tuple[list[dict[int, Fraction]], list[int]]] = defaultdict(lambda: ([], []))
+    for row, label in zip(rows, labels, strict=False):
+        together[label][0].append(row)
+    for column, label in enumerate(labels[len(rows) :]):
+        together[label][1].append(column)
+    blocks = [(block, unknowns) for block, unknowns in together.values() if block]
+    largest = max(blocks, key=lambda pair: len(pair[0]) * len(pair[1]) ** 2)
+    equations, unknown = len(largest[0]), len(largest[1])
+    if equations * unknown**2 > MOST_WORK:
+        raise InvalidInput(
+            f"exact Casimirs would take {equations} equations for {unknown} unknowns at once, and at most "
+            f"{MOST_WORK:.0e} rows × columns² are solved here, which is some seconds. {REMEDY}"
+        )
+    yield from blocks
 
 
 def _products(found: list[Terms], degree: int) -> list[Terms]:
