@@ -83,6 +83,16 @@ def test_long_runs_say_so_on_standard_error(capsys):
         length.check_length(100.0, np.linspace(0.0, 1.0, 40_000_000), 0.0, length.ADAPTIVE)
 
 
+@pytest.mark.parametrize("steps", [1e300, np.inf, np.nan])
+def test_what_cannot_be_counted_is_said_in_finite_numbers(steps):
+    """It was "about inf steps, inf years"."""
+    with pytest.raises(InvalidInput) as caught:
+        length.check_length(1e300, np.array([0.0, 1e300]), steps, length.SPLITTING, "Sentence.")
+    said = str(caught.value)
+    assert "more than 1.0e+15 steps, more than 630 years; at most" in said and said.endswith("[time]. Sentence.")
+    assert "inf" not in said and "nan" not in said
+
+
 def test_adaptive_steps_are_bounded(monkeypatch):
     monkeypatch.setattr(adaptive, "MOST_STEPS", 40)
     system, start, times = SpinOrbit(0.5, 0.1), np.array([0.3, 1.1]), np.linspace(0.0, 400.0, 11)

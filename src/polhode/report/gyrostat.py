@@ -276,7 +276,7 @@ def gyrostat_report(spec: Spec, table: GyrostatTable, times: Array | None) -> Gy
     span = float(np.ptp(times))
     if table.motor_torque is None:
         steps = equal_steps(span, _rate(moments, velocity, total), table.step)
-        check_length(spec.until, times, steps, SPLITTING, "Or a longer `system.step`.")
+        check_length(spec.until, times, steps, SPLITTING, "A longer `system.step` takes less.")
         trajectory = simulate(Gyrostat(moments, momentum * along), state, times, order=ORDER,
                               step=table.step or _step(moments, velocity, total))  # fmt: skip
         last = momentum

@@ -19,6 +19,7 @@ SPLITTING, ADAPTIVE = 2e-5, 4e-5  # s a step: at order 6, 5 to 20 µs were measu
 TURNING = 2.0  # steps of Dopri8 to a radian of steady rotation, at its tolerance: 2.1 was measured
 ORBITING = 7.0  # the same of mean anomaly, for a spin near an orbit's rate: 7.4 was measured at e = 0.1
 PIECES = 8  # of a long step cost about as much as a step: each of its nine stages has one at least
+UNCOUNTED = 1e15  # steps, beyond which nobody needs to know how many
 DURATIONS = ((60.0, "s"), (60.0, "min"), (24.0, "h"), (365.25, "days"))
 
 
@@ -40,12 +41,14 @@ def check_length(until: float | None, times: Array, steps: float, each: float, r
     """
     steps, span = max(steps, float(len(times))), float(np.ptp(times))
     seconds = steps * each
-    if seconds > LONGEST:
+    if not seconds <= LONGEST:
         which = "" if until is not None else ", the usual one,"
         other = f" {remedy}" if remedy else ""
+        more = "about" if steps < UNCOUNTED else "more than"
+        steps = steps if steps < UNCOUNTED else UNCOUNTED  # numbers of steps that overflow too
         raise InvalidInput(
-            f"`time.until` of {span:g} s{which} would take about {steps:.1e} steps, {duration(seconds)}; at most "
-            f"{LONGEST / each:.0e} steps are taken here, some ten minutes. Check the units, or give a shorter "
+            f"`time.until` of {span:g} s{which} would take {more} {steps:.1e} steps, {more} {duration(steps * each)}; at "
+            f"most {LONGEST / each:.0e} steps are taken here, some ten minutes. Check the units, or give a shorter "
             f"`until` under [time].{other}"
         )
     if seconds > SAID_FROM:
@@ -76,10 +79,15 @@ def duration(seconds: float) -> str:
     """Return a duration in the unit that fits it.
 
     >>> duration(40.0), duration(1234.0), duration(4e9)
-    ('40 s', '21 min', '1.3e+02 years')
+    ('40 s', '21 min', '130 years')
     """
     for size, unit in DURATIONS:
         if seconds < 2.0 * size:
-            return f"{seconds:.2g} {unit}"
+            return f"{_rounded(seconds)} {unit}"
         seconds /= size
-    return f"{seconds:.2g} years"
+    return f"{_rounded(seconds)} years"
+
+
+def _rounded(value: float) -> str:
+    """Return two digits of a number, written out up to a million."""
+    return f"{float(f'{value:.2g}'):,.0f}" if 100.0 <= value < 1e6 else f"{value:.2g}"

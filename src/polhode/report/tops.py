@@ -263,7 +263,7 @@ def heavy_top_report(spec: Spec, table: HeavyTopTable, times: Array | None) -> T
         times = np.linspace(0.0, PERIODS * _natural_period(top, momentum), spec.samples)
     rate, span = fastest_rate(top, state), float(np.ptp(times))
     check_length(spec.until, times, equal_steps(span, rate, table.step, table.order), splitting_step(table.order),
-                 'Or a longer `system.step`, or kind = "lagrange-top" if it is one.')  # fmt: skip
+                 'A longer `system.step` takes less, and kind = "lagrange-top" none, if it is one.')  # fmt: skip
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", UserWarning)
         trajectory = _called(simulate(top, state, times, step=table.step, order=table.order))
