@@ -1,14 +1,17 @@
 """Reading molecules: units, isotopes, and files that are none."""
 
+import io
 import sys
 
+import ase
+import ase.io
 import numpy as np
 import pytest
 
 import polhode as ph
 from polhode.bodies.atoms import ATOMIC_MASS_UNIT
 from polhode.errors import FormatError, InvalidInput
-from polhode.formats.molecule import read_molecule
+from polhode.formats.molecule import FORMS, read_molecule
 
 PLAIN = "3\nwater\nO 0 0 0\nH 0.757 0.586 0\nH -0.757 0.586 0\n"
 ISOTOPES = "2\nProperties=species:S:1:pos:R:3:masses:R:1\nH 0 0 0 2.014\nH 0 0 0.74 1.008\n"
@@ -35,9 +38,19 @@ def test_masses_of_isotopes_are_kept(tmp_path):
     assert ph.from_atoms(*read_molecule(path)).mass == pytest.approx(3.022 * ATOMIC_MASS_UNIT, rel=1e-14, abs=0.0)
 
 
-def test_the_last_of_several_structures_is_taken(tmp_path):
-    _, positions, _ = read_molecule(written(tmp_path, "1\n\nH 0 0 0\n1\n\nH 0 0 2\n"))
-    assert positions.tolist() == [[0.0, 0.0, 2e-10]]
+@pytest.mark.parametrize("name", ["a.xyz", "a.extxyz", "a.pdb", "a.sdf"])
+def test_several_structures_are_refused(tmp_path, name):
+    """Of an xyz or pdb file the last was taken, of an sdf file the first, and nothing said so."""
+    water = ase.Atoms("OHH", [[0, 0, 0.1], [0, 0.7, -0.4], [0, -0.7, -0.4]])
+    form, one = FORMS[name.partition(".")[2]], io.StringIO()
+    ase.io.write(one, water, format=form)
+    path = written(tmp_path, one.getvalue(), name)
+    assert read_molecule(path)[0] == ["O", "H", "H"]
+    text = one.getvalue() * 2
+    if name.endswith("pdb"):
+        text = text.replace("MODEL     1", "MODEL     2").replace("MODEL     2", "MODEL     1", 1)
+    with pytest.raises(FormatError, match="holds 2 structures, and a body is one. Save the one"):
+        read_molecule(written(tmp_path, text, name))
 
 
 @pytest.mark.parametrize(

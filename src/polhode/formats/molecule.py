@@ -28,13 +28,12 @@ LARGEST_FILE = 64 * MB  # a million atoms
 def read_molecule(path: str | Path) -> tuple[list[str], Array, Array | None]:
     """Return symbols, positions (n, 3) [m] and masses (n,) [kg] of a structure file, by its ending (see ``FORMS``).
 
-    Masses are None unless the file gives them, as an extended xyz with a ``masses`` column does for isotopes. Of
-    several structures in one file the last is taken, as optimisers write the relaxed one last. The three are the
-    arguments of ``from_atoms``.
+    Masses are None unless the file gives them, as an extended xyz with a ``masses`` column does for isotopes. The three
+    are the arguments of ``from_atoms``.
 
     Raises:
         InvalidInput: if the file is missing, or ASE is.
-        FormatError: if it cannot be read, holds no atoms, or is a periodic crystal.
+        FormatError: if it cannot be read, holds no atoms or several structures, or is a periodic crystal.
     """
     path = Path(path)
     form = FORMS.get(path.suffix.lower().lstrip("."))
@@ -48,7 +47,10 @@ def read_molecule(path: str | Path) -> tuple[list[str], Array, Array | None]:
     except ImportError:
         why = "reading a molecule needs ASE, which is not installed; `pip install polhode[molecules]`."
         raise InvalidInput(why) from None
-    text = last_frame(path, text) if form == "extxyz" else text
+    if form == "extxyz":
+        check_frame(path, text)
+    elif (count := _structures(text, form)) > 1:
+        raise FormatError(_several(path, count))
     _check_words(path, text, form)
     try:
         with warnings.catch_warnings():
@@ -72,17 +74,17 @@ def read_molecule(path: str | Path) -> tuple[list[str], Array, Array | None]:
     return symbols, positions, masses
 
 
-def last_frame(path: Path, text: str) -> str:
-    """Return the last structure of an xyz file, whose lines are as many as each structure says.
+def check_frame(path: Path, text: str) -> None:
+    """Refuse an xyz file that is not one structure with as many lines as it says.
 
     Raises:
         FormatError: naming the line, if a structure has fewer atoms than it says, or claims more columns than a line
-            holds.
+            holds; and for several structures, of which only the user knows the right one.
     """
-    lines, begin, frame = text.splitlines(), 0, None
+    lines, begin, count = text.splitlines(), 0, 0
     while begin < len(lines):
         said = lines[begin].strip()
-        if not said and frame is not None:
+        if not said and count:
             break  # blank lines at the end
         if not (said.isascii() and said.isdigit() and len(said) < 20):
             why = f"cannot be read as a molecule: must be the number of atoms; got {shown(lines[begin])}"
@@ -93,13 +95,24 @@ def last_frame(path: Path, text: str) -> str:
             raise FormatError(f"{path}, line {begin + 1}: {why}.")
         if _COLUMNS.search(lines[begin + 1]):
             raise FormatError(f"{path}, line {begin + 2}: names more columns than a line holds.")
-        frame, begin = lines[begin : begin + 2 + int(said)], begin + 2 + int(said)
+        count, begin = count + 1, begin + 2 + int(said)
         while begin < len(lines) and lines[begin].startswith("VEC"):
-            frame.append(lines[begin])
             begin += 1
-    if frame is None:
+    if not count:
         raise FormatError(f"{path}: cannot be read as a molecule: it is empty.")
-    return "\n".join(frame) + "\n"
+    if count > 1:
+        raise FormatError(_several(path, count))
+
+
+def _structures(text: str, form: str) -> int:
+    """Return how many structures a file has, by the lines that end or begin one."""
+    if form == "proteindatabank":
+        return len(re.findall(r"^MODEL\b", text, re.MULTILINE))
+    return sum(bool(part.strip()) for part in re.split(r"^\$\$\$\$.*$", text, flags=re.MULTILINE))
+
+
+def _several(path: Path, count: int) -> str:
+    return f"{path}: holds {count} structures, and a body is one. Save the one that is meant in a file of its own."
 
 
 def _check_words(path: Path, text: str, form: str) -> None:
