@@ -37,7 +37,13 @@ def test_ordinary_values_are_shown_as_python_writes_them(value):
 
 def test_messages_escape_what_a_terminal_would_obey():
     error = InvalidInput("a\x1b]0;owned\x07.toml: \udcff \u202egnp.exe\r\nsecond line")
-    assert str(error) == "a\\x1b]0;owned\\x07.toml: \\udcff \\u202egnp.exe\\r\nsecond line"
+    assert str(error) == "a\\x1b]0;owned\\x07.toml: \\udcff \\u202egnp.exe\\r\\nsecond line"
+
+
+def test_only_lines_of_the_message_itself_are_lines():
+    error = InvalidInput("a\nb.toml has 2 mistakes:", "  c: d\ne")
+    assert str(error) == "a\\nb.toml has 2 mistakes:\n  c: d\\ne"
+    assert str(pickle.loads(pickle.dumps(error))) == str(error)
     assert str(pickle.loads(pickle.dumps(error))) == str(error)
 
 

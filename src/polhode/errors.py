@@ -49,6 +49,15 @@ def printable(text: str) -> str:
     return "".join(c if c.isprintable() or c == "\n" or c in JOINERS else _escaped(c) for c in text)
 
 
+def one_line(text: str) -> str:
+    """Return text for one line: as ``printable`` does, with ends of lines escaped too.
+
+    >>> one_line("a\\nb.csv")
+    'a\\\\nb.csv'
+    """
+    return printable(text).replace("\n", "\\n")
+
+
 def _escaped(character: str) -> str:
     return " " if character.isspace() and ord(character) > 127 else repr(character)[1:-1]
 
@@ -62,10 +71,17 @@ def _cut(text: str, longest: int) -> str:
 
 
 class PolhodeError(Exception):
-    """Base of every error that polhode raises on purpose; its message can be printed as it is, and has an end."""
+    """Base of every error that polhode raises on purpose; its message can be printed as it is, and has an end.
 
-    def __init__(self, *args: Any) -> None:
-        super().__init__(*(_cut(printable(x), LONGEST_MESSAGE) if isinstance(x, str) else x for x in args))
+    Args:
+        lines: of the message, each of which is printed in one.
+    """
+
+    def __init__(self, *lines: str) -> None:
+        super().__init__(*(_cut(one_line(str(line)), LONGEST_MESSAGE) for line in lines))
+
+    def __str__(self) -> str:
+        return "\n".join(self.args)
 
 
 class InvalidInput(PolhodeError, ValueError):

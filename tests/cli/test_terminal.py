@@ -52,6 +52,22 @@ def test_names_are_printed_as_they_stand(spec, capfd):
     assert code == 0 and out.startswith(PRINTED) and "\x1b" not in out
 
 
+def test_names_of_files_stay_in_their_line(spec, capfd):
+    code, out, _ = run(["export", spec, "--to", "csv", "--out", "a\nb\x1b[31m.csv"], capfd)
+    assert code == 0 and out.startswith("a\\nb\\x1b[31m.csv: 20 samples") and out.count("\n") == 1
+    code, _, err = run(["body", "no\nsuch.toml"], capfd)
+    assert code == 2 and err.startswith("polhode: no\\nsuch.toml: ") and err.count("\n") == 1
+
+
+@pytest.mark.parametrize("arguments", ["body case.toml", "body case.toml --json", "--help", "report case.toml"])
+def test_a_closed_output_is_an_error(spec, tmp_path, arguments):
+    """Python then has no standard output at all; everything was computed, nothing was said, and the code was 0."""
+    command = f'"{sys.executable}" -m polhode.cli.main {arguments} >&-'
+    found = subprocess.run(["sh", "-c", command], capture_output=True, timeout=WAIT, check=False, text=True)
+    assert found.returncode == 2 and found.stderr.startswith("polhode: standard output is closed")
+    assert found.stderr.count("\n") == 1 and [path.name for path in tmp_path.iterdir()] == ["case.toml"]
+
+
 @pytest.mark.parametrize("arguments", [["body", "no\x1b[31m.toml"], ["body", os.fsdecode(b"\xff\x1b.toml")],
                                        ["export", "case.toml", "--to", "\x1b[31mcsv"], ["bo\x1bdy"],
                                        ["body", "--\x1b[31mx"], ["live", "--port", "\x1b[31m"],

@@ -108,6 +108,16 @@ def test_a_disk_that_is_full(tmp_path, name):
         assert contents(disk) == before and not list(disk.glob(".polhode-*"))
 
 
+@pytest.mark.parametrize("name", ["a.nc", "a.zarr", "a.png"])
+def test_the_message_names_the_file_where_it_was_to_go(tmp_path, name):
+    """Not its hidden draft, also where one is written within another, as a report's dataset is."""
+    folder = tmp_path / "report"
+    with limited(0), pytest.raises(InvalidInput) as caught, written_together(folder) as draft:
+        WRITERS[name](draft / name)
+    said = str(caught.value)
+    assert ".polhode-" not in said and said.startswith(str(folder)) and "cannot be written" in said
+
+
 def test_a_c_kernel_cut_anywhere_is_noticed(tmp_path):
     """The harness's own teeth: SPICE itself says nothing of most of these sizes."""
     WRITERS["a.bc"](tmp_path / "a.bc")

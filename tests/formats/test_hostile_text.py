@@ -197,7 +197,7 @@ def test_repair_of_a_heap_of_corners(saved):
     ("1\n\nH 0 0 1_0\n", "'1_0' is not a number"), ("1\n\nH 0 0 nan\n", "'nan' is not a number"),
     ("1\n\nH 0 0 1e400\n", "'1e400' is not a number"), ("1\n\nH 0 0 １\n", "'１' is not a number"),
     ("1\n\nH 0 0 1e300\n", "atom 1 is not at a place within 1 m"),
-    ("1\n\nH 0 0\n", "cannot be read"), ("1\n\n\0 0 0 0\n", "is not UTF-8 text"),
+    ("1\n\nH 0 0\n", "cannot be read"), ("1\n\n\0 0 0 0\n", "has a NUL byte in line 3"),
 ])  # fmt: skip
 def test_xyz(saved, text, words):
     message = refused(formats.read_molecule, saved("molecule.xyz", text))

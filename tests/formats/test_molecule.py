@@ -49,7 +49,7 @@ def test_several_structures_are_refused(tmp_path, name):
     text = one.getvalue() * 2
     if name.endswith("pdb"):
         text = text.replace("MODEL     1", "MODEL     2").replace("MODEL     2", "MODEL     1", 1)
-    with pytest.raises(FormatError, match="holds 2 structures, and a body is one. Save the one"):
+    with pytest.raises(FormatError, match=r"holds 2 structures, and a body is one\. Save the one"):
         read_molecule(written(tmp_path, text, name))
 
 

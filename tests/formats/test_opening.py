@@ -105,7 +105,10 @@ def test_text_is_utf_8_without_its_mark(tmp_path):
     path = tmp_path / "text"
     path.write_bytes("\N{BYTE ORDER MARK}Ω\r\n".encode())
     assert read_text(path, "test", 100) == "Ω\r\n"
-    for raw in ("Ω".encode("utf-16"), b"\xff", b"a\0b"):
+    path.write_bytes(b"a\nb\0c")
+    with pytest.raises(FormatError, match="has a NUL byte in line 2"):
+        read_text(path, "test", 100)
+    for raw in ("Ω".encode("utf-16"), b"\xff"):
         path.write_bytes(raw)
         with pytest.raises(FormatError, match="text: is not UTF-8 text"):
             read_text(path, "test", 100)

@@ -9,7 +9,7 @@ from polhode.analysis.comparison import compare
 from polhode.analysis.mechanics import Mechanics
 from polhode.cli.render import as_json, print_report
 from polhode.cli.sources import Kernels, Source, body_of, source_of
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, one_line
 from polhode.formats.labels import plain as same_name
 from polhode.formats.paths import written_together
 from polhode.formats.time_scales import terrestrial_time
@@ -35,7 +35,7 @@ def run_compare(first: Path, second: Path, json: bool, out: Path | None, spec: P
     if json:
         print(as_json({**report.as_json_dict(), "files": [file]}))
     else:
-        title = f"{first} (A) and {second} (B)"
+        title = one_line(f"{first} (A) and {second} (B)")
         print_report(title, report.summary, report.sections(), report.all_notes(), [file])
 
 

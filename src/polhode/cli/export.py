@@ -11,7 +11,7 @@ from importlib import import_module
 from pathlib import Path
 
 from polhode.cli.destinations import check_spares
-from polhode.errors import FormatError, InvalidInput, NotConverged, printable, shown
+from polhode.errors import FormatError, InvalidInput, NotConverged, one_line, shown
 from polhode.formats.dataset import label_attributes
 from polhode.report.base import AbstractReport
 from polhode.report.choice import report_of
@@ -80,7 +80,7 @@ def run_export(path: Path, forms: Sequence[str], out: Path | None) -> None:
             raise InvalidInput(f"{form}: {error}") from None
         count = f"{len(report.trajectory.times)} samples, " if FORMS[form].sampled else ""
         part = _shown_part(report) if form == "gltf" else ""
-        print(printable(f"{written}: {count}{FORMS[form].holds}{part}"))
+        print(one_line(f"{written}: {count}{FORMS[form].holds}{part}"))
         if form in ("aem", "ck"):
             _warn_of_long_turns(report, form)
 

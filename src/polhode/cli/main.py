@@ -10,7 +10,7 @@ from typing import NoReturn
 
 from polhode.cli.stopping import SIGNALS, Stopped, said, stopped_by_signals
 from polhode.cli.terminal import readable_output
-from polhode.errors import PolhodeError
+from polhode.errors import InvalidInput, PolhodeError
 
 MISTAKE, PIPE_CLOSED = 2, 1  # exit codes
 
@@ -42,6 +42,8 @@ def main(arguments: list[str] | None = None) -> NoReturn:
 def _run(arguments: list[str] | None) -> int | str | None:
     """Return the exit code of a command."""
     try:
+        if sys.stdout is None:
+            raise InvalidInput("standard output is closed, so nothing can be printed. Send it to /dev/null instead.")
         from polhode.cli.arguments import check_arguments
         from polhode.cli.commands import app
 

@@ -10,7 +10,7 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from polhode.errors import printable
+from polhode.errors import one_line, printable
 from polhode.report.base import Listing, Section
 
 STYLES = {"stable": "green", "unstable": "red", "undecided": "yellow"}
@@ -39,9 +39,9 @@ def print_report(
     for note in notes:
         console.print(_text(f"Note: {note}", "yellow"))
     if files:
-        console.print(_text(f"Written: {', '.join(files)}", "dim"))
+        console.print(_text(f"Written: {', '.join(map(one_line, files))}", "dim"))
     if removed:
-        console.print(_text(f"Removed, of an earlier report: {', '.join(removed)}", "dim"))
+        console.print(_text(f"Removed, of an earlier report: {', '.join(map(one_line, removed))}", "dim"))
 
 
 def _text(text: str, style: str = "") -> Text:

@@ -11,7 +11,7 @@ import numpy as np
 from polhode import rotation
 from polhode.analysis.comparison import AttitudeHistory, Mechanics
 from polhode.bodies.frame import BodyFrame
-from polhode.errors import FormatError, InvalidInput, NotConverged, printable
+from polhode.errors import FormatError, InvalidInput, NotConverged, one_line
 from polhode.exact.free_body import FreeMotion
 from polhode.exact.lagrange_top import LagrangeMotion
 from polhode.formats.given_axes import along_given_axes, single_attitude
@@ -236,4 +236,4 @@ def _history(path: Path, trajectory: Trajectory) -> AttitudeHistory:
         raise InvalidInput(f"{path}: has two attitudes at {when:.9g} s, {apart.max():.3g} rad apart. Leave out one.")
     velocity = trajectory.angular_velocity
     velocity = None if velocity is None else np.asarray(velocity)[first]
-    return AttitudeHistory(printable(path.name), times, attitude[first], velocity)
+    return AttitudeHistory(one_line(path.name), times, attitude[first], velocity)

@@ -7,7 +7,7 @@ from pathlib import Path
 import typer
 
 from polhode.cli.destinations import check_spares
-from polhode.errors import InvalidInput, NotConverged, printable
+from polhode.errors import InvalidInput, NotConverged, one_line
 from polhode.report.choice import report_of
 from polhode.spec.reading import read_spec
 
@@ -24,7 +24,7 @@ def run_view(path: Path, out: Path | None, open_it: bool) -> None:
     except (InvalidInput, NotConverged) as error:
         raise type(error)(f"{path}: {error}") from None
     written = page_of_report(report, target, name=spec.name, surface=spec.surface)
-    typer.echo(printable(str(written)))
+    typer.echo(one_line(str(written)))
     if open_it:
         import webbrowser
 

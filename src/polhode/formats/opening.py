@@ -100,9 +100,12 @@ def read_text(path: Path, kind: str, limit: int) -> str:
     try:
         text = read_file(path, kind, limit).decode("utf-8-sig")
     except UnicodeDecodeError:
-        text = "\0"
-    if "\0" in text:
-        raise FormatError(f"{path}: is not UTF-8 text, so it is not {_article(kind)} {kind} file. Save it as UTF-8.")
+        what = f"is not UTF-8 text, so it is not {_article(kind)} {kind} file. Save it as UTF-8."
+        raise FormatError(f"{path}: {what}") from None
+    if (place := text.find("\0")) >= 0:
+        line = text.count("\n", 0, place) + 1
+        what = f"has a NUL byte in line {line}, so it is not {_article(kind)} {kind} file"
+        raise FormatError(f"{path}: {what}. Save it as UTF-8 text without one.")
     return text
 
 

@@ -7,7 +7,7 @@ import errno
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, PolhodeError, one_line
 from polhode.formats.drafts import draft_in
 
 # what a disk without room says, and a limit of a user's
@@ -34,7 +34,8 @@ def written_whole(path: str | Path, replaces: Callable[[Path], bool] | None = No
     with _worded(path):
         _check_can_go(path, replaces)
         with draft_in(path.parent) as draft:
-            yield draft.new / path.name
+            with _named_as_meant(draft.new, path.parent):
+                yield draft.new / path.name
             draft.take_place()
 
 
@@ -61,7 +62,8 @@ def written_together(folder: str | Path) -> Iterator[Path]:
                     made.append(path)
                     path.mkdir(exist_ok=True)
             with draft_in(folder) as draft:
-                yield draft.new
+                with _named_as_meant(draft.new, folder):
+                    yield draft.new
                 for written in draft.new.iterdir():
                     _check_can_go(folder / written.name)
                 draft.take_place()
@@ -73,12 +75,25 @@ def written_together(folder: str | Path) -> Iterator[Path]:
 
 
 @contextlib.contextmanager
+def _named_as_meant(draft: Path, folder: Path) -> Iterator[None]:
+    """Let errors name the files where they have to go, not in the hidden draft that is gone by then."""
+    hidden, inside, meant, inside_meant = (one_line(text) for place in (draft, folder) for text in (
+        str(place), str(place / "x")[:-1]))
+    try:
+        yield
+    except PolhodeError as error:
+        if not any(hidden in line for line in error.args):
+            raise
+        raise type(error)(*(line.replace(inside, inside_meant).replace(hidden, meant) for line in error.args)) from None
+
+
+@contextlib.contextmanager
 def _worded(path: Path, remedy: str = "Choose a place that you may write to.") -> Iterator[None]:
     """Turn what the system refuses into one error that names the file."""
     try:
         yield
     except OSError as error:
-        why = error.strerror or str(error)
+        why = error.strerror or type(error).__name__  # its own text names the draft, which is hidden and gone
         room = "Make room there, or choose another place." if error.errno in _FULL else remedy
         raise InvalidInput(f"{path}: cannot be written ({why}). {room}") from None
 

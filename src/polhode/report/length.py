@@ -47,8 +47,8 @@ def check_length(until: float | None, times: Array, steps: float, each: float, r
         more = "about" if steps < UNCOUNTED else "more than"
         steps = steps if steps < UNCOUNTED else UNCOUNTED  # numbers of steps that overflow too
         raise InvalidInput(
-            f"`time.until` of {span:g} s{which} would take {more} {steps:.1e} steps, {more} {duration(steps * each)}; at "
-            f"most {LONGEST / each:.0e} steps are taken here, some ten minutes. Check the units, or give a shorter "
+            f"`time.until` of {span:g} s{which} would take {more} {steps:.1e} steps, {more} {duration(steps * each)}; "
+            f"at most {LONGEST / each:.0e} steps are taken here, some ten minutes. Check the units, or give a shorter "
             f"`until` under [time].{other}"
         )
     if seconds > SAID_FROM:

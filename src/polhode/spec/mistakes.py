@@ -45,14 +45,14 @@ def mistakes_of(error: ValidationError, root: type[BaseModel] = SpecFile, at: Lo
     return [((*at, *mistake["loc"]), _said(mistake, root)) for mistake in error.errors()]
 
 
-def as_message(path: Path, mistakes: list[Mistake]) -> str:
-    """Return one message that names the file and every mistake; of very many only the first."""
+def as_message(path: Path, mistakes: list[Mistake]) -> list[str]:
+    """Return the lines of one message that names the file and every mistake; of very many only the first."""
     lines = list(dict.fromkeys(f"  {_key(location)}: {text}" for location, text in mistakes))
     count = "1 mistake" if len(lines) == 1 else f"{len(lines)} mistakes"
     sizes = itertools.accumulate(len(line) for line in lines)
     told = max(1, sum(size <= LONGEST for size in sizes))
     rest = [] if told == len(lines) else [f"  and {len(lines) - told} more"]
-    return "\n".join([f"{path} has {count}:", *lines[:told], *rest])
+    return [f"{path} has {count}:", *lines[:told], *rest]
 
 
 def _key(location: Location) -> str:

@@ -90,7 +90,7 @@ def read_spec(path: str | Path) -> Spec:
     if model is None or mistakes or unphysical:
         found = mistakes + [(location, str(error)) for location, error in unphysical]
         of_files = not mistakes and all(isinstance(error, FormatError) for _, error in unphysical)
-        raise (FormatError if of_files else InvalidInput)(as_message(path, found))
+        raise (FormatError if of_files else InvalidInput)(*as_message(path, found))
     name = printable(model.name or path.stem).replace("\n", " ")
     labels = labels_of(model.export, model.name or path.stem)
     return Spec(
