@@ -16,20 +16,19 @@ BITS = 330
 """Of every state, so that differences keep 60 digits."""
 
 
-def reference_change(case: TopCase, direction: Sequence[float], direct: bool = False) -> list[float]:
+def reference_change(case: TopCase, direction: Sequence[float]) -> list[float]:
     """Return the change of quaternion (4) and momentum (3) at the case's time.
 
     Args:
         case: with I1 = I2.
         direction: rates of change of I1, I3, mgl, momentum (3), attitude (4) and time.
-        direct: by series alone; for short times on the separatrix.
     """
     start = [case.moments[0], case.moments[2], case.mgl, *case.momentum, *case.attitude, case.time]
     step = fmpq(1, 2) ** STEP_BITS
 
     def state(sense: int) -> list[arb]:
         I1, I3, mgl, *rest = (exact(x) + sense * step * exact(d) for x, d in zip(start, direction, strict=True))
-        found = reference_top((I1, I1, I3), mgl, rest[:3], rest[3:7], rest[7], bits=BITS, direct=direct)
+        found = reference_top((I1, I1, I3), mgl, rest[:3], rest[3:7], rest[7], bits=BITS)
         return [*found.quaternion, *found.momentum]
 
     ahead, behind = state(1), state(-1)

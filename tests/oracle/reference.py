@@ -174,8 +174,8 @@ def _along_polhode(
 ) -> tuple[tuple[arb, arb, arb], arb]:
     """Return sn, cn, dn after ``phase`` and the swept ∫ du/(1 + ratio sn² u), whole half periods split off."""
     complementary_modulus = parameter1.sqrt()
-    quarter = arb.pi() / (2 * _agm(arb(1), complementary_modulus))
-    third_quarter = quarter - ratio / 3 * _rj(arb(0), parameter1, 1 + ratio)
+    quarter = arb.pi() / (2 * agm(arb(1), complementary_modulus))
+    third_quarter = quarter - ratio / 3 * carlson_rj(arb(0), parameter1, 1 + ratio)
     sn, cn, dn = start
     first = sn * acb.elliptic_rf(cn**2, dn**2, 1).real
     swept_start = _third_kind(first, sn, cn, dn, ratio)
@@ -184,7 +184,7 @@ def _along_polhode(
     u = first + phase
     half_turns = ((u / (2 * quarter)).mid() + arb("0.5")).floor().mid()
     rest = u - 2 * quarter * half_turns
-    sn, cn, dn = _jacobi(rest, complementary_modulus)
+    sn, cn, dn = jacobi(rest, complementary_modulus)
     swept = _third_kind(rest, sn, cn, dn, ratio) + 2 * third_quarter * half_turns - swept_start
     odd = int((half_turns / 2).floor().unique_fmpz()) * 2 != int(half_turns.unique_fmpz())
     return ((-sn, -cn, dn) if odd else (sn, cn, dn)), swept
@@ -192,18 +192,18 @@ def _along_polhode(
 
 def _third_kind(u: arb, sn: arb, cn: arb, dn: arb, ratio: arb) -> arb:
     """∫_0^u dv/(1 + ratio sn² v) for |u| ≤ K."""
-    return u - ratio / 3 * sn**3 * _rj(cn**2, dn**2, 1 + ratio * sn**2)
+    return u - ratio / 3 * sn**3 * carlson_rj(cn**2, dn**2, 1 + ratio * sn**2)
 
 
-def _rj(x: arb, y: arb, p: arb) -> arb:
+def carlson_rj(x: arb, y: arb, p: arb) -> arb:
     return acb.elliptic_rj(x.nonnegative_part(), y, 1, p).real
 
 
-def _agm(a: arb, b: arb) -> arb:
+def agm(a: arb, b: arb) -> arb:
     return acb(a).agm(acb(b)).real
 
 
-def _jacobi(u: arb, complementary_modulus: arb) -> tuple[arb, arb, arb]:
+def jacobi(u: arb, complementary_modulus: arb) -> tuple[arb, arb, arb]:
     """sn, cn, dn by descending Landen steps; every sum has terms of one sign, so small values stay sharp."""
     scale, moduli, other = arb(1), [], complementary_modulus
     negligible = arb(2) ** (-ctx.prec)
