@@ -17,7 +17,7 @@ from specimens import in_su3, spins
 CASIMIR = 1e-13
 TREND = 0.2  # of the energy's own swing, from first to last quarter; a steady drift makes it 0.75
 STEP = 0.02
-FEW, MANY = 20_000, 1_000_000
+FEW, FIFTH, MANY = 20_000, 200_000, 1_000_000
 SYMMETRIC = (Splitting, LieMidpoint, IsospectralMidpoint, MoserVeselov, SphericalMidpoint)
 body = systems.FreeRigidBody((1.0, 2.0, 3.0))
 fish = systems.Kirchhoff((1.0, 2.0, 3.0, 2.0, 3.0, 5.0))
@@ -46,6 +46,9 @@ CASES = [
     ("top", Splitting, 2),
 ]
 LONG_RUN = [case for case in CASES if case[0] != "top"]
+COSTLY = [case for case in LONG_RUN if case[0] in ("four", "eight") and case[1] is not Splitting]
+"""Matrices by iteration, 30 to 130 seconds for a million steps: a fifth of them, and half the bound (rounding errors
+that add up at random grow like the root of their number)."""
 
 
 def names(case):
@@ -69,11 +72,11 @@ def kept(system, trajectory):
     return found
 
 
-def check(name, method, order, count):
+def check(name, method, order, count, bound=CASIMIR):
     trajectory = run(name, method, order, count)
     assert trajectory.statistics["steps"] == count and trajectory.status == "successful"
     drifts = kept(SYSTEMS[name], trajectory)
-    assert drifts and max(drifts.values()) <= CASIMIR, drifts
+    assert drifts and max(drifts.values()) <= bound, drifts
     if method in SYMMETRIC:
         assert trend(trajectory) < TREND, "the energy drifts"
 
@@ -97,7 +100,7 @@ def test_casimirs_and_energy(case):
 @pytest.mark.sweep
 @pytest.mark.parametrize("case", LONG_RUN, ids=names)
 def test_casimirs_and_energy_over_a_million_steps(case):
-    check(*case, MANY)
+    check(*case, *((FIFTH, CASIMIR / 2) if case in COSTLY else (MANY,)))
 
 
 @pytest.mark.parametrize("case", [case for case in CASES if case[1] in SYMMETRIC], ids=names)
