@@ -14,6 +14,7 @@ import numpy as np
 from polhode.arrays import namespace
 
 Array = Any
+BLOCK = 8
 TERMS = 64  # of series in x ≤ ½, whose terms fall as xⁿ/n: the rest is below 1e-19 of the sum
 EULER = 0.57721566490153286061
 
@@ -71,9 +72,19 @@ def _digamma(n: int) -> float:
 
 
 def _sum(coefficients: Array, x: Array) -> tuple[Array, Array]:
-    """Return a power series and its derivative, by Horner's rule."""
-    value, slope = coefficients[TERMS - 1] + 0.0 * x, 0.0 * x
-    for n in range(TERMS - 2, -1, -1):
-        slope = value + x * slope
-        value = coefficients[n] + x * value
+    """Return a power series and its derivative, by Horner's rule in blocks: 14 steps to compile instead of 63."""
+    xp = namespace(x)
+    blocks = xp.reshape(xp.asarray(coefficients), (TERMS // BLOCK, BLOCK))
+    inside = x[..., None] if x.ndim else xp.reshape(x, (1,))
+    values, slopes = _horner([blocks[:, n] for n in range(BLOCK)], [0.0] * BLOCK, inside, 1.0)
+    count = range(TERMS // BLOCK)
+    return _horner([values[..., k] for k in count], [slopes[..., k] for k in count], x**BLOCK, BLOCK * x ** (BLOCK - 1))
+
+
+def _horner(coefficients: list[Array], slopes: list[Any], y: Array, dy: Any) -> tuple[Array, Array]:
+    """Return Σ cₙ yⁿ and its derivative, from the derivatives of cₙ and of y."""
+    value, slope = coefficients[-1] + 0.0 * y, slopes[-1] + 0.0 * y
+    for c, d in zip(coefficients[-2::-1], slopes[-2::-1], strict=True):
+        slope = d + dy * value + y * slope
+        value = c + y * value
     return value, slope
