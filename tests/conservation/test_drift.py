@@ -99,7 +99,7 @@ def test_casimirs_and_energy(case):
 
 @pytest.mark.sweep
 @pytest.mark.parametrize("case", LONG_RUN, ids=names)
-def test_casimirs_and_energy_over_a_million_steps(case):
+def test_casimirs_and_energy_over_a_million_steps_or_a_fifth(case):
     check(*case, *((FIFTH, CASIMIR / 2) if case in COSTLY else (MANY,)))
 
 
