@@ -43,6 +43,13 @@ def test_links_in_the_docs_lead_somewhere():
             assert (page.parent / target).exists(), f"{page.name}: {target}"
 
 
+def test_messages_show_values_shortly():
+    """A value in a message goes through `errors.shown`, which shortens and escapes; `!r` writes all of it."""
+    allowed = {"__init__.py", "spice_kernels.py", "time_scales.py"}  # names of attributes; digits of kernels
+    written = {path.name for path in (ROOT / "src").rglob("*.py") if "!r}" in path.read_text("utf-8")}
+    assert written <= allowed
+
+
 def test_version_and_changelog():
     assert f'version = "{ph.__version__}"' in (ROOT / "pyproject.toml").read_text("utf-8")
     assert "## [Unreleased]" in (ROOT / "CHANGELOG.md").read_text("utf-8")

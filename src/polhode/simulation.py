@@ -16,7 +16,7 @@ import numpy as np
 from polhode.algebra.power import Power
 from polhode.algebra.so3 import SO3
 from polhode.arrays import known_numbers_only, refuse_single_precision
-from polhode.errors import InvalidInput, NotConverged
+from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.integrators.accuracy import measured_run, run_to_tolerance
 from polhode.integrators.adaptive import adaptive_error, solve_adaptively
 from polhode.integrators.base import AbstractOrbitSolver
@@ -102,7 +102,7 @@ def simulate(
     state, times = system.check_state(state), _checked_times(times)
     for name, value, unit in (("step", step, " time [s]"), ("tolerance", tolerance, " number")):
         if value is not None and not (np.ndim(value) == 0 and math.isfinite(value) and value > 0):
-            raise InvalidInput(f"`{name}` must be a positive finite{unit}; got {value!r}.")
+            raise InvalidInput(f"`{name}` must be a positive finite{unit}; got {shown(value)}.")
     if step is not None and tolerance is not None and not _is_adaptive(method):
         raise InvalidInput("give `step` or `tolerance`, which chooses the step, not both.")
     asked = _Asked(step, order, progress, throw, tolerance, estimate_error)
@@ -246,7 +246,7 @@ def _adaptive_solver(system: AbstractSystem, method: Any, order: int | None) -> 
     if method is not None and not _is_adaptive(method):
         raise InvalidInput(
             f"`method` must be a diffrax solver for {type(system).__name__}, which is not a Lie–Poisson system; "
-            f"got {method!r}. Leave it out for diffrax.Dopri8()."
+            f"got {shown(method)}. Leave it out for diffrax.Dopri8()."
         )
     if order is not None:
         raise InvalidInput("`order` goes with a class of methods; the solver given has its own.")
@@ -261,7 +261,7 @@ def _solver(system: AbstractLiePoissonSystem, method: Any, order: int | None) ->
     if isinstance(method, type) and issubclass(method, AbstractOrbitSolver):
         any_size = jnp.asarray(1.0)
         return method(system, any_size) if order is None else method(system, any_size, order=order)  # type: ignore[call-arg]
-    raise InvalidInput(f"`method` must be a class of polhode.integrators or a diffrax solver; got {method!r}.")
+    raise InvalidInput(f"`method` must be a class of polhode.integrators or a diffrax solver; got {shown(method)}.")
 
 
 def trajectory_of(
@@ -354,7 +354,7 @@ def _checked_times(times: Array) -> np.ndarray:
     try:
         values = np.asarray(times, dtype=float)
     except (TypeError, ValueError):
-        raise InvalidInput(f"`times` must be numbers [s]; got {times!r}.") from None
+        raise InvalidInput(f"`times` must be numbers [s]; got {shown(times)}.") from None
     if values.ndim != 1 or len(values) < 2 or not np.isfinite(values).all():
         raise InvalidInput(f"`times` must be at least two finite times (T,); got shape {values.shape}.")
     gaps = np.sign(np.diff(values))

@@ -73,7 +73,7 @@ def _rational_brackets(algebra: AbstractLieAlgebra) -> list[list[dict[int, Fract
             wrong = [float(vector[k]) for k, f in exact.items() if abs(float(f) - vector[k]) > 1e-13 * abs(vector[k])]
             if wrong:
                 raise InvalidInput(
-                    f"structure constants must be rational for exact Casimirs; got {wrong[0]!r}. "
+                    f"structure constants must be rational for exact Casimirs; got {shown(wrong[0])}. "
                     "Scale the basis so that they are."
                 )
             table[-1].append(exact)

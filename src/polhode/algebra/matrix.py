@@ -16,7 +16,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode.algebra.base import AbstractLieAlgebra
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, shown
 
 Array = Any
 
@@ -315,4 +315,4 @@ def pfaffian(matrix: Array) -> Array:
 
 def _check_size(name: str, n: int, least: int) -> None:
     if not isinstance(n, int) or n < least:
-        raise InvalidInput(f"`n` of {name}(n) must be a whole number, at least {least}; got {n!r}.")
+        raise InvalidInput(f"`n` of {name}(n) must be a whole number, at least {least}; got {shown(n)}.")

@@ -8,7 +8,7 @@ import equinox as eqx
 import jax.numpy as jnp
 
 from polhode.algebra.base import AbstractLieAlgebra
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, shown
 
 Array = Any
 
@@ -21,7 +21,7 @@ class Power(AbstractLieAlgebra):
 
     def __check_init__(self) -> None:
         if not isinstance(self.count, int) or self.count < 1:
-            raise InvalidInput(f"`count` must be a whole number of copies, at least 1; got {self.count!r}.")
+            raise InvalidInput(f"`count` must be a whole number of copies, at least 1; got {shown(self.count)}.")
 
     @property
     def dim(self) -> int:

@@ -6,7 +6,7 @@ import os
 
 import jax
 
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, shown
 
 
 def enable_double_precision() -> None:
@@ -18,6 +18,7 @@ def enable_double_precision() -> None:
     if os.environ.get("JAX_ENABLE_X64", "").lower() in ("0", "false", "off", "no", "n", "f"):
         raise InvalidInput(
             "`JAX_ENABLE_X64` must not be switched off; got "
-            f"{os.environ['JAX_ENABLE_X64']!r} in the environment. Brackets and integrators need 64 bits: unset it."
+            f"{shown(os.environ['JAX_ENABLE_X64'])} in the environment. "
+            "Brackets and integrators need 64 bits: unset it."
         )
     jax.config.update("jax_enable_x64", True)

@@ -9,7 +9,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode.algebra.base import AbstractLieAlgebra
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, shown
 
 Array = Any
 
@@ -21,7 +21,7 @@ class Product(AbstractLieAlgebra):
 
     def __init__(self, *factors: AbstractLieAlgebra) -> None:
         if not factors or not all(isinstance(factor, AbstractLieAlgebra) for factor in factors):
-            raise InvalidInput(f"`Product` must be given algebras, one at least; got {factors!r}.")
+            raise InvalidInput(f"`Product` must be given algebras, one at least; got {shown(factors)}.")
         self.factors = factors
 
     @property

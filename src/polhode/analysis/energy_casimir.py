@@ -21,7 +21,7 @@ import numpy as np
 
 from polhode.analysis.second_variation import Leaf, definite_combination, null_space, scaled_leaf
 from polhode.arrays import known_numbers_only
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, shown
 
 Array = Any
 EQUILIBRIUM_TOLERANCE = 1e-8  # what may be left of dH + Σ λ dC relative to its terms: a solver's, not rounding
@@ -279,7 +279,7 @@ def _check(A: Array, g: Array, H: Array, dC: Array, ddC: Array, names: Sequence[
     if not all(np.isfinite(x).all() for x in (A, g, H, dC, ddC)):
         raise InvalidInput("the matrices at the equilibrium must be finite; got NaN or an infinity.")
     if not 0.0 <= tolerance < 1.0:
-        raise InvalidInput(f"`tolerance` must be a relative error, at least 0 and below 1; got {tolerance!r}.")
+        raise InvalidInput(f"`tolerance` must be a relative error, at least 0 and below 1; got {shown(tolerance)}.")
 
 
 def _largest_real_part(mode: Array) -> Array:

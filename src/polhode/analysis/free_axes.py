@@ -9,7 +9,7 @@ import numpy as np
 
 from polhode.analysis.energy_casimir import Stability, energy_casimir
 from polhode.arrays import known_numbers_only
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, shown
 
 Array = Any
 
@@ -35,9 +35,9 @@ def axis_stability(moments: Array, momentum_norm: float) -> tuple[Stability, Sta
     """
     I = np.asarray(moments, dtype=float)  # noqa: E741
     if I.shape != (3,) or not (np.isfinite(I).all() and (I > 0).all()):
-        raise InvalidInput(f"`moments` must be three positive numbers; got {np.asarray(moments).tolist()}.")
+        raise InvalidInput(f"`moments` must be three positive numbers; got {shown(np.asarray(moments).tolist())}.")
     if not (np.isfinite(momentum_norm) and momentum_norm >= 0):
-        raise InvalidInput(f"`momentum_norm` must be finite and not negative; got {momentum_norm!r}.")
+        raise InvalidInput(f"`momentum_norm` must be finite and not negative; got {shown(momentum_norm)}.")
     return tuple(_about(I, float(momentum_norm), i) for i in range(3))  # type: ignore[return-value]
 
 

@@ -22,7 +22,7 @@ import numpy as np
 
 from polhode.analysis.power_law import PowerLaw, Singularity, fit_singularity, power_law
 from polhode.arrays import known_numbers_only
-from polhode.errors import InvalidInput, NotConverged
+from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.integrators.adaptive import TOLERANCE, EventBisection, solve_adaptively
 from polhode.simulation import trajectory_of
 from polhode.systems.euler_disk import EulerDisk
@@ -314,7 +314,7 @@ def _checked_start(disk: EulerDisk, state: Array, decades: float, samples_per_de
     if not (math.isfinite(decades) and decades > 0.0 and samples_per_decade >= 2):
         raise InvalidInput(
             "`decades` must be positive and `samples_per_decade` at least 2; "
-            f"got {decades!r} and {samples_per_decade!r}."
+            f"got {shown(decades)} and {shown(samples_per_decade)}."
         )
     start = disk.check_state(state)
     if jnp.ndim(start) != 1:

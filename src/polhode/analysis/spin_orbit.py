@@ -11,7 +11,7 @@ import numpy as np
 
 from polhode.analysis.periapsis_map import Table, carry_neighbours, section, tabulate
 from polhode.arrays import known_numbers_only
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, shown
 from polhode.systems.spin_orbit import SpinOrbit
 
 Array = Any
@@ -143,9 +143,12 @@ def resonance_strength(order: float, eccentricity: float) -> float:
     """
     e, p = float(eccentricity), float(order)
     if not (2.0 * p).is_integer():
-        raise InvalidInput(f"`order` of a resonance must be half an integer; got {order!r}. It is turns per orbit.")
+        raise InvalidInput(
+            f"`order` of a resonance must be half an integer; got {shown(order)}. "
+            "It is turns per orbit."
+        )
     if not 0.0 <= e < 1.0:
-        raise InvalidInput(f"`eccentricity` must be within 0 ≤ e < 1; got {eccentricity!r}.")
+        raise InvalidInput(f"`eccentricity` must be within 0 ≤ e < 1; got {shown(eccentricity)}.")
     count = FEWEST_NODES + 16 * math.ceil(abs(p)) + (math.ceil(DECAY / math.acosh(1.0 / e)) if e > 1e-16 else 0)
     E = TURN * np.arange(count) / count
     sine = np.sin(0.5 * E)
@@ -179,5 +182,5 @@ def scaled_start(system: SpinOrbit, states: Array) -> Array:
 
 def counted(name: str, value: int) -> int:
     if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < 1:
-        raise InvalidInput(f"`{name}` must be a positive integer; got {value!r}.")
+        raise InvalidInput(f"`{name}` must be a positive integer; got {shown(value)}.")
     return int(value)

@@ -15,7 +15,7 @@ import numpy as np
 
 from polhode import rotation
 from polhode.arrays import known_numbers_only
-from polhode.errors import InvalidInput, NotConverged
+from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.exact.free_body import FreeMotion
 
 Array = Any
@@ -54,7 +54,7 @@ def racket_twist(motion: FreeMotion, handle: int = 0) -> float:
     if start.ndim != 1 or np.ndim(motion.epoch):
         raise InvalidInput(f"`motion` must be of one body; got momentum of shape {start.shape}. Take one at a time.")
     if handle not in (0, 1, 2):
-        raise InvalidInput(f"`handle` must be the index 0, 1 or 2 of a principal axis; got {handle!r}.")
+        raise InvalidInput(f"`handle` must be the index 0, 1 or 2 of a principal axis; got {shown(handle)}.")
     j, k = (handle + 1) % 3, (handle + 2) % 3
     if not (start[j] or start[k]):
         raise InvalidInput("the twist needs a handle that is not along L; tilt the spin away from the handle.")

@@ -10,7 +10,7 @@ import numpy as np
 from polhode.arrays import known_numbers_only
 from polhode.bodies.body import Body
 from polhode.bodies.points import from_points
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, shown
 
 Array = Any
 ATOMIC_MASS_UNIT = 1.66053906892e-27  # kg, CODATA 2022
@@ -56,5 +56,8 @@ def atomic_masses(symbols: Sequence[str]) -> Array:
         ) from None
     unknown = [symbol for symbol in symbols if symbol not in numbers or symbol == "X"]
     if unknown:
-        raise InvalidInput(f"`symbols` must be chemical elements; got {unknown[0]!r}. Give `masses` for other atoms.")
+        raise InvalidInput(
+            f"`symbols` must be chemical elements; got {shown(unknown[0])}. "
+            "Give `masses` for other atoms."
+        )
     return np.array([table[numbers[symbol]] for symbol in symbols]) * ATOMIC_MASS_UNIT

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from polhode.arrays import as_float64, is_traced, numpy_namespace
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, shown
 from polhode.rotation import as_matrix, from_matrix, normalize
 
 Array = Any
@@ -150,7 +150,10 @@ def combine(bodies: Sequence[Body]) -> Body:
     if not bodies:
         raise InvalidInput("`bodies` must name at least one body to combine; got none.")
     if strange := [body for body in bodies if not isinstance(body, Body)]:
-        raise InvalidInput(f"`bodies` must be Body objects; got {strange[0]!r}. Make one with polhode.shapes or Body.")
+        raise InvalidInput(
+            f"`bodies` must be Body objects; got {shown(strange[0])}. "
+            "Make one with polhode.shapes or Body."
+        )
     masses = np.array([body._known_mass("combining bodies") for body in bodies])
     centers = np.array([body.center_of_mass for body in bodies])
     center = masses @ (centers - centers[0]) / masses.sum() + centers[0]
@@ -282,5 +285,5 @@ def _finite(name: str, value: Any, shape: tuple[int, ...]) -> Array:
     if array.shape != shape:
         raise InvalidInput(f"`{name}` must have shape {shape}; got {array.shape}.")
     if not np.isfinite(array).all():
-        raise InvalidInput(f"`{name}` must be finite; got {array.tolist()}. Check where the value comes from.")
+        raise InvalidInput(f"`{name}` must be finite; got {shown(array.tolist())}. Check where the value comes from.")
     return array

@@ -9,7 +9,7 @@ import numpy as np
 from polhode.arrays import known_numbers_only
 from polhode.bodies.body import Body
 from polhode.bodies.mesh_gate import checked_mesh, repaired_mesh, triple_products
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, shown
 
 Array = Any
 
@@ -50,7 +50,10 @@ def from_mesh(
         raise InvalidInput("give exactly one of `mass` [kg] and `density` [kg/m³]; a mesh alone has neither.")
     for name, value in (("mass", mass), ("density", density)):
         if value is not None and not (np.ndim(value) == 0 and np.isfinite(value) and value > 0):
-            raise InvalidInput(f"`{name}` must be one positive finite number; got {value!r}. Check sign and units.")
+            raise InvalidInput(
+                f"`{name}` must be one positive finite number; got {shown(value)}. "
+                "Check sign and units."
+            )
     if repair:
         vertices, faces = repaired_mesh(vertices, faces)
     vertices, faces = checked_mesh(vertices, faces, several)

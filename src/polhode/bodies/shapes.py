@@ -14,7 +14,7 @@ import numpy as np
 
 from polhode.arrays import as_float64, known_numbers_only, numpy_namespace
 from polhode.bodies.body import Body
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, shown
 
 Array = Any
 SMALLEST, LARGEST = 1e-60, 1e60  # m or kg; no body is near
@@ -107,9 +107,12 @@ def _positive(**named: Any) -> list[float]:
     for name, value in named.items():
         array = _numbers(name, value)
         if array.shape != ():
-            raise InvalidInput(f"`{name}` must be one number; got {value!r}.")
+            raise InvalidInput(f"`{name}` must be one number; got {shown(value)}.")
         if not SMALLEST < array < LARGEST:
-            raise InvalidInput(f"`{name}` must be positive and finite, within 1e±60; got {value!r}. Check its unit.")
+            raise InvalidInput(
+                f"`{name}` must be positive and finite, within 1e±60; got {shown(value)}. "
+                "Check its unit."
+            )
         values.append(float(array))
     return values
 
@@ -117,16 +120,16 @@ def _positive(**named: Any) -> list[float]:
 def _lengths(name: str, value: Any) -> Array:
     array = _numbers(name, value)
     if array.shape != (3,):
-        raise InvalidInput(f"`{name}` must be three lengths; got {value!r}.")
+        raise InvalidInput(f"`{name}` must be three lengths; got {shown(value)}.")
     if not ((array > SMALLEST) & (array < LARGEST)).all():
-        raise InvalidInput(f"`{name}` must be positive and finite, within 1e±60 m; got {value!r}. Check its unit.")
+        raise InvalidInput(f"`{name}` must be positive and finite, within 1e±60 m; got {shown(value)}. Check its unit.")
     return array
 
 
 def _inner_radius(inner: Any, outer: float) -> float:
     number = _numbers("inner_radius", inner)
     if number.shape != () or not 0.0 <= number <= outer:
-        raise InvalidInput(f"`inner_radius` must lie between 0 and the radius {outer:g} m; got {inner!r}.")
+        raise InvalidInput(f"`inner_radius` must lie between 0 and the radius {outer:g} m; got {shown(inner)}.")
     return float(number)
 
 

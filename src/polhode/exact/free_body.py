@@ -12,7 +12,7 @@ import numpy as np
 from polhode import rotation
 from polhode.arrays import as_float64, is_traced, namespace, register_node
 from polhode.bodies.body import Body
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, shown
 from polhode.exact import evaluation, geometry
 from polhode.exact.inputs import (
     checked,
@@ -117,7 +117,10 @@ class FreeMotion:
         if (angular_velocity is None) == (momentum is None):
             raise InvalidInput("give exactly one of `angular_velocity` and `momentum` to say how the body spins.")
         if not isinstance(body, Body):
-            raise InvalidInput(f"`body` must be a Body; got {body!r}. Make one with polhode.shapes, from_mesh or Body.")
+            raise InvalidInput(
+                f"`body` must be a Body; got {shown(body)}. "
+                "Make one with polhode.shapes, from_mesh or Body."
+            )
         axes = body.principal_axes
         vector = angular_velocity if momentum is None else momentum
         xp = namespace(vector, attitude, epoch, axes)

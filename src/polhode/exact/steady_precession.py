@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, shown
 
 
 class SteadyPrecession(NamedTuple):
@@ -39,7 +39,10 @@ def steady_precession(
     """
     I1, I3 = _checked(moments, mgl)
     if not (0.0 < tilt < math.pi and math.isfinite(spin)):
-        raise InvalidInput(f"`tilt` must lie between 0 and π, and `spin` be finite; got {tilt!r} rad, {spin!r} rad/s.")
+        raise InvalidInput(
+            "`tilt` must lie between 0 and π, and `spin` be finite; "
+            f"got {shown(tilt)} rad, {shown(spin)} rad/s."
+        )
     quadratic, momentum = I1 * math.cos(tilt), I3 * spin
     if abs(math.cos(tilt)) < 1e-16:
         return SteadyPrecession(mgl / momentum, None) if momentum else None
@@ -72,5 +75,5 @@ def _checked(moments: tuple[float, float, float], mgl: float) -> tuple[float, fl
             "Put the axis of symmetry third and check units."
         )
     if not math.isfinite(mgl):
-        raise InvalidInput(f"`mgl` must be finite; got {mgl!r} N m.")
+        raise InvalidInput(f"`mgl` must be finite; got {shown(mgl)} N m.")
     return I1, I3

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from matplotlib.figure import Figure
 
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, shown
 from polhode.figures import style
 from polhode.report.base import AbstractReport
 
@@ -55,7 +55,10 @@ def draw_figure(report: AbstractReport, name: str) -> Figure | None:
     """
     known = FIGURES[report.kind]
     if name not in known:
-        raise InvalidInput(f"`name` must be of {', '.join(known)} for a report of kind {report.kind}; got {name!r}.")
+        raise InvalidInput(
+            f"`name` must be of {', '.join(known)} for a report of kind {report.kind}; "
+            f"got {shown(name)}."
+        )
     module, draw = known[name]
     return getattr(import_module(f"polhode.figures.{module}"), draw)(report)
 

@@ -18,7 +18,7 @@ import numpy as np
 
 from polhode import rotation
 from polhode.bodies.frame import BodyFrame
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, shown
 from polhode.formats.animation_keys import exact_motion
 from polhode.formats.epochs import TIME_SYSTEMS, as_text, later, read_epoch, since
 from polhode.formats.given_axes import along_given_axes, single_attitude
@@ -56,7 +56,7 @@ def write_aem(
             picosecond at least, labels that the format cannot hold, and where the file cannot be written.
     """
     if rates not in TYPES:
-        raise InvalidInput(f'`rates` must be None, "derivative" or "angular velocity"; got {rates!r}.')
+        raise InvalidInput(f'`rates` must be None, "derivative" or "angular velocity"; got {shown(rates)}.')
     if labels is None:
         labels = trajectory.system if isinstance(trajectory.system, AttitudeLabels) else AttitudeLabels()
     if is_in_spacecraft(labels.reference_frame) and not is_in_spacecraft(labels.body_frame):
@@ -102,7 +102,10 @@ def _columns(trajectory: Trajectory, attitude: Array, rates: str | None) -> Arra
     parts = [_scalar_last(attitude)]
     if rates is not None:
         if trajectory.angular_velocity is None:
-            raise InvalidInput(f"`rates` {rates!r} need an angular velocity, and this motion has none. Leave them out.")
+            raise InvalidInput(
+                f"`rates` {shown(rates)} need an angular velocity, and this motion has none. "
+                "Leave them out."
+            )
         velocity = np.asarray(trajectory.angular_velocity)
         if rates == "derivative":
             spin = np.concatenate([np.zeros_like(velocity[:, :1]), velocity], axis=-1)
@@ -122,7 +125,7 @@ def _scalar_last(quaternion: Array) -> Array:
 def _epoch(labels: AttitudeLabels) -> tuple[int, int]:
     if labels.time_system not in TIME_SYSTEMS:
         known = ", ".join(TIME_SYSTEMS)
-        raise InvalidInput(f"`time_system` must be one of {known}; got {labels.time_system!r}.")
+        raise InvalidInput(f"`time_system` must be one of {known}; got {shown(labels.time_system)}.")
     try:
         return read_epoch(labels.epoch, labels.time_system)
     except ValueError as error:
@@ -164,7 +167,7 @@ def _line(keyword: str, name: str, value: str) -> str:
 def _printable(line: str, name: str, value: str) -> str:
     if not (value.isascii() and value.isprintable() and len(line) <= LONGEST_LINE):
         raise InvalidInput(f"`{name}` must be one line of printable ASCII, at most 200 characters, in an AEM; "
-                           f"got {value!r}. Write it in ASCII.")  # fmt: skip
+                           f"got {shown(value)}. Write it in ASCII.")  # fmt: skip
     return line
 
 

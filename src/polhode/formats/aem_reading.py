@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from polhode.errors import FormatError, InvalidInput
+from polhode.errors import FormatError, InvalidInput, shown
 from polhode.formats.aem_attitudes import Meaning, attitudes
 from polhode.formats.aem_segments import Segment, read_segments, refuse
 from polhode.formats.epochs import shortest, since
@@ -106,7 +106,7 @@ def _frames(one: Segment) -> tuple[str, str, bool]:
     first_is_body = is_in_spacecraft(a) and not is_in_spacecraft(b)
     direction = plain(one.values.get("ATTITUDE_DIR", "" if one.old else "A2B"))
     if direction not in ("A2B", "B2A"):
-        one.wrong("ATTITUDE_DIR", f"must be A2B or B2A in version 1.0; got {direction or 'nothing'!r}")
+        one.wrong("ATTITUDE_DIR", f"must be A2B or B2A in version 1.0; got {shown(direction or 'nothing')}")
     if direction == "B2A" and not one.old:
         one.wrong("ATTITUDE_DIR", "is of version 1.0; in version 2.0 the rotation is from A to B")
     return *((b, a) if first_is_body else (a, b)), first_is_body == (direction == "A2B")
@@ -131,7 +131,7 @@ def _meaning(one: Segment) -> Meaning:
     names = {"REF FRAME A": one.values["REF_FRAME_A"], "REF FRAME B": one.values["REF_FRAME_B"]}
     frame = plain(names.get(frame, frame))
     if frame not in (plain(space), plain(body)):
-        one.wrong(keyword, f"must be one of the two frames, as there are velocities; got {frame or 'nothing'!r}")
+        one.wrong(keyword, f"must be one of the two frames, as there are velocities; got {shown(frame or 'nothing')}")
     return Meaning(one.kind, sequence, _scalar_first(one, family), frame == plain(space), backward)
 
 
@@ -141,7 +141,7 @@ def _scalar_first(one: Segment, family: str) -> bool:
     place = plain(one.values.get("QUATERNION_TYPE", "" if one.old else "LAST"))
     if place not in ("FIRST", "LAST"):
         one.wrong("QUATERNION_TYPE", f"must say FIRST or LAST, where the scalar is, in version 1.0; "
-                                     f"got {place or 'nothing'!r}")  # fmt: skip
+                                     f"got {shown(place or 'nothing')}")  # fmt: skip
     if place == "FIRST" and not one.old:
         one.wrong("QUATERNION_TYPE", "is of version 1.0; in version 2.0 the scalar is the last")
     return place == "FIRST"
@@ -151,7 +151,10 @@ def _sequence(one: Segment) -> str:
     given = one.values.get("EULER_ROT_SEQ", "")
     sequence = given.upper().translate(str.maketrans("123", "XYZ"))
     if not _ROTATION_SEQUENCE.fullmatch(sequence):
-        one.wrong("EULER_ROT_SEQ", f"must be three axes, neighbours different, like ZXZ; got {given or 'nothing'!r}")
+        one.wrong(
+            "EULER_ROT_SEQ", "must be three axes, neighbours different, like ZXZ; "
+            f"got {shown(given or 'nothing')}"
+        )
     return sequence
 
 

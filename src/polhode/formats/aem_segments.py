@@ -76,7 +76,10 @@ class Segment:
         name = plain(self.values["ATTITUDE_TYPE"]).replace(" ", "_")
         name = OLD_NAMES.get(name, name) if self.old else name
         if name not in COLUMNS:
-            self.wrong("ATTITUDE_TYPE", f"must be one of {', '.join(COLUMNS)}; got {self.values['ATTITUDE_TYPE']!r}")
+            self.wrong(
+                "ATTITUDE_TYPE", f"must be one of {', '.join(COLUMNS)}; got "
+                f"{shown(self.values['ATTITUDE_TYPE'])}"
+            )
         return name
 
     @property
@@ -84,7 +87,7 @@ class Segment:
         """The time system of all epochs but that of creation."""
         name = plain(self.values["TIME_SYSTEM"])
         if name not in TIME_SYSTEMS:
-            self.wrong("TIME_SYSTEM", f"must be one of {', '.join(TIME_SYSTEMS)} to be read here; got {name!r}")
+            self.wrong("TIME_SYSTEM", f"must be one of {', '.join(TIME_SYSTEMS)} to be read here; got {shown(name)}")
         return name
 
     def epoch(self, keyword: str) -> tuple[int, int]:
@@ -120,10 +123,13 @@ def read_segments(path: Path) -> list[Segment]:
     if first.startswith("<"):
         refuse(path, number, "is an AEM in XML, or no AEM at all; read here is the keyword = value form. Convert it")
     if "=" not in first or first.split("=")[0].strip() != "CCSDS_AEM_VERS":
-        refuse(path, number, f"an AEM begins with CCSDS_AEM_VERS = 2.0; got {first[:60]!r}. It is another kind of file")
+        refuse(path, number,
+            f"an AEM begins with CCSDS_AEM_VERS = 2.0; got {shown(first[:60])}. "
+            "It is another kind of file"
+        )
     version = first.split("=")[1].strip()
     if version not in ("1.0", "2.0"):
-        refuse(path, number, f"CCSDS_AEM_VERS must be 1.0 or 2.0; got {version!r}. Have it written in version 2.0")
+        refuse(path, number, f"CCSDS_AEM_VERS must be 1.0 or 2.0; got {shown(version)}. Have it written in version 2.0")
     header, places, found = {}, {}, []
     for number, text in lines:
         if text == "META_START":
@@ -132,7 +138,7 @@ def read_segments(path: Path) -> list[Segment]:
             _read_data(lines, one)
             found.append(one)
         elif found and not _is_comment(text):
-            refuse(path, number, f"must be META_START of the next segment; got {text[:60]!r}")
+            refuse(path, number, f"must be META_START of the next segment; got {shown(text[:60])}")
         elif not _is_comment(text):
             _assign(path, number, text, HEADER, header, places)
     if not found:
@@ -167,11 +173,11 @@ def _assign(
 ) -> None:
     keyword, equals, value = (part.strip() for part in text.partition("="))
     if not equals:
-        refuse(path, number, f"must be keyword = value here; got {text[:60]!r}")
+        refuse(path, number, f"must be keyword = value here; got {shown(text[:60])}")
     if keyword not in known:
         near = difflib.get_close_matches(keyword, known, n=1)
         hint = f"did you mean {near[0]}?" if near else f"known here are {', '.join(known)}"
-        refuse(path, number, f"unknown keyword {keyword!r}; {hint}")
+        refuse(path, number, f"unknown keyword {shown(keyword)}; {hint}")
     if keyword in values:
         refuse(path, number, f"{keyword} is there already, in line {places[keyword]}. Leave out one")
     if not value:
@@ -200,7 +206,7 @@ def _read_metadata(lines: Lines, one: Segment) -> None:
 def _read_data(lines: Lines, one: Segment) -> None:
     number, text = next(lines, (None, "nothing"))
     if text != "DATA_START":
-        refuse(one.path, number, f"DATA_START must follow META_STOP; got {text[:60]!r}")
+        refuse(one.path, number, f"DATA_START must follow META_STOP; got {shown(text[:60])}")
     begun, parts, rows = number, [], []
     time_system = one.time_system
     for number, text in lines:
@@ -232,7 +238,7 @@ def _values(path: Path, rows: list[tuple[int, str]], kind: str, time_system: str
     fields = [text.split() for _, text in rows]
     for (number, text), row in zip(rows, fields, strict=True):
         if len(row) != width + 1:
-            refuse(path, number, f"must be an epoch and {width} numbers, as ATTITUDE_TYPE says; got {text[:60]!r}")
+            refuse(path, number, f"must be an epoch and {width} numbers, as ATTITUDE_TYPE says; got {shown(text[:60])}")
     instants = np.zeros((len(rows), 2), dtype=np.int64)
     for k, row in enumerate(fields):
         try:

@@ -12,7 +12,7 @@ from polhode import rotation
 from polhode.bodies.frame import BodyFrame
 from polhode.bodies.surface import Surface, box_in_place
 from polhode.bodies.turned import turned
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, shown
 from polhode.formats.animation_keys import keys_of
 from polhode.formats.given_axes import along_given_axes, single_attitude
 from polhode.formats.glb import Glb
@@ -79,7 +79,7 @@ def write_gltf(
     path = Path(path)
     for name, value in (("rate", rate), ("speed", speed)):
         if value is not None and not (math.isfinite(value) and value > 0):
-            raise InvalidInput(f"`{name}` must be positive and finite; got {value!r}. Give it in SI units.")
+            raise InvalidInput(f"`{name}` must be positive and finite; got {shown(value)}. Give it in SI units.")
     if not np.isfinite(single_attitude(trajectory, "glTF")).all():
         raise InvalidInput("glTF holds finite attitudes, and not all of these are. Cut the trajectory where they end.")
     speed = _watchable_speed(float(trajectory.times[-1] - trajectory.times[0])) if speed is None else speed
@@ -87,11 +87,11 @@ def write_gltf(
     drawn = _about_origin(frame, surface)
     reach = 0.0 if drawn is None else float(np.linalg.norm(drawn.vertices, axis=1).max())
     unit = _viewable_unit(reach)
-    shown = None if drawn is None else Surface(drawn.vertices / unit, drawn.faces)
+    solid = None if drawn is None else Surface(drawn.vertices / unit, drawn.faces)
     start = float(keyed.times[0])
     extras = {"seconds_per_second": speed, "metres_per_unit": unit, "seconds_at_start": start}
     made = Glb({"asset": {"version": "2.0", "generator": "polhode", "extras": extras}, "scene": 0})
-    place, body = _add_body(made, (labels or AttitudeLabels()).object_name, shown, frame, LONG * reach / unit or 1.0)
+    place, body = _add_body(made, (labels or AttitudeLabels()).object_name, solid, frame, LONG * reach / unit or 1.0)
     attitude = np.asarray(along_given_axes(keyed, frame).attitude)
     tracks = [(body, "rotation", _xyzw(_continuous(attitude)))]
     center = getattr(keyed.system, "center", None)
@@ -123,11 +123,11 @@ def _about_origin(frame: BodyFrame | None, surface: Surface | None) -> Surface |
 
 
 def _add_body(
-    made: Glb, name: str, shown: Surface | None, frame: BodyFrame | None, length: float
+    made: Glb, name: str, solid: Surface | None, frame: BodyFrame | None, length: float
 ) -> tuple[int, int]:
     """Add the nodes of space, place, body and axes; return those of place and body, which move."""
     place = made.node("place", made.node("space, z up", rotation=Z_UP))
-    body = made.node(name, place, **({} if shown is None else made.mesh((shown, BODY))))
+    body = made.node(name, place, **({} if solid is None else made.mesh((solid, BODY))))
     arrow = _arrow(length)
     three = made.mesh(*((Surface(arrow.vertices @ turn, arrow.faces), color)
                         for turn, color in zip(TO_AXES, AXES, strict=True)))  # fmt: skip

@@ -41,7 +41,7 @@ def read_mesh(path: str | Path, unit: float, repair: bool = False) -> tuple[Arra
     """
     path = Path(path)
     if not (np.ndim(unit) == 0 and np.isfinite(unit) and unit > 0):
-        raise InvalidInput(f"`unit` must be a positive length in metres; got {unit!r}.")
+        raise InvalidInput(f"`unit` must be a positive length in metres; got {shown(unit)}.")
     vertices, faces = _loaded(path, read_file(path, "mesh", LARGEST_FILE))
     if len(faces) == 0:
         raise FormatError(f"{path}: holds no triangles; it may be cut short. Export it anew, as a surface mesh.")

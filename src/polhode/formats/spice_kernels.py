@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from polhode.errors import FormatError, InvalidInput
+from polhode.errors import FormatError, InvalidInput, shown
 from polhode.formats.labels import AttitudeLabels
 from polhode.formats.time_scales import barycentric_time, terrestrial_time
 
@@ -128,7 +128,7 @@ def reference(labels: AttitudeLabels) -> str:
         known = spiceypy().namfrm(name) != 0
     if not known:
         why = "`reference_frame` must be one that SPICE knows, as EME2000, ICRF, B1950 or ECLIPJ2000"
-        raise InvalidInput(f"{why}; got {labels.reference_frame!r}.")
+        raise InvalidInput(f"{why}; got {shown(labels.reference_frame)}.")
     return name
 
 
@@ -195,7 +195,7 @@ def frame_name(labels: AttitudeLabels) -> str:
     with spice_alone():
         own = spiceypy().namfrm(name) > 0  # negative ones come from kernels that are loaded now, which does not matter
     if own:
-        raise InvalidInput(f"`body_frame` must not be one of SPICE's own frames; got {labels.body_frame!r}.")
+        raise InvalidInput(f"`body_frame` must not be one of SPICE's own frames; got {shown(labels.body_frame)}.")
     return name
 
 

@@ -12,7 +12,7 @@ import math
 from datetime import date, timedelta
 from fractions import Fraction
 
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, shown
 from polhode.formats.epochs import AFTER_LEAPS, PICO, read_epoch, shortest
 
 NOON = 946_728_000  # s from 1970-01-01T00:00:00 to 2000-01-01T12:00:00 of a uniform time system
@@ -41,7 +41,7 @@ def terrestrial_time(epoch: str, time_system: str) -> Fraction:
         return barycentric - Fraction(periodic_term(float(barycentric)))
     if time_system not in TT_FROM:
         known = ", ".join([*TT_FROM, "TDB"])
-        raise InvalidInput(f"`time_system` must be one of {known} here; got {time_system!r}.")
+        raise InvalidInput(f"`time_system` must be one of {known} here; got {shown(time_system)}.")
     return _elapsed(epoch, time_system) + TT_FROM[time_system]
 
 

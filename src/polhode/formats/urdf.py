@@ -80,7 +80,7 @@ def write_urdf_inertial(body: Body, path: str | Path, name: str = "body", princi
     if body.mass is None:
         raise InvalidInput("URDF holds the mass, and this body has none; give `mass` when making it.")
     if not name.strip() or not name.isprintable():
-        raise InvalidInput(f"`name` must be printable text in one line, as links are known by it; got {name!r}.")
+        raise InvalidInput(f"`name` must be printable text in one line, as links are known by it; got {shown(name)}.")
     inertia, angles = body.inertia, np.zeros(3)
     if principal:
         inertia, angles = np.diag(body.principal_moments), _fixed_angles(body.principal_axes)
@@ -126,10 +126,10 @@ def _inertial_of(path: Path, root: ET.Element, link: str | None) -> tuple[str, E
         link = massive[0]
     if names.count(link) != 1:
         fault = "has no link" if link not in names else f"has {names.count(link)} links called"
-        raise InvalidInput(f"{path}: {fault} {link!r}; those with mass are {', '.join(massive) or 'none'}.")
+        raise InvalidInput(f"{path}: {fault} {shown(link)}; those with mass are {', '.join(massive) or 'none'}.")
     inertial = links[names.index(link)].find("inertial")
     if inertial is None:
-        raise FormatError(f"{path}: link {link!r} has no <inertial>, so no mass; links that have are "
+        raise FormatError(f"{path}: link {shown(link)} has no <inertial>, so no mass; links that have are "
                           f"{', '.join(massive) or 'none'}.")  # fmt: skip
     return link, inertial
 

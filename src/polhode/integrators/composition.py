@@ -13,7 +13,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, shown
 from polhode.integrators.base import Change
 
 Array = Any
@@ -41,7 +41,7 @@ def stages(order: int) -> np.ndarray:
         InvalidInput: for another order than 2, 4, 6 or 8.
     """
     if order not in STAGES:
-        raise InvalidInput(f"`order` of a composition must be 2, 4, 6 or 8; got {order!r}.")
+        raise InvalidInput(f"`order` of a composition must be 2, 4, 6 or 8; got {shown(order)}.")
     return np.array(STAGES[order])
 
 

@@ -9,7 +9,7 @@ import jax
 import jax.numpy as jnp
 
 from polhode.algebra.matrix import AbstractMatrixAlgebra
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, shown
 from polhode.integrators.base import AbstractOrbitSolver, Change
 from polhode.integrators.composition import DEFAULT_ORDER, composed, stages
 from polhode.integrators.fixed_point import fixed_point
@@ -49,7 +49,7 @@ class LieMidpoint(AbstractOrbitSolver):
         if coordinates is None:
             coordinates = "cayley" if has_cayley(system) else "exp"
         if coordinates not in ("cayley", "exp"):
-            raise InvalidInput(f"`coordinates` must be 'cayley' or 'exp'; got {coordinates!r}.")
+            raise InvalidInput(f"`coordinates` must be 'cayley' or 'exp'; got {shown(coordinates)}.")
         if coordinates == "cayley" and not has_cayley(system):
             system.algebra.cayley(jnp.zeros(system.algebra.element_shape, system.algebra.dtype))
         self.system, self.step_size, self.own_order, self.coordinates = system, step_size, order, coordinates

@@ -7,7 +7,7 @@ from typing import Any, ClassVar
 import equinox as eqx
 import jax.numpy as jnp
 
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, shown
 from polhode.integrators.base import AbstractOrbitSolver, Change
 from polhode.integrators.fixed_point import fixed_point
 from polhode.integrators.moser_veselov_table import SHIFT, TIME_SCALE
@@ -44,7 +44,7 @@ class MoserVeselov(AbstractOrbitSolver):
                 "Take Splitting or LieMidpoint."
             )
         if order not in ORDERS:
-            raise InvalidInput(f"`order` of MoserVeselov must be one of {ORDERS}; got {order!r}.")
+            raise InvalidInput(f"`order` of MoserVeselov must be one of {ORDERS}; got {shown(order)}.")
         self.system, self.step_size, self.own_order = system, step_size, order
 
     def order(self, terms: Any) -> int:

@@ -6,7 +6,7 @@ from typing import Any, ClassVar
 
 import equinox as eqx
 
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, shown
 from polhode.integrators.base import AbstractOrbitSolver, Change, explicit
 from polhode.integrators.group import attitude_by_exp
 from polhode.systems.base import AbstractLiePoissonSystem, joined
@@ -34,7 +34,7 @@ class MuntheKaas(AbstractOrbitSolver):
 
     def __init__(self, system: AbstractLiePoissonSystem, step_size: Array, order: int = 4) -> None:
         if order not in (2, 4):
-            raise InvalidInput(f"`order` of MuntheKaas must be 2 or 4; got {order!r}.")
+            raise InvalidInput(f"`order` of MuntheKaas must be 2 or 4; got {shown(order)}.")
         self.system, self.step_size, self.own_order = system, step_size, order
 
     def order(self, terms: Any) -> int:

@@ -15,7 +15,7 @@ import jax.numpy as jnp
 
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.arrays import known_false, refuse_single_precision
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, shown
 
 Array = Any
 Function = Callable[[Array], Array]
@@ -101,7 +101,7 @@ def as_points(algebra: AbstractLieAlgebra, mu: Array) -> Array:
     try:
         mu = jnp.asarray(mu, dtype=algebra.dtype)
     except (TypeError, ValueError):
-        raise InvalidInput(f"a point of the dual of {algebra.name} must be numbers; got {mu!r}.") from None
+        raise InvalidInput(f"a point of the dual of {algebra.name} must be numbers; got {shown(mu)}.") from None
     algebra.batch_shape(mu)
     if known_false(jnp.isfinite(mu).all()):
         raise InvalidInput(f"a point of the dual of {algebra.name} must be finite; got NaN or an infinity.")
@@ -110,5 +110,5 @@ def as_points(algebra: AbstractLieAlgebra, mu: Array) -> Array:
 
 def _checked_sign(sign: int) -> int:
     if sign not in (-1, 1):
-        raise InvalidInput(f"`sign` must be −1 (left-invariant) or +1 (right-invariant); got {sign!r}.")
+        raise InvalidInput(f"`sign` must be −1 (left-invariant) or +1 (right-invariant); got {shown(sign)}.")
     return sign

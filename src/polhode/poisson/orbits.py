@@ -15,7 +15,7 @@ import numpy as np
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.so3 import SO3
 from polhode.arrays import known_numbers_only, refuse_single_precision
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, shown
 from polhode.poisson.brackets import as_points, poisson_tensor
 
 Array = Any
@@ -42,7 +42,7 @@ def orbit_tangent(algebra: AbstractLieAlgebra, mu: Array) -> Array:
 def kks_form(algebra: AbstractLieAlgebra, mu: Array, x: Array, y: Array, sign: int = -1) -> Array:
     """Return ω(ad*_x μ, ad*_y μ) = sign · ⟨μ, [x, y]⟩ (…) for elements x, y that generate the two tangent vectors."""
     if sign not in (-1, 1):
-        raise InvalidInput(f"`sign` must be −1 or +1; got {sign!r}.")
+        raise InvalidInput(f"`sign` must be −1 or +1; got {shown(sign)}.")
     refuse_single_precision(x=x, y=y)
     return sign * algebra.pairing(as_points(algebra, mu), algebra.bracket(jnp.asarray(x), jnp.asarray(y)))
 

@@ -11,7 +11,7 @@ from typing import Any
 
 from polhode import rotation
 from polhode.arrays import refuse_single_precision
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, shown
 
 Array = Any
 
@@ -65,7 +65,7 @@ def reduce(attitude: Array, momentum: Array, side: str = "left") -> Array:
         return body_momentum(attitude, momentum)
     if side == "right":
         return momentum
-    raise InvalidInput(f"`side` must be 'left' or 'right', as the Hamiltonian is invariant; got {side!r}.")
+    raise InvalidInput(f"`side` must be 'left' or 'right', as the Hamiltonian is invariant; got {shown(side)}.")
 
 
 def _transpose(matrix: Array) -> Array:

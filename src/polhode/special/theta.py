@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import Any
 
 from polhode.arrays import as_float64, known_false, namespace
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, shown
 
 Array = Any
 LARGEST_NOME = 0.2  # by the imaginary transformation e^−π = 0.043 is enough for any lattice
@@ -43,7 +43,7 @@ def theta(kind: int, z: Array, y: Array, q: Array) -> tuple[Array, Array]:
         InvalidInput: for another kind, or q outside [0, 0.2].
     """
     if kind not in (1, 2, 3, 4):
-        raise InvalidInput(f"`kind` must be 1, 2, 3 or 4; got {kind!r}.")
+        raise InvalidInput(f"`kind` must be 1, 2, 3 or 4; got {shown(kind)}.")
     xp = namespace(z, y, q)
     z, y, q = (as_float64(xp, v, name) for v, name in ((z, "z"), (y, "y"), (q, "q")))
     if known_false(xp.all((q >= 0) & (q <= LARGEST_NOME))):

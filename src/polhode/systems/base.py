@@ -250,7 +250,7 @@ def as_finite_state(state: Array, dtype: Any, length: int | None = None) -> Arra
     try:
         state = jnp.asarray(state, dtype=dtype)
     except (TypeError, ValueError):
-        raise InvalidInput(f"`state` must be numbers; got {state!r}.") from None
+        raise InvalidInput(f"`state` must be numbers; got {shown(state)}.") from None
     if not bool(jnp.isfinite(state).all()):
         raise InvalidInput("`state` must be finite; got NaN or an infinity. Check where it comes from.")
     if length is not None and state.shape[-1:] != (length,):

@@ -10,7 +10,7 @@ import numpy as np
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.se3 import SE3
 from polhode.arrays import known_numbers_only, refuse_single_precision
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, shown
 from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow
 from polhode.systems.free_flow import free_flow
 from polhode.systems.free_rigid_body import checked_moments
@@ -43,7 +43,7 @@ class BrunBody(AbstractLiePoissonSystem):
     @known_numbers_only
     def __init__(self, moments: Array, strength: float) -> None:
         if not (np.ndim(strength) == 0 and np.isfinite(strength)):
-            raise InvalidInput(f"`strength` must be one finite number [1/s²]; got {strength!r}.")
+            raise InvalidInput(f"`strength` must be one finite number [1/s²]; got {shown(strength)}.")
         refuse_single_precision(strength=strength)
         self.algebra, self.moments, self.strength = SE3(), checked_moments(moments), jnp.asarray(float(strength))
 

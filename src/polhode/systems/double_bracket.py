@@ -10,7 +10,7 @@ import numpy as np
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.so3 import SO3
 from polhode.arrays import known_numbers_only, refuse_single_precision
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, shown
 from polhode.systems.base import AbstractLiePoissonSystem, Balance
 from polhode.systems.free_rigid_body import checked_moments
 
@@ -42,7 +42,7 @@ class DoubleBracket(AbstractLiePoissonSystem):
     @known_numbers_only
     def __init__(self, moments: Array, rate: float) -> None:
         if not (np.ndim(rate) == 0 and np.isfinite(rate) and rate >= 0):
-            raise InvalidInput(f"`rate` must be finite and not negative [s/(kg m²)]; got {rate!r}.")
+            raise InvalidInput(f"`rate` must be finite and not negative [s/(kg m²)]; got {shown(rate)}.")
         refuse_single_precision(rate=rate)
         self.algebra, self.moments, self.rate = SO3(), checked_moments(moments), jnp.asarray(float(rate))
 

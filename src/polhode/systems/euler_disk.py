@@ -12,7 +12,7 @@ import numpy as np
 
 from polhode import rotation
 from polhode.arrays import known_numbers_only, refuse_single_precision
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, shown
 from polhode.special.legendre import LegendreFunction, legendre_function
 from polhode.systems.base import AbstractSystem, Balance, Vectors, as_finite_state
 from polhode.systems.rolling_dissipation import RollingDissipation, couples
@@ -78,7 +78,7 @@ class EulerDisk(AbstractSystem):
         if not (math.isfinite(h) and 0.0 <= h <= 2.0 * a):
             raise InvalidInput(
                 f"`thickness` must be from 0 to the diameter {2.0 * a:.6g} m: a disk is not thicker than wide; "
-                f"got {thickness!r} m. Check whether it is half of it, or in millimetres."
+                f"got {shown(thickness)} m. Check whether it is half of it, or in millimetres."
             )
         C = 0.5 * m * a * a if axial_moment is None else _positive("axial_moment", axial_moment, "kg m²")
         uniform = m * (a * a / 4.0 + h * h / 12.0)
@@ -91,7 +91,7 @@ class EulerDisk(AbstractSystem):
         laws = (dissipation,) if isinstance(dissipation, RollingDissipation) else tuple(dissipation)
         if not all(isinstance(law, RollingDissipation) for law in laws):
             raise InvalidInput(
-                f"`dissipation` must be laws such as polhode.systems.AirLayer(1.8e-5); got {dissipation!r}."
+                f"`dissipation` must be laws such as polhode.systems.AirLayer(1.8e-5); got {shown(dissipation)}."
             )
         self.mechanics = RollingMechanics(*(jnp.asarray(np.float64(x)) for x in (m, a, 0.5 * h, A, C, g)))
         self.dissipation = laws
@@ -294,7 +294,10 @@ class EulerDisk(AbstractSystem):
         if precession is None:
             square = float(disk.precession_at_rest(theta))
             if not (math.isfinite(square) and square > 0.0):
-                raise InvalidInput(f"no steady motion has its centre at rest at tilt {tilt!r} rad. Give `precession`.")
+                raise InvalidInput(
+                    f"no steady motion has its centre at rest at tilt {shown(tilt)} rad. "
+                    "Give `precession`."
+                )
             precession = math.sqrt(square)
             if spin is None:
                 spin = precession * math.sin(tilt) * float(disk.half_thickness / disk.radius)
@@ -306,7 +309,8 @@ class EulerDisk(AbstractSystem):
         left = float(disk.tilt_acceleration(theta, jnp.asarray(w2), jnp.asarray(spin)))
         if not abs(left) <= STEADY_TOLERANCE * (float(disk.gravity / disk.radius) + w2 * w2 + spin * spin):
             raise InvalidInput(
-                f"tilt {tilt!r} rad, `precession` {precession!r} and `spin` {spin!r} rad/s are not steady: the tilt "
+                f"tilt {shown(tilt)} rad, `precession` {shown(precession)} and `spin` {shown(spin)} rad/s are not "
+                "steady: the tilt "
                 f"would accelerate by {left:.3g} rad/s². Give one of the rates only."
             )
         rate = self._slow_tilt_rate(tilt, w2, spin) if self.dissipation else 0.0
@@ -318,21 +322,24 @@ class EulerDisk(AbstractSystem):
         disk = self.mechanics
         square = float(disk.nutation_squared(*here))
         if not square > 0.0:
-            raise InvalidInput(f"the steady motion at tilt {tilt!r} rad is unstable: no slow manifold to start on.")
+            raise InvalidInput(
+                f"the steady motion at tilt {shown(tilt)} rad is unstable: "
+                "no slow manifold to start on."
+            )
         _, by_w2, by_w3 = jax.grad(disk.tilt_acceleration, argnums=(0, 1, 2))(*here)
         push2, push3 = disk.accelerations(*couples(disk, self.dissipation, *here))
         return float(by_w2 * push2 + by_w3 * push3) / square
 
     def _check_tilt(self, theta: np.ndarray) -> None:
-        shown = np.asarray(theta).tolist()
+        came = shown(np.asarray(theta).tolist())
         if not (np.sin(theta) > FLAT).all() or not ((theta > 0.0) & (theta < math.pi)).all():
             raise InvalidInput(
-                f"the tilt must lie between 1e-6 and π − 1e-6; got {shown} rad. A disk that lies flat touches with all "
+                f"the tilt must lie between 1e-6 and π − 1e-6; got {came} rad. A disk that lies flat touches with all "
                 "of its face and does not roll: start at a small tilt, such as 0.1 rad."
             )
         if not self.is_thin and not (theta < 0.5 * math.pi).all():
             raise InvalidInput(
-                f"the tilt of a thick disk must be less than π/2; got {shown} rad. Beyond it rolls on its other rim: "
+                f"the tilt of a thick disk must be less than π/2; got {came} rad. Beyond it rolls on its other rim: "
                 "turn it over."
             )
 
@@ -340,9 +347,10 @@ class EulerDisk(AbstractSystem):
         wanted = np.asarray(self.center_velocity(state))
         off, size = np.linalg.norm(velocity - wanted), max(np.linalg.norm(wanted), np.linalg.norm(velocity))
         if off > ROLLING_TOLERANCE * size:
+            wanted, came = wanted.round(6).tolist(), shown(velocity.tolist())
             raise InvalidInput(
                 f"`center_velocity` does not roll: the point of contact would slip at {off:.4g} m/s. Rolling with this "
-                f"angular velocity takes the centre along at {wanted.round(6).tolist()} m/s; got {velocity.tolist()}."
+                f"angular velocity takes the centre along at {wanted} m/s; got {came}."
             )
 
     def _moving(self, state: Array) -> tuple[Array, Array, Array, Array]:
@@ -367,5 +375,5 @@ def _positive(name: str, value: Array, unit: str) -> float:
     refuse_single_precision(**{name: value})
     number = np.asarray(value, dtype=float)
     if number.shape != () or not (np.isfinite(number) and number > 0):
-        raise InvalidInput(f"`{name}` must be a positive finite number [{unit}]; got {value!r}.")
+        raise InvalidInput(f"`{name}` must be a positive finite number [{unit}]; got {shown(value)}.")
     return float(number)

@@ -10,7 +10,7 @@ import numpy as np
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.so3 import SO3
 from polhode.arrays import known_numbers_only, refuse_single_precision
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, shown
 from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow
 
 Array = Any
@@ -79,5 +79,5 @@ def checked_moments(moments: Array) -> Array:
     refuse_single_precision(moments=moments)
     values = np.asarray(moments, dtype=float)
     if values.shape != (3,) or not (np.isfinite(values).all() and (values > 0).all()):
-        raise InvalidInput(f"`moments` must be three positive finite numbers [kg m²]; got {values.tolist()}.")
+        raise InvalidInput(f"`moments` must be three positive finite numbers [kg m²]; got {shown(values.tolist())}.")
     return jnp.asarray(values)

@@ -11,7 +11,7 @@ from polhode import rotation
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.so3 import SO3
 from polhode.arrays import known_numbers_only, refuse_single_precision
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, shown
 from polhode.systems.base import (
     AbstractLiePoissonSystem,
     AbstractSystem,
@@ -95,9 +95,9 @@ class TorquedGyrostat(AbstractSystem):
             raise InvalidInput("`axis` must be a direction (3,); got (0, 0, 0).")
         refuse_single_precision(rotor_moment=rotor_moment, torque=torque)
         if not (np.ndim(rotor_moment) == 0 and np.isfinite(rotor_moment) and rotor_moment > 0):
-            raise InvalidInput(f"`rotor_moment` must be positive and finite [kg m²]; got {rotor_moment!r}.")
+            raise InvalidInput(f"`rotor_moment` must be positive and finite [kg m²]; got {shown(rotor_moment)}.")
         if not (np.ndim(torque) == 0 and np.isfinite(torque)):
-            raise InvalidInput(f"`torque` must be one finite number [N m]; got {torque!r}.")
+            raise InvalidInput(f"`torque` must be one finite number [N m]; got {shown(torque)}.")
         self.moments, self.axis = checked_moments(moments), axis / jnp.linalg.norm(axis)
         self.rotor_moment, self.torque = jnp.asarray(float(rotor_moment)), jnp.asarray(float(torque))
 
@@ -141,5 +141,5 @@ def _vector(name: str, value: Array) -> Array:
     except (TypeError, ValueError):
         vector = np.full(1, np.nan)
     if vector.shape != (3,) or not np.isfinite(vector).all():
-        raise InvalidInput(f"`{name}` must be three finite numbers along the principal axes; got {value!r}.")
+        raise InvalidInput(f"`{name}` must be three finite numbers along the principal axes; got {shown(value)}.")
     return jnp.asarray(vector)

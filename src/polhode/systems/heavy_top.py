@@ -14,7 +14,7 @@ from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.se3 import SE3
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.bodies.body import Body, principal_axes
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, shown
 from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow
 from polhode.systems.free_flow import free_flow
 from polhode.systems.free_rigid_body import checked_moments
@@ -59,9 +59,12 @@ class HeavyTop(AbstractLiePoissonSystem):
         refuse_single_precision(mgl=mgl, axis=axis, axes=axes)
         size = np.linalg.norm(np.asarray(axis, dtype=float)) if np.shape(axis) == (3,) else np.nan
         if not (np.isfinite(size) and size > 0):
-            raise InvalidInput(f"`axis` must be a direction (3,), from fixed point to centre of mass; got {axis!r}.")
+            raise InvalidInput(
+                "`axis` must be a direction (3,), from fixed point to centre of mass; "
+                f"got {shown(axis)}."
+            )
         if not (np.ndim(mgl) == 0 and np.isfinite(mgl)):
-            raise InvalidInput(f"`mgl` must be one finite number [N m]; got {mgl!r}.")
+            raise InvalidInput(f"`mgl` must be one finite number [N m]; got {shown(mgl)}.")
         self.algebra, self.moments = SE3(), checked_moments(moments)
         self.mgl, self.axis = jnp.asarray(float(mgl)), jnp.asarray(np.asarray(axis, dtype=float) / size)
         self.axes = jnp.eye(3) if axes is None else jnp.asarray(axes, dtype=float)
@@ -83,7 +86,7 @@ class HeavyTop(AbstractLiePoissonSystem):
             InvalidInput: for a body without mass, or gravity that is not positive.
         """
         if not (np.ndim(gravity) == 0 and np.isfinite(gravity) and gravity > 0):
-            raise InvalidInput(f"`gravity` must be positive and finite [m/s²]; got {gravity!r}.")
+            raise InvalidInput(f"`gravity` must be positive and finite [m/s²]; got {shown(gravity)}.")
         moments, axes = principal_axes(body.about(pivot))
         arm = (body.center_of_mass - np.asarray(pivot, dtype=float)) @ axes
         length, mass = float(np.linalg.norm(arm)), float(body.mass or 0.0)

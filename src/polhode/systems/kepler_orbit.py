@@ -11,7 +11,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode.arrays import known_numbers_only, refuse_single_precision
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, shown
 
 Array = Any
 TURN = 2.0 * math.pi
@@ -50,7 +50,10 @@ class KeplerOrbit(eqx.Module):
         self.mean_motion = checked_number("mean_motion", mean_motion, above=0.0, unit="rad/s")
         self.eccentricity = checked_number("eccentricity", eccentricity, least=0.0)
         if not self.eccentricity < 1.0:
-            raise InvalidInput(f"`eccentricity` must be below 1; got {eccentricity!r}. Only ellipses come round again.")
+            raise InvalidInput(
+                f"`eccentricity` must be below 1; got {shown(eccentricity)}. "
+                "Only ellipses come round again."
+            )
         self.mean_anomaly_at_start = checked_number("mean_anomaly", mean_anomaly, unit="rad")
 
     @classmethod
@@ -177,5 +180,5 @@ def checked_number(
     good = number.shape == () and math.isfinite(number)
     if not (good and (above is None or number > above) and (least is None or number >= least)):
         unit = f" [{unit}]" if unit else ""
-        raise InvalidInput(f"`{name}` must be {rule}{unit}; got {value!r}. Check its size and sign.")
+        raise InvalidInput(f"`{name}` must be {rule}{unit}; got {shown(value)}. Check its size and sign.")
     return jnp.asarray(number)

@@ -11,7 +11,7 @@ import jax.numpy as jnp
 
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.arrays import refuse_single_precision
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, shown
 from polhode.systems.base import AbstractLiePoissonSystem, check_scalar
 
 Array = Any
@@ -52,7 +52,7 @@ class LiePoisson(AbstractLiePoissonSystem):
         sign: int = -1,
     ) -> None:
         if sign not in (-1, 1):
-            raise InvalidInput(f"`sign` must be −1 (left-invariant) or +1 (right-invariant); got {sign!r}.")
+            raise InvalidInput(f"`sign` must be −1 (left-invariant) or +1 (right-invariant); got {shown(sign)}.")
         self.algebra, self.hamiltonian = algebra, hamiltonian
         self.conserved, self.orientation = dict(conserved or {}), sign
         for name, function in {"hamiltonian": hamiltonian, **self.conserved}.items():

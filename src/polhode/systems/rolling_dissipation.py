@@ -20,7 +20,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode.arrays import known_numbers_only, refuse_single_precision
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, shown
 from polhode.systems.rolling_mechanics import RollingMechanics
 
 Array = Any
@@ -209,6 +209,7 @@ def _positive(name: str, value: Array, unit: str) -> Array:
     number = np.asarray(value, dtype=float)
     if number.shape != () or not (np.isfinite(number) and number > 0):
         raise InvalidInput(
-            f"`{name}` must be a positive finite number [{unit}]; got {value!r}. Leave the law out where it is zero."
+            f"`{name}` must be a positive finite number [{unit}]; got {shown(value)}. "
+            "Leave the law out where it is zero."
         )
     return jnp.asarray(number)

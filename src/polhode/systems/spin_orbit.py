@@ -9,7 +9,7 @@ import jax.numpy as jnp
 
 from polhode.arrays import known_numbers_only
 from polhode.bodies.body import Body
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, shown
 from polhode.systems.base import AbstractSystem, Balance, as_finite_state
 from polhode.systems.kepler_orbit import KeplerOrbit, checked_number
 
@@ -49,7 +49,7 @@ class SpinOrbit(AbstractSystem):
         self.asphericity = checked_number("asphericity", asphericity, least=0.0)
         if not self.asphericity**2 <= 3.0 * (1.0 + 1e-12):
             raise InvalidInput(
-                f"`asphericity` must be at most √3, as B − A ≤ C; got {asphericity!r}. It is √(3(B − A)/C)."
+                f"`asphericity` must be at most √3, as B − A ≤ C; got {shown(asphericity)}. It is √(3(B − A)/C)."
             )
         self.orbit = KeplerOrbit(mean_motion, eccentricity, mean_anomaly)
 

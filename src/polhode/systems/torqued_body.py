@@ -10,7 +10,7 @@ import numpy as np
 
 from polhode import rotation
 from polhode.arrays import known_numbers_only
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, shown
 from polhode.systems.base import AbstractSystem, Balance, Parts, Vectors, as_finite_state, check_unit_attitude, joined
 from polhode.systems.free_rigid_body import checked_moments
 from polhode.systems.torques import AbstractTorque, GravityGradient
@@ -47,7 +47,7 @@ class TorquedBody(AbstractSystem):
         for torque in self.torques:
             if not isinstance(torque, AbstractTorque):
                 raise InvalidInput(
-                    f"`torques` must be a list of polhode.systems.torques; got {torque!r}. "
+                    f"`torques` must be a list of polhode.systems.torques; got {shown(torque)}. "
                     "Derive your own from AbstractTorque."
                 )
             if isinstance(torque, GravityGradient) and not np.array_equal(torque.moments, self.moments):

@@ -11,7 +11,7 @@ import numpy as np
 
 from polhode import rotation
 from polhode.arrays import known_numbers_only, refuse_single_precision
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, shown
 from polhode.systems.free_rigid_body import checked_moments
 from polhode.systems.kepler_orbit import KeplerOrbit, checked_number
 
@@ -58,7 +58,7 @@ class LinearDrag(AbstractTorque):
         if values.shape not in ((), (3,)) or not (np.isfinite(values).all() and (values >= 0).all()):
             raise InvalidInput(
                 f"`coefficient` of linear drag must be one or three finite numbers, not negative [N m s]; "
-                f"got {values.tolist()}. Drag takes energy: give its size without a sign."
+                f"got {shown(values.tolist())}. Drag takes energy: give its size without a sign."
             )
         self.coefficient = jnp.asarray(values)
 

@@ -15,7 +15,7 @@ import numpy as np
 
 from polhode.bodies.frame import BodyFrame
 from polhode.bodies.surface import Surface
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, shown
 from polhode.formats.paths import written_whole
 from polhode.report.base import AbstractReport
 from polhode.trajectory import Trajectory
@@ -151,11 +151,14 @@ def check_given(trajectory: Any, name: Any, summary: Any, notes: Any) -> None:
             f"the page shows a Trajectory; got {type(trajectory).__name__}. Give it what `sample` or `solve` returns."
         )
     if name is not None and not isinstance(name, str):
-        raise InvalidInput(f"`name` must be text; got {name!r}. Put it in quotes.")
+        raise InvalidInput(f"`name` must be text; got {shown(name)}. Put it in quotes.")
     if not isinstance(summary, str):
-        raise InvalidInput(f"`summary` must be text; got {summary!r}. Put it in quotes.")
+        raise InvalidInput(f"`summary` must be text; got {shown(summary)}. Put it in quotes.")
     if isinstance(notes, str) or not all(isinstance(note, str) for note in notes):
-        raise InvalidInput(f"`notes` must be a list of texts; got {notes!r}. Put each line in quotes, all in brackets.")
+        raise InvalidInput(
+            f"`notes` must be a list of texts; got {shown(notes)}. "
+            "Put each line in quotes, all in brackets."
+        )
 
 
 def _arrays(system: Any, samples: Samples) -> dict[str, Any]:
