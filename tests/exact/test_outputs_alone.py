@@ -5,6 +5,8 @@ Each runs in a process of its own, as nothing else stops XLA while it compiles.
 
 import inspect
 
+import jax
+import jax.numpy as jnp
 import pytest
 
 from limited import run_limited
@@ -96,6 +98,20 @@ def cases():
 @pytest.mark.parametrize(("kind", "code", "names"), [pytest.param(*c[:3], id=c[3]) for c in cases()])
 def test_alone_in_a_compiled_batch(kind, code, names):
     run_limited(HEAD.format(kind=kind, names=names) + code, LONG_ENOUGH)
+
+
+GIVEN = {"FreeMotion": ((1.0, 2.0, 3.3), (0.3, 1.8, 1.5)), "LagrangeMotion": ((1.0, 1.0, 0.5), 0.7, (0.3, 1.8, 1.5))}
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_known_motion_keeps_no_traced_numbers(kind):
+    """What a property computes within a traced function ends with it; kept, it would be the answer ever after."""
+    with jax.enable_x64(True):
+        arrays = tuple(map(jnp.asarray, GIVEN[kind]))
+        jax.eval_shape(lambda *x: KINDS[kind](*x).energy, *arrays)  # lets JAX take motions apart
+        motion = jax.tree.map(jnp.asarray, KINDS[kind](*GIVEN[kind]))
+        jax.eval_shape(lambda x: x * motion.precession_rate, 1.0)
+        assert not [x for x in jax.tree.leaves(vars(motion)) if isinstance(x, jax.core.Tracer)]
 
 
 BROKEN = """

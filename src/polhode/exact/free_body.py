@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
-from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -15,6 +14,7 @@ from polhode.bodies.body import Body
 from polhode.errors import InvalidInput, shown
 from polhode.exact import evaluation, geometry
 from polhode.exact.inputs import (
+    cached_unless_traced,
     checked,
     checked_last_axis,
     checked_sample_times,
@@ -222,7 +222,7 @@ class FreeMotion:
         vectors = (self.moments, *self._principal)
         return tuple(np.broadcast_shapes(*(v.shape[:-1] for v in vectors), self.epoch.shape))
 
-    @cached_property
+    @cached_unless_traced
     def _numbers(self) -> geometry.Characteristics:
         return evaluation.characteristics(self.moments, self._principal[0])
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -12,6 +13,16 @@ from polhode.errors import InvalidInput
 
 Array = Any
 UNIT_TOLERANCE = 1e-6  # a quaternion further from unit length is taken for a mistake, not for rounding
+
+
+class cached_unless_traced(cached_property):
+    """A property with several arrays, computed once; traced ones are not kept, as they end with their function."""
+
+    def __get__(self, instance: Any, owner: type | None = None) -> Any:
+        value = super().__get__(instance, owner)
+        if instance is not None and is_traced(*value):
+            del vars(instance)[self.attrname]
+        return value
 
 
 def checked_last_axis(name: str, value: Array, size: int) -> Array:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -13,6 +12,7 @@ from polhode.arrays import as_float64, is_traced, known_false, namespace, regist
 from polhode.errors import InvalidInput
 from polhode.exact import top_evaluation, top_geometry
 from polhode.exact.inputs import (
+    cached_unless_traced,
     checked,
     checked_sample_times,
     checked_times,
@@ -172,7 +172,7 @@ class LagrangeMotion:
         """The common shape of the tops, () for one."""
         return tuple(np.broadcast_shapes(*(v.shape[:-1] for v in self._arguments), self.epoch.shape))
 
-    @cached_property
+    @cached_unless_traced
     def _numbers(self) -> top_geometry.TopCharacteristics:
         return top_evaluation.top_numbers(self._arguments)
 
