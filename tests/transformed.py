@@ -3,6 +3,10 @@
 import jax
 import jax.numpy as jnp
 import numpy as np
+import pytest
+
+from polhode.errors import InvalidInput
+from polhode.testing.laws import ONCE
 
 SAME = 1e-12
 """Relative to the largest value: two evaluations of one formula, of condition ten or so."""
@@ -28,13 +32,17 @@ def rows(outputs, count):
     return jnp.stack([real_vector(one) for one in each])
 
 
-def check_alone(function, *inputs, batched=True, ways=None):
+def check_alone(function, *inputs, batched=True, reverse=True, ways=None):
     """Check a function of real arrays whose first axis is the batch.
+
+    The first point is computed operation by operation too, on plain numbers, before anything is compiled; the others
+    and the differences by the function compiled alone.
 
     Args:
         function: of one point; with ``batched`` of batches too, along the leading axis.
         inputs: (count, …) each.
         batched: whether it takes batches itself.
+        reverse: whether it has reverse-mode derivatives; else it must refuse them.
         ways: (count, …) each, directions of derivatives; random by default.
     """
     generator = np.random.default_rng(len(inputs))
@@ -42,23 +50,32 @@ def check_alone(function, *inputs, batched=True, ways=None):
     count = len(inputs[0])
     ways = ways or tuple(generator.normal(size=x.shape) for x in inputs)
     one = lambda *x: real_vector(function(*x))  # noqa: E731
-    plain = lambda *x: np.stack([one(*(v[k] for v in x)) for k in range(count)])  # noqa: E731
-    wanted = plain(*inputs)
+    compiled = jax.jit(one)
+    every = lambda *x: np.stack([compiled(*(v[k] for v in x)) for k in range(count)])  # noqa: E731
+    wanted = every(*inputs)
     size = 1.0 + np.abs(wanted).max(initial=0.0)
     weights = generator.normal(size=wanted.shape[1:])
     near = lambda found, value, tolerance: np.abs(np.asarray(found) - value).max(initial=0.0) <= tolerance  # noqa: E731
 
-    assert near(jax.jit(one)(*(x[0] for x in inputs)), wanted[0], SAME * size), "jit"
+    assert near(wanted[0], np.asarray(one(*(x[0] for x in inputs))), SAME * size), "jit"
     if batched:
         assert near(jax.jit(lambda *x: rows(function(*x), count))(*inputs), wanted, SAME * size), "jit of a batch"
     if not wanted.size:
         return
-    ahead, behind = (plain(*(x + s * STEP * v for x, v in zip(inputs, ways, strict=True))) for s in (1, -1))
+    ahead, behind = (every(*(x + s * STEP * v for x, v in zip(inputs, ways, strict=True))) for s in (1, -1))
     slope = (ahead - behind) / (2.0 * STEP)
-    value, change = jax.jit(jax.vmap(lambda x, v: jax.jvp(one, x, v)))(inputs, ways)
+    gradient = jax.grad(lambda x: jnp.vdot(weights, one(*x)))
+
+    def derivatives(x, v):
+        return *jax.jvp(one, x, v), gradient(x) if reverse else ()
+
+    value, change, slopes = jax.jit(jax.vmap(derivatives), compiler_options=ONCE)(inputs, ways)
     steepest = size + np.abs(slope).max()
     assert near(value, wanted, SAME * size), "vmap"
     assert near(change, slope, BY_DIFFERENCES * steepest), "jvp"
-    slopes = jax.jit(jax.vmap(jax.grad(lambda x: jnp.vdot(weights, one(*x)))))(inputs)
-    along = sum(np.sum((np.asarray(a) * v).reshape(count, -1), axis=1) for a, v in zip(slopes, ways, strict=True))
-    assert near(along, np.asarray(change) @ weights, TRANSPOSED * steepest * weights.size), "vmap of grad"
+    if reverse:
+        along = sum(np.sum((np.asarray(a) * v).reshape(count, -1), axis=1) for a, v in zip(slopes, ways, strict=True))
+        assert near(along, np.asarray(change) @ weights, TRANSPOSED * steepest * weights.size), "vmap of grad"
+    else:
+        with pytest.raises(InvalidInput, match="forward derivatives only"):
+            jax.eval_shape(jax.vmap(gradient), inputs)

@@ -19,7 +19,7 @@ class cached_unless_traced(cached_property):
     """A property with several arrays, computed once; traced ones are not kept, as they end with their function."""
 
     def __get__(self, instance: Any, owner: type | None = None) -> Any:
-        value = super().__get__(instance, owner)
+        value: Any = super().__get__(instance, owner)
         if instance is not None and is_traced(*value):
             del vars(instance)[self.attrname]
         return value

@@ -18,6 +18,7 @@ import jax.numpy as jnp
 
 from polhode.systems.agreement import check_generated
 from polhode.systems.base import AbstractLiePoissonSystem
+from polhode.systems.forward_only import forward_only
 
 Array = Any
 
@@ -94,6 +95,7 @@ class AbstractOrbitSolver(diffrax.AbstractSolver):
 
         first = (jnp.zeros((), int), state, memory.lost, memory.iterations, memory.fine)
         steps, end, lost, iterations, fine = jax.lax.while_loop(unfinished, step, first)
+        end, lost = forward_only((end, lost), type(self).__name__)
         fine = fine & jnp.all(jnp.isfinite(end))
         return jnp.where(fine, end, jnp.inf), Memory(lost, memory.steps + steps, iterations, fine)
 

@@ -8,6 +8,8 @@ from typing import Any, NamedTuple
 import jax
 import jax.numpy as jnp
 
+from polhode.systems.forward_only import forward_only
+
 Array = Any
 MOST = 100
 ROUNDING = 4e-16  # of the unknown's size: a change below it is none
@@ -47,4 +49,4 @@ def fixed_point(function: Callable[[Array], Array], start: Array, scale: Array) 
     first = function(start)
     state = (jnp.ones((), int), first, jnp.max(jnp.abs(first - start)), jnp.asarray(jnp.inf))
     count, x, change, last = jax.lax.while_loop(unfinished, improve, state)
-    return Found(x, count, settled(change, last))
+    return Found(forward_only(x, "an implicit step"), count, settled(change, last))

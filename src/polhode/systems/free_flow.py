@@ -14,6 +14,7 @@ import jax.numpy as jnp
 
 from polhode.rotation import product_of_parts
 from polhode.systems.base import Components
+from polhode.systems.forward_only import forward_only
 
 Array = Any
 ORDER = 8
@@ -63,7 +64,8 @@ def free_turn(moments: Array, time: Array, momentum: Components) -> Components:
         return composed(total, turn), tuple(x + d for x, d in zip(now, moved, strict=True))
 
     still = (jnp.zeros_like(angle),) * 4
-    return jax.lax.fori_loop(0, jnp.max(pieces), piece, (still, momentum))[0]
+    turn = jax.lax.fori_loop(0, jnp.max(pieces), piece, (still, momentum))[0]
+    return forward_only(turn, "the free body's flow")
 
 
 def turned_back(turn: Components, vector: Components) -> Components:

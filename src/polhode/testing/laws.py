@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+from collections import OrderedDict
+from collections.abc import Callable
 from typing import Any
 
 import jax
 import numpy as np
 
 Array = Any
+Laws = dict[str, tuple[Array, Array]]  # both sides of each law
+ONCE = {"xla_backend_optimization_level": 0}
+"""What runs once need not be fast, and compiles in half the time."""
 
 
 class LawBroken(AssertionError):
@@ -28,3 +33,14 @@ def hold(law: str, left: Array, right: Array, tolerance: float) -> None:
         off = np.abs(a - b).max(initial=0.0)
         if not off <= tolerance * size:
             raise LawBroken(f"{law}: off by {off:.3g} where the values are up to {size:.3g}.")
+
+
+def hold_all(laws: Callable[..., Laws], tolerance: float, *arrays: Array) -> None:
+    """Compute both sides of several laws in one compiled function, and require each of them to hold, in their order.
+
+    Raises:
+        LawBroken: naming the first that does not hold.
+    """
+    in_order = jax.jit(lambda *x: OrderedDict(laws(*x)), compiler_options=ONCE)  # JAX sorts plain dictionaries
+    for law, (left, right) in in_order(*arrays).items():
+        hold(law, left, right, tolerance)

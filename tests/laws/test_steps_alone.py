@@ -1,0 +1,72 @@
+"""Steps of every orbit solver alone under jit, vmap, jvp and grad.
+
+Loops of unknown length have forward derivatives; reverse-mode ones are refused in words.
+"""
+
+import diffrax
+import jax.numpy as jnp
+import numpy as np
+import pytest
+
+from polhode import algebra as lie
+from polhode import integrators, systems
+from transformed import check_alone
+
+RNG = np.random.default_rng(6)
+H, SECOND = 0.1, 2
+BODY = systems.FreeRigidBody((1.0, 2.0, 3.0))
+CHAIN = systems.LiePoisson(lie.Power(lie.SO3(), 2), lambda w: -jnp.dot(w[0], w[1]) - 0.3 * w[0, 2] ** 2)
+SOLVERS = [
+    integrators.Splitting(BODY, H, SECOND), integrators.LieMidpoint(BODY, H, SECOND),
+    integrators.LieMidpoint(BODY, H, SECOND, "exp"), integrators.MoserVeselov(BODY, H, SECOND),
+    integrators.MuntheKaas(BODY, H, SECOND), integrators.SphericalMidpoint(CHAIN, H, SECOND),
+    integrators.IsospectralMidpoint(systems.Manakov((1.0, 2.0, 3.0)), H, SECOND),
+]  # fmt: skip
+EXPLICIT = (integrators.Splitting, integrators.MuntheKaas)
+NO_ARRAYS = {"order", "memory", "init", "func"}
+"""What is a number, zeros, or diffrax's own term."""
+
+
+def named(solver):
+    return type(solver).__name__ + (" by exp" if getattr(solver, "coordinates", "") == "exp" else "")
+
+
+def starts(solver):
+    algebra = solver.system.algebra
+    return np.asarray(algebra.from_dual_vector(RNG.normal(size=(3, algebra.dim))))
+
+
+def at_once(solvers):
+    return [pytest.param(s, id=named(s), marks=[] if s in solvers else [pytest.mark.sweep]) for s in SOLVERS]
+
+
+def test_no_solver_is_forgotten():
+    classes = {getattr(integrators, name) for name in integrators.__all__}
+    assert classes - {integrators.AbstractOrbitSolver} == {type(solver) for solver in SOLVERS}
+
+
+@pytest.mark.parametrize("solver", at_once(SOLVERS[1:2]))
+def test_change_alone(solver):
+    step = lambda t, h, state: solver.change(t, h, state).state  # noqa: E731
+    sizes = RNG.uniform(0.05, 0.2, 3)
+    check_alone(step, RNG.uniform(size=3), sizes, starts(solver), batched=False, reverse=isinstance(solver, EXPLICIT))
+
+
+@pytest.mark.parametrize("solver", at_once(SOLVERS[:1]))
+def test_advance_alone(solver):
+    """Two or three steps each; the copies of a batch take as many as each needs."""
+    run = lambda start, span, state: solver.advance(start, span, state, solver.memory(state))[0]  # noqa: E731
+    spans = np.array([0.15, 0.25, -0.15])
+    check_alone(run, RNG.uniform(size=3), spans, starts(solver), batched=False, reverse=False)
+
+
+@pytest.mark.parametrize("solver", at_once([]))
+def test_diffrax_step_alone(solver):
+    term = diffrax.ODETerm(lambda t, state, args: solver.system.vector_field(t, state))
+
+    def step(start, end, state):
+        memory = solver.init(term, start, end, state, None)
+        return solver.step(term, start, end, state, None, memory, False)[0]
+
+    begin = RNG.uniform(size=3)
+    check_alone(step, begin, begin + np.array([0.15, 0.25, 0.15]), starts(solver), batched=False, reverse=False)
