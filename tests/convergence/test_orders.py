@@ -49,6 +49,14 @@ CASES = [
     ("pair", LieMidpoint, 4, {}, SHORT),
 ]
 
+QUICK = {
+    ("body", Splitting, 4), ("body", Splitting, 8), ("body", MoserVeselov, 2), ("body", MoserVeselov, 10),
+    ("body", MuntheKaas, 4), ("body", LieMidpoint, 2), ("top", Splitting, 4), ("fish", LieMidpoint, 4),
+    ("fish", MuntheKaas, 2), ("four", IsospectralMidpoint, 2), ("four", Splitting, 6),
+    ("eight", IsospectralMidpoint, 4), ("eight", MuntheKaas, 4), ("pair", SphericalMidpoint, 2),
+}  # fmt: skip
+"""Every method and system; the others, each compiled for two seconds or more, are in the sweep."""
+
 
 def end(name, method, step, order, **more):
     system = SYSTEMS[name]
@@ -69,9 +77,14 @@ def references():
     return {name: reference(name) for name in SYSTEMS}
 
 
+def quick_or_in_the_sweep(case):
+    system, method, order, more, _ = case
+    name = f"{system}-{method.__name__}-{order}-{more.get('coordinates', '')}"
+    return pytest.param(*case, id=name, marks=() if (system, method, order) in QUICK else pytest.mark.sweep)
+
+
 @pytest.mark.parametrize(
-    ("name", "method", "order", "more", "steps"), CASES,
-    ids=[f"{s}-{m.__name__}-{k}-{c.get('coordinates', '')}" for s, m, k, c, _ in CASES],
+    ("name", "method", "order", "more", "steps"), list(map(quick_or_in_the_sweep, CASES)),
 )  # fmt: skip
 def test_order(name, method, order, more, steps, references):
     if order == 10:
