@@ -3,6 +3,7 @@ JAX array has come in."""
 
 from __future__ import annotations
 
+import contextlib
 import functools
 import sys
 from collections.abc import Callable, Iterator
@@ -144,7 +145,8 @@ def known_numbers_only(function: Callable[Parameters, Result]) -> Callable[Param
         if is_traced(*jax.tree.leaves((args, kwargs))):
             raise refusal
         if not is_traced(jnp.zeros(())):
-            return function(*args, **kwargs)
+            with in_jax_numpy(f"functions and systems given to `{name}`"):
+                return function(*args, **kwargs)
         try:
             with jax.ensure_compile_time_eval():
                 return function(*args, **kwargs)
@@ -154,6 +156,29 @@ def known_numbers_only(function: Callable[Parameters, Result]) -> Callable[Param
             raise refusal from error
 
     return checked
+
+
+@contextlib.contextmanager
+def in_jax_numpy(what: str) -> Iterator[None]:
+    """Word JAX's errors about what cannot be traced, such as a user's function that calls NumPy.
+
+    Args:
+        what: subject of the message, in the plural.
+
+    Raises:
+        InvalidInput: in their place.
+    """
+    try:
+        yield
+    except TypeError as error:
+        import jax
+
+        if not isinstance(error, jax.errors.JAXTypeError):
+            raise
+        raise InvalidInput(
+            f"{what} must be written with jax.numpy, as JAX compiles and differentiates them: no NumPy, `float` or "
+            "`if` on what depends on the state or the time. Write jnp.sum for np.sum, and jnp.where for `if`."
+        ) from error
 
 
 def barrier(values: Any) -> Any:

@@ -14,7 +14,7 @@ import jax
 import jax.numpy as jnp
 
 from polhode.algebra.base import AbstractLieAlgebra
-from polhode.arrays import known_false, refuse_single_precision
+from polhode.arrays import in_jax_numpy, known_false, refuse_single_precision
 from polhode.errors import InvalidInput, shown
 
 Array = Any
@@ -78,7 +78,8 @@ def differential(algebra: AbstractLieAlgebra, F: Function) -> Function:
         function = gradient
         for _ in range(depth):
             function = jax.vmap(function)
-        return algebra.from_gradient(function(mu))
+        with in_jax_numpy("functions on the dual"):
+            return algebra.from_gradient(function(mu))
 
     return at
 

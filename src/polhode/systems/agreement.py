@@ -14,6 +14,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode.arrays import in_jax_numpy
 from polhode.errors import InvalidInput
 from polhode.systems.base import AbstractLiePoissonSystem, components, joined
 
@@ -71,7 +72,8 @@ def check_agreement(system: AbstractLiePoissonSystem, state: Array, times: Array
     first, last = float(times[0]), float(times[-1])
     moments = jnp.asarray([first + share * (last - first) for share in MOMENTS_OF_TIME])
     try:
-        found = _misfits(system, state, moments, by_flows)
+        with in_jax_numpy(f"the methods of {type(system).__name__}"):
+            found = _misfits(system, state, moments, by_flows)
     except TypeError as error:
         raise InvalidInput(
             f"{type(system).__name__} cannot be evaluated: {error}. Its methods are energy(point), velocity(point), "

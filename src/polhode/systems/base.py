@@ -16,8 +16,8 @@ from polhode import rotation
 from polhode.algebra.base import AbstractLieAlgebra, HashableModule
 from polhode.algebra.se3 import SE3
 from polhode.algebra.so3 import SO3
-from polhode.arrays import known_numbers_only, refuse_single_precision
-from polhode.errors import InvalidInput, shown
+from polhode.arrays import in_jax_numpy, known_numbers_only, refuse_single_precision
+from polhode.errors import InvalidInput, PolhodeError, shown
 
 Array = Any
 Components = tuple[Array, ...]
@@ -312,7 +312,10 @@ def check_scalar(name: str, function: Callable[[Array], Array], shape: tuple[int
         InvalidInput: with what it gave, or how it failed.
     """
     try:
-        value = jax.eval_shape(function, jax.ShapeDtypeStruct(shape, dtype))
+        with in_jax_numpy(f"functions such as `{name}`"):
+            value = jax.eval_shape(function, jax.ShapeDtypeStruct(shape, dtype))
+    except PolhodeError:
+        raise
     except Exception as error:
         raise InvalidInput(
             f"`{name}` cannot be evaluated at a point of shape {shape}: {error}. Write it with jax.numpy for one point."
