@@ -109,10 +109,14 @@ class Body:
         """Return the inertia (3, 3) about a point (3,) [m, given axes], by the parallel-axis theorem [kg m²].
 
         Raises:
-            InvalidInput: if the body has no mass.
+            InvalidInput: if the body has no mass, or the point is so far away that the inertia overflows.
         """
-        offset = self.center_of_mass - _finite("point", point, (3,))
-        return self.inertia + self._known_mass("the inertia about another point") * point_inertia(offset)
+        with np.errstate(over="ignore", invalid="ignore"):  # what overflows is refused
+            offset = self.center_of_mass - _finite("point", point, (3,))
+            inertia = self.inertia + self._known_mass("the inertia about another point") * point_inertia(offset)
+        if not np.isfinite(inertia).all():
+            raise InvalidInput(f"the inertia about `point` overflows; got {shown(point)} m. Check its unit.")
+        return inertia
 
     def placed(self, rotation: Array = (1.0, 0.0, 0.0, 0.0), translation: Array = (0.0, 0.0, 0.0)) -> Body:
         """Return the body turned about the origin, then shifted: r → R r + d, J → R J Rᵀ.
@@ -131,8 +135,9 @@ class Body:
         else:
             turn = _finite("rotation", rotation, (3, 3))
             from_matrix(turn)  # refuses reflections and matrices that are not orthogonal
-        center = turn @ self.center_of_mass + _finite("translation", translation, (3,))
-        return Body(self.mass, center, turn @ self.inertia @ turn.T)
+        with np.errstate(over="ignore", invalid="ignore"):  # what overflows is refused
+            center = turn @ self.center_of_mass + _finite("translation", translation, (3,))
+            return Body(self.mass, center, turn @ self.inertia @ turn.T)
 
     def _known_mass(self, purpose: str) -> float:
         if self.mass is None:
@@ -156,10 +161,11 @@ def combine(bodies: Sequence[Body]) -> Body:
         )
     masses = np.array([body._known_mass("combining bodies") for body in bodies])
     centers = np.array([body.center_of_mass for body in bodies])
-    center = masses @ (centers - centers[0]) / masses.sum() + centers[0]
-    shifted = masses[:, None, None] * point_inertia(centers - center)
-    inertia = np.sum([body.inertia for body in bodies], axis=0) + shifted.sum(axis=0)
-    return Body(float(masses.sum()), center, inertia)
+    with np.errstate(over="ignore", invalid="ignore"):  # what overflows is refused
+        center = masses @ (centers - centers[0]) / masses.sum() + centers[0]
+        shifted = masses[:, None, None] * point_inertia(centers - center)
+        inertia = np.sum([body.inertia for body in bodies], axis=0) + shifted.sum(axis=0)
+        return Body(float(masses.sum()), center, inertia)
 
 
 def point_inertia(offset: Array) -> Array:

@@ -126,9 +126,10 @@ class FreeMotion:
         xp = namespace(vector, attitude, epoch, axes)
         axes = as_float64(xp, axes, "principal axes")
         name = "momentum" if angular_velocity is None else "angular_velocity"
-        vector = checked_last_axis(name, as_float64(xp, vector, name), 3) @ axes
         moments = as_float64(xp, body.principal_moments, "moments")
-        principal = vector if angular_velocity is None else vector * moments
+        with np.errstate(over="ignore", invalid="ignore"):  # what overflows is refused below
+            vector = checked_last_axis(name, as_float64(xp, vector, name), 3) @ axes
+            principal = vector if angular_velocity is None else vector * moments
         frame = rotation.from_matrix(axes)
         plain = cls(moments, principal, rotation.multiply(as_float64(xp, attitude, "attitude"), frame), epoch)
         motion = object.__new__(cls)

@@ -23,6 +23,7 @@ STANDARD_GRAVITY = 9.80665  # m/s²
 FLAT = 1e-6  # rad: the rim of a coin is then lifted by tens of nanometres, less than any table is rough
 ROLLING_TOLERANCE = 1e-6  # of the speeds: a given velocity that misses the rolling one by more is a mistake
 STEADY_TOLERANCE = 1e-9
+LARGEST = 1e30  # of mass, radius and gravity, and the inverse of the smallest: products of five stay within numbers
 
 
 class EulerDisk(AbstractSystem):
@@ -74,6 +75,8 @@ class EulerDisk(AbstractSystem):
     ) -> None:
         m, a, g = (_positive(*x) for x in (("mass", mass, "kg"), ("radius", radius, "m"), ("gravity", gravity, "m/s²")))
         refuse_single_precision(thickness=thickness)
+        for name, value, unit in (("mass", m, "kg"), ("radius", a, "m"), ("gravity", g, "m/s²")):
+            _check_size(name, value, unit, LARGEST)
         h = float(np.asarray(thickness, dtype=float))
         if not (math.isfinite(h) and 0.0 <= h <= 2.0 * a):
             raise InvalidInput(
@@ -83,6 +86,8 @@ class EulerDisk(AbstractSystem):
         C = 0.5 * m * a * a if axial_moment is None else _positive("axial_moment", axial_moment, "kg m²")
         uniform = m * (a * a / 4.0 + h * h / 12.0)
         A = uniform if diametral_moment is None else _positive("diametral_moment", diametral_moment, "kg m²")
+        for name, value in (("axial_moment", C), ("diametral_moment", A)):
+            _check_size(name, value, "kg m²", LARGEST**3)
         if C > 2.0 * A * (1.0 + 1e-12):
             raise InvalidInput(
                 f"`axial_moment` must be at most twice `diametral_moment`; got {C:.6g} and {A:.6g} kg m². "
@@ -369,6 +374,12 @@ def _frame(state: Array) -> tuple[Array, Array, Array]:
 
 def _as_jax(function: LegendreFunction) -> LegendreFunction:
     return LegendreFunction(*(jnp.asarray(x) for x in function))
+
+
+def _check_size(name: str, value: float, unit: str, largest: float) -> None:
+    if not 1.0 / largest <= value <= largest:
+        raise InvalidInput(f"`{name}` must be within {1.0 / largest:.0e} and {largest:.0e} {unit}; got {value:g}. "
+                           "Check its unit.")  # fmt: skip
 
 
 def _positive(name: str, value: Array, unit: str) -> float:

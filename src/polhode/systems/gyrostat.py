@@ -90,15 +90,16 @@ class TorquedGyrostat(AbstractSystem):
 
     @known_numbers_only
     def __init__(self, moments: Array, axis: Array, rotor_moment: float, torque: float) -> None:
-        axis = _vector("axis", axis)
-        if not bool(jnp.any(axis != 0)):
+        direction = np.asarray(_vector("axis", axis))
+        if not (largest := np.abs(direction).max()) > 0:
             raise InvalidInput("`axis` must be a direction (3,); got (0, 0, 0).")
         refuse_single_precision(rotor_moment=rotor_moment, torque=torque)
         if not (np.ndim(rotor_moment) == 0 and np.isfinite(rotor_moment) and rotor_moment > 0):
             raise InvalidInput(f"`rotor_moment` must be positive and finite [kg m²]; got {shown(rotor_moment)}.")
         if not (np.ndim(torque) == 0 and np.isfinite(torque)):
             raise InvalidInput(f"`torque` must be one finite number [N m]; got {shown(torque)}.")
-        self.moments, self.axis = checked_moments(moments), axis / jnp.linalg.norm(axis)
+        direction = np.ldexp(direction, -np.frexp(largest)[1])  # squares of extreme lengths overflow
+        self.moments, self.axis = checked_moments(moments), jnp.asarray(direction / np.linalg.norm(direction))
         self.rotor_moment, self.torque = jnp.asarray(float(rotor_moment)), jnp.asarray(float(torque))
 
     @known_numbers_only

@@ -57,8 +57,9 @@ class HeavyTop(AbstractLiePoissonSystem):
     @known_numbers_only
     def __init__(self, moments: Array, mgl: float, axis: Array = (0.0, 0.0, 1.0), axes: Array | None = None) -> None:
         refuse_single_precision(mgl=mgl, axis=axis, axes=axes)
-        size = np.linalg.norm(np.asarray(axis, dtype=float)) if np.shape(axis) == (3,) else np.nan
-        if not (np.isfinite(size) and size > 0):
+        direction = np.asarray(axis, dtype=float)
+        largest = np.abs(direction).max() if direction.shape == (3,) else np.nan
+        if not (np.isfinite(largest) and largest > 0):
             raise InvalidInput(
                 "`axis` must be a direction (3,), from fixed point to centre of mass; "
                 f"got {shown(axis)}."
@@ -66,7 +67,8 @@ class HeavyTop(AbstractLiePoissonSystem):
         if not (np.ndim(mgl) == 0 and np.isfinite(mgl)):
             raise InvalidInput(f"`mgl` must be one finite number [N m]; got {shown(mgl)}.")
         self.algebra, self.moments = SE3(), checked_moments(moments)
-        self.mgl, self.axis = jnp.asarray(float(mgl)), jnp.asarray(np.asarray(axis, dtype=float) / size)
+        direction = np.ldexp(direction, -np.frexp(largest)[1])  # squares of extreme lengths overflow
+        self.mgl, self.axis = jnp.asarray(float(mgl)), jnp.asarray(direction / np.linalg.norm(direction))
         self.axes = jnp.eye(3) if axes is None else jnp.asarray(axes, dtype=float)
         self.case = integrable_case(np.asarray(self.moments), float(mgl), np.asarray(self.axis))
 

@@ -53,6 +53,10 @@ class LiePoisson(AbstractLiePoissonSystem):
     ) -> None:
         if sign not in (-1, 1):
             raise InvalidInput(f"`sign` must be −1 (left-invariant) or +1 (right-invariant); got {shown(sign)}.")
+        if not isinstance(algebra, AbstractLieAlgebra):
+            raise InvalidInput(f"`algebra` must be one of polhode.algebra; got {shown(algebra)}.")
+        if not isinstance(conserved, dict | None):
+            raise InvalidInput(f"`conserved` must be functions by name, {{name: function}}; got {shown(conserved)}.")
         self.algebra, self.hamiltonian = algebra, hamiltonian
         self.conserved, self.orientation = dict(conserved or {}), sign
         for name, function in {"hamiltonian": hamiltonian, **self.conserved}.items():

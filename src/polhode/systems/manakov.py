@@ -40,7 +40,10 @@ class Manakov(AbstractLiePoissonSystem):
         values = np.asarray(masses, dtype=float)
         if values.ndim != 1 or len(values) < 3 or not np.isfinite(values).all():
             raise InvalidInput(f"`masses` must be at least three finite numbers (n,); got shape {values.shape}.")
-        sums = np.sort(values)[:2].sum()
+        with np.errstate(over="ignore"):
+            sums, largest = np.sort(values)[:2].sum(), np.sort(values)[-2:].sum()
+        if not np.isfinite(largest):
+            raise InvalidInput("the sums of two `masses` must not overflow. Choose a larger unit.")
         if not sums > 0:
             raise InvalidInput(f"`masses` must have positive sums of any two; got the sum {sums:g} kg m².")
         self.algebra, self.masses, self.size = SO(len(values)), jnp.asarray(values), len(values)

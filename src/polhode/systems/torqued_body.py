@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 import jax.numpy as jnp
@@ -43,6 +43,8 @@ class TorquedBody(AbstractSystem):
 
     @known_numbers_only
     def __init__(self, moments: Array, torques: Sequence[AbstractTorque]) -> None:
+        if not isinstance(torques, Iterable):
+            raise InvalidInput(f"`torques` must be a list; got {shown(torques)}. Put it in brackets.")
         self.moments, self.torques = checked_moments(moments), tuple(torques)
         for torque in self.torques:
             if not isinstance(torque, AbstractTorque):

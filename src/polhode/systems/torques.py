@@ -101,6 +101,8 @@ class GravityGradient(AbstractTorque):
 
     @known_numbers_only
     def __init__(self, orbit: KeplerOrbit, moments: Array) -> None:
+        if not isinstance(orbit, KeplerOrbit):
+            raise InvalidInput(f"`orbit` must be a polhode.systems.KeplerOrbit; got {shown(orbit)}.")
         self.orbit, self.moments = orbit, checked_moments(moments)
         self.circular = float(orbit.eccentricity) == 0.0
 
