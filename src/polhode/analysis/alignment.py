@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from polhode import rotation
+from polhode.arrays import known_numbers_only
 
 Array = Any
 FEWEST = 10  # samples for nine unknowns
@@ -39,6 +40,7 @@ class Alignment(NamedTuple):
         return float(np.sqrt(np.mean(self.remaining**2)))
 
 
+@known_numbers_only
 def fit_alignment(times: Array, a: Array, b: Array) -> Alignment | None:
     """Return the best alignment of attitude b (T, 4) with a (T, 4) at times [s]; None for fewer than ten samples.
 
@@ -68,6 +70,7 @@ def fit_alignment(times: Array, a: Array, b: Array) -> Alignment | None:
     )  # fmt: skip
 
 
+@known_numbers_only
 def mean_quaternion(quaternions: Array) -> Array:
     """Return the quaternion (4,) nearest to many (T, 4), whatever their signs."""
     return np.linalg.eigh(quaternions.T @ quaternions)[1][:, -1]

@@ -11,6 +11,7 @@ import numpy as np
 from polhode import rotation
 from polhode.analysis.alignment import Alignment, fit_alignment
 from polhode.analysis.mechanics import Mechanics, invariants_along
+from polhode.arrays import is_traced
 from polhode.errors import InvalidInput
 
 Array = Any
@@ -42,6 +43,10 @@ class AttitudeHistory:
     exact: Callable[[Array], tuple[Array, Array]] | None = None
     mechanics: Mechanics | None = None
     resolution: float = 0.0
+
+    def __post_init__(self) -> None:
+        if is_traced(self.times, self.attitude, self.angular_velocity):
+            raise InvalidInput("times and attitudes of an AttitudeHistory must be known numbers, not traced by JAX.")
 
     @property
     def speed(self) -> float:

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from polhode.arrays import as_float64, is_traced, numpy_namespace
+from polhode.arrays import as_float64, is_traced, known_numbers_only, numpy_namespace
 from polhode.errors import InvalidInput, shown
 from polhode.rotation import as_matrix, from_matrix, normalize
 
@@ -71,6 +71,7 @@ class Body:
         check_moments(self.principal_moments)
 
     @classmethod
+    @known_numbers_only
     def from_moments(cls, I1: float, I2: float, I3: float, mass: float | None = None) -> Body:
         """Return the body with inertia diag(I1, I2, I3) about its centre of mass, at the origin [kg m²].
 

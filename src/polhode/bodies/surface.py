@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from polhode.arrays import known_numbers_only
 from polhode.bodies.body import point_inertia, principal_axes
 from polhode.bodies.frame import BodyFrame
 from polhode.errors import InvalidInput
@@ -63,6 +64,7 @@ class Surface(NamedTuple):
         return best
 
 
+@known_numbers_only
 def cuboid(edges: Array) -> Surface:
     """Return the block with these edges (3,) [m] along x, y, z about the origin."""
     return Surface(_CORNERS * np.asarray(edges, dtype=float), _FACES)
@@ -94,6 +96,7 @@ def _clustered(surface: Surface, cells: int) -> Surface:
     return Surface(means[used], np.searchsorted(used, kept))
 
 
+@known_numbers_only
 def box_of_same_inertia(moments: Array, mass: float | None = None) -> Surface | None:
     """Return the solid box with these moments about its centre: edge_i² = 6 (I_j + I_k − I_i)/m.
 
@@ -114,6 +117,7 @@ def box_of_same_inertia(moments: Array, mass: float | None = None) -> Surface | 
     return cuboid(edges * scale)
 
 
+@known_numbers_only
 def box_in_place(frame: BodyFrame) -> Surface | None:
     """Return the box of the same inertia where the body is, in the given axes; None for moments that no body has.
 

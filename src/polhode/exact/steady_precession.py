@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
+from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 
 
@@ -15,6 +16,7 @@ class SteadyPrecession(NamedTuple):
     fast: float | None
 
 
+@known_numbers_only
 def steady_precession(
     moments: tuple[float, float, float], mgl: float, tilt: float, spin: float
 ) -> SteadyPrecession | None:
@@ -55,6 +57,7 @@ def steady_precession(
     return SteadyPrecession(mgl / larger, larger / quadratic)
 
 
+@known_numbers_only
 def sleeping_threshold(moments: tuple[float, float, float], mgl: float) -> float:
     """Return the spin |ω3| [rad/s] from which the upright top is stable, 2 √(I1 mgl)/I3; zero for a hanging one.
 

@@ -1,0 +1,169 @@
+"""Every public function, constructor and method of the numerical rooms is in a table of those tested alone.
+
+What is public is found by walking the package. ``INNER`` modules serve others of their room; none is in the reference.
+"""
+
+import importlib
+import inspect
+import pkgutil
+from pathlib import Path
+
+import equinox as eqx
+import pytest
+
+import polhode
+
+REFERENCE = Path(__file__).parents[2] / "docs" / "reference.md"
+TAKE_FILES_AND_WORDS = {"cli", "figures", "formats", "report", "spec", "viewer", "errors"}
+INNER = {
+    "arrays": None, "trajectory": None,
+    "algebra": {"polynomial", "precision"},
+    "analysis": {"conserved", "equilibrium_data", "mechanics", "periapsis_map", "power_law", "second_variation"},
+    "bodies": {"mesh_crossing", "mesh_gate", "turned"},
+    "exact": {"blocks", "derivative", "evaluation", "frequencies", "geometry", "inputs", "invariants", "preparation",
+              "reduction", "spinor", "tangent", "tangent_kernel", "top_evaluation", "top_flow", "top_frequencies",
+              "top_geometry", "top_periods", "top_preparation", "top_reduction", "top_roots", "top_series",
+              "top_standing", "top_tangent"},
+    "integrators": {"accuracy", "adaptive", "composition", "difference", "equal_steps", "fixed_point", "group",
+                    "moser_veselov_table"},
+    "special": {"agm", "circular", "doubledouble", "first_kind", "legendre"},
+    "systems": {"agreement", "forward_only", "free_flow", "rolling_mechanics", "top_integrals"},
+}  # fmt: skip
+"""Modules by room; None for a whole room."""
+
+
+def is_inner(module):
+    room, _, name = module.partition(".")
+    return room in INNER and (INNER[room] is None or name in INNER[room])
+
+
+def public_modules():
+    for found in pkgutil.walk_packages(polhode.__path__, "polhode."):
+        module = found.name.removeprefix("polhode.")
+        if module.partition(".")[0] not in TAKE_FILES_AND_WORDS and not is_inner(module):
+            yield module, importlib.import_module(found.name)
+
+
+def own(module):
+    for name, thing in vars(module).items():
+        if not name.startswith("_") and getattr(thing, "__module__", None) == module.__name__:
+            yield name, thing
+
+
+def public_names():
+    """Yield room.module.function, room.module.Class and room.module.Class.method."""
+    for place, module in public_modules():
+        for name, thing in own(module):
+            if inspect.isclass(thing):
+                if not is_record(thing) and not inspect.isabstract(thing):
+                    yield f"{place}.{name}"
+                for method, value in vars(thing).items():
+                    if not method.startswith("_") and isinstance(value, function_kinds()):
+                        yield f"{place}.{name}.{method}"
+            elif callable(thing):
+                yield f"{place}.{name}"
+
+
+def function_kinds():
+    return type(own), classmethod, staticmethod, type(eqx.Module.__dict__.get("__hash__"))
+
+
+def is_record(kind):
+    """Whether a class only holds what it is given."""
+    return issubclass(kind, tuple) or not any(("__init__" in vars(k) and not _made(k)) or "__check_init__" in vars(k)
+                                              for k in kind.__mro__[:-1] if k.__module__.startswith("polhode."))
+
+
+def _made(kind):
+    return not hasattr(vars(kind)["__init__"], "__code__") or vars(kind)["__init__"].__module__ != kind.__module__
+
+
+def suffixes(table):
+    return lambda name: any(name.endswith("." + key) or name == key for key in table)
+
+
+def of_classes(kinds):
+    """Return the methods of classes, under the names of the classes that define them."""
+    found = set()
+    for kind in kinds:
+        for owner in kind.__mro__:
+            place = owner.__module__.removeprefix("polhode.") + "." + owner.__name__
+            found |= {place} | {f"{place}.{name}" for name in vars(owner)}
+    return found
+
+
+NO_ARRAYS = {
+    "AbstractLieAlgebra.batch_shape", "AbstractLieAlgebra.structure_constants", "has_cayley", "is_compact",
+    "from_scipy", "energy_casimir.bracketed", "testing.algebras.check_algebra", "testing.systems.check_system",
+    "Comparison", "SpinDown", "Resonance", "AttitudeHistory",
+    "Surface.along", "Surface.coarsened", "surface.joined", "frame.BodyFrame.of",
+    "combine",
+}  # fmt: skip
+"""Functions of objects, words and whole numbers, and records of known answers."""
+CALLED_BY_OTHERS = {
+    "algebra.base.HashableModule", "algebra.constants.checked_constants", "algebra.matrix.adjoint",
+    "algebra.matrix.traceless", "algebra.matrix.pfaffian", "algebra.so3.half_angle_factors", "algebra.so3.scaled_norm",
+    "analysis.energy_casimir.Stability", "analysis.energy_casimir.energy_casimir", "analysis.spin_motion.steps_for",
+    "analysis.spin_orbit.table_of", "analysis.spin_orbit.scaled_start", "analysis.spin_orbit.counted",
+    "analysis.stability.scaled_field", "bodies.atoms.atomic_masses", "bodies.body.point_inertia",
+    "bodies.body.check_moments", "bodies.body.principal_axes", "bodies.mesh.volume_moments", "bodies.surface.cuboid",
+    "integrators.base.explicit", "integrators.base.step_count", "poisson.brackets.as_points",
+    "simulation.fastest_rate", "simulation.step_angle", "simulation.turning_rates", "simulation.trajectory_of",
+    "systems.base.as_finite_state", "systems.base.check_unit_attitude", "systems.base.components",
+    "systems.base.joined", "systems.base.attitude_change",
+    "systems.base.checked_functions", "systems.base.check_scalar",
+    "systems.free_rigid_body.axis_flow", "systems.free_rigid_body.checked_moments",
+    "systems.kepler_orbit.ratio_from_eccentric", "systems.kepler_orbit.true_from_eccentric",
+    "systems.kepler_orbit.solve_kepler", "systems.kepler_orbit.checked_number", "systems.rolling_dissipation.couples",
+    "testing.laws.hold", "testing.laws.hold_all",
+}  # fmt: skip
+"""Inner functions of public modules: no ``__all__`` has them, and what is tested alone calls them."""
+
+
+def tables():
+    """Return which names are covered, by the tables of the other files."""
+    load = importlib.import_module
+    turns, algebras, moving = (load(f"laws.test_{name}") for name in
+                               ("transformations", "algebras_alone", "systems_alone"))  # fmt: skip
+    steps, refused, motions = load("laws.test_steps_alone"), load("laws.test_refused_when_traced"), load(
+        "exact.test_outputs_alone")  # fmt: skip
+    values = load("laws.test_values_of_analysis")
+    exactly = of_classes(map(type, [*algebras.one_of_each_class().values(), *moving.SPECIMENS, *steps.SOLVERS]))
+    exactly |= {p.values[0] for p in turns.public_functions()} | set(turns.LEFT_OUT) | CALLED_BY_OTHERS
+    exactly |= of_classes(motions.KINDS.values())
+    by_ending = [*refused.REFUSED, *algebras.FUNCTIONS, *algebras.MAKERS, *algebras.OF_AN_ALGEBRA]
+    by_ending += [*values.VALUES, *NO_ARRAYS]
+    by_ending += ["poisson.orbits." + name for name in algebras.REFUSE]
+    return exactly, by_ending
+
+
+def test_every_public_name_is_in_a_table():
+    exactly, by_ending = tables()
+    covered = suffixes(by_ending)
+    missing = [name for name in public_names() if name not in exactly and not covered(name)]
+    assert not missing, f"not tested alone, nor said why not: {missing}"
+
+
+def test_a_forgotten_function_would_be_named(monkeypatch):
+    module = importlib.import_module("polhode.analysis.poinsot")
+
+    def forgotten(x):
+        return x
+
+    forgotten.__module__ = module.__name__
+    monkeypatch.setattr(module, "forgotten", forgotten, raising=False)
+    with pytest.raises(AssertionError, match=r"analysis\.poinsot\.forgotten"):
+        test_every_public_name_is_in_a_table()
+
+
+def test_tables_name_what_is_there():
+    names = set(public_names())
+    found = lambda key: any(n == key or n.endswith("." + key) for n in names)  # noqa: E731
+    missing = [key for key in [*NO_ARRAYS, *CALLED_BY_OTHERS] if not found(key)]
+    assert not missing, f"no such public function: {missing}"
+
+
+def test_what_the_reference_shows_is_not_called_inner():
+    shown = [line.split("polhode.")[1].strip() for line in REFERENCE.read_text(encoding="utf-8").splitlines()
+             if line.startswith(".. automodule:: polhode.")]  # fmt: skip
+    assert not [module for module in shown if "." in module and is_inner(module)]

@@ -1,0 +1,27 @@
+"""Functions of analysis that take traced numbers, alone under jit, vmap, jvp and grad."""
+
+import jax.numpy as jnp
+import numpy as np
+import pytest
+
+from polhode import systems
+from polhode.analysis import poinsot, spin_down
+from transformed import check_alone
+
+RNG = np.random.default_rng(8)
+DISK = systems.EulerDisk(0.4, 0.04, 0.01, dissipation=[systems.AirLayer(1.8e-4)])
+VECTORS = RNG.normal(size=(3, 3))
+STATES = np.array([0.4, 0.3, 0.2, 0.01, 0.02, 0.1, 6.0, 1.0]) * (1.0 + 0.1 * RNG.uniform(size=(3, 8)))
+VALUES = {
+    "contact_point": (lambda velocity: poinsot.contact_point(velocity, 0.7), VECTORS),
+    "touching_point": (poinsot.touching_point, VECTORS, np.abs(VECTORS) + 0.5),
+    "ellipsoid_semi_axes": (poinsot.ellipsoid_semi_axes, np.abs(VECTORS) + 0.5),
+    "adiabaticity": (lambda state: jnp.asarray(spin_down.adiabaticity(DISK, state)), STATES),
+}
+
+
+@pytest.mark.parametrize("name", [pytest.param(n, marks=[] if n == "contact_point" else [pytest.mark.sweep])
+                                  for n in VALUES])  # fmt: skip
+def test_value_alone(name):
+    function, *points = VALUES[name]
+    check_alone(function, *points, batched=False)
