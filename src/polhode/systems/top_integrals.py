@@ -31,7 +31,7 @@ def integrable_case(moments: Array, mgl: float, axis: Array) -> tuple[str, int] 
             return "Lagrange", k
         if abs(axis[k]) <= EQUAL:
             for name, ratio in (("Kovalevskaya", 2.0), ("Goryachev-Chaplygin", 4.0)):
-                if abs(moments[i] - ratio * moments[k]) <= EQUAL * moments[i]:
+                if abs(moments[i] / ratio - moments[k]) <= EQUAL * moments[k]:
                     return name, k
     return None
 
