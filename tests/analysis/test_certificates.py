@@ -85,6 +85,26 @@ class Driven(systems.FreeRigidBody):
         return (1.0 + t) * self.velocity(point)
 
 
+class Briefly(systems.FreeRigidBody):
+    """Is driven for a tenth of a second alone, between any times at which one might look."""
+
+    def generator(self, t, point):
+        return jnp.where(jnp.abs(t - 5.0) < 0.05, 2.0, 1.0) * self.velocity(point)
+
+
+class Unmoved(systems.FreeRigidBody):
+    """Takes the time and does not use it."""
+
+    def generator(self, t, point):
+        late = 3.0 * t
+        del late
+        return self.velocity(point)
+
+
+def test_a_generator_that_takes_the_time_and_does_not_use_it():
+    assert ph.stability(Unmoved((1.0, 2.0, 3.0)), e3).verdict == "stable"
+
+
 # ---------------------------------------------------------------------- refusals
 
 REFUSED = {
@@ -116,7 +136,8 @@ REFUSED = {
     "a point that moves": (body, np.ones(3), {}, "no equilibrium"),
     "a relative equilibrium without its integral": (vortices(5), ring(5, 0.5), {}, "no equilibrium"),
     "a vector field of its own": (Dragged((1.0, 2.0, 3.0)), e3, {}, "overrides `vector_field`"),
-    "a generator that depends on time": (Driven((1.0, 2.0, 3.0)), e3, {}, "does not move by its energy alone"),
+    "a generator that depends on time": (Driven((1.0, 2.0, 3.0)), e3, {}, "depends on time"),
+    "one that depends on it for a moment": (Briefly((1.0, 2.0, 3.0)), e3, {}, "depends on time"),
     "a disk's integrals": (systems.EulerDisk(1.0, 1.0), np.zeros(8), {"integrals": [lambda x: x[0]]}, "its own"),
     "integrals where energy is lost": (
         systems.DoubleBracket((1.0, 2.0, 3.0), 0.3), e3, {"integrals": [lambda L: jnp.sum(L**2)]}, "energy is lost"),
