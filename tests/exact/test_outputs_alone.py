@@ -58,6 +58,22 @@ motion = make(*map(jnp.asarray, given))
 for name in names:
     near(flat(jax.jit(lambda m: getattr(m, name))(motion)), getattr(plain, name), 1e-12, name)
 """
+SLOPES_OF_NUMBERS = """
+motion = make(*map(jnp.asarray, given))
+names = [n for n in names if np.issubdtype(np.asarray(jax.tree.leaves(getattr(plain, n))[0]).dtype, np.floating)]
+arrays = given[:-1]
+ways = tuple(np.random.default_rng(1).normal(size=x.shape) * 0.3 for x in arrays)
+numbers = lambda *x: [getattr(make(*x, given[-1]), n) for n in names]
+step = 1e-6
+ahead, behind = (numbers(*(x + s * step * v for x, v in zip(arrays, ways))) for s in (1, -1))
+slope = jax.tree.map(lambda a, b: (a - b) / (2 * step), ahead, behind)
+whole = lambda *x: flat(numbers(*x))
+both = lambda x, v: (jax.jvp(whole, x, v)[1], jax.vjp(whole, *x)[1](jnp.ones_like(whole(*x))))
+found, pull = jax.jit(both)(arrays, ways)
+near(found, slope, 1e-6, "jvp of " + ", ".join(names))
+along = sum(np.sum((np.asarray(a) * v).reshape(3, -1), axis=1) for a, v in zip(pull, ways))
+near(along[:, None], np.asarray(found).sum(axis=1)[:, None], 1e-10, "vjp of " + ", ".join(names))
+"""
 DERIVATIVES = """
 motion = make(*map(jnp.asarray, given))
 for name in names:
@@ -92,6 +108,7 @@ def cases():
         yield kind, NUMBERS, sorted(public(KINDS[kind])[1]), f"{kind} properties"
         yield kind, DERIVATIVES, ["momentum"], f"{kind} derivatives by time"
         yield kind, MADE_WITHIN, ["momentum"], f"{kind} made within"
+    yield "FreeMotion", SLOPES_OF_NUMBERS, sorted(public(FreeMotion)[1]), "FreeMotion slopes of properties"
 
 
 @pytest.mark.sweep
