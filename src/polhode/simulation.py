@@ -24,9 +24,10 @@ from polhode.integrators.equal_steps import run_by_equal_steps, step_counts
 from polhode.integrators.lie_midpoint import LieMidpoint
 from polhode.integrators.spherical_midpoint import SphericalMidpoint
 from polhode.integrators.splitting import Splitting
+from polhode.motion.outcome import Ending, Outcome
+from polhode.motion.trajectory import Trajectory
 from polhode.systems.agreement import MOMENTS_OF_TIME, check_agreement, moves_by_generator
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
-from polhode.trajectory import Trajectory
 
 Array = Any
 
@@ -65,7 +66,7 @@ def simulate(
 
     Methods of ours take equal steps from each time to the next, so that samples are steps; nothing is interpolated.
     diffrax's solvers step adaptively with tolerance 1e-12, and end where one of the system's events does: the last
-    sample is then the event's own, and ``status`` names it.
+    sample is then the event's own, and ``outcome`` names it.
 
     Args:
         system: what moves.
@@ -80,7 +81,7 @@ def simulate(
             8, 0.1 at order 6, 0.05 at lower orders.
         order: of the method, by default its own.
         progress: whether to show it on standard error; by default for long runs on a terminal.
-        throw: raise if an implicit step fails in any copy; otherwise the status says so, and the states of that copy
+        throw: raise if an implicit step fails in any copy; otherwise the outcome says so, and the states of that copy
             after it are infinite.
         tolerance: of the error relative to the state's size, instead of a step. Steps are shortened from the default
             until ``error_estimate`` is below it. diffrax's solvers take it as the tolerance of a step.
@@ -129,12 +130,16 @@ def _by_adaptive_steps(
             f"{type(solver).__name__} could not hold its tolerance after {motion.steps} steps{which}: the motion runs "
             "into a singularity or leaves the finite numbers. End it earlier."
         )
-    failure = f"not converged: {type(solver).__name__} failed{which}"
-    status = motion.event or (failure if len(failed) else "successful")
+    if motion.event:
+        outcome = Outcome(Ending.EVENT, motion.event)
+    elif len(failed):
+        outcome = Outcome(Ending.NOT_CONVERGED, message=f"{type(solver).__name__} failed{which}")
+    else:
+        outcome = Outcome(Ending.COMPLETED)
     error = None
     if asked.estimate_error:
         error = adaptive_error(system, solver, state, times, motion, asked.step, asked.tolerance)
-    return trajectory_of(system, motion.times, motion.states, status, {"steps": motion.steps}, motion.received, error)
+    return trajectory_of(system, motion.times, motion.states, outcome, {"steps": motion.steps}, motion.received, error)
 
 
 def _by_equal_steps(
@@ -174,10 +179,10 @@ def _by_equal_steps(
                 f"the {name} step did not converge, or the state left the finite numbers{which}. Take a shorter "
                 "`step`, or an explicit method such as MuntheKaas; with `throw=False` the other copies are returned."
             )
-        status = f"not converged: {name} failed{which}"
+        outcome = Outcome(Ending.NOT_CONVERGED, message=f"{name} failed{which}")
     else:
-        status = "successful"
-    return trajectory_of(system, times, run.states, status, statistics, {}, error)
+        outcome = Outcome(Ending.COMPLETED)
+    return trajectory_of(system, times, run.states, outcome, statistics, {}, error)
 
 
 def _indices(where: np.ndarray) -> str:
@@ -265,7 +270,7 @@ def _solver(system: AbstractLiePoissonSystem, method: Any, order: int | None) ->
 
 
 def trajectory_of(
-    system: AbstractSystem, times: np.ndarray, states: Array, status: str, statistics: dict[str, int],
+    system: AbstractSystem, times: np.ndarray, states: Array, outcome: Outcome, statistics: dict[str, int],
     received: dict[str, Array], error_estimate: Array | None = None,
 ) -> Trajectory:  # fmt: skip
     """Return samples (batch…, T, …) as a trajectory with all that the system says of them."""
@@ -282,9 +287,10 @@ def trajectory_of(
     terms = _terms(system, jnp.take(states, 0, axis=axis)) if jnp.isrealobj(states) else {}
     drift = {name: _drift(value, axis, terms.get(name)) for name, value in invariants.items()}
     return Trajectory(
-        system=system,
+        source=system,
         times=times,
         states=np.asarray(states),
+        layout=system.layout(states),
         attitude=vectors[0],
         momentum=vectors[1],
         angular_velocity=vectors[2],
@@ -292,7 +298,8 @@ def trajectory_of(
         balances=values,
         received=got,
         drift=drift | {name: _drift(values[name] - value, axis) for name, value in got.items()},
-        status=status,
+        quantities=system.quantities,
+        outcome=outcome,
         statistics=statistics,
         error_estimate=error_estimate,
     )

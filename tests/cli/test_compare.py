@@ -20,8 +20,7 @@ from polhode.formats.given_axes import along_given_axes
 from polhode.formats.labels import AttitudeLabels
 from polhode.formats.spice import write_ck
 from polhode.formats.spice_reading import read_ck
-from polhode.report.choice import report_of
-from polhode.spec.reading import read_spec
+from polhode.kinds.reading import read_spec
 
 EXACT = 1e-12  # rad and relative
 AXIS = np.array([2.0, -1.0, 2.0]) / 3.0
@@ -80,7 +79,7 @@ def written(tmp_path_factory):
     tmp_path = tmp_path_factory.mktemp("written")
     spec = tmp_path / "box.toml"
     spec.write_text(BOX)
-    report = report_of(read_spec(spec))
+    report = read_spec(spec).report()
     labels = AttitudeLabels(object_name="BOX", epoch="2026-03-01T12:00:00", spice_id=-321)
     write_aem(report.trajectory, tmp_path / "box.aem", labels=labels, frame=report.frame)
     write_ck(report.trajectory, tmp_path / "box.bc", labels=labels, frame=report.frame)
@@ -187,7 +186,7 @@ def test_no_time_in_common_is_one_error(files, capsys):
 def test_tops_against_their_kernels(tmp_path, monkeypatch, capsys, kind):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "top.toml").write_text(TOP.replace("KIND", kind))
-    report = report_of(read_spec(tmp_path / "top.toml"))
+    report = read_spec(tmp_path / "top.toml").report()
     write_ck(report.trajectory, tmp_path / "top.bc", frame=report.frame)
     found = values_of(["compare", "top.bc", "top.toml"], capsys)
     assert found["angle"]["largest"] <= EXACT
@@ -204,10 +203,10 @@ def test_import_says_what_is_there_and_writes_it(files, capsys, name):
     assert found["largest_gap"] == pytest.approx(60.0 / 499.0)
     assert found["has_angular_velocity"] == (name == "box.bc")
     back = read_dataset(files / "box_imported.nc")
-    expected = along_given_axes(report_of(read_spec(files / "box.toml")).trajectory, report_of(
-        read_spec(files / "box.toml")).frame)  # fmt: skip
+    expected = along_given_axes(read_spec(files / "box.toml").report().trajectory, 
+        read_spec(files / "box.toml").report().frame)  # fmt: skip
     assert rotation.angle_between(back.attitude, expected.attitude).max() <= EXACT
-    assert back.system.labels.epoch == "2026-03-01T12:00:00" and back.momentum is None
+    assert back.source.labels.epoch == "2026-03-01T12:00:00" and back.momentum is None
     code, out, _ = run(["import", name, "--out", "again.nc"], capsys)
     assert code == 0 and "largest gap" in out and (files / "again.nc").is_file()
 
@@ -216,7 +215,7 @@ def test_import_with_moments_has_momentum_and_energy(files, capsys):
     found = values_of(["import", "box.bc", "--spec", "box.toml"], capsys)
     assert set(found["drift"]) == {"energy", "momentum_norm", "momentum_space"} and not found["notes"]
     assert max(found["drift"].values()) <= EXACT
-    back, report = read_dataset(files / "box_imported.nc"), report_of(read_spec(files / "box.toml"))
+    back, report = read_dataset(files / "box_imported.nc"), read_spec(files / "box.toml").report()
     assert np.abs(back.momentum - report.trajectory.momentum).max() <= EXACT
     assert np.abs(back.invariants["energy"] / report.trajectory.invariants["energy"] - 1.0).max() <= EXACT
     assert values_of(["compare", "box_imported.nc", "box.toml"], capsys)["angle"]["largest"] <= EXACT
@@ -228,13 +227,13 @@ def test_import_of_a_top_has_what_its_own_dataset_has(tmp_path, monkeypatch, cap
     """Its moments are about the pivot, its energy that of height too."""
     monkeypatch.chdir(tmp_path)
     (tmp_path / "top.toml").write_text(TOP.replace("KIND", kind))
-    report = report_of(read_spec(tmp_path / "top.toml"))
+    report = read_spec(tmp_path / "top.toml").report()
     write_ck(report.trajectory, tmp_path / "top.bc", frame=report.frame)
     found = values_of(["import", "top.bc", "--spec", "top.toml"], capsys)
     assert set(found["drift"]) == {"energy", "vertical_momentum"} and not found["notes"]
     back, own = read_dataset(tmp_path / "top_imported.nc"), report.trajectory
-    assert np.array_equal(back.system.frame.moments, report.frame.moments)
-    assert np.array_equal(back.system.frame.pivot, report.frame.pivot)
+    assert np.array_equal(back.source.frame.moments, report.frame.moments)
+    assert np.array_equal(back.source.frame.pivot, report.frame.pivot)
     assert np.abs(back.momentum - own.momentum).max() <= EXACT * np.abs(own.momentum).max()
     for name in found["drift"]:
         assert np.abs(back.invariants[name] / own.invariants[name] - 1.0).max() <= EXACT
@@ -272,11 +271,11 @@ def test_what_a_file_does_not_tell_is_not_made_up(files, capsys):
     """A kernel has no designator, an AEM no number of SPICE's; a file written on from it has the usual ones."""
     found = values_of(["import", "box.bc"], capsys)
     assert (found["object"], found["object_id"]) == ("BOX", None)
-    labels = read_dataset("box_imported.nc").system.labels
+    labels = read_dataset("box_imported.nc").source.labels
     assert (labels.object_id, labels.originator, labels.spice_id) == (None, None, -321)
     assert "1900-000A" not in run(["import", "box.bc"], capsys)[1]
     assert values_of(["import", "box.aem"], capsys)["object_id"] == "1900-000A"  # as it stands there
-    labels = read_dataset("box_imported.nc").system.labels
+    labels = read_dataset("box_imported.nc").source.labels
     assert (labels.object_id, labels.originator, labels.spice_id) == ("1900-000A", "POLHODE", None)
     assert write_ck(read_aem("box.aem"), "on.bc")[0].is_file() and "_999 " in (files / "on.tsc").read_text()
     write_aem(read_ck("box.bc"), "on.aem")

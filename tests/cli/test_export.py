@@ -9,8 +9,7 @@ from pygltflib import GLTF2
 from polhode import formats, rotation
 from polhode.cli.export import FORMS
 from polhode.cli.main import main
-from polhode.report.choice import report_of
-from polhode.spec.reading import read_spec
+from polhode.kinds.reading import read_spec
 
 DIGITS = 2e-15
 """rad: the 16 digits of an AEM."""
@@ -73,24 +72,24 @@ def test_every_form_holds_the_motion(run, tmp_path):
     lines = out.splitlines()
     assert len(lines) == 4 and all("101 samples" in line for line in lines)
     spec = read_spec(tmp_path / "case.toml")
-    report = report_of(spec)
+    report = spec.report()
     for name in ("case.nc", "case.zarr"):
         found = formats.read_dataset(tmp_path / name)
         assert np.array_equal(found.attitude, report.trajectory.attitude)
         assert np.array_equal(found.momentum, report.trajectory.momentum)
-        assert found.system.title == spec.name and found.system.labels == spec.labels
+        assert found.source.title == spec.name and found.source.labels == spec.labels
     given = formats.along_given_axes(report.trajectory, report.frame)
     table, message = formats.read_csv(tmp_path / "case.csv"), formats.read_aem(tmp_path / "case.aem")
     assert np.array_equal(table.attitude, given.attitude) and np.array_equal(table.momentum, given.momentum)
-    assert np.array_equal(found.system.frame.axes, report.frame.axes)
+    assert np.array_equal(found.source.frame.axes, report.frame.axes)
     for one in (table, message):
         # the message holds the motion at its own epochs, 9 s + 0.8 s being another double than 9.8 s
         late = 2.1 * np.abs(one.times - given.times).max()  # |Ω| < 2.1 rad/s
         assert late < 1e-14 and rotation.angle_between(one.attitude, given.attitude).max() <= DIGITS + late
         assert one.angular_velocity[0] == pytest.approx((0.1, 2.0, -0.3), abs=1e-14)
         assert rotation.angle_between(one.attitude[0], np.array([0.5, -0.5, 0.1, 0.7])) <= 1e-14
-    assert message.system.object_name == "</SCRIPT> A = B GRO_E NEXT"
-    assert message.system.epoch == "2026-03-01T12:00:00.25" and message.system.object_id == "2026-001A"
+    assert message.source.labels.object_name == "</SCRIPT> A = B GRO_E NEXT"
+    assert message.source.labels.epoch == "2026-03-01T12:00:00.25" and message.source.labels.object_id == "2026-001A"
 
 
 def test_one_file_may_be_named(run, tmp_path):

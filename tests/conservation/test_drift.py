@@ -74,7 +74,7 @@ def kept(system, trajectory):
 
 def check(name, method, order, count, bound=CASIMIR):
     trajectory = run(name, method, order, count)
-    assert trajectory.statistics["steps"] == count and trajectory.status == "successful"
+    assert trajectory.statistics["steps"] == count and str(trajectory.outcome) == "successful"
     drifts = kept(SYSTEMS[name], trajectory)
     assert drifts and max(drifts.values()) <= bound, drifts
     if method in SYMMETRIC:

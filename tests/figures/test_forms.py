@@ -10,9 +10,8 @@ import pytest
 from polhode.cli.main import main
 from polhode.errors import InvalidInput
 from polhode.figures import style
-from polhode.figures.drawing import FIGURES, draw_all, draw_figure
-from polhode.report.choice import report_of
-from polhode.spec.reading import read_spec
+from polhode.figures.drawing import draw_all
+from polhode.kinds.reading import read_spec
 
 FREE = """
 [body]
@@ -41,7 +40,7 @@ def run(arguments, capsys):
 
 
 def test_all_forms_of_all_figures_are_what_they_say(spec, tmp_path):
-    report = report_of(read_spec(spec))
+    report = read_spec(spec).report()
     first, second = tmp_path / "first", tmp_path / "second"
     for folder in (first, second):
         folder.mkdir()
@@ -89,11 +88,12 @@ def test_forms_that_are_none(spec, capsys, tmp_path, forms):
 
 
 def test_one_figure_by_its_name(spec):
-    report = report_of(read_spec(spec))
-    assert len(draw_figure(report, "components").axes) == 2
+    read = read_spec(spec)
+    report = read.report()
+    assert len(read.kind.draw(report, "components").axes) == 2
     with pytest.raises(InvalidInput, match=r"inertia_ellipsoid.*'tilt'"):
-        draw_figure(report, "tilt")
-    assert list(FIGURES["free-body"]) == NAMES
+        read.kind.draw(report, "tilt")
+    assert list(read.kind.figures()) == NAMES
 
 
 def test_small_curves_are_enlarged_by_powers_of_ten():

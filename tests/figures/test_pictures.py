@@ -14,14 +14,13 @@ from polhode.exact.free_body import FreeMotion
 from polhode.figures import style
 from polhode.figures.axis_locus import draw_axis_locus, followed
 from polhode.figures.inertia_ellipsoid import draw_inertia_ellipsoid
-from polhode.figures.rolling_disk import _disk, _moments_shown, draw_rolling_disk
 from polhode.figures.scene import Scene, circle_about, convex_outline, corner_normals
 from polhode.figures.sphere import view_frame
 from polhode.figures.spinning_top import draw_spinning_top
 from polhode.figures.top_motion import draw_top_motion
-from polhode.report.choice import report_of
-from polhode.report.free_body import free_body_report
-from polhode.spec.reading import read_spec
+from polhode.kinds.euler_disk.rolling_figure import _disk, _moments_shown, draw_rolling_disk
+from polhode.kinds.free_body.answers import free_body_report
+from polhode.kinds.reading import read_spec
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 ROUNDING = 1e-12
@@ -126,8 +125,8 @@ def test_the_point_that_touches():
 
 
 def test_the_ellipsoid_that_is_drawn_has_the_motions_polhode_on_it():
-    report = report_of(read_spec(EXAMPLES / "t_handle.toml"))
-    figure = draw_inertia_ellipsoid(report)
+    report = read_spec(EXAMPLES / "t_handle.toml").report()
+    figure = draw_inertia_ellipsoid(report.trajectory)
     frame = view_frame(np.array([0.80, 0.46, 0.38]))
     motion = report.motion
     velocity = motion.angular_velocity(np.linspace(0.0, motion.period, 4000)) / np.sqrt(2.0 * motion.energy)
@@ -145,7 +144,7 @@ def test_the_ellipsoid_that_is_drawn_has_the_motions_polhode_on_it():
 @pytest.mark.parametrize("momentum", [(0.0, 0.0, 1.0), (0.5, 0.1, 0.5)])
 def test_any_body_and_spin_can_be_drawn(moments, momentum):
     report = free_body_report(Body.from_moments(*moments), np.array(momentum), np.array([1.0, 0.0, 0.0, 0.0]))
-    assert draw_inertia_ellipsoid(report) is not None
+    assert draw_inertia_ellipsoid(report.trajectory) is not None
 
 
 # ---------------------------------------------------------------------- the top
@@ -153,7 +152,7 @@ def test_any_body_and_spin_can_be_drawn(moments, momentum):
 
 @pytest.fixture(scope="module")
 def precessing():
-    return report_of(read_spec(EXAMPLES / "precessing_top.toml"))
+    return read_spec(EXAMPLES / "precessing_top.toml").report()
 
 
 def test_the_cones_of_steady_precession(precessing):
@@ -184,12 +183,12 @@ def test_a_tilt_constant_to_rounding_is_steady_in_words_and_pictures(precessing)
     low, high = figure.axes[0].get_ylim()
     assert low == pytest.approx(29.5) and high == pytest.approx(30.5)
     assert not any(axis.get_offset_text().get_text() for axes in figure.axes for axis in (axes.xaxis, axes.yaxis))
-    nodding = report_of(read_spec(EXAMPLES / "top.toml"))
+    nodding = read_spec(EXAMPLES / "top.toml").report()
     assert not nodding.even and "nutates" in nodding.summary
 
 
 def test_a_nodding_top_stays_between_two_cones():
-    report = report_of(read_spec(EXAMPLES / "top.toml"))
+    report = read_spec(EXAMPLES / "top.toml").report()
     figure = draw_spinning_top(report)
     words = [text.get_text() for text in figure.axes[0].get_legend().get_texts()]
     assert words == ["tip of the axis", "cones at its least and largest tilt"]
@@ -201,7 +200,7 @@ def test_tops_without_a_shape_or_a_weight(tmp_path):
     free = tmp_path / "free.toml"
     free.write_text(text.replace('pivot = ["0 m", "0 m", "0 m"]', 'pivot = ["0 m", "0 m", "0.0315625 m"]').replace(
         'lean = "20 deg"', ""))  # fmt: skip
-    assert draw_spinning_top(report_of(read_spec(free))) is None
+    assert draw_spinning_top(read_spec(free).report()) is None
     given = tmp_path / "given.toml"
     given.write_text("""
 [body]
@@ -215,7 +214,7 @@ lean = "20 deg"
 rate = "1500 rpm"
 about = "z"
 """)
-    assert draw_spinning_top(report_of(read_spec(given))) is not None  # as the box of the same inertia
+    assert draw_spinning_top(read_spec(given).report()) is not None  # as the box of the same inertia
 
 
 # ---------------------------------------------------------------------- the disk
@@ -226,7 +225,7 @@ about = "z"
 def test_a_disk_touches_the_plane_where_it_should(tmp_path, system):
     path = tmp_path / "coin.toml"
     path.write_text(f'[system]\nkind = "euler-disk"\nmass = "10 g"\nradius = "15 mm"\n{system}\n')
-    report = report_of(read_spec(path))
+    report = read_spec(path).report()
     times, states = _moments_shown(report)
     assert len(times) > 3 and (np.diff(times) > 0).all()
     for state in states:

@@ -14,6 +14,7 @@ from polhode import formats
 from polhode.bodies.frame import BodyFrame
 from polhode.errors import FormatError, InvalidInput
 from polhode.formats.dataset import label_attributes
+from polhode.motion import Outcome, StateLayout
 
 MOTION = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5), attitude=(0.5, -0.5, 0.1, 0.7))
 TIMES = np.linspace(0.0, 20.0, 101)
@@ -24,17 +25,19 @@ WAYS = {"nc": formats.write_dataset, "zarr": formats.write_zarr}
 
 def check_identical(found, wanted):
     for one in fields(wanted):
-        if one.name in ("system", "statistics"):
+        if one.name in ("source", "statistics", "quantities"):
             continue
         ours, theirs = getattr(found, one.name), getattr(wanted, one.name)
         if isinstance(theirs, dict):
             assert ours.keys() == theirs.keys()
             for key in theirs:
                 assert np.array_equal(ours[key], np.asarray(theirs[key]))
-        elif theirs is None or isinstance(theirs, str):
+        elif theirs is None or isinstance(theirs, Outcome | StateLayout):
             assert ours == theirs
         else:
             assert np.array_equal(ours, np.asarray(theirs)) and ours.dtype == np.float64
+    for name in wanted.invariants | wanted.balances:
+        assert found.quantity(name) == wanted.quantity(name)
 
 
 @pytest.mark.filterwarnings("error")
@@ -45,9 +48,9 @@ def test_what_is_read_is_what_was_written(tmp_path, ending):
     path = WAYS[ending](trajectory, tmp_path / f"motion.{ending}", header, frame)
     found = formats.read_dataset(path)
     check_identical(found, trajectory)
-    assert (found.system.title, found.system.labels) == ("a box", LABELS)
-    assert all(np.array_equal(a, b) for a, b in zip(found.system.frame[:4], frame[:4], strict=True))
-    assert found.system.frame.pivot is None
+    assert (found.source.title, found.source.labels) == ("a box", LABELS)
+    assert all(np.array_equal(a, b) for a, b in zip(found.source.frame[:4], frame[:4], strict=True))
+    assert found.source.frame.pivot is None
     again = formats.read_dataset(WAYS[ending](found, tmp_path / f"again.{ending}", header, frame))
     check_identical(again, trajectory)
 
@@ -86,7 +89,7 @@ def test_motions_with_states_of_their_own(tmp_path):
 
 @pytest.mark.parametrize("ending", WAYS)
 def test_empty_trajectories(tmp_path, ending):
-    empty = ph.Trajectory(None, np.zeros(0), np.zeros((0, 7)), np.zeros((0, 4)), np.zeros((0, 3)), np.zeros((0, 3)))
+    empty = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5)).sample([0.0]).taken(slice(0, 0))
     found = formats.read_dataset(WAYS[ending](empty, tmp_path / f"empty.{ending}"))
     assert found.times.shape == (0,) and found.attitude.shape == (0, 4)
 
@@ -115,7 +118,7 @@ def test_an_attitude_file_becomes_a_dataset(tmp_path):
     aem = formats.write_aem(MOTION.sample(TIMES), tmp_path / "motion.aem", rates="derivative")
     read = formats.read_aem(aem)
     found = formats.read_dataset(formats.write_dataset(read, tmp_path / "motion.nc"))
-    assert found.system.labels == read.system and np.array_equal(found.attitude, read.attitude)
+    assert found.source.labels == read.source.labels and np.array_equal(found.attitude, read.attitude)
     assert "state" not in ph.as_dataset(read)
 
 

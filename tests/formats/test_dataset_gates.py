@@ -375,8 +375,8 @@ def test_an_invariant_that_one_of_a_batch_does_not_have(tmp_path):
 
 def test_labels_come_back(tmp_path):
     labels = AttitudeLabels("BOX", spice_id=-77, comments=("one", "two"))
-    read = replace(MOTION.sample(TIMES), system=labels, momentum=None)
-    assert formats.read_dataset(formats.write_dataset(read, tmp_path / "motion.nc")).system.labels == labels
+    read = replace(MOTION.sample(TIMES), source=formats.Recording(labels=labels), momentum=None)
+    assert formats.read_dataset(formats.write_dataset(read, tmp_path / "motion.nc")).source.labels == labels
 
 
 def test_a_folder_that_is_no_store(tmp_path):

@@ -22,7 +22,7 @@ from polhode.errors import InvalidInput
 from polhode.formats.given_axes import along_given_axes
 from polhode.formats.gltf import write_gltf
 from polhode.formats.labels import AttitudeLabels
-from polhode.trajectory import Trajectory
+from polhode.motion.trajectory import Trajectory
 
 SINGLE = 2.0**-23
 """rad: rounding the four components to single precision moves a unit quaternion by half of this at most."""
@@ -123,14 +123,14 @@ def test_the_bound_would_notice_a_swapped_component(tmp_path):
 def test_a_quaternion_that_changes_sign_is_made_continuous(tmp_path):
     trajectory = MOTION.sample(TIMES)
     flipped = np.where(np.arange(len(TIMES))[:, None] % 3 == 0, -1.0, 1.0) * trajectory.attitude
-    samples = replace(trajectory, system=None, attitude=flipped)
+    samples = replace(trajectory, source=None, attitude=flipped)
     _, found = tracks(written(tmp_path, samples, frame=FRAME))
     keys = found["BODY", "rotation"]
     assert (np.einsum("ki,ki->k", keys[1:], keys[:-1]) > 0.9).all()
 
 
 def test_samples_keep_their_attitudes_and_their_times_rounded(tmp_path):
-    samples = replace(MOTION.sample(TIMES), system=None)
+    samples = replace(MOTION.sample(TIMES), source=None)
     clock, found = tracks(written(tmp_path, samples, frame=FRAME))
     assert np.array_equal(clock, TIMES.astype(np.float32).astype(float))
     wanted = ph.rotation.as_scipy(along_given_axes(samples, FRAME).attitude)
@@ -173,7 +173,7 @@ def test_another_reader_finds_the_mesh_upright(tmp_path):
     """trimesh applies the nodes: at rest along space axes, z is up, which is y there."""
     body = ph.shapes.cone(1.0, 0.2, 0.4)
     surface = cuboid((0.1, 0.2, 0.6))
-    still = Trajectory(None, np.array([0.0]), np.zeros((1, 3)), attitude=np.array([[1.0, 0.0, 0.0, 0.0]]))
+    still = Trajectory(np.array([0.0]), np.zeros((1, 3)), attitude=np.array([[1.0, 0.0, 0.0, 0.0]]))
     path = written(tmp_path, still, frame=BodyFrame.of(body), surface=surface)
     scene = trimesh.load(path)
     transform, geometry = scene.graph["BODY"]
@@ -229,7 +229,7 @@ def disk_case():
     tilt, heading, spin = 0.5 + 0.3 * np.sin(5.0 * times), 7.0 * times + 0.3, -4.0 * times**2
     states = np.column_stack([tilt, heading, heading + spin, 0.1 * times, -0.2 * times, np.zeros((200, 3))])
     turns = Rotation.from_euler("ZXZ", np.column_stack([heading, tilt, spin]))
-    trajectory = Trajectory(disk, times, states, attitude=ph.rotation.from_scipy(turns))
+    trajectory = Trajectory(times, states, disk.layout(states), source=disk, attitude=ph.rotation.from_scipy(turns))
     A, C = (float(x) for x in (disk.mechanics.diametral_moment, disk.mechanics.axial_moment))
     return {"trajectory": trajectory, "surface": tube(0.04, 0.01),
             "frame": BodyFrame(np.array([A, A, C]), np.eye(3), np.zeros(3), 0.4)}  # fmt: skip
@@ -309,9 +309,9 @@ def test_an_exact_motion_sampled_too_coarsely_is_evaluated_anew(tmp_path):
     fastest = np.linalg.norm(np.asarray(MOTION.angular_velocity(clock)), axis=1).max()
     assert fastest * np.diff(clock).max() <= 1.1 * np.pi / 16.0
     with pytest.raises(InvalidInput, match=r"too far apart.*rad from one to the next"):
-        written(tmp_path, replace(coarse, system=None), frame=FRAME)
+        written(tmp_path, replace(coarse, source=None), frame=FRAME)
     with pytest.raises(InvalidInput, match="too far apart"):
-        written(tmp_path, replace(coarse, system=None, angular_velocity=None), frame=FRAME)
+        written(tmp_path, replace(coarse, source=None, angular_velocity=None), frame=FRAME)
 
 
 def test_rate_and_speed(tmp_path):
@@ -332,7 +332,7 @@ def test_a_molecule_is_shown_large_and_slow_and_a_planet_small_and_fast(tmp_path
     assert extras.pop("seconds_at_start") == 0.0
     assert extras == {"seconds_per_second": pytest.approx(1e-12), "metres_per_unit": pytest.approx(1e-10, rel=2.0)}
     assert 0.5 <= np.abs(triangles(path, "BODY")[0]).max() <= 10.0
-    clock, _ = check_keys(path, case["trajectory"].system, case["frame"].axes, speed=extras["seconds_per_second"])
+    clock, _ = check_keys(path, case["trajectory"].source, case["frame"].axes, speed=extras["seconds_per_second"])
     assert clock[-1] == pytest.approx(20.0)
     planet = ph.FreeMotion((8.01e37, 8.01e37, 8.04e37), (0.0, 1e32, 5.8e33))
     path = written(tmp_path, planet.sample(np.linspace(0.0, 5e6, 2000)))
@@ -343,7 +343,7 @@ def test_a_molecule_is_shown_large_and_slow_and_a_planet_small_and_fast(tmp_path
 def test_samples_that_single_precision_cannot_tell_apart_are_one_key(tmp_path):
     apart = TIMES.astype(np.float32).astype(float)
     times = np.sort(np.concatenate([apart, apart[1:] + 1e-10]))
-    clock, _ = tracks(written(tmp_path, replace(MOTION.sample(times), system=None), frame=FRAME))
+    clock, _ = tracks(written(tmp_path, replace(MOTION.sample(times), source=None), frame=FRAME))
     assert len(clock) == len(TIMES) and (np.diff(clock) > 0).all()
 
 
@@ -382,7 +382,7 @@ def test_what_cannot_be_shown(tmp_path):
         with pytest.raises(InvalidInput, match=words):
             written(tmp_path, **options)
     with pytest.raises(InvalidInput, match="`rate` is for exact motions"):
-        written(tmp_path, replace(good, system=None), rate=10.0)
+        written(tmp_path, replace(good, source=None), rate=10.0)
     assert not list(tmp_path.iterdir())
 
 

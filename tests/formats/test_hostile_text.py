@@ -344,7 +344,7 @@ def test_messages_at_the_ends_of_the_calendar(saved):
     for year in ("0001", "9999"):
         text = AEM.replace("2026-03-01", f"{year}-12-31").replace("= UTC", "= TAI").replace("00:00:0", "23:59:5")
         found = formats.read_aem(saved("motion.aem", text))
-        assert found.times.tolist() == [0.0, 1.0] and found.system.epoch.startswith(year)
+        assert found.times.tolist() == [0.0, 1.0] and found.source.labels.epoch.startswith(year)
 
 
 def test_a_spin_too_fast_for_numbers(saved):

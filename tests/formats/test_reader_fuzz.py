@@ -58,9 +58,9 @@ def says(text):
 
 
 def nothing_finite(path):
-    from polhode.trajectory import Trajectory
+    from polhode.motion.trajectory import Trajectory
 
-    reader_fuzz.check_trajectory(Trajectory(None, np.array([np.nan]), np.zeros((1, 3))))
+    reader_fuzz.check_trajectory(Trajectory(np.array([np.nan]), np.zeros((1, 3))))
 
 
 @pytest.mark.parametrize(("read", "words"), [

@@ -97,7 +97,7 @@ def test_times_come_back_bit_for_bit_at_any_scale(tmp_path, scale):
     assert np.array_equal(back.times, samples.times)
     assert rotation.angle_between(back.attitude, samples.attitude).max() <= EXACT
     assert np.abs(back.angular_velocity - samples.angular_velocity).max() * scale <= EXACT
-    assert back.system == replace(LABELS, object_name="TUMBLER_1", object_id=None, originator=None)
+    assert back.source.labels == replace(LABELS, object_name="TUMBLER_1", object_id=None, originator=None)
 
 
 def test_times_before_zero_and_a_single_sample(tmp_path):
@@ -200,7 +200,7 @@ def test_a_clock_that_changes_its_rate(tmp_path):
     expected = np.where(samples.times < 2.0, samples.times, 2.0 + 1.5 * (samples.times - 2.0)) + 0.25
     assert np.abs(back.times - expected).max() <= EXACT
     # TT seconds since J2000 of the clock's zero, 9490.7407 days on
-    assert (back.system.epoch, back.system.time_system) == ("2025-12-26T05:46:40", "TT")
+    assert (back.source.labels.epoch, back.source.labels.time_system) == ("2025-12-26T05:46:40", "TT")
 
 
 def test_which_body_is_asked_when_there_are_several(tmp_path):

@@ -12,7 +12,7 @@ from scipy.spatial.transform import Rotation
 import polhode as ph
 from polhode.errors import FormatError, InvalidInput
 from polhode.formats.urdf import read_urdf_inertial, write_urdf_inertial
-from polhode.spec.reading import read_spec
+from polhode.kinds.reading import read_spec
 
 EXACT = 1e-14
 """A few roundings of a matrix product, relative to its largest entry."""

@@ -10,6 +10,7 @@ import pytest
 
 import polhode as ph
 from polhode.errors import InvalidInput, NotConverged
+from polhode.motion import Ending
 from polhode.systems import AbstractSystem, Balance
 
 CLOSE = 1e-10  # some hundred steps at 1e-12, and what interpolation between them adds
@@ -66,7 +67,7 @@ def test_rates_may_depend_on_time_and_states_may_be_a_batch():
     for k in range(2):
         assert np.abs(found.states[0, k, :, 0] - exact(times, *starts[0, k])).max() < CLOSE
     assert found.drift["energy"].max() < CLOSE
-    assert found.attitude is None and found.status == "successful"
+    assert found.attitude is None and str(found.outcome) == "successful"
     back = ph.simulate(Driven(), found.states[0, 0, -1], times[::-1], diffrax.Dopri5(), step=0.1)
     assert np.abs(back.states[-1] - starts[0, 0]).max() < 10 * CLOSE
     assert ph.as_dataset(found)["state"].dims == ("batch_0", "batch_1", "time", "component_0")
@@ -82,7 +83,7 @@ def test_a_wrong_rate_is_seen_in_the_balance():
 )
 def test_the_first_event_ends_the_motion(speed, event, when):
     found = ph.simulate(Falling(), [1.0, speed], np.linspace(0.0, 3.0, 31))
-    assert found.status == event and abs(found.times[-1] - when) < 1e-14
+    assert found.outcome.event == event and abs(found.times[-1] - when) < 1e-14
     assert len(found.times) == len(found.states) == np.ceil(10 * when) + 1
     assert np.abs(found.states[:, 0] - (1.0 + speed * found.times - found.times**2)).max() < 1e-14
 
@@ -91,14 +92,15 @@ def test_the_first_event_ends_the_motion(speed, event, when):
 def test_an_event_ends_the_motion_however_late_the_last_time_is(last):
     """The shortest step was a rounding of the last time, so that a late one stopped the motion before its event."""
     found = ph.simulate(Falling(), [1.0, 1.0], [0.0, last])
-    assert found.status == "ground" and abs(found.times[-1] - (1 + 5**0.5) / 2) < CLOSE
+    assert found.outcome.event == "ground" and abs(found.times[-1] - (1 + 5**0.5) / 2) < CLOSE
     assert found.error_estimate is None  # nothing but the start could be compared
 
 
 def test_what_runs_away_says_so():
     with pytest.raises(NotConverged, match="singularity"):
         ph.simulate(Falling(explosive=True), [1.0, 1.0], [0.0, 1.0])
-    assert "not converged" in ph.simulate(Falling(explosive=True), [1.0, 1.0], [0.0, 1.0], throw=False).status
+    found = ph.simulate(Falling(explosive=True), [1.0, 1.0], [0.0, 1.0], throw=False)
+    assert found.outcome.ending is Ending.NOT_CONVERGED
 
 
 @pytest.mark.parametrize(

@@ -62,7 +62,7 @@ def test_a_copy_that_fails_leaves_the_others():
         ph.simulate(body, states, times, LieMidpoint, step=2.5)
     with pytest.warns(UserWarning, match="a step of"):
         found: Any = ph.simulate(body, states, times, LieMidpoint, step=2.5, throw=False)
-    assert "1 of 2 copies" in found.status
+    assert "1 of 2 copies" in found.outcome.message
     alone = ph.simulate(body, states[0], times, LieMidpoint, step=2.5)
     assert np.abs(found.states[0] - alone.states).max() < SAME
     assert not np.isfinite(found.states[1, -1]).any()

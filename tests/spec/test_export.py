@@ -4,7 +4,7 @@ import pytest
 
 from polhode.errors import InvalidInput
 from polhode.formats.labels import AttitudeLabels
-from polhode.spec.reading import read_spec
+from polhode.kinds.reading import read_spec
 
 BODY = 'name = "{name}"\n[body]\nmoments = ["1 kg*m^2", "2 kg*m^2", "2.5 kg*m^2"]\n[export]\n'
 

@@ -14,9 +14,10 @@ from hypothesis import strategies as st
 
 from polhode.cli.render import as_json, print_report
 from polhode.errors import PolhodeError
-from polhode.report.choice import report_of
-from polhode.report.free_body import body_json
-from polhode.spec.reading import read_spec
+from polhode.kinds.reading import read_spec
+from polhode.kinds.registry import FREE_BODY
+from polhode.reports.base import plain
+from polhode.reports.wording import body_summary
 from spec.mutations import CHANGE, EXAMPLES, FILES, bases, mutated
 
 LONGEST_MESSAGE = 2000  # characters
@@ -55,7 +56,7 @@ def folder(tmp_path_factory):
 
 def printed_report(spec):
     """Return what the report on a free body prints, as text and as JSON."""
-    report = report_of(spec)
+    report = spec.report()
     written = io.StringIO()
     with contextlib.redirect_stdout(written):
         print_report(spec.name, report.summary, report.sections(), report.notes, [])
@@ -72,8 +73,8 @@ def check(text, folder):
             spec = read_spec(path)
             assert spec.name.isprintable()
             if spec.body is not None:
-                as_json(body_json(spec.body))
-            if spec.system is None and spec.samples <= FEW_SAMPLES:
+                as_json(plain(body_summary(spec.body)))
+            if spec.kind.name == FREE_BODY and spec.samples <= FEW_SAMPLES:
                 words, _ = printed_report(spec)
                 assert not re.search(r"\b(nan|inf)\b", words, re.IGNORECASE), words
         except PolhodeError as error:

@@ -8,7 +8,7 @@ import warnings
 import pytest
 
 from polhode.errors import FormatError, InvalidInput
-from polhode.spec.reading import read_spec
+from polhode.kinds.reading import read_spec
 
 GOOD = '[body]\nmoments = ["1 kg*m^2", "2 kg*m^2", "2.5 kg*m^2"]\n'
 TOP = GOOD + 'mass = "1 kg"\n[system]\nkind = "heavy-top"\npivot = ["0 m", "0 m", "-1 m"]\n'

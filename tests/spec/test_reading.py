@@ -5,7 +5,7 @@ import pytest
 
 import polhode as ph
 from polhode.errors import FormatError, InvalidInput
-from polhode.spec.reading import read_spec
+from polhode.kinds.reading import read_spec
 
 EXACT = 1e-14
 MOMENTS = 'moments = ["3 kg*m^2", "1 kg*m^2", "2.5 kg*m^2"]'

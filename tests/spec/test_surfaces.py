@@ -7,7 +7,7 @@ import pytest
 
 import polhode as ph
 from polhode.errors import InvalidInput
-from polhode.spec.reading import read_spec
+from polhode.kinds.reading import read_spec
 
 DRAWN = 0.02
 """Round shapes are drawn with 64 flat faces to the turn, and flat ones 2 % thick."""

@@ -13,6 +13,7 @@ import polhode as ph
 from polhode import algebra as lie
 from polhode.errors import InvalidInput
 from polhode.integrators import IsospectralMidpoint, LieMidpoint, MoserVeselov, MuntheKaas, SphericalMidpoint, Splitting
+from polhode.motion import Ending
 from polhode.systems import FreeRigidBody, LiePoisson
 from polhode.systems.agreement import check_agreement
 from specimens import in_su3
@@ -233,4 +234,4 @@ def test_a_drive_between_the_moments_looked_at_is_not_split():
     for method in (None, Splitting):
         with pytest.raises(InvalidInput, match="`flows`"):
             ph.simulate(pulsed, [0.3, 1.8, 1.5], [0.0, 20.0], method)
-    assert ph.simulate(pulsed, [0.3, 1.8, 1.5], [0.0, 1.0], LieMidpoint).status == "successful"
+    assert ph.simulate(pulsed, [0.3, 1.8, 1.5], [0.0, 1.0], LieMidpoint).outcome.ending is Ending.COMPLETED

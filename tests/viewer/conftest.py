@@ -7,9 +7,8 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import sync_playwright
 
-from polhode.report.choice import report_of
-from polhode.spec.reading import read_spec
-from polhode.viewer import page_of_report
+from polhode.kinds.page import page_of_report
+from polhode.kinds.reading import read_spec
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 SHORTER = {"euler_disk": {"until": 0.6, "samples": 600}}  # to its end it takes half a minute
@@ -29,7 +28,7 @@ def example_page(tmp_path_factory):
     def page(name):
         if name not in made:
             spec = replace(read_spec(EXAMPLES / f"{name}.toml"), **SHORTER.get(name, {}))
-            report = report_of(spec)
+            report = spec.report()
             made[name] = page_of_report(report, folder / f"{name}.html", name=spec.name, surface=spec.surface)
         return made[name]
 

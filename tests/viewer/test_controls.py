@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 import polhode as ph
-from polhode.formats.labels import AttitudeLabels
+from polhode.formats.labels import AttitudeLabels, Recording
+from polhode.kinds.page import show, write_page
 from polhode.systems import FreeRigidBody
-from polhode.viewer import show, write_page
 
 pytestmark = pytest.mark.browser
 PHONE = {"viewport": {"width": 390, "height": 780}, "has_touch": True, "is_mobile": True}
@@ -203,8 +203,7 @@ def test_policy_refuses_other_scripts(page_of_a_book, opened):
 
 def test_samples_too_far_apart_are_not_joined(opened, tmp_path):
     motion = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5)).sample(np.linspace(0.0, 300.0, 40))
-    motion = ph.Trajectory(FreeRigidBody((1.0, 2.0, 3.0)), motion.times, motion.states, motion.attitude,
-                           motion.momentum, motion.angular_velocity)  # fmt: skip
+    motion = replace(motion, source=FreeRigidBody((1.0, 2.0, 3.0)))
     page = opened(write_page(motion, tmp_path / "apart.html"))
     assert "it jumps" in page.tab.locator("#notes").text_content()
     page.seek(7)
@@ -240,7 +239,8 @@ def test_odd_motions_are_drawn(opened, tmp_path, name):
 
 def test_attitudes_alone_are_drawn(opened, tmp_path):
     whole = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5)).sample(np.linspace(0.0, 9.0, 91))
-    bare = replace(whole, system=AttitudeLabels(), momentum=None, angular_velocity=None, invariants={})
+    read = Recording(labels=AttitudeLabels())
+    bare = replace(whole, source=read, momentum=None, angular_velocity=None, invariants={})
     page = opened(write_page(bare, tmp_path / "bare.html"))
     before = page.measure("body")["axisTip"]
     page.seek(50.5)

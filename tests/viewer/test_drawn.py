@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 
 import polhode as ph
+from polhode.kinds.page import write_page
 from polhode.systems import FreeRigidBody
-from polhode.viewer import panels, write_page
+from polhode.viewer import panels
 
 pytestmark = pytest.mark.browser
 TOUCH = 1e-6
@@ -135,7 +136,7 @@ def test_plane_too_low_is_found(opened, tmp_path, monkeypatch):
 def test_body_that_turns_too_fast_is_found(opened, tmp_path):
     motion = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5))
     right = motion.sample(np.linspace(0.0, 20.0, 1001))
-    right = replace(right, system=FreeRigidBody((1.0, 2.0, 3.0)))
+    right = replace(right, source=FreeRigidBody((1.0, 2.0, 3.0)))
     check_rolls(opened(write_page(right, tmp_path / "right.html"), **SMALL))
     faster = replace(right, attitude=motion.attitude(1.001 * right.times))
     wrong = opened(write_page(faster, tmp_path / "wrong.html"), **SMALL)

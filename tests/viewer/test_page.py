@@ -15,12 +15,11 @@ import polhode as ph
 from polhode.bodies.frame import BodyFrame
 from polhode.bodies.surface import Surface
 from polhode.errors import InvalidInput
-from polhode.formats.labels import AttitudeLabels
-from polhode.report import free_body_report
-from polhode.report.choice import report_of
-from polhode.spec.reading import read_spec
+from polhode.formats.labels import AttitudeLabels, Recording
+from polhode.kinds.free_body.answers import free_body_report
+from polhode.kinds.page import page_of_report, show, write_page
+from polhode.kinds.reading import read_spec
 from polhode.systems import FreeRigidBody, HeavyTop
-from polhode.viewer import page_of_report, show, write_page
 from polhode.viewer.page import check_given
 from polhode.viewer.samples import MOST
 
@@ -93,7 +92,7 @@ def test_million_samples_are_thinned_and_it_says_so(tmp_path):
     exact = MOTION.sample(np.linspace(0.0, 20.0, 1_000_000))
     data = data_of(write_page(exact, tmp_path / "exact.html"))
     assert len(array(data["times"])) <= MOST and "1000000 samples" in data["notes"][0]
-    stepped = replace(exact, system=FreeRigidBody((1.0, 2.0, 3.0)))
+    stepped = replace(exact, source=FreeRigidBody((1.0, 2.0, 3.0)))
     path = write_page(stepped, tmp_path / "stepped.html")
     data = data_of(path)
     assert data["notes"][0] == "Thinned for display: every 250th of 1000000 samples."
@@ -107,23 +106,23 @@ def test_many_turns_of_an_exact_motion_are_cut_short_and_it_says_so(tmp_path):
 
 def test_samples_too_far_apart_are_not_joined(tmp_path):
     sampled = MOTION.sample(np.linspace(0.0, 300.0, 40))
-    labelled = replace(sampled, system=AttitudeLabels(), momentum=None, angular_velocity=None)
-    for found in (replace(sampled, system=FreeRigidBody((1.0, 2.0, 3.0))), labelled):
+    labelled = replace(sampled, source=Recording(labels=AttitudeLabels()), momentum=None, angular_velocity=None)
+    for found in (replace(sampled, source=FreeRigidBody((1.0, 2.0, 3.0))), labelled):
         data = data_of(write_page(found, tmp_path / "apart.html"))
         assert not data["joined"] and any("it jumps" in note for note in data["notes"])
 
 
 def test_attitudes_alone_and_momentum_alone(tmp_path):
-    sampled = replace(MOTION.sample(TIMES), system=AttitudeLabels(object_name="X"))
+    sampled = replace(MOTION.sample(TIMES), source=Recording("X", labels=AttitudeLabels(object_name="X")))
     alone = replace(sampled, momentum=None, angular_velocity=None)
     data = data_of(write_page(alone, tmp_path / "attitude.html"))
     assert kinds(data) == ["body"] and "surface" not in data["panels"][0]
-    bare = replace(MOTION.sample(TIMES), system=FreeRigidBody((1.0, 2.0, 3.0)), attitude=None)
+    bare = replace(MOTION.sample(TIMES), source=FreeRigidBody((1.0, 2.0, 3.0)), attitude=None)
     assert kinds(data_of(write_page(bare, tmp_path / "momentum.html"))) == ["sphere"]
 
 
 def test_backward_times_run_forward(tmp_path):
-    backward = replace(MOTION.sample(TIMES[::-1]), system=FreeRigidBody((1.0, 2.0, 3.0)))
+    backward = replace(MOTION.sample(TIMES[::-1]), source=FreeRigidBody((1.0, 2.0, 3.0)))
     assert (np.diff(array(data_of(write_page(backward, tmp_path / "page.html"))["times"])) > 0).all()
 
 
@@ -170,7 +169,7 @@ def test_what_cannot_be_shown_is_said(tmp_path):
     empty = replace(MOTION.sample(TIMES), times=np.empty(0), states=np.empty((0, 7)))
     with pytest.raises(InvalidInput, match="trajectory is empty"):
         write_page(empty, tmp_path / "page.html")
-    nothing = replace(MOTION.sample(TIMES), system=AttitudeLabels(), attitude=None, momentum=None)
+    nothing = replace(MOTION.sample(TIMES), source=Recording(labels=AttitudeLabels()), attitude=None, momentum=None)
     with pytest.raises(InvalidInput, match="nothing to draw"):
         write_page(nothing, tmp_path / "page.html")
     broken = MOTION.sample(TIMES)
@@ -206,14 +205,14 @@ def test_numbers_of_its_own_notes_have_powers_of_ten(tmp_path):
 def test_what_holds_a_top(tmp_path):
     for name, pivot in (("precessing_top", "post"), ("top", "ground")):
         spec = read_spec(EXAMPLES / f"{name}.toml")
-        report = report_of(spec)
+        report = spec.report()
         page = page_of_report(report, tmp_path / "top.html", name=name, surface=spec.surface)
         drawn = data_of(page)["panels"][0]
         assert drawn["pivot"] == pivot and "along" not in drawn
     flat = report.trajectory
     axis = np.array([1.0, 2.0, 2.0]) / 3.0
     turn = np.array([1.0 - axis[2], -axis[1], axis[0], 0.0])  # brings the axis down
-    hanging = replace(flat, system=HeavyTop((1.0, 2.0, 2.5), 1.0, axis),
+    hanging = replace(flat, source=HeavyTop((1.0, 2.0, 2.5), 1.0, axis),
                       attitude=np.tile(turn / np.linalg.norm(turn), (len(flat.times), 1)))  # fmt: skip
     drawn = data_of(write_page(hanging, tmp_path / "hanging.html"))["panels"][0]
     assert drawn["pivot"] == "hook" and np.allclose(drawn["along"], axis)

@@ -3,8 +3,6 @@ import { View } from "./camera.js";
 import { Motion } from "./motion.js";
 import { axisPanel } from "./panels/axis.js";
 import { bodyPanel } from "./panels/body.js";
-import { diskPanel } from "./panels/disk.js";
-import { orbitPanel } from "./panels/orbit.js";
 import { poinsotPanel } from "./panels/poinsot.js";
 import { spherePanel } from "./panels/sphere.js";
 import { Readouts } from "./readouts.js";
@@ -12,9 +10,10 @@ import { dispose } from "./shapes.js";
 import { Stage } from "./stage.js";
 import { THEMES } from "./theme.js";
 import { Timebar } from "./timebar.js";
+import * as tools from "./tools.js";
 
-const MAKERS = { axis: axisPanel, body: bodyPanel, disk: diskPanel, orbit: orbitPanel, poinsot: poinsotPanel, sphere: spherePanel };
-const STEEP = 0.62; // rad
+// pictures that fit any body, and those that scripts before this one have brought
+const MAKERS = { axis: axisPanel, body: bodyPanel, poinsot: poinsotPanel, sphere: spherePanel, ...globalThis.polhodePanels };
 const element = (id) => document.getElementById(id);
 
 function start() {
@@ -22,7 +21,7 @@ function start() {
   const motion = new Motion(data);
   write(data);
   const view = new View(() => draw());
-  if (data.panels[0].type === "disk") view.elevation = STEEP; // its path lies flat
+  view.elevation = data.panels[0].elevation ?? view.elevation;
   const stage = new Stage(view);
   const canvases = data.panels.map((panel) => addFrame(panel, view));
   const readouts = new Readouts(element("readouts"), motion, data);
@@ -37,7 +36,7 @@ function start() {
   function build() {
     for (const panel of panels) dispose(panel.scene);
     document.documentElement.dataset.theme = theme.name;
-    panels = data.panels.map((panel) => Object.assign(MAKERS[panel.type](motion, panel, theme), { type: panel.type }));
+    panels = data.panels.map((panel) => Object.assign(MAKERS[panel.type](motion, panel, theme, tools), { type: panel.type }));
     panels.forEach((panel, k) => caption(canvases[k], panel, data));
     draw();
   }
@@ -97,10 +96,10 @@ function write(data) {
 
 function addFrame(panel, view) {
   const frame = document.createElement("figure");
-  frame.className = `panel ${panel.type}`;
+  frame.className = panel.flat ? "panel flat" : "panel";
   const canvas = document.createElement("canvas");
   canvas.setAttribute("role", "img");
-  if (panel.type !== "orbit") {
+  if (!panel.flat) {
     canvas.tabIndex = 0;
     view.listen(canvas);
     canvas.addEventListener("keydown", (event) => {

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from polhode import rotation
-from polhode.exact.invariants import drift
+from polhode.motion.invariants import drift
 
 Array = Any
 

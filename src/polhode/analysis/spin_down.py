@@ -24,9 +24,10 @@ from polhode.analysis.power_law import PowerLaw, Singularity, fit_singularity, p
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.integrators.adaptive import TOLERANCE, EventBisection, solve_adaptively
+from polhode.motion.outcome import Ending, Outcome
+from polhode.motion.trajectory import Trajectory
 from polhode.simulation import trajectory_of
 from polhode.systems.euler_disk import EulerDisk
-from polhode.trajectory import Trajectory
 
 Array = Any
 ASYMPTOTIC_END = 0.3  # |θ̇|/(θ|φ̇|), beyond which the tilt falls as fast as the disk goes round
@@ -115,11 +116,12 @@ def spin_down(
             events[last] = math.fsum(run.spans)
     states = jnp.stack(run.states)
     received = {"energy": -jnp.cumsum(jnp.asarray(run.lost))}
-    status = next(reversed(events), "successful")
-    trajectory = trajectory_of(disk, np.cumsum(run.spans), states, status, {"steps": run.steps}, received)
+    last = next(reversed(events), None)
+    outcome = Outcome(Ending.COMPLETED) if last is None else Outcome(Ending.EVENT, last)
+    trajectory = trajectory_of(disk, np.cumsum(run.spans), states, outcome, {"steps": run.steps}, received)
     ratio = np.asarray(adiabaticity(disk, states))
     fitted = _fitted(ratio[:regular])
-    tilt, rate = np.asarray(states[:, 0]), np.abs(np.asarray(disk.precession(states)))
+    tilt, rate = np.asarray(trajectory.part("tilt")), np.abs(np.asarray(disk.precession(states)))
     spans = np.asarray(run.spans)
     found = fit_singularity(spans[fitted][1:], tilt[fitted])
     distance = _distances(spans, fitted, found)

@@ -1,0 +1,5 @@
+"""Bodies: mass, centre of mass and inertia, from shapes, points, atoms and meshes; and what they look like."""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

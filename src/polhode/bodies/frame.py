@@ -34,6 +34,12 @@ class BodyFrame(NamedTuple):
         return cls(body.principal_moments, body.principal_axes, body.center_of_mass, body.mass)
 
     @property
+    def inertia(self) -> Array:
+        """(3, 3) about the point that the body turns about [kg m², given axes]."""
+        axes = np.asarray(self.axes)
+        return axes @ np.diag(np.asarray(self.moments)) @ axes.T
+
+    @property
     def origin(self) -> Array:
         """(3,) the point that the body turns about [m, given axes]."""
         return np.asarray(self.center_of_mass if self.pivot is None else self.pivot)

@@ -6,9 +6,9 @@ from pathlib import Path
 
 from polhode.cli.render import as_json, print_report
 from polhode.errors import InvalidInput
-from polhode.report.free_body import body_json
-from polhode.report.wording import body_section
-from polhode.spec.reading import read_spec
+from polhode.kinds.reading import read_spec
+from polhode.reports.base import plain
+from polhode.reports.wording import body_section, body_summary
 
 
 def run_body(path: Path, json: bool) -> None:
@@ -17,6 +17,6 @@ def run_body(path: Path, json: bool) -> None:
     if spec.body is None:
         raise InvalidInput(f"{path}: has no [body]; its system brings sizes of its own. Ask for the report.")
     if json:
-        print(as_json({"name": spec.name, **body_json(spec.body)}))
+        print(as_json({"name": spec.name, **plain(body_summary(spec.body))}))
     else:
         print_report(spec.name, "", [body_section(spec.body)], [], [])

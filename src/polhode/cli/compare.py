@@ -13,7 +13,7 @@ from polhode.errors import InvalidInput, one_line
 from polhode.formats.labels import plain as same_name
 from polhode.formats.paths import written_together
 from polhode.formats.time_scales import terrestrial_time
-from polhode.report.comparison import ComparisonReport
+from polhode.reports.comparison import ComparisonReport
 
 
 def run_compare(first: Path, second: Path, json: bool, out: Path | None, spec: Path | None, kernels: Kernels) -> None:

@@ -11,11 +11,12 @@ from importlib import import_module
 from pathlib import Path
 
 from polhode.cli.destinations import check_spares
-from polhode.errors import FormatError, InvalidInput, NotConverged, one_line, shown
+from polhode.cli.sources import report_of
+from polhode.errors import FormatError, InvalidInput, one_line, shown
 from polhode.formats.dataset import label_attributes
-from polhode.report.base import AbstractReport
-from polhode.report.choice import report_of
-from polhode.spec.reading import Spec, read_spec
+from polhode.kinds.base import Spec
+from polhode.kinds.reading import read_spec
+from polhode.reports.base import AbstractReport
 
 
 @dataclass(frozen=True)
@@ -65,10 +66,7 @@ def run_export(path: Path, forms: Sequence[str], out: Path | None) -> None:
     if out is not None:
         check_spares(out, path)
     spec = read_spec(path)
-    try:
-        report = report_of(spec)
-    except (InvalidInput, NotConverged) as error:
-        raise type(error)(f"{path}: {error}") from None
+    report = report_of(path, spec)
     for form in wanted:
         module, function = FORMS[form].home
         place = out or Path(f"{path.stem}{FORMS[form].ending}")

@@ -16,9 +16,10 @@ from polhode.cli.render import as_json, print_report
 from polhode.cli.sources import KINDS, KINDS_IN_WORDS, Kernels, body_of, read_recorded
 from polhode.errors import InvalidInput
 from polhode.formats.labels import AttitudeLabels
-from polhode.report.base import Section, plain
-from polhode.report.wording import angle, counted, drifts, number, rate
-from polhode.trajectory import Trajectory
+from polhode.motion.layout import ATTITUDE, MOMENTUM, StateLayout
+from polhode.motion.trajectory import Trajectory
+from polhode.reports.base import Section, plain
+from polhode.reports.wording import angle, counted, drifts, number, rate
 
 Array = Any
 
@@ -32,8 +33,8 @@ def run_import(path: Path, json: bool, out: Path | None, spec: Path | None, kern
         raise InvalidInput(f"{path}: is {KINDS_IN_WORDS[kind]} of polhode's already; there is nothing to import.")
     assert labels is not None
     notes, frame, kept = [], None, "a free body's"
-    if trajectory.status.startswith("read, "):
-        notes.append(f"{trajectory.status}.")
+    if trajectory.outcome.message:
+        notes.append(f"{trajectory.outcome.message}.")
     if spec is not None:
         body = body_of(spec)
         if (frame := body.frame) is None:
@@ -69,7 +70,7 @@ def along_principal_axes(trajectory: Trajectory, frame: BodyFrame, mechanics: Me
     """
     axes = np.asarray(frame.axes)
     attitude = rotation.multiply(np.asarray(trajectory.attitude), rotation.from_matrix(axes))
-    turned = replace(trajectory, attitude=attitude, states=attitude)
+    turned = replace(trajectory, attitude=attitude, states=attitude, layout=StateLayout((ATTITUDE,)))
     if trajectory.angular_velocity is None:
         return turned
     velocity = np.asarray(trajectory.angular_velocity) @ axes
@@ -79,7 +80,8 @@ def along_principal_axes(trajectory: Trajectory, frame: BodyFrame, mechanics: Me
     momentum = velocity * np.asarray(frame.moments)
     invariants, drift = invariants_along(trajectory.attitude, np.asarray(trajectory.angular_velocity), mechanics)
     states = np.concatenate([attitude, momentum], axis=-1)
-    return replace(turned, states=states, momentum=momentum, invariants=invariants, drift=drift)
+    return replace(turned, states=states, layout=StateLayout((ATTITUDE, MOMENTUM)), momentum=momentum,
+                   invariants=invariants, drift=drift)
 
 
 def summary_values(trajectory: Trajectory, labels: AttitudeLabels) -> dict[str, Any]:

@@ -11,7 +11,7 @@ from rich.table import Table
 from rich.text import Text
 
 from polhode.errors import one_line, printable
-from polhode.report.base import Listing, Section
+from polhode.reports.base import Listing, Section
 
 STYLES = {"stable": "green", "unstable": "red", "undecided": "yellow"}
 

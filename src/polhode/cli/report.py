@@ -5,10 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 
 from polhode.cli.render import as_json, print_report
-from polhode.errors import InvalidInput, NotConverged, shown
+from polhode.cli.sources import report_of
+from polhode.errors import InvalidInput, shown
 from polhode.formats.paths import written_together
-from polhode.report.choice import report_of
-from polhode.spec.reading import read_spec
+from polhode.kinds.reading import read_spec
+from polhode.kinds.registry import known_figures
 
 FORMS = ("png", "svg", "pdf")
 
@@ -32,18 +33,15 @@ def run_report(path: Path, json: bool, out: Path | None, figures: list[str], htm
     forms = figure_forms(figures)
     spec = read_spec(path)
     folder = out or Path(path.stem if path.suffix else f"{path.name}_report")
-    try:
-        report = report_of(spec)
-    except (InvalidInput, NotConverged) as error:
-        raise type(error)(f"{path}: {error}") from None
+    report = report_of(path, spec)
     with written_together(folder) as draft:
         from polhode.figures.drawing import draw_all
         from polhode.formats.dataset import write_dataset
 
-        files = draw_all(report, draft, *forms)
+        files = draw_all(report, spec.kind.figures(), draft, *forms)
         files.append(write_dataset(report.trajectory, draft / "motion.nc", {"title": spec.name}, report.frame))
         if html:
-            from polhode.viewer import page_of_report
+            from polhode.kinds.page import page_of_report
 
             files.append(page_of_report(report, draft / "page.html", name=spec.name, surface=spec.surface))
     names = [str(folder / file.name) for file in files]
@@ -60,9 +58,8 @@ def _remove_outdated(folder: Path, written: list[str]) -> list[str]:
     What another command wrote, or somebody renamed, stays.
     """
     from polhode.figures import style
-    from polhode.figures.drawing import FIGURES
 
-    known = {f"{name}.{form}" for figures in FIGURES.values() for name in figures for form in FORMS}
+    known = {f"{name}.{form}" for name in known_figures() for form in FORMS}
     outdated = sorted(folder / name for name in known - set(written))
     removed = []
     for path in outdated:

@@ -12,12 +12,13 @@ from polhode import rotation
 from polhode.analysis.comparison import AttitudeHistory, Mechanics
 from polhode.bodies.frame import BodyFrame
 from polhode.errors import FormatError, InvalidInput, NotConverged, one_line
-from polhode.exact.free_body import FreeMotion
-from polhode.exact.lagrange_top import LagrangeMotion
 from polhode.formats.given_axes import along_given_axes, single_attitude
-from polhode.formats.labels import AttitudeLabels
+from polhode.formats.labels import AttitudeLabels, labels_of
 from polhode.formats.opening import is_folder, open_file
-from polhode.trajectory import Trajectory
+from polhode.kinds.base import Spec
+from polhode.kinds.reading import read_spec
+from polhode.motion.trajectory import Trajectory
+from polhode.reports.base import AbstractReport
 
 HEAD = 65536  # bytes in which a file shows what it is
 KINDS = {"spec": "spec", "dataset": "dataset", "csv": "CSV table", "aem": "AEM", "ck": "C-kernel"}
@@ -25,7 +26,6 @@ KINDS_IN_WORDS = {kind: f"{'an' if name[0] == 'A' else 'a'} {name}" for kind, na
 SAME_ATTITUDE = 1e-6  # rad; what seven digits of a quaternion leave between two samples of one time
 SAME_MOMENTUM = 1e-9  # of the largest; a rotor whose momentum is less changes no energy that is printed
 PICOSECOND = 1e-12  # s; epochs in an AEM are read to one
-TOPS = ("heavy-top", "lagrange-top")
 
 
 class Kernels(NamedTuple):
@@ -94,12 +94,12 @@ def read_recorded(path: Path, kernels: Kernels) -> tuple[str, Trajectory, Attitu
         from polhode.formats.aem_reading import read_aem
 
         found = read_aem(path)
-        return kind, found, found.system
+        return kind, found, labels_of(found)
     if kind == "ck":
         from polhode.formats.spice_reading import read_ck
 
         found = read_ck(path, sclk=kernels.sclk, fk=kernels.fk, lsk=kernels.lsk, spice_id=kernels.spice_id)
-        return kind, found, found.system
+        return kind, found, labels_of(found)
     if kind == "csv":
         from polhode.formats.csv_table import read_csv
 
@@ -108,7 +108,7 @@ def read_recorded(path: Path, kernels: Kernels) -> tuple[str, Trajectory, Attitu
         from polhode.formats.dataset_reading import read_dataset
 
         found = read_dataset(path)
-        return kind, along_given_axes(found, found.system.frame), _told(found.system.labels)
+        return kind, along_given_axes(found, found.source.frame), _told(labels_of(found))
     raise InvalidInput(f"{path}: is no AEM, C-kernel or dataset, as it does not begin like one. Check the file.")
 
 
@@ -134,13 +134,13 @@ def _recorded_mechanics(trajectory: Trajectory) -> Mechanics | None:
 
     Of a top the dataset does not tell the weight, and a rotor's momentum is not in the moments.
     """
-    frame: BodyFrame | None = getattr(trajectory.system, "frame", None)
+    frame: BodyFrame | None = getattr(trajectory.source, "frame", None)
     kept = {"energy", "momentum_space"} <= trajectory.invariants.keys()
     if frame is None or frame.pivot is not None or not kept:
         return None
     if trajectory.angular_velocity is None or trajectory.momentum is None:
         return None
-    inertia, momentum = _inertia(frame), np.asarray(trajectory.momentum)
+    inertia, momentum = frame.inertia, np.asarray(trajectory.momentum)
     left = np.abs(np.asarray(trajectory.angular_velocity) @ inertia - momentum).max()
     return Mechanics(inertia) if left <= SAME_MOMENTUM * np.abs(momentum).max() else None
 
@@ -168,43 +168,31 @@ def body_of(path: Path) -> SpecBody:
     if (kind := kind_of(path)) != "spec":
         why = f"is {KINDS_IN_WORDS[kind]}, and --spec wants a spec, whose [body] has the moments"
         raise InvalidInput(f"{path}: {why}. Give a TOML file like those of `polhode report`.")
-    report = _report(path)[0]
-    return SpecBody(report.kind, report.frame, _mechanics(report))
+    report = report_of(path, read_spec(path))
+    return SpecBody(report.kind, report.frame, report.mechanics)
 
 
-def _report(path: Path) -> tuple[Any, AttitudeLabels | None]:
-    """Return the report on a spec, and the spec's labels."""
-    from polhode.report.choice import report_of
-    from polhode.spec.reading import read_spec
-
-    spec = read_spec(path)
+def report_of(path: Path, spec: Spec) -> AbstractReport:
+    """Return the report on a spec; what it refuses names the file."""
     try:
-        return report_of(spec), _told(spec.labels)
+        return spec.report()
     except (InvalidInput, NotConverged) as error:
         raise type(error)(f"{path}: {error}") from None
 
 
-def _mechanics(report: Any) -> Mechanics | None:
-    """Return what energy and momentum of a report's body are made of."""
-    if report.kind == "free-body":
-        return Mechanics(_inertia(report.frame))
-    if report.kind in TOPS:
-        weight = float(report.top.mgl) * np.asarray(report.frame.axes) @ np.asarray(report.top.axis)
-        return Mechanics(_inertia(report.frame), weight)
-    return None
-
-
 def _from_spec(path: Path) -> Source:
-    report, labels = _report(path)
-    motion, frame = report.trajectory.system, report.frame
+    spec = read_spec(path)
+    report, labels = report_of(path, spec), _told(spec.labels)
+    motion, frame = report.trajectory.motion, report.frame
     trajectory = along_given_axes(report.trajectory, frame)
-    history = replace(_history(path, trajectory), mechanics=_mechanics(report))
+    history = replace(_history(path, trajectory), mechanics=report.mechanics)
 
-    def exact(times: Any) -> tuple[Any, Any]:
-        found = along_given_axes(motion.sample(times), frame)
-        return found.attitude, found.angular_velocity
+    if motion is not None:
 
-    if isinstance(motion, FreeMotion | LagrangeMotion):
+        def exact(times: Any) -> tuple[Any, Any]:
+            found = along_given_axes(motion.sample(times), frame)
+            return found.attitude, found.angular_velocity
+
         history = replace(history, exact=exact)
     return Source("spec", trajectory, history, labels, report.kind)
 
@@ -214,11 +202,6 @@ def _told(labels: AttitudeLabels | None) -> AttitudeLabels | None:
     usual = AttitudeLabels()
     unsaid = labels is None or (labels.epoch, labels.time_system) == (usual.epoch, usual.time_system)
     return None if unsaid else labels
-
-
-def _inertia(frame: BodyFrame) -> Any:
-    axes = np.asarray(frame.axes)
-    return axes @ np.diag(np.asarray(frame.moments)) @ axes.T
 
 
 def _history(path: Path, trajectory: Trajectory) -> AttitudeHistory:

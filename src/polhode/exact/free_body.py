@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -13,24 +13,24 @@ from polhode.arrays import as_float64, is_traced, namespace, register_node
 from polhode.bodies.body import Body
 from polhode.errors import InvalidInput, shown
 from polhode.exact import evaluation, geometry
-from polhode.exact.inputs import (
+from polhode.motion.base import AbstractMotion
+from polhode.motion.inputs import (
     cached_unless_traced,
     checked,
     checked_last_axis,
-    checked_sample_times,
     checked_times,
     plain_answer,
     refuse_overflow,
 )
-from polhode.exact.invariants import drift, norm
+from polhode.motion.invariants import drift, norm
+from polhode.motion.layout import ENERGY, MOMENTUM_NORM, MOMENTUM_SPACE, Quantity
 from polhode.special.doubledouble import two_sum
-from polhode.trajectory import Trajectory
 
 Array = Any
 
 
 @dataclass(frozen=True, eq=False)
-class FreeMotion:
+class FreeMotion(AbstractMotion):
     """Torque-free motion of rigid bodies in closed form: dL/dt = L × Ω, L = IΩ, dR/dt = R hat(Ω).
 
     The attitude quaternion is evaluated as a quotient of theta functions whose phases are kept in double-double, so
@@ -65,6 +65,7 @@ class FreeMotion:
     ('short-axis', 10.680120081384)
     """
 
+    title: ClassVar[str] = "Free motion"
     moments: Array
     momentum_at_epoch: Array
     attitude_at_epoch: Array
@@ -162,50 +163,22 @@ class FreeMotion:
         refuse_overflow(xp, attitude, t)
         return (attitude, momentum) if self.axes is None else _along_given_axes(self.axes, attitude, momentum)
 
-    def attitude(self, t: Array) -> Array:
-        """Return the attitude (…, 4), unit quaternions wxyz, body → space."""
-        return self.state(t)[0]
+    @property
+    def free_moments(self) -> Array:
+        return self.moments
 
-    def momentum(self, t: Array) -> Array:
-        """Return the angular momentum (…, 3) [kg m²/s, body axes]."""
-        return self.state(t)[1]
+    @property
+    def quantities(self) -> dict[str, Quantity]:
+        return {"energy": ENERGY, "momentum_norm": MOMENTUM_NORM, "momentum_space": MOMENTUM_SPACE}
 
-    def angular_velocity(self, t: Array) -> Array:
-        """Return the angular velocity (…, 3) [rad/s, body axes]."""
-        return self._angular_velocity_of(self.state(t)[1])
-
-    def rotation_matrix(self, t: Array) -> Array:
-        """Return the rotation matrix (…, 3, 3), body → space."""
-        return rotation.as_matrix(self.state(t)[0])
-
-    def _angular_velocity_of(self, momentum: Array) -> Array:
-        if self.axes is None:
-            return momentum / self.moments
-        axes = namespace(momentum, self.axes).asarray(self.axes)
-        return ((momentum @ axes) / self.moments) @ axes.T
-
-    def sample(self, times: Array) -> Trajectory:
-        """Return the motion at times (T,) [s] as a trajectory, with what its invariants drift by."""
-        xp = namespace(times, self.moments)
-        times = checked_sample_times(xp, times)
-        motion = self._with_time_axis()
-        attitude, momentum = motion.state(times)
-        velocity = motion._angular_velocity_of(momentum)
-        invariants = {
+    def _invariants(self, attitude: Array, momentum: Array, velocity: Array) -> tuple[dict[str, Array], dict[str, Any]]:
+        xp = namespace(momentum, velocity)
+        values = {
             "energy": 0.5 * xp.sum(momentum * velocity, axis=-1),
             "momentum_norm": norm(xp, momentum),
             "momentum_space": rotation.rotate(attitude, momentum),
         }
-        return Trajectory(
-            system=self,
-            times=times,
-            states=xp.concat([attitude, momentum], axis=-1),
-            attitude=attitude,
-            momentum=momentum,
-            angular_velocity=velocity,
-            invariants=invariants,
-            drift={name: drift(xp, value, name == "momentum_space") for name, value in invariants.items()},
-        )
+        return values, {name: drift(xp, value, name == "momentum_space") for name, value in values.items()}
 
     def _with_time_axis(self) -> FreeMotion:
         motion = object.__new__(FreeMotion)
@@ -219,9 +192,7 @@ class FreeMotion:
 
     @property
     def batch_shape(self) -> tuple[int, ...]:
-        """The common shape of the bodies, () for one."""
-        vectors = (self.moments, *self._principal)
-        return tuple(np.broadcast_shapes(*(v.shape[:-1] for v in vectors), self.epoch.shape))
+        return self._common_shape(self.moments, *self._principal)
 
     @cached_unless_traced
     def _numbers(self) -> geometry.Characteristics:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -11,26 +11,26 @@ from polhode import rotation
 from polhode.arrays import as_float64, is_traced, known_false, namespace, register_node
 from polhode.errors import InvalidInput
 from polhode.exact import top_evaluation, top_geometry
-from polhode.exact.inputs import (
+from polhode.motion.base import AbstractMotion
+from polhode.motion.inputs import (
     cached_unless_traced,
     checked,
-    checked_sample_times,
     checked_times,
     common_shape,
     plain_answer,
     refuse_not_finite,
     refuse_overflow,
 )
-from polhode.exact.invariants import drift, norm
+from polhode.motion.invariants import drift, norm
+from polhode.motion.layout import ENERGY, Quantity
 from polhode.special.doubledouble import two_sum
-from polhode.trajectory import Trajectory
 
 Array = Any
 ROUNDING = 1e-12  # relative; what sums leave of equal moments
 
 
 @dataclass(frozen=True, eq=False)
-class LagrangeMotion:
+class LagrangeMotion(AbstractMotion):
     """Heavy symmetric tops in closed form: H = ½ L·I⁻¹L + mgl cos θ, dL/dt = L × Ω + mgl Γ × e3, dR/dt = R hat(Ω).
 
     θ is the tilt of the body's third axis from the vertical, space z, up; Γ = Rᵀe_z. The Cayley–Klein parameters are
@@ -63,11 +63,14 @@ class LagrangeMotion:
     ('cusp', 2.763928649428, 1.142288718976)
     """
 
+    title: ClassVar[str] = "Lagrange top"
+    has_vertical: ClassVar[bool] = True
     moments: Array
     mgl: Array
     momentum_at_epoch: Array
     attitude_at_epoch: Array
     epoch: Array
+    axes: ClassVar[None] = None  # vectors are along the principal axes
     _columns: tuple[Array, ...] = field(default=(), repr=False)
 
     def __init__(
@@ -110,52 +113,31 @@ class LagrangeMotion:
         refuse_overflow(xp, attitude, t)
         return attitude, momentum
 
-    def attitude(self, t: Array) -> Array:
-        """Return the attitude (…, 4), unit quaternions wxyz, body → space."""
-        return self.state(t)[0]
+    @property
+    def quantities(self) -> dict[str, Quantity]:
+        return {
+            "energy": ENERGY,
+            "vertical_momentum": Quantity("kg m2 s-1", "angular momentum about the vertical"),
+            "axial_momentum": Quantity("kg m2 s-1", "angular momentum about the top's axis"),
+        }
 
-    def momentum(self, t: Array) -> Array:
-        """Return the angular momentum (…, 3) [kg m²/s, body axes]."""
-        return self.state(t)[1]
-
-    def angular_velocity(self, t: Array) -> Array:
-        """Return the angular velocity (…, 3) [rad/s, body axes]."""
-        return self.state(t)[1] / self.moments
-
-    def rotation_matrix(self, t: Array) -> Array:
-        """Return the rotation matrix (…, 3, 3), body → space."""
-        return rotation.as_matrix(self.state(t)[0])
-
-    def sample(self, times: Array) -> Trajectory:
-        """Return the motion at times (T,) [s] as a trajectory, with what its invariants drift by.
-
-        Drifts of the energy are relative to the largest kinetic energy plus |mgl|, of the momenta to the largest |L|.
-        """
-        xp = namespace(times, self.moments)
-        times = checked_sample_times(xp, times)
-        motion = self._with_time_axis()
-        attitude, momentum = motion.state(times)
-        kinetic = _kinetic_energy(xp, motion.moments, momentum)
-        invariants = {
-            "energy": kinetic + motion.mgl * _vertical(xp, attitude),
+    def _invariants(self, attitude: Array, momentum: Array, velocity: Array) -> tuple[dict[str, Array], dict[str, Any]]:
+        """Return energy and momenta; drifts are relative to the largest kinetic energy plus |mgl|, and to max |L|."""
+        xp = namespace(momentum, self.moments)
+        kinetic = _kinetic_energy(xp, self.moments, momentum)
+        values = {
+            "energy": kinetic + self.mgl * _vertical(xp, attitude),
             "vertical_momentum": rotation.rotate(attitude, momentum)[..., 2],
             "axial_momentum": momentum[..., 2],
         }
         of_momentum = xp.max(norm(xp, momentum), axis=-1, keepdims=True)
-        of_energy = xp.max(kinetic + xp.abs(motion.mgl), axis=-1, keepdims=True)
-        return Trajectory(
-            system=self,
-            times=times,
-            states=xp.concat([attitude, momentum], axis=-1),
-            attitude=attitude,
-            momentum=momentum,
-            angular_velocity=momentum / motion.moments,
-            invariants=invariants,
-            drift={
-                name: drift(xp, value, False, of_energy if name == "energy" else of_momentum)
-                for name, value in invariants.items()
-            },
-        )
+        of_energy = xp.max(kinetic + xp.abs(self.mgl), axis=-1, keepdims=True)
+        sizes = {name: of_energy if name == "energy" else of_momentum for name in values}
+        return values, {name: drift(xp, value, False, sizes[name]) for name, value in values.items()}
+
+    def along_principal_axes(self) -> LagrangeMotion:
+        """Return the motion itself, which is along the principal axes."""
+        return self
 
     def _with_time_axis(self) -> LagrangeMotion:
         motion = object.__new__(LagrangeMotion)
@@ -169,8 +151,7 @@ class LagrangeMotion:
 
     @property
     def batch_shape(self) -> tuple[int, ...]:
-        """The common shape of the tops, () for one."""
-        return tuple(np.broadcast_shapes(*(v.shape[:-1] for v in self._arguments), self.epoch.shape))
+        return self._common_shape(*self._arguments)
 
     @cached_unless_traced
     def _numbers(self) -> top_geometry.TopCharacteristics:

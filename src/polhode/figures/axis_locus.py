@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from polhode import rotation
 from polhode.figures import style
 from polhode.figures.sphere import draw_curve, mark_point, sphere_axes, view_frame
-from polhode.report.tops import LagrangeTopReport, TopReport
+from polhode.reports.top import TopReport
 
 Array = Any
 VIEW = (0.62, -0.62, 0.48)
@@ -26,8 +26,8 @@ def draw_axis_locus(report: TopReport) -> Figure:
     path = followed(report)
     curve, limits = path.axis, path.limits
     kind = ", space axes"
-    if isinstance(report, LagrangeTopReport):
-        kind = ": steady precession" if report.even else f": {report.exact.regime}"
+    if report.exact is not None:
+        kind = ": steady precession" if report.constant_tilt else f": {report.exact.regime}"
     for height in limits:
         turn = np.linspace(0.0, 2.0 * np.pi, 400)
         radius = np.sqrt(max(0.0, 1.0 - height * height))
@@ -70,20 +70,20 @@ class Followed(NamedTuple):
 
 def followed(report: TopReport) -> Followed:
     """Return the first nutations of a Lagrange top, finely sampled, or all samples of another one."""
-    if not isinstance(report, LagrangeTopReport):
+    exact = report.exact
+    if exact is None:
         motion = report.trajectory
         attitude = np.asarray(motion.attitude)
         momentum = rotation.rotate(attitude, np.asarray(motion.momentum))
         velocity = rotation.rotate(attitude, np.asarray(motion.angular_velocity))
         return Followed(attitude, report.axis_in_space, momentum, velocity, [], "")
-    exact = report.exact
     start, end = float(report.trajectory.times[0]), float(report.trajectory.times[-1])
     words = ""
     if exact.nutation_period is not None and end - start > PERIODS * exact.nutation_period:
         end = start + PERIODS * exact.nutation_period
-        words = f", first {end - start:.3g} s" if report.even else f", first {PERIODS} nutations"
+        words = f", first {end - start:.3g} s" if report.constant_tilt else f", first {PERIODS} nutations"
     attitude, momentum = exact.state(np.linspace(start, end, SAMPLES))
     # at constant tilt the path itself is the circle
-    limits = [] if report.even else [x for x in exact.nutation_limits if x is not None and abs(x) < 1.0]
+    limits = [] if report.constant_tilt else [x for x in exact.nutation_limits if x is not None and abs(x) < 1.0]
     up, L, omega = (rotation.rotate(attitude, v) for v in ([0.0, 0.0, 1.0], momentum, momentum / exact.moments))
     return Followed(attitude, up, L, omega, limits, words)

@@ -6,24 +6,26 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from polhode.figures import style
-from polhode.report.free_body import FreeBodyReport
+from polhode.figures.free_motion import free_motion_of
+from polhode.motion.trajectory import Trajectory
 
 LONGEST = 4  # periods shown; more would only blur
 
 
-def draw_components(report: FreeBodyReport) -> Figure:
+def draw_components(trajectory: Trajectory) -> Figure:
     """Return components of Ω and L against time, at most the first few periods, which the figure then says."""
+    motion, _ = free_motion_of(trajectory)
     figure = style.new_figure(height=3.4)
     upper, lower = figure.subplots(2, 1, sharex=True)
-    whole = end = float(np.asarray(report.trajectory.times)[-1])
-    start = float(np.asarray(report.trajectory.times)[0])
-    if report.motion.period is not None:
-        end = min(end, start + LONGEST * report.motion.period)
+    whole = end = float(np.asarray(trajectory.times)[-1])
+    start = float(np.asarray(trajectory.times)[0])
+    if motion.period is not None:
+        end = min(end, start + LONGEST * motion.period)
     shown = f", the first {LONGEST} periods" if end < whole else ""
     slow = style.power_of_ten((start, end))
     times = np.linspace(start, end, 1200)
-    momentum = report.motion.momentum(times)
-    velocity = momentum / np.asarray(report.motion.moments)
+    momentum = motion.momentum(times)
+    velocity = momentum / np.asarray(motion.moments)
     larger = style.magnifications(momentum)
     for axes, values, symbol, unit in ((upper, velocity, "Ω", "rad/s"), (lower, momentum, "L", "kg m²/s")):
         power = style.power_of_ten(values)

@@ -7,9 +7,11 @@ from typing import Any
 import numpy as np
 from matplotlib.figure import Figure
 
-from polhode.analysis.poinsot import herpolhode_curve
+from polhode.analysis.poinsot import herpolhode, herpolhode_curve
+from polhode.exact.free_body import FreeMotion
 from polhode.figures import style
-from polhode.report.free_body import FreeBodyReport
+from polhode.figures.free_motion import free_motion_of
+from polhode.motion.trajectory import Trajectory
 
 Array = Any
 PERIODS, TURNS = 6, 24  # drawn at most
@@ -17,14 +19,15 @@ SAMPLES_PER_TURN = 120
 SAME = 2e-3  # of the outer radius: circles closer than this are one line in print
 
 
-def draw_herpolhode(report: FreeBodyReport) -> Figure | None:
+def draw_herpolhode(trajectory: Trajectory) -> Figure | None:
     """Return the herpolhode between its two circles; None where the contact point stays or there is no motion."""
-    found = report.herpolhode
+    motion, samples = free_motion_of(trajectory)
+    found = herpolhode(motion)
     if found is None or found.outer_radius <= 1e-12 * found.plane_distance:
         return None
     power = style.power_of_ten(found.outer_radius)
     outer = found.outer_radius / 10.0**power
-    curve = herpolhode_curve(report.motion, _times(report)) / 10.0**power
+    curve = herpolhode_curve(motion, _times(motion, samples)) / 10.0**power
     figure = style.new_figure(height=3.9)
     axes = figure.add_subplot()
     circle = np.linspace(0.0, 2.0 * np.pi, 400)
@@ -49,10 +52,10 @@ def draw_herpolhode(report: FreeBodyReport) -> Figure | None:
     return figure
 
 
-def _times(report: FreeBodyReport) -> Array:
-    """Return times that follow every turn of the contact point, which the report's own samples need not."""
-    times, period = np.asarray(report.trajectory.times), report.motion.period
-    fastest = float(np.linalg.norm(np.asarray(report.trajectory.angular_velocity), axis=-1).max())
+def _times(motion: FreeMotion, samples: Trajectory) -> Array:
+    """Return times that follow every turn of the contact point, which the samples need not."""
+    times, period = np.asarray(samples.times), motion.period
+    fastest = float(np.linalg.norm(np.asarray(samples.angular_velocity), axis=-1).max())
     fastest += 2.0 * np.pi / period if period is not None else 0.0
     span = min(float(np.ptp(times)), 2.0 * np.pi * TURNS / fastest, PERIODS * period if period is not None else np.inf)
     count = int(np.ceil(span * fastest / (2.0 * np.pi) * SAMPLES_PER_TURN)) + 2

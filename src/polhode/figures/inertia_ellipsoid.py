@@ -15,19 +15,21 @@ from polhode.analysis.poinsot import ellipsoid_semi_axes, touching_point
 from polhode.analysis.polhodes import polhode_family, separatrix
 from polhode.bodies.surface import Surface
 from polhode.bodies.turned import ball
+from polhode.exact.free_body import FreeMotion
 from polhode.figures import style
 from polhode.figures.energy_levels import default_frame
+from polhode.figures.free_motion import free_motion_of
 from polhode.figures.scene import Scene
-from polhode.report.free_body import FreeBodyReport
+from polhode.motion.trajectory import Trajectory
 
 Array = Any
 BODY = "#eef0f3"
 APART = 0.55  # of the longest semi-axis, heads of arrows on the motion's own polhode
 
 
-def draw_inertia_ellipsoid(report: FreeBodyReport) -> Figure | None:
+def draw_inertia_ellipsoid(trajectory: Trajectory) -> Figure | None:
     """Return the ellipsoid seen obliquely, its longest semi-axis as 1, far side dimmed. None at rest."""
-    motion = report.motion
+    motion, samples = free_motion_of(trajectory)
     if not motion.momentum_norm:
         return None
     moments = np.asarray(motion.moments)
@@ -50,7 +52,7 @@ def draw_inertia_ellipsoid(report: FreeBodyReport) -> Figure | None:
     great = separatrix(moments)
     for curve in great:
         scene.line(touching_point(curve, moments) / scale, style.VERMILION, 0.9)
-    own = touching_point(_own(report), moments) / scale
+    own = touching_point(_own(motion, samples), moments) / scale
     _axes(scene, shape)
     scene.line(own, style.BLUE, 1.8, over=4.0)
     _direction(scene, own)
@@ -62,11 +64,10 @@ def draw_inertia_ellipsoid(report: FreeBodyReport) -> Figure | None:
     return figure
 
 
-def _own(report: FreeBodyReport) -> Array:
+def _own(motion: FreeMotion, samples: Trajectory) -> Array:
     """Return the direction of L (T, 3) over a period, or at the samples without one."""
-    motion = report.motion
     if motion.period is None:
-        return np.asarray(report.trajectory.momentum) / motion.momentum_norm
+        return np.asarray(samples.momentum) / motion.momentum_norm
     return motion.momentum(motion.epoch + np.linspace(0.0, motion.period, 2000)) / motion.momentum_norm
 
 

@@ -9,35 +9,37 @@ from matplotlib.figure import Figure
 
 from polhode.analysis.polhodes import polhode_family, separatrix
 from polhode.figures import style
+from polhode.figures.free_motion import free_motion_of
 from polhode.figures.sphere import draw_curve, mark_point, sphere_axes, view_frame
-from polhode.report.free_body import FreeBodyReport
+from polhode.motion.trajectory import Trajectory
 
 Array = Any
 VIEW = (0.80, 0.46, 0.38)
 
 
-def draw_momentum_sphere(report: FreeBodyReport) -> Figure | None:
+def draw_momentum_sphere(trajectory: Trajectory) -> Figure | None:
     """Return the sphere |L| = const seen obliquely, far side dimmed; axes are the principal ones. None at rest."""
-    norm = report.motion.momentum_norm
+    motion, samples = free_motion_of(trajectory)
+    norm = motion.momentum_norm
     if not norm:
         return None
     figure = style.new_figure()
     axes = sphere_axes(figure)
-    moments = np.asarray(report.motion.moments)
+    moments = np.asarray(motion.moments)
     frame = view_frame(VIEW)
     family = polhode_family(moments)
     for curve in family:
         draw_curve(axes, frame, curve, style.GREY, 0.5)
     for curve in separatrix(moments):
         draw_curve(axes, frame, curve, style.VERMILION, 0.9)
-    unit, span = np.asarray(report.trajectory.momentum) / norm, report.motion.period
+    unit, span = np.asarray(samples.momentum) / norm, motion.period
     if span is not None:
-        unit = report.motion.momentum(np.linspace(0.0, span, 2000)) / norm
+        unit = motion.momentum(motion.epoch + np.linspace(0.0, span, 2000)) / norm
     draw_curve(axes, frame, unit, style.BLUE, 1.8)
     mark_point(axes, frame, unit[0])
     for k in range(3):
         _label(axes, frame, k)
-    still = report.motion.regime in ("permanent", "spherical")
+    still = motion.regime in ("permanent", "spherical")
     dot: Any = {"marker": "o", "ls": "", "ms": 4, "mec": "white"} if still else {"lw": 1.8}
     handles = [axes.plot([], [], color=style.BLUE, label="this motion", **dot)[0]]
     if family:

@@ -13,7 +13,7 @@ from polhode.figures import style
 from polhode.figures.axis_locus import Followed, followed
 from polhode.figures.scene import Scene, circle_about, draw_cone
 from polhode.figures.sphere import view_frame
-from polhode.report.tops import TopReport
+from polhode.reports.top import TopReport
 
 Array = Any
 ELEVATION = np.radians(20.0)
@@ -30,7 +30,7 @@ def draw_spinning_top(report: TopReport) -> Figure | None:
 
     None for tops whose shape is unknown, and for bodies without weight.
     """
-    surface = report.spec.surface or box_in_place(report.frame)
+    surface = report.surface or box_in_place(report.frame)
     if surface is None or report.free:
         return None
     path = followed(report)

@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from polhode.figures import style
-from polhode.report.tops import LagrangeTopReport, TopReport
+from polhode.reports.top import TopReport
 
 LOST = 0.1  # of the largest rate: curves smaller than this are enlarged, their fast swings being a band else
 EVEN = 0.5  # degrees on either side of a tilt that is constant
@@ -40,15 +40,16 @@ def draw_top_motion(report: TopReport) -> Figure:
 
 def _series(report: TopReport) -> tuple[np.ndarray, np.ndarray, np.ndarray, str]:
     times = np.asarray(report.trajectory.times)
-    if isinstance(report, LagrangeTopReport):
-        exact, period = report.exact, report.exact.nutation_period
+    exact = report.exact
+    if exact is not None:
+        period = exact.nutation_period
         end, words = times[-1], ""
         turns = abs(exact.spin_per_period or 0.0) / (2.0 * np.pi)
         count = int(np.clip(TURNS / turns, 1, PERIODS)) if turns else PERIODS
         if period is not None and times[-1] - times[0] > count * period:
             end = times[0] + count * period
             nutations = f"first {count} nutations" if count > 1 else "first nutation"
-            words = f", first {end - times[0]:.3g} s" if report.even else f", {nutations}"
+            words = f", first {end - times[0]:.3g} s" if report.constant_tilt else f", {nutations}"
         times = np.linspace(times[0], end, 2000)
         attitude, momentum = exact.state(times)
         w, x, y, z = (attitude[:, k] for k in range(4))

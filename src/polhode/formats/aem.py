@@ -22,9 +22,9 @@ from polhode.errors import InvalidInput, shown
 from polhode.formats.animation_keys import exact_motion
 from polhode.formats.epochs import TIME_SYSTEMS, as_text, later, read_epoch, since
 from polhode.formats.given_axes import along_given_axes, single_attitude
-from polhode.formats.labels import USUAL_ID, USUAL_ORIGINATOR, AttitudeLabels, is_in_spacecraft
+from polhode.formats.labels import USUAL_ID, USUAL_ORIGINATOR, AttitudeLabels, is_in_spacecraft, labels_of
 from polhode.formats.paths import written_whole
-from polhode.trajectory import Trajectory
+from polhode.motion.trajectory import Trajectory
 
 Array = Any
 TYPES = {None: "QUATERNION", "derivative": "QUATERNION/DERIVATIVE", "angular velocity": "QUATERNION/ANGVEL"}
@@ -58,7 +58,7 @@ def write_aem(
     if rates not in TYPES:
         raise InvalidInput(f'`rates` must be None, "derivative" or "angular velocity"; got {shown(rates)}.')
     if labels is None:
-        labels = trajectory.system if isinstance(trajectory.system, AttitudeLabels) else AttitudeLabels()
+        labels = labels_of(trajectory) or AttitudeLabels()
     if is_in_spacecraft(labels.reference_frame) and not is_in_spacecraft(labels.body_frame):
         raise InvalidInput(f"`reference_frame` {labels.reference_frame} has a name for frames of a spacecraft, and "
                            f"`body_frame` {labels.body_frame} has not: readers would take one for the other. "

@@ -12,8 +12,10 @@ from polhode.errors import FormatError, InvalidInput, shown
 from polhode.formats.aem_attitudes import Meaning, attitudes
 from polhode.formats.aem_segments import Segment, read_segments, refuse
 from polhode.formats.epochs import shortest, since
-from polhode.formats.labels import AttitudeLabels, is_in_spacecraft, plain
-from polhode.trajectory import Trajectory
+from polhode.formats.labels import AttitudeLabels, Recording, is_in_spacecraft, plain
+from polhode.motion.layout import ATTITUDE, StateLayout
+from polhode.motion.outcome import Ending, Outcome
+from polhode.motion.trajectory import Trajectory
 
 Array = Any
 _ROTATION_SEQUENCE = re.compile(r"([XYZ])(?!\1)([XYZ])(?!\2)[XYZ]")
@@ -27,7 +29,7 @@ def read_aem(path: str | Path, segment: int | None = None) -> Trajectory:
     that names a part of a spacecraft being the body's, else the second. The angular velocity, where the file has it or
     derivatives that it follows from, is along the body axes; there is no momentum. Segments of the same object and
     frames are joined; the angular velocity is None then unless all of them have it. Of each segment only the useable
-    time is taken, and the trajectory's status counts the samples outside. The labels are its system.
+    time is taken, and the trajectory's outcome counts the samples outside. The source is a ``Recording`` with labels.
 
     Args:
         path: the file.
@@ -49,8 +51,12 @@ def read_aem(path: str | Path, segment: int | None = None) -> Trajectory:
     start = segments[0].epoch("START_TIME")
     times, attitude, velocity = _joined([_history(one, start) for one in segments], segments)
     left_out = sum(int((~_useable(one)).sum()) for one in segments)
-    status = f"read, without {left_out} samples outside the useable times" if left_out else "read"
-    return Trajectory(_labels(segments[0]), times, attitude, attitude, angular_velocity=velocity, status=status)
+    message = f"{left_out} samples outside the useable times were left out" if left_out else ""
+    labels = _labels(segments[0])
+    return Trajectory(
+        times, attitude, StateLayout((ATTITUDE,)), attitude, angular_velocity=velocity,
+        outcome=Outcome(Ending.RECORDED, message=message), source=Recording(labels.object_name, labels=labels),
+    )  # fmt: skip
 
 
 def _history(one: Segment, start: tuple[int, int]) -> tuple[Array, Array, Array | None]:

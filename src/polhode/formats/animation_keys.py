@@ -10,9 +10,8 @@ import numpy as np
 
 from polhode import rotation
 from polhode.errors import InvalidInput
-from polhode.exact.free_body import FreeMotion
-from polhode.exact.lagrange_top import LagrangeMotion
-from polhode.trajectory import Trajectory
+from polhode.motion.base import AbstractMotion
+from polhode.motion.trajectory import Trajectory
 
 Array = Any
 FARTHEST = 0.5 * math.pi  # rad from key to key; beyond π viewers, which take the short way, turn it backward
@@ -78,10 +77,10 @@ def _evenly(lasts: float, intervals: float) -> Array:
     return np.linspace(0.0, lasts, math.ceil(intervals) + 1)
 
 
-def exact_motion(trajectory: Trajectory) -> FreeMotion | LagrangeMotion | None:
+def exact_motion(trajectory: Trajectory) -> AbstractMotion | None:
     """Return the motion to evaluate anew, unless the trajectory is along other axes than its motion's."""
-    motion = trajectory.system
-    if not isinstance(motion, FreeMotion | LagrangeMotion):
+    motion = trajectory.motion
+    if motion is None:
         return None
     again = np.asarray(motion.sample(np.asarray(trajectory.times)[:1]).attitude)
     first = np.asarray(trajectory.attitude)[:1]

@@ -16,12 +16,14 @@ import numpy as np
 
 from polhode.bodies.frame import BodyFrame
 from polhode.errors import FormatError, InvalidInput, shown
-from polhode.formats.dataset import invariant_unit
 from polhode.formats.given_axes import along_given_axes, check_recorded
+from polhode.formats.labels import Recording
 from polhode.formats.numerals import read_number
 from polhode.formats.opening import MB, open_file
 from polhode.formats.paths import written_whole
-from polhode.trajectory import Trajectory
+from polhode.motion.layout import ATTITUDE, MOMENTUM, StateLayout
+from polhode.motion.outcome import Ending, Outcome
+from polhode.motion.trajectory import Trajectory
 
 Array = Any
 LARGEST_FILE = 2000 * MB  # seven million rows of fourteen columns
@@ -66,26 +68,24 @@ def _columns(trajectory: Trajectory, axes: str) -> list[tuple[str, Array]]:
         values = np.asarray(values, dtype=float).reshape(len(times), -1) if len(times) else np.zeros((0, len(names)))
         found.extend(zip(names, values.T, strict=True))
 
-    own = getattr(trajectory.system, "state_axes", 1)
-    if np.ndim(trajectory.states) - own != 1:
-        shape = np.shape(trajectory.states)[: -1 - own]
+    if shape := trajectory.batch_shape:
         raise InvalidInput(f"a CSV file holds one body; got a batch of shape {shape}. Write a dataset instead.")
     if trajectory.attitude is not None:
         add(trajectory.attitude, [f"q_{part}" for part in "wxyz"])
     for attribute, (symbol, unit) in _VECTORS.items():
         if (values := getattr(trajectory, attribute)) is not None:
             add(values, [f"{symbol}_{axis} [{unit}]" for axis in axes])
-    named = getattr(trajectory.system, "components", {})
-    if named:
-        add(trajectory.states, [_named(name, unit) for name, (unit, _) in named.items()])
-    elif trajectory.momentum is None and trajectory.attitude is None:
+    scalars = trajectory.layout.scalars
+    for name, part in scalars.items():
+        add(trajectory.part(name), [_named(name, part.unit)])
+    if not scalars and trajectory.momentum is None and trajectory.attitude is None:
         add(trajectory.states, [f"state_{k}" for k in range(int(np.prod(np.shape(trajectory.states)[1:])))])
     for name, values in (trajectory.invariants | trajectory.balances).items():
         count = 1 if np.ndim(values) == 1 else np.shape(values)[1]
         ends = [""] if np.ndim(values) == 1 else [f"_{part}" for part in ("xyz" if count == 3 else range(count))]
-        add(values, [_named(f"{name}{end}", invariant_unit(name)) for end in ends])
+        add(values, [_named(f"{name}{end}", trajectory.quantity(name).unit) for end in ends])
     for name, values in trajectory.received.items():
-        add(values, [_named(f"{name}_received", invariant_unit(name))])
+        add(values, [_named(f"{name}_received", trajectory.quantity(name).unit)])
     return found
 
 
@@ -97,7 +97,7 @@ def read_csv(path: str | Path) -> Trajectory:
     """Return the motion in a table that ``write_csv`` wrote, bit for bit.
 
     Columns that are neither attitude, angular velocity nor momentum are among the invariants, under their names. The
-    system is the file's name.
+    source is a ``Recording``.
 
     Raises:
         InvalidInput: if the file is missing.
@@ -137,7 +137,11 @@ def read_csv(path: str | Path) -> Trajectory:
         if plain in others:
             raise FormatError(f"{path}, line 1: {shown(plain)} is there twice, in two units. Leave out one.")
         others[plain] = values
-    return Trajectory(path.name, times, states, attitude, momentum, velocity, others, status="read")
+    named = [part for part, values in ((ATTITUDE, attitude), (MOMENTUM, momentum)) if values is not None]
+    return Trajectory(
+        times, states, StateLayout(tuple(named)), attitude, momentum, velocity, others,
+        outcome=Outcome(Ending.RECORDED), source=Recording(path.name),
+    )  # fmt: skip
 
 
 def _read_table(path: Path) -> tuple[list[str], Array]:

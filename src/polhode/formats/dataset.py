@@ -14,9 +14,10 @@ import numpy as np
 from polhode.bodies.frame import BodyFrame
 from polhode.errors import InvalidInput
 from polhode.formats.given_axes import along_principal_axes
-from polhode.formats.labels import AttitudeLabels
+from polhode.formats.labels import AttitudeLabels, labels_of
 from polhode.formats.paths import written_whole
-from polhode.trajectory import Trajectory
+from polhode.motion.outcome import Outcome
+from polhode.motion.trajectory import Trajectory
 
 if TYPE_CHECKING:
     import xarray
@@ -25,22 +26,6 @@ Array = Any
 _VECTORS = {
     "momentum": ("kg m2 s-1", "angular momentum along the body axes"),
     "angular_velocity": ("rad s-1", "angular velocity along the body axes"),
-}
-_INVARIANTS = {
-    "energy": ("J", "energy"),
-    "kinetic_energy": ("J", "kinetic energy"),
-    "jacobi_integral": ("J", "Jacobi integral in the orbit's frame"),
-    "energy_per_moment": ("rad2 s-2", "energy per moment about the spin's axis"),
-    "vertical_momentum": ("kg m2 s-1", "angular momentum about the vertical"),
-    "axial_momentum": ("kg m2 s-1", "angular momentum about the top's axis"),
-    "|Γ|²": ("1", "squared length of the upward direction"),
-    "Lagrange's Π·χ": ("kg m2 s-1", "angular momentum about the axis to the centre of mass"),
-    "Kovalevskaya's integral": ("s-4", "Kovalevskaya's integral"),
-    "Goryachev and Chaplygin's integral": ("s-3", "Goryachev and Chaplygin's integral"),
-    "Euler's |Π|²": ("kg2 m4 s-2", "squared angular momentum"),
-    "|L|²": ("kg2 m4 s-2", "squared angular momentum"),
-    "momentum_norm": ("kg m2 s-1", "magnitude of the angular momentum"),
-    "momentum_space": ("kg m2 s-1", "angular momentum along the space axes"),
 }
 
 
@@ -63,8 +48,7 @@ def as_dataset(
     if frame is not None:
         trajectory = along_principal_axes(trajectory)
     times = np.asarray(trajectory.times)
-    own = getattr(trajectory.system, "state_axes", 1)
-    batch = [f"batch_{k}" for k in range(np.ndim(trajectory.states) - 1 - own)]
+    batch = [f"batch_{k}" for k in range(len(trajectory.batch_shape))]
     clock = ("time", times, {"units": "s", "long_name": "time"})
     coordinates: dict[str, Any] = {"time": clock, "axis": ("axis", [1, 2, 3])}
     variables: dict[str, Any] = {}
@@ -77,20 +61,19 @@ def as_dataset(
         if values is not None:
             note = {"units": units, "long_name": meaning}
             variables[name] = ([*batch, "time", "axis"], np.asarray(values), note)
-    named = getattr(trajectory.system, "components", {})
-    for k, (name, (units, meaning)) in enumerate(named.items()):
-        note = {"units": units, "long_name": meaning, "role": "state", "place": k}
-        variables[name] = ([*batch, "time"], np.asarray(trajectory.states)[..., k], note)
-    labels = trajectory.system if isinstance(trajectory.system, AttitudeLabels) else None
-    if trajectory.momentum is None and not named and labels is None:
-        dims = [*batch, "time", *(f"component_{k}" for k in range(own))]
+    layout = trajectory.layout
+    for name, part in layout.scalars.items():
+        note = {"units": part.unit, "long_name": part.meaning, "role": "state", "place": layout.place(name).start}
+        variables[name] = ([*batch, "time"], np.asarray(layout.part(trajectory.states, name)), note)
+    if trajectory.momentum is None and trajectory.attitude is None and not layout.scalars:
+        dims = [*batch, "time", *(f"component_{k}" for k in range(layout.axes))]
         variables["state"] = (dims, np.asarray(trajectory.states), {"long_name": "point of the dual"})
     for name, values in trajectory.received.items():
-        units, meaning = invariant_unit(name), f"{name.replace('_', ' ')} received"
+        units, meaning = trajectory.quantity(name).unit, f"{name.replace('_', ' ')} received"
         note = {"units": units, "long_name": meaning, "role": "received"}
         variables[f"{name}_received"] = ([*batch, "time"], np.asarray(values), note)
     for name, values in (trajectory.invariants | trajectory.balances).items():
-        units, meaning = _INVARIANTS.get(name, ("", name.replace("_", " ")))
+        units, meaning = trajectory.quantity(name)
         components = "space_axis" if name == "momentum_space" else "axis"
         if components == "space_axis":
             coordinates["space_axis"] = ("space_axis", ["x", "y", "z"])
@@ -110,13 +93,15 @@ def as_dataset(
         for name in ("attitude", *_VECTORS):
             if name in variables:
                 variables[name][2]["comment"] = "body axes are the principal ones; principal_axes has them"
-    header = {"Conventions": "CF-1.11", "source": "polhode", "status": trajectory.status}
-    return xr.Dataset(variables, coordinates, header | label_attributes(labels) | (attributes or {}))
+    header = {"Conventions": "CF-1.11", "source": "polhode", **_outcome_attributes(trajectory.outcome)}
+    return xr.Dataset(variables, coordinates, header | label_attributes(labels_of(trajectory)) | (attributes or {}))
 
 
-def invariant_unit(name: str) -> str:
-    """Return the unit of an invariant or balance, or nothing where it is not known by name."""
-    return _INVARIANTS.get(name, ("", ""))[0]
+def _outcome_attributes(outcome: Outcome) -> dict[str, str]:
+    """Return how the motion ended, in words and, for reading back, part by part."""
+    found = {"status": str(outcome), "outcome": outcome.ending.value}
+    found |= {} if outcome.event is None else {"event": outcome.event}
+    return found | ({"outcome_message": outcome.message} if outcome.message else {})
 
 
 def label_attributes(labels: AttitudeLabels | None) -> dict[str, str]:

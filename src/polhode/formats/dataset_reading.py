@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import dataclasses
 import warnings
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -15,10 +14,12 @@ from polhode.errors import FormatError, InvalidInput, shown
 from polhode.formats.dataset_rules import ROLES, check_variables
 from polhode.formats.given_axes import DAMAGED, check_recorded
 from polhode.formats.hdf5_gate import check_hdf5
-from polhode.formats.labels import AttitudeLabels
+from polhode.formats.labels import AttitudeLabels, Recording
 from polhode.formats.opening import MB, check_is_file, is_folder
 from polhode.formats.zarr_gate import check_store
-from polhode.trajectory import Trajectory
+from polhode.motion.layout import ATTITUDE, MOMENTUM, Quantity, StateLayout, StatePart
+from polhode.motion.outcome import Ending, Outcome
+from polhode.motion.trajectory import Trajectory
 
 if TYPE_CHECKING:
     import xarray
@@ -28,32 +29,11 @@ NEEDED_LABELS = ("object_name", "reference_frame", "body_frame", "epoch", "time_
 LARGEST_FILE = 4000 * MB  # it is held in memory whole
 
 
-@dataclass(frozen=True)
-class Recording:
-    """What a file says of the motion it holds; the system of a trajectory read from a dataset.
-
-    Attributes:
-        title: what moved.
-        frame: the principal axes that the trajectory is along; None where its axes are the given ones.
-        labels: of the attitude, where the file has them.
-        components: name → (unit, meaning) of the parts of a state that is no momentum.
-        state_axes: how many axes of the states one state takes.
-        attributes: the global attributes of the file.
-    """
-
-    title: str = ""
-    frame: BodyFrame | None = None
-    labels: AttitudeLabels | None = None
-    components: dict[str, tuple[str, str]] = field(default_factory=dict)
-    state_axes: int = 1
-    attributes: dict[str, Any] = field(default_factory=dict)
-
-
 def read_dataset(path: str | Path) -> Trajectory:
     """Return the trajectory in a NetCDF file or a Zarr store that polhode wrote.
 
     All arrays are those that were written, bit for bit. The states are what the file has of them: the attitude, then
-    the momentum. The system is a ``Recording``.
+    the momentum. The source is a ``Recording``.
 
     Raises:
         InvalidInput: if the file is missing, or zarr is for a store.
@@ -72,10 +52,14 @@ def read_dataset(path: str | Path) -> Trajectory:
             roles[variable.attrs["role"]].append(name)
     check_recorded(path, dataset["time"].values, arrays.get("attitude"), arrays.get("angular_velocity"))
     roles["state"].sort(key=lambda name: variables[name].attrs["place"])
+    own = sum(str(dim).startswith("component_") for dim in dataset.dims)
+    layout, states = _states(arrays, {name: variables[name].attrs for name in roles["state"]}, own)
+    kept = {name: variables[name].attrs for name in (*roles["invariant"], *roles["balance"])}
     return Trajectory(
-        system=_recording(path, dataset, variables, roles["state"]),
+        source=_recording(path, dataset, variables),
         times=np.asarray(dataset["time"].values),
-        states=_states(arrays, roles["state"]),
+        states=states,
+        layout=layout,
         attitude=arrays.get("attitude"),
         momentum=arrays.get("momentum"),
         angular_velocity=arrays.get("angular_velocity"),
@@ -83,7 +67,8 @@ def read_dataset(path: str | Path) -> Trajectory:
         balances={name: arrays[name] for name in roles["balance"]},
         received={name.removesuffix("_received"): arrays[name] for name in roles["received"]},
         drift={name: variable.attrs["drift"] for name, variable in variables.items() if "drift" in variable.attrs},
-        status=str(dataset.attrs.get("status", "")),
+        quantities={key: Quantity(str(x.get("units", "")), str(x.get("long_name", ""))) for key, x in kept.items()},
+        outcome=_outcome(path, dataset.attrs),
         error_estimate=next((arrays[name] for name in roles["error estimate"]), None),
     )
 
@@ -126,17 +111,31 @@ def _loaded_store(path: Path) -> xarray.Dataset:
     return xr.load_dataset(store, engine="zarr", decode_times=False, consolidated=False, zarr_format=2)
 
 
-def _states(arrays: dict[str, Array], components: list[str]) -> Array:
+def _states(arrays: dict[str, Array], components: dict[str, dict[str, Any]], own: int) -> tuple[StateLayout, Array]:
+    """Return the states: one array, or attitude and momentum, and components behind them or in their stead."""
     if "state" in arrays:
-        return arrays["state"]
-    if components:
-        return np.stack([arrays[name] for name in components], axis=-1)
-    return np.concatenate([arrays[name] for name in ("attitude", "momentum") if name in arrays], axis=-1)
+        return StateLayout(axes=own), arrays["state"]
+    named = [StatePart(name, 1, note["units"], note["long_name"]) for name, note in components.items()]
+    vectors = [part for part in (ATTITUDE, MOMENTUM) if part.name in arrays]
+    if named and min(note["place"] for note in components.values()) == 0:
+        vectors = []
+    parts = [*vectors, *named]
+    columns = [arrays[part.name] if part.size > 1 else arrays[part.name][..., None] for part in parts]
+    return StateLayout(tuple(parts)), np.concatenate(columns, axis=-1)
 
 
-def _recording(
-    path: Path, dataset: xarray.Dataset, variables: dict[str, Any], components: list[str]
-) -> Recording:
+def _outcome(path: Path, attributes: Any) -> Outcome:
+    """Return how the motion came to its end; files of older versions say it in words only."""
+    known = {ending.value: ending for ending in Ending}
+    said = attributes.get("outcome", Ending.RECORDED.value)
+    if said not in known:
+        words = ", ".join(known)
+        raise FormatError(f"{path}: the attribute outcome must be one of {words}; got {shown(said)}. {DAMAGED}")
+    event = attributes.get("event")
+    return Outcome(known[said], None if event is None else str(event), str(attributes.get("outcome_message", "")))
+
+
+def _recording(path: Path, dataset: xarray.Dataset, variables: dict[str, Any]) -> Recording:
     attributes: dict[str, Any] = {str(key): value for key, value in dataset.attrs.items()}
     frame = None
     if "principal_axes" in variables:
@@ -145,9 +144,7 @@ def _recording(
         mass = None if parts[3] is None else float(parts[3])
         frame = BodyFrame(parts[0], parts[1], parts[2], mass, parts[4])
     labels = _labels(path, attributes) if "body_frame" in attributes else None
-    meanings = {name: (variables[name].attrs["units"], variables[name].attrs["long_name"]) for name in components}
-    axes = sum(str(dim).startswith("component_") for dim in dataset.dims)
-    return Recording(str(attributes.get("title", "")), frame, labels, meanings, axes or 1, attributes)
+    return Recording(str(attributes.get("title", "")), frame, labels, attributes)
 
 
 def _labels(path: Path, attributes: dict[str, Any]) -> AttitudeLabels:

@@ -11,8 +11,8 @@ import numpy as np
 from polhode import rotation
 from polhode.bodies.frame import BodyFrame
 from polhode.errors import FormatError, InvalidInput
-from polhode.exact.free_body import FreeMotion
-from polhode.trajectory import Trajectory
+from polhode.motion.base import AbstractMotion
+from polhode.motion.trajectory import Trajectory
 
 Array = Any
 UNIT = 1e-6  # how far from one the norm of a quaternion in a file may be: seven digits of each component, at least
@@ -41,12 +41,12 @@ def along_principal_axes(trajectory: Trajectory) -> Trajectory:
         return trajectory
     turned = _turned(trajectory, np.asarray(motion.axes))
     states = np.concatenate([np.asarray(turned.attitude), np.asarray(turned.momentum)], axis=-1)
-    return replace(turned, system=motion.along_principal_axes(), states=states)
+    return replace(turned, source=motion.along_principal_axes(), states=states)
 
 
-def _from_body(trajectory: Trajectory) -> FreeMotion | None:
-    motion = trajectory.system
-    return motion if isinstance(motion, FreeMotion) and motion.axes is not None else None
+def _from_body(trajectory: Trajectory) -> AbstractMotion | None:
+    motion = trajectory.motion
+    return motion if motion is not None and motion.axes is not None else None
 
 
 def _turned(trajectory: Trajectory, axes: Array) -> Trajectory:

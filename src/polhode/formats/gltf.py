@@ -18,7 +18,7 @@ from polhode.formats.given_axes import along_given_axes, single_attitude
 from polhode.formats.glb import Glb
 from polhode.formats.labels import AttitudeLabels
 from polhode.formats.paths import written_whole
-from polhode.trajectory import Trajectory
+from polhode.motion.trajectory import Trajectory
 
 Array = Any
 WATCHABLE = (1.0, 600.0)  # s; a motion that lasts shorter or longer is not shown in real time
@@ -94,7 +94,7 @@ def write_gltf(
     place, body = _add_body(made, (labels or AttitudeLabels()).object_name, solid, frame, LONG * reach / unit or 1.0)
     attitude = np.asarray(along_given_axes(keyed, frame).attitude)
     tracks = [(body, "rotation", _xyzw(_continuous(attitude)))]
-    center = getattr(keyed.system, "center", None)
+    center = getattr(keyed.source, "center", None)
     if callable(center):
         tracks.append((place, "translation", np.asarray(center(keyed.states)) / unit))
     tracks += _add_momentum(made, place, keyed, LONG * reach / unit or 1.0)

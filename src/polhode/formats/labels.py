@@ -3,7 +3,11 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from typing import Any
+
+from polhode.bodies.frame import BodyFrame
+from polhode.motion.trajectory import Trajectory
 
 # what files that cannot do without them have for what is not known
 USUAL_ID, USUAL_ORIGINATOR, USUAL_NUMBER = "1900-000A", "POLHODE", -999
@@ -15,7 +19,7 @@ _IN_SPACECRAFT = re.compile(
 
 @dataclass(frozen=True)
 class AttitudeLabels:
-    """The labels of an attitude history; a trajectory read from a file has them as its system.
+    """The labels of an attitude history; a trajectory read from a file has them in its source.
 
     Attributes:
         object_name: what turns.
@@ -48,6 +52,28 @@ class AttitudeLabels:
     def spacecraft(self) -> int:
         """The number for SPICE, the usual one where it is not known."""
         return USUAL_NUMBER if self.spice_id is None else self.spice_id
+
+
+@dataclass(frozen=True)
+class Recording:
+    """What a file says of the motion it holds; the source of a trajectory that was read.
+
+    Attributes:
+        title: what moved.
+        frame: the principal axes that the trajectory is along; None where its axes are the given ones.
+        labels: of the attitude, where the file has them.
+        attributes: the global attributes of the file.
+    """
+
+    title: str = ""
+    frame: BodyFrame | None = None
+    labels: AttitudeLabels | None = None
+    attributes: dict[str, Any] = field(default_factory=dict)
+
+
+def labels_of(trajectory: Trajectory) -> AttitudeLabels | None:
+    """Return the labels that a trajectory was read with, None where it was not or had none."""
+    return trajectory.source.labels if isinstance(trajectory.source, Recording) else None
 
 
 def plain(text: str) -> str:

@@ -10,7 +10,7 @@ from polhode import rotation
 from polhode.bodies.frame import BodyFrame
 from polhode.errors import InvalidInput
 from polhode.formats.given_axes import along_given_axes, single_attitude
-from polhode.trajectory import Trajectory
+from polhode.motion.trajectory import Trajectory
 
 if TYPE_CHECKING:
     from scipy.spatial.transform import Rotation, RotationSpline

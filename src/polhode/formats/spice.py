@@ -19,7 +19,7 @@ from polhode import rotation
 from polhode.bodies.frame import BodyFrame
 from polhode.errors import InvalidInput
 from polhode.formats.given_axes import along_given_axes, single_attitude
-from polhode.formats.labels import AttitudeLabels
+from polhode.formats.labels import AttitudeLabels, labels_of
 from polhode.formats.paths import written_whole
 from polhode.formats.spice_kernels import (
     DIRECTORY,
@@ -35,7 +35,7 @@ from polhode.formats.spice_kernels import (
     worded,
 )
 from polhode.formats.time_scales import leap_seconds_kernel
-from polhode.trajectory import Trajectory
+from polhode.motion.trajectory import Trajectory
 
 Array = Any
 HEAD = 1000  # bytes in which a kernel of ours says so
@@ -79,7 +79,7 @@ def write_ck(
     given = along_given_axes(trajectory, frame)
     attitude, times = single_attitude(given, "A C-kernel"), np.asarray(trajectory.times)
     if labels is None:
-        labels = trajectory.system if isinstance(trajectory.system, AttitudeLabels) else AttitudeLabels()
+        labels = labels_of(trajectory) or AttitudeLabels()
     if not (np.diff(times) > 0).all():
         raise InvalidInput("a C-kernel needs times that rise from sample to sample; sort them, each once.")
     clock = Clock.of(float(times[0]), float(times[-1]))

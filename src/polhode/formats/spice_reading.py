@@ -14,13 +14,15 @@ from polhode import rotation
 from polhode.errors import FormatError, InvalidInput
 from polhode.formats.epochs import TIME_SYSTEMS, read_epoch
 from polhode.formats.given_axes import check_recorded
-from polhode.formats.labels import AttitudeLabels
+from polhode.formats.labels import AttitudeLabels, Recording
 from polhode.formats.numerals import read_number
 from polhode.formats.opening import MB, open_file
 from polhode.formats.spice_checks import Segment, byte_order, check_ck, check_text_kernel, record_ticks
 from polhode.formats.spice_kernels import KINDS, loaded, worded
 from polhode.formats.time_scales import as_epoch, leap_seconds_kernel
-from polhode.trajectory import Trajectory
+from polhode.motion.layout import ATTITUDE, StateLayout
+from polhode.motion.outcome import Ending, Outcome
+from polhode.motion.trajectory import Trajectory
 
 Array = Any
 BEGINNINGS = (b"DAF/CK", b"NAIF/DAF")
@@ -144,7 +146,10 @@ def _sampled(spice: Any, path: Path, number: int, clock: int, ticks: Array, segm
         body_frame=_frame(spice, number), epoch=epoch, time_system=system,
         spice_id=number // 1000 if number % 1000 == 0 else number, object_id=None, originator=None,
     )  # fmt: skip
-    return Trajectory(labels, times, attitude, attitude=attitude, angular_velocity=velocity, status="read from SPICE")
+    return Trajectory(
+        times, attitude, StateLayout((ATTITUDE,)), attitude, angular_velocity=velocity,
+        outcome=Outcome(Ending.RECORDED), source=Recording(labels.object_name, labels=labels),
+    )  # fmt: skip
 
 
 def _continuous(attitude: Array) -> Array:

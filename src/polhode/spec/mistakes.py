@@ -26,18 +26,6 @@ WORDS = {
     "less_than_equal": "must be at most {le}",
     "too_short": "must have at least {min_length} entry",
 }
-MISSING = {
-    "mass": 'is missing; give it like "30 g"',
-    "shape": 'is missing; give it like "box"',
-    "pivot": 'is missing; give the fixed point like ["0 mm", "0 mm", "-35 mm"], in the given axes',
-    "rotor_axis": "is missing; give it like [0.0, 0.0, 1.0], along the given axes",
-    "rotor_moment": 'is missing; give it like "0.02 kg*m^2"',
-    "rotor_rate": 'is missing; give it like "6000 rpm", relative to the body',
-    "eccentricity": "is missing; give it like 0.1, zero for a circle",
-    "radius": 'is missing; give it like "38 mm"',
-    "tilt": 'is missing; give it like "10 deg"',
-    "law": 'is missing; give it like "air-layer"',
-}
 
 
 def mistakes_of(error: ValidationError, root: type[BaseModel] = SpecFile, at: Location = ()) -> list[Mistake]:
@@ -73,7 +61,8 @@ def _said(mistake: Any, root: type[BaseModel]) -> str:
         near = difflib.get_close_matches(str(last), known, n=1)
         return "unknown key; " + (f"did you mean {near[0]}?" if near else f"known here are {', '.join(known)}")
     if kind == "missing":
-        return MISSING.get(str(last), "is missing")
+        field = _model_at(mistake["loc"][:-1], root).model_fields.get(str(last))
+        return "is missing" + (f"; {field.description}" if field is not None and field.description else "")
     if kind == "value_error":
         return mistake["msg"].removeprefix("Value error, ")
     message = mistake["msg"][0].lower() + mistake["msg"][1:]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated, ClassVar, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
@@ -52,8 +52,8 @@ class Strict(BaseModel):
 class PartTable(Strict):
     """One homogeneous part; ``at`` is its centre of mass, ``axis`` where its own z axis points."""
 
-    shape: Shape
-    mass: Mass
+    shape: Shape = Field(description='give it like "box"')
+    mass: Mass = Field(description='give it like "30 g"')
     at: Position = (0.0, 0.0, 0.0)
     axis: PartAxis = "z"
     size: Lengths | None = None
@@ -100,6 +100,19 @@ class TimeTable(Strict):
 
     until: Duration | None = None
     samples: Samples = 2000
+
+
+class SystemTable(Strict):
+    """What the table [system] of every kind has.
+
+    Attributes:
+        takes: the other tables that go with it.
+        needs: those of them that it cannot do without.
+    """
+
+    takes: ClassVar[tuple[str, ...]] = ("body", "spin", "time")
+    needs: ClassVar[tuple[str, ...]] = ("body",)
+    kind: str
 
 
 class SpecFile(Strict):

@@ -14,7 +14,6 @@ from polhode.formats.mesh import read_mesh
 from polhode.formats.molecule import ANGSTROM, read_molecule
 from polhode.spec.building import TURNS
 from polhode.spec.models import BodyTable, PartTable
-from polhode.spec.systems import EulerDiskTable
 
 Array = Any
 THIN = 0.02  # of the radius or length: what a body without thickness is given, to be seen
@@ -42,9 +41,9 @@ def surface_of_body(table: BodyTable, folder: Path) -> Surface | None:
     return None
 
 
-def surface_of_disk(table: EulerDiskTable) -> Surface:
-    """Return the rolling disk, its axis along z."""
-    return tube(table.radius, table.thickness or THIN * table.radius)
+def surface_of_disk(radius: float, thickness: float) -> Surface:
+    """Return a disk, its axis along z; one without thickness is given some, to be seen."""
+    return tube(radius, thickness or THIN * radius)
 
 
 def surface_of_part(table: PartTable) -> Surface:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import abc
 import re
 from collections.abc import Callable, Iterable
-from typing import Any, NamedTuple
+from typing import Any, ClassVar, NamedTuple
 
 import equinox as eqx
 import jax
@@ -18,12 +18,23 @@ from polhode.algebra.se3 import SE3
 from polhode.algebra.so3 import SO3
 from polhode.arrays import in_jax_numpy, known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, PolhodeError, shown
+from polhode.motion.layout import (
+    ATTITUDE,
+    ENERGY,
+    MOMENTUM,
+    MOMENTUM_SPACE,
+    MOMENTUM_SQUARED,
+    Quantity,
+    StateLayout,
+    StatePart,
+)
 
 Array = Any
 Components = tuple[Array, ...]
 Flow = Callable[[Array, Components], Components]
 Event = Callable[[Array, Array], Array]
 SINGLE_PRECISION = re.compile(r"\b(?:b?f16|f32)\[")  # as a jaxpr writes the type of a value
+LINEAR = StatePart("linear", 3, "", "linear momentum, or a vector fixed in space", "body")
 UNIT = 1e-6  # a quaternion further from unit length is taken for a mistake, not for rounding
 
 
@@ -61,7 +72,15 @@ class Balance(NamedTuple):
 
 
 class AbstractSystem(HashableModule):
-    """Something with a state that moves and quantities that do not change while it does."""
+    """Something with a state that moves and quantities that do not change while it does.
+
+    Attributes:
+        title: what it is called.
+        has_vertical: whether space has an up of its own, as under gravity.
+    """
+
+    title: ClassVar[str] = "Motion"
+    has_vertical: ClassVar[bool] = False
 
     @abc.abstractmethod
     def vector_field(self, t: Array, state: Array) -> Array:
@@ -83,10 +102,19 @@ class AbstractSystem(HashableModule):
         """What ends the motion, named: functions of t and one state, positive until their zero."""
         return {}
 
+    def layout(self, state: Array) -> StateLayout:
+        """Return which numbers of packed states like this one mean what."""
+        return StateLayout()
+
     @property
-    def components(self) -> dict[str, tuple[str, str]]:
-        """Name → unit and meaning of each component of a state, for files; empty where they have no names."""
-        return {}
+    def free_moments(self) -> Array | None:
+        """(3,) principal moments of a body that nothing acts on; None of any other system."""
+        return None
+
+    @property
+    def quantities(self) -> dict[str, Quantity]:
+        """Unit and meaning of invariants and balances, by name; those that are left out have no unit that is known."""
+        return {"energy": ENERGY}
 
     @property
     def state_axes(self) -> int:
@@ -206,6 +234,22 @@ class AbstractLiePoissonSystem(AbstractSystem):
     def state_axes(self) -> int:
         return len(self.algebra.element_shape)
 
+    @property
+    def quantities(self) -> dict[str, Quantity]:
+        of_body = {"|L|²": MOMENTUM_SQUARED, "momentum_space": MOMENTUM_SPACE} if isinstance(self.algebra, SO3) else {}
+        return super().quantities | of_body
+
+    def layout(self, state: Array) -> StateLayout:
+        """Return the attitude, where the state has it, and the point of the dual."""
+        front = () if self.parts(state).attitude is None else (ATTITUDE,)
+        own = self.algebra.element_shape
+        if len(own) != 1:
+            return StateLayout(axes=len(own))
+        if isinstance(self.algebra, SO3):
+            return StateLayout((*front, MOMENTUM))
+        of_body = isinstance(self.algebra, SE3)
+        return StateLayout((*front, MOMENTUM, LINEAR) if of_body else (StatePart("point", own[0]),))
+
     @known_numbers_only
     def check_state(self, state: Array) -> Array:
         """Return states as an array of the algebra's kind.
@@ -272,6 +316,11 @@ def check_unit_attitude(state: Array) -> Array:
 def components(state: Array) -> Components:
     """Return the components of states along the last axis."""
     return tuple(state[..., k] for k in range(state.shape[-1]))
+
+
+def attitude_length(state: Components) -> int:
+    """Return 4 where a quaternion stands in front of vectors of three components, 0 where it does not."""
+    return 4 if len(state) % 3 == 1 else 0
 
 
 def joined(attitude: Array | None, point: Array) -> Array:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from typing import Any, ClassVar
 
 import jax
 import jax.numpy as jnp
@@ -34,6 +34,8 @@ class BodyInPotential(AbstractLiePoissonSystem):
     Source: Celledoni, Fassò, Säfström & Zanna, SIAM J. Sci. Comput. 30 (2008) 2084.
     """
 
+    title: ClassVar[str] = "Body in a potential"
+    has_vertical: ClassVar[bool] = True
     algebra: AbstractLieAlgebra
     moments: Array
     potential: Callable[[Array], Array]

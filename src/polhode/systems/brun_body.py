@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, ClassVar
 
 import jax.numpy as jnp
 import numpy as np
@@ -36,6 +36,8 @@ class BrunBody(AbstractLiePoissonSystem):
     Source: de Brun 1893; Clebsch, Math. Ann. 3 (1871) 238; Bogoyavlenskii, Math. USSR Izv. 25 (1985) 207.
     """
 
+    title: ClassVar[str] = "Brun's body"
+    has_vertical: ClassVar[bool] = True
     algebra: AbstractLieAlgebra
     moments: Array
     strength: Array

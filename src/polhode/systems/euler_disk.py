@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from typing import Any
+from typing import Any, ClassVar
 
 import jax
 import jax.numpy as jnp
@@ -13,6 +13,7 @@ import numpy as np
 from polhode import rotation
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
+from polhode.motion.layout import StateLayout, StatePart
 from polhode.special.legendre import LegendreFunction, legendre_function
 from polhode.systems.base import AbstractSystem, Balance, Vectors, as_finite_state
 from polhode.systems.rolling_dissipation import RollingDissipation, couples
@@ -24,6 +25,17 @@ FLAT = 1e-6  # rad: the rim of a coin is then lifted by tens of nanometres, less
 ROLLING_TOLERANCE = 1e-6  # of the speeds: a given velocity that misses the rolling one by more is a mistake
 STEADY_TOLERANCE = 1e-9
 LARGEST = 1e30  # of mass, radius and gravity, and the inverse of the smallest: products of five stay within numbers
+
+LAYOUT = StateLayout((
+    StatePart("tilt", 1, "rad", "angle between face and plane"),
+    StatePart("heading", 1, "rad", "direction of the horizontal diameter"),
+    StatePart("face", 1, "rad", "turn of what is printed on the face"),
+    StatePart("contact_x", 1, "m", "point of contact"),
+    StatePart("contact_y", 1, "m", "point of contact"),
+    StatePart("tilt_rate", 1, "rad s-1", "angular velocity about the horizontal diameter"),
+    StatePart("rise_rate", 1, "rad s-1", "angular velocity about the diameter up the face"),
+    StatePart("spin", 1, "rad s-1", "angular velocity about the disk's axis"),
+))  # fmt: skip
 
 
 class EulerDisk(AbstractSystem):
@@ -58,6 +70,8 @@ class EulerDisk(AbstractSystem):
     Source: O'Reilly, Nonlinear Dyn. 10 (1996) 287; Le Saux, Leine & Glocker, J. Nonlinear Sci. 15 (2005) 27.
     """
 
+    title: ClassVar[str] = "Euler's disk"
+    has_vertical: ClassVar[bool] = True
     mechanics: RollingMechanics
     dissipation: tuple[RollingDissipation, ...]
     legendre: LegendreFunction | None
@@ -209,18 +223,8 @@ class EulerDisk(AbstractSystem):
         }
         return ends if self.is_thin else ends | {"on edge": lambda t, state: jnp.cos(state[0])}
 
-    @property
-    def components(self) -> dict[str, tuple[str, str]]:
-        return {
-            "tilt": ("rad", "angle between face and plane"),
-            "heading": ("rad", "direction of the horizontal diameter"),
-            "face": ("rad", "turn of what is printed on the face"),
-            "contact_x": ("m", "point of contact"),
-            "contact_y": ("m", "point of contact"),
-            "tilt_rate": ("rad s-1", "angular velocity about the horizontal diameter"),
-            "rise_rate": ("rad s-1", "angular velocity about the diameter up the face"),
-            "spin": ("rad s-1", "angular velocity about the disk's axis"),
-        }
+    def layout(self, state: Array) -> StateLayout:
+        return LAYOUT
 
     # ------------------------------------------------------------------ where to start
 

@@ -13,7 +13,7 @@ import jax
 import jax.numpy as jnp
 
 from polhode.rotation import product_of_parts
-from polhode.systems.base import Components
+from polhode.systems.base import Components, attitude_length
 from polhode.systems.forward_only import forward_only
 
 Array = Any
@@ -30,7 +30,7 @@ def free_flow(moments: Array, time: Array, state: Components) -> Components:
         time: () [s].
         state: the components of packed states; vectors after the momentum are fixed in space.
     """
-    start = len(state) % 3 and 4
+    start = attitude_length(state)
     turn = free_turn(moments, time, state[start : start + 3])
     changes = turned_attitude(turn, state[:4]) if start else ()
     for k in range(start, len(state), 3):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, ClassVar
 
 import jax.numpy as jnp
 import numpy as np
@@ -11,7 +11,7 @@ from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.so3 import SO3
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
-from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow
+from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, attitude_length
 
 Array = Any
 
@@ -25,6 +25,7 @@ class FreeRigidBody(AbstractLiePoissonSystem):
         moments: (3,) principal moments [kg m²], positive.
     """
 
+    title: ClassVar[str] = "Free motion"
     algebra: AbstractLieAlgebra
     moments: Array
 
@@ -39,6 +40,10 @@ class FreeRigidBody(AbstractLiePoissonSystem):
         return point / self.moments
 
     @property
+    def free_moments(self) -> Array:
+        return self.moments
+
+    @property
     def flows(self) -> dict[str, Flow]:
         return {f"rotation about axis {k + 1}": axis_flow(self.moments, k) for k in range(3)}
 
@@ -51,7 +56,7 @@ def axis_flow(moments: Array, axis: int, offset: Array | float = 0.0) -> Flow:
     i, j, k = axis, (axis + 1) % 3, (axis + 2) % 3
 
     def flow(time: Array, state: Components) -> Components:
-        start = len(state) % 3 and 4
+        start = attitude_length(state)
         # from a quarter of the angle, so that neither cosine less one cancels, without a branch
         quarter = (0.25 * time / moments[i]) * (state[start + i] - offset)
         s, c = jnp.sin(quarter), jnp.cos(quarter)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, ClassVar
 
 import jax.numpy as jnp
 import numpy as np
@@ -12,6 +12,7 @@ from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.so3 import SO3
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
+from polhode.motion.layout import ATTITUDE, MOMENTUM, StateLayout, StatePart
 from polhode.systems.base import (
     AbstractLiePoissonSystem,
     AbstractSystem,
@@ -24,6 +25,9 @@ from polhode.systems.base import (
 from polhode.systems.free_rigid_body import axis_flow, checked_moments
 
 Array = Any
+DRIVEN = StateLayout((
+    ATTITUDE, MOMENTUM, StatePart("rotor_momentum", 1, "kg m2 s-1", "whole momentum of the rotor along its axis"),
+))  # fmt: skip
 
 
 class Gyrostat(AbstractLiePoissonSystem):
@@ -45,6 +49,7 @@ class Gyrostat(AbstractLiePoissonSystem):
     Source: Zhukovskii 1885; Volterra, Acta Math. 22 (1899) 201; Hughes, *Spacecraft Attitude Dynamics*, §3.4.
     """
 
+    title: ClassVar[str] = "Gyrostat"
     algebra: AbstractLieAlgebra
     moments: Array
     rotor: Array
@@ -83,6 +88,7 @@ class TorquedGyrostat(AbstractSystem):
     Source: Hughes, *Spacecraft Attitude Dynamics*, §3.4 and ch. 6; Hall & Rand, J. Guid. Control Dyn. 17 (1994) 30.
     """
 
+    title: ClassVar[str] = "Gyrostat with a driven rotor"
     moments: Array
     axis: Array
     rotor_moment: Array
@@ -111,6 +117,9 @@ class TorquedGyrostat(AbstractSystem):
         largest = jnp.maximum(jnp.max(jnp.abs(state[..., 4:]), initial=0.0),
                               jnp.sqrt(jnp.abs(self.torque) * self.rotor_moment))  # fmt: skip
         return jnp.concatenate([jnp.ones(4), jnp.full(4, jnp.where(largest > 0, largest, 1.0))])
+
+    def layout(self, state: Array) -> StateLayout:
+        return DRIVEN
 
     def vectors(self, state: Array) -> Vectors:
         return Vectors(state[..., :4], state[..., 4:7], self._velocity(state))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import warnings
-from typing import Any
+from typing import Any, ClassVar
 
 import equinox as eqx
 import jax.numpy as jnp
@@ -15,10 +15,11 @@ from polhode.algebra.se3 import SE3
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.bodies.body import Body, principal_axes
 from polhode.errors import InvalidInput, shown
+from polhode.motion.layout import Quantity
 from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow
 from polhode.systems.free_flow import free_flow
 from polhode.systems.free_rigid_body import checked_moments
-from polhode.systems.top_integrals import Integral, integrable_case, leaf_integral
+from polhode.systems.top_integrals import INTEGRAL_UNITS, Integral, integrable_case, leaf_integral
 
 Array = Any
 STANDARD_GRAVITY = 9.80665  # m/s², by definition
@@ -47,6 +48,8 @@ class HeavyTop(AbstractLiePoissonSystem):
     Source: Audin, *Spinning Tops*, ch. I; Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, §1.4 and §15.10.
     """
 
+    title: ClassVar[str] = "Heavy top"
+    has_vertical: ClassVar[bool] = True
     algebra: AbstractLieAlgebra
     moments: Array
     mgl: Array
@@ -166,6 +169,13 @@ class HeavyTop(AbstractLiePoissonSystem):
     def velocity(self, point: Array) -> Array:
         angular = point[..., :3]
         return jnp.concatenate([angular / self.moments, jnp.broadcast_to(self.mgl * self.axis, angular.shape)], axis=-1)
+
+    @property
+    def quantities(self) -> dict[str, Quantity]:
+        if self.case is None:
+            return super().quantities
+        name = leaf_integral(self.case, self.moments, self.mgl, self.axis)[0]
+        return super().quantities | {name: Quantity(INTEGRAL_UNITS[self.case[0]], name)}
 
     @property
     def extra_invariants(self) -> dict[str, Integral]:

@@ -3,17 +3,22 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import Any, ClassVar
 
 import jax.numpy as jnp
 
 from polhode.arrays import known_numbers_only
 from polhode.bodies.body import Body
 from polhode.errors import InvalidInput, shown
+from polhode.motion.layout import Quantity, StateLayout, StatePart
 from polhode.systems.base import AbstractSystem, Balance, as_finite_state
 from polhode.systems.kepler_orbit import KeplerOrbit, checked_number
 
 Array = Any
+LAYOUT = StateLayout((
+    StatePart("angle", 1, "rad", "angle of the long axis from the direction of the periapsis"),
+    StatePart("rate", 1, "rad s-1", "rate of that angle"),
+))  # fmt: skip
 
 
 class SpinOrbit(AbstractSystem):
@@ -39,6 +44,7 @@ class SpinOrbit(AbstractSystem):
     [1.0, -0.543278]
     """
 
+    title: ClassVar[str] = "Spin on an orbit"
     asphericity: Array
     orbit: KeplerOrbit
 
@@ -108,11 +114,11 @@ class SpinOrbit(AbstractSystem):
         return as_finite_state(state, float, length=2)
 
     @property
-    def components(self) -> dict[str, tuple[str, str]]:
-        return {
-            "angle": ("rad", "angle of the long axis from the direction of the periapsis"),
-            "rate": ("rad s-1", "rate of that angle"),
-        }
+    def quantities(self) -> dict[str, Quantity]:
+        return {"energy_per_moment": Quantity("rad2 s-2", "energy per moment about the spin's axis")}
+
+    def layout(self, state: Array) -> StateLayout:
+        return LAYOUT
 
     def scales(self, state: Array) -> Array:
         """Return one radian, and one radian in the time 1/n."""

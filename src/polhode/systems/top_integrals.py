@@ -16,6 +16,8 @@ Integral = Callable[[Array], Array]
 EQUAL = 1e-12  # relative: moments of a body about a point are sums with rounding
 ON_LEAF = 1e-12  # of |Π| |Γ|: Π·Γ below it is zero but for rounding
 
+INTEGRAL_UNITS = {"Euler": "kg2 m4 s-2", "Lagrange": "kg m2 s-1", "Kovalevskaya": "s-4", "Goryachev-Chaplygin": "s-3"}
+
 
 def integrable_case(moments: Array, mgl: float, axis: Array) -> tuple[str, int] | None:
     """Return the case by name and the index of the axis of symmetry, or None for a top that is not integrable."""

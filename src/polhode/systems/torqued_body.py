@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import Any
+from typing import Any, ClassVar
 
 import jax.numpy as jnp
 import numpy as np
@@ -11,6 +11,7 @@ import numpy as np
 from polhode import rotation
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
+from polhode.motion.layout import ATTITUDE, MOMENTUM, MOMENTUM_SQUARED, Quantity, StateLayout
 from polhode.systems.base import AbstractSystem, Balance, Parts, Vectors, as_finite_state, check_unit_attitude, joined
 from polhode.systems.free_rigid_body import checked_moments
 from polhode.systems.torques import AbstractTorque, GravityGradient
@@ -38,6 +39,7 @@ class TorquedBody(AbstractSystem):
     [0.0, 0.0, -0.5]
     """
 
+    title: ClassVar[str] = "Body under torques"
     moments: Array
     torques: tuple[AbstractTorque, ...]
 
@@ -116,6 +118,17 @@ class TorquedBody(AbstractSystem):
             largest = jnp.maximum(largest, jnp.max(self.moments) * torque.rate)
         scale = jnp.broadcast_to(jnp.where(largest > 0, largest, jnp.max(self.moments)), (3,))
         return scale if attitude is None else jnp.concatenate([jnp.ones(4), scale])
+
+    def layout(self, state: Array) -> StateLayout:
+        return StateLayout((MOMENTUM,) if self.parts(state).attitude is None else (ATTITUDE, MOMENTUM))
+
+    @property
+    def quantities(self) -> dict[str, Quantity]:
+        return {
+            "kinetic_energy": Quantity("J", "kinetic energy"),
+            "|L|²": MOMENTUM_SQUARED,
+            "jacobi_integral": Quantity("J", "Jacobi integral in the orbit's frame"),
+        }
 
     def vectors(self, state: Array) -> Vectors:
         attitude, momentum = self.parts(state)

@@ -1,5 +1,1 @@
-"""One self-contained page that shows a motion: written to a file, or shown inside a notebook."""
-
-from polhode.viewer.page import NotebookPage, page_of_report, show, write_page
-
-__all__ = ["NotebookPage", "page_of_report", "show", "write_page"]
+"""What a page is made of: samples, pictures that fit any body, the page itself, and the live view."""

@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 
 from polhode.errors import InvalidInput
-from polhode.exact.free_body import FreeMotion
-from polhode.exact.lagrange_top import LagrangeMotion
 from polhode.formats.given_axes import along_principal_axes
-from polhode.trajectory import Trajectory
+from polhode.motion.base import AbstractMotion
+from polhode.motion.layout import StateLayout
+from polhode.motion.trajectory import Trajectory
 
 Array = Any
 MOST = 4000  # samples on a page, about 0.4 MB
@@ -59,18 +59,17 @@ def samples_of(trajectory: Trajectory) -> Samples:
     """
     _check(trajectory)
     trajectory = along_principal_axes(trajectory)
-    if isinstance(trajectory.system, FreeMotion | LagrangeMotion):
-        return _evaluated(trajectory)
+    if trajectory.motion is not None:
+        return _evaluated(trajectory, trajectory.motion)
     return _thinned(trajectory)
 
 
 def _check(trajectory: Trajectory) -> None:
-    shape, own = np.shape(trajectory.states), getattr(trajectory.system, "state_axes", 1)
     if not np.size(trajectory.times):
         raise InvalidInput("the page needs at least one sample; the trajectory is empty. Give it times.")
-    if len(shape) != 1 + own:
+    if trajectory.batch_shape:
         raise InvalidInput(
-            f"the page shows one body; got a batch of shape {shape[: -1 - own]}. Make a trajectory of one of them."
+            f"the page shows one body; got a batch of shape {trajectory.batch_shape}. Make a trajectory of one of them."
         )
     for name in ("times", "states", "attitude", "momentum", "angular_velocity"):
         values = getattr(trajectory, name)
@@ -78,9 +77,9 @@ def _check(trajectory: Trajectory) -> None:
             raise InvalidInput(f"the page shows finite motions; `{name}` of the trajectory has NaN or infinity in it.")
 
 
-def _evaluated(trajectory: Trajectory) -> Samples:
+def _evaluated(trajectory: Trajectory, motion: AbstractMotion) -> Samples:
     """Return an exact motion at steps that are small for the eye, its first part where it has too many turns."""
-    system, times = trajectory.system, np.asarray(trajectory.times, dtype=float)
+    times = np.asarray(trajectory.times, dtype=float)
     start, end = float(times.min()), float(times.max())
     velocity = np.asarray(trajectory.angular_velocity)
     fastest = float(np.linalg.norm(velocity, axis=-1).max())
@@ -95,7 +94,7 @@ def _evaluated(trajectory: Trajectory) -> Samples:
     count = int(np.clip(np.ceil(min(turn, COARSE * MOST) / FINE) + 1, min(len(times), MOST), MOST))
     if len(times) > MOST:
         notes.append(f"Evaluated at {count} times for display; the trajectory has {len(times)} samples.")
-    again = system.sample(np.linspace(start, shown, count))
+    again = motion.sample(np.linspace(start, shown, count))
     return replace(_plain(again), joined=True, notes=tuple(notes))
 
 
@@ -108,9 +107,9 @@ def _thinned(trajectory: Trajectory) -> Samples:
         step = -(-count // MOST)
         found = _take(found, slice(None, None, step))
         notes.append(f"Thinned for display: every {_ordinal(step)} of {count} samples.")
-    joined = _largest_turn(trajectory.system, found) <= JOINED
+    joined = _largest_turn(trajectory.layout, found) <= JOINED
     if not joined:
-        points = "" if type(trajectory.system).__name__ == "SpinOrbit" else ", and samples are drawn as points"
+        points = "" if found.attitude is None and found.momentum is None else ", and samples are drawn as points"
         notes.append("From sample to sample the body turns too far for the motion between to be shown: "
                      f"it jumps{points}.")  # fmt: skip
     return replace(found, joined=joined, notes=tuple(notes))
@@ -138,12 +137,11 @@ def _take(found: Samples, rows: slice) -> Samples:
                              for name in names})  # fmt: skip
 
 
-def _largest_turn(system: Any, found: Samples) -> float:
-    """Return by how much the body turns at most from sample to sample [rad]; a rolling disk's contact is faster."""
+def _largest_turn(layout: StateLayout, found: Samples) -> float:
+    """Return by how much an angle of the state, or else the body, turns at most from sample to sample [rad]."""
     steps = np.diff(found.times)
-    angles = {"EulerDisk": 1, "SpinOrbit": 0}.get(type(system).__name__)
-    if angles is not None:
-        return float(np.abs(np.diff(found.states[:, angles])).max(initial=0.0))
+    if angles := [name for name, part in layout.scalars.items() if part.unit == "rad"]:
+        return max(float(np.abs(np.diff(layout.part(found.states, name))).max(initial=0.0)) for name in angles)
     if found.angular_velocity is not None:
         rate = np.linalg.norm(found.angular_velocity, axis=-1)
         return float(np.max(np.maximum(rate[1:], rate[:-1]) * steps, initial=0.0))

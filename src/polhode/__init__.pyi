@@ -1,0 +1,61 @@
+from . import (
+    algebra as algebra,
+)
+from . import (
+    analysis as analysis,
+)
+from . import (
+    errors as errors,
+)
+from . import (
+    figures as figures,
+)
+from . import (
+    formats as formats,
+)
+from . import (
+    integrators as integrators,
+)
+from . import (
+    motion as motion,
+)
+from . import (
+    poisson as poisson,
+)
+from . import (
+    rotation as rotation,
+)
+from . import (
+    special as special,
+)
+from . import (
+    systems as systems,
+)
+from . import (
+    testing as testing,
+)
+from .analysis.comparison import AttitudeHistory as AttitudeHistory
+from .analysis.comparison import compare as compare
+from .analysis.equilibria import find_equilibria as find_equilibria
+from .analysis.stability import stability as stability
+from .analysis.twist import racket_twist as racket_twist
+from .bodies import shapes as shapes
+from .bodies.atoms import from_atoms as from_atoms
+from .bodies.body import Body as Body
+from .bodies.body import combine as combine
+from .bodies.mesh import from_mesh as from_mesh
+from .bodies.points import from_points as from_points
+from .errors import FormatError as FormatError
+from .errors import InvalidInput as InvalidInput
+from .errors import NotConverged as NotConverged
+from .exact.free_body import FreeMotion as FreeMotion
+from .exact.lagrange_top import LagrangeMotion as LagrangeMotion
+from .formats.dataset import as_dataset as as_dataset
+from .kinds.page import show as show
+from .kinds.page import write_page as write_page
+from .kinds.reading import read_spec as read_spec
+from .kinds.reading import report as report
+from .motion.trajectory import Trajectory as Trajectory
+from .simulation import simulate as simulate
+
+__version__: str

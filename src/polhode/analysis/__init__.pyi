@@ -1,0 +1,95 @@
+from .alignment import Alignment as Alignment
+from .alignment import fit_alignment as fit_alignment
+from .comparison import AttitudeHistory as AttitudeHistory
+from .comparison import Comparison as Comparison
+from .comparison import compare as compare
+from .energy_casimir import Stability as Stability
+from .equilibria import find_equilibria as find_equilibria
+from .free_axes import axis_stability as axis_stability
+from .mechanics import Mechanics as Mechanics
+from .mechanics import invariants_along as invariants_along
+from .poinsot import (
+    Herpolhode as Herpolhode,
+)
+from .poinsot import (
+    ellipsoid_semi_axes as ellipsoid_semi_axes,
+)
+from .poinsot import (
+    herpolhode as herpolhode,
+)
+from .poinsot import (
+    herpolhode_curve as herpolhode_curve,
+)
+from .polhodes import (
+    level_segments as level_segments,
+)
+from .polhodes import (
+    polhode as polhode,
+)
+from .polhodes import (
+    polhode_family as polhode_family,
+)
+from .polhodes import (
+    saddle_energies as saddle_energies,
+)
+from .polhodes import (
+    separatrix as separatrix,
+)
+from .precession import (
+    Precession as Precession,
+)
+from .precession import (
+    body_precession as body_precession,
+)
+from .precession import (
+    space_precession as space_precession,
+)
+from .rolling import (
+    critical_rolling_speed as critical_rolling_speed,
+)
+from .rolling import (
+    critical_spin_rate as critical_spin_rate,
+)
+from .rolling import (
+    nutation as nutation,
+)
+from .rolling import (
+    rolling_stability as rolling_stability,
+)
+from .spin_down import (
+    SpinDown as SpinDown,
+)
+from .spin_down import (
+    adiabatic_end as adiabatic_end,
+)
+from .spin_down import (
+    adiabaticity as adiabaticity,
+)
+from .spin_down import (
+    spin_down as spin_down,
+)
+from .spin_motion import SpinMotion as SpinMotion
+from .spin_motion import spin_motion as spin_motion
+from .spin_orbit import (
+    Resonance as Resonance,
+)
+from .spin_orbit import (
+    lyapunov_exponent as lyapunov_exponent,
+)
+from .spin_orbit import (
+    overlap_threshold as overlap_threshold,
+)
+from .spin_orbit import (
+    poincare_section as poincare_section,
+)
+from .spin_orbit import (
+    resonance_strength as resonance_strength,
+)
+from .spin_orbit import (
+    resonances as resonances,
+)
+from .spin_orbit import (
+    tangent_map as tangent_map,
+)
+from .stability import stability as stability
+from .twist import racket_twist as racket_twist

@@ -1,0 +1,235 @@
+"""The plain answers about a freely rotating body."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+import numpy as np
+
+from polhode.analysis.energy_casimir import Stability
+from polhode.analysis.free_axes import axis_stability
+from polhode.analysis.mechanics import Mechanics
+from polhode.analysis.poinsot import Herpolhode, herpolhode
+from polhode.analysis.precession import Precession, body_precession, space_precession
+from polhode.bodies.body import Body
+from polhode.bodies.frame import BodyFrame
+from polhode.errors import InvalidInput
+from polhode.exact.free_body import FreeMotion
+from polhode.kinds.base import Spec
+from polhode.motion.trajectory import Trajectory
+from polhode.reports.base import AbstractReport, Listing, Section
+from polhode.reports.wording import angle, body_section, body_summary, drifts, number, stability_values, verdicts
+
+Array = Any
+SAMPLES = 2000
+PERIODS = 10
+EXACT_TURNS = 2.0**50
+LARGEST = 1e200  # of energies and momenta in SI; products of the two stay within the range of numbers
+
+UNITS = {
+    "mass": "kg",
+    "center_of_mass": "m",
+    "principal_moments": "kg m²",
+    "principal_axes": "columns, in the given frame",
+    "energy": "J",
+    "momentum_norm": "kg m²/s",
+    "angular_velocity": "rad/s, principal axes",
+    "momentum": "kg m²/s, principal axes",
+    "polhode_period": "s",
+    "flip_interval": "s",
+    "twist_per_flip": "rad",
+    "precession_rate": "rad/s",
+    "precession_per_period": "rad",
+    "geometric_phase": "rad",
+    "action": "J s",
+    "tumbling_periods": "s",
+    "long_axis_period": "s",
+    "rotation_period": "s",
+    "herpolhode": "1/√(kg m²)",
+    "axes.rate": "1/s",
+    "axes.moment": "kg m²",
+}
+
+
+@dataclass(frozen=True)
+class FreeBodyReport(AbstractReport):
+    """Everything said about one body and its motion; undefined or infinite values are None."""
+
+    kind: ClassVar[str] = "free-body"
+    body: Body
+    motion: FreeMotion
+    trajectory: Trajectory
+    stability: tuple[Stability, Stability, Stability]
+    herpolhode: Herpolhode | None
+    precession_body: Precession | None
+    precession_space: Precession | None
+    rotation_period: float | None
+    twist_per_flip: float | None
+
+    @property
+    def frame(self) -> BodyFrame:
+        return BodyFrame.of(self.body)
+
+    @property
+    def mechanics(self) -> Mechanics:
+        return Mechanics(self.frame.inertia)
+
+    def values(self) -> dict[str, Any]:
+        motion = self.motion
+        tumbling = motion.tumbling_periods
+        return {
+            **body_summary(self.body),
+            "angular_velocity": motion.momentum_at_epoch / motion.moments,
+            "momentum": motion.momentum_at_epoch,
+            "energy": motion.energy,
+            "momentum_norm": motion.momentum_norm,
+            "regime": motion.regime,
+            "encircled_axis": None if motion.encircled_axis is None else motion.encircled_axis + 1,
+            "modulus": motion.modulus,
+            "polhode_period": motion.period,
+            "rotation_period": self.rotation_period,
+            "flip_interval": motion.flip_interval,
+            "twist_per_flip": self.twist_per_flip,
+            "precession_rate": motion.precession_rate,
+            "precession_per_period": motion.precession_per_period,
+            "precession": {
+                "body": None if self.precession_body is None else self.precession_body._asdict(),
+                "space": None if self.precession_space is None else self.precession_space._asdict(),
+            },
+            "geometric_phase": motion.geometric_phase,
+            "action": motion.action,
+            "tumbling_periods": {"P_phi": tumbling[0], "P_psi": tumbling[1]},
+            "long_axis_period": motion.long_axis_period,
+            "herpolhode": None if self.herpolhode is None else self.herpolhode._asdict(),
+            "axes": [
+                {"axis": k + 1, "moment": motion.moments[k], **stability_values(found)}
+                for k, found in enumerate(self.stability)
+            ],
+            "units": UNITS,
+        }
+
+    def sections(self) -> list[Section | Listing]:
+        motion, found = self.motion, self.herpolhode
+        tumbling = [x for x in motion.tumbling_periods if x is not None]
+        radii = None if found is None else (
+            f"{found.inner_radius:.6g} to {found.outer_radius:.6g}, in a plane {found.plane_distance:.6g} "
+            "from the centre, 1/√(kg m²)"
+        )  # fmt: skip
+        lines = [
+            ("regime", motion.regime),
+            ("energy", number(motion.energy, "J")),
+            ("|L|", number(motion.momentum_norm, "kg m²/s")),
+            ("polhode period T", number(motion.period, "s")),
+            ("rotation period", number(self.rotation_period, "s")),
+            ("flip interval T/2", number(motion.flip_interval, "s")),
+            ("turn about L per flip", angle(self.twist_per_flip)),
+            ("precession in the body", _precession(self.precession_body)),
+            ("precession in space", _precession(self.precession_space)),
+            ("precession per period", angle(motion.precession_per_period)),
+            ("geometric phase", angle(motion.geometric_phase)),
+            ("action", number(motion.action, "J s")),
+            ("tumbling periods P_φ, P_ψ", ", ".join(f"{x:.8g} s" for x in tumbling) or None),
+            ("long-axis period P₁", number(motion.long_axis_period, "s")),
+            ("herpolhode radii", radii),
+            ("drift", drifts(self.trajectory.drift)),
+        ]
+        stable = {str(k + 1): found for k, found in enumerate(self.stability)}
+        axes = verdicts("Rotation about each principal axis, at this |L|", "axis", stable)
+        return [body_section(self.body), axes, Section("Motion", lines)]
+
+    @property
+    def notes(self) -> list[str]:
+        fastest = max(self.motion.precession_rate or 0.0, 2.0 * math.pi / (self.motion.period or math.inf),
+                      2.0 * math.pi / (self.rotation_period or math.inf))  # fmt: skip
+        turns = float(np.abs(np.asarray(self.trajectory.times)).max()) * fastest / (2.0 * math.pi)
+        if turns <= EXACT_TURNS:
+            return []
+        note = f"the times reach {turns:.1e} turns; beyond 2⁵⁰ the error of the attitude grows with them, and the spin "
+        return [note + "itself, known to 16 digits, no longer says how the body lies."]
+
+    @property
+    def summary(self) -> str:
+        return _SENTENCES[self.motion.regime](self.motion)
+
+
+def report_of(spec: Spec) -> FreeBodyReport:
+    """Return the report on the free motion of a spec's body."""
+    assert spec.body is not None
+    momentum, attitude = spec.start(spec.body.principal_moments, spec.body.principal_axes)
+    return free_body_report(spec.body, momentum, attitude, spec.times, spec.samples)
+
+
+def free_body_report(
+    body: Body, momentum: Array, attitude: Array, times: Array | None = None, samples: int = SAMPLES
+) -> FreeBodyReport:
+    """Return the report on a body's free motion.
+
+    Args:
+        body: the body.
+        momentum: (3,) [kg m²/s, principal axes].
+        attitude: (4,) unit quaternion wxyz, principal axes → space.
+        times: (T,) [s]; None for ten periods (ten turns where there is no period).
+        samples: how many times to take then.
+
+    Raises:
+        InvalidInput: for a body with a vanishing moment, or values that are not finite.
+    """
+    if not body.principal_moments[0] > 0:
+        raise InvalidInput(
+            "the body is a thin rod: its moment about its own axis is zero, and its spin about it is undefined. "
+            "Give it a radius, as a cylinder; of a linear molecule, `polhode body` gives the moments."
+        )
+    motion = FreeMotion(body.principal_moments, momentum, attitude)
+    sizes = (motion.energy, motion.momentum_norm)
+    if any(x is None or (x and not 1.0 / LARGEST < x < LARGEST) for x in sizes) or (sizes[1] and not sizes[0]):
+        raise InvalidInput(
+            f"the spin must give an energy and |L| within 1e±200, or none; its momentum is "
+            f"{np.asarray(momentum).tolist()} kg m²/s. Check the rate and its unit."
+        )
+    velocity = float(np.linalg.norm(motion.momentum_at_epoch / motion.moments))
+    turn = 2.0 * math.pi / velocity if velocity else None
+    if times is None:
+        span = motion.period or turn or 0.1
+        times = np.linspace(0.0, PERIODS * span, samples)
+    twist = motion.precession_per_period
+    return FreeBodyReport(
+        body=body,
+        motion=motion,
+        trajectory=motion.sample(times),
+        stability=axis_stability(motion.moments, motion.momentum_norm),
+        herpolhode=herpolhode(motion),
+        precession_body=body_precession(motion),
+        precession_space=space_precession(motion),
+        rotation_period=turn if motion.regime in ("permanent", "spherical") else None,
+        twist_per_flip=None if twist is None or motion.flip_interval is None else 0.5 * twist,
+    )
+
+
+def _precession(value: Precession | None) -> str | None:
+    return None if value is None else f"{value.rate:.8g} rad/s {value.sense}"
+
+
+def _mode(motion: FreeMotion) -> str:
+    axis = motion.encircled_axis + 1
+    return (
+        f"L circles axis {axis} in the body every {motion.period:.6g} s and reverses along the intermediate axis every "
+        f"{motion.flip_interval:.6g} s; meanwhile axis {axis} turns about L every {motion.tumbling_periods[0]:.6g} s."
+    )
+
+
+_SENTENCES = {
+    "rest": lambda m: "The body is at rest.",
+    "spherical": lambda m: "All moments are equal: the body turns steadily about a fixed axis.",
+    "permanent": lambda m: "The body turns steadily about an axis fixed in it and in space.",
+    "symmetric": lambda m: (
+        f"Two moments are equal: the axis of symmetry turns about L every {m.tumbling_periods[0]:.6g} s, "
+        f"and L about it in the body every {m.period:.6g} s."
+    ),
+    "short-axis": lambda m: "Short-axis mode: " + _mode(m),
+    "long-axis": lambda m: "Long-axis mode: " + _mode(m),
+    "separatrix": lambda m: (
+        "Exactly on the separatrix: in all of time L goes once from one end of the intermediate axis to the other."
+    ),
+}

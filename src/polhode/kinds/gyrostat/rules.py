@@ -1,0 +1,14 @@
+"""What the keys of a body with a rotor ask of each other."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from polhode.spec.rules import Mistake
+
+
+def gyrostat_rules(system: dict[str, Any]) -> Iterator[Mistake]:
+    """Yield where a raw table [system] breaks a rule, and how it is said."""
+    if "motor_torque" in system and system.get("rotor_drive") == "constant-rate":
+        yield ("system", "motor_torque"), 'turns a rotor that is free; give rotor_drive = "free", or leave one out'

@@ -1,0 +1,147 @@
+"""The plain answers about a Lagrange top: a symmetric body about a point of its axis, exactly."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from typing import Any, ClassVar
+
+import numpy as np
+
+from polhode import rotation
+from polhode.exact.lagrange_top import LagrangeMotion
+from polhode.exact.steady_precession import SteadyPrecession, sleeping_threshold, steady_precession
+from polhode.kinds.base import Spec
+from polhode.kinds.lagrange_top.build import axis_third
+from polhode.kinds.lagrange_top.table import LagrangeTopTable
+from polhode.reports.base import Section
+from polhode.reports.top import TopReport, leaned, natural_period, rest_verdicts, top_of
+from polhode.reports.wording import angle, drifts, number, rate
+
+PERIODS = 10
+
+LAGRANGE_UNITS = {
+    "energy": "J", "nutation_limits": "cos of the tilt", "nutation_period": "s", "precession_per_period": "rad",
+    "spin_per_period": "rad", "precession_rate": "rad/s", "spin_rate": "rad/s", "steady_precession": "rad/s",
+    "sleeping_threshold": "rad/s", "spin": "rad/s", "start_tilt": "rad",
+}  # fmt: skip
+
+@dataclass(frozen=True)
+class LagrangeTopReport(TopReport):
+    """The symmetric top, exactly.
+
+    Attributes:
+        steady: rates of steady precession at the tilt and spin of the start.
+        threshold: spin from which the upright top is stable [rad/s].
+    """
+
+    kind: ClassVar[str] = "lagrange-top"
+    steady: SteadyPrecession | None = field(kw_only=True)
+    threshold: float = field(kw_only=True)
+
+    @property
+    def _exact(self) -> LagrangeMotion:
+        assert self.exact is not None
+        return self.exact
+
+    @property
+    def summary(self) -> str:
+        exact, period = self._exact, self._exact.nutation_period
+        if self.constant_tilt and exact.precession_rate is not None:
+            return f"The top precesses steadily at constant tilt, at {exact.precession_rate:.6g} rad/s."
+        words = _REGIMES[exact.regime]
+        if exact.regime == "sleeping" and abs(self.values()["spin"]) < self.threshold:
+            words = "The top stands upright, spinning too slowly to sleep: the least push fells it."
+        if period is None:
+            return words
+        mean = None if exact.regime == "planar" else exact.precession_rate
+        turn = "" if mean is None else f" and precesses at {mean:.6g} rad/s on average"
+        return f"{words} It nutates every {period:.6g} s{turn}."
+
+    def values(self) -> dict[str, Any]:
+        exact = self._exact
+        return super().values() | {
+            "regime": exact.regime,
+            "energy": exact.energy,
+            "spin": float(exact.momentum_at_epoch[2] / exact.moments[2]),
+            "start_tilt": math.acos(max(-1.0, min(1.0, float(self.axis_in_space[0, 2])))),
+            "nutation_limits": exact.nutation_limits,
+            "nutation_period": exact.nutation_period,
+            "precession_per_period": exact.precession_per_period,
+            "spin_per_period": exact.spin_per_period,
+            # in a plane both only jump by half turns, through the verticals
+            "precession_rate": None if exact.regime == "planar" else exact.precession_rate,
+            "spin_rate": None if exact.regime == "planar" else exact.spin_rate,
+            "steady_precession": None if self.steady is None else self.steady._asdict(),
+            "sleeping_threshold": self.threshold,
+            "units": super().values()["units"] | LAGRANGE_UNITS,
+        }
+
+    def motion(self) -> Section:
+        values = self.values()
+        low, high = self._exact.nutation_limits
+        limits = None if low is None else f"{math.degrees(math.acos(low)):.8g}°, constant" if self.constant_tilt else (
+            f"{math.degrees(math.acos(high)):.8g}° to {math.degrees(math.acos(low)):.8g}°"
+        )  # fmt: skip
+        steady = None if self.steady is None else ", ".join(
+            f"{name} {value:.8g} rad/s" for name, value in self.steady._asdict().items() if value is not None
+        )  # fmt: skip
+        return Section("Motion", [
+            ("regime", "steady" if self.constant_tilt else values["regime"]),
+            ("spin about the axis", rate(values["spin"])),
+            ("spin from which it sleeps", rate(self.threshold)),
+            ("tilt", limits),
+            *([] if self.constant_tilt else [
+                ("nutation period T", number(values["nutation_period"], "s")),
+                ("precession per period Δφ", angle(values["precession_per_period"])),
+                ("own turn per period Δψ", angle(values["spin_per_period"])),
+            ]),
+            ("mean precession", rate(values["precession_rate"])),
+            ("mean own turn", rate(values["spin_rate"])),
+            ("steady precession at this tilt", steady),
+            ("energy", number(values["energy"], "J")),
+            ("vertical momentum", number(self._exact.vertical_momentum, "kg m²/s")),
+            ("axial momentum", number(self._exact.axial_momentum, "kg m²/s")),
+            ("drift", drifts(self.trajectory.drift)),
+        ])  # fmt: skip
+
+
+_REGIMES = {
+    "rest": "The top is at rest.",
+    "sleeping": "The top sleeps upright.",
+    "hanging": "The top hangs and spins.",
+    "steady": "The top precesses steadily at constant tilt.",
+    "free": "No weight: a free symmetric body.",
+    "planar": "The top swings in a plane like a pendulum.",
+    "undulating": "The axis undulates, always onward.",
+    "cusp": "The axis halts in cusps.",
+    "loop": "The axis turns back in loops.",
+    "separatrix": "The axis comes to rest upright, in infinite time.",
+}
+
+
+def report_of(spec: Spec) -> LagrangeTopReport:
+    """Return the report on a symmetric body about a point of its axis, exactly.
+
+    Raises:
+        InvalidInput: for a body without mass, or one not symmetric about the line to its centre of mass.
+    """
+    table, body, times = spec.system, spec.body, spec.times
+    assert isinstance(table, LagrangeTopTable) and body is not None
+    top, free = top_of(body, table.pivot, table.gravity)
+    top = axis_third(top)
+    momentum, attitude = spec.start(np.asarray(top.moments), np.asarray(top.axes))
+    attitude = leaned(top, attitude, table.lean)
+    exact = LagrangeMotion(np.asarray(top.moments), float(top.mgl), momentum, attitude)
+    if times is None:
+        span = exact.nutation_period or natural_period(top, momentum)
+        times = np.linspace(0.0, PERIODS * span, spec.samples)
+    moments = (float(top.moments[0]), float(top.moments[0]), float(top.moments[2]))
+    axis = rotation.rotate(exact.state(0.0)[0], np.array([0.0, 0.0, 1.0]))
+    tilt = math.acos(max(-1.0, min(1.0, float(axis[2]))))
+    spin = float(momentum[2]) / moments[2]
+    steady = steady_precession(moments, float(top.mgl), tilt, spin) if 1e-12 < tilt < math.pi - 1e-12 else None
+    return LagrangeTopReport(
+        body, spec.surface, top, np.asarray(table.pivot), exact.sample(times), rest_verdicts(top, momentum), free,
+        steady=steady, threshold=sleeping_threshold(moments, float(top.mgl)),
+    )  # fmt: skip

@@ -1,0 +1,17 @@
+"""The table [system] of a Lagrange top."""
+
+from __future__ import annotations
+
+from pydantic import Field
+
+from polhode.spec.fields import Acceleration, Lean, Position
+from polhode.spec.gravity import STANDARD_GRAVITY
+from polhode.spec.models import SystemTable
+
+
+class LagrangeTopTable(SystemTable):
+    """A symmetric body that turns about a point of its axis under its weight, exactly."""
+
+    pivot: Position = Field(description='give the fixed point like ["0 mm", "0 mm", "-35 mm"], in the given axes')
+    gravity: Acceleration = STANDARD_GRAVITY
+    lean: Lean | None = None

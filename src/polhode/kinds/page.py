@@ -1,0 +1,102 @@
+"""Pages of motions: one HTML file each, or a frame in a notebook."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from polhode.bodies.frame import BodyFrame
+from polhode.bodies.surface import Surface
+from polhode.formats.paths import written_whole
+from polhode.kinds.registry import kind_of_source
+from polhode.motion.trajectory import Trajectory
+from polhode.reports.base import AbstractReport
+from polhode.viewer.encoding import with_powers
+from polhode.viewer.page import NotebookPage, page_text
+from polhode.viewer.panels import Content
+from polhode.viewer.samples import Samples
+
+
+def write_page(
+    trajectory: Trajectory,
+    path: str | Path,
+    *,
+    name: str | None = None,
+    summary: str = "",
+    frame: BodyFrame | None = None,
+    surface: Surface | None = None,
+    notes: Sequence[str] = (),
+) -> Path:
+    """Write a motion as one HTML file that opens from disk; the file appears whole or not at all.
+
+    Args:
+        trajectory: of one body.
+        path: the file; its folder must exist.
+        name: heading of the page; the object's or the system's name if left out.
+        summary: a sentence below it.
+        frame: the principal axes that the trajectory is along, which a surface in given axes needs.
+        surface: what the body looks like, in the given axes; without it, a shape with the same inertia is drawn.
+        notes: more lines below.
+
+    Raises:
+        InvalidInput: for a trajectory that is empty, a batch, not finite, or has nothing to draw, and for a path that
+            cannot be written.
+
+    >>> import polhode as ph, tempfile, pathlib
+    >>> motion = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5))
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = write_page(motion.sample([0.0, 1.0, 2.0]), pathlib.Path(folder) / "motion.html", name="a body")
+    ...     path.stat().st_size < 1_500_000
+    True
+    """
+    path = Path(path)
+    text = page_text(
+        trajectory, name=name, summary=summary, frame=frame, surface=surface, notes=notes, content=_content
+    )
+    with written_whole(path) as draft:
+        draft.write_text(text, "utf-8")
+    return path
+
+
+def show(
+    trajectory: Trajectory,
+    *,
+    name: str | None = None,
+    summary: str = "",
+    frame: BodyFrame | None = None,
+    surface: Surface | None = None,
+    notes: Sequence[str] = (),
+    height: int = 600,
+) -> NotebookPage:
+    """Return a motion's page for a notebook to show; arguments as of ``write_page``, height [pixels]."""
+    text = page_text(
+        trajectory, name=name, summary=summary, frame=frame, surface=surface, notes=notes, content=_content
+    )
+    return NotebookPage(text, height)
+
+
+def page_of_report(report: AbstractReport, path: str | Path, *, name: str, surface: Surface | None = None) -> Path:
+    """Write the page of a report's motion, with what the report says of it.
+
+    Args:
+        report: any.
+        path: the file.
+        name: heading of the page.
+        surface: what the body looks like, in the given axes.
+
+    Raises:
+        InvalidInput: as ``write_page`` does.
+    """
+    trajectory, notes = report.shown, list(report.notes)
+    if trajectory is not report.trajectory and trajectory.outcome.event is not None:
+        notes.append(f"Shown: the last turns, until the disk is {trajectory.outcome.event}.")
+    return write_page(
+        trajectory, path, name=name, summary=with_powers(report.summary), frame=report.frame, surface=surface,
+        notes=[with_powers(note) for note in notes],
+    )  # fmt: skip
+
+
+def _content(trajectory: Trajectory, samples: Samples, surface: Surface | None) -> Content | None:
+    """Return the pictures that the kind of the motion has of its own."""
+    kind = kind_of_source(trajectory.source)
+    return None if kind is None else kind.content(trajectory, samples, surface)

@@ -1,0 +1,138 @@
+"""From a TOML file to a body, its spin and the times asked for."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+from pydantic import ValidationError
+
+from polhode.bodies.body import Body
+from polhode.errors import FormatError, InvalidInput, NotConverged, printable, shown
+from polhode.kinds.base import AbstractKind, Spec
+from polhode.kinds.registry import FREE_BODY, find_kind, kind_names
+from polhode.reports.base import AbstractReport
+from polhode.spec.building import build_body, build_part
+from polhode.spec.export import labels_of
+from polhode.spec.mistakes import as_message, mistakes_of
+from polhode.spec.models import BodyTable, PartTable, SpecFile, SystemTable
+from polhode.spec.parsing import read_tables
+from polhode.spec.rules import SOURCES, Location, Mistake, broken_rules, table_rules
+
+
+def read_spec(path: str | Path) -> Spec:
+    """Read a spec; every mistake in it is reported at once.
+
+    Raises:
+        InvalidInput: naming the file and, for each mistake, the key, the rule and what came.
+        FormatError: if the file is not TOML, or a file that it names is not what it should be.
+    """
+    path = Path(path)
+    table = read_tables(path)
+    raw = table.pop("system", FREE_BODY)
+    raw = {"kind": raw} if isinstance(raw, str) else raw
+    kind, mistakes, model = None, [], None
+    if isinstance(raw, dict):
+        kind, found = _kind(raw)
+    else:
+        found = [(("system",), f"must be a table, or one of its kinds, {', '.join(kind_names())}; got {shown(raw)}")]
+    mistakes += broken_rules(table, _rules_of_kind(kind, table | {"system": raw}))
+    system, wrong = (None, []) if kind is None else _system(kind, raw)
+    mistakes += found + wrong
+    try:
+        model = SpecFile.model_validate(table)
+    except ValidationError as error:
+        mistakes += mistakes_of(error)
+    body, unphysical = _built_body(table.get("body"), path.parent, mistakes)
+    if model is None or kind is None or mistakes or unphysical:
+        found = mistakes + [(location, str(error)) for location, error in unphysical]
+        of_files = not mistakes and all(isinstance(error, FormatError) for _, error in unphysical)
+        raise (FormatError if of_files else InvalidInput)(*as_message(path, found))
+    name = printable(model.name or path.stem).replace("\n", " ")
+    return Spec(
+        name=name, kind=kind, system=system, body=body, spin=model.spin,
+        until=model.time.until, samples=model.time.samples, labels=labels_of(model.export, model.name or path.stem),
+        source=model.body, folder=path.parent,
+    )  # fmt: skip
+
+
+def report(spec: Spec | str | Path) -> AbstractReport:
+    """Return the answers about the motion of a spec, or of a file that holds one.
+
+    Its ``summary``, ``sections()`` and ``notes`` are worded, ``values()`` and ``as_json_dict()`` are data, and
+    ``trajectory`` is the motion.
+
+    Raises:
+        InvalidInput: as ``read_spec`` does, and for values that the system refuses.
+        NotConverged: where the motion could not be followed.
+    """
+    if isinstance(spec, Spec):
+        return spec.report()
+    read = read_spec(spec)
+    try:
+        return read.report()
+    except (InvalidInput, NotConverged) as error:
+        raise type(error)(f"{spec}: {error}") from None
+
+
+def _kind(raw: dict[str, Any]) -> tuple[AbstractKind | None, list[Mistake]]:
+    """Return the kind that a raw table [system] names, or what is wrong with the name."""
+    name = raw.get("kind")
+    found = find_kind(name) if isinstance(name, str) else None
+    if found is not None:
+        return found, []
+    got = "it is missing" if name is None else f"got {shown(name)}"
+    return None, [(("system", "kind"), f"must be one of {', '.join(kind_names())}; {got}")]
+
+
+def _rules_of_kind(kind: AbstractKind | None, tables: dict[str, Any]) -> Iterator[Mistake]:
+    """Yield which tables are missing or too many, and what the kind's own keys break."""
+    yield from table_rules(tables, "" if kind is None else kind.name, None if kind is None else kind.table)
+    if kind is not None:
+        yield from kind.rules(tables)
+
+
+def _system(kind: AbstractKind, raw: dict[str, Any]) -> tuple[SystemTable | None, list[Mistake]]:
+    try:
+        return kind.table.model_validate(raw), []
+    except ValidationError as error:
+        return None, mistakes_of(error, kind.table, ("system",))
+
+
+def _built_body(
+    raw: Any, folder: Path, mistakes: list[Mistake]
+) -> tuple[Body | None, list[tuple[Location, InvalidInput]]]:
+    """Return the body, or what of it no body has.
+
+    Beside mistakes, what is right in itself is tried on its own: each part, and the source of the body with its other
+    keys as if they were right.
+    """
+
+    def clean(location: Location) -> bool:
+        return not any(where[: len(location)] == location for where, _ in mistakes)
+
+    if not isinstance(raw, dict):
+        return None, []
+    errors: list[tuple[Location, InvalidInput]] = []
+    parts = raw.get("parts")
+    for k, part in enumerate(parts if isinstance(parts, list) else []):
+        location = ("body", "parts", k)
+        if clean(location):
+            errors += _tried(location, lambda part=part: build_part(PartTable.model_validate(part)))[1]
+    sources = [key for key in SOURCES if key in raw]
+    if errors or len(sources) != 1 or not clean(("body", sources[0])):
+        return None, errors
+    kept = {key: value for key, value in raw.items() if key in BodyTable.model_fields and clean(("body", key))}
+    if "mesh" in kept:
+        kept = {"mesh_unit": "m", **kept}
+        if ("mass" in kept) == ("density" in kept):
+            kept = {key: value for key, value in kept.items() if key != "density"} | {"mass": "1 kg"}
+    return _tried(("body",), lambda: build_body(BodyTable.model_validate(kept), folder))
+
+
+def _tried(location: Location, build: Callable[[], Body]) -> tuple[Body | None, list[tuple[Location, InvalidInput]]]:
+    try:
+        return build(), []
+    except InvalidInput as error:
+        return None, [(location, error)]

@@ -1,0 +1,266 @@
+"""The plain answers about the spin of a moon or planet on its orbit."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any, ClassVar
+
+import numpy as np
+
+from polhode.analysis.spin_motion import SpinMotion, spin_motion
+from polhode.analysis.spin_orbit import Resonance, overlap_threshold, resonances
+from polhode.bodies.body import Body
+from polhode.bodies.frame import BodyFrame
+from polhode.errors import InvalidInput
+from polhode.kinds.base import Spec
+from polhode.kinds.spin_orbit.table import SpinOrbitTable
+from polhode.motion.trajectory import Trajectory
+from polhode.reports.base import AbstractReport, Listing, Section
+from polhode.reports.length import ADAPTIVE, ORBITING, check_length
+from polhode.reports.wording import body_section, drifts, number
+from polhode.simulation import simulate
+from polhode.systems.kepler_orbit import KeplerOrbit
+from polhode.systems.spin_orbit import SpinOrbit
+
+Array = Any
+PERIODS = 30
+DAY = 86400.0
+LISTED = (3.0, 10.0)  # orders up to which resonances are listed: at least, and at most where spin or orbit are faster
+LARGEST = 1e100  # of rates in rad/s; their squares stay within the range of numbers
+TOLERANCE = 1e-12  # of the samples' adaptive steps
+
+UNITS = {
+    "asphericity": "√(3(B − A)/C)", "mean_motion": "rad/s", "orbital_period": "s",
+    "overlap_threshold": "as asphericity",
+    "small_eccentricity_threshold": "as asphericity", "resonances.order": "turns per orbit",
+    "resonances.rate": "rad/s", "resonances.half_width": "rad/s", "resonances.stable_angle": "rad, at periapsis",
+    "start.angle": "rad, long axis from the direction of the periapsis", "start.rate": "rad/s",
+    "start.spin_ratio": "turns per orbit", "lyapunov_exponent": "1/s", "regular_level": "1/s", "lyapunov_time": "s",
+    "mean_rate": "rad/s", "mean_spin_ratio": "turns per orbit", "libration": "rad, at periapsis",
+    "predictable_time": "s", "mass": "kg", "principal_moments": "kg m²",
+}  # fmt: skip
+
+
+@dataclass(frozen=True)
+class SpinOrbitReport(AbstractReport):
+    """Resonances of a body on its orbit, and what one spin does among them.
+
+    Attributes:
+        body: None where the spec gave the asphericity itself.
+        system: the spin-orbit problem.
+        trajectory: samples of the motion by adaptive steps.
+        resonances: p = 1/2, 1, … up to 3 or more.
+        motion: exponent, verdict, mean rate and libration over thousands of orbits.
+        section_orbits: how many the figure shows.
+    """
+
+    kind: ClassVar[str] = "spin-orbit"
+    body: Body | None
+    system: SpinOrbit
+    trajectory: Trajectory
+    resonances: list[Resonance]
+    motion: SpinMotion
+    section_orbits: int
+
+    @property
+    def frame(self) -> BodyFrame | None:
+        return None if self.body is None else BodyFrame.of(self.body)
+
+    @property
+    def start(self) -> Array:
+        """(2,) angle [rad] and rate [rad/s] at the first periapsis."""
+        return np.asarray(self.trajectory.states)[0]
+
+    @property
+    def threshold(self) -> float | None:
+        """Asphericity from which two neighbouring zones touch; None on a circular orbit, which has one zone alone."""
+        roots = [math.sqrt(abs(r.strength)) for r in self.resonances]
+        pairs = [a + b for a, b in itertools.pairwise(roots) if a and b]
+        return 0.5 / max(pairs) if pairs else None
+
+    @property
+    def chaos_expected(self) -> bool:
+        """Whether zones overlap, by Chirikov's criterion."""
+        return self.threshold is not None and float(self.system.asphericity) >= self.threshold
+
+    @property
+    def predictable_time(self) -> float | None:
+        """Time in which a chaotic motion's neighbours part from the samples' tolerance to one radian [s]."""
+        rate = float(self.motion.exponents[-1])
+        return math.log(1.0 / TOLERANCE) / rate if self.motion.verdict == "chaotic" else None
+
+    def values(self) -> dict[str, Any]:
+        system, motion, body = self.system, self.motion, self.body
+        n, e = float(system.mean_motion), float(system.eccentricity)
+        exponent = float(motion.exponents[-1])
+        span = motion.orbits * float(system.orbit.period)
+        return {
+            "mass": None if body is None else body.mass,
+            "principal_moments": None if body is None else body.principal_moments,
+            "asphericity": float(system.asphericity),
+            "eccentricity": e,
+            "mean_motion": n,
+            "orbital_period": float(system.orbit.period),
+            "overlap_threshold": self.threshold,
+            "small_eccentricity_threshold": float(overlap_threshold(e)) if e > 0.0 else None,
+            "chaos_expected": self.chaos_expected,
+            "resonances": [vars(found) for found in self.resonances],
+            "start": {"angle": self.start[0], "rate": self.start[1], "spin_ratio": self.start[1] / n},
+            "orbits": motion.orbits,
+            "verdict": motion.verdict,
+            "lyapunov_exponent": exponent,
+            "regular_level": math.log(n * span) / span,
+            "lyapunov_time": 1.0 / exponent if motion.verdict == "chaotic" else None,
+            "predictable_time": self.predictable_time,
+            "mean_rate": motion.mean_rate,
+            "mean_spin_ratio": motion.mean_rate / n,
+            "libration": None if motion.libration is None else motion.libration._asdict(),
+            "status": str(self.trajectory.outcome),
+            "units": UNITS,
+        }
+
+    def sections(self) -> list[Section | Listing]:
+        body = [] if self.body is None else [body_section(self.body)]
+        return [*body, self._orbit(), *self._listing(), self._motion()]
+
+    def _orbit(self) -> Section:
+        values = self.values()
+        period = values["orbital_period"]
+        if values["asphericity"] == 0.0:
+            chaos = "no: A = B, and gravity has no hold on the spin"
+        elif self.threshold is None:
+            chaos = "no: on a circular orbit the spin is a pendulum, and no pendulum is chaotic"
+        elif self.chaos_expected:
+            chaos = f"yes: zones of resonances overlap from ω0 = {self.threshold:.4g} on"
+        else:
+            chaos = f"in thin layers at most: zones overlap from ω0 = {self.threshold:.4g} on"
+        return Section("Shape and orbit", [
+            ("asphericity ω0 = √(3(B − A)/C)", number(values["asphericity"])),
+            ("eccentricity", number(values["eccentricity"])),
+            ("orbital period", f"{period:.8g} s = {period / DAY:.6g} d"),
+            ("mean motion n", number(values["mean_motion"], "rad/s")),
+            ("chaos expected", chaos),
+        ])  # fmt: skip
+
+    def _listing(self) -> list[Listing]:
+        n = float(self.system.mean_motion)
+        rows = []
+        for found in self.resonances:
+            if found.stable_angle is not None and found.half_width > 0.0:
+                stable = f"{math.degrees(found.stable_angle):.0f}°"
+                rows.append((ratio(found.order), f"{found.strength:.6g}", f"{found.half_width / n:.4g} n", stable))
+        heads = ("turns : orbits", "strength H", "half-width", "long axis at periapsis")
+        return [Listing("Resonances of spin and orbit", heads, rows)] if rows else []
+
+    def _motion(self) -> Section:
+        values, motion = self.values(), self.motion
+        n, held = values["mean_motion"], motion.libration
+        start = f"{math.degrees(values['start']['angle']):.6g}°, {values['start']['spin_ratio']:.6g} n"
+        exponent = f"{values['lyapunov_exponent']:.4g} /s = {values['lyapunov_exponent'] / n:.4g} n"
+        if motion.verdict != "chaotic":
+            exponent += f"; a regular motion shows about {values['regular_level']:.4g} /s by then, falling as ln t/t"
+        kept = None if held is None else (
+            f"in {ratio(held.order)}, about {_cleaned(math.degrees(held.angle)):.5g}° by "
+            f"±{_cleaned(math.degrees(held.amplitude)):.5g}° at periapsis"
+        )  # fmt: skip
+        # the weighted mean of a quasi-periodic motion has many digits, that of chaos as few as the square root says
+        digits = 4 if motion.verdict == "chaotic" else 8
+        return Section("Motion", [
+            ("start, at periapsis", start),
+            ("verdict", f"{motion.verdict} over {motion.orbits} orbits"),
+            ("Lyapunov exponent", exponent),
+            ("its time 1/λ", _duration(values["lyapunov_time"])),
+            ("predictable for about", _duration(values["predictable_time"])),
+            ("libration", kept or "none"),
+            ("mean rotation", f"{values['mean_rate']:.{digits}g} rad/s = {values['mean_spin_ratio']:.{digits}g} n"),
+            ("drift", drifts(self.trajectory.drift)),
+        ])  # fmt: skip
+
+    @property
+    def notes(self) -> list[str]:
+        found = ["all this is planar: the axis of largest moment is taken to stay upright on the orbit."]
+        if self.motion.verdict == "chaotic":
+            found[0] += " In chaos it often does not."
+            if np.ptp(np.asarray(self.trajectory.times)) > (self.predictable_time or math.inf):
+                found.append("the samples outlast what can be predicted of this start; the last are of one like it.")
+        elif float(self.system.eccentricity) and float(self.system.asphericity):
+            found.append(
+                f"no more is known than {self.motion.orbits} orbits show; chaos may cling to an island for longer."
+            )
+        return found
+
+    @property
+    def summary(self) -> str:
+        motion, n = self.motion, float(self.system.mean_motion)
+        if motion.verdict == "chaotic":
+            tenfold = math.log(10.0) / float(motion.exponents[-1]) / float(self.system.orbit.period)
+            return f"Chaotic: neighbouring spins part tenfold every {tenfold:.3g} orbits."
+        sure = "Regular" if motion.verdict == "regular" else f"Undecided after {motion.orbits} orbits"
+        if motion.libration is not None:
+            held = motion.libration
+            swing = _cleaned(math.degrees(held.amplitude))
+            return f"{sure}: it librates by ±{swing:.4g}° in the {ratio(held.order)} resonance of spin and orbit."
+        return f"{sure}: it turns {motion.mean_rate / n:.8g} times per orbit on average, caught in no resonance."
+
+
+def ratio(order: float) -> str:
+    """Return turns to orbits of a resonance, like 3:2."""
+    found = Fraction(order)
+    return f"{found.numerator}:{found.denominator}"
+
+
+def report_of(spec: Spec) -> SpinOrbitReport:
+    """Return the report on a spin that starts at periapsis.
+
+    Raises:
+        InvalidInput: for an orbit so slow or fast that the squares of its rates leave the numbers.
+    """
+    table, times = spec.system, spec.times
+    assert isinstance(table, SpinOrbitTable)
+    system = _system(spec, table)
+    n = float(system.mean_motion)
+    if times is None:
+        times = np.linspace(0.0, PERIODS * float(system.orbit.period), spec.samples)
+    state = np.array([table.angle, table.spin_ratio * n])
+    # strengths are largest near the orbit's own rate at periapsis
+    e = table.eccentricity
+    fastest = max(abs(table.spin_ratio), math.sqrt(1.0 + e) / (1.0 - e) ** 1.5)
+    highest = min(max(LISTED[0], 0.5 * math.ceil(2.0 * fastest)), LISTED[1])
+    steps = ORBITING * float(np.ptp(times)) * n * max(1.0, abs(table.spin_ratio))
+    shown = check_length(spec.until, times, steps, ADAPTIVE)
+    trajectory = simulate(system, state, times, progress=shown)
+    return SpinOrbitReport(
+        spec.body, system, trajectory, resonances(system, highest), spin_motion(system, state),
+        table.section_orbits,
+    )  # fmt: skip
+
+
+def _system(spec: Spec, table: SpinOrbitTable) -> SpinOrbit:
+    if table.orbital_period is not None:
+        orbit = KeplerOrbit(2.0 * math.pi / table.orbital_period, table.eccentricity)
+    else:
+        assert table.semi_major_axis is not None and table.gravitational_parameter is not None
+        orbit = KeplerOrbit.from_semi_major_axis(
+            table.semi_major_axis, table.gravitational_parameter, table.eccentricity
+        )
+    n = float(orbit.mean_motion)
+    if not 1.0 / LARGEST < n < LARGEST:
+        raise InvalidInput(
+            f"the orbit must have a mean motion within 1e±100 rad/s; it is {n:g} rad/s. Check `system.orbital_period`, "
+            "or `system.semi_major_axis` and `system.gravitational_parameter`, and their units."
+        )
+    if table.asphericity is not None:
+        return SpinOrbit(table.asphericity, table.eccentricity, n)
+    assert spec.body is not None
+    return SpinOrbit.from_body(spec.body, orbit)
+
+
+def _duration(seconds: float | None) -> str | None:
+    return None if seconds is None else f"{seconds:.4g} s = {seconds / DAY:.4g} d"
+
+
+def _cleaned(degrees: float) -> float:
+    return 0.0 if abs(degrees) < 1e-9 else degrees

@@ -1,0 +1,153 @@
+"""The currency between motion and everything after it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+
+from polhode.errors import InvalidInput
+from polhode.motion.base import AbstractMotion
+from polhode.motion.layout import Quantity, StateLayout
+from polhode.motion.outcome import Outcome
+
+Array = Any
+_SAMPLED = ("states", "attitude", "momentum", "angular_velocity")
+_BY_NAME = ("invariants", "balances", "received")
+
+
+@dataclass(frozen=True, repr=False)
+class Trajectory:
+    """Sampled motion of one body or system, or a batch of them; plain arrays, SI units.
+
+    Attributes:
+        times: (T,) [s].
+        states: packed states (batch…, T, *own axes), as ``layout`` says.
+        layout: which numbers of a state mean what.
+        attitude: (batch…, T, 4) unit quaternions wxyz, body → space; None where meaningless.
+        momentum: (batch…, T, 3) [kg m²/s, body axes]; None where meaningless.
+        angular_velocity: (batch…, T, 3) [rad/s, body axes]; None where meaningless.
+        invariants: name → values along the motion, (batch…, T) or (batch…, T, k).
+        balances: name → quantities that change at a known rate, along the motion, (batch…, T).
+        received: name → the integral of that rate from the first time, (batch…, T); dissipated energy is its negative.
+        drift: name → largest deviation of that invariant from its first sample, or of that balance from its first
+            sample and what it received since, relative to its size or that of its terms, (batch…).
+        quantities: what invariants and balances are, by name; those without an entry have no unit that is known.
+        outcome: how the motion came to its end.
+        source: what made it: the exact motion, the system, or a ``Recording`` of a file with its labels.
+        statistics: how many steps and iterations of implicit steps it took.
+        error_estimate: estimated largest error of the states, relative to the size of attitude and momentum, (batch…);
+            infinite where it is not known, None where it was not asked for or the motion is exact.
+
+    >>> import polhode as ph
+    >>> motion = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5)).sample([0.0, 0.5, 1.0, 1.5])
+    >>> len(motion), len(motion.between(0.5, 1.0)), motion.part("momentum").shape
+    (4, 2, (4, 3))
+    """
+
+    times: Array
+    states: Array
+    layout: StateLayout = field(default_factory=StateLayout)
+    attitude: Array | None = None
+    momentum: Array | None = None
+    angular_velocity: Array | None = None
+    invariants: dict[str, Array] = field(default_factory=dict)
+    balances: dict[str, Array] = field(default_factory=dict)
+    received: dict[str, Array] = field(default_factory=dict)
+    drift: dict[str, Array] = field(default_factory=dict)
+    quantities: dict[str, Quantity] = field(default_factory=dict)
+    outcome: Outcome = field(default_factory=Outcome)
+    source: Any = None
+    statistics: dict[str, int] = field(default_factory=dict)
+    error_estimate: Array | None = None
+
+    def __len__(self) -> int:
+        return len(self.times)
+
+    @property
+    def batch_shape(self) -> tuple[int, ...]:
+        """The shape of the copies, () for one."""
+        return tuple(np.shape(self.states)[: np.ndim(self.states) - 1 - self.layout.axes])
+
+    @property
+    def motion(self) -> AbstractMotion | None:
+        """The exact motion that the samples are of, which gives the motion between them; None where there is none."""
+        return self.source if isinstance(self.source, AbstractMotion) else None
+
+    def quantity(self, name: str) -> Quantity:
+        """Return the unit and meaning of an invariant or balance; without a unit where none is known."""
+        return self.quantities.get(name) or Quantity("", name.replace("_", " "))
+
+    def part(self, name: str) -> Array:
+        """Return a part of the states by name, (batch…, T) of one component, else (batch…, T, size).
+
+        Raises:
+            InvalidInput: for a part that the states do not have.
+        """
+        try:
+            return self.layout.part(self.states, name)
+        except KeyError as error:
+            raise InvalidInput(f"{error.args[0]}. Choose one of these.") from None
+
+    def between(self, start: float, end: float) -> Trajectory:
+        """Return the samples from one time to another, both included [s]; drifts stay those of the whole motion.
+
+        Raises:
+            InvalidInput: where no sample lies between.
+        """
+        times = np.asarray(self.times)
+        inside = (times >= min(start, end)) & (times <= max(start, end))
+        if not inside.any():
+            raise InvalidInput(
+                f"no sample lies between {start:g} s and {end:g} s; they run from {times[0]:g} s to {times[-1]:g} s. "
+                "Choose times within."
+            )
+        return self.taken(np.flatnonzero(inside))
+
+    def taken(self, rows: Array | slice) -> Trajectory:
+        """Return the samples of these indices along the time axis, in their order."""
+        axis = len(self.batch_shape)
+        at = (slice(None),) * axis + (rows,)
+        values: dict[str, Any] = {name: getattr(self, name) for name in _SAMPLED}
+        cut = {name: None if value is None else np.asarray(value)[at] for name, value in values.items()}
+        named = {name: {key: np.asarray(value)[at] for key, value in getattr(self, name).items()} for name in _BY_NAME}
+        return replace(self, times=np.asarray(self.times)[rows], **cut, **named)
+
+    def __repr__(self) -> str:
+        return "\n".join(f"{name:<17}{words}" for name, words in self._lines())
+
+    def _repr_html_(self) -> str:
+        from html import escape
+
+        rows = (f"<tr><th>{escape(name)}</th><td>{escape(words)}</td></tr>" for name, words in self._lines())
+        return f"<table>{''.join(rows)}</table>"
+
+    def _lines(self) -> list[tuple[str, str]]:
+        """Return what there is, one line each."""
+        times, batch = np.asarray(self.times), self.batch_shape
+        span = f", {times[0]:g} s to {times[-1]:g} s" if len(times) else ""
+        made = "" if self.source is None else f" of {type(self.source).__name__}"
+        copies = f", batch of shape {batch}" if batch else ""
+        lines = [("Trajectory", f"{len(times)} samples{span}{made}{copies}")]
+        parts = ", ".join(f"{part.name} ({part.size})" for part in self.layout.parts)
+        own = np.shape(self.states)[np.ndim(self.states) - self.layout.axes :]
+        lines.append(("states", parts or f"shape {own}"))
+        for name in _SAMPLED[1:]:
+            value = getattr(self, name)
+            if value is not None and len(times) and not batch:
+                first = ", ".join(f"{float(x):.6g}" for x in np.asarray(value)[0])
+                lines.append((name.replace("_", " "), f"({first}) at first"))
+        kept = self.invariants | self.balances
+        for name in list(kept)[:6]:
+            moved = self.drift.get(name)
+            said = "" if moved is None else f"drift {float(np.max(moved)):.1e}"
+            lines.append((name.replace("_", " "), said or "kept"))
+        if len(kept) > 6:
+            lines.append(("", f"and {len(kept) - 6} more"))
+        if self.error_estimate is not None:
+            lines.append(("state error", f"about {float(np.max(self.error_estimate)):.1e}"))
+        if self.statistics:
+            lines.append(("steps", ", ".join(f"{value} {key}" for key, value in self.statistics.items())))
+        lines.append(("outcome", str(self.outcome)))
+        return lines

@@ -1,0 +1,96 @@
+"""What every report offers."""
+
+from __future__ import annotations
+
+import abc
+import math
+from typing import Any, ClassVar, NamedTuple
+
+import numpy as np
+
+from polhode.analysis.mechanics import Mechanics
+from polhode.bodies.frame import BodyFrame
+from polhode.motion.trajectory import Trajectory
+
+Array = Any
+
+
+class Section(NamedTuple):
+    """Named values, worded; those without a value are left out."""
+
+    title: str
+    lines: list[tuple[str, str | None]]
+
+
+class Listing(NamedTuple):
+    """Rows of cells under column heads."""
+
+    title: str
+    columns: tuple[str, ...]
+    rows: list[tuple[str, ...]]
+
+
+class AbstractReport(abc.ABC):
+    """Answers about one motion of one system.
+
+    Attributes:
+        kind: the system, as a spec names it.
+        trajectory: its samples.
+    """
+
+    kind: ClassVar[str]
+    trajectory: Trajectory
+
+    @property
+    @abc.abstractmethod
+    def summary(self) -> str:
+        """The motion in a sentence or two."""
+
+    @property
+    def notes(self) -> list[str]:
+        """What a reader should know beside the numbers."""
+        return []
+
+    @property
+    def shown(self) -> Trajectory:
+        """The motion as it is to be watched: all of it, or a part with samples close enough."""
+        return self.trajectory
+
+    @property
+    def frame(self) -> BodyFrame | None:
+        """The body's axes that the trajectory is along, and its mass properties."""
+        return None
+
+    @property
+    def mechanics(self) -> Mechanics | None:
+        """What energy and momentum of an attitude history of this body are made of; None where it tells no energy."""
+        return None
+
+    @abc.abstractmethod
+    def values(self) -> dict[str, Any]:
+        """Return the answers by name, SI units, arrays and numbers that are not finite included."""
+
+    @abc.abstractmethod
+    def sections(self) -> list[Section | Listing]:
+        """Return the answers worded for people."""
+
+    def as_json_dict(self) -> dict[str, Any]:
+        """Return the answers as plain lists, numbers, strings and None; undefined or infinite ones are None."""
+        ends = {"summary": self.summary, "drift": self.trajectory.drift, "notes": self.notes}
+        return plain({"system": self.kind, **self.values(), **ends})
+
+
+def plain(value: Any) -> Any:
+    """Return nested data as JSON has it; numbers that are not finite become None."""
+    if isinstance(value, dict):
+        return {key: plain(item) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [plain(item) for item in value]
+    if isinstance(value, bool | str) or value is None:
+        return value
+    if np.ndim(value):
+        return plain(np.asarray(value).tolist())
+    if isinstance(value, int | np.integer):
+        return int(value)
+    number = float(value)
+    return number if math.isfinite(number) else None

@@ -1,0 +1,229 @@
+"""The plain answers about tops: a body turning about a fixed point under its weight."""
+
+from __future__ import annotations
+
+import math
+import warnings
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from polhode import rotation
+from polhode.analysis.energy_casimir import Stability
+from polhode.analysis.mechanics import Mechanics
+from polhode.analysis.stability import stability
+from polhode.bodies.body import Body
+from polhode.bodies.frame import BodyFrame
+from polhode.bodies.surface import Surface
+from polhode.errors import InvalidInput
+from polhode.exact.lagrange_top import LagrangeMotion
+from polhode.motion.trajectory import Trajectory
+from polhode.reports.base import AbstractReport, Listing, Section
+from polhode.reports.wording import (
+    angle,
+    axes_lines,
+    distinct,
+    drifts,
+    number,
+    stability_values,
+    unit_in_words,
+    vector,
+    verdicts,
+)
+from polhode.systems.heavy_top import ALONG, HeavyTop
+
+Array = Any
+PERIODS = 10
+CONSTANT = 1e-12  # radians between the limits of a tilt below which it is constant, but for rounding of what was given
+
+
+@dataclass(frozen=True)
+class TopReport(AbstractReport):
+    """What both kinds of top have: the body about its pivot, the path of its axis, and its upright and hanging rest.
+
+    Attributes:
+        body: as given.
+        surface: what it looks like, in the given axes, or None.
+        top: moments, axis and weight at the pivot.
+        pivot: (3,) [m, given axes].
+        verdicts: on the axis upright and hanging, at the spin about it that the motion starts with.
+        free: whether the fixed point is the centre of mass.
+        warned: what the integrator had to say.
+    """
+
+    body: Body
+    surface: Surface | None
+    top: HeavyTop
+    pivot: Array
+    trajectory: Trajectory
+    verdicts: dict[str, Stability]
+    free: bool
+    warned: tuple[str, ...] = ()
+
+    @property
+    def frame(self) -> BodyFrame:
+        moments, axes = np.asarray(self.top.moments), np.asarray(self.top.axes)
+        return BodyFrame(moments, axes, self.body.center_of_mass, self.body.mass, self.pivot)
+
+    @property
+    def exact(self) -> LagrangeMotion | None:
+        """The motion in closed form, where there is one."""
+        found = self.trajectory.motion
+        return found if isinstance(found, LagrangeMotion) else None
+
+    @property
+    def constant_tilt(self) -> bool:
+        """Whether the axis goes round at constant tilt, steadily but for rounding."""
+        exact = self.exact
+        if exact is None:
+            return False
+        low, high = exact.nutation_limits
+        if exact.regime not in ("undulating", "cusp", "loop") or low is None or high is None:
+            return exact.regime == "steady"
+        return math.acos(low) - math.acos(high) < CONSTANT
+
+    @property
+    def mechanics(self) -> Mechanics:
+        weight = float(self.top.mgl) * np.asarray(self.top.axes) @ np.asarray(self.top.axis)
+        return Mechanics(self.frame.inertia, weight)
+
+    @property
+    def axis_in_space(self) -> Array:
+        """(T, 3) unit vector from the fixed point to the centre of mass."""
+        return rotation.rotate(np.asarray(self.trajectory.attitude), np.asarray(self.top.axis))
+
+    @property
+    def notes(self) -> list[str]:
+        note = "the fixed point is the centre of mass: the weight has no torque, the body is free."
+        found = [note] if self.free else []
+        return found + [str(warning) for warning in self.warned]
+
+    @property
+    def summary(self) -> str:
+        if self.free:
+            return "The fixed point is the centre of mass: the body turns freely."
+        low, high = np.degrees(np.arccos(np.clip(self.axis_in_space[:, 2].max(), -1, 1))), np.degrees(
+            np.arccos(np.clip(self.axis_in_space[:, 2].min(), -1, 1)))  # fmt: skip
+        case = "" if self.top.case is None else f" It is {self.top.case[0]}'s case, with a third integral."
+        return f"The axis to the centre of mass leans between {low:.5g}° and {high:.5g}° from the vertical.{case}"
+
+    def values(self) -> dict[str, Any]:
+        tilt = np.arccos(np.clip(self.axis_in_space[:, 2], -1.0, 1.0))
+        first = {name: np.asarray(value)[0] for name, value in self.trajectory.invariants.items()}
+        return {
+            "mass": self.frame.mass,
+            "center_of_mass": self.frame.center_of_mass,
+            "pivot": self.pivot,
+            "principal_moments": np.asarray(self.top.moments),
+            "principal_axes": np.asarray(self.top.axes),
+            "axis": np.asarray(self.top.axis),
+            "mgl": float(self.top.mgl),
+            "integrable_case": None if self.top.case is None else self.top.case[0],
+            "tilt": {"smallest": tilt.min(), "largest": tilt.max()},
+            "invariants": first,
+            "equilibria": {name: stability_values(found) for name, found in self.verdicts.items()},
+            "status": str(self.trajectory.outcome),
+            "units": UNITS | {f"invariants.{name}": unit for name, unit in self._units().items()},
+        }
+
+    def _units(self) -> dict[str, str]:
+        """Return the units of the invariants in words."""
+        return {name: unit_in_words(self.trajectory.quantity(name).unit) for name in self.trajectory.invariants}
+
+    def sections(self) -> list[Section | Listing]:
+        values = self.values()
+        body = Section("Body about the fixed point", [
+            ("mass", number(values["mass"], "kg")),
+            ("fixed point", vector(self.pivot, "m") + "  (given axes)"),
+            ("principal moments there", distinct(values["principal_moments"], "kg m²")),
+            *axes_lines(values["principal_axes"]),
+            ("centre of mass along", vector(values["axis"]) + "  (principal axes)"),
+            ("weight × distance mgl", number(values["mgl"], "N m")),
+            ("integrable case", values["integrable_case"] or "none"),
+        ])  # fmt: skip
+        standing = [verdicts("Axis to the centre of mass at rest", "position", self.verdicts)] if self.verdicts else []
+        return [body, *standing, self.motion()]
+
+    def motion(self) -> Section:
+        """Return what is said of the motion."""
+        values = self.values()
+        kept = [(name.replace("_", " "), number(float(x), self._units()[name]))
+                for name, x in values["invariants"].items()]  # fmt: skip
+        lean = values["tilt"]
+        lines = [("smallest tilt sampled", angle(lean["smallest"])), ("largest tilt sampled", angle(lean["largest"]))]
+        return Section("Motion", [*lines, *kept, ("drift", drifts(self.trajectory.drift))])
+
+
+UNITS = {
+    "mass": "kg", "center_of_mass": "m, given axes", "pivot": "m, given axes",
+    "principal_moments": "kg m², about the pivot", "principal_axes": "columns, in the given frame",
+    "axis": "direction from pivot to centre of mass, principal axes", "mgl": "N m", "tilt": "rad, of the samples",
+    "equilibria.rate": "1/s",
+}  # fmt: skip
+
+
+def top_of(body: Body, pivot: Array, gravity: float) -> tuple[HeavyTop, bool]:
+    """Return the top and whether it is free, its fixed point being the centre of mass.
+
+    Raises:
+        InvalidInput: for a body without mass.
+    """
+    if body.mass is None:
+        raise InvalidInput("`body.mass` is needed for the weight of a top; give it beside moments or inertia.")
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        top = HeavyTop.from_body(body, pivot, gravity)
+    return top, bool(caught)
+
+
+def leaned(top: HeavyTop, attitude: Array, lean: float | None) -> Array:
+    """Return the attitude (4,) of the principal axes; with ``lean`` [rad] the axis leans towards −y from upright.
+
+    Raises:
+        InvalidInput: for a top whose centre of mass is its fixed point.
+    """
+    if lean is None:
+        return attitude
+    axes = np.asarray(top.axes)
+    axis = axes @ np.asarray(top.axis)
+    upright = rotation.shortest_between(axis, (0.0, 0.0, 1.0))
+    if float(top.mgl) == 0.0:
+        raise InvalidInput("`system.lean` needs a centre of mass apart from the fixed point; leave it out.")
+    leaning = rotation.multiply(np.array([*_half_turn(lean), 0.0, 0.0]), upright)
+    return rotation.multiply(leaning, rotation.from_matrix(axes))
+
+
+def _half_turn(angle: float) -> tuple[float, float]:
+    """Return cosine and sine of half an angle from 0 to π, exact at its ends and alike at π/2."""
+    if abs(angle - 0.5 * math.pi) < 1e-15:
+        return math.sqrt(0.5), math.sqrt(0.5)
+    return (0.0, 1.0) if abs(angle - math.pi) < 1e-15 else (math.cos(0.5 * angle), math.sin(0.5 * angle))
+
+
+def rest_verdicts(top: HeavyTop, momentum: Array) -> dict[str, Stability]:
+    """Return verdicts on the axis upright and hanging; spinning where it is a principal axis, else at rest."""
+    axis = np.asarray(top.axis)
+    k = int(np.argmax(np.abs(axis)))
+    along = np.linalg.norm(np.delete(axis, k)) <= ALONG
+    spin = float(momentum[k] * axis[k] / top.moments[k]) if along else 0.0
+    if float(top.mgl) == 0.0:
+        return {}
+    words = f"at {abs(spin):.6g} rad/s" if spin else "at rest"
+    found = {"upright": stability(top, top.upright(spin)), "hanging": stability(top, top.upright(spin, hanging=True))}
+    return {f"{name}, {words}": _in_a_tops_words(verdict) for name, verdict in found.items()}
+
+
+def _in_a_tops_words(found: Stability) -> Stability:
+    """Return a verdict with the Casimirs of se(3)* and Lagrange's integral called by what they are here."""
+    text = found.certificate.replace("|P|²", "|Γ|²").replace("Π·P", "Π·Γ").replace("Lagrange's ", "")
+    return replace(found, certificate=text)
+
+
+def natural_period(top: HeavyTop, momentum: Array) -> float:
+    """Return the time of a small swing, or of a turn where there is no weight."""
+    largest = float(np.max(np.asarray(top.moments)))
+    if float(top.mgl) != 0.0:
+        return 2.0 * math.pi * math.sqrt(largest / abs(float(top.mgl)))
+    turn = float(np.linalg.norm(momentum / np.asarray(top.moments)))
+    return 2.0 * math.pi / turn if turn else 0.1

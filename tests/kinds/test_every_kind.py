@@ -1,0 +1,166 @@
+"""What holds of every kind: those in the folder, and one that another package brings."""
+
+import json
+import math
+import re
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+from polhode.errors import InvalidInput
+from polhode.figures.drawing import draw_all
+from polhode.formats.dataset import write_dataset
+from polhode.formats.dataset_reading import read_dataset
+from polhode.kinds import registry
+from polhode.kinds.page import page_of_report
+from polhode.kinds.reading import read_spec
+from polhode.kinds.registry import find_kind, kind_names
+
+OWN = tuple(registry._folders())
+OTHERS = ("spherical-pendulum",)
+KEPT = 1e-9  # drift of what is conserved or balanced: none of the examples is long
+ANY_BODY = {"body", "axis", "sphere", "poinsot"}  # panels that the page's own script makes
+pytestmark = pytest.mark.usefixtures("plugin")
+
+
+@pytest.fixture(scope="module", params=[*OWN, *OTHERS])
+def kind(request, plugin):
+    return find_kind(request.param)
+
+
+@pytest.fixture(scope="module")
+def spec(kind, tmp_path_factory):
+    path = tmp_path_factory.mktemp(kind.name) / "example.toml"
+    path.write_text(kind.example, "utf-8")
+    return read_spec(path)
+
+
+@pytest.fixture(scope="module")
+def report(spec):
+    return spec.report()
+
+
+def test_its_name(kind):
+    assert kind.name in kind_names() and re.fullmatch(r"[a-z]+(-[a-z]+)*", kind.name)
+    if kind.name in OWN:
+        assert type(kind).__module__ == f"polhode.kinds.{kind.name.replace('-', '_')}"
+
+
+def test_its_spec(kind, spec):
+    assert spec.kind is kind and isinstance(spec.system, kind.table) and spec.system.kind == kind.name
+
+
+def test_a_wrong_key_is_named(kind, spec, tmp_path):
+    path = tmp_path / "wrong.toml"
+    path.write_text(kind.example.replace("[system]\n", "[system]\nnonsense = 1\n"), "utf-8")
+    with pytest.raises(InvalidInput, match=r"system\.nonsense: unknown key; known here are kind"):
+        read_spec(path)
+
+
+def test_its_words(report, kind):
+    said = [report.summary, *report.notes]
+    for part in report.sections():
+        said.append(part.title)
+        said += [str(cell) for row in getattr(part, "lines", None) or part.rows for cell in row if cell is not None]
+    assert report.kind == kind.name and report.summary.endswith(".")
+    assert not [words for words in said if re.search(r"\b(nan|inf|None)\b", words)]
+
+
+def test_its_json(report, kind):
+    values = json.loads(json.dumps(report.as_json_dict(), allow_nan=False))
+    assert values["system"] == kind.name and values["units"]
+    paths = set(_paths({key: value for key, value in values.items() if key != "units"}))
+    assert not {name for name in values["units"] if not any(path.startswith(name) for path in paths)}
+
+
+def _paths(values, prefix=""):
+    """Yield the names of nested values with dots between; those of a list are named once."""
+    for key, value in values.items():
+        yield f"{prefix}{key}"
+        inner = value[0] if isinstance(value, list) and value and isinstance(value[0], dict) else value
+        if isinstance(inner, dict):
+            yield from _paths(inner, f"{prefix}{key}.")
+
+
+def test_what_it_conserves(report):
+    trajectory = report.trajectory
+    assert trajectory.drift and max(float(np.max(x)) for x in trajectory.drift.values()) < KEPT
+    assert all(name in trajectory.invariants or name in trajectory.balances for name in trajectory.drift)
+    assert len(trajectory.layout.parts) and len(repr(trajectory).splitlines()) <= 20
+
+
+def test_its_figures(kind, report, tmp_path):
+    assert tuple(kind.figures()) == kind.figure_names
+    written = draw_all(report, kind.figures(), tmp_path)
+    assert written and {path.stem for path in written} <= set(kind.figure_names)
+    assert all(path.read_bytes().startswith(b"\x89PNG") for path in written)
+    with pytest.raises(InvalidInput, match="must be one of"):
+        kind.draw(report, "nonsense")
+
+
+def test_its_files(report, tmp_path):
+    found = read_dataset(write_dataset(report.trajectory, tmp_path / "motion.nc", frame=report.frame))
+    wanted = report.trajectory
+    assert np.array_equal(found.times, wanted.times) and found.outcome == wanted.outcome
+    for part in found.layout.parts:
+        assert np.array_equal(found.part(part.name), wanted.part(part.name)), part.name
+    for name in wanted.invariants | wanted.balances:
+        assert found.quantity(name).unit == wanted.quantity(name).unit
+
+
+def test_its_page(kind, spec, report, tmp_path):
+    page = page_of_report(report, tmp_path / "page.html", name=spec.name, surface=spec.surface).read_text("utf-8")
+    data = json.loads(re.search(r'id="motion">(.*?)</script>', page, re.DOTALL)[1])
+    types = {panel["type"] for panel in data["panels"]}
+    made = set(re.findall(r"polhodePanels \?\?= \{\}\)\.(\w+) =", page))
+    assert types and types <= ANY_BODY | made
+    assert data["name"] == spec.name and data["summary"]
+
+
+def test_importing_the_registry_imports_no_kind():
+    code = (
+        "import sys, polhode.kinds.registry as r; names = r.kind_names();"
+        "print([m for m in sys.modules if m.startswith('polhode.kinds.') and '.' in m[14:]], len(names),"
+        " [m for m in ('jax', 'matplotlib', 'xarray') if m in sys.modules])"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=120)
+    assert done.stdout.split("] ")[0] == "[" and done.stdout.endswith(f"{len(OWN)} []\n"), done.stdout
+
+
+def test_a_kind_that_cannot_be_imported_is_named(monkeypatch):
+    class Broken:
+        name, value = "broken", "broken_package:KIND"
+
+        def load(self):
+            raise ImportError("no such thing")
+
+    monkeypatch.setattr(registry, "_others", lambda: {"broken": Broken()})
+    with pytest.raises(InvalidInput, match=r"broken.*broken_package:KIND.*no such thing"):
+        find_kind("broken")
+    monkeypatch.setattr(Broken, "load", lambda self: object())
+    with pytest.raises(InvalidInput, match="is not an AbstractKind"):
+        find_kind("broken")
+
+
+# ---------------------------------------------------------------------- the pendulum of the other package
+
+
+def test_the_pendulum_by_its_command(plugin, tmp_path):
+    """A conical pendulum, ω² = g/(l cos θ), keeps its height."""
+    rate = math.sqrt(9.80665 / math.cos(math.radians(40.0)))
+    text = find_kind("spherical-pendulum").example.replace("2 rad/s", f"{rate!r} rad/s")
+    (tmp_path / "cone.toml").write_text(text, "utf-8")
+    code = f"import sys; sys.path.insert(0, {str(plugin)!r}); from polhode.cli.main import main; main()"
+    done = subprocess.run([sys.executable, "-c", code, "report", "cone.toml", "--json"], cwd=tmp_path, timeout=240,
+                          capture_output=True, text=True, check=True)  # fmt: skip
+    values = json.loads(done.stdout)
+    assert values["highest"] - values["lowest"] < 1e-9 and values["files"][0].endswith("path.png")
+    assert abs(values["highest"] + math.cos(math.radians(40.0))) < 1e-9
+
+
+def test_the_pendulum_s_own_rule(tmp_path):
+    (tmp_path / "still.toml").write_text('[system]\nkind = "spherical-pendulum"\nlength = "1 m"\n', "utf-8")
+    with pytest.raises(InvalidInput, match=r"system: needs lean, like"):
+        read_spec(tmp_path / "still.toml")

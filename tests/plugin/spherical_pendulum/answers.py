@@ -1,0 +1,66 @@
+"""The plain answers about a spherical pendulum."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+import jax.numpy as jnp
+import numpy as np
+
+from polhode.kinds.base import Spec
+from polhode.motion.trajectory import Trajectory
+from polhode.reports.base import AbstractReport, Listing, Section
+from polhode.reports.wording import drifts, number
+from polhode.simulation import simulate
+from spherical_pendulum.system import SphericalPendulum
+from spherical_pendulum.table import PendulumTable
+
+SWINGS = 10
+UNITS = {"length": "m", "small_period": "s", "highest": "m, from the pivot", "lowest": "m, from the pivot"}
+
+
+@dataclass(frozen=True)
+class PendulumReport(AbstractReport):
+    """One motion of a spherical pendulum."""
+
+    kind: ClassVar[str] = "spherical-pendulum"
+    system: SphericalPendulum
+    trajectory: Trajectory
+
+    @property
+    def small_period(self) -> float:
+        """2π √(l/g) [s]."""
+        return 2.0 * math.pi * math.sqrt(float(self.system.length / self.system.gravity))
+
+    @property
+    def summary(self) -> str:
+        return f"The mass swings between {self.values()['lowest']:.5g} m and {self.values()['highest']:.5g} m."
+
+    def values(self) -> dict[str, Any]:
+        height = np.asarray(self.trajectory.part("z"))
+        return {
+            "length": float(self.system.length), "small_period": self.small_period,
+            "highest": height.max(), "lowest": height.min(), "units": UNITS,
+        }  # fmt: skip
+
+    def sections(self) -> list[Section | Listing]:
+        lines = [
+            ("rod", number(float(self.system.length), "m")),
+            ("period of small swings", number(self.small_period, "s")),
+            ("drift", drifts(self.trajectory.drift)),
+        ]
+        return [Section("Pendulum", lines)]
+
+
+def report_of(spec: Spec) -> PendulumReport:
+    """Return the report on a spherical pendulum."""
+    table = spec.system
+    assert isinstance(table, PendulumTable)
+    system = SphericalPendulum(jnp.asarray(table.length), jnp.asarray(table.gravity))
+    x, z = table.length * math.sin(table.lean), -table.length * math.cos(table.lean)
+    start = np.array([x, 0.0, z, 0.0, table.rate * x, 0.0])
+    found = PendulumReport(system, simulate(system, start, [0.0, 1e-3], estimate_error=False))
+    times = np.linspace(0.0, SWINGS * found.small_period, spec.samples) if spec.times is None else spec.times
+    return PendulumReport(system, simulate(system, start, times, estimate_error=False))

@@ -1,0 +1,23 @@
+"""The figures of a spherical pendulum."""
+
+from __future__ import annotations
+
+from matplotlib.figure import Figure
+
+from polhode.figures import style
+from spherical_pendulum.answers import PendulumReport
+
+
+def draw_path(report: PendulumReport) -> Figure:
+    """Return the path of the mass from above."""
+    figure = style.new_figure()
+    axes = figure.add_subplot()
+    axes.plot(report.trajectory.part("x"), report.trajectory.part("y"), color=style.BLUE, lw=0.9)
+    axes.set_aspect("equal", adjustable="datalim")
+    axes.set_xlabel("x  [m]")
+    axes.set_ylabel("y  [m]")
+    style.tidy(axes)
+    return figure
+
+
+FIGURES = {"path": draw_path}

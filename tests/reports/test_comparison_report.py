@@ -1,0 +1,30 @@
+"""What a comparison says where there is next to nothing to say."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from polhode import FreeMotion, rotation
+from polhode.analysis.comparison import AttitudeHistory, compare
+from polhode.reports.comparison import ComparisonReport
+
+MOTION = FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5))
+TIMES = np.linspace(0.0, 10.0, 50)
+HISTORY = AttitudeHistory("samples", TIMES, MOTION.attitude(TIMES))
+
+
+def lines(turn):
+    turned = rotation.multiply(rotation.from_rotation_vector((0.0, 0.0, turn)), HISTORY.attitude)
+    report = ComparisonReport(compare(replace(HISTORY, attitude=turned), HISTORY), "")
+    return dict(next(section for section in report.sections() if section.title == "Angle between them").lines), report
+
+
+def test_digits_of_rounding_are_not_shown():
+    still, report = lines(0.0)
+    assert set(still.values()) <= {"0", "less than 1e-16 rad", None} and "to rounding" in report.summary
+    tiny, report = lines(1e-18)
+    assert "e-18" not in " ".join(filter(None, tiny.values())) and "1.0e-16 rad: to rounding" in report.summary
+    seen, report = lines(1e-9)
+    assert (seen["largest"] or "").startswith("1.0000") and seen["growth, best line"] is not None
+    assert "Best fit" in report.sections()[2].title
+    assert all("Best fit" not in section.title for section in lines(1e-13)[1].sections())
