@@ -41,7 +41,7 @@ def pytest_unconfigure(config):
 def pytest_collection_modifyitems(items):
     """Give every test a time limit: one that stands still fails instead of stopping the run."""
     for item in items:
-        slow = item.get_closest_marker("sweep") or item.get_closest_marker("long")
+        slow = item.get_closest_marker("sweep")
         in_browser = item.get_closest_marker("browser")
         limit = MAX_SECONDS_OF_A_SWEEP if slow else MAX_SECONDS_IN_A_BROWSER if in_browser else MAX_SECONDS
         if item.get_closest_marker("timeout") is None:

@@ -43,6 +43,7 @@ from .bodies import shapes as shapes
 from .bodies.atoms import from_atoms as from_atoms
 from .bodies.body import Body as Body
 from .bodies.body import combine as combine
+from .bodies.frame import BodyFrame as BodyFrame
 from .bodies.mesh import from_mesh as from_mesh
 from .bodies.points import from_points as from_points
 from .errors import FormatError as FormatError

@@ -235,7 +235,7 @@ def specimens(folder: Path, names: list[str]) -> dict[str, Specimen]:
 
     folder.mkdir()
     motion = MOTION.sample(np.linspace(0.0, 5.0, 20))
-    frame = formats.BodyFrame.of(ph.shapes.box(2.0, (1.0, 2.0, 3.0)))
+    frame = ph.BodyFrame.of(ph.shapes.box(2.0, (1.0, 2.0, 3.0)))
     box = trimesh.creation.box((1.0, 2.0, 3.0))
     for name, options in {"a.stl": {}, "ascii.stl": {"file_type": "stl_ascii"}, "a.obj": {}, "a.ply": {},
                           "ascii.ply": {"encoding": "ascii"}, "a.off": {}, "a.glb": {}}.items():  # fmt: skip

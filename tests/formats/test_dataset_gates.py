@@ -16,8 +16,9 @@ import xarray as xr
 
 import polhode as ph
 from polhode import formats
+from polhode.bodies.frame import BodyFrame
 from polhode.errors import FormatError, InvalidInput
-from polhode.formats import AttitudeLabels, BodyFrame
+from polhode.formats import AttitudeLabels
 
 MOTION = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 0.4, 0.5))
 TIMES = np.linspace(0.0, 5.0, 20)

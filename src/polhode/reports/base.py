@@ -76,7 +76,10 @@ class AbstractReport(abc.ABC):
 
     def as_json_dict(self) -> dict[str, Any]:
         """Return the answers as plain lists, numbers, strings and None; undefined or infinite ones are None."""
-        ends = {"summary": self.summary, "drift": self.trajectory.drift, "notes": self.notes}
+        ends = {
+            "summary": self.summary, "drift": self.trajectory.drift,
+            "state_error_estimate": self.trajectory.error_estimate, "notes": self.notes,
+        }  # fmt: skip
         return plain({"system": self.kind, **self.values(), **ends})
 
 

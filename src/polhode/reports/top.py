@@ -21,10 +21,10 @@ from polhode.exact.lagrange_top import LagrangeMotion
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.base import AbstractReport, Listing, Section
 from polhode.reports.wording import (
+    accuracy_lines,
     angle,
     axes_lines,
     distinct,
-    drifts,
     number,
     stability_values,
     unit_in_words,
@@ -152,7 +152,7 @@ class TopReport(AbstractReport):
                 for name, x in values["invariants"].items()]  # fmt: skip
         lean = values["tilt"]
         lines = [("smallest tilt sampled", angle(lean["smallest"])), ("largest tilt sampled", angle(lean["largest"]))]
-        return Section("Motion", [*lines, *kept, ("drift", drifts(self.trajectory.drift))])
+        return Section("Motion", [*lines, *kept, *accuracy_lines(self.trajectory)])
 
 
 UNITS = {

@@ -6,8 +6,11 @@ import math
 import re
 from typing import Any
 
+import numpy as np
+
 from polhode.analysis.energy_casimir import Stability
 from polhode.bodies.body import Body
+from polhode.motion.trajectory import Trajectory
 from polhode.reports.base import Listing, Section
 
 Array = Any
@@ -64,6 +67,15 @@ def distinct(values: Any, unit: str = "") -> str:
 def drifts(values: dict[str, Any]) -> str:
     """Return drifts by name."""
     return ", ".join(f"{name.replace('_', ' ')} {float(x):.1e}" for name, x in values.items())
+
+
+def accuracy_lines(trajectory: Trajectory, words: str = "drift") -> list[tuple[str, str | None]]:
+    """Return how well the motion keeps what it should, and how far its states may be from the true ones."""
+    error = trajectory.error_estimate
+    return [
+        (words, drifts(trajectory.drift)),
+        ("state error estimate, relative", None if error is None or not np.isfinite(error) else f"{float(error):.1e}"),
+    ]
 
 
 def body_section(body: Body) -> Section:

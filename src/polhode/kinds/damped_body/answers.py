@@ -22,10 +22,10 @@ from polhode.motion.trajectory import Trajectory
 from polhode.reports.base import AbstractReport, Listing, Section
 from polhode.reports.length import ADAPTIVE, ORBITING, TURNING, check_length
 from polhode.reports.wording import (
+    accuracy_lines,
     angle,
     body_section,
     body_summary,
-    drifts,
     number,
     stability_values,
     vector,
@@ -193,7 +193,7 @@ class DampedBodyReport(AbstractReport):
             ("L to the major axis at the start", angle(float(start["angle_to_major_axis"]))),
             ("L to the major axis at the end", angle(float(end["angle_to_major_axis"]))),
             (f"time constant {word}", number(values["time_constant"], "s")),
-            ("drift of what is kept or balanced", drifts(self.trajectory.drift)),
+            *accuracy_lines(self.trajectory, "drift of what is kept or balanced"),
         ]
         parts: list[Section | Listing] = [body_section(self.body), losses]
         return [*parts, *([listing] if rows else []), Section("Motion", lines)]

@@ -17,7 +17,7 @@ from polhode.kinds.euler_disk.table import EulerDiskTable
 from polhode.motion.outcome import Outcome
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.base import AbstractReport, Listing, Section
-from polhode.reports.wording import angle, drifts, number, rate, stability_values, verdicts
+from polhode.reports.wording import accuracy_lines, angle, number, rate, stability_values, verdicts
 from polhode.systems.euler_disk import LAYOUT, EulerDisk
 
 Array = Any
@@ -315,7 +315,7 @@ class EulerDiskReport(AbstractReport):
             ("turns of the contact", number(self.turns)),
             ("energy at the end", f"{last:.8g} J" + (f" = {last / first:.4g} of the start's" if self.laws else "")),
             ("lowest normal force", force),
-            (kept, drifts(self.trajectory.drift)),
+            *accuracy_lines(self.trajectory, kept),
         ])  # fmt: skip
 
 

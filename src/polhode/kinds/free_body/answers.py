@@ -20,7 +20,15 @@ from polhode.exact.free_body import FreeMotion
 from polhode.kinds.base import Spec
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.base import AbstractReport, Listing, Section
-from polhode.reports.wording import angle, body_section, body_summary, drifts, number, stability_values, verdicts
+from polhode.reports.wording import (
+    accuracy_lines,
+    angle,
+    body_section,
+    body_summary,
+    number,
+    stability_values,
+    verdicts,
+)
 
 Array = Any
 SAMPLES = 2000
@@ -133,7 +141,7 @@ class FreeBodyReport(AbstractReport):
             ("tumbling periods P_φ, P_ψ", ", ".join(f"{x:.8g} s" for x in tumbling) or None),
             ("long-axis period P₁", number(motion.long_axis_period, "s")),
             ("herpolhode radii", radii),
-            ("drift", drifts(self.trajectory.drift)),
+            *accuracy_lines(self.trajectory),
         ]
         stable = {str(k + 1): found for k, found in enumerate(self.stability)}
         axes = verdicts("Rotation about each principal axis, at this |L|", "axis", stable)

@@ -21,11 +21,11 @@ from polhode.motion.trajectory import Trajectory
 from polhode.reports.base import AbstractReport, Listing, Section
 from polhode.reports.length import ADAPTIVE, SPLITTING, TURNING, check_length, equal_steps
 from polhode.reports.wording import (
+    accuracy_lines,
     angle,
     axes_lines,
     body_section,
     distinct,
-    drifts,
     number,
     rate,
     stability_values,
@@ -246,7 +246,7 @@ class GyrostatReport(AbstractReport):
             ("rotor against the body at the end", rate(float(final["rotor_rate"]))),
             ("energy of the carrier at the end", number(float(final["energy"]), "J") if self.motor else None),
             ("work of the motor", number(self.motor_work, "J")),
-            ("drift", drifts(self.trajectory.drift)),
+            *accuracy_lines(self.trajectory),
         ]
         parts: list[Section | Listing] = [body_section(self.body), about_rotor]
         return [*parts, *([listing] if rows else []), Section("Motion", lines)]

@@ -16,7 +16,7 @@ from polhode.kinds.lagrange_top.build import axis_third
 from polhode.kinds.lagrange_top.table import LagrangeTopTable
 from polhode.reports.base import Section
 from polhode.reports.top import TopReport, leaned, natural_period, rest_verdicts, top_of
-from polhode.reports.wording import angle, drifts, number, rate
+from polhode.reports.wording import accuracy_lines, angle, number, rate
 
 PERIODS = 10
 
@@ -102,7 +102,7 @@ class LagrangeTopReport(TopReport):
             ("energy", number(values["energy"], "J")),
             ("vertical momentum", number(self._exact.vertical_momentum, "kg m²/s")),
             ("axial momentum", number(self._exact.axial_momentum, "kg m²/s")),
-            ("drift", drifts(self.trajectory.drift)),
+            *accuracy_lines(self.trajectory),
         ])  # fmt: skip
 
 

@@ -20,7 +20,7 @@ from polhode.kinds.spin_orbit.table import SpinOrbitTable
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.base import AbstractReport, Listing, Section
 from polhode.reports.length import ADAPTIVE, ORBITING, check_length
-from polhode.reports.wording import body_section, drifts, number
+from polhode.reports.wording import accuracy_lines, body_section, number
 from polhode.simulation import simulate
 from polhode.systems.kepler_orbit import KeplerOrbit
 from polhode.systems.spin_orbit import SpinOrbit
@@ -176,7 +176,7 @@ class SpinOrbitReport(AbstractReport):
             ("predictable for about", _duration(values["predictable_time"])),
             ("libration", kept or "none"),
             ("mean rotation", f"{values['mean_rate']:.{digits}g} rad/s = {values['mean_spin_ratio']:.{digits}g} n"),
-            ("drift", drifts(self.trajectory.drift)),
+            *accuracy_lines(self.trajectory),
         ])  # fmt: skip
 
     @property
