@@ -71,17 +71,8 @@ def test_its_words(report, kind):
 def test_its_json(report, kind):
     values = json.loads(json.dumps(report.as_json_dict(), allow_nan=False))
     assert values["system"] == kind.name and values["units"]
-    paths = set(_paths({key: value for key, value in values.items() if key != "units"}))
-    assert not {name for name in values["units"] if not any(path.startswith(name) for path in paths)}
-
-
-def _paths(values, prefix=""):
-    """Yield the names of nested values with dots between; those of a list are named once."""
-    for key, value in values.items():
-        yield f"{prefix}{key}"
-        inner = value[0] if isinstance(value, list) and value and isinstance(value[0], dict) else value
-        if isinstance(inner, dict):
-            yield from _paths(inner, f"{prefix}{key}.")
+    # what lies deeper may be absent from one motion, such as the end of one that does not end
+    assert {name.partition(".")[0] for name in values["units"]} <= values.keys()
 
 
 def test_what_it_conserves(report):
