@@ -12,16 +12,12 @@ from polhode.formats.given_axes import along_principal_axes
 from polhode.motion.base import AbstractMotion
 from polhode.motion.layout import StateLayout
 from polhode.motion.trajectory import Trajectory
+from polhode.reports.wording import unit_in_words
 
 Array = Any
 MOST = 4000  # samples on a page, about 0.4 MB
 FINE, COARSE = 0.05, 0.25  # rad the body turns from sample to sample: wanted, and at most, of motions known exactly
 JOINED = 0.5 * np.pi  # rad up to which the motion between two samples is clear
-ENERGIES = {
-    "energy": ("energy", "J"),
-    "kinetic_energy": ("kinetic energy", "J"),
-    "energy_per_moment": ("energy per moment", "rad²/s²"),
-}
 
 
 @dataclass(frozen=True)
@@ -117,8 +113,8 @@ def _thinned(trajectory: Trajectory) -> Samples:
 
 def _plain(trajectory: Trajectory) -> Samples:
     values = trajectory.invariants | trajectory.balances
-    name = next((key for key in ENERGIES if key in values), None)
-    words, unit = ENERGIES.get(name or "", ("energy", "J"))
+    name = next((key for key in values if "energy" in key), None)
+    unit = "J" if name is None else unit_in_words(trajectory.quantity(name).unit)
 
     def array(values: Array | None) -> Array | None:
         return None if values is None else np.asarray(values, dtype=float)
@@ -126,7 +122,7 @@ def _plain(trajectory: Trajectory) -> Samples:
     found = Samples(
         np.asarray(trajectory.times, dtype=float), np.asarray(trajectory.states),
         array(trajectory.attitude), array(trajectory.momentum), array(trajectory.angular_velocity),
-        None if name is None else array(values[name]), words, unit,
+        None if name is None else array(values[name]), (name or "energy").replace("_", " "), unit,
     )  # fmt: skip
     return _take(found, slice(None, None, -1)) if found.times[-1] < found.times[0] else found
 
