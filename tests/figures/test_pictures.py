@@ -172,7 +172,7 @@ def test_the_cones_of_steady_precession(precessing):
 
 def test_a_tilt_constant_to_rounding_is_steady_in_words_and_pictures(precessing):
     values = precessing.as_json_dict()
-    assert values["regime"] == "undulating" and precessing.even
+    assert values["regime"] == "undulating" and precessing.constant_tilt
     assert "precesses steadily" in precessing.summary and "nutates" not in precessing.summary
     assert f"{values['precession_rate']:.6g} rad/s" in precessing.summary
     figure = draw_axis_locus(precessing)
@@ -184,7 +184,7 @@ def test_a_tilt_constant_to_rounding_is_steady_in_words_and_pictures(precessing)
     assert low == pytest.approx(29.5) and high == pytest.approx(30.5)
     assert not any(axis.get_offset_text().get_text() for axes in figure.axes for axis in (axes.xaxis, axes.yaxis))
     nodding = read_spec(EXAMPLES / "top.toml").report()
-    assert not nodding.even and "nutates" in nodding.summary
+    assert not nodding.constant_tilt and "nutates" in nodding.summary
 
 
 def test_a_nodding_top_stays_between_two_cones():

@@ -23,7 +23,7 @@ class Trajectory:
 
     Attributes:
         times: (T,) [s].
-        states: packed states (batch…, T, *own axes), as ``layout`` says.
+        states: packed states (batch…, T, …), as ``layout`` says.
         layout: which numbers of a state mean what.
         attitude: (batch…, T, 4) unit quaternions wxyz, body → space; None where meaningless.
         momentum: (batch…, T, 3) [kg m²/s, body axes]; None where meaningless.
