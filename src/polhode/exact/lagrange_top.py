@@ -155,7 +155,7 @@ class LagrangeMotion(AbstractMotion):
 
     @cached_unless_traced
     def _numbers(self) -> top_geometry.TopCharacteristics:
-        return top_evaluation.top_numbers(self._arguments)
+        return top_evaluation.top_numbers(self._columns, self._arguments)
 
     @property
     def energy(self) -> Any:

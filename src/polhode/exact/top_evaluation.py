@@ -9,6 +9,7 @@ import numpy as np
 from polhode.arrays import compiled, custom_derivative, is_jax, namespace, stack_last, stop_gradient
 from polhode.exact import top_geometry
 from polhode.exact.blocks import columns_in_blocks, state_in_blocks
+from polhode.exact.top_geometry_tangent import changed_numbers
 from polhode.exact.top_preparation import prepare_top
 from polhode.exact.top_series import ENTRIES, evaluate
 from polhode.exact.top_tangent import TangentData, tangent_data, top_tangent
@@ -30,13 +31,25 @@ def _columns_of_tops(*arguments: Array) -> tuple[Array, ...]:
     return (*prepared.motion, *tangent_data(prepared)) if is_jax(*arguments) else prepared.motion
 
 
-def top_numbers(arguments: Arguments) -> top_geometry.TopCharacteristics:
+def top_numbers(columns: tuple[Array, ...], arguments: Arguments) -> top_geometry.TopCharacteristics:
     """Return the numbers of the motion."""
     xp = namespace(*arguments)
     shape = np.broadcast_shapes(*(v.shape[:-1] for v in arguments))
-    spread = [xp.broadcast_to(v, (*shape, v.shape[-1])) for v in arguments]
-    with np.errstate(all="ignore"):
-        return top_geometry.top_characteristics(*spread)
+    spread = tuple(xp.broadcast_to(v, (*shape, v.shape[-1])) for v in arguments)
+    if not is_jax(*arguments):
+        with np.errstate(all="ignore"):
+            return top_geometry.top_characteristics(*spread)
+    regime, *numbers = top_geometry.top_characteristics(*stop_gradient(spread))
+    differentiable = custom_derivative(lambda values, *_: values, _numbers_rule)
+    numbers = differentiable(tuple(numbers), stop_gradient(columns[ENTRIES:]), *spread)
+    return top_geometry.TopCharacteristics(regime, *numbers)
+
+
+def _numbers_rule(primals: tuple[Any, ...], tangents: tuple[Any, ...]) -> tuple[Any, Any]:
+    """The values are constants here: what they change by comes from the columns and the changes of the arguments."""
+    values, columns = primals[:2]
+    data = TangentData(*(namespace(v).broadcast_to(v, values[0].shape) for v in columns))
+    return values, changed_numbers(data, values, tangents[2:])
 
 
 def top_state(columns: tuple[Array, ...], arguments: Arguments, elapsed: Array, rest: Array) -> tuple[Array, Array]:

@@ -72,6 +72,28 @@ def _gap(m: Array) -> Array:
     return 0.19634954084936207 * total  # π/16
 
 
+class NutationChange(NamedTuple):
+    """A nutation's period by τ and what changes of the invariants change."""
+
+    period: Array  # T
+    period_change: Array
+    twist: Array  # ½(δJ_a − T δa): δθ_α = ½ a δT − twist
+    turn: Array  # −δJ_c = δ(θ_α + θ_β)
+
+
+def change_of_nutation(top: Nutation, change: Invariants) -> NutationChange:
+    """Return the period, and what it and the phases change by."""
+    (I0, I1, I2, I3), period = moments_of_nutation(top)
+    G, a, c, energy = top[:4]
+    e_c, e_a = 0.5 * (c * I0 + a * I1), 0.5 * (c * I1 + a * I2)
+    de, dc, da, dG = change
+    dT = 2.0 * (0.25 * (I2 - 2.0 * I1) * de + e_c * dc + e_a * da + 0.25 * (I3 - 2.0 * I2) * dG)
+    mixed = energy * I1 + G * I2
+    dJc = e_c * de - (energy * I0 + G * I1) * dc - mixed * da + e_a * dG
+    dJa = e_a * de - mixed * dc - (energy * I2 + G * I3) * da + 0.5 * (c * I2 + a * I3) * dG
+    return NutationChange(period, dT, 0.5 * (dJa - period * da), -dJc)
+
+
 def added_by_nutation(
     top: Nutation, start: tuple[Array, Array, Array], change: Invariants
 ) -> tuple[Array, Array, Array]:
@@ -84,19 +106,11 @@ def added_by_nutation(
         start: α, β and w, complex.
         change: of the invariants.
     """
-    (I0, I1, I2, I3), period = moments_of_nutation(top)
-    G, a, c, energy = top[:4]
-    e_c, e_a = 0.5 * (c * I0 + a * I1), 0.5 * (c * I1 + a * I2)
-    de, dc, da, dG = change
-    dT = 2.0 * (0.25 * (I2 - 2.0 * I1) * de + e_c * dc + e_a * da + 0.25 * (I3 - 2.0 * I2) * dG)
-    mixed = energy * I1 + G * I2
-    dJc = e_c * de - (energy * I0 + G * I1) * dc - mixed * da + e_a * dG
-    dJa = e_a * de - mixed * dc - (energy * I2 + G * I3) * da + 0.5 * (c * I2 + a * I3) * dG
+    period, dT, twist, turn = change_of_nutation(top, change)
     alpha, beta, w = start
-    turned = 0.5 * (dJa - period * da)
     conj = namespace(period).conj
     return (
-        0.5 * conj(w) * beta * dT - 1j * alpha * turned,
-        -0.5 * w * alpha * dT + 1j * beta * (turned - dJc),
-        -G * conj(alpha) * beta * dT + 1j * w * (2.0 * turned - dJc - a * dT),
+        0.5 * conj(w) * beta * dT - 1j * alpha * twist,
+        -0.5 * w * alpha * dT + 1j * beta * (twist + turn),
+        -top.G * conj(alpha) * beta * dT + 1j * w * (2.0 * twist + turn - top.a * dT),
     )

@@ -67,6 +67,10 @@ class TangentData(NamedTuple):
     momentum_scale: Array
     rate_scale: Array
 
+    @property
+    def whole_nutation(self) -> Nutation:
+        return Nutation(self.G, self.L3, self.c, self.energy, self.s2, self.d, self.A, self.B)
+
 
 class _Course(NamedTuple):
     """How the motion is cut up: whole nutations, one flow, and standing."""
@@ -117,9 +121,9 @@ def top_tangent(
     *entries, attitude, momentum, time = first_order_only((*top, *state, time), "LagrangeMotion")
     top = TangentData(*entries)
     G, a = top.G, top.L3
-    start, change, (dG, da, dI1, dI3) = _scaled(xp, top, changes)
+    start, change, (dG, da, dI1, dI3) = scaled_changes(xp, top, changes)
     course = _course(xp, top, time)
-    invariants = _invariants(xp, top, start, change, dG, da)
+    invariants = changed_invariants(xp, top, start, change, dG, da)
     parts = tuple(f(v) for v in start for f in (xp.real, xp.imag))
     later, columns = derivative_columns(lambda *s: flow(s, course.rest, top.D, top.tilt), (*parts, G, a))
     moved = _applied(columns, (*(f(v) for v in change for f in (xp.real, xp.imag)), dG, da))
@@ -128,14 +132,13 @@ def top_tangent(
     moved = tuple(xp.where(endless, x, y) for x, y in zip(stood, moved, strict=True))
     now = _spherical(xp, top, attitude, momentum)
     # where the motion is now, as a flow from the start would lose what is large along it
-    nutation = Nutation(G, a, top.c, top.energy, top.s2, top.d, top.A, top.B)
-    added = added_by_nutation(nutation, now, invariants)
+    added = added_by_nutation(top.whole_nutation, now, invariants)
     added = tuple(xp.where(course.count == 0.0, 0.0, course.count * x) for x in added)
     times = (time, changes[4], dI1, dI3)
     return _assembled(xp, top, now, (moved, added), da, times, course.phases)
 
 
-def _scaled(xp: Any, top: TangentData, changes: tuple[Array, ...]) -> tuple[Vector, Vector, tuple[Array, ...]]:
+def scaled_changes(xp: Any, top: TangentData, changes: tuple[Array, ...]) -> tuple[Vector, Vector, tuple[Array, ...]]:
     """Return (α, β, w), its change, and those of G, a, I1 and I3, in the units of the reduction."""
     d_moments, d_mgl, d_momentum, d_attitude = changes[:4]
     sense = xp.where(top.reversed, -1.0, 1.0)
@@ -155,7 +158,7 @@ def _scaled(xp: Any, top: TangentData, changes: tuple[Array, ...]) -> tuple[Vect
     return start, (dq[0] + 1j * dq[3], dq[1] + 1j * dq[2], dL1 + 1j * dL2), (dG, dL3, dI1, dI3)
 
 
-def _invariants(xp: Any, top: TangentData, start: Vector, change: Vector, dG: Array, da: Array) -> Invariants:
+def changed_invariants(xp: Any, top: TangentData, start: Vector, change: Vector, dG: Array, da: Array) -> Invariants:
     """Return the changes of ε = |w|² − G s, c = 2 Im β̄αw − a s, a and G."""
     alpha, beta, w = start
     d_alpha, d_beta, d_w = change
