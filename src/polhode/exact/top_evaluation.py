@@ -16,19 +16,22 @@ from polhode.exact.top_tangent import TangentData, tangent_data, top_tangent
 
 Array = Any
 Arguments = tuple[Array, Array, Array, Array]
+NUMBERS = ENTRIES + len(TangentData._fields)  # where they begin among the columns
 
 
 def top_columns(arguments: Arguments) -> tuple[Array, ...]:
     """Return the constants of motion of moments (…, 3), mgl (…, 1), momentum (…, 3), attitude (…, 4) as columns.
 
-    On JAX what the derivative needs follows what evaluation needs.
+    On JAX what the derivative needs follows what evaluation needs, and then the numbers of the motion.
     """
     return columns_in_blocks(_columns_of_tops, arguments)
 
 
 def _columns_of_tops(*arguments: Array) -> tuple[Array, ...]:
     prepared = prepare_top(*arguments)
-    return (*prepared.motion, *tangent_data(prepared)) if is_jax(*arguments) else prepared.motion
+    if not is_jax(*arguments):
+        return prepared.motion
+    return (*prepared.motion, *tangent_data(prepared), *top_geometry.characteristics_of(*prepared[1:]))
 
 
 def top_numbers(columns: tuple[Array, ...], arguments: Arguments) -> top_geometry.TopCharacteristics:
@@ -39,9 +42,10 @@ def top_numbers(columns: tuple[Array, ...], arguments: Arguments) -> top_geometr
     if not is_jax(*arguments):
         with np.errstate(all="ignore"):
             return top_geometry.top_characteristics(*spread)
-    regime, *numbers = top_geometry.top_characteristics(*stop_gradient(spread))
+    columns = stop_gradient(_with_derivative(columns, arguments))
+    regime, *numbers = columns[NUMBERS:]
     differentiable = custom_derivative(lambda values, *_: values, _numbers_rule)
-    numbers = differentiable(tuple(numbers), stop_gradient(columns[ENTRIES:]), *spread)
+    numbers = differentiable(tuple(numbers), columns[ENTRIES:NUMBERS], *spread)
     return top_geometry.TopCharacteristics(regime, *numbers)
 
 
@@ -63,7 +67,12 @@ def _differentiable_state(
     columns: tuple[Array, ...], arguments: Arguments, elapsed: Array, rest: Array
 ) -> tuple[Array, Array]:
     flow = custom_derivative(_stacked, _stacked_rule)
-    return flow(*arguments, elapsed, rest, stop_gradient(columns))
+    return flow(*arguments, elapsed, rest, stop_gradient(_with_derivative(columns, arguments)))
+
+
+def _with_derivative(columns: tuple[Array, ...], arguments: Arguments) -> tuple[Array, ...]:
+    """Return the columns as they are on JAX; those of a motion made on NumPy lack what the derivative needs."""
+    return columns if len(columns) > ENTRIES else top_columns(arguments)
 
 
 def _stacked(
@@ -81,6 +90,6 @@ def _stacked_rule(primals: tuple[Any, ...], tangents: tuple[Any, ...]) -> tuple[
     xp = namespace(value[0])
 
     vectors = (xp.broadcast_to(v, (*shape, v.shape[-1])) for v in tangents[:4])
-    data = TangentData(*(xp.broadcast_to(v, shape) for v in primals[6][ENTRIES:]))
+    data = TangentData(*(xp.broadcast_to(v, shape) for v in primals[6][ENTRIES:NUMBERS]))
     time, change = (xp.broadcast_to(v[4], shape) for v in (primals, tangents))
     return value, top_tangent(data, time, value, (*vectors, change))

@@ -37,8 +37,12 @@ def top_characteristics(moments: Array, mgl: Array, momentum: Array, attitude: A
     """Return the characteristics of tops with arrays (…, 3), (…, 1), (…, 3) and (…, 4) of one batch shape."""
     top = compiled(reduce_top, moments)(moments, mgl, momentum, attitude)
     points = compiled(turning_points, moments)(top)
-    rates = compiled(top_frequencies, moments)(top, points)
-    return compiled(_characteristics, moments)(top, points, rates)
+    return characteristics_of(top, points, compiled(top_frequencies, moments)(top, points))
+
+
+def characteristics_of(top: TopReduction, points: TurningPoints, rates: TopFrequencies) -> TopCharacteristics:
+    """Return the characteristics of tops that have been reduced."""
+    return compiled(_characteristics, top.reversed)(top, points, rates)
 
 
 def _characteristics(top: TopReduction, points: TurningPoints, rates: TopFrequencies) -> TopCharacteristics:
