@@ -50,7 +50,8 @@ def found_and_differences(name, factor=1.0):
 
     change = numbers(STEP) - numbers(-STEP)
     change[3:5] = np.remainder(change[3:5] + math.pi / 2, math.pi) - math.pi / 2
-    found = np.array(changed_numbers(tangent_data(prepare_top(*top)), tuple(top_characteristics(*top)[1:]), tuple(ways)))
+    values = tuple(top_characteristics(*top)[1:])
+    found = np.array(changed_numbers(tangent_data(prepare_top(*top)), values, tuple(ways)))
     which = list(TOPS[name][3])
     return factor * found[which, 0], change[which] / (2 * STEP)
 
