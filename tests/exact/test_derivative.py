@@ -160,6 +160,7 @@ def test_the_attitude_passes_its_change_on(by_jax):
     assert np.abs(forward[2] @ np.asarray(attitude)).max() < SAME
 
 
+@pytest.mark.sweep
 def test_vmap_of_grad_where_formulas_divide_by_zero():
     starts = np.array([[0.0, 0, 0], [0, 2, 0], [0, 0, 2], [2, 0, 0], [1, 0, 1], [1.0, 2, 3]])
     bodies = np.array([[1.0, 2, 3], [2, 2, 2], [2, 2, 3], [1, 3, 3], [3, 4, 6]])
@@ -174,6 +175,7 @@ def test_vmap_of_grad_where_formulas_divide_by_zero():
             assert np.isfinite(np.asarray(part)).all()
 
 
+@pytest.mark.sweep
 def test_epoch_and_time_are_opposite():
     with jax.enable_x64(True):
         arguments = (jnp.asarray(MOMENTS), jnp.asarray(MOMENTUM), jnp.array([1.0, 0, 0, 0]), jnp.asarray(TIME))
