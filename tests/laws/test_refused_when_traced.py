@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import polhode as ph
-from polhode import algebra, poisson, systems
+from polhode import algebra, analysis, poisson, systems
 from polhode.analysis import (
     alignment,
     comparison,
@@ -16,8 +16,6 @@ from polhode.analysis import (
     poinsot,
     polhodes,
     rolling,
-    spin_down,
-    spin_motion,
     spin_orbit,
 )
 from polhode.analysis.precession import body_precession, space_precession
@@ -93,9 +91,9 @@ REFUSED = {
     "saddle_energies": (THREE, lambda x: polhodes.saddle_energies(THREE, x, 1.0)),
     "rolling_stability": (ROLLING, lambda x: rolling.rolling_stability(DISK, x)),
     "nutation": (ROLLING, lambda x: rolling.nutation(DISK, x)),
-    "spin_down": (ROLLING, lambda x: spin_down.spin_down(DISK, x)),
-    "adiabatic_end": (0.3, lambda x: spin_down.adiabatic_end(DISK, x)),
-    "spin_motion": (THREE[:2], lambda x: spin_motion.spin_motion(SPIN, x)),
+    "spin_down": (ROLLING, lambda x: analysis.spin_down(DISK, x)),
+    "adiabatic_end": (0.3, lambda x: analysis.adiabatic_end(DISK, x)),
+    "spin_motion": (THREE[:2], lambda x: analysis.spin_motion(SPIN, x)),
     "poincare_section": (THREE[:2], lambda x: spin_orbit.poincare_section(SPIN, x, 2)),
     "tangent_map": (THREE[:2], lambda x: spin_orbit.tangent_map(SPIN, x)),
     "lyapunov_exponent": (THREE[:2], lambda x: spin_orbit.lyapunov_exponent(SPIN, x, 2)),

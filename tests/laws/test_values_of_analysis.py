@@ -4,8 +4,8 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
-from polhode import systems
-from polhode.analysis import poinsot, spin_down
+from polhode import analysis, systems
+from polhode.analysis import poinsot
 from transformed import check_alone
 
 RNG = np.random.default_rng(8)
@@ -16,7 +16,7 @@ VALUES = {
     "contact_point": (lambda velocity: poinsot.contact_point(velocity, 0.7), VECTORS),
     "touching_point": (poinsot.touching_point, VECTORS, np.abs(VECTORS) + 0.5),
     "ellipsoid_semi_axes": (poinsot.ellipsoid_semi_axes, np.abs(VECTORS) + 0.5),
-    "adiabaticity": (lambda state: jnp.asarray(spin_down.adiabaticity(DISK, state)), STATES),
+    "adiabaticity": (lambda state: jnp.asarray(analysis.adiabaticity(DISK, state)), STATES),
 }
 
 
