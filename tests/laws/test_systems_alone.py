@@ -33,6 +33,7 @@ LEFT_OUT = {
     "EulerDisk.state": "refuses traced numbers, see test_refused_when_traced",
     "EulerDisk.linear_integrals": "of thin disks only, by Legendre functions of a table",
     "HeavyTop.from_body": "takes a body, whose numbers are known",
+    "layout": "says what numbers mean, and returns none",
     "parts": "takes a state apart, and is called by the others",
     "space_vectors": "is called by invariants, with an attitude",
 }

@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
+from polhode.errors import shown
+
 Array = Any
 
 
@@ -85,7 +87,7 @@ class StateLayout:
             if part.name == name:
                 return slice(begin, begin + part.size)
             begin += part.size
-        raise KeyError(f"a state has no part {name!r}; its parts are {', '.join(self.names) or 'not named'}")
+        raise KeyError(f"a state has no part {shown(name)}; its parts are {', '.join(self.names) or 'not named'}")
 
     def part(self, states: Any, name: str) -> Any:
         """Return a part of packed states: (…) of one component, else (…, size).
