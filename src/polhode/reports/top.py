@@ -221,7 +221,7 @@ def _in_a_tops_words(found: Stability) -> Stability:
 
 
 def natural_period(top: HeavyTop, momentum: Array) -> float:
-    """Return the time of a small swing, or of a turn where there is no weight."""
+    """Return the period of a small swing [s], or of a turn if no weight acts."""
     largest = float(np.max(np.asarray(top.moments)))
     if float(top.mgl) != 0.0:
         return 2.0 * math.pi * math.sqrt(largest / abs(float(top.mgl)))

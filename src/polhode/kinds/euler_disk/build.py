@@ -117,7 +117,7 @@ def _ended(disk: EulerDisk, start: Array) -> SpinDown:
 
 
 def _sampled_to_its_end(disk: EulerDisk, trajectory: Trajectory, samples: int) -> Trajectory:
-    """Return the same motion; anew with all its samples before its end, where it ends long before the last of them."""
+    """Return the motion, simulated again with all samples before its end if it ends early in those asked for."""
     if trajectory.outcome.event is None or len(trajectory.times) > samples // 2:
         return trajectory
     first, last = float(trajectory.times[0]), float(trajectory.times[-1])
