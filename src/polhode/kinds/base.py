@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import abc
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
-from importlib import resources
+from importlib import import_module, resources
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
 
@@ -32,48 +31,46 @@ if TYPE_CHECKING:
 Array = Any
 
 
-class AbstractKind(abc.ABC):
+class AbstractKind:
     """A kind of motion that a spec can name as ``[system] kind``.
 
     A folder of ``polhode.kinds``, or a module that another package names in the entry-point group ``polhode.kinds``,
-    offers one object of a subclass as ``KIND``. Importing it must be cheap: the methods import what they need.
+    offers one object of a subclass as ``KIND``. Importing it must be cheap: the methods import the other files of the
+    folder when they are needed, ``answers``, ``figures`` and ``panel``.
 
     Attributes:
         name: as specs write it; the folder's name has underscores for its hyphens.
+        table: the model of the table [system].
         figure_names: of the files of ``figures``, which a later report may remove.
         sources: the classes, as ``module.name``, of systems and motions whose pages show the kind's own pictures.
     """
 
     name: ClassVar[str]
+    table: ClassVar[type[SystemTable]]
     figure_names: ClassVar[tuple[str, ...]] = ()
     sources: ClassVar[tuple[str, ...]] = ()
-
-    @property
-    @abc.abstractmethod
-    def table(self) -> type[SystemTable]:
-        """The model of the table [system]."""
 
     @property
     def example(self) -> str:
         """The folder's ``example.toml``: a short spec of this kind."""
         return self._file("example.toml")
 
-    @abc.abstractmethod
     def report(self, spec: Spec) -> AbstractReport:
-        """Return the answers about the motion of a spec of this kind.
+        """Return the answers about the motion of a spec of this kind, by ``answers.report_of``.
 
         Raises:
             InvalidInput: for values that the system refuses.
             NotConverged: where a motion could not be followed.
         """
+        return self._part("answers").report_of(spec)
 
     def rules(self, tables: dict[str, Any]) -> Iterator[Mistake]:
         """Yield what the raw tables of a file break beyond what each field says, and where."""
         yield from ()
 
     def figures(self) -> Mapping[str, Callable[[Any], Figure | None]]:
-        """Return what draws each figure from a report, by the name of its file; None where there is nothing to see."""
-        return {}
+        """Return ``figures.FIGURES``: what draws each figure of a report, or None, by the name of its file."""
+        return self._part("figures").FIGURES if self.figure_names else {}
 
     def draw(self, report: AbstractReport, name: str) -> Figure | None:
         """Return one figure of a report of this kind, by the name of its file; None where there is nothing to see.
@@ -89,18 +86,24 @@ class AbstractKind(abc.ABC):
         return figures[name](report)
 
     def content(self, trajectory: Trajectory, samples: Samples, surface: Surface | None) -> Content | None:
-        """Return the pictures of a page; None for those that fit any body.
+        """Return the kind's own pictures of a page, by ``panel.panels_of`` and ``panel.js``; None if it has none.
 
         Args:
             trajectory: whose source is one of ``sources``.
             samples: of it, as the page shows them, along the principal axes.
             surface: of the body, along the axes of the samples.
         """
-        return None
+        if not self.sources:
+            return None
+        from polhode.viewer.panels import Content
 
-    def script(self) -> str:
-        """Return the folder's ``panel.js``, which makes the kind's own panels on a page."""
-        return self._file("panel.js")
+        panels = self._part("panel").panels_of(trajectory, samples, surface)
+        script = resources.files(type(self).__module__) / "panel.js"
+        return Content(panels, (script.read_text("utf-8"),) if script.is_file() else ())
+
+    def _part(self, name: str) -> Any:
+        """Return a file of the folder as a module."""
+        return import_module(f"{type(self).__module__}.{name}")
 
     def _file(self, name: str) -> str:
         return (resources.files(type(self).__module__) / name).read_text("utf-8")

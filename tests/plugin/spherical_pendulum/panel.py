@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 
+from polhode.bodies.surface import Surface
 from polhode.motion.trajectory import Trajectory
 from polhode.viewer.encoding import packed
-from polhode.viewer.panels import Content
+from polhode.viewer.panels import Panel
 from polhode.viewer.samples import Samples
 
 
-def content_of(trajectory: Trajectory, samples: Samples, script: str) -> Content:
+def panels_of(trajectory: Trajectory, samples: Samples, surface: Surface | None) -> list[Panel]:
     """Return the rod, the mass and its path, in lengths of the rod."""
     place = np.asarray(samples.states)[:, :3] / float(trajectory.source.length)
-    return Content([{"type": "pendulum", "place": packed(place)}], (script,))
+    return [{"type": "pendulum", "place": packed(place)}]

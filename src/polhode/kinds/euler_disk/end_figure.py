@@ -11,7 +11,7 @@ from matplotlib.ticker import FormatStrFormatter, LogLocator, NullFormatter
 from polhode.analysis.power_law import PowerLaw
 from polhode.analysis.spin_down import ASYMPTOTIC_FIT, SpinDown
 from polhode.figures import style
-from polhode.kinds.euler_disk.answers import EulerDiskReport
+from polhode.kinds.euler_disk.report import EulerDiskReport
 
 Array = Any
 COLOURS = {"end of asymptotic regime": style.GREEN}  # of events; all others end the motion

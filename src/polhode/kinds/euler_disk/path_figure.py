@@ -11,7 +11,7 @@ from matplotlib.colors import ListedColormap, Normalize
 from matplotlib.figure import Figure
 
 from polhode.figures import style
-from polhode.kinds.euler_disk.answers import EulerDiskReport
+from polhode.kinds.euler_disk.report import EulerDiskReport
 
 Array = Any
 MILLI, MICRO = 1e3, 1e6

@@ -12,7 +12,7 @@ from polhode.bodies.surface import Surface
 from polhode.figures import style
 from polhode.figures.scene import Scene, circle_about
 from polhode.figures.sphere import view_frame
-from polhode.kinds.euler_disk.answers import EulerDiskReport, Path
+from polhode.kinds.euler_disk.report import EulerDiskReport, Path
 from polhode.systems.euler_disk import LAYOUT
 
 Array = Any

@@ -7,19 +7,19 @@ import numpy as np
 from polhode.bodies.surface import Surface
 from polhode.motion.trajectory import Trajectory
 from polhode.systems.gyrostat import Gyrostat
-from polhode.viewer.panels import Content, body_panels, moments_of, sphere_of_levels
+from polhode.viewer.panels import Panel, body_panels, moments_of, sphere_of_levels
 from polhode.viewer.samples import Samples
 
 
-def content_of(trajectory: Trajectory, samples: Samples, surface: Surface | None) -> Content:
+def panels_of(trajectory: Trajectory, samples: Samples, surface: Surface | None) -> list[Panel]:
     """Return the body and the momentum sphere with levels of the carrier's energy."""
     system, moments = trajectory.source, moments_of(trajectory.source)
     found = body_panels(samples, moments, surface)
     if samples.momentum is None or not np.linalg.norm(samples.momentum, axis=-1).any():
-        return Content(found)
+        return found
     if isinstance(system, Gyrostat):
         rotor, words = np.asarray(system.rotor, dtype=float), ""
     else:
         last = float(trajectory.layout.part(samples.states, "rotor_momentum")[-1])
         rotor, words = last * np.asarray(system.axis, dtype=float), "; levels are those at the end"
-    return Content([*found, sphere_of_levels(samples.momentum, moments, rotor, words)])
+    return [*found, sphere_of_levels(samples.momentum, moments, rotor, words)]

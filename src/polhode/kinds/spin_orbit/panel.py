@@ -2,22 +2,21 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
-from polhode.systems.spin_orbit import LAYOUT
+from polhode.bodies.surface import Surface
+from polhode.motion.trajectory import Trajectory
 from polhode.viewer.encoding import packed
-from polhode.viewer.panels import Content
+from polhode.viewer.panels import Panel
 from polhode.viewer.samples import Samples
 
 
-def content_of(system: Any, samples: Samples, script: str) -> Content:
+def panels_of(trajectory: Trajectory, samples: Samples, surface: Surface | None) -> list[Panel]:
     """Return the moon on its orbit, seen from above."""
-    orbit = system.orbit
+    system, orbit = trajectory.source, trajectory.source.orbit
     place = np.asarray(orbit.direction(samples.times)) * np.asarray(orbit.distance_ratio(samples.times))[:, None]
-    panel = {
-        "type": "orbit", "angle": packed(LAYOUT.part(samples.states, "angle")), "place": packed(place[:, :2]),
+    return [{
+        "type": "orbit", "place": packed(place[:, :2]),
+        "angle": packed(trajectory.layout.part(samples.states, "angle")),
         "eccentricity": float(orbit.eccentricity), "asphericity": float(system.asphericity), "flat": True,
-    }  # fmt: skip
-    return Content([panel], (script,))
+    }]  # fmt: skip

@@ -1,0 +1,5 @@
+"""The figures of a heavy top, which are those of any top."""
+
+from polhode.figures.top import FIGURES
+
+__all__ = ["FIGURES"]
