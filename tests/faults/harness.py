@@ -43,7 +43,13 @@ def start(command, folder, **more):
     """Start a command in a folder, apart from the terminal."""
     settings = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "stdin": subprocess.DEVNULL} | more
     arguments = [sys.executable, "-m", "polhode.cli.main", *command]
-    return subprocess.Popen(arguments, cwd=folder, start_new_session=True, **settings)
+    return subprocess.Popen(arguments, cwd=folder, start_new_session=True, preexec_fn=_heed_signals, **settings)
+
+
+def _heed_signals():
+    """Undo what `nohup` and a shell's background jobs leave to their children: signals that are ignored."""
+    for number in CODES:
+        signal.signal(number, signal.SIG_DFL)
 
 
 def listens(process):
