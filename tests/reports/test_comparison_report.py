@@ -28,3 +28,13 @@ def test_digits_of_rounding_are_not_shown():
     assert (seen["largest"] or "").startswith("1.0000") and seen["growth, best line"] is not None
     assert "Best fit" in report.sections()[2].title
     assert all("Best fit" not in section.title for section in lines(1e-13)[1].sections())
+
+
+def test_one_common_time_says_nothing_of_others():
+    one = AttitudeHistory("one", TIMES[:1], HISTORY.attitude[:1])
+    same = ComparisonReport(compare(one, HISTORY), "")
+    assert "at the only time they have in common" in same.summary and "rounding" not in same.summary
+    turned = rotation.multiply(rotation.from_rotation_vector((0.0, 0.0, 0.1)), HISTORY.attitude)
+    other = ComparisonReport(compare(one, replace(HISTORY, attitude=turned)), "")
+    assert other.summary.startswith("They differ by") and "only time" in other.summary
+    assert all("Best fit" not in section.title for section in other.sections())

@@ -82,7 +82,7 @@ class Comparison:
         times: (T,) [s, A's].
         angle: (T,) of the rotation between them [rad].
         growth: slope of the angle's best line [rad/s], None for one time.
-        alignment: constant misalignments and rate that explain most of it; None where there is nothing to explain.
+        alignment: constant misalignments and rate that explain most of it; None for one time or no difference.
         invariants: of A and B; None where they are not known.
         method: how both came to the same times.
         interpolation_error: what a spline through every second sample of B misses the others by [rad], more than what
@@ -151,7 +151,8 @@ def compare(a: AttitudeHistory, b: AttitudeHistory, *, offset: float = 0.0) -> C
     angle = rotation.angle_between(at_a, at_b)
     growth = float(np.polyfit(times - times[0], angle, 1)[0]) if len(times) > 1 else None
     rounding = max(ROUNDING, MARGIN * (a.resolution + b.resolution) * max(a.speed, b.speed))
-    alignment = fit_alignment(times, at_a, at_b) if angle.max() > rounding else None
+    # a single rotation is explained by any misalignment
+    alignment = fit_alignment(times, at_a, at_b) if len(times) > 1 and angle.max() > rounding else None
     invariants = _invariants(a, times, 0.0, slack), _invariants(b, times, offset, slack)
     return Comparison((a.name, b.name), times, angle, growth, alignment, invariants, method, missed, rounding)
 

@@ -42,7 +42,12 @@ class ComparisonReport:
         """The result in a sentence or two."""
         found = self.comparison
         if found.is_rounding:
-            return f"Both agree to {max(found.largest, LEAST):.1e} rad: to rounding."
+            size = f"{max(found.largest, LEAST):.1e} rad"
+            if len(found.times) == 1:
+                return f"Both agree to {size} at the only time they have in common; nothing is known of other times."
+            return f"Both agree to {size}: to rounding."
+        if len(found.times) == 1:
+            return f"They differ by {angle(found.largest)} at the only time they have in common."
         text = f"They differ by up to {angle(found.largest)}, {angle(found.rms)} rms."
         if found.explained:
             assert found.alignment is not None
