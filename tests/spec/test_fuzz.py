@@ -9,7 +9,7 @@ import signal
 import warnings
 
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import HealthCheck, given, seed, settings
 from hypothesis import strategies as st
 
 from polhode.cli.render import as_json, print_report
@@ -22,7 +22,7 @@ from spec.mutations import CHANGE, EXAMPLES, FILES, bases, mutated
 
 LONGEST_MESSAGE = 2000  # characters
 LONGEST_WAIT = 10  # s of the processor, so that a busy machine changes nothing
-CASES, MANY_CASES = 600, 10_000  # what 15 s and 4 min of CPU allow
+CASES, MANY_CASES = 2000, 12_500
 FEW_SAMPLES = 1000
 BASES = bases()
 CHANGES = st.tuples(st.sampled_from(sorted(BASES)), st.lists(CHANGE, min_size=1, max_size=3))
@@ -84,24 +84,25 @@ def check(text, folder):
     assert not noise, [str(one.message) for one in noise]
 
 
-def fuzzed(cases):
-    def wrap(test):
-        quiet = settings(max_examples=cases, derandomize=True, database=None, deadline=None, print_blob=False,
-                         suppress_health_check=list(HealthCheck))  # fmt: skip
-        return given(CHANGES)(quiet(test))
+def fuzz(folder, start, cases):
+    @seed(start)
+    @settings(max_examples=cases, database=None, deadline=None, print_blob=False,
+              suppress_health_check=list(HealthCheck))
+    @given(CHANGES)
+    def run(case):
+        check(mutated(BASES[case[0]], case[1]), folder)
 
-    return wrap
+    run()
 
 
-@fuzzed(CASES)
-def test_mutated_specs(folder, any_type, case):
-    check(mutated(BASES[case[0]], case[1]), folder)
+def test_mutated_specs(folder, any_type):
+    fuzz(folder, 0, CASES)
 
 
 @pytest.mark.sweep
-@fuzzed(MANY_CASES)
-def test_many_mutated_specs(folder, any_type, case):
-    check(mutated(BASES[case[0]], case[1]), folder)
+@pytest.mark.parametrize("start", range(1, 5))
+def test_many_mutated_specs(folder, any_type, start):
+    fuzz(folder, start, MANY_CASES)
 
 
 FOUND = {

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import re
 import sys
-from functools import cache
+from functools import cache, lru_cache
 from typing import Any
 
 from polhode.errors import shown
@@ -67,9 +67,14 @@ def parse_quantity(value: Any, unit: str) -> float:
     Raises:
         ValueError: with what is wrong and what would be right; pydantic collects it with the key's path.
     """
-    example = EXAMPLES[unit]
     if isinstance(value, bool) or not isinstance(value, str):
-        raise ValueError(f'needs a number with its unit in quotes, like "{example}"; got {shown(value)}')
+        raise ValueError(f'needs a number with its unit in quotes, like "{EXAMPLES[unit]}"; got {shown(value)}')
+    return _parsed(value, unit)
+
+
+@lru_cache(maxsize=1024)
+def _parsed(value: str, unit: str) -> float:
+    example = EXAMPLES[unit]
     unreadable = ValueError(f'cannot be read as a quantity: {shown(value)}; write it like "{example}"')
     if len(value) > LONGEST:
         raise ValueError(f'must have at most {LONGEST} characters; got {shown(value)}; write it like "{example}"')
