@@ -383,3 +383,11 @@ def test_labels_come_back(tmp_path):
 def test_a_folder_that_is_no_store(tmp_path):
     with pytest.raises(InvalidInput, match="is a folder, but not a Zarr store"):
         formats.read_dataset(tmp_path)
+
+
+@pytest.mark.parametrize("name", ["outcome", "event", "outcome_message"])
+@pytest.mark.parametrize("value", [["arrived"], {"a": 1}, 3, True])
+def test_an_outcome_that_is_no_text(store, name, value):
+    path = store / ".zattrs"
+    path.write_text(json.dumps(json.loads(path.read_text()) | {name: value}))
+    refused(store, f"attribute {name} must be")

@@ -40,7 +40,7 @@ def test_damaged_files(tmp_path):
 
 @pytest.mark.sweep
 @pytest.mark.parametrize(("names", "count"), [
-    (["a.stl", "a.ply", "a.glb"], 2000), (TEXTS, 2000), (["a.aem", "a.csv"], 2000), (["a.bc"], 2000), (DATASETS, 500),
+    (["a.stl", "a.ply", "a.glb"], 2000), (TEXTS, 2000), (["a.aem", "a.csv"], 2000), (["a.bc"], 2000), (DATASETS, 2000),
 ], ids=["meshes", "texts", "tables", "kernels", "datasets"])  # fmt: skip
 def test_many_damaged_files(tmp_path, names, count):
     run(tmp_path, 1, count, names)

@@ -103,7 +103,7 @@ def test_adaptive_steps_are_bounded(monkeypatch):
 @pytest.mark.parametrize(
     ("text", "until", "kind"),
     [("dual_spin.toml", "2 h", "SPLITTING"), ("explorer_1.toml", "3 day", "ADAPTIVE"),
-     ("hyperion.toml", "60 year", "ADAPTIVE"), (MOTOR, "1 h", "ADAPTIVE"), (DISK, "10 min", "ADAPTIVE")],
+     ("hyperion.toml", "60 year", "ADAPTIVE"), (MOTOR, "5 min", "ADAPTIVE"), (DISK, "10 min", "ADAPTIVE")],
 )  # fmt: skip
 def test_steps_are_about_as_many_as_told(tmp_path, monkeypatch, text, until, kind):
     told = []

@@ -127,12 +127,15 @@ def _states(arrays: dict[str, Array], components: dict[str, dict[str, Any]], own
 def _outcome(path: Path, attributes: Any) -> Outcome:
     """Return how the motion came to its end; files of older versions say it in words only."""
     known = {ending.value: ending for ending in Ending}
-    said = attributes.get("outcome", Ending.RECORDED.value)
-    if said not in known:
+    said, event, message = (attributes.get(name) for name in ("outcome", "event", "outcome_message"))
+    said = Ending.RECORDED.value if said is None else said
+    if not isinstance(said, str) or said not in known:
         words = ", ".join(known)
         raise FormatError(f"{path}: the attribute outcome must be one of {words}; got {shown(said)}. {DAMAGED}")
-    event = attributes.get("event")
-    return Outcome(known[said], None if event is None else str(event), str(attributes.get("outcome_message", "")))
+    for name, text in (("event", event), ("outcome_message", message)):
+        if not isinstance(text, str | None):
+            raise FormatError(f"{path}: the attribute {name} must be text; got {shown(text)}. {DAMAGED}")
+    return Outcome(known[said], event, message or "")
 
 
 def _recording(path: Path, dataset: xarray.Dataset, variables: dict[str, Any]) -> Recording:

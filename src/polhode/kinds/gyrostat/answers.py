@@ -283,7 +283,7 @@ def report_of(spec: Spec) -> GyrostatReport:
         last = momentum
     else:
         system = TorquedGyrostat(moments, along, table.rotor_moment, table.motor_torque)
-        steps = max(_driven_steps(table, moments, total, span), span / (table.step or math.inf))
+        steps = max(_driven_steps(table, moments, along, total, span), span / (table.step or math.inf))
         shown = check_length(spec.until, times, steps, ADAPTIVE)
         trajectory = simulate(system, np.append(state, momentum), times, step=table.step, progress=shown)
         last = float(trajectory.part("rotor_momentum")[-1])
@@ -395,10 +395,14 @@ def _step(moments: Array, velocity: Array, total: Array) -> float | None:
     return STEP_ANGLE / turning if turning else None
 
 
-def _driven_steps(table: GyrostatTable, moments: Array, total: Array, span: float) -> float:
-    """Return about how many adaptive steps a run takes at least: |L| stays, so the carrier turns back as h grows."""
-    turned = (0.5 * abs(table.motor_torque or 0.0) * span - float(np.linalg.norm(total))) * span / np.max(moments)
-    return TURNING * max(float(turned), 0.0)
+def _driven_steps(table: GyrostatTable, moments: Array, along: Array, total: Array, span: float) -> float:
+    """Return how many adaptive steps a run takes at least: L stays in space, so the carrier turns back as h grows.
+
+    L turns in the carrier by the whole angle, the quaternion of a steady rotation by half of it: twice as many steps.
+    """
+    grown = 0.5 * abs(table.motor_torque or 0.0) * span * float(np.linalg.norm(along / moments))
+    turned = (grown - float(np.linalg.norm(total)) / float(np.min(moments))) * span
+    return 2.0 * TURNING * max(turned, 0.0)
 
 
 def _span(table: GyrostatTable, moments: Array, velocity: Array, total: Array) -> float:
