@@ -20,7 +20,14 @@ PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
 PAGES = [page for page in PAGES if FENCE.search(page.read_text("utf-8"))]
 
 
-@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def slow_in_the_sweep(cases, slow):
+    """Cases for ``parametrize``: those with a name in ``slow``, which integrate for ten seconds or more, as a sweep."""
+    for case in cases:
+        name = getattr(case, "name", case)
+        yield pytest.param(case, id=name, marks=[pytest.mark.sweep] if name in slow else [])
+
+
+@pytest.mark.parametrize("page", slow_in_the_sweep(PAGES, {"euler_disk.md", "tops.md"}))
 def test_python_in_the_docs_runs(page):
     exec(compile("\n".join(FENCE.findall(page.read_text("utf-8"))), page.name, "exec"), {})
 
@@ -31,7 +38,7 @@ def modules_with_examples():
             yield ".".join(path.relative_to(ROOT / "src").with_suffix("").parts)
 
 
-@pytest.mark.parametrize("name", list(modules_with_examples()))
+@pytest.mark.parametrize("name", slow_in_the_sweep(modules_with_examples(), {"polhode.analysis.spin_down"}))
 def test_examples_in_docstrings(name):
     found = doctest.testmod(importlib.import_module(name))
     assert found.attempted and not found.failed

@@ -73,6 +73,7 @@ def test_spin_pair_on_both_sides_of_its_thresholds():
     assert ph.stability(pair(0.3), up).verdict == "stable"
 
 
+@pytest.mark.sweep
 def test_four_dimensional_body():
     """About a pair of planes; by Manakov's equations, linearised by hand in the test below."""
     body = systems.Manakov((1.0, 2.0, 3.0, 4.0))

@@ -49,6 +49,7 @@ def test_each_resonance_holds_a_spin_about_its_stable_angle(order, middle):
     assert abs(found.mean_rate - order) < 1e-8
 
 
+@pytest.mark.sweep
 def test_a_spin_between_resonances_is_held_by_none():
     system, start = SpinOrbit(0.05, 0.2), np.array([0.3, 1.27])
     longer, shorter = (spin_motion(system, start, orbits) for orbits in (6000, 3000))
@@ -57,6 +58,7 @@ def test_a_spin_between_resonances_is_held_by_none():
     assert abs((turned[1] - turned[0]) / (600 * np.pi) - longer.mean_rate) < 0.2 / 300
 
 
+@pytest.mark.sweep
 def test_hyperion_s_sea_and_islands():
     hyperion = SpinOrbit(0.89, 0.1, 3.4e-6)
     sea = spin_motion(hyperion, np.array([np.pi / 2, 3.4e-6]), 2000)

@@ -10,6 +10,7 @@ import xarray as xr
 
 from polhode.cli.main import main
 
+pytestmark = pytest.mark.sweep  # fifteen reports, two minutes; kinds' tests make shorter ones
 EXAMPLES = Path(__file__).parents[2] / "examples"
 HOUR, DAY = 3600.0, 86400.0
 SAME = 1e-12

@@ -121,6 +121,7 @@ def test_turns_too_long_to_interpolate_are_said(run, tmp_path, form):
     assert code == 0 and "11 samples" in out and "between samples" in err and "Raise `samples`" in err
 
 
+@pytest.mark.sweep
 def test_what_part_of_the_motion_an_animation_shows(run, tmp_path):
     assert "it shows" not in run("--to", "gltf")[1]
     (tmp_path / "case.toml").write_text(DISK)

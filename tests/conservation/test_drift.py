@@ -51,6 +51,17 @@ COSTLY = [case for case in LONG_RUN if case[0] in ("four", "eight") and case[1] 
 that add up at random grow like the root of their number)."""
 
 
+QUICK = [
+    ("body", Splitting, 4), ("body", MoserVeselov, 10), ("fish", MuntheKaas, 4), ("four", Splitting, 2),
+    ("eight", IsospectralMidpoint, 2), ("pair", SphericalMidpoint, 2), ("pair", LieMidpoint, 2), ("top", Splitting, 2),
+]  # fmt: skip
+
+
+def one_of_each(cases, quick):
+    """Every method and system once; the others in the sweep."""
+    return [pytest.param(case, marks=[] if case in quick else [pytest.mark.sweep]) for case in cases]
+
+
 def names(case):
     return f"{case[0]}-{case[1].__name__}-{case[2]}"
 
@@ -92,7 +103,7 @@ def test_a_drift_of_the_energy_is_caught():
     assert trend(run("body", MuntheKaas, 4, FEW)) > TREND
 
 
-@pytest.mark.parametrize("case", CASES, ids=names)
+@pytest.mark.parametrize("case", one_of_each(CASES, QUICK), ids=names)
 def test_casimirs_and_energy(case):
     check(*case, 2_000 if case[0] == "top" else FEW)
 
@@ -103,7 +114,7 @@ def test_casimirs_and_energy_over_a_million_steps_or_a_fifth(case):
     check(*case, *((FIFTH, CASIMIR / 2) if case in COSTLY else (MANY,)))
 
 
-@pytest.mark.parametrize("case", [case for case in CASES if case[1] in SYMMETRIC], ids=names)
+@pytest.mark.parametrize("case", one_of_each([case for case in CASES if case[1] in SYMMETRIC], QUICK), ids=names)
 def test_symmetric_methods_run_back(case):
     name, method, order = case
     system = SYSTEMS[name]

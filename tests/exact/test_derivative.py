@@ -130,6 +130,7 @@ def by_jax():
         return arguments, [np.asarray(x) for x in forward], [np.asarray(x) for x in backward]
 
 
+@pytest.mark.sweep
 def test_forward_and_reverse_mode_agree(by_jax):
     _, forward, backward = by_jax
     for a, b in zip(forward, backward, strict=True):
@@ -189,6 +190,7 @@ def test_second_derivatives_are_refused():
         jax.hessian(lambda t: ph.FreeMotion(jnp.asarray(MOMENTS), jnp.asarray(MOMENTUM)).attitude(t)[0])(TIME)
 
 
+@pytest.mark.sweep
 def test_a_motion_passes_through_jit_and_vmap():
     with jax.enable_x64(True):
         many = jax.vmap(lambda momentum: ph.FreeMotion(jnp.asarray(MOMENTS), momentum))(jnp.eye(3) + 0.1)
@@ -197,6 +199,7 @@ def test_a_motion_passes_through_jit_and_vmap():
     assert np.abs(np.asarray(states) - wanted).max() < SAME
 
 
+@pytest.mark.sweep
 def test_meaning_has_derivatives_in_either_mode():
     """∂T against differences of the textbook formula with 40 digits; 2π dJ/T = Ω · dL − (ω − 2π/T) d|L| at fixed I."""
     moments, momentum = (1.0, 2.0, 3.0), (0.3, 1.8, 1.5)

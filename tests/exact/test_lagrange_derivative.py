@@ -114,6 +114,7 @@ def test_derivatives_in_every_family(announce):
     check(cases, jacobians(cases)[0], announce)
 
 
+@pytest.mark.sweep
 def test_derivatives_agree_with_the_oracle(drawn, announce):
     check(drawn[0], drawn[1][0][: len(drawn[0])], announce)
 

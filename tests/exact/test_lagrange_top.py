@@ -160,6 +160,7 @@ def test_tops_and_times_broadcast():
     assert ph.LagrangeMotion(MOMENTS, mgl, momentum).sample(times).attitude.shape == (3, 5, 4)
 
 
+@pytest.mark.sweep
 def test_jax_arrays_come_back_as_jax_arrays_with_all_answers():
     with jax.enable_x64(True):
         top = ph.LagrangeMotion(jnp.array(MOMENTS), jnp.array(1.0), jnp.array((0.1, 0.2, 2.5)))

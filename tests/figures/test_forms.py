@@ -58,6 +58,7 @@ def test_all_forms_of_all_figures_are_what_they_say(spec, tmp_path):
         assert b"/Type0" in document and b"/FontFile2" in document and b"/Type3" not in document
 
 
+@pytest.mark.sweep
 def test_the_command_writes_the_forms_asked_for_and_clears_its_own(spec, capsys, tmp_path):
     code, out, _ = run(["report", spec, "--json", "--figures", "svg,PDF", "--figures", "svg"], capsys)
     assert code == 0

@@ -19,6 +19,7 @@ from polhode.integrators import LieMidpoint, MuntheKaas, SphericalMidpoint
 from polhode.integrators.equal_steps import BLOCK
 from polhode.systems.free_flow import free_turn
 from specimens import spins
+from sweeping import first
 
 SAME = 1e-12  # a few roundings, grown by the motion
 MOMENTS = (1.0, 2.0, 3.0)
@@ -40,7 +41,7 @@ def check_copies(system, states, method=None, **more):
 
 
 @pytest.mark.parametrize(
-    "method", [None, LieMidpoint, *(pytest.param(m, marks=pytest.mark.sweep) for m in (MuntheKaas, diffrax.Dopri8()))]
+    "method", first(1, [None, LieMidpoint, MuntheKaas, diffrax.Dopri8()])
 )
 def test_copies_move_as_alone(method):
     check_copies(body, MIXED, method)
@@ -69,6 +70,7 @@ def test_a_copy_that_fails_leaves_the_others():
     assert np.isinf(found.error_estimate[1]) and np.isfinite(found.error_estimate[0])
 
 
+@pytest.mark.sweep
 def test_more_copies_than_a_block():
     count = 2 * BLOCK + 3
     states = np.linspace(0.5, 2.0, count)[:, None] * SLOW

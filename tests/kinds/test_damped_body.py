@@ -31,6 +31,7 @@ def report(tmp_path):
     return make
 
 
+@pytest.mark.sweep
 def test_a_rod_goes_flat_as_the_closed_form_says(report):
     """Of θ from the long axis, tan θ grows as exp(ε |L| (1/I1 − 1/I2) t): θ̇ = ½ ε |L| (1/I1 − 1/I2) sin 2θ."""
     found = report(ROD, "damping = 0.1", 'rate = "3 rad/s"\nabout = 1\ntilt = "1 deg"')
@@ -90,6 +91,7 @@ def test_quadratic_drag_brakes_as_one_over_time(report):
     assert [axis.verdict for axis in found.axes] == ["unstable", "unstable", "stable"]
 
 
+@pytest.mark.sweep
 def test_in_orbit_the_balances_close(report):
     drag = 'linear_drag = "0.0001 N*m*s"\norbital_period = "90 min"'
     found = report(TRIAXIAL, drag, 'rate = "0.2 rpm"\nabout = 3\ntilt = "5 deg"', 'until = "3 h"\nsamples = 41')
@@ -119,6 +121,7 @@ def test_rest_spheres_and_starts_on_an_axis(report, tmp_path):
     assert slow.notes == ["it has not settled; give a later time.until."]
 
 
+@pytest.mark.sweep
 def test_figures_show_the_path_or_samples_alone(report, tmp_path):
     close = report(ROD, "damping = 0.1", 'rate = "3 rad/s"\nabout = 1\ntilt = "1 deg"', "samples = 1500")
     upper, lower = draw_damped_motion(close).axes

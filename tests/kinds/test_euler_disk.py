@@ -48,6 +48,7 @@ def ended(tmp_path_factory):
     return report_on(read_spec(path))
 
 
+@pytest.mark.sweep
 def test_steady_rolling_of_a_thin_disk(read):
     values = report_on(read(f'{THIN}\ntilt = "0.3 rad"\nheading = "90 deg"')).as_json_dict()
     s, rate = math.sin(0.3), math.sqrt(4 * G / (A * math.sin(0.3)))
@@ -66,6 +67,7 @@ def test_steady_rolling_of_a_thin_disk(read):
     assert values["normal_force_minimum_of_weight"] == pytest.approx(1.0, abs=1e-9)
 
 
+@pytest.mark.sweep
 def test_upright_rolling_falls_over_below_the_critical_speed(read):
     """Straight along its heading: v² = ga/3."""
     critical = math.sqrt(G * A / 3)
@@ -133,6 +135,7 @@ def test_figures_say_what_they_show(ended, tmp_path):
     assert "[mm]" in plane.get_xlabel() and "[mm]" in plane.get_ylabel()
 
 
+@pytest.mark.sweep
 def test_mixed_laws_are_told_with_their_shares(read):
     """A thick disk: powers by hand; the note says that predictions are for one law and a thin disk."""
     laws = '[{law = "air-layer", viscosity = "18 uPa*s"}, {law = "rolling-couple", arm = "0.1 mm"}]'
@@ -150,6 +153,7 @@ def test_mixed_laws_are_told_with_their_shares(read):
     assert any("thin disk" in note for note in report.notes)
 
 
+@pytest.mark.sweep
 def test_any_start_is_watched_for_a_time(read):
     rates = 'precession = "10 rad/s"\nspin = "-12 rad/s"\ntilt_rate = "1 rad/s"'
     law = 'dissipation = [{law = "viscous-contour-friction", coefficient = "2e-7 W*s^2"}]'
@@ -161,6 +165,7 @@ def test_any_start_is_watched_for_a_time(read):
     assert values["steady"]["spin"] != -12.0 and values["steady"]["precession"] == pytest.approx(10.0, rel=FORMULA)
 
 
+@pytest.mark.sweep
 def test_a_time_after_the_stop_ends_at_the_stop(read, ended):
     law = 'dissipation = [{law = "viscous-contour-friction", coefficient = "2e-7 W*s^2"}]'
     report = report_on(read(f'{THIN}\ntilt = "{TILT} rad"\n{law}', '[time]\nuntil = "1e12 s"\nsamples = 40'))
@@ -241,6 +246,7 @@ def test_starts_that_are_none(read, keys, words):
     assert not [word for word in words if word not in str(caught.value)], str(caught.value)
 
 
+@pytest.mark.sweep
 def test_the_right_velocity_of_the_centre_is_taken(read):
     """Upright and straight ahead the centre moves at aω against the heading, by the sign of its spin."""
     rates = 'precession = "0 rad/s"\nspin = "30 rad/s"\ncenter_velocity = ["-1.2 m/s", "0 m/s", "0 m/s"]'

@@ -40,6 +40,7 @@ def report(tmp_path):
     return make
 
 
+@pytest.mark.sweep
 def test_mercury_is_held_in_three_turns_to_two_orbits(report):
     found = report()
     values = found.as_json_dict()

@@ -3,12 +3,20 @@
 import jax.numpy as jnp
 import pytest
 
-from polhode.systems import FreeRigidBody
+from polhode.systems import BodyInPotential, BrunBody, FreeRigidBody
 from polhode.testing import LawBroken, check_system
 from specimens import SYSTEMS, named
 
 
-@pytest.mark.parametrize("system", SYSTEMS, ids=named)
+def one_of_each(systems):
+    """The first of each class that is compiled in a few seconds; the others in the sweep."""
+    seen = {BodyInPotential, BrunBody}
+    for system in systems:
+        yield pytest.param(system, marks=[pytest.mark.sweep] if type(system) in seen else [])
+        seen.add(type(system))
+
+
+@pytest.mark.parametrize("system", one_of_each(SYSTEMS), ids=named)
 def test_laws(system):
     check_system(system)
 

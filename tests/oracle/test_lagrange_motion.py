@@ -128,6 +128,7 @@ def test_the_bound_rejects_a_slightly_wrong_phase():
     assert worst_per_family(cases, (ph.rotation.multiply(off, attitudes), momenta))["generic"].attitude > WORST_ERROR
 
 
+@pytest.mark.sweep
 def test_a_mixed_batch_equals_its_tops_one_by_one():
     cases = drawn(MIXED_PER_FAMILY, 5)
     attitudes, momenta = numpy_states(cases)

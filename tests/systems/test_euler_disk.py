@@ -21,6 +21,7 @@ from polhode.systems import (
 )
 from polhode.systems.rolling_dissipation import couples
 from polhode.systems.rolling_mechanics import RollingMechanics
+from sweeping import first
 from systems.newton_euler import DIGITS, accelerations, cross, dot, vector
 
 MASS, RADIUS, THICKNESS = 0.4387, 0.0381, 0.0127
@@ -140,6 +141,7 @@ def test_linear_integrals_foretell_the_spin():
             assert abs(c1 * parts[0] + c2 * parts[1] - state[7]) < KEPT * (abs(c1) + abs(c2))
 
 
+@pytest.mark.sweep
 def test_a_thick_disk_moves_along_its_linear_equations():
     from scipy.integrate import solve_ivp
 
@@ -170,7 +172,7 @@ def test_rolling_rate_goes_as_one_over_the_root_of_the_tilt():
     assert abs(rates[0] ** 2 * RADIUS * np.sin(1e-4) / (4 * 9.80665) - 1) < 1e-12
 
 
-@pytest.mark.parametrize("disk", [slowed, slowed_thick], ids=["thin", "thick"])
+@pytest.mark.parametrize("disk", first(1, [slowed, slowed_thick]), ids=["thin", "thick"])
 def test_energy_balance_and_flat_end(disk):
     found = ph.simulate(disk, disk.rolling_state(0.05), np.linspace(0.0, 60.0, SAMPLES))
     assert found.outcome.event == "flat" and found.times[-1] < 60.0 and found.invariants == {}
@@ -180,6 +182,7 @@ def test_energy_balance_and_flat_end(disk):
     assert ph.as_dataset(found)["contact_x"].shape == found.times.shape
 
 
+@pytest.mark.sweep
 def test_the_slow_manifold_does_not_ring():
     """Without the slow rate of the tilt the nutation rings by as much as the tilt falls in a radian."""
     start = slowed.rolling_state(0.05)
@@ -189,6 +192,7 @@ def test_the_slow_manifold_does_not_ring():
     assert np.abs(smooth[0]).max() < 0.05 * np.abs(smooth[1]).max()
 
 
+@pytest.mark.sweep
 def test_lift_off_and_the_edge():
     leap = thin.check_state([0.05, 0.0, 0.0, 0.0, 0.0, 20.0, 0.0, 0.0])
     found = ph.simulate(thin, leap, np.linspace(0.0, 0.1, SAMPLES))

@@ -15,6 +15,7 @@ ROUNDING = 4 * 2.0**-52  # of an energy that has settled
 START = np.array([1.0, 0.0, 0.0, 0.0, 1.0, 0.1, 0.2])
 
 
+@pytest.mark.sweep
 def test_a_gyrostat_keeps_its_momentum_and_without_rotor_is_free():
     times = np.linspace(0.0, 100.0, 11)
     found = ph.simulate(Gyrostat(MOMENTS, (0.1, 0.2, 0.5)), START, times, step=0.01, order=6)
@@ -51,6 +52,7 @@ def test_a_motor_turns_the_rotor_and_the_balance_closes():
     assert np.ptp(found.balances["energy"]) > 0.1
 
 
+@pytest.mark.sweep
 def test_a_motor_at_rest_leaves_the_gyrostat():
     still = TorquedGyrostat(MOMENTS, (0.0, 0.0, 1.0), rotor_moment=0.1, torque=0.0)
     times = np.linspace(0.0, 20.0, 5)

@@ -10,12 +10,13 @@ import polhode as ph
 from polhode import rotation
 from polhode.errors import InvalidInput
 from polhode.systems import GravityGradient, KeplerOrbit, SpinOrbit, TorquedBody
+from sweeping import first
 
 MOTION = 1e-10  # of adaptive steps at 1e-12 over ten orbits
 MOMENTS = (1.0, 2.0, 2.6)
 
 
-@pytest.mark.parametrize("amplitude", [1e-3, 0.7, 1.5])
+@pytest.mark.parametrize("amplitude", first(1, [0.7, 1e-3, 1.5]))
 def test_synchronous_libration_on_a_circular_orbit_is_a_pendulum(amplitude):
     """2(θ − nt) is a pendulum of small frequency n ω0: period 4K(sin θmax)/(n ω0)."""
     n, asphericity = 0.5, 0.3
@@ -26,6 +27,7 @@ def test_synchronous_libration_on_a_circular_orbit_is_a_pendulum(amplitude):
     assert np.abs(offset - amplitude * np.array([1.0, 0.0, -1.0, 1.0, 1.0])).max() < MOTION
 
 
+@pytest.mark.sweep
 def test_it_is_the_planar_motion_of_the_body_under_the_gravity_gradient():
     orbit = KeplerOrbit(0.7, 0.3, mean_anomaly=0.4)
     system = SpinOrbit.from_body(ph.Body.from_moments(*MOMENTS), orbit)
@@ -41,6 +43,7 @@ def test_it_is_the_planar_motion_of_the_body_under_the_gravity_gradient():
     assert np.abs(flat.states[:, 0] - angle - rate * times).max() > 0.3
 
 
+@pytest.mark.sweep
 def test_the_energy_changes_as_the_orbit_demands():
     times = np.linspace(0.0, 20.0, 11)
     states = np.array([[0.1, 1.0], [2.0, 1.5], [0.0, 0.4]])

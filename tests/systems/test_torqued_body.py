@@ -30,6 +30,7 @@ def test_linear_drag_decays_exponentially():
     assert (np.asarray(one) == np.asarray(three)).all()
 
 
+@pytest.mark.sweep
 def test_quadratic_drag_decays_as_one_over_time():
     body = TorquedBody(MOMENTS, [QuadraticDrag(0.4)])
     found = ph.simulate(body, 3.0 * np.eye(3), TIMES)
@@ -39,6 +40,7 @@ def test_quadratic_drag_decays_as_one_over_time():
     assert (np.asarray(body.vector_field(0.0, np.zeros(3))) == 0.0).all()
 
 
+@pytest.mark.sweep
 def test_without_torques_it_is_the_free_body():
     start = np.concatenate([TILTED, [0.3, 1.8, 1.5]])
     found = ph.simulate(TorquedBody(MOMENTS, []), start, TIMES)
@@ -90,6 +92,7 @@ class BentGravity(GravityGradient):
         return (1.0 + 1e-9) * super().torque(t, attitude, angular_velocity)
 
 
+@pytest.mark.sweep
 def test_balances_change_at_their_rates():
     start = np.concatenate([TILTED, [0.3, 1.8, 1.5]])
     drags = [LinearDrag((0.1, 0.2, 0.3)), QuadraticDrag(0.05)]
@@ -111,6 +114,7 @@ def test_energy_and_momentum_follow_the_torques():
     assert np.ptp(found.balances["kinetic_energy"], axis=-1).min() > 0.01
 
 
+@pytest.mark.sweep
 def test_the_jacobi_integral_is_kept_on_a_circular_orbit():
     orbit = KeplerOrbit(1.1e-3, 0.0, mean_anomaly=0.4)
     start = np.concatenate([TILTED, 1e-3 * np.array([0.3, 1.8, 1.5])])

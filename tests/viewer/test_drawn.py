@@ -189,6 +189,7 @@ def test_top_stays_between_its_circles(example_page, opened):
     assert low - TOUCH < path[:, 2].min() < low + HALTS and high - HALTS < path[:, 2].max() < high + TOUCH
 
 
+@pytest.mark.sweep
 def test_disk_touches_the_plane_at_its_contact(example_page, opened):
     page = opened(example_page("euler_disk"))
     last = page.count() - 1
