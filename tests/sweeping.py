@@ -8,13 +8,14 @@ def first(count, cases):
 
     Every kind of case has one that runs by default; the others repeat it with other numbers.
     """
-    for k, case in enumerate(cases):
-        values = case if isinstance(case, tuple) else (case,)
-        yield case if k < count else pytest.param(*values, marks=pytest.mark.sweep)
+    return [case if k < count else _swept(case) for k, case in enumerate(cases)]
 
 
 def only(chosen, cases):
     """Return cases for ``parametrize``: those in ``chosen`` as they are, the others marked as a sweep."""
-    for case in cases:
-        values = case if isinstance(case, tuple) else (case,)
-        yield case if case in chosen else pytest.param(*values, marks=pytest.mark.sweep)
+    return [case if case in chosen else _swept(case) for case in cases]
+
+
+def _swept(case):
+    values = case if isinstance(case, tuple) else (case,)
+    return pytest.param(*values, marks=pytest.mark.sweep)

@@ -22,9 +22,9 @@ PAGES = [page for page in PAGES if FENCE.search(page.read_text("utf-8"))]
 
 def slow_in_the_sweep(cases, slow):
     """Cases for ``parametrize``: those with a name in ``slow``, which integrate for ten seconds or more, as a sweep."""
-    for case in cases:
-        name = getattr(case, "name", case)
-        yield pytest.param(case, id=name, marks=[pytest.mark.sweep] if name in slow else [])
+    names = {getattr(case, "name", case): case for case in cases}
+    return [pytest.param(case, id=name, marks=[pytest.mark.sweep] if name in slow else [])
+            for name, case in names.items()]  # fmt: skip
 
 
 @pytest.mark.parametrize("page", slow_in_the_sweep(PAGES, {"euler_disk.md", "tops.md"}))

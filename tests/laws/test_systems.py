@@ -10,10 +10,9 @@ from specimens import SYSTEMS, named
 
 def one_of_each(systems):
     """The first of each class that is compiled in a few seconds; the others in the sweep."""
-    seen = {BodyInPotential, BrunBody}
-    for system in systems:
-        yield pytest.param(system, marks=[pytest.mark.sweep] if type(system) in seen else [])
-        seen.add(type(system))
+    classes = [BodyInPotential, BrunBody, *map(type, systems)]
+    return [pytest.param(system, marks=[pytest.mark.sweep] if type(system) in classes[: k + 2] else [])
+            for k, system in enumerate(systems)]  # fmt: skip
 
 
 @pytest.mark.parametrize("system", one_of_each(SYSTEMS), ids=named)
