@@ -1,0 +1,61 @@
+"""What the command compiles is kept for its next run, and nothing else changes by it."""
+
+import os
+import subprocess
+import sys
+
+PROGRAM = """
+import os
+from polhode.cli.compiled import keep_compiled
+keep_compiled()
+import jax, diffrax
+rates = diffrax.ODETerm(lambda t, y, args: -y)
+times = diffrax.SaveAt(ts=jax.numpy.array([0.5, 1.0]))
+solve = jax.jit(lambda y: diffrax.diffeqsolve(rates, diffrax.Tsit5(), 0.0, 1.0, 0.1, y, saveat=times, throw=False).ys)
+print(float(solve(1.0)[-1]))
+"""
+IMPORT = """
+import os, polhode, polhode.algebra, jax
+assert jax.config.jax_compilation_cache_dir is None and "EQX_ON_ERROR" not in os.environ
+jax.jit(jax.numpy.sin)(1.0)
+"""
+
+
+def run(program, cache, **more):
+    environment = {k: v for k, v in os.environ.items() if not k.startswith(("JAX_", "EQX_", "TF_"))}
+    environment |= {"XDG_CACHE_HOME": str(cache), "HOME": str(cache)} | more
+    done = subprocess.run([sys.executable, "-c", program], env=environment, capture_output=True, text=True, timeout=300,
+                          check=False)  # fmt: skip
+    assert done.returncode == 0 and done.stderr == "", done.stderr
+    return done.stdout
+
+
+def kept(cache):
+    return {path: path.stat().st_mtime_ns for path in cache.glob("**/compiled/*/*-cache")}
+
+
+def test_what_is_compiled_is_kept_even_a_solver_with_checks(tmp_path):
+    said = run(PROGRAM, tmp_path)
+    files = kept(tmp_path)
+    assert abs(float(said) - 0.367879) < 1e-3
+    assert any("lambda" in path.name for path in files)
+    assert run(PROGRAM, tmp_path) == said and kept(tmp_path) == files  # all of it was found
+
+
+def test_what_is_broken_or_cannot_be_written_is_compiled_again_in_silence(tmp_path):
+    said = run(PROGRAM, tmp_path / "good")
+    for path in kept(tmp_path / "good"):
+        path.write_bytes(path.read_bytes()[:40])
+    assert run(PROGRAM, tmp_path / "good") == said
+    (tmp_path / "file").write_text("")
+    assert run(PROGRAM, tmp_path / "file") == said
+
+
+def test_a_folder_that_the_user_chose_is_left_as_it_is(tmp_path):
+    run(PROGRAM, tmp_path / "cache", JAX_COMPILATION_CACHE_DIR=str(tmp_path / "chosen"))
+    assert (tmp_path / "chosen").is_dir() and not kept(tmp_path / "cache")
+
+
+def test_importing_the_library_switches_nothing_on(tmp_path):
+    run(IMPORT, tmp_path)
+    assert not kept(tmp_path)
