@@ -283,8 +283,8 @@ def trajectory_of(
     balances = eqx.filter_jit(system.balances)(jnp.asarray(times), states)
     values = {name: np.asarray(balance.value) for name, balance in balances.items()}
     got = {name: np.asarray(value) for name, value in received.items()}
-    vectors = [None if x is None else np.asarray(x) for x in system.vectors(states)]
-    terms = _terms(system, jnp.take(states, 0, axis=axis)) if jnp.isrealobj(states) else {}
+    vectors = [None if x is None else np.asarray(x) for x in _vectors(system, states)]
+    terms = _terms(system, np.take(np.asarray(states), 0, axis=axis)) if jnp.isrealobj(states) else {}
     drift = {name: _drift(value, axis, terms.get(name)) for name, value in invariants.items()}
     return Trajectory(
         source=system,
@@ -324,6 +324,11 @@ def _representable(system: AbstractSystem, states: Array, invariants: dict[str, 
 @eqx.filter_jit
 def _invariants(system: AbstractSystem, states: Array) -> dict[str, Array]:
     return system.invariants(states)
+
+
+@eqx.filter_jit
+def _vectors(system: AbstractSystem, states: Array) -> tuple[Array | None, Array | None, Array | None]:
+    return tuple(system.vectors(states))
 
 
 @eqx.filter_jit

@@ -119,10 +119,13 @@ class AbstractLieAlgebra(HashableModule):
     @cached_property
     def _structure_constants(self) -> np.ndarray:
         with jax.ensure_compile_time_eval():  # asked for inside a jitted function too
-            basis = self.from_vector(jnp.eye(self.dim))
-            constants = np.array(self.to_vector(self.bracket(basis[:, None], basis[None, :])))
+            constants = np.array(jax.jit(self._brackets_of_basis)())
         constants.flags.writeable = False
         return constants
+
+    def _brackets_of_basis(self) -> Array:
+        basis = self.from_vector(jnp.eye(self.dim))
+        return self.to_vector(self.bracket(basis[:, None], basis[None, :]))
 
     def structure_constants(self) -> np.ndarray:
         """Return c (dim, dim, dim), [e_i, e_j] = Σ_k c[i,j,k] e_k; for small algebras."""

@@ -48,11 +48,17 @@ def tabulate(system: SpinOrbit, steps: int) -> Table:
     sizes = np.diff(edges)[:, None] * stages(ORDER)
     middles = edges[:-1, None] + np.cumsum(sizes, axis=1) - 0.5 * sizes
     sizes, middles = sizes.ravel(), middles.ravel()
-    eccentric = solve_kepler(jnp.asarray(middles - TURN * np.round(middles / TURN)), e)
-    strength = 0.5 * system.asphericity**2 / ratio_from_eccentric(eccentric, e) ** 3
+    kicks, phases = _kicks(middles - TURN * np.round(middles / TURN), sizes, e, system.asphericity)
     drifts = 0.5 * (np.append(0.0, sizes) + np.append(sizes, 0.0))
-    phases = 2.0 * true_from_eccentric(eccentric, e)
-    return Table(jnp.asarray(drifts[:-1]), strength * sizes, phases, jnp.asarray(drifts[-1]))
+    return Table(jnp.asarray(drifts[:-1]), kicks, phases, jnp.asarray(drifts[-1]))
+
+
+@jax.jit
+def _kicks(anomalies: Array, sizes: Array, e: Array, asphericity: Array) -> tuple[Array, Array]:
+    """Return strengths and phases of kicks at mean anomalies."""
+    eccentric = solve_kepler(anomalies, e)
+    strength = 0.5 * asphericity**2 / ratio_from_eccentric(eccentric, e) ** 3
+    return strength * sizes, 2.0 * true_from_eccentric(eccentric, e)
 
 
 @partial(jax.jit, static_argnames="periods")

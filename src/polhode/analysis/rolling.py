@@ -50,7 +50,7 @@ def rolling_stability(disk: EulerDisk, state: Array) -> Stability:
     state = disk.check_state(state)
     if jnp.ndim(state) != 1:
         raise InvalidInput(f"`state` must be one state (8,); got shape {jnp.shape(state)}.")
-    mechanics, x = disk.mechanics, state[jnp.array([0, 5, 6, 7])]
+    mechanics, x = disk.mechanics, np.asarray(state)[[0, 5, 6, 7]]
     flow, slope, curvature, dJ, ddJ, field = (np.asarray(v) for v in _matrices(mechanics, x))
     size = float(mechanics.gravity / mechanics.radius) + float(np.sum(np.asarray(x[1:]) ** 2))
     if abs(field[0]) > AT_REST * math.sqrt(size) or abs(field[1]) > AT_REST * size:
@@ -69,7 +69,7 @@ def rolling_stability(disk: EulerDisk, state: Array) -> Stability:
 @known_numbers_only
 def nutation(disk: EulerDisk, state: Array) -> float | None:
     """Return the frequency [rad/s] of small nutation about a steady motion, None where it is not stable."""
-    square = float(disk.mechanics.nutation_squared(state[0], state[6], state[7]))
+    square = float(_nutation_squared(disk.mechanics, state))
     return math.sqrt(square) if square > 0.0 else None
 
 
@@ -95,6 +95,11 @@ def critical_spin_rate(disk: EulerDisk) -> float:
     """
     m, a, A, _, g = _thin_constants(disk)
     return math.sqrt(m * g * a / (A + m * a * a))
+
+
+@jax.jit
+def _nutation_squared(mechanics: RollingMechanics, state: Array) -> Array:
+    return mechanics.nutation_squared(state[0], state[6], state[7])
 
 
 @jax.jit

@@ -121,19 +121,21 @@ def solve_adaptively(
     _check_reached(solution, times)
     results: Any = diffrax.RESULTS
     steps = int(np.max(solution.stats["num_steps"], initial=0))
+    sampled, final = jax.tree.map(np.asarray, solution.ys)  # each operation on a JAX array would be compiled by itself
     if batch:
-        ys = jax.tree.map(lambda y: jnp.reshape(y, (*batch, *y.shape[1:])), solution.ys[0])
+        ys = jax.tree.map(lambda y: np.reshape(y, (*batch, *y.shape[1:])), sampled)
         fine = np.reshape(np.asarray(jax.vmap(lambda r: r == results.successful)(solution.result)), batch)
         return AdaptiveMotion(times, ys.state, ys.received, None, fine, steps)
     ended = bool(solution.result == results.event_occurred)
     reached = np.isfinite(np.asarray(solution.ts[0])) if ended else np.ones(len(times), bool)
-    ts, ys = times[reached], _taken(solution.ys[0], reached)
+    ts, ys = times[reached], _taken(sampled, reached)
     event = None
     if ended:
-        last, final = float(solution.ts[1][0]), solution.ys[1].state[0]
-        event = min(system.events, key=lambda name: float(system.events[name](jnp.asarray(last), final)))
+        last = float(np.asarray(solution.ts[1])[0])
+        state = jnp.asarray(final.state[0])
+        event = min(system.events, key=lambda name: float(system.events[name](jnp.asarray(last), state)))
         before = np.abs(ts - times[0]) < abs(last - times[0])
-        ts, ys = np.append(ts[before], last), _joined(_taken(ys, before), solution.ys[1])
+        ts, ys = np.append(ts[before], last), _joined(_taken(ys, before), final)
     fine = np.asarray(ended or bool(solution.result == results.successful))
     return AdaptiveMotion(ts, ys.state, ys.received, event, fine, steps)
 
@@ -156,9 +158,9 @@ def adaptive_error(
     count = min(len(motion.times), len(other.times)) - (motion.event is not None or other.event is not None)
     if count <= every:  # the start alone has no error, and says nothing
         return None
-    axis = jnp.ndim(motion.states) - 1 - system.state_axes
-    rows = jnp.arange(0, count, every)
-    one, two = (np.asarray(jnp.take(m.states, rows, axis=axis)) for m in (motion, other))
+    axis = np.ndim(motion.states) - 1 - system.state_axes
+    rows = np.arange(0, count, every)
+    one, two = (np.take(m.states, rows, axis=axis) for m in (motion, other))
     with np.errstate(invalid="ignore"):
         off = difference(system, one, two)
     rounding = np.minimum(off, EPS * motion.steps)
@@ -242,5 +244,5 @@ def _taken(ys: _Carried, which: np.ndarray) -> _Carried:
 
 
 def _joined(ys: _Carried, last: _Carried) -> _Carried:
-    received = {name: jnp.concatenate([value, last.received[name]]) for name, value in ys.received.items()}
-    return _Carried(jnp.concatenate([ys.state, last.state]), received)
+    received = {name: np.concatenate([value, last.received[name]]) for name, value in ys.received.items()}
+    return _Carried(np.concatenate([ys.state, last.state]), received)

@@ -295,7 +295,7 @@ def as_finite_state(state: Array, dtype: Any, length: int | None = None) -> Arra
         state = jnp.asarray(state, dtype=dtype)
     except (TypeError, ValueError):
         raise InvalidInput(f"`state` must be numbers; got {shown(state)}.") from None
-    if not bool(jnp.isfinite(state).all()):
+    if not np.isfinite(np.asarray(state)).all():
         raise InvalidInput("`state` must be finite; got NaN or an infinity. Check where it comes from.")
     if length is not None and state.shape[-1:] != (length,):
         raise InvalidInput(f"`state` must have shape (…, {length}); got {state.shape}.")
@@ -308,7 +308,7 @@ def check_unit_attitude(state: Array) -> Array:
     Raises:
         InvalidInput: if it is not of unit length.
     """
-    if not bool(jnp.all(jnp.abs(jnp.linalg.norm(state[..., :4], axis=-1) - 1.0) < UNIT)):
+    if not np.all(np.abs(np.linalg.norm(np.asarray(state)[..., :4], axis=-1) - 1.0) < UNIT):
         raise InvalidInput("`state` must begin with a unit quaternion (w, x, y, z); divide it by its norm.")
     return state
 

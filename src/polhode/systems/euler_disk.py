@@ -367,6 +367,7 @@ class EulerDisk(AbstractSystem):
         return state[..., 0], state[..., 5], state[..., 6], state[..., 7]
 
 
+@jax.jit
 def _frame(state: Array) -> tuple[Array, Array, Array]:
     """Return e1, e2, e3 (…, 3) in space."""
     theta, phi = state[..., 0], state[..., 1]

@@ -43,6 +43,7 @@ class RollingMechanics(eqx.Module):
     def _constants(self) -> tuple[Array, ...]:
         return self.mass, self.radius, self.half_thickness, self.diametral_moment, self.axial_moment
 
+    @jax.jit
     def tilt_acceleration(self, theta: Array, w2: Array, w3: Array) -> Array:
         """Return θ̈ [rad/s²], on which neither θ̇ nor the couples act; it vanishes in steady motion."""
         m, a, b, A, C = self._constants
@@ -64,6 +65,7 @@ class RollingMechanics(eqx.Module):
         det = A * C + m * a * a * A + m * b * b * C  # pq − r² without cancellation
         return (q * tau2 + r * tau3) / det, (r * tau2 + p * tau3) / det
 
+    @jax.jit
     def nutation_squared(self, theta: Array, w2: Array, w3: Array) -> Array:
         """Return the square of the nutation's frequency [rad²/s²] about a steady motion; negative where unstable."""
         by_theta, by_w2, by_w3 = jax.grad(self.tilt_acceleration, argnums=(0, 1, 2))(theta, w2, w3)
@@ -81,6 +83,7 @@ class RollingMechanics(eqx.Module):
         height = self.radius * jnp.sin(theta) - 2.0 * self.half_thickness * jnp.sin(0.5 * theta) ** 2
         return self.mass * self.gravity * height
 
+    @jax.jit
     def normal_force(self, theta: Array, w1: Array, w2: Array, w3: Array) -> Array:
         """Return N = m [g + (ac − bs) θ̈ − (as + bc) θ̇²] [N], with which the plane pushes."""
         a, b = self.radius, self.half_thickness
@@ -88,12 +91,14 @@ class RollingMechanics(eqx.Module):
         lift = (a * c - b * s) * self.tilt_acceleration(theta, w2, w3) - (a * s + b * c) * w1 * w1
         return self.mass * (self.gravity + lift)
 
+    @jax.jit
     def precession_at_rest(self, theta: Array) -> Array:
         """Return φ̇² [rad²/s²] of the steady motion whose centre is at rest: mga/(A sin θ) of a thin disk."""
         m, a, b, A, C = self._constants
         s, c = jnp.sin(theta), jnp.cos(theta)
         return m * self.gravity * (a * c - b * s) / (A * s * c - C * s * s * b / a)
 
+    @jax.jit
     def steady_spin(self, theta: Array, precession: Array) -> Array:
         """Return ω3 [rad/s] of steady motion at φ̇; not finite where nothing precesses."""
         m, a, b, A, C = self._constants
