@@ -110,6 +110,7 @@ def test_intermediate_axis_on_both_sides_of_symmetry():
     assert above.rate == pytest.approx(np.sqrt(BESIDE * (2.0 - BESIDE) / 3.0) / (1.0 + BESIDE), rel=1e-7)
 
 
+@pytest.mark.sweep
 def test_four_dimensional_body_at_a_threshold():
     """Rotation in plane 12, a little in plane 34: the third mass decides, at a value found by the exponents."""
     def case(third):

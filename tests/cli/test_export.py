@@ -135,6 +135,7 @@ def test_without_a_form_nothing_is_written(run, tmp_path):
     assert code == 2 and "--to" in err and written(tmp_path) == []
 
 
+@pytest.mark.sweep
 def test_motions_without_attitude(run, tmp_path):
     text = 'system = { kind = "spin-orbit", eccentricity = 0.1, orbital_period = "21 day", asphericity = 0.9 }\n'
     (tmp_path / "case.toml").write_text(text + '[time]\nuntil = "1 day"\nsamples = 5\n')

@@ -53,7 +53,7 @@ that add up at random grow like the root of their number)."""
 
 QUICK = [
     ("body", Splitting, 4), ("body", MoserVeselov, 10), ("fish", MuntheKaas, 4), ("four", Splitting, 2),
-    ("eight", IsospectralMidpoint, 2), ("pair", SphericalMidpoint, 2), ("pair", LieMidpoint, 2), ("top", Splitting, 2),
+    ("eight", IsospectralMidpoint, 2), ("pair", SphericalMidpoint, 2), ("pair", LieMidpoint, 2),
 ]  # fmt: skip
 
 
@@ -114,7 +114,9 @@ def test_casimirs_and_energy_over_a_million_steps_or_a_fifth(case):
     check(*case, *((FIFTH, CASIMIR / 2) if case in COSTLY else (MANY,)))
 
 
-@pytest.mark.parametrize("case", one_of_each([case for case in CASES if case[1] in SYMMETRIC], QUICK), ids=names)
+@pytest.mark.parametrize(
+    "case", one_of_each([case for case in CASES if case[1] in SYMMETRIC], QUICK[:1] + QUICK[-2:]), ids=names
+)
 def test_symmetric_methods_run_back(case):
     name, method, order = case
     system = SYSTEMS[name]

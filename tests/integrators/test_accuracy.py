@@ -145,6 +145,7 @@ def test_bad_input(more, words):
         ph.simulate(body, START, SPARSE, **more)
 
 
+@pytest.mark.sweep
 def test_samples_that_make_the_steps_do_not_hide_the_error():
     """Chaos: a hundred orbits of Hyperion are lost to rounding and truncation; it was said to be 5e-17 off."""
     hyperion = systems.SpinOrbit(asphericity=0.89, eccentricity=0.1)

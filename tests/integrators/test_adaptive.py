@@ -59,6 +59,7 @@ def exact(t, x, v):
     return (x + 1 / 3) * np.cos(t) + v * np.sin(t) - np.cos(2 * t) / 3
 
 
+@pytest.mark.sweep
 def test_rates_may_depend_on_time_and_states_may_be_a_batch():
     times = np.linspace(0.0, 20.0, 41)
     starts = np.array([[[1.0, 0.0], [0.3, -0.4]]])

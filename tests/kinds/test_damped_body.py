@@ -67,6 +67,7 @@ def test_verdicts_and_rates_inside_a_triaxial_body(report):
     assert max(found.trajectory.drift.values()) < BALANCE
 
 
+@pytest.mark.sweep
 def test_linear_drag_turns_a_symmetric_body_towards_its_larger_moment(report):
     """L_k falls as exp(−c t/I_k): tan of the angle from axis 3 as exp(c (1/I3 − 1/I1) t), whatever the nutation."""
     found = report(DISK, 'linear_drag = "0.2 N*m*s"', 'rate = "3 rad/s"\nabout = 3\ntilt = "20 deg"')
@@ -82,6 +83,7 @@ def test_linear_drag_turns_a_symmetric_body_towards_its_larger_moment(report):
     assert values["lowest_energy"] is None and set(values["drift"]) == {"kinetic_energy", "|L|²"}
 
 
+@pytest.mark.sweep
 def test_quadratic_drag_brakes_as_one_over_time(report):
     found = report(TRIAXIAL, 'quadratic_drag = "0.4 N*m*s^2"', 'rate = "3 rad/s"\nabout = 3')
     times = np.asarray(found.trajectory.times)

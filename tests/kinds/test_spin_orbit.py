@@ -104,6 +104,7 @@ def test_figures(report, tmp_path):
     assert np.abs(upper.lines[0].get_ydata()).max() < 11.0
 
 
+@pytest.mark.sweep
 def test_datasets_name_angle_and_rate(report):
     data = as_dataset(report().trajectory)
     assert isinstance(data, xr.Dataset) and "state" not in data

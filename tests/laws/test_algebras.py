@@ -7,6 +7,7 @@ import pytest
 from polhode import algebra as lie
 from polhode.testing import LawBroken, check_algebra
 from specimens import ALGEBRAS
+from sweeping import first
 
 
 def one_of_each_class_at_once():
@@ -70,7 +71,7 @@ def test_nan_is_caught():
         check_algebra(Undefined())
 
 
-@pytest.mark.parametrize("algebra", [a for a in ALGEBRAS if a.dim <= 10], ids=lambda a: a.name)
+@pytest.mark.parametrize("algebra", first(10, [a for a in ALGEBRAS if a.dim <= 10]), ids=lambda a: a.name)
 def test_index_is_the_corank_of_the_poisson_tensor(algebra):
     vector = np.random.default_rng(1).normal(size=algebra.dim)
     rank = np.linalg.matrix_rank(algebra.structure_constants() @ vector, tol=1e-9)

@@ -110,6 +110,7 @@ def test_traced_numbers_are_refused_as_their_type_is_known():
         jax.jit(lambda x: ph.FreeMotion(x, jnp.asarray(THREE)).momentum(1.0))(jnp.asarray(THREE, dtype="float32"))
 
 
+@pytest.mark.sweep
 def test_whole_numbers_and_plain_ones_are_good():
     wanted = ph.FreeMotion((1.0, 2.0, 3.0), (1.0, 1.0, 2.0)).energy
     assert ph.FreeMotion(jnp.array([1, 2, 3]), np.array([1, 1, 2], dtype=np.int32)).energy == wanted

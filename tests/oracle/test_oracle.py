@@ -8,6 +8,7 @@ from oracle.families import FAMILIES, Case, draw
 from oracle.measures import drift_in_eps, error_in_eps
 from oracle.reference import Reference, exact, reference_state
 from oracle.taylor import integrated_state
+from sweeping import first
 
 AGREEMENT = 1e-40
 """Both methods carry 45 digits or more; the issue asks for 40."""
@@ -34,7 +35,7 @@ def turn(case: Case) -> float:
     return max(abs(x) for x in case.momentum) / min(case.moments) * abs(case.time)
 
 
-@pytest.mark.parametrize("family", [family.__name__ for family in FAMILIES])
+@pytest.mark.parametrize("family", first(10, [family.__name__ for family in FAMILIES]))
 def test_legendre_form_agrees_with_integrated_equations(family):
     cases = [c for c in draw(6, seed=7, longest_turn=1.3) if c.family == family and turn(c) < MOST_TURN]
     assert cases

@@ -137,6 +137,7 @@ def test_legendre(m1):
             assert incomplete_pi(n, angle, m1) == pytest.approx(wanted, rel=RELATIVE)
 
 
+@pytest.mark.sweep
 def test_jacobi_derivatives():
     with jax.enable_x64(True):
         for u, m1 in ((0.7, 0.3), (2.5, 0.8)):

@@ -207,6 +207,7 @@ def test_lift_off_and_the_edge():
     assert found.outcome.event == "on edge" and abs(found.states[-1, 0] - np.pi / 2) < 1e-12
 
 
+@pytest.mark.sweep
 def test_a_disk_that_falls_over_lies_flat():
     found = ph.simulate(thin, [1.0, 0, 0, 0, 0, 0, 0, 0], np.linspace(0.0, 1.0, SAMPLES))
     fast = np.sqrt(2 * 9.80665 * RADIUS * np.sin(1.0) / (1.25 * RADIUS**2))

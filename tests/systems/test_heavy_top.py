@@ -92,6 +92,7 @@ def test_kovalevskayas_integral_is_bounded_at_order_two():
     assert swing < 1e-3 * values[0] and abs(values[:100].mean() - values[-100:].mean()) < 0.2 * swing
 
 
+@pytest.mark.sweep
 def test_brun_and_clebsch():
     body = BrunBody((1.0, 2.0, 3.0), 0.7)
     state = jnp.asarray(start(body, "any"))

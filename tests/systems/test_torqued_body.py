@@ -63,6 +63,7 @@ class FixedInSpace(AbstractTorque):
         return rotation.rotate(rotation.conjugate(attitude), jnp.sin(t)[..., None] * self.vector)
 
 
+@pytest.mark.sweep
 def test_a_torque_of_ones_own_adds_up_in_space():
     vector, momentum = np.array([0.3, -0.5, 1.0]), np.array([0.3, 1.8, 1.5])
     found = ph.simulate(TorquedBody(MOMENTS, [FixedInSpace(jnp.array(vector))]), [*TILTED, *momentum], TIMES)
@@ -167,6 +168,7 @@ def offsets(n, tilt, spacing, count):
     return rotation.as_rotation_vector(rotation.multiply(rotation.conjugate(frame), found.attitude))
 
 
+@pytest.mark.sweep
 def test_pitch_librates_with_the_textbook_frequency():
     """Hughes, section 9.2: ω² = 3 n² (I_roll − I_yaw)/I_pitch, with yaw radial and pitch along the normal."""
     n, spacing = 1.1e-3, 100.0
@@ -179,6 +181,7 @@ def test_pitch_librates_with_the_textbook_frequency():
     assert np.abs(still).max() < 1e-11
 
 
+@pytest.mark.sweep
 def test_roll_and_yaw_librate_with_the_textbook_frequencies():
     """Hughes, section 9.2: s⁴ + (1 + 3k1 + k1 k3) n² s² + 4 k1 k3 n⁴ = 0, k1 = (p − y)/r, k3 = (p − r)/y."""
     n, spacing = 1.1e-3, 400.0
