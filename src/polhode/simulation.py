@@ -327,7 +327,7 @@ def _invariants(system: AbstractSystem, states: Array) -> dict[str, Array]:
 
 
 @eqx.filter_jit
-def _vectors(system: AbstractSystem, states: Array) -> tuple[Array | None, Array | None, Array | None]:
+def _vectors(system: AbstractSystem, states: Array) -> tuple[Array | None, ...]:
     return tuple(system.vectors(states))
 
 

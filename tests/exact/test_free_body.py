@@ -99,7 +99,8 @@ def test_regimes_one_by_one_and_in_a_batch():
     for name, (moments, momentum) in cases.items():
         motion = ph.FreeMotion(moments, momentum)
         assert motion.regime == name
-        assert (motion.period is None) == (name in ("rest", "spherical", "permanent", "separatrix"))
+        assert (motion.period is None) == (name in ("rest", "spherical", "permanent"))
+        assert (motion.period == np.inf) == (name == "separatrix")
     batch = ph.FreeMotion(*(np.array([case[k] for case in cases.values()]) for k in (0, 1)))
     assert batch.regime.tolist() == list(range(7))
     assert np.isnan(batch.period[:3]).all() and np.isinf(batch.period[6])

@@ -110,7 +110,7 @@ def test_regimes_of_a_batch_are_codes_and_absent_values_nan_or_inf():
     assert tops.regime.tolist() == list(range(len(REGIMES)))
     period = dict(zip(REGIMES, tops.nutation_period.tolist(), strict=True))
     assert math.isnan(period["sleeping"]) and period["separatrix"] == math.inf and period["loop"] > 0
-    assert ph.LagrangeMotion(MOMENTS, 1.0, (2, 0, 0), DOWN).nutation_period is None
+    assert ph.LagrangeMotion(MOMENTS, 1.0, (2, 0, 0), DOWN).nutation_period == np.inf
 
 
 def test_a_steady_top_precesses_and_spins_at_its_rates():

@@ -15,6 +15,7 @@ import numpy as np
 
 from polhode.arrays import known_numbers_only
 from polhode.exact.free_body import FreeMotion
+from polhode.motion.inputs import finite
 
 Array = Any
 PARTS = (0.08, 0.25, 0.5, 0.75)  # of the way from an axis to the separatrix
@@ -45,9 +46,10 @@ def polhode_family(moments: Array) -> list[Array]:
             near, far = np.cos(angle), np.sin(angle)
             start = (far, 0.0, near) if axis == 2 else (near, 0.0, far)
             motion = FreeMotion(moments, start)
-            if motion.period is None:
+            period = finite(motion.period)
+            if period is None:
                 continue
-            curve = motion.momentum(np.linspace(0.0, motion.period, POINTS))
+            curve = motion.momentum(np.linspace(0.0, period, POINTS))
             curves += [curve, -curve]
     return curves
 
@@ -59,10 +61,11 @@ def polhode(motion: FreeMotion, points: int) -> Array | None:
     Points are spread half by length, half by time: by time alone they would be far apart where L is fast, between its
     long stays near a separatrix, and by length alone in the bends where it stays.
     """
-    if motion.period is None or not motion.momentum_norm:
+    period = finite(motion.period)
+    if period is None or not motion.momentum_norm:
         return None
     epoch = float(motion.epoch)
-    times = epoch + np.linspace(0.0, motion.period, 4 * points + 1)
+    times = epoch + np.linspace(0.0, period, 4 * points + 1)
     steps = np.linalg.norm(np.diff(motion.momentum(times), axis=0), axis=-1)
     share = np.concatenate([[0.0], np.cumsum(steps / steps.sum())]) + np.linspace(0.0, 1.0, len(times))
     even = np.interp(np.linspace(0.0, share[-1], points + 1), share, times)

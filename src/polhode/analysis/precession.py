@@ -9,6 +9,7 @@ import numpy as np
 
 from polhode.arrays import known_numbers_only
 from polhode.exact.free_body import FreeMotion
+from polhode.motion.inputs import finite
 
 
 class Precession(NamedTuple):
@@ -26,11 +27,12 @@ def body_precession(motion: FreeMotion) -> Precession | None:
     For a symmetric body the rate is |I3−I1| ω3/I1: with the spin if the body is oblate, against it if prolate; the
     same senses hold for short-axis and long-axis modes. None where L stays or never returns.
     """
-    if motion.period is None:
+    period = finite(motion.period)
+    if period is None:
         return None
     against = motion.encircled_axis == int(np.argmin(np.asarray(motion.moments)))
     sense = "against the spin" if against else "with the spin"
-    return Precession("body", 2.0 * math.pi / motion.period, sense)
+    return Precession("body", 2.0 * math.pi / period, sense)
 
 
 @known_numbers_only

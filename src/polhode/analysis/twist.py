@@ -17,6 +17,7 @@ from polhode import rotation
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.exact.free_body import FreeMotion
+from polhode.motion.inputs import finite
 
 Array = Any
 TURN = 2.0 * math.pi
@@ -66,7 +67,7 @@ def racket_twist(motion: FreeMotion, handle: int = 0) -> float:
 
     for refinement in range(REFINEMENTS):
         edges = _first_edges(motion, longest, SEGMENTS * 16**refinement)
-        end, twist = _one_turn(rates, edges, motion.period)
+        end, twist = _one_turn(rates, edges, finite(motion.period))
         late = _azimuth(motion, handle, end)
         if abs(late) < AGREEMENT:
             end -= late / rates(np.asarray(end))[0]
@@ -85,8 +86,9 @@ def _rates(L: Array, moments: Array, h: int) -> Array:
 
 def _first_edges(motion: FreeMotion, longest: float, count: int) -> Array:
     """Return edges of segments over one period or the longest possible turn, fine where L changes."""
-    if motion.period is not None:
-        return np.linspace(0.0, min(motion.period, longest), count + 1)
+    period = finite(motion.period)
+    if period is not None:
+        return np.linspace(0.0, min(period, longest), count + 1)
     if motion.regime != "separatrix":
         return np.array([0.0, longest])
     low, middle, high = np.sort(np.asarray(motion.moments))

@@ -50,8 +50,8 @@ class FreeMotion(AbstractMotion):
     ``jit``, ``vmap`` and derivatives through moments, momentum, attitude, epoch and time. Derivatives are NaN of
     motions that start closer than 1e-153 |L| to the unstable axis. JAX on the CPU takes numbers below 2e-308 for zero.
 
-    Scalar answers such as ``period`` are floats for one body, None where infinite or undefined; in batches they are
-    arrays with inf where infinite and NaN where undefined.
+    Scalar answers such as ``period`` are floats for one body, inf where infinite and None where undefined; in batches
+    they are arrays, with NaN where undefined.
 
     Raises:
         InvalidInput: for moments that are not positive and finite, values that are not finite, or a quaternion that is
@@ -292,8 +292,7 @@ class FreeMotion(AbstractMotion):
     def _encircles_smallest(self) -> Array:
         """Whether the polhode goes round the axis of least inertia (long-axis mode; prolate bodies too)."""
         xp = namespace(self.moments, self._numbers.period)
-        twice_energy_times = xp.argmin(self.moments, axis=-1)
-        return self._numbers.encircled_axis == twice_energy_times
+        return self._numbers.encircled_axis == xp.argmin(self.moments, axis=-1)
 
 
 def _along_given_axes(axes: Array, attitude: Array, momentum: Array) -> tuple[Array, Array]:

@@ -49,8 +49,8 @@ class LagrangeMotion(AbstractMotion):
     Batch axes of all five are broadcast against each other, and times against them. JAX arrays in, JAX arrays out, with
     ``jit``, ``vmap`` and first derivatives.
 
-    Scalar answers such as ``nutation_period`` are floats for one top, None where infinite or undefined; in batches they
-    are arrays with inf where infinite and NaN where undefined.
+    Scalar answers such as ``nutation_period`` are floats for one top, inf where infinite and None where undefined; in
+    batches they are arrays, with NaN where undefined.
 
     Raises:
         InvalidInput: for moments that are not positive, finite and equal in the first two, values that are not finite,

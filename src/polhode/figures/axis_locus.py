@@ -10,6 +10,7 @@ from matplotlib.figure import Figure
 from polhode import rotation
 from polhode.figures import style
 from polhode.figures.sphere import draw_curve, mark_point, sphere_axes, view_frame
+from polhode.motion.inputs import finite
 from polhode.reports.top import TopReport
 
 Array = Any
@@ -79,8 +80,9 @@ def followed(report: TopReport) -> Followed:
         return Followed(attitude, report.axis_in_space, momentum, velocity, [], "")
     start, end = float(report.trajectory.times[0]), float(report.trajectory.times[-1])
     words = ""
-    if exact.nutation_period is not None and end - start > PERIODS * exact.nutation_period:
-        end = start + PERIODS * exact.nutation_period
+    period = finite(exact.nutation_period)
+    if period is not None and end - start > PERIODS * period:
+        end = start + PERIODS * period
         words = f", first {end - start:.3g} s" if report.constant_tilt else f", first {PERIODS} nutations"
     attitude, momentum = exact.state(np.linspace(start, end, SAMPLES))
     # at constant tilt the path itself is the circle

@@ -7,6 +7,7 @@ from matplotlib.figure import Figure
 
 from polhode.figures import style
 from polhode.figures.free_motion import free_motion_of
+from polhode.motion.inputs import finite
 from polhode.motion.trajectory import Trajectory
 
 LONGEST = 4  # periods shown; more would only blur
@@ -19,8 +20,9 @@ def draw_components(trajectory: Trajectory) -> Figure:
     upper, lower = figure.subplots(2, 1, sharex=True)
     whole = end = float(np.asarray(trajectory.times)[-1])
     start = float(np.asarray(trajectory.times)[0])
-    if motion.period is not None:
-        end = min(end, start + LONGEST * motion.period)
+    period = finite(motion.period)
+    if period is not None:
+        end = min(end, start + LONGEST * period)
     shown = f", the first {LONGEST} periods" if end < whole else ""
     slow = style.power_of_ten((start, end))
     times = np.linspace(start, end, 1200)

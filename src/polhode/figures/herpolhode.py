@@ -11,6 +11,7 @@ from polhode.analysis.poinsot import herpolhode, herpolhode_curve
 from polhode.exact.free_body import FreeMotion
 from polhode.figures import style
 from polhode.figures.free_motion import free_motion_of
+from polhode.motion.inputs import finite
 from polhode.motion.trajectory import Trajectory
 
 Array = Any
@@ -54,7 +55,7 @@ def draw_herpolhode(trajectory: Trajectory) -> Figure | None:
 
 def _times(motion: FreeMotion, samples: Trajectory) -> Array:
     """Return times that follow every turn of the contact point, which the samples need not."""
-    times, period = np.asarray(samples.times), motion.period
+    times, period = np.asarray(samples.times), finite(motion.period)
     fastest = float(np.linalg.norm(np.asarray(samples.angular_velocity), axis=-1).max())
     fastest += 2.0 * np.pi / period if period is not None else 0.0
     span = min(float(np.ptp(times)), 2.0 * np.pi * TURNS / fastest, PERIODS * period if period is not None else np.inf)

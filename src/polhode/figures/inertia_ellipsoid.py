@@ -20,6 +20,7 @@ from polhode.figures import style
 from polhode.figures.energy_levels import default_frame
 from polhode.figures.free_motion import free_motion_of
 from polhode.figures.scene import Scene
+from polhode.motion.inputs import finite
 from polhode.motion.trajectory import Trajectory
 
 Array = Any
@@ -66,9 +67,10 @@ def draw_inertia_ellipsoid(trajectory: Trajectory) -> Figure | None:
 
 def _own(motion: FreeMotion, samples: Trajectory) -> Array:
     """Return the direction of L (T, 3) over a period, or at the samples without one."""
-    if motion.period is None:
+    period = finite(motion.period)
+    if period is None:
         return np.asarray(samples.momentum) / motion.momentum_norm
-    return motion.momentum(motion.epoch + np.linspace(0.0, motion.period, 2000)) / motion.momentum_norm
+    return motion.momentum(motion.epoch + np.linspace(0.0, period, 2000)) / motion.momentum_norm
 
 
 def _axes(scene: Scene, shape: Array) -> None:

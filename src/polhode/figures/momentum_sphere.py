@@ -11,6 +11,7 @@ from polhode.analysis.polhodes import polhode_family, separatrix
 from polhode.figures import style
 from polhode.figures.free_motion import free_motion_of
 from polhode.figures.sphere import draw_curve, mark_point, sphere_axes, view_frame
+from polhode.motion.inputs import finite
 from polhode.motion.trajectory import Trajectory
 
 Array = Any
@@ -32,7 +33,7 @@ def draw_momentum_sphere(trajectory: Trajectory) -> Figure | None:
         draw_curve(axes, frame, curve, style.GREY, 0.5)
     for curve in separatrix(moments):
         draw_curve(axes, frame, curve, style.VERMILION, 0.9)
-    unit, span = np.asarray(samples.momentum) / norm, motion.period
+    unit, span = np.asarray(samples.momentum) / norm, finite(motion.period)
     if span is not None:
         unit = motion.momentum(motion.epoch + np.linspace(0.0, span, 2000)) / norm
     draw_curve(axes, frame, unit, style.BLUE, 1.8)

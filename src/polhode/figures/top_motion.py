@@ -6,6 +6,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from polhode.figures import style
+from polhode.motion.inputs import finite
 from polhode.reports.top import TopReport
 
 LOST = 0.1  # of the largest rate: curves smaller than this are enlarged, their fast swings being a band else
@@ -42,9 +43,9 @@ def _series(report: TopReport) -> tuple[np.ndarray, np.ndarray, np.ndarray, str]
     times = np.asarray(report.trajectory.times)
     exact = report.exact
     if exact is not None:
-        period = exact.nutation_period
+        period = finite(exact.nutation_period)
         end, words = times[-1], ""
-        turns = abs(exact.spin_per_period or 0.0) / (2.0 * np.pi)
+        turns = abs(finite(exact.spin_per_period) or 0.0) / (2.0 * np.pi)
         count = int(np.clip(TURNS / turns, 1, PERIODS)) if turns else PERIODS
         if period is not None and times[-1] - times[0] > count * period:
             end = times[0] + count * period

@@ -116,8 +116,13 @@ def checked_sample_times(xp: Any, times: Array) -> Array:
 
 
 def plain_answer(value: Array) -> Any:
-    """Return a float or None for one concrete body, the array as it is otherwise."""
+    """Return a float for one concrete body, None where it is undefined; the array as it is otherwise."""
     if np.ndim(value) or is_traced(value):
         return value
     number = float(value)
-    return number if math.isfinite(number) else None
+    return None if math.isnan(number) else number
+
+
+def finite(answer: float | None) -> float | None:
+    """Return one body's answer where it is a finite number, None where it is infinite or undefined."""
+    return answer if answer is not None and math.isfinite(answer) else None

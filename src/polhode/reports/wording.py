@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -19,7 +20,7 @@ RAISED = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 def number(value: float | None, unit: str = "") -> str | None:
     """Return a number with its unit."""
-    return None if value is None else f"{value:.8g} {unit}".rstrip()
+    return _unless_infinite(value, lambda x: f"{x:.8g} {unit}".rstrip())
 
 
 def counted(count: int, thing: str) -> str:
@@ -29,12 +30,18 @@ def counted(count: int, thing: str) -> str:
 
 def angle(value: float | None) -> str | None:
     """Return an angle [rad] in radians and degrees."""
-    return None if value is None else f"{value:.8g} rad = {math.degrees(value):.6g}°"
+    return _unless_infinite(value, lambda x: f"{x:.8g} rad = {math.degrees(x):.6g}°")
 
 
 def rate(value: float | None) -> str | None:
     """Return a rate [rad/s], with turns per minute."""
-    return None if value is None else f"{value:.8g} rad/s = {value * 30.0 / math.pi:.6g} rpm"
+    return _unless_infinite(value, lambda x: f"{x:.8g} rad/s = {x * 30.0 / math.pi:.6g} rpm")
+
+
+def _unless_infinite(value: float | None, words: Callable[[float], str]) -> str | None:
+    if value is None:
+        return None
+    return "infinite" if math.isinf(value) else words(value)
 
 
 def unit_in_words(unit: str) -> str:

@@ -13,6 +13,7 @@ from polhode.analysis.polhodes import polhode_family, separatrix
 from polhode.bodies.surface import Surface, box_of_same_inertia
 from polhode.bodies.turned import ball
 from polhode.exact.free_body import FreeMotion
+from polhode.motion.inputs import finite
 
 Array = Any
 PERIODS, POINTS = 6, 2400  # of the herpolhode that is drawn
@@ -139,7 +140,7 @@ def picture_of(setting: Setting, surface: Surface | None = None) -> Picture:
     """
     motion, moments = setting.motion(), np.asarray(setting.moments)
     order = np.argsort(moments, kind="stable")
-    clock = motion.period or 2.0 * np.pi / setting.rate
+    clock = finite(motion.period) or 2.0 * np.pi / setting.rate
     own = np.asarray(motion.momentum(np.linspace(0.0, clock, OWN))) / motion.momentum_norm
     body = surface or box_of_same_inertia(moments)
     assert body is not None
@@ -170,4 +171,6 @@ def _pieces(curves: list[Array], order: Array | None = None) -> Array:
 
 
 def _number(value: float | None, unit: str) -> str:
-    return "–" if value is None else f"{value:.6g} {unit}"
+    if value is None:
+        return "–"
+    return "infinite" if np.isinf(value) else f"{value:.6g} {unit}"

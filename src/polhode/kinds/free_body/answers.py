@@ -18,6 +18,7 @@ from polhode.bodies.frame import BodyFrame
 from polhode.errors import InvalidInput
 from polhode.exact.free_body import FreeMotion
 from polhode.kinds.base import Spec
+from polhode.motion.inputs import finite
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.base import AbstractReport, Listing, Section
 from polhode.reports.wording import (
@@ -120,7 +121,7 @@ class FreeBodyReport(AbstractReport):
 
     def sections(self) -> list[Section | Listing]:
         motion, found = self.motion, self.herpolhode
-        tumbling = [x for x in motion.tumbling_periods if x is not None]
+        tumbling = [x for x in motion.tumbling_periods if finite(x) is not None]
         radii = None if found is None else (
             f"{found.inner_radius:.6g} to {found.outer_radius:.6g}, in a plane {found.plane_distance:.6g} "
             "from the centre, 1/√(kg m²)"
@@ -149,7 +150,7 @@ class FreeBodyReport(AbstractReport):
 
     @property
     def notes(self) -> list[str]:
-        fastest = max(self.motion.precession_rate or 0.0, 2.0 * math.pi / (self.motion.period or math.inf),
+        fastest = max(self.motion.precession_rate or 0.0, 2.0 * math.pi / (finite(self.motion.period) or math.inf),
                       2.0 * math.pi / (self.rotation_period or math.inf))  # fmt: skip
         turns = float(np.abs(np.asarray(self.trajectory.times)).max()) * fastest / (2.0 * math.pi)
         if turns <= EXACT_TURNS:
@@ -199,9 +200,9 @@ def free_body_report(
     velocity = float(np.linalg.norm(motion.momentum_at_epoch / motion.moments))
     turn = 2.0 * math.pi / velocity if velocity else None
     if times is None:
-        span = motion.period or turn or 0.1
+        span = finite(motion.period) or turn or 0.1
         times = np.linspace(0.0, PERIODS * span, samples)
-    twist = motion.precession_per_period
+    twist = finite(motion.precession_per_period)
     return FreeBodyReport(
         body=body,
         motion=motion,

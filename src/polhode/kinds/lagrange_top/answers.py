@@ -14,6 +14,7 @@ from polhode.exact.steady_precession import SteadyPrecession, sleeping_threshold
 from polhode.kinds.base import Spec
 from polhode.kinds.lagrange_top.build import axis_third
 from polhode.kinds.lagrange_top.table import LagrangeTopTable
+from polhode.motion.inputs import finite
 from polhode.reports.base import Section
 from polhode.reports.top import TopReport, leaned, natural_period, rest_verdicts, top_of
 from polhode.reports.wording import accuracy_lines, angle, number, rate
@@ -46,7 +47,7 @@ class LagrangeTopReport(TopReport):
 
     @property
     def summary(self) -> str:
-        exact, period = self._exact, self._exact.nutation_period
+        exact, period = self._exact, finite(self._exact.nutation_period)
         if self.constant_tilt and exact.precession_rate is not None:
             return f"The top precesses steadily at constant tilt, at {exact.precession_rate:.6g} rad/s."
         words = _REGIMES[exact.regime]
@@ -134,7 +135,7 @@ def report_of(spec: Spec) -> LagrangeTopReport:
     attitude = leaned(top, attitude, table.lean)
     exact = LagrangeMotion(np.asarray(top.moments), float(top.mgl), momentum, attitude)
     if times is None:
-        span = exact.nutation_period or natural_period(top, momentum)
+        span = finite(exact.nutation_period) or natural_period(top, momentum)
         times = np.linspace(0.0, PERIODS * span, spec.samples)
     moments = (float(top.moments[0]), float(top.moments[0]), float(top.moments[2]))
     axis = rotation.rotate(exact.state(0.0)[0], np.array([0.0, 0.0, 1.0]))
