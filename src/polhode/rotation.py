@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from scipy.spatial.transform import Rotation
 
 Array = Any
+UNIT_TOLERANCE = 1e-6  # of a quaternion's length, as far as exact motions allow
 ORTHOGONALITY_TOLERANCE = 1e-6  # a matrix further from a rotation is taken for a mistake, not for rounding
 OPPOSITE = 4e-16  # length of the sum of two unit vectors below which it is rounding: they are opposite
 
@@ -76,9 +77,20 @@ def normalize(quaternion: Array) -> Array:
     return q / xp.sqrt(xp.sum(q * q, axis=-1, keepdims=True))
 
 
+def _refuse_not_unit(q: Array) -> None:
+    """Refuse known quaternions that would also stretch; NaN stands for what could not be computed, and passes."""
+    if not is_traced(q) and bool(np.any(np.abs(np.linalg.norm(np.asarray(q), axis=-1) - 1.0) > UNIT_TOLERANCE)):
+        raise InvalidInput("`quaternion` must be of unit length; normalize() makes it so.")
+
+
 def rotate(quaternion: Array, vector: Array) -> Array:
-    """Return the vector (…, 3) turned from body to space: v + 2w u×v + 2 u×(u×v)."""
+    """Return the vector (…, 3) turned from body to space: v + 2w u×v + 2 u×(u×v).
+
+    Raises:
+        InvalidInput: for a quaternion that is not of unit length.
+    """
     xp, (q, v) = _arrays(quaternion=quaternion, vector=vector)
+    _refuse_not_unit(q)
     w, x, y, z = _parts(q)
     a, b, c = _parts(v)
     t1, t2, t3 = 2.0 * (y * c - z * b), 2.0 * (z * a - x * c), 2.0 * (x * b - y * a)
@@ -91,8 +103,13 @@ def rotate(quaternion: Array, vector: Array) -> Array:
 
 
 def as_matrix(quaternion: Array) -> Array:
-    """Return the rotation matrix (…, 3, 3), v_space = R v_body."""
+    """Return the rotation matrix (…, 3, 3), v_space = R v_body.
+
+    Raises:
+        InvalidInput: for a quaternion that is not of unit length.
+    """
     xp, (q,) = _arrays(quaternion=quaternion)
+    _refuse_not_unit(q)
     w, x, y, z = _parts(q)
     rows = (
         ((w * w + x * x) - (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)),

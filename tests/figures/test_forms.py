@@ -7,6 +7,7 @@ import matplotlib.image
 import numpy as np
 import pytest
 
+import polhode as ph
 from polhode.cli.main import main
 from polhode.errors import InvalidInput
 from polhode.figures import style
@@ -103,3 +104,15 @@ def test_small_curves_are_enlarged_by_powers_of_ten():
     assert style.magnifications(series) == [0, 5, 0]
     assert style.magnifications(np.zeros((4, 3))) == [0, 0, 0]
     assert style.magnified("axis 2", 5) == "axis 2 × 10$^{5}$" and style.magnified("axis 2", 0) == "axis 2"
+
+
+@pytest.mark.parametrize("name", ["momentum_sphere", "inertia_ellipsoid", "components", "herpolhode"])
+def test_a_motion_is_drawn_without_a_spec(name):
+    draw = getattr(ph.figures, f"draw_{name}")
+    motion = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5), epoch=2.0)
+    lines = [line for axes in draw(motion).axes for line in axes.lines]
+    assert lines
+    for other in (ph.FreeMotion((1.0, 2.0, 3.0), (0.0, 0.0, 1.5)), ph.FreeMotion((3.0, 4.0, 6.0), (1.0, 2.0, 1.0))):
+        draw(other)
+    with pytest.raises(InvalidInput, match="Take one of it"):
+        draw(ph.FreeMotion((1.0, 2.0, 3.0), [(0.3, 1.8, 1.5)] * 2))

@@ -82,6 +82,16 @@ class Body:
         """
         return cls(mass, (0.0, 0.0, 0.0), np.diag(_finite("moments", (I1, I2, I3), (3,))))
 
+    @classmethod
+    @known_numbers_only
+    def from_inertia(cls, inertia: Array, mass: float | None = None) -> Body:
+        """Return the body with an inertia tensor (3, 3) about its centre of mass, at the origin [kg m²].
+
+        >>> Body.from_inertia([[2.0, 1.0, 0.0], [1.0, 2.0, 0.0], [0.0, 0.0, 2.5]]).principal_moments
+        array([1. , 2.5, 3. ])
+        """
+        return cls(mass, (0.0, 0.0, 0.0), inertia)
+
     @cached_property
     def _principal(self) -> tuple[Array, Array]:
         moments, axes = principal_axes(self.inertia)

@@ -15,12 +15,16 @@ from polhode.errors import InvalidInput, shown
 from polhode.exact import evaluation, geometry
 from polhode.motion.base import AbstractMotion
 from polhode.motion.inputs import (
+    by_attributes,
     cached_unless_traced,
     checked,
     checked_last_axis,
     checked_times,
+    momentum_of,
     plain_answer,
     refuse_overflow,
+    refuse_tensor,
+    spin_of,
 )
 from polhode.motion.invariants import drift, norm
 from polhode.motion.layout import ENERGY, MOMENTUM_NORM, MOMENTUM_SPACE, Quantity
@@ -41,9 +45,13 @@ class FreeMotion(AbstractMotion):
 
     Args:
         moments: (…, 3) principal moments [kg m²], positive.
-        momentum: (…, 3) angular momentum at the epoch [kg m²/s, principal axes].
+        momentum: (…, 3) angular momentum at the epoch [kg m²/s, principal axes]; this or ``angular_velocity``.
         attitude: (…, 4) unit quaternion wxyz at the epoch, body → space.
         epoch: (…) time at which these hold [s].
+        angular_velocity: (…, 3) at the epoch [rad/s, principal axes].
+
+    Attributes may be given by their own names too, ``momentum_at_epoch``, ``attitude_at_epoch`` and ``axes``, then all
+    along the given axes: so ``dataclasses.replace(motion, epoch=1.0)`` works.
 
     Batch axes of all four are broadcast against each other, and times against them: one body at many times t (T,);
     many bodies each at its time t (N,); all with all: momentum (N, 1, 3), t (T,). JAX arrays in, JAX arrays out, with
@@ -71,18 +79,27 @@ class FreeMotion(AbstractMotion):
     attitude_at_epoch: Array
     epoch: Array
     axes: Array | None = None
-    _principal: tuple[Array, Array] = field(default=(None, None), repr=False)  # momentum and attitude at the epoch
-    _columns: tuple[Array, ...] = field(default=(), repr=False)
+    _principal: tuple[Array, Array] = field(default=(None, None), repr=False, init=False)  # momentum and attitude
+    _columns: tuple[Array, ...] = field(default=(), repr=False, init=False)
 
     def __init__(
-        self, moments: Array, momentum: Array, attitude: Array = (1.0, 0.0, 0.0, 0.0), epoch: Array = 0.0
-    ) -> None:
-        xp = namespace(moments, momentum, attitude, epoch)
-        named = {"moments": moments, "momentum": momentum, "attitude": attitude, "epoch": epoch}
-        moments, momentum, attitude, epoch = (as_float64(xp, value, name) for name, value in named.items())
+        self, moments: Array, momentum: Array | None = None, attitude: Array = (1.0, 0.0, 0.0, 0.0),
+        epoch: Array = 0.0, *, angular_velocity: Array | None = None, **attributes: Array,
+    ) -> None:  # fmt: skip
+        momentum, attitude, axes = by_attributes("FreeMotion", momentum, attitude, attributes)
+        name, vector = spin_of(momentum, angular_velocity)
+        xp = namespace(moments, vector, attitude, epoch)
+        named = {"moments": moments, name: vector, "attitude": attitude, "epoch": epoch}
+        moments, vector, attitude, epoch = (as_float64(xp, value, key) for key, value in named.items())
+        refuse_tensor(moments, vector)
+        vector = checked_last_axis(name, vector, 3)
+        if axes is not None:
+            axes = as_float64(xp, axes, "axes")
+            vector, attitude = vector @ axes, rotation.multiply(attitude, rotation.from_matrix(axes))
+        momentum = vector if angular_velocity is None else momentum_of(moments, vector)
         moments, momentum, attitude = checked(xp, moments, momentum, attitude, epoch)
         attitude = attitude / xp.sqrt(xp.sum(attitude * attitude, axis=-1, keepdims=True))
-        self._hold(moments, momentum, attitude, epoch, None)
+        self._hold(moments, momentum, attitude, epoch, axes)
 
     def _hold(self, moments: Array, momentum: Array, attitude: Array, epoch: Array, axes: Array | None) -> None:
         """Set all fields from momentum and attitude along the principal axes."""
@@ -115,27 +132,15 @@ class FreeMotion(AbstractMotion):
         Raises:
             InvalidInput: unless exactly one of angular velocity and momentum is given, or as the class does.
         """
-        if (angular_velocity is None) == (momentum is None):
-            raise InvalidInput("give exactly one of `angular_velocity` and `momentum` to say how the body spins.")
         if not isinstance(body, Body):
             raise InvalidInput(
                 f"`body` must be a Body; got {shown(body)}. "
                 "Make one with polhode.shapes, from_mesh or Body."
             )
-        axes = body.principal_axes
-        vector = angular_velocity if momentum is None else momentum
-        xp = namespace(vector, attitude, epoch, axes)
-        axes = as_float64(xp, axes, "principal axes")
-        name = "momentum" if angular_velocity is None else "angular_velocity"
-        moments = as_float64(xp, body.principal_moments, "moments")
-        with np.errstate(over="ignore", invalid="ignore"):  # what overflows is refused below
-            vector = checked_last_axis(name, as_float64(xp, vector, name), 3) @ axes
-            principal = vector if angular_velocity is None else vector * moments
-        frame = rotation.from_matrix(axes)
-        plain = cls(moments, principal, rotation.multiply(as_float64(xp, attitude, "attitude"), frame), epoch)
-        motion = object.__new__(cls)
-        motion._hold(plain.moments, *plain._principal, plain.epoch, axes)
-        return motion
+        spin_of(momentum, angular_velocity)
+        given = {} if momentum is None else {"momentum_at_epoch": momentum}
+        return cls(body.principal_moments, attitude=attitude, epoch=epoch, angular_velocity=angular_velocity,
+                   axes=body.principal_axes, **given)  # fmt: skip
 
     def along_principal_axes(self) -> FreeMotion:
         """Return the same motion with vectors and attitude along the principal axes, in the order of ``moments``."""

@@ -13,13 +13,18 @@ from polhode.errors import InvalidInput
 from polhode.exact import top_evaluation, top_geometry
 from polhode.motion.base import AbstractMotion
 from polhode.motion.inputs import (
+    by_attributes,
     cached_unless_traced,
     checked,
+    checked_last_axis,
     checked_times,
     common_shape,
+    momentum_of,
     plain_answer,
     refuse_not_finite,
     refuse_overflow,
+    refuse_tensor,
+    spin_of,
 )
 from polhode.motion.invariants import drift, norm
 from polhode.motion.layout import ENERGY, Quantity
@@ -42,9 +47,13 @@ class LagrangeMotion(AbstractMotion):
         mgl: (…) weight times the distance from pivot to centre of mass [N m], positive where that lies on the side of
             the third axis. A negative one is a top on the reversed axis, with answers about the axis as given; zero is
             the free symmetric body.
-        momentum: (…, 3) angular momentum at the epoch [kg m²/s, body axes].
+        momentum: (…, 3) angular momentum at the epoch [kg m²/s, body axes]; this or ``angular_velocity``.
         attitude: (…, 4) unit quaternion wxyz at the epoch, body → space; q/|q| is meant, exactly.
         epoch: (…) time at which these hold [s].
+        angular_velocity: (…, 3) at the epoch [rad/s, body axes].
+
+    Attributes may be given by their own names too, ``momentum_at_epoch`` and ``attitude_at_epoch``: so
+    ``dataclasses.replace(top, epoch=1.0)`` works.
 
     Batch axes of all five are broadcast against each other, and times against them. JAX arrays in, JAX arrays out, with
     ``jit``, ``vmap`` and first derivatives.
@@ -71,18 +80,26 @@ class LagrangeMotion(AbstractMotion):
     attitude_at_epoch: Array
     epoch: Array
     axes: ClassVar[None] = None  # vectors are along the principal axes
-    _columns: tuple[Array, ...] = field(default=(), repr=False)
+    _columns: tuple[Array, ...] = field(default=(), repr=False, init=False)
 
     def __init__(
-        self, moments: Array, mgl: Array, momentum: Array, attitude: Array = (1.0, 0.0, 0.0, 0.0), epoch: Array = 0.0
-    ) -> None:
-        named = {"moments": moments, "mgl": mgl, "momentum": momentum, "attitude": attitude, "epoch": epoch}
+        self, moments: Array, mgl: Array, momentum: Array | None = None, attitude: Array = (1.0, 0.0, 0.0, 0.0),
+        epoch: Array = 0.0, *, angular_velocity: Array | None = None, **attributes: Array,
+    ) -> None:  # fmt: skip
+        momentum, attitude, axes = by_attributes("LagrangeMotion", momentum, attitude, attributes)
+        if axes is not None:
+            raise InvalidInput("`axes` must be left out: vectors of a LagrangeMotion are along the principal axes.")
+        name, vector = spin_of(momentum, angular_velocity)
+        named = {"moments": moments, "mgl": mgl, name: vector, "attitude": attitude, "epoch": epoch}
         xp = namespace(*named.values())
-        moments, mgl, momentum, attitude, epoch = (as_float64(xp, value, name) for name, value in named.items())
-        moments, momentum, attitude = checked(xp, moments, momentum, attitude, epoch)
+        moments, mgl, vector, attitude, epoch = (as_float64(xp, value, key) for key, value in named.items())
+        refuse_tensor(moments, vector)
+        vector = checked_last_axis(name, vector, 3)
+        spin = vector if angular_velocity is None else momentum_of(moments, vector)
+        moments, spin, attitude = checked(xp, moments, spin, attitude, epoch)
         refuse_not_finite(xp, mgl=mgl)
-        common_shape(moments=moments[..., 0], mgl=mgl, momentum=momentum[..., 0], epoch=epoch)
-        self._hold(_checked_symmetry(xp, moments), mgl, momentum, attitude, epoch)
+        common_shape(moments=moments[..., 0], mgl=mgl, momentum=spin[..., 0], epoch=epoch)
+        self._hold(_checked_symmetry(xp, moments), mgl, spin, attitude, epoch)
 
     def _hold(self, moments: Array, mgl: Array, momentum: Array, attitude: Array, epoch: Array) -> None:
         values = {"moments": moments, "mgl": mgl, "momentum_at_epoch": momentum, "attitude_at_epoch": attitude}

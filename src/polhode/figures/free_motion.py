@@ -2,18 +2,27 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from polhode.errors import InvalidInput
 from polhode.exact.free_body import FreeMotion
 from polhode.formats.given_axes import along_principal_axes
+from polhode.motion.inputs import finite
 from polhode.motion.trajectory import Trajectory
 
+COUNT, SAMPLES = 3, 1000  # periods of a motion that is drawn, and samples of them
 
-def free_motion_of(trajectory: Trajectory) -> tuple[FreeMotion, Trajectory]:
+
+def free_motion_of(shown: Trajectory | FreeMotion) -> tuple[FreeMotion, Trajectory]:
     """Return the exact motion of one free body, and its samples, both along the principal axes.
+
+    Args:
+        shown: samples, or a motion, of which three periods are taken; three turns where it has no period.
 
     Raises:
         InvalidInput: for a trajectory of anything else, a batch, or one without samples.
     """
+    trajectory = _sampled(shown) if isinstance(shown, FreeMotion) else shown
     samples = along_principal_axes(trajectory)
     motion = samples.motion
     if not isinstance(motion, FreeMotion):
@@ -25,3 +34,11 @@ def free_motion_of(trajectory: Trajectory) -> tuple[FreeMotion, Trajectory]:
             f"{samples.batch_shape}. Take one body, and give it times."
         )
     return motion, samples
+
+
+def _sampled(motion: FreeMotion) -> Trajectory:
+    if motion.batch_shape:
+        raise InvalidInput(f"the figure is of one body; got a batch of shape {motion.batch_shape}. Take one of it.")
+    fastest = float(np.max(np.abs(np.asarray(motion.momentum_at_epoch)))) / float(np.min(np.asarray(motion.moments)))
+    span = finite(motion.period) or (2.0 * np.pi / fastest if fastest else 1.0)
+    return motion.sample(float(motion.epoch) + np.linspace(0.0, COUNT * span, SAMPLES))

@@ -20,9 +20,9 @@ SAMPLES_PER_TURN = 120
 SAME = 2e-3  # of the outer radius: circles closer than this are one line in print
 
 
-def draw_herpolhode(trajectory: Trajectory) -> Figure | None:
+def draw_herpolhode(shown: FreeMotion | Trajectory) -> Figure | None:
     """Return the herpolhode between its two circles; None where the contact point stays or there is no motion."""
-    motion, samples = free_motion_of(trajectory)
+    motion, samples = free_motion_of(shown)
     found = herpolhode(motion)
     if found is None or found.outer_radius <= 1e-12 * found.plane_distance:
         return None

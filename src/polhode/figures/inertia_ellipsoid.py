@@ -28,9 +28,9 @@ BODY = "#eef0f3"
 APART = 0.55  # of the longest semi-axis, heads of arrows on the motion's own polhode
 
 
-def draw_inertia_ellipsoid(trajectory: Trajectory) -> Figure | None:
+def draw_inertia_ellipsoid(shown: FreeMotion | Trajectory) -> Figure | None:
     """Return the ellipsoid seen obliquely, its longest semi-axis as 1, far side dimmed. None at rest."""
-    motion, samples = free_motion_of(trajectory)
+    motion, samples = free_motion_of(shown)
     if not motion.momentum_norm:
         return None
     moments = np.asarray(motion.moments)

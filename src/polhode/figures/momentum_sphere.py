@@ -8,6 +8,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from polhode.analysis.polhodes import polhode_family, separatrix
+from polhode.exact.free_body import FreeMotion
 from polhode.figures import style
 from polhode.figures.free_motion import free_motion_of
 from polhode.figures.sphere import draw_curve, mark_point, sphere_axes, view_frame
@@ -18,9 +19,9 @@ Array = Any
 VIEW = (0.80, 0.46, 0.38)
 
 
-def draw_momentum_sphere(trajectory: Trajectory) -> Figure | None:
+def draw_momentum_sphere(shown: FreeMotion | Trajectory) -> Figure | None:
     """Return the sphere |L| = const seen obliquely, far side dimmed; axes are the principal ones. None at rest."""
-    motion, samples = free_motion_of(trajectory)
+    motion, samples = free_motion_of(shown)
     norm = motion.momentum_norm
     if not norm:
         return None

@@ -12,6 +12,7 @@ from polhode.arrays import as_float64, is_traced, known_false
 from polhode.errors import InvalidInput
 
 Array = Any
+SYMMETRY = 1e-9  # of a matrix, relative: an inertia tensor that was typed in or computed
 UNIT_TOLERANCE = 1e-6  # a quaternion further from unit length is taken for a mistake, not for rounding
 
 
@@ -23,6 +24,57 @@ class cached_unless_traced(cached_property):
         if instance is not None and is_traced(*value):
             del vars(instance)[self.attrname]
         return value
+
+
+def by_attributes(
+    name: str, momentum: Array | None, attitude: Array, attributes: dict[str, Array]
+) -> tuple[Array | None, Array, Array | None]:
+    """Return momentum, attitude and axes where a motion's attributes may be given by their own names.
+
+    Raises:
+        TypeError: for other names.
+        InvalidInput: for a momentum given twice.
+    """
+    unknown = attributes.keys() - {"momentum_at_epoch", "attitude_at_epoch", "axes"}
+    if unknown:
+        raise TypeError(f"{name}() got an unexpected keyword argument {min(unknown)!r}")
+    if momentum is not None and "momentum_at_epoch" in attributes:
+        raise InvalidInput("give `momentum` or `momentum_at_epoch`, not both: they are the same.")
+    momentum = attributes.get("momentum_at_epoch", momentum)
+    return momentum, attributes.get("attitude_at_epoch", attitude), attributes.get("axes")
+
+
+def spin_of(momentum: Array | None, angular_velocity: Array | None) -> tuple[str, Array]:
+    """Return what says how a body spins, with its name.
+
+    Raises:
+        InvalidInput: unless exactly one is given.
+    """
+    if (angular_velocity is None) == (momentum is None):
+        raise InvalidInput("give exactly one of `angular_velocity` and `momentum` to say how the body spins.")
+    return ("momentum", momentum) if angular_velocity is None else ("angular_velocity", angular_velocity)
+
+
+def momentum_of(moments: Array, angular_velocity: Array) -> Array:
+    """Return IΩ along the principal axes; what overflows is refused with the momentum."""
+    common_shape(moments=moments, angular_velocity=angular_velocity)
+    with np.errstate(over="ignore", invalid="ignore"):
+        return moments * angular_velocity
+
+
+def refuse_tensor(moments: Array, vector: Array) -> None:
+    """Refuse an inertia tensor where principal moments belong; it would be taken for three bodies."""
+    if tuple(moments.shape) != (3, 3) or vector.ndim != 1 or is_traced(moments):
+        return
+    matrix = np.asarray(moments)
+    if not np.isfinite(matrix).all() or np.abs(matrix - matrix.T).max() > SYMMETRY * np.abs(matrix).max():
+        return
+    if np.linalg.eigvalsh(matrix)[0] > 0.0:
+        raise InvalidInput(
+            "`moments` must be the three principal moments; got a symmetric 3×3 matrix, an inertia tensor. Make a body "
+            "of it, Body.from_inertia(tensor), and give that to FreeMotion.from_body, or its principal_moments. If "
+            "three bodies are meant, give each its momentum."
+        )
 
 
 def checked_last_axis(name: str, value: Array, size: int) -> Array:
