@@ -77,6 +77,7 @@ def test_the_wrong_exponent_is_told_apart():
     assert abs(found.precession_by_tilt.exponent + 1.0) > 0.4  # Ω ∝ 1/α is a slip
 
 
+@pytest.mark.sweep
 def test_laws_add_up():
     """Air near the end, rolling friction before: the exponent comes down from 2 to 1/3."""
     disk = disk_with(AirLayer=1e-7, RollingCouple=4e-5)

@@ -137,6 +137,7 @@ def test_forward_and_reverse_mode_agree(by_jax):
         assert np.abs(a - b).max() < SAME
 
 
+@pytest.mark.sweep
 def test_jax_gives_the_exact_tangent(by_jax):
     (moments, momentum, attitude, time), forward, _ = by_jax
     values = tuple(map(np.asarray, (moments, momentum, attitude, time)))
@@ -185,6 +186,7 @@ def test_epoch_and_time_are_opposite():
         assert np.abs(np.asarray(by_time + by_epoch)).max() < SAME
 
 
+@pytest.mark.sweep
 def test_second_derivatives_are_refused():
     with jax.enable_x64(True), pytest.raises(InvalidInput, match="first derivatives only"):
         jax.hessian(lambda t: ph.FreeMotion(jnp.asarray(MOMENTS), jnp.asarray(MOMENTUM)).attitude(t)[0])(TIME)

@@ -152,5 +152,6 @@ ph.FreeMotion(whole, (0.3, 1.8, 1.5))
 """
 
 
+@pytest.mark.sweep
 def test_what_was_made_before_64_bits_were_switched_on():
     run_limited(BEFORE_64_BITS, LONG_ENOUGH)

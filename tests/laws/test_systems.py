@@ -3,15 +3,15 @@
 import jax.numpy as jnp
 import pytest
 
-from polhode.systems import BodyInPotential, BrunBody, FreeRigidBody
+from polhode.systems import BodyInPotential, BrunBody, FreeRigidBody, Kirchhoff
 from polhode.testing import LawBroken, check_system
 from specimens import SYSTEMS, named
 
 
 def one_of_each(systems):
     """The first of each class that is compiled in a few seconds; the others in the sweep."""
-    classes = [BodyInPotential, BrunBody, *map(type, systems)]
-    return [pytest.param(system, marks=[pytest.mark.sweep] if type(system) in classes[: k + 2] else [])
+    classes = [BodyInPotential, BrunBody, Kirchhoff, *map(type, systems)]
+    return [pytest.param(system, marks=[pytest.mark.sweep] if type(system) in classes[: k + 3] else [])
             for k, system in enumerate(systems)]  # fmt: skip
 
 
