@@ -108,7 +108,7 @@ def as_float64(xp: Any, value: Any, name: str) -> Array:
         native = _library(type(value)) != "numpy"
         kind = "f" if native else np.asarray(value).dtype.kind
         if kind in "SUMm" or (kind == "O" and any(x is None for x in np.asarray(value).flat)):
-            raise TypeError("text, dates and None are no numbers")
+            raise TypeError("text, dates and None are not numbers")
         if "jax" in str(getattr(xp, "__name__", "")):
             _refuse_disabled_double_precision(name)
         return xp.asarray(value if native else np.asarray(value, dtype=np.float64), dtype=xp.float64)

@@ -67,12 +67,12 @@ def normalize(quaternion: Array) -> Array:
     """Return the unit quaternion along the given one.
 
     Raises:
-        InvalidInput: for a quaternion of zero length, which is no rotation.
+        InvalidInput: for a quaternion of zero length, which is not a rotation.
     """
     xp, (q,) = _arrays(quaternion=quaternion)
     largest = xp.max(xp.abs(q), axis=-1, keepdims=True)
     if known_false(xp.all((largest > 0) & xp.isfinite(largest))):
-        raise InvalidInput("`quaternion` must be finite and not zero; a zero quaternion is no rotation.")
+        raise InvalidInput("`quaternion` must be finite and not zero; a zero quaternion is not a rotation.")
     q = q / largest
     return q / xp.sqrt(xp.sum(q * q, axis=-1, keepdims=True))
 

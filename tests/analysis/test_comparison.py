@@ -43,7 +43,7 @@ def disturbed(body, space, rate, times=TIMES):
 )
 def test_known_misalignments_and_rates_come_back(body, space, rate):
     found = compare(disturbed(body, space, rate), exact()).alignment
-    assert found is not None and found.told_apart
+    assert found is not None and found.determined
     for value, expected in ((found.body, body), (found.space, space), (found.rate, rate)):
         assert np.abs(value - np.asarray(expected)).max() <= EXACT
     assert found.remaining.max() <= EXACT
@@ -72,7 +72,7 @@ def test_a_steady_spin_does_not_tell_all_nine_apart():
     spin = FreeMotion((1.0, 2.0, 3.0), (0.0, 0.0, 3.0)).attitude(TIMES)
     turned = rotation.multiply(spin, rotation.from_rotation_vector((0.0, 0.0, 0.02)))
     found = fit_alignment(TIMES, turned, spin)
-    assert found is not None and not found.told_apart and found.remaining.max() <= EXACT
+    assert found is not None and not found.determined and found.remaining.max() <= EXACT
     assert found.body[2] + found.space[2] == pytest.approx(0.02, abs=EXACT)
 
 

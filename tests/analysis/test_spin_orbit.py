@@ -123,7 +123,7 @@ def test_strengths_begin_as_the_published_series():
 
 @pytest.mark.parametrize("e", [0.05, 0.206, 0.7, 0.95])
 def test_strengths_are_the_integrals(e):
-    """In mean anomaly by mpmath's quadrature, Kepler's equation solved anew: another variable, another rule."""
+    """In mean anomaly by mpmath's quadrature, Kepler's equation solved again: another variable, another rule."""
     for order in (0.5, 1.5, -1.0, 4.0):
         with mpmath.workdps(25):
 

@@ -157,7 +157,7 @@ def test_exact_motions_are_evaluated_at_the_printed_epochs(tmp_path):
     found = read_aem(write_aem(fast.sample(times), tmp_path / "fast.aem"))
     turned = rotation.angle_between(found.attitude, fast.sample(found.times).attitude)
     assert turned.max() < PICOSECOND
-    # what is not evaluated anew is off by the rounding of the epochs, which the bound above would not pass
+    # what is not evaluated again is off by the rounding of the epochs, which the bound above would not pass
     kept = replace(fast.sample(times), source=None)
     found = read_aem(write_aem(kept, tmp_path / "kept.aem"))
     assert rotation.angle_between(found.attitude, fast.sample(found.times).attitude).max() > 10 * PICOSECOND

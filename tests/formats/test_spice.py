@@ -224,7 +224,7 @@ def test_files_that_are_not_what_they_claim(tmp_path):
     files = write_ck(MOTION.sample(TIMES), tmp_path / "a.bc", labels=LABELS)
     text = tmp_path / "text.bc"
     text.write_text("no kernel")
-    with pytest.raises(FormatError, match="is no C-kernel"):
+    with pytest.raises(FormatError, match="is not a C-kernel"):
         read_ck(text)
     cut = tmp_path / "cut.bc"
     cut.write_bytes(files[0].read_bytes()[:1500])

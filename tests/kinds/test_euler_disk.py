@@ -105,7 +105,7 @@ def test_how_a_disk_ends(ended):
 
 
 def test_the_path_is_the_last_turns_of_the_same_motion(ended):
-    """Stepped anew from a sample on the way, it ends where the other did, but for rounding that the end amplifies."""
+    """Stepped again from a sample on the way, it ends where the other did, but for rounding that the end amplifies."""
     path, whole = ended.path, ended.trajectory
     assert path.outcome.event == "flat" and path.times[-1] == pytest.approx(whole.times[-1], rel=1e-9)
     turns = (path.states[-1, 1] - path.states[0, 1]) / (2 * math.pi)

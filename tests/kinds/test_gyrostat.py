@@ -1,4 +1,4 @@
-"""Reports on gyrostats: against equations of motion written anew, equilibria as roots of a polynomial, bad specs."""
+"""Reports on gyrostats: against equations of motion written again, equilibria as roots of a polynomial, bad specs."""
 
 import json
 

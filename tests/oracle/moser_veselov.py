@@ -1,4 +1,4 @@
-"""The corrections of the discrete Moser–Veselov algorithm, derived anew in rational arithmetic.
+"""The corrections of the discrete Moser–Veselov algorithm, derived again in rational arithmetic.
 
 For random rational bodies the quaternion of one step is expanded in h, for the exact motion and for the algorithm with
 the corrections found so far. The first difference is −½ hⁿ (s/I_j + d) L_j; three components give s, d and one check.

@@ -30,7 +30,7 @@ LAWS = (
     DrillingFriction(1e-5),
 )  # fmt: skip
 ROUNDING = 1e-12  # of accelerations, relative to the largest term; the oracle itself has 40 digits
-SAMPLES = 100  # of every run: another number compiles its solver anew
+SAMPLES = 100  # of every run: another number compiles its solver again
 KEPT = 1e-10  # of conserved quantities over some hundred turns, at the solver's tolerance of 1e-12 a step
 thin, thick = EulerDisk(MASS, RADIUS), EulerDisk(MASS, RADIUS, THICKNESS)
 slowed = EulerDisk(MASS, RADIUS, dissipation=LAWS)

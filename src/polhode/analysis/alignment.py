@@ -25,14 +25,14 @@ class Alignment(NamedTuple):
         space: (3,) rotation vector of S, between the space axes at the first time [rad].
         rate: (3,) ω, at which the space axes turn against each other [rad/s].
         remaining: (T,) angle that is left [rad].
-        told_apart: whether the motion tells all nine numbers apart; if not, others would explain as much.
+        determined: whether the motion tells all nine numbers apart; if not, others would explain as much.
     """
 
     body: Array
     space: Array
     rate: Array
     remaining: Array
-    told_apart: bool
+    determined: bool
 
     @property
     def rms(self) -> float:

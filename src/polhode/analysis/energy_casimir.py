@@ -99,7 +99,7 @@ def energy_casimir(
         unit: of the state, if H and the C_k are given in its square: the certificate's squares are then divided by it.
 
     Raises:
-        InvalidInput: for shapes that do not match, values that are not finite, a point that is no equilibrium, or
+        InvalidInput: for shapes that do not match, values that are not finite, a point that is not an equilibrium, or
             matrices that no conservative flow has: dC A = 0 and D²F A antisymmetric are necessary.
 
     >>> import numpy as np
@@ -128,9 +128,9 @@ def energy_casimir(
     function = _function(total / (weights[0] or 1.0), names)
     if max(signs) == curvatures.size:
         return _stable(leaf, weights, second, function, names, unit)
-    spectrum, rate, way = _growth(leaf)
-    if way is not None:
-        return _unstable(spectrum, rate, way)
+    spectrum, rate, direction = _growth(leaf)
+    if direction is not None:
+        return _unstable(spectrum, rate, direction)
     if on_equilibria and not min(signs):
         return _on_equilibria(leaf, second, zero, function, spectrum)
     why = "indefinite" if min(signs) else "degenerate"
@@ -204,9 +204,9 @@ def _all_at_rest(leaf: Leaf, function: str, spectrum: Array) -> Stability:
 
 
 def _shear(moved: Array, displaced: Array, unit: float, spectrum: Array) -> Stability:
-    rate, way = float(unit * np.linalg.norm(moved) / np.linalg.norm(displaced)), _unit(moved)
-    text = f"neighbours leave at a steady rate along ({_shown(way)}), {rate:.6g}/s times their distance"
-    return Stability("unstable", 0.0, "linear", way, text, spectrum)
+    rate, direction = float(unit * np.linalg.norm(moved) / np.linalg.norm(displaced)), _unit(moved)
+    text = f"neighbours leave at a steady rate along ({_shown(direction)}), {rate:.6g}/s times their distance"
+    return Stability("unstable", 0.0, "linear", direction, text, spectrum)
 
 
 def _weights(leaf: Leaf) -> Array:
@@ -216,20 +216,20 @@ def _weights(leaf: Leaf) -> Array:
     if not free.shape[1] or not leaf.basis.shape[1]:
         return plain
     ways = [plain, *np.hstack([np.zeros((free.shape[1], 1)), free.T])]
-    sizes = [leaf.size(way) or 1.0 for way in ways]
+    sizes = [leaf.size(direction) or 1.0 for direction in ways]
     ends = np.linalg.eigvalsh(leaf.combination(plain))[[0, -1]]
     if ends[0] > leaf.zero(plain) or ends[1] < -leaf.zero(plain):
         return plain
-    matrices = np.array([leaf.combination(way) / size for way, size in zip(ways, sizes, strict=True)])
+    matrices = np.array([leaf.combination(direction) / size for direction, size in zip(ways, sizes, strict=True)])
     found = definite_combination(matrices, leaf.noise)
     if found is None:
         return plain
     found[0] = found[0] if abs(found[0]) > NO_ENERGY else 0.0
-    return sum((c / size) * way for c, size, way in zip(found, sizes, ways, strict=True))
+    return sum((c / size) * direction for c, size, direction in zip(found, sizes, ways, strict=True))
 
 
 def _growth(leaf: Leaf) -> tuple[Array, float, Array | None]:
-    """Return the exponents on the leaf, and rate and direction of the fastest growth if it is no artefact of errors.
+    """Return exponents on the leaf, and rate and direction of the fastest growth unless it is an artefact of errors.
 
     An exponent of a defective block is split by an error e to a distance √e, where its condition 1/|yᴴx| is as large
     as 1/√e: only a real part beyond what errors of the matrix can do to this very exponent is a proof.
@@ -247,9 +247,9 @@ def _growth(leaf: Leaf) -> tuple[Array, float, Array | None]:
     return leaf.unit * spectrum, leaf.unit * float(spectrum[k].real), _unit(leaf.out(_largest_real_part(right[:, k])))
 
 
-def _unstable(spectrum: Array, rate: float, way: Array) -> Stability:
-    text = f"the linearised flow on the leaf grows as exp({rate:.6g}/s · t) along ({_shown(way)})"
-    return Stability("unstable", rate, "exponential", way, text, spectrum)
+def _unstable(spectrum: Array, rate: float, direction: Array) -> Stability:
+    text = f"the linearised flow on the leaf grows as exp({rate:.6g}/s · t) along ({_shown(direction)})"
+    return Stability("unstable", rate, "exponential", direction, text, spectrum)
 
 
 def _on_singular_leaf(leaf: Leaf, is_equilibrium: bool) -> Stability:
@@ -262,11 +262,14 @@ def _on_singular_leaf(leaf: Leaf, is_equilibrium: bool) -> Stability:
         )
     leaf.check_conservation(None)
     leaf = leaf._replace(residual=0.0)
-    spectrum, rate, way = _growth(leaf)
-    if way is not None:
-        return _unstable(spectrum, rate, way)
-    text = "dH is no combination of the dC here, as on a singular leaf, and no exponent has a real part that is surely "
-    return Stability("undecided", 0.0, None, None, text + "positive: another function must decide", spectrum)
+    spectrum, rate, direction = _growth(leaf)
+    if direction is not None:
+        return _unstable(spectrum, rate, direction)
+    text = (
+        "dH is not a combination of the dC here, as on a singular leaf, and no exponent has a real part that is surely "
+        "positive: another function must decide"
+    )
+    return Stability("undecided", 0.0, None, None, text, spectrum)
 
 
 def _check(A: Array, g: Array, H: Array, dC: Array, ddC: Array, names: Sequence[str], tolerance: float) -> None:

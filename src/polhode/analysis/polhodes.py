@@ -68,8 +68,8 @@ def polhode(motion: FreeMotion, points: int) -> Array | None:
     times = epoch + np.linspace(0.0, period, 4 * points + 1)
     steps = np.linalg.norm(np.diff(motion.momentum(times), axis=0), axis=-1)
     share = np.concatenate([[0.0], np.cumsum(steps / steps.sum())]) + np.linspace(0.0, 1.0, len(times))
-    even = np.interp(np.linspace(0.0, share[-1], points + 1), share, times)
-    return motion.momentum(even) / motion.momentum_norm
+    spread = np.interp(np.linspace(0.0, share[-1], points + 1), share, times)
+    return motion.momentum(spread) / motion.momentum_norm
 
 
 @known_numbers_only
@@ -161,10 +161,10 @@ def _crossing(energy: Callable[[Array], Array], corners: Array, heights: Array, 
     crossed = above.any(axis=-1) & ~above.all(axis=-1)
     corners, above = corners[crossed], above[crossed]
     # the corner that is alone on its side; the level leaves through its two edges
-    lonely = np.where(above.sum(axis=-1) == 1, above.argmax(axis=-1), (~above).argmax(axis=-1))
+    single = np.where(above.sum(axis=-1) == 1, above.argmax(axis=-1), (~above).argmax(axis=-1))
     rows = np.arange(len(corners))
-    apex = corners[rows, lonely]
-    ends = [_root(energy, apex, corners[rows, (lonely + k) % 3], above[rows, lonely], value) for k in (1, 2)]
+    apex = corners[rows, single]
+    ends = [_root(energy, apex, corners[rows, (single + k) % 3], above[rows, single], value) for k in (1, 2)]
     return np.stack(ends, axis=1)
 
 

@@ -1,8 +1,8 @@
 """Exponents of power laws from samples of a motion, with what is uncertain about them.
 
-The samples are exact, but a law is only approached: what a fit misses is no noise. Exponents are therefore those of the
-second half of the samples, which is nearer to the law, and their uncertainty is half of what the fits of both halves
-differ by, or the standard error where that is larger.
+The samples are exact, but a law is only approached: what a fit misses is not noise. Exponents are therefore those of
+the second half of the samples, which is nearer to the law, and their uncertainty is half of what the fits of both
+halves differ by, or the standard error where that is larger.
 """
 
 from __future__ import annotations

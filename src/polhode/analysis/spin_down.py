@@ -3,7 +3,7 @@
 The tilt would vanish as (t0 − t)^n with the rate of precession growing as (t0 − t)^(−n/2) without bound. In time itself
 no solver gets near: steps shrink to nothing, and t0 − t is a difference of almost equal numbers. Here the clock runs by
 dt = (3V/2P) dλ with the potential energy V and the power P, so that V ∝ e^(−λ) on the slow manifold: t0 lies at
-infinity, and equal steps of λ are equal steps of log(t0 − t). Time is counted anew in each of them and summed from the
+infinity, and equal steps of λ are equal steps of log(t0 − t). Time is counted again in each of them and summed from the
 end, so that t0 − t keeps its relative accuracy. (The total energy would be no such clock: it tends to what is left in
 the spin.)
 """

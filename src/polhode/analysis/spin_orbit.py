@@ -139,7 +139,7 @@ def resonance_strength(order: float, eccentricity: float) -> float:
         eccentricity: 0 ≤ e < 1.
 
     Raises:
-        InvalidInput: for an order that is no half-integer, or an orbit that is no ellipse.
+        InvalidInput: for an order that is not a half-integer, or an orbit that is not an ellipse.
     """
     e, p = float(eccentricity), float(order)
     if not (2.0 * p).is_integer():

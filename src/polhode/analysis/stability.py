@@ -70,9 +70,9 @@ def stability(
         casimirs: Casimirs as functions of one point, real, instead of those that the algebra names or that are found.
 
     Raises:
-        InvalidInput: for a wrong shape, a point that is no (relative) equilibrium, functions without finite second
-            derivatives there, integrals that are not conserved or do not commute, Casimirs that are none, or a system
-            that does not move by its energy alone. All are checked at random points nearby.
+        InvalidInput: for a wrong shape, a point that is not a (relative) equilibrium, functions without finite second
+            derivatives there, integrals that are not conserved or do not commute, wrong Casimirs, or a system that does
+            not move by its energy alone. All are checked at random points nearby.
 
     >>> from polhode.systems import FreeRigidBody
     >>> [stability(FreeRigidBody((1.0, 2.0, 3.0)), row).verdict for row in np.eye(3)]

@@ -137,7 +137,7 @@ class Body:
             translation: (3,) [m].
 
         Raises:
-            InvalidInput: for a matrix that is no rotation.
+            InvalidInput: for a matrix that is not a rotation.
         """
         if hasattr(rotation, "as_matrix"):
             rotation = rotation.as_matrix()

@@ -10,7 +10,7 @@ import numpy as np
 from polhode.errors import InvalidInput
 
 Array = Any
-TOUCHING = 1e-6  # of the mesh's extent: contact, and what single-precision files make of it, is no crossing
+TOUCHING = 1e-6  # of the mesh's extent: contact, and what single-precision files make of it, is not a crossing
 LEAF = 20_000  # pairs of boxes compared at once; smaller sets cost calls, larger ones needless comparisons
 SAMPLES = 64  # faces of one piece asked whether they lie inside another
 

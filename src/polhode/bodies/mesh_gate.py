@@ -30,7 +30,7 @@ def checked_mesh(vertices: Array, faces: Array, several: bool = False) -> tuple[
     corners = vertices[faces]
     volumes = np.array([_volume(corners[piece]) for piece in pieces])
     if not volumes.all():
-        raise InvalidInput("the mesh encloses no volume; a flat surface is no body. Check the file and its scale.")
+        raise InvalidInput("the mesh encloses no volume; a flat surface is not a body. Check the file and its scale.")
     if volumes.sum() < 0:
         raise InvalidInput(
             f"the mesh is inverted: its faces are turned inward and its volume is {volumes.sum():.6g} m³. "
@@ -165,14 +165,14 @@ def _check_edges(faces: Array) -> None:
         raise InvalidInput("the mesh has a triangle with a repeated corner. Ask for repair to drop it.")
     edges, _, forward, uses = _edges(faces)
     balance = np.bincount(edges, weights=np.where(forward, 1.0, -1.0))
-    if lonely := int((uses == 1).sum()):
+    if open_edges := int((uses == 1).sum()):
         raise InvalidInput(
-            f"the mesh is open: {lonely} edges border only one triangle, so it encloses nothing. "
+            f"the mesh is open: {open_edges} edges border only one triangle, so it encloses nothing. "
             "Close the surface, merge duplicate corners, or read the file with repair."
         )
-    if crowded := int((uses > 2).sum()):
+    if shared_edges := int((uses > 2).sum()):
         raise InvalidInput(
-            f"the mesh is not a surface: {crowded} edges border more than two triangles. "
+            f"the mesh is not a surface: {shared_edges} edges border more than two triangles. "
             "Drop duplicate triangles, or separate the bodies that touch there."
         )
     if clashing := int((balance != 0).sum()):

@@ -78,7 +78,7 @@ def kind_of(path: Path) -> str:
     if b"<aem" in head or b"<ndm" in head:
         raise FormatError(f"{path}: is XML; AEMs are read as text of keyword = value. Convert it.")
     if b"\0" in head:
-        why = "is no spec, dataset of polhode's, AEM or C-kernel that begins as these do"
+        why = "is not a spec, a dataset of polhode's, an AEM or a C-kernel: it begins like none of them"
         raise FormatError(f"{path}: {why}; it may be broken. Check the file.")
     return "spec"
 

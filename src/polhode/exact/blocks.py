@@ -15,7 +15,7 @@ Evaluation = Callable[[tuple[Array, ...], Array, Array | None], tuple[Array, ...
 BLOCK = 4096  # states at a time: some thirty live arrays of this length fit a second-level cache
 BODIES = 16384  # bodies at a time: set-up is thousands of calls, whose overhead outweighs the cache
 # glibc returns freed memory to the system above a threshold that it raises to the largest block freed so far; without
-# this one, every block's temporaries would be faulted in anew, which costs a third of the time
+# this one, every block's temporaries would be faulted in again, which costs a third of the time
 np.empty(3_000_000)
 LONG_RUN = 256  # consecutive times of one body from which its constants are worth handling as scalars
 

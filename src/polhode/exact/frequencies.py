@@ -44,9 +44,9 @@ def canonical_frequencies(body: Reduction) -> Frequencies:
     start = dd.multiply(dd.where(third_axis, Q, B), C)
     start = dd.where(third_axis, start, dd.multiply(start, G2))
     one = dd.from_float(xp.ones_like(l1))
-    tame = constant | separatrix
+    aperiodic = constant | separatrix
     mean, total = third_kind_agm(
-        *(dd.where(tame, one, x) for x in (modulus_rate, dd.multiply(dd.sqrt(C), body.root_S), start))
+        *(dd.where(aperiodic, one, x) for x in (modulus_rate, dd.multiply(dd.sqrt(C), body.root_S), start))
     )
     # a1 V = I2 I3 and a3 V = I1 I2, and with the mirror −I1 I2 and −I2 I3
     I1, I2, I3 = body.moments

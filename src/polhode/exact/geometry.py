@@ -52,7 +52,7 @@ def characteristics(moments: Array, momentum: Array) -> Characteristics:
     has_rate = ~rates.constant
     period = dd.divide(dd.multiply(scaled_period, body.V), (body.rate_scale, 0.0 * body.rate_scale))
     modulus = xp.sqrt(body.A[0] / body.B[0]) * (body.root_P / xp.sqrt(body.Q[0]))
-    axis = _sum_index(xp, body)
+    axis = _third_axis(xp, body)
     return Characteristics(
         regime=regime,
         encircled_axis=xp.where(none, -1, axis),
@@ -64,7 +64,7 @@ def characteristics(moments: Array, momentum: Array) -> Characteristics:
     )
 
 
-def _sum_index(xp: Any, body: Reduction) -> Array:
+def _third_axis(xp: Any, body: Reduction) -> Array:
     """Return which given axis is the third canonical one."""
     columns = [xp.abs(row[2]) for row in body.axes]
     return xp.where(columns[0] > 0, 0, xp.where(columns[1] > 0, 1, 2))

@@ -49,7 +49,7 @@ class Reduction(NamedTuple):
 def canonical_reduction(moments: Array, momentum: Array) -> Reduction:
     """Return the canonical form of bodies with moments and momentum (…, 3), any order, any scale.
 
-    On JAX each stage is compiled by itself: as one kernel XLA would compute S anew for everything that uses it.
+    On JAX each stage is compiled by itself: as one kernel XLA would compute S again for everything that uses it.
     """
     sorted_ = compiled(_sorted_and_scaled, moments)(moments, momentum)
     I, L = sorted_[0], sorted_[1]  # noqa: E741

@@ -43,9 +43,9 @@ def top_frequencies(top: TopReduction, points: TurningPoints) -> TopFrequencies:
     separatrix = ~(points.B[0] > 0) & ~permanent
     one = dd.one_like(a)
     root_A, root_B = dd.sqrt(points.A), dd.sqrt(points.B)
-    tame = permanent | separatrix
+    aperiodic = permanent | separatrix
     square_alpha, square_beta, first_alpha, first_beta = _starts(top, points)
-    starts = [dd.where(tame, one, v) for v in (root_A, root_B, square_alpha, square_beta)]
+    starts = [dd.where(aperiodic, one, v) for v in (root_A, root_B, square_alpha, square_beta)]
     # α's and β's sums share the mean: one run over both
     both = [tuple(xp.stack([x, y]) for x, y in zip(*pair, strict=True))
             for pair in ((starts[0], starts[0]), (starts[1], starts[1]), (starts[2], starts[3]))]  # fmt: skip
@@ -65,7 +65,7 @@ def top_frequencies(top: TopReduction, points: TurningPoints) -> TopFrequencies:
     spin = dd.divide(dd.multiply_float(dd.two_sum(I1, -I3), a), dd.from_float(I3))
     return TopFrequencies(
         dd.scale(root_A, 0.5), dd.where(separatrix, zero, nutation), dd.scale(alpha, sign_alpha),
-        dd.scale(beta, sign_beta), sign_alpha, sign_beta, spin, permanent, separatrix, ~(points.d[0] > 0) & ~tame,
+        dd.scale(beta, sign_beta), sign_alpha, sign_beta, spin, permanent, separatrix, ~(points.d[0] > 0) & ~aperiodic,
     )  # fmt: skip
 
 

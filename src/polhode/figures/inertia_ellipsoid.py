@@ -85,11 +85,11 @@ def _axes(scene: Scene, shape: Array) -> None:
 def _direction(scene: Scene, curve: Array) -> None:
     """Put heads of arrows on a curve where it is seen, evenly along its length on the page."""
     x, y, _ = scene.project(curve)
-    way = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(x), np.diff(y)))])
-    seen, count = scene.seen(curve), int(way[-1] / APART + 0.5)
+    length = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(x), np.diff(y)))])
+    seen, count = scene.seen(curve), int(length[-1] / APART + 0.5)
     for part in (np.arange(count) + 0.5) / max(count, 1):
-        k = int(np.searchsorted(way, part * way[-1]))
-        ahead = min(len(x) - 1, int(np.searchsorted(way, part * way[-1] + 0.012)))
+        k = int(np.searchsorted(length, part * length[-1]))
+        ahead = min(len(x) - 1, int(np.searchsorted(length, part * length[-1] + 0.012)))
         if not seen[k] or ahead == k:
             continue
         scene.axes.annotate("", (x[ahead], y[ahead]), (x[k], y[k]), zorder=5, arrowprops={

@@ -65,9 +65,9 @@ class Scene:
         left, _, bottom, _ = self.window
         corners = np.stack([(x - left) / self.pixel, (y - bottom) / self.pixel, depth], axis=-1)[faces]
         shades = self._shades(corner_normals(vertices, faces), ambient)
-        red = np.array([int(colour[k : k + 2], 16) / 255.0 for k in (1, 3, 5)])
+        rgb = np.array([int(colour[k : k + 2], 16) / 255.0 for k in (1, 3, 5)])
         for triangle, shade in zip(corners, shades, strict=True):
-            self._fill(triangle, shade, red)
+            self._fill(triangle, shade, rgb)
 
     def _shades(self, normals: Array, ambient: float) -> Array:
         """Return brightness from 0 to about 1.1 by normals (…, 3), either side lit."""

@@ -23,7 +23,7 @@ LOST, TOO_SMALL = 0.03, 1e-12  # of the largest: curves between are enlarged, th
 CONSTANT = 1e-9  # of a curve's size: what varies by less is constant, by rounding and its growth
 SETTINGS: Any = {
     "pdf.fonttype": 42,  # TrueType, embedded: publishers refuse type 3
-    # text stays text, so that it can be searched, read aloud and set anew; among the fonts named for where DejaVu is
+    # text stays text, so that it can be searched, read aloud and set again; among the fonts named for where DejaVu is
     # missing, Verdana has nearly its widths
     "svg.fonttype": "none",
     "svg.hashsalt": "polhode",  # names of clips and markers, otherwise drawn by chance

@@ -28,7 +28,7 @@ COLUMNS = {
 }
 OLD_NAMES = {"QUATERNION/RATE": "QUATERNION/ANGVEL", "EULER_ANGLE/RATE": "EULER_ANGLE/ANGVEL"}  # of version 1.0
 FAR_FROM_UNIT = 1e-3
-"""Files print quaternions with five digits or more; what is further from unit length is no quaternion of a rotation."""
+"""Files print quaternions with five digits or more; what is further from unit length is a mistake."""
 
 
 class Meaning(NamedTuple):
@@ -57,7 +57,7 @@ def attitudes(meaning: Meaning, columns: Array) -> tuple[Array, Array | None]:
         columns: (n, k), degrees and degrees per second.
 
     Raises:
-        ValueError: in words, with the index of the row as second argument, for what is no rotation.
+        ValueError: in words, with the index of the row as second argument, for what is not a rotation.
     """
     family, _, rates = meaning.kind.partition("/")
     lengths = np.linalg.norm(columns[:, :4], axis=-1)

@@ -15,7 +15,7 @@ from polhode.motion.trajectory import Trajectory
 
 Array = Any
 FARTHEST = 0.5 * math.pi  # rad from key to key; beyond π viewers, which take the short way, turn it backward
-FINE = math.pi / 16.0  # rad from key to key where an exact motion is evaluated anew
+FINE = math.pi / 16.0  # rad from key to key where an exact motion is evaluated again
 MOST_KEYS = 1_000_000
 SAME_ATTITUDE = 1e-9  # rad; a motion whose trajectory was not turned to other axes gives its first attitude again
 
@@ -23,7 +23,7 @@ SAME_ATTITUDE = 1e-9  # rad; a motion whose trajectory was not turned to other a
 def keys_of(trajectory: Trajectory, speed: float, rate: float | None = None) -> tuple[Array, Trajectory]:
     """Return the clock (K,) [s] of an animation, as single precision has it, and the trajectory at its keys.
 
-    Exact motions are evaluated anew at just these times, finer than they were sampled where need be; of other samples
+    Exact motions are evaluated again at just these times, finer than they were sampled where need be; of other samples
     the clock is rounded, and those that it cannot tell apart are left out.
 
     Args:
@@ -78,7 +78,7 @@ def _evenly(lasts: float, intervals: float) -> Array:
 
 
 def exact_motion(trajectory: Trajectory) -> AbstractMotion | None:
-    """Return the motion to evaluate anew, unless the trajectory is along other axes than its motion's."""
+    """Return the motion to evaluate again, unless the trajectory is along other axes than its motion's."""
     motion = trajectory.motion
     if motion is None:
         return None

@@ -101,7 +101,7 @@ def read_csv(path: str | Path) -> Trajectory:
 
     Raises:
         InvalidInput: if the file is missing.
-        FormatError: naming the line, if it is no such table; naming the sample, if one has no attitude.
+        FormatError: naming the line, if it is not such a table; naming the sample, if one has no attitude.
     """
     path = Path(path)
     names, table = _read_table(path)

@@ -37,7 +37,7 @@ def read_dataset(path: str | Path) -> Trajectory:
 
     Raises:
         InvalidInput: if the file is missing, or zarr is for a store.
-        FormatError: if it is no dataset of polhode's, or a damaged one.
+        FormatError: if it is not a dataset of polhode's, or a damaged one.
     """
     path = Path(path)
     dataset = _loaded(path)
@@ -92,7 +92,7 @@ def _loaded(path: Path) -> xarray.Dataset:
         raise
     except Exception:  # xarray's engines raise whatever their libraries raise
         kind = "Zarr store" if store else "NetCDF file"
-        raise FormatError(f"{path}: cannot be read as a {kind}: it is broken or cut short. Write it anew.") from None
+        raise FormatError(f"{path}: cannot be read as a {kind}: it is broken or cut short. Write it again.") from None
 
 
 def _loaded_store(path: Path) -> xarray.Dataset:

@@ -57,7 +57,7 @@ def check_variables(path: Path, dataset: xarray.Dataset) -> None:
 
 
 def _refuse(path: Path, what: str) -> NoReturn:
-    raise FormatError(f"{path}: {what}. The file is damaged, or changed by another tool; write it anew with polhode.")
+    raise FormatError(f"{path}: {what}. The file is damaged, or changed by another tool; write it again with polhode.")
 
 
 def _check_along_time(path: Path, name: str, variable: Any, along: tuple[str, ...]) -> None:

@@ -39,7 +39,7 @@ def read_epoch(text: str, time_system: str) -> tuple[int, int]:
     Digits beyond picoseconds are rounded.
 
     Raises:
-        ValueError: in words, for what is no such epoch.
+        ValueError: in words, for what is not such an epoch.
     """
     found = _FORM.fullmatch(text)
     if not found:

@@ -16,7 +16,7 @@ from polhode.motion.trajectory import Trajectory
 
 Array = Any
 UNIT = 1e-6  # how far from one the norm of a quaternion in a file may be: seven digits of each component, at least
-DAMAGED = "The file is damaged; write it anew."
+DAMAGED = "The file is damaged; write it again."
 
 
 def along_given_axes(trajectory: Trajectory, frame: BodyFrame | None) -> Trajectory:
@@ -79,7 +79,7 @@ def single_attitude(trajectory: Trajectory, form: str) -> Array:
 
 
 def check_recorded(path: Path, times: Array, attitude: Array | None, velocity: Array | None = None) -> None:
-    """Refuse times, attitudes (…, 4) and velocities of a file that are none; a store without its chunks reads as NaN.
+    """Refuse times, attitudes (…, 4) and velocities of a file that are not finite, as a store without its chunks has.
 
     Raises:
         FormatError: naming the first sample that is wrong.

@@ -73,7 +73,7 @@ def check_hdf5(path: Path) -> None:
 
 
 def _refuse(path: Path, what: str) -> NoReturn:
-    raise FormatError(f"{path}: {what}. Write it anew with polhode.")
+    raise FormatError(f"{path}: {what}. Write it again with polhode.")
 
 
 def _check_variable(path: Path, where: str, item: Any, stored: int) -> int:

@@ -44,11 +44,11 @@ def read_mesh(path: str | Path, unit: float, repair: bool = False) -> tuple[Arra
         raise InvalidInput(f"`unit` must be a positive length in metres; got {shown(unit)}.")
     vertices, faces = _loaded(path, read_file(path, "mesh", LARGEST_FILE))
     if len(faces) == 0:
-        raise FormatError(f"{path}: holds no triangles; it may be cut short. Export it anew, as a surface mesh.")
+        raise FormatError(f"{path}: holds no triangles; it may be cut short. Export it again, as a surface mesh.")
     if not np.isfinite(vertices).all():
-        raise FormatError(f"{path}: a corner is NaN or infinite. Export it anew.")
+        raise FormatError(f"{path}: a corner is NaN or infinite. Export it again.")
     if faces.shape[1:] != (3,) or faces.min() < 0 or faces.max() >= len(vertices):
-        raise FormatError(f"{path}: a face has a corner that is not there, of {len(vertices)}. Export it anew.")
+        raise FormatError(f"{path}: a face has a corner that is not there, of {len(vertices)}. Export it again.")
     if (extent := float(np.abs(vertices).max())) > LARGEST_EXTENT / unit:
         raise FormatError(f"{path}: a corner is {extent:.3g} of its units away, and no body is that large. Check the "
                           "file and its unit.")  # fmt: skip
@@ -80,8 +80,8 @@ def _loaded(path: Path, content: bytes) -> tuple[Array, Array]:
                                      skip_materials=True)  # fmt: skip
         return np.array(mesh.vertices, dtype=float), np.array(getattr(mesh, "faces", ()))
     except Exception:  # trimesh raises whatever its many readers raise
-        why = f"{path}: cannot be read as a mesh: it is broken, cut short, or not what its ending says. Export it anew."
-        raise FormatError(why) from None
+        why = "it is broken, cut short, or not what its ending says. Export it again."
+        raise FormatError(f"{path}: cannot be read as a mesh: {why}") from None
 
 
 def _trimesh() -> Any:

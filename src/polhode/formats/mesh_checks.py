@@ -25,7 +25,7 @@ def checked(path: Path, ending: str, content: bytes) -> bytes:
     """Return a file's bytes as trimesh may have them: text in UTF-8, scenes without materials.
 
     Raises:
-        FormatError: for counts that do not fit the bytes, words that are no numbers, and scenes that lead to other
+        FormatError: for counts that do not fit the bytes, words that are not numbers, and scenes that lead to other
             files, are compressed, or repeat themselves without bound.
     """
     return {"stl": _stl, "ply": _ply, "off": _off, "glb": _glb, "gltf": _gltf}[ending](path, content)
@@ -47,7 +47,7 @@ def as_text(path: Path, content: bytes) -> str:
 
 
 def _refuse(path: Path, what: str) -> NoReturn:
-    raise FormatError(f"{path}: {what}. Export it anew.")
+    raise FormatError(f"{path}: {what}. Export it again.")
 
 
 def _stl(path: Path, content: bytes) -> bytes:
@@ -106,7 +106,7 @@ def _check_words(path: Path, text: str) -> None:
         for word in words:
             if is_misread(word):
                 why = f"a corner must be finite numbers in decimal digits; got {shown(word)}"
-                raise FormatError(f"{path}, line {number}: {why}. Export it anew.")
+                raise FormatError(f"{path}, line {number}: {why}. Export it again.")
 
 
 def _glb(path: Path, content: bytes) -> bytes:

@@ -38,12 +38,12 @@ def read_obj(path: Path, text: str) -> tuple[Array, Array]:
     found = np.array(faces, dtype=np.int64).reshape(-1, 3)
     if len(found) and found.max() >= len(vertices):
         why = f"a face has corner {found.max() + 1}, and there are {len(vertices)}"
-        raise FormatError(f"{path}: {why}. Export it anew.")
+        raise FormatError(f"{path}: {why}. Export it again.")
     return np.array(vertices, dtype=float).reshape(-1, 3), found
 
 
 def _refuse(path: Path, number: int, what: str) -> NoReturn:
-    raise FormatError(f"{path}, line {number}: {what}. Export it anew.")
+    raise FormatError(f"{path}, line {number}: {what}. Export it again.")
 
 
 def _lines(text: str) -> Iterator[tuple[int, list[str]]]:

@@ -27,8 +27,8 @@ def written_whole(path: str | Path, replaces: Callable[[Path], bool] | None = No
             folder may.
 
     Raises:
-        InvalidInput: for a folder that is missing or cannot be written to, a destination that is no file, and for what
-            the system refuses while the block writes.
+        InvalidInput: for a folder that is missing or cannot be written to, a destination that is not a file, and for
+            what the system refuses while the block writes.
     """
     path = Path(path)
     with _worded(path):

@@ -93,7 +93,7 @@ def loaded(kernels: Sequence[Path]) -> Iterator[Any]:
 
 
 def _forget(spice: Any) -> None:
-    """Take out what SPICE kept of a kernel that it refused half-way: unloading any text loads the others anew."""
+    """Take out what SPICE kept of a kernel that it refused half-way: unloading any text loads the others again."""
     with tempfile.TemporaryDirectory(prefix="polhode-") as folder:
         empty = Path(folder, "empty.tf")
         empty.write_text("KPL/FK\n", "ascii")

@@ -61,7 +61,7 @@ def read_ck(
     with open_file(path, "C-kernel", LARGEST_FILE) as file:
         begun = file.read(8)
     if not begun.startswith(BEGINNINGS):
-        raise FormatError(f"{path}: is no C-kernel, as it does not begin with DAF/CK. Check the file.")
+        raise FormatError(f"{path}: is not a C-kernel, as it does not begin with DAF/CK. Check the file.")
     found = {name: _beside(path, name, ending, chosen) for (name, ending), chosen in
              zip(KINDS.items(), (fk, sclk, lsk), strict=True)}  # fmt: skip
     if found["clock"] is None:
@@ -117,8 +117,8 @@ def _ticks(path: Path, segments: Sequence[Segment]) -> Array:
     found = []
     for one in segments:
         ticks, _ = record_ticks(path, one, doubles[one.start - 1 : one.end])
-        even = np.linspace(one.first_tick, one.last_tick, EQUAL)
-        found.append(even if ticks is None else np.array(ticks, dtype=float))
+        equal = np.linspace(one.first_tick, one.last_tick, EQUAL)
+        found.append(equal if ticks is None else np.array(ticks, dtype=float))
     return np.unique(np.concatenate(found))
 
 

@@ -47,18 +47,18 @@ def check_store(folder: Path) -> list[str]:
     names = sorted(entry.name for entry in folder.iterdir() if entry.is_dir())
     arrays = {file.path.parent for file in files if file.path.name == ".zarray"}
     if arrays != {folder / name for name in names}:
-        _refuse(folder, "has folders that are not arrays, or arrays within others. It is damaged; write it anew")
+        _refuse(folder, "has folders that are not arrays, or arrays within others. It is damaged; write it again")
     stored, chunks, declared = sum(file.size for file in files), 0, 0
     for file in files:
         if file.path.name == "zarr.json":
-            _refuse(folder, "is of Zarr's format 3, and polhode writes format 2. Write it anew with polhode")
+            _refuse(folder, "is of Zarr's format 3, and polhode writes format 2. Write it again with polhode")
         if file.path.name == ".zarray":
             count, size = _check_array(folder, file.path, files)
             chunks, declared = chunks + count, declared + size
         if file.path.name == ".zattrs":
             _document(folder, file.path)
     if chunks > MOST_CHUNKS:
-        _refuse(folder, f"has {shown(chunks)} chunks, and may have {MOST_CHUNKS:,}. Write it anew with larger ones")
+        _refuse(folder, f"has {shown(chunks)} chunks, and may have {MOST_CHUNKS:,}. Write it again with larger ones")
     check_size(folder, declared, stored)
     return names
 
@@ -72,7 +72,7 @@ def check_size(path: Path, declared: int, stored: int) -> None:
     if declared > SPARE + FACTOR * stored:
         said = f"{declared / MB:,.0f}" if declared < 1e15 else "more than a billion"
         _refuse(path, f"claims arrays of {said} MB, and {stored / MB:,.3g} MB are stored. It is damaged, or made to "
-                      "fill the memory. Write it anew with polhode")  # fmt: skip
+                      "fill the memory. Write it again with polhode")  # fmt: skip
 
 
 def _refuse(path: Path, what: str) -> NoReturn:
@@ -93,11 +93,11 @@ def _files(store: Path, folder: Path, depth: int) -> Iterator[_File]:
             yield from _files(store, Path(entry.path), depth + 1)
         elif not stat.S_ISREG(found.st_mode):
             _refuse(store, f"has something other than files and folders in it, {shown(entry.name)}. Take it out, or "
-                           "write the store anew")  # fmt: skip
+                           "write the store again")  # fmt: skip
         else:
             count += 1
             if count > MOST_FILES:
-                _refuse(store, f"has more than {MOST_FILES:,} files in a folder. Write it anew with larger chunks")
+                _refuse(store, f"has more than {MOST_FILES:,} files in a folder. Write it again with larger chunks")
             yield _File(Path(entry.path), found.st_size)
 
 
@@ -110,14 +110,14 @@ def _check_array(store: Path, path: Path, files: list[_File]) -> tuple[int, int]
         _refuse(store, f"{name} has chunks of shape {shown(chunks)} for the shape {shown(shape)}. It is damaged")
     dtype, compressor = document.get("dtype"), document.get("compressor")
     if not isinstance(dtype, str) or not _DTYPE.fullmatch(dtype):
-        _refuse(store, f"{name} is of type {shown(dtype)}, and polhode writes numbers and short text. Write it anew")
+        _refuse(store, f"{name} is of type {shown(dtype)}, and polhode writes numbers and short text. Write it again")
     if document.get("filters"):
-        _refuse(store, f"{name} has filters, {shown(document['filters'])}, and polhode writes none. Write it anew")
+        _refuse(store, f"{name} has filters, {shown(document['filters'])}, and polhode writes none. Write it again")
     codec = compressor.get("id") if isinstance(compressor, dict) else compressor
     if codec is not None and not (isinstance(codec, str) and codec in CODECS):
         known = ", ".join(CODECS)
         _refuse(store, f"{name} is compressed by {shown(codec)}; read are {known} and none, as others may run code. "
-                       "Write it anew with polhode")  # fmt: skip
+                       "Write it again with polhode")  # fmt: skip
     width = int(dtype[2:]) * (4 if dtype[1] == "U" else 1)
     whole = math.prod(chunks) * width
     check_size(store, whole, sum(file.size for file in files))
@@ -148,7 +148,7 @@ def _lengths(store: Path, name: str, document: dict[str, Any], key: str) -> list
 
 def _check_chunk(store: Path, name: str, file: _File, codec: str | None, whole: int) -> None:
     if file.size > LARGEST_CHUNK_FILE:
-        _refuse(store, f"{name} has a chunk of {file.size // MB:,} MB. Write the store anew with smaller ones")
+        _refuse(store, f"{name} has a chunk of {file.size // MB:,} MB. Write the store again with smaller ones")
     if codec is None:
         size = file.size
     else:
@@ -156,7 +156,7 @@ def _check_chunk(store: Path, name: str, file: _File, codec: str | None, whole: 
         size = CODECS[codec](content, whole)
     if size != whole:
         _refuse(store, f"chunk {shown(file.path.name)} of {name} does not hold the {whole} bytes that it should. The "
-                       "store is damaged; write it anew")  # fmt: skip
+                       "store is damaged; write it again")  # fmt: skip
 
 
 def _of_blosc(content: bytes, whole: int) -> int:
@@ -190,4 +190,4 @@ def _of_zstd(content: bytes, whole: int) -> int:
 CODECS: dict[str, Callable[[bytes, int], int]] = {
     "blosc": _of_blosc, "zstd": _of_zstd, "lz4": _of_lz4, "zlib": _of_zlib, "gzip": _of_zlib,
 }  # fmt: skip
-"""How many bytes a chunk says it holds, or -1 for what is no such chunk, by the codec's name."""
+"""How many bytes a chunk says it holds, or -1 for what is not such a chunk, by the codec's name."""

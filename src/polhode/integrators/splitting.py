@@ -64,7 +64,7 @@ class Splitting(AbstractOrbitSolver):
                 moved = flow(share * h, now)
                 now = tuple(x + d for x, d in zip(now, moved, strict=True))
                 total = [x + d for x, d in zip(total, moved, strict=True)]
-            # XLA would compute the whole stage anew for each use of the sum
+            # XLA would compute the whole stage again for each use of the sum
             return explicit(jax.lax.optimization_barrier(jnp.stack(total, axis=-1)))
 
         return composed(stage, self.own_order, t, h, state)

@@ -100,7 +100,7 @@ class ComparisonReport:
     def all_notes(self) -> list[str]:
         """Return what a reader should know beside the numbers."""
         found, notes = self.comparison, list(self.notes)
-        if found.alignment is not None and not found.alignment.told_apart:
+        if found.alignment is not None and not found.alignment.determined:
             notes.append("the motion does not tell all misalignments and the rate apart: others would explain as much.")
         if found.interpolation_error is not None and found.largest <= found.interpolation_error:
             notes.append("the angle is no larger than what interpolation may miss: it may be the interpolation's own.")
@@ -112,7 +112,7 @@ class ComparisonReport:
         """Return the answers as plain lists, numbers, strings and None."""
         found, fit = self.comparison, self.comparison.alignment
         alignment = None if fit is None else {
-            "body": fit.body, "space": fit.space, "rate": fit.rate, "told_apart": fit.told_apart,
+            "body": fit.body, "space": fit.space, "rate": fit.rate, "determined": fit.determined,
             "remaining": {"largest": fit.remaining.max(), "rms": fit.rms}, "explains": found.explained,
         }  # fmt: skip
         return plain({

@@ -77,7 +77,7 @@ def from_float(a: Array) -> DoubleDouble:
 def one_like(a: Array) -> DoubleDouble:
     """Return 1 in the shape of a finite array.
 
-    XLA folds sums with two literal constants, (1 + b) − 1 → b, which would undo ``two_sum``; this one is no literal.
+    XLA folds sums with two literal constants, (1 + b) − 1 → b, which would undo ``two_sum``; this one is not a literal.
     """
     return 1.0 + 0.0 * a, 0.0 * a
 

@@ -255,7 +255,7 @@ class AbstractLiePoissonSystem(AbstractSystem):
         """Return states as an array of the algebra's kind.
 
         Raises:
-            InvalidInput: for wrong shapes, values that are not finite, an attitude that is no unit quaternion.
+            InvalidInput: for wrong shapes, values that are not finite, an attitude that is not a unit quaternion.
         """
         state = as_finite_state(state, self.algebra.dtype)
         return state if self.parts(state).attitude is None else check_unit_attitude(state)
@@ -288,7 +288,7 @@ def as_finite_state(state: Array, dtype: Any, length: int | None = None) -> Arra
     """Return a state as a JAX array.
 
     Raises:
-        InvalidInput: for what is no number, NaN or an infinity, or a last axis not of the length.
+        InvalidInput: for what is not a number, NaN or an infinity, or a last axis not of the length.
     """
     refuse_single_precision(state=state)
     try:

@@ -139,12 +139,12 @@ class HeavyTop(AbstractLiePoissonSystem):
             hanging: with the centre of mass below.
 
         Raises:
-            InvalidInput: for a spin about a line that is no principal axis.
+            InvalidInput: for a spin about a line that is not a principal axis.
         """
         momentum = self.moments * spin * self.axis
         if bool(jnp.linalg.norm(jnp.cross(momentum, self.axis)) > ALONG * jnp.linalg.norm(momentum)):
             raise InvalidInput(
-                f"`spin` must be zero: the line to the centre of mass, {np.asarray(self.axis).tolist()}, is no "
+                f"`spin` must be zero: the line to the centre of mass, {np.asarray(self.axis).tolist()}, is not a "
                 "principal axis, and the body does not stand spinning about it."
             )
         return jnp.concatenate([momentum, -self.axis if hanging else self.axis])

@@ -31,7 +31,7 @@ class TorquedBody(AbstractSystem):
         torques: what acts on it, any number.
 
     Raises:
-        InvalidInput: for moments that are not positive, what is no torque, or a gravity gradient on other moments.
+        InvalidInput: for moments that are not positive, what is not a torque, or a gravity gradient on other moments.
 
     >>> from polhode.systems.torques import LinearDrag
     >>> body = TorquedBody((1.0, 2.0, 3.0), [LinearDrag(0.5)])
@@ -105,7 +105,7 @@ class TorquedBody(AbstractSystem):
         """Return states as an array.
 
         Raises:
-            InvalidInput: for wrong shapes, values that are not finite, an attitude that is no unit quaternion.
+            InvalidInput: for wrong shapes, values that are not finite, an attitude that is not a unit quaternion.
         """
         state = as_finite_state(state, float)
         return state if self.parts(state).attitude is None else check_unit_attitude(state)

@@ -32,7 +32,7 @@ COLOURS = "Black: L. Purple: Ω. Blue: this motion's polhode. Vermilion: separat
 
 
 class LiveApp:
-    """The running app. Moving a slider, here or in the browser, makes the motion anew.
+    """The running app. Moving a slider, here or in the browser, makes the motion again.
 
     Args:
         start: what it begins with.
@@ -82,7 +82,7 @@ class LiveApp:
                 self.advance(time.monotonic() - before)
 
     def advance(self, seconds: float) -> None:
-        """Go on by so much of the viewer's time; at the end of the slider begin anew."""
+        """Go on by so much of the viewer's time; at the end of the slider begin again."""
         self.time.value = round((_kept(self.time) + seconds / _kept(self.pace)) % SHOWN, 4)
 
     @property

@@ -80,7 +80,7 @@ def page_text(
 
 
 def check_given(trajectory: Any, name: Any, summary: Any, notes: Any) -> None:
-    """Raise InvalidInput for what is no trajectory or no text."""
+    """Raise InvalidInput for what is not a trajectory or not text."""
     if not isinstance(trajectory, Trajectory):
         raise InvalidInput(
             f"the page shows a Trajectory; got {type(trajectory).__name__}. Give it what `sample` or `solve` returns."

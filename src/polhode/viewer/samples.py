@@ -48,7 +48,7 @@ class Samples:
 
 
 def samples_of(trajectory: Trajectory) -> Samples:
-    """Return what a page shows: exact motions evaluated anew at times close enough to each other, others thinned.
+    """Return what a page shows: exact motions evaluated again at times close enough to each other, others thinned.
 
     Raises:
         InvalidInput: for a trajectory without samples, a batch, or values that are not finite.

@@ -31,7 +31,7 @@ Array = Any
 PERIODS = 10
 TURNS = 12  # of the contact, sampled densely
 TURN_SAMPLES = 125
-PAST_END = 1.1  # of the time to the end, so that its event is found anew
+PAST_END = 1.1  # of the time to the end, so that its event is found again
 JUST_PAST_END = 1.0 + 1e-9  # the same, as the last of many samples
 UPRIGHT = 1e-9  # rad
 
