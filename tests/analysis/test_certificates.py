@@ -133,8 +133,8 @@ REFUSED = {
     "Casimirs that depend on each other": (
         body, e3, {"casimirs": [lambda L: jnp.sum(L**2), lambda L: jnp.sum(L**2) ** 2]}, "independent"),
     "a Casimir of the wrong shape": (body, e3, {"casimirs": [lambda L: L]}, r"`casimirs\[0\]` must be a real"),
-    "a point that moves": (body, np.ones(3), {}, "no equilibrium"),
-    "a relative equilibrium without its integral": (vortices(5), ring(5, 0.5), {}, "no equilibrium"),
+    "a point that moves": (body, np.ones(3), {}, "not an equilibrium"),
+    "a relative equilibrium without its integral": (vortices(5), ring(5, 0.5), {}, "not an equilibrium"),
     "a vector field of its own": (Dragged((1.0, 2.0, 3.0)), e3, {}, "overrides `vector_field`"),
     "a generator that depends on time": (Driven((1.0, 2.0, 3.0)), e3, {}, "depends on time"),
     "one that depends on it for a moment": (Briefly((1.0, 2.0, 3.0)), e3, {}, "depends on time"),

@@ -140,10 +140,10 @@ def test_relative_equilibrium_of_a_symmetric_top():
         point = np.concatenate([[I1 * precession * np.sin(theta), 0.0, I3 * spin], up])
         found = ph.stability(top, point, [lambda p: p[2]])
         assert found.verdict == "stable"
-    with pytest.raises(InvalidInput, match="no equilibrium"):
+    with pytest.raises(InvalidInput, match="not an equilibrium"):
         ph.stability(top, point)
     point[0] *= 1.01
-    with pytest.raises(InvalidInput, match="no relative equilibrium"):
+    with pytest.raises(InvalidInput, match="not a relative equilibrium"):
         ph.stability(top, point, [lambda p: p[2]])
 
 
@@ -170,7 +170,7 @@ def test_equilibria_of_the_free_body_are_the_axes():
         (lambda b: ph.stability(b, np.ones((2, 3))), "one point"),
         (lambda b: ph.stability(b, np.ones(4)), "shape"),
         (lambda b: ph.stability(b, np.array([1.0, np.nan, 0.0])), "finite"),
-        (lambda b: ph.stability(b, np.ones(3)), "no equilibrium"),
+        (lambda b: ph.stability(b, np.ones(3)), "not an equilibrium"),
         (lambda b: ph.find_equilibria(b, np.zeros(3)), "other than zero"),
     ],
 )

@@ -314,7 +314,7 @@ def test_one_attitude_is_one(files, capsys):
 
 REFUSED = [
     (["compare", "box.toml", "none.aem"], "none.aem: no such spec or motion file"),
-    (["compare", "box.toml", "noise.bin"], "is no spec, dataset"),
+    (["compare", "box.toml", "noise.bin"], "is not a spec, a dataset"),
     (["compare", "box.toml", "text.txt"], "is not TOML"),
     (["compare", "box.toml", "cut.nc"], "cut.nc"),
     (["compare", "box.toml", "cut.bc"], "--sclk"),

@@ -205,9 +205,9 @@ def _on_tangent(p: Problem, flow: Array, flow_sizes: Array) -> tuple[Array, Arra
 def _check_at_rest(field: Array, size: float, relative: bool) -> None:
     left = float(np.linalg.norm(field))
     if left > AT_REST * size:
-        kind = "relative equilibrium" if relative else "equilibrium"
+        kind = "a relative equilibrium" if relative else "an equilibrium"
         raise InvalidInput(
-            f"the point is no {kind}: the field there is {left / size:.3g} of its terms. "
+            f"the point is not {kind}: the field there is {left / size:.3g} of its terms. "
             "Find one by `find_equilibria`, or give the integrals whose symmetries carry it along."
         )
 
