@@ -93,3 +93,22 @@ def test_a_signal_that_is_expected_ends_a_command_well():
             signal.raise_signal(signal.SIGINT)
         except Stopped as stop:
             stop.expected = True
+
+
+HELD = """
+import os, signal, time
+from polhode.cli.stopping import Stopped, stopped_by_signals
+from polhode.formats.drafts import signals_held
+try:
+    with stopped_by_signals():
+        with signals_held():
+            os.kill(os.getpid(), signal.SIGTERM)
+            time.sleep(0.3)  # the watching thread has seen it
+except Stopped as stop:
+    print(stop.number == signal.SIGTERM)
+"""
+
+
+def test_a_signal_that_is_held_and_raised_again_says_nothing():
+    done = subprocess.run([sys.executable, "-c", HELD], capture_output=True, text=True, timeout=PATIENCE, check=False)
+    assert done.stdout == "True\n" and done.stderr == ""

@@ -391,3 +391,16 @@ def test_an_outcome_that_is_no_text(store, name, value):
     path = store / ".zattrs"
     path.write_text(json.dumps(json.loads(path.read_text()) | {name: value}))
     refused(store, f"attribute {name} must be")
+
+
+@pytest.mark.parametrize(("name", "unit", "written"), [
+    ("time", "minutes", "s"), ("time", "fortnights^999999", "s"), ("momentum", "g cm2/s", "kg m2 s-1"),
+    ("angular_velocity", "deg s-1", "rad s-1"), ("principal_moments", "lb ft2", "kg m2"), ("mass", "lb", "kg"),
+])  # fmt: skip
+def test_other_units_are_refused(netcdf, name, unit, written):
+    refused(rewritten(netcdf, attribute(name, units=unit)), f"must be in {written}; got {unit!r}".replace("^", r"\^"))
+
+
+def test_a_quantity_without_its_unit_is_in_the_usual_one(netcdf):
+    rewritten(netcdf, lambda dataset: dataset["momentum"].attrs.pop("units") and None)
+    assert np.array_equal(formats.read_dataset(netcdf).momentum, MOTION.momentum(TIMES))

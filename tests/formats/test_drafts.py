@@ -149,3 +149,21 @@ def test_files_are_on_the_disk_before_they_take_their_names(tmp_path, monkeypatc
         with written_whole(tmp_path / "a") as draft:
             draft.write_text("later")
     assert (tmp_path / "a").read_text() == "earlier" and names(tmp_path) == ["a"]
+
+
+ENDED_AT_ONCE = """
+import os
+from polhode.formats import drafts
+from polhode.formats.paths import written_together
+with written_together("{folder}") as new:
+    (new / "a.txt").write_text("half")
+    drafts.remove_live_drafts()
+    os._exit(3)
+"""
+
+
+def test_folders_made_for_files_go_where_the_process_ends_at_once(tmp_path):
+    (tmp_path / "before").mkdir()
+    for folder in ("R", "before/in/deep", "before"):
+        assert run(ENDED_AT_ONCE.format(folder=folder), tmp_path) == 3
+        assert names(tmp_path) == ["before"] and names(tmp_path / "before") == []

@@ -112,6 +112,7 @@ REFUSED = {
     "shapes.rod": (1.0, lambda x: ph.shapes.rod(1.0, x)),
     "shapes.torus": (0.3, lambda x: ph.shapes.torus(1.0, 1.0, x)),
     "Body.from_moments": (2.0, lambda x: ph.Body.from_moments(x, 2.0, 2.5)),
+    "Body.from_inertia": (np.diag([1.0, 2.0, 2.5]), ph.Body.from_inertia),
     "Body.about": (THREE, SOLID.about),
     "Body.placed": (THREE, lambda x: SOLID.placed(EYE, x)),
     "box_of_same_inertia": (THREE, surface.box_of_same_inertia),

@@ -71,3 +71,17 @@ def test_one_such_body_does_not_fail_a_batch():
     assert attitude[1] == pytest.approx(alone[0], abs=1e-15) and found[1] == pytest.approx(alone[1], abs=1e-15)
     turned = math.cos(0.5 / 3.0), 0.0, 0.0, math.sin(0.5 / 3.0)
     assert attitude[0] == pytest.approx(turned, abs=1e-15)
+
+
+@pytest.mark.parametrize("time", [1e30, -1e35, 1e300])
+def test_times_at_which_no_digit_is_left_are_refused(time):
+    free = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5))
+    top = ph.LagrangeMotion((1.0, 1.0, 0.5), 1.0, (0.0, 0.0, 2.5), (3**0.5 / 2, 0.5, 0.0, 0.0))
+    for motion in (free, top):
+        for times in (time, [0.0, time]):
+            with pytest.raises(ph.InvalidInput, match=r"at most 1e\+27 rad, beyond which a phase has hardly a digit"):
+                motion.state(times)
+    slow = ph.FreeMotion((1.0, 2.0, 3.0), np.array([0.3, 1.8, 1.5]) / abs(time))
+    assert np.isfinite(slow.momentum(time)).all()  # a fast body of a batch does not speak for a slow one
+    both = ph.FreeMotion((1.0, 2.0, 3.0), [(0.3, 1.8, 1.5), np.array([0.3, 1.8, 1.5]) / abs(time)])
+    assert np.isfinite(both.momentum(np.array([1.0, time]))).all()

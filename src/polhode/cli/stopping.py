@@ -62,7 +62,7 @@ class _Watch:
         for number, handler in self._before.items():
             signal.signal(number, handler)
         signal.set_wakeup_fd(self._wakeup)
-        self._teller.close()
+        self._teller.close()  # which lets the thread end
 
     def _stop(self, number: int, frame: Any) -> None:
         if self.came is None and not self._ended.is_set():  # more of them do not hurry it
@@ -70,11 +70,13 @@ class _Watch:
             raise self.came
 
     def _see_to_it(self) -> None:
-        with self._told:
+        with self._told:  # open until nobody writes any more: a signal that is held and raised again writes twice
             while (told := self._told.recv(1)) and told[0] not in SIGNALS:
                 pass
-        if told and not self._ended.wait(GRACE):
-            _end_now(told[0])
+            if told and not self._ended.wait(GRACE):
+                _end_now(told[0])
+            while told:
+                told = self._told.recv(64)
 
 
 @contextlib.contextmanager

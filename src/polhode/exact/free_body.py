@@ -165,7 +165,7 @@ class FreeMotion(AbstractMotion):
         t = checked_times(xp, t, self.batch_shape)
         elapsed, rest = two_sum(t, -self.epoch)
         attitude, momentum = evaluation.state(self._columns, self.moments, *self._principal, elapsed, rest)
-        refuse_overflow(xp, attitude, t)
+        refuse_overflow(xp, attitude, t, xp.max(xp.abs(self._principal[0] / self.moments), axis=-1))
         return (attitude, momentum) if self.axes is None else _along_given_axes(self.axes, attitude, momentum)
 
     @property

@@ -127,7 +127,8 @@ class LagrangeMotion(AbstractMotion):
         t = checked_times(xp, t, self.batch_shape)
         elapsed, rest = two_sum(t, -self.epoch)
         attitude, momentum = top_evaluation.top_state(self._columns, self._arguments, elapsed, rest)
-        refuse_overflow(xp, attitude, t)
+        spin = xp.max(xp.abs(self.momentum_at_epoch / self.moments), axis=-1)
+        refuse_overflow(xp, attitude, t, spin + xp.sqrt(xp.abs(self.mgl) / self.moments[..., 0]))
         return attitude, momentum
 
     @property

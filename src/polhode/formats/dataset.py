@@ -13,6 +13,7 @@ import numpy as np
 
 from polhode.bodies.frame import BodyFrame
 from polhode.errors import InvalidInput
+from polhode.formats.dataset_rules import UNITS
 from polhode.formats.given_axes import along_principal_axes
 from polhode.formats.labels import AttitudeLabels, labels_of
 from polhode.formats.paths import written_whole
@@ -24,8 +25,8 @@ if TYPE_CHECKING:
 
 Array = Any
 _VECTORS = {
-    "momentum": ("kg m2 s-1", "angular momentum along the body axes"),
-    "angular_velocity": ("rad s-1", "angular velocity along the body axes"),
+    "momentum": (UNITS["momentum"], "angular momentum along the body axes"),
+    "angular_velocity": (UNITS["angular_velocity"], "angular velocity along the body axes"),
 }
 
 

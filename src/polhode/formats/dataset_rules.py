@@ -22,6 +22,10 @@ FRAME = {  # name → dimensions and shape
     "pivot": (("given_axis",), (3,)),
     "mass": ((), ()),
 }
+UNITS = {
+    "time": "s", "attitude": "1", "momentum": "kg m2 s-1", "angular_velocity": "rad s-1", "principal_moments": "kg m2",
+    "principal_axes": "1", "center_of_mass": "m", "pivot": "m", "mass": "kg",
+}  # fmt: skip
 NEEDED_OF_FRAME = ("principal_moments", "principal_axes", "center_of_mass")
 ORTHOGONAL = 1e-6  # how far principal axes of a file may be from orthogonal, as quaternions from unit length
 
@@ -46,6 +50,7 @@ def check_variables(path: Path, dataset: xarray.Dataset) -> None:
         _refuse(path, "has neither attitude nor momentum nor another state")
     batch = tuple(dim for dim in map(str, variables[parts[0]].dims) if dim.startswith("batch_"))
     for name, variable in variables.items():
+        _check_unit(path, name, variable)
         if name in FRAME:
             _check_frame(path, name, variable)
         elif name not in dataset.coords:
@@ -85,6 +90,13 @@ def _check_along_time(path: Path, name: str, variable: Any, along: tuple[str, ..
     drift = variable.attrs.get("drift", 0.0)
     if not (isinstance(drift, float | int | np.floating | np.integer) and abs(drift) < np.inf):
         _refuse(path, f"the drift of {shown(name)} must be a finite number; got {shown(drift)}")
+
+
+def _check_unit(path: Path, name: str, variable: Any) -> None:
+    """Refuse a quantity in another unit than polhode writes; one without a unit is taken to be in it."""
+    unit = variable.attrs.get("units", UNITS.get(name))
+    if name in UNITS and unit != UNITS[name]:
+        _refuse(path, f"{name.replace('_', ' ')} must be in {UNITS[name]}; got {shown(str(unit))}")
 
 
 def _check_numbers(path: Path, name: str, variable: Any, batched: bool) -> None:

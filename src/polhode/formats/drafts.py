@@ -16,7 +16,7 @@ import shutil
 import signal
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -30,6 +30,7 @@ JUST_MADE = 60.0  # s; a younger draft without ``new`` may be about to be locked
 _NAME = re.compile(r"\.polhode-[0-9a-f]{16}")
 _SIGNALS = [getattr(signal, name) for name in ("SIGTERM", "SIGHUP", "SIGINT") if hasattr(signal, name)]
 _live: set[Draft] = set()
+_made: set[Path] = set()  # folders for files that are not there yet
 _moving = threading.RLock()  # held while files take their names or drafts are removed
 
 
@@ -100,12 +101,41 @@ def draft_in(folder: Path) -> Iterator[Draft]:
         _live.discard(draft)
 
 
+@contextlib.contextmanager
+def folder_made(folder: Path) -> Iterator[None]:
+    """Make a folder and those above it where they are missing; they are gone again if the block fails.
+
+    Raises:
+        OSError: as the system does.
+    """
+    made = []
+    try:
+        for path in reversed([folder, *folder.parents]):
+            if not path.exists():
+                made.append(path)
+                _made.add(path)
+                path.mkdir(exist_ok=True)
+        yield
+    except BaseException:
+        _remove_empty(made)
+        raise
+    finally:
+        _made.difference_update(made)
+
+
+def _remove_empty(folders: Iterable[Path]) -> None:
+    for path in sorted(folders, key=lambda path: len(path.parts), reverse=True):
+        with contextlib.suppress(OSError):
+            path.rmdir()
+
+
 def remove_live_drafts() -> None:
     """Remove the drafts of this process, before it ends at once; files that take their names now get there first."""
     with _moving:
         for draft in list(_live):
             draft.remove()
             _live.discard(draft)
+        _remove_empty(list(_made))
 
 
 def remove_abandoned(folder: Path) -> None:

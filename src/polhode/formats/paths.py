@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 from polhode.errors import InvalidInput, PolhodeError, one_line
-from polhode.formats.drafts import draft_in
+from polhode.formats.drafts import draft_in, folder_made
 
 # what a disk without room says, and a limit of a user's
 _FULL = (errno.ENOSPC, errno.EFBIG, getattr(errno, "EDQUOT", errno.ENOSPC))
@@ -52,26 +52,15 @@ def written_together(folder: str | Path) -> Iterator[Path]:
         InvalidInput: as ``written_whole`` does, and where a folder is in a file's place.
     """
     folder = Path(folder)
-    made: list[Path] = []
-    try:
-        with _worded(folder, "Choose another folder with --out."):
-            if folder.exists() and not folder.is_dir():
-                raise InvalidInput(f"{folder}: is a file, where a folder is needed. Choose another with --out.")
-            for path in reversed([folder, *folder.parents]):
-                if not path.exists():
-                    made.append(path)
-                    path.mkdir(exist_ok=True)
-            with draft_in(folder) as draft:
-                with _named_as_meant(draft.new, folder):
-                    yield draft.new
-                for written in draft.new.iterdir():
-                    _check_can_go(folder / written.name)
-                draft.take_place()
-    except BaseException:
-        for path in reversed(made):
-            with contextlib.suppress(OSError):
-                path.rmdir()
-        raise
+    with _worded(folder, "Choose another folder with --out."):
+        if folder.exists() and not folder.is_dir():
+            raise InvalidInput(f"{folder}: is a file, where a folder is needed. Choose another with --out.")
+        with folder_made(folder), draft_in(folder) as draft:
+            with _named_as_meant(draft.new, folder):
+                yield draft.new
+            for written in draft.new.iterdir():
+                _check_can_go(folder / written.name)
+            draft.take_place()
 
 
 @contextlib.contextmanager

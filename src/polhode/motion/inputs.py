@@ -13,6 +13,7 @@ from polhode.errors import InvalidInput
 
 Array = Any
 SYMMETRY = 1e-9  # of a matrix, relative: an inertia tensor that was typed in or computed
+MOST_RADIANS = 1e27  # of a phase, which has 104 bits
 UNIT_TOLERANCE = 1e-6  # a quaternion further from unit length is taken for a mistake, not for rounding
 
 
@@ -150,12 +151,23 @@ def checked_times(xp: Any, t: Array, batch: tuple[int, ...]) -> Array:
     return t
 
 
-def refuse_overflow(xp: Any, attitude: Array, t: Array) -> None:
-    """Refuse times whose phases have left the range of numbers, as the attitude shows."""
-    if known_false(xp.all(xp.isfinite(attitude[..., 0]))):
+def refuse_overflow(xp: Any, attitude: Array, t: Array, rates: Array) -> None:
+    """Refuse times whose phases have left the range of numbers, as the attitude shows, or have no digits left.
+
+    Args:
+        xp: the namespace of the arrays.
+        attitude: (…, 4) at the times.
+        t: (…) [s].
+        rates: (…) of the motion, about [rad/s].
+    """
+    if is_traced(attitude, t, rates) or not t.size:
+        return
+    with np.errstate(over="ignore", invalid="ignore"):
+        lost = bool(xp.any(xp.abs(t) * rates > MOST_RADIANS))
+    if lost or known_false(xp.all(xp.isfinite(attitude[..., 0]))):
         raise InvalidInput(
-            "`t` times the rate of rotation must be within the range of numbers; "
-            f"got times up to {float(xp.max(xp.abs(t))):g} s. Check times and rates."
+            f"`t` times the rate of rotation must be at most {MOST_RADIANS:.0e} rad, beyond which a phase has hardly a "
+            f"digit left; got times up to {float(xp.max(xp.abs(t))):g} s. Check times and rates."
         )
 
 
