@@ -279,16 +279,16 @@ class FreeMotion(AbstractMotion):
     @property
     def tumbling_periods(self) -> tuple[Any, Any]:
         """(P_φ, P_ψ) = (2π/ω, T) [s], the convention of asteroid observers in either mode."""
-        return plain_answer(2.0 * math.pi / self._numbers.precession_rate), self.period
+        with np.errstate(over="ignore", divide="ignore"):  # slower than numbers go: infinite
+            return plain_answer(2.0 * math.pi / self._numbers.precession_rate), self.period
 
     @property
     def long_axis_period(self) -> Any:
         """P1 [s]: mean period of the axis of least inertia about L; 1/P1 = 1/P_φ − 1/P_ψ if it is not encircled."""
         xp = namespace(self._numbers.period)
-        rate = self._numbers.precession_rate - xp.where(
-            self._encircles_smallest(), 0.0, 2.0 * math.pi / self._numbers.period
-        )
-        return plain_answer(2.0 * math.pi / xp.abs(rate))
+        with np.errstate(over="ignore", divide="ignore"):  # slower than numbers go: infinite
+            own = xp.where(self._encircles_smallest(), 0.0, 2.0 * math.pi / self._numbers.period)
+            return plain_answer(2.0 * math.pi / xp.abs(self._numbers.precession_rate - own))
 
     @property
     def _size(self) -> Array:

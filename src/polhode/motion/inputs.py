@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from polhode.arrays import as_float64, is_traced, known_false
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, shown
 
 Array = Any
 SYMMETRY = 1e-9  # of a matrix, relative: an inertia tensor that was typed in or computed
@@ -38,7 +38,7 @@ def by_attributes(
     """
     unknown = attributes.keys() - {"momentum_at_epoch", "attitude_at_epoch", "axes"}
     if unknown:
-        raise TypeError(f"{name}() got an unexpected keyword argument {min(unknown)!r}")
+        raise TypeError(f"{name}() got an unexpected keyword argument {shown(min(unknown))}")
     if momentum is not None and "momentum_at_epoch" in attributes:
         raise InvalidInput("give `momentum` or `momentum_at_epoch`, not both: they are the same.")
     momentum = attributes.get("momentum_at_epoch", momentum)
