@@ -110,7 +110,7 @@ def test_kernels_cut_short_at_every_block(kernels, written):
     for size in {*range(0, len(whole), RECORD), *range(100, len(whole), 777)}:
         path = kernels()
         path.write_bytes(whole[:size])
-        refused(path, "cut short or damaged|is no C-kernel")
+        refused(path, "cut short or damaged|is not a C-kernel")
 
 
 @pytest.mark.parametrize(("ending", "old", "new", "words"), [
