@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from scipy.spatial.transform import Rotation
 
 Array = Any
-UNIT_TOLERANCE = 1e-6  # of a quaternion's length, as far as exact motions allow
+UNIT_TOLERANCE = 1e-6  # a quaternion further from unit length is taken for a mistake, not for rounding
 ORTHOGONALITY_TOLERANCE = 1e-6  # a matrix further from a rotation is taken for a mistake, not for rounding
 OPPOSITE = 4e-16  # length of the sum of two unit vectors below which it is rounding: they are opposite
 
@@ -79,8 +79,15 @@ def normalize(quaternion: Array) -> Array:
 
 def _refuse_not_unit(q: Array) -> None:
     """Refuse known quaternions that would also stretch; NaN stands for what could not be computed, and passes."""
-    if not is_traced(q) and bool(np.any(np.abs(np.linalg.norm(np.asarray(q), axis=-1) - 1.0) > UNIT_TOLERANCE)):
-        raise InvalidInput("`quaternion` must be of unit length; normalize() makes it so.")
+    if is_traced(q):
+        return
+    lengths = np.linalg.norm(np.asarray(q), axis=-1)
+    wrong = np.abs(lengths - 1.0) > UNIT_TOLERANCE
+    if wrong.any():
+        raise InvalidInput(
+            f"`quaternion` must have length 1; got length {lengths[wrong].flat[0]:.6g}. Divide it by its norm, as "
+            "`rotation.normalize` does."
+        )
 
 
 def rotate(quaternion: Array, vector: Array) -> Array:

@@ -60,8 +60,8 @@ def test_an_inertia_tensor_is_a_body_and_no_list_of_moments():
 def test_what_is_no_rotation_is_refused():
     for name, arguments in (("as_matrix", ()), ("rotate", ([1.0, 0.0, 0.0],))):
         function = getattr(rotation, name)
-        with pytest.raises(InvalidInput, match="must be of unit length"):
+        with pytest.raises(InvalidInput, match="must have length 1; got length 2"):
             function([2.0, 0.0, 0.0, 0.0], *arguments)
-        with pytest.raises(InvalidInput, match="must be of unit length"):
+        with pytest.raises(InvalidInput, match="must have length 1; got length 2"):
             function(np.array([[1.0, 0.0, 0.0, 0.0], [2.0, 0.0, 0.0, 0.0]]), *arguments)
         assert np.isnan(function(np.full(4, np.nan), *arguments)).all()

@@ -215,17 +215,17 @@ def _weights(leaf: Leaf) -> Array:
     free = leaf.freedom
     if not free.shape[1] or not leaf.basis.shape[1]:
         return plain
-    ways = [plain, *np.hstack([np.zeros((free.shape[1], 1)), free.T])]
-    sizes = [leaf.size(direction) or 1.0 for direction in ways]
+    directions = [plain, *np.hstack([np.zeros((free.shape[1], 1)), free.T])]
+    sizes = [leaf.size(direction) or 1.0 for direction in directions]
     ends = np.linalg.eigvalsh(leaf.combination(plain))[[0, -1]]
     if ends[0] > leaf.zero(plain) or ends[1] < -leaf.zero(plain):
         return plain
-    matrices = np.array([leaf.combination(direction) / size for direction, size in zip(ways, sizes, strict=True)])
+    matrices = np.array([leaf.combination(direction) / size for direction, size in zip(directions, sizes, strict=True)])
     found = definite_combination(matrices, leaf.noise)
     if found is None:
         return plain
     found[0] = found[0] if abs(found[0]) > NO_ENERGY else 0.0
-    return sum((c / size) * direction for c, size, direction in zip(found, sizes, ways, strict=True))
+    return sum((c / size) * direction for c, size, direction in zip(found, sizes, directions, strict=True))
 
 
 def _growth(leaf: Leaf) -> tuple[Array, float, Array | None]:

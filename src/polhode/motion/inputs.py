@@ -10,11 +10,11 @@ import numpy as np
 
 from polhode.arrays import as_float64, is_traced, known_false
 from polhode.errors import InvalidInput, shown
+from polhode.rotation import UNIT_TOLERANCE
 
 Array = Any
 SYMMETRY = 1e-9  # of a matrix, relative: an inertia tensor that was typed in or computed
 MOST_RADIANS = 1e27  # of a phase, which has 104 bits
-UNIT_TOLERANCE = 1e-6  # a quaternion further from unit length is taken for a mistake, not for rounding
 
 
 class cached_unless_traced(cached_property):
@@ -164,7 +164,7 @@ def refuse_overflow(xp: Any, attitude: Array, t: Array, rates: Array) -> None:
         return
     with np.errstate(over="ignore", invalid="ignore"):
         lost = bool(xp.any(xp.abs(t) * rates > MOST_RADIANS))
-    if lost or known_false(xp.all(xp.isfinite(attitude[..., 0]))):
+    if lost or not bool(xp.all(xp.isfinite(attitude[..., 0]))):
         raise InvalidInput(
             f"`t` times the rate of rotation must be at most {MOST_RADIANS:.0e} rad, beyond which a phase has hardly a "
             f"digit left; got times up to {float(xp.max(xp.abs(t))):g} s. Check times and rates."

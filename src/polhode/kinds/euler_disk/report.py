@@ -102,7 +102,7 @@ class EulerDiskReport(AbstractReport):
         steady: None where no steady motion is near the start.
         laws: of dissipation.
         spin_down: how it ends; None without dissipation, or where it is only watched for a time.
-        end_by_energy: t0 by energy alone [s], None where it diverges or there is no such end.
+        end_by_energy: t0 by energy alone [s], None where it diverges or the motion does not end.
         path: the last turns of the contact of a motion that is followed to its end, else the first ones.
         opening: of a motion that is followed to its end, the first turn.
         thresholds: speed [m/s] and rate [rad/s] above which upright rolling and spinning are stable; None elsewhere.
