@@ -1,6 +1,7 @@
 """What can go wrong, in three kinds; every message names the value, the rule and the remedy."""
 
 import reprlib
+from importlib import metadata
 from typing import Any
 
 LONGEST_VALUE = 120  # characters of a value in a message
@@ -94,3 +95,24 @@ class NotConverged(PolhodeError, RuntimeError):
 
 class FormatError(InvalidInput):
     """A file that is not what its format promises; the message adds the path and, where known, the line."""
+
+
+def not_installed(what: str, library: str, extra: str, otherwise: str = "") -> InvalidInput:
+    """Return the error for a library that polhode only needs for some things, with the command that installs it.
+
+    The command names the library itself with the lowest version that works, so it also helps those who installed
+    polhode from a clone.
+
+    Args:
+        what: needs the library, in the plural.
+        library: as people call it.
+        extra: of polhode, in which it is listed.
+        otherwise: another way out, a sentence.
+    """
+    try:
+        listed = metadata.requires("polhode") or []
+    except metadata.PackageNotFoundError:
+        listed = []
+    wanted = [line.split(";")[0].strip() for line in listed if line.endswith((f"== '{extra}'", f'== "{extra}"'))]
+    command = "pip install " + " ".join(f'"{one}"' for one in wanted or [library])
+    return InvalidInput(f"{what} need {library}, which is not installed. Run `{command}`. {otherwise}".rstrip())

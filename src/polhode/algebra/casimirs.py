@@ -18,7 +18,7 @@ import numpy as np
 
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.polynomial import Polynomial
-from polhode.errors import InvalidInput, shown
+from polhode.errors import InvalidInput, not_installed, shown
 
 Array = Any
 Terms = dict[tuple[int, ...], Fraction]
@@ -151,9 +151,7 @@ def _reduced(rows: list[dict[int, Fraction]], columns: int) -> tuple[list[int], 
     try:
         from flint import fmpq, fmpq_mat
     except ImportError:
-        raise InvalidInput(
-            "exact Casimirs need python-flint, which is not installed; `pip install polhode[symbolic]`."
-        ) from None
+        raise not_installed("exact Casimirs", "python-flint", "symbolic") from None
     found: list[tuple[int, dict[int, Fraction]]] = []
     for block, unknowns in _blocks(rows, columns):
         matrix = fmpq_mat(len(block), len(unknowns))

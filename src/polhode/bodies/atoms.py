@@ -10,7 +10,7 @@ import numpy as np
 from polhode.arrays import known_numbers_only
 from polhode.bodies.body import Body
 from polhode.bodies.points import from_points
-from polhode.errors import InvalidInput, shown
+from polhode.errors import InvalidInput, not_installed, shown
 
 Array = Any
 ATOMIC_MASS_UNIT = 1.66053906892e-27  # kg, CODATA 2022
@@ -51,9 +51,7 @@ def atomic_masses(symbols: Sequence[str]) -> Array:
         from ase.data import atomic_masses as table
         from ase.data import atomic_numbers as numbers
     except ImportError:
-        raise InvalidInput(
-            "atomic masses need ASE, which is not installed; `pip install polhode[molecules]`, or give `masses`."
-        ) from None
+        raise not_installed("atomic masses", "ASE", "molecules", "Or give `masses`.") from None
     unknown = [symbol for symbol in symbols if symbol not in numbers or symbol == "X"]
     if unknown:
         raise InvalidInput(

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from polhode.bodies.frame import BodyFrame
-from polhode.errors import InvalidInput
+from polhode.errors import not_installed
 from polhode.formats.dataset_rules import UNITS
 from polhode.formats.given_axes import along_principal_axes
 from polhode.formats.labels import AttitudeLabels, labels_of
@@ -159,7 +159,7 @@ def write_zarr(
     try:
         import zarr.storage
     except ImportError:
-        raise InvalidInput('Zarr stores need zarr, which is not installed; `pip install "polhode[zarr]"`.') from None
+        raise not_installed("Zarr stores", "zarr", "zarr") from None
     path = Path(path)
     dataset = as_dataset(trajectory, attributes, frame)
     # zarr's own thread would go on writing while an interrupted draft is removed: it gets memory, not the disk

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from polhode.bodies.frame import BodyFrame
-from polhode.errors import FormatError, InvalidInput, shown
+from polhode.errors import FormatError, InvalidInput, not_installed, shown
 from polhode.formats.dataset_rules import ROLES, check_variables
 from polhode.formats.given_axes import DAMAGED, check_recorded
 from polhode.formats.hdf5_gate import check_hdf5
@@ -102,7 +102,7 @@ def _loaded_store(path: Path) -> xarray.Dataset:
         import zarr
         from zarr.storage import LocalStore
     except ImportError:
-        raise InvalidInput('Zarr stores need zarr, which is not installed; `pip install "polhode[zarr]"`.') from None
+        raise not_installed("Zarr stores", "zarr", "zarr") from None
     names = check_store(path)
     # a store by its path could be taken for an address; consolidated documents are copies that may say something else
     store: Any = LocalStore(path, read_only=True)

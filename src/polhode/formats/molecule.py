@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from polhode.bodies.atoms import ATOMIC_MASS_UNIT
-from polhode.errors import FormatError, InvalidInput, shown
+from polhode.errors import FormatError, not_installed, shown
 from polhode.formats.numerals import is_misread
 from polhode.formats.opening import MB, read_text
 
@@ -45,8 +45,7 @@ def read_molecule(path: str | Path) -> tuple[list[str], Array, Array | None]:
     try:
         import ase.io
     except ImportError:
-        why = "reading a molecule needs ASE, which is not installed; `pip install polhode[molecules]`."
-        raise InvalidInput(why) from None
+        raise not_installed("molecule files", "ASE", "molecules") from None
     if form == "extxyz":
         check_frame(path, text)
     elif (count := _structures(text, form)) > 1:

@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from polhode.errors import FormatError, InvalidInput, shown
+from polhode.errors import FormatError, InvalidInput, not_installed, shown
 from polhode.formats.labels import AttitudeLabels
 from polhode.formats.time_scales import barycentric_time, terrestrial_time
 
@@ -59,8 +59,7 @@ def spiceypy() -> Any:
     try:
         import spiceypy
     except ImportError:
-        why = 'SPICE kernels need spiceypy, which is not installed; `pip install "polhode[spice]"`.'
-        raise InvalidInput(why) from None
+        raise not_installed("SPICE kernels", "spiceypy", "spice") from None
     return spiceypy
 
 

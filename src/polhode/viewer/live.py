@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from polhode.bodies.surface import Surface
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, not_installed
 from polhode.viewer.live_motion import Picture, Pose, Setting, allowed, picture_of
 
 Array = Any
@@ -305,5 +305,5 @@ def _viser() -> Any:
     try:
         import viser
     except ImportError:
-        raise InvalidInput('the live view needs viser. Install it with: pip install "polhode[live]".') from None
+        raise not_installed("live views", "viser", "live") from None
     return viser
