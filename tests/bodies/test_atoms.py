@@ -79,6 +79,6 @@ def test_bad_input(make, words):
 
 def test_without_ase_the_remedy_is_said(monkeypatch):
     monkeypatch.setitem(sys.modules, "ase.data", None)
-    with pytest.raises(InvalidInput, match='which is not installed. Run `pip install "ase>=3'):
+    with pytest.raises(InvalidInput, match=r'which is not installed\. Run `pip install "ase>=3'):
         water()
     assert water(masses=np.array([16.0, 1.0, 1.0])).mass == 18.0

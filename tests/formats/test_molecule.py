@@ -77,5 +77,5 @@ def test_missing_file(tmp_path):
 def test_without_ase_the_remedy_is_said(tmp_path, monkeypatch):
     path = written(tmp_path, PLAIN)
     monkeypatch.setitem(sys.modules, "ase.io", None)
-    with pytest.raises(InvalidInput, match='which is not installed. Run `pip install "ase>=3'):
+    with pytest.raises(InvalidInput, match=r'which is not installed\. Run `pip install "ase>=3'):
         read_molecule(path)

@@ -7,13 +7,14 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import polhode as ph
+from polhode.analysis import steady_rotations
 from polhode.cli.main import main
 from polhode.errors import InvalidInput
 from polhode.figures.drawing import draw_all
 from polhode.kinds.gyrostat import KIND
-from polhode.kinds.gyrostat.answers import steady_rotations
 from polhode.kinds.reading import read_spec
 from polhode.systems import DoubleBracket
+from polhode.systems.gyrostat import Gyrostat
 from sweeping import first
 
 MOTION = 2e-9
@@ -143,7 +144,7 @@ def by_polynomial(moments, rotor, norm):
 def test_steady_rotations_are_all_and_none_but_the_roots_of_a_polynomial():
     moments, counts = np.array([1.0, 2.0, 2.6]), set()
     for rotor in ([0.05, 0.1, 0.08], [0.3, 0.2, 0.1], [0.9, -0.8, 1.5]):
-        found = steady_rotations(moments, np.array(rotor), 1.5)
+        found = steady_rotations(Gyrostat(moments, rotor), 1.5)
         wanted = by_polynomial(moments, np.array(rotor), 1.5)
         counts.add(len(found))
         assert len(found) == len(wanted)
@@ -161,27 +162,35 @@ def test_steady_rotations_are_all_and_none_but_the_roots_of_a_polynomial():
 def test_carriers_of_revolution_have_poles_and_maybe_a_circle():
     moments = np.array([2.0, 2.0, 3.0])
     for rotor, circle in ((0.0, True), (0.49, True), (0.51, False), (-0.49, True)):
-        found = steady_rotations(moments, np.array([0.0, 0.0, rotor]), 1.0)
+        found = steady_rotations(Gyrostat(moments, (0.0, 0.0, rotor)), 1.0)
         assert len(found) == 2 + circle and sum(e.circle for e in found) == circle
         for e in found:
             velocity = (e.along - [0.0, 0.0, rotor]) / moments
             assert np.linalg.norm(np.cross(velocity, e.along)) < 1e-15
             if e.circle:
                 assert e.along[2] == pytest.approx(-2.0 * rotor) and e.verdict.growth == "linear"
-    assert len(steady_rotations(np.full(3, 2.0), np.zeros(3), 1.0)) == 1
-    assert len(steady_rotations(np.full(3, 2.0), np.array([0.1, 0.0, 0.2]), 1.0)) == 2
-    assert steady_rotations(moments, np.zeros(3), 0.0) == []
+    assert len(steady_rotations(Gyrostat(np.full(3, 2.0), np.zeros(3)), 1.0)) == 1
+    assert len(steady_rotations(Gyrostat(np.full(3, 2.0), (0.1, 0.0, 0.2)), 1.0)) == 2
+    assert steady_rotations(Gyrostat(moments, np.zeros(3)), 0.0) == []
+
+
+@pytest.mark.usefixtures("any_type")
+def test_only_gyrostats_have_steady_rotations():
+    moments = np.array([1.0, 2.0, 3.0])
+    for system, norm, words in ((moments, 1.0, "must be a Gyrostat"), (Gyrostat(moments, np.zeros(3)), -1.0, "got -1")):
+        with pytest.raises(InvalidInput, match=words):
+            steady_rotations(system, norm)
 
 
 def test_a_drum_makes_the_axis_of_least_inertia_the_lowest_in_energy():
     """Of the example: without the drum losses leave the axis, with it they return to it."""
     moments, norm = np.array([130.8, 472.338, 474.858]), 764.8
     drum = np.array([121.0 * 2.0 * np.pi, 0.0, 0.0])
-    without = steady_rotations(moments, np.zeros(3), norm)
+    without = steady_rotations(Gyrostat(moments, np.zeros(3)), norm)
     assert [e.extremum for e in without if abs(e.along[0]) > 0.99] == ["maximum"] * 2
     alpha = 0.05 / norm
     assert ph.stability(DoubleBracket(moments, alpha), norm * np.eye(3)[0]).verdict == "unstable"
-    assert [e.along[0] for e in steady_rotations(moments, drum, norm) if e.extremum == "minimum"] == [1.0]
+    assert [e.along[0] for e in steady_rotations(Gyrostat(moments, drum), norm) if e.extremum == "minimum"] == [1.0]
 
     def losing(rotor):
         def rates(t, y):

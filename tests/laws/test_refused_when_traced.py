@@ -28,6 +28,7 @@ THREE, FOUR, EYE = np.array([1.0, 2.0, 2.5]), np.array([1.0, 0.0, 0.0, 0.0]), np
 SIX, AXIS = np.array([1.0, 2.0, 3.0, 2.0, 3.0, 5.0]), np.array([0.0, 1.0, 0.0])
 BODY, SO3 = systems.FreeRigidBody(THREE), algebra.SO3()
 TOP, DISK = systems.HeavyTop(THREE, 1.0), systems.EulerDisk(1.0, 0.1)
+ROTOR, LOSING = systems.Gyrostat(THREE, THREE), systems.DoubleBracket(THREE, 0.1)
 SPIN, ROLLING = systems.SpinOrbit(0.3, 0.1), systems.EulerDisk(1.0, 0.1).rolling_state(0.3)
 SOLID, TIMES, TURNS = ph.Body.from_moments(1.0, 2.0, 2.5), np.arange(12.0), np.tile(FOUR, (12, 1))
 OF_MOTIONS = ("polhode", "herpolhode", "herpolhode_curve", "body_precession", "space_precession", "racket_twist")
@@ -85,6 +86,9 @@ REFUSED = {
     "find_equilibria": (AXIS, lambda x: ph.find_equilibria(BODY, x)),
     "simulate": (THREE, lambda x: ph.simulate(BODY, x, (0.0, 1.0))),
     "first_method": (EYE, first_method.first_method),
+    "steady_rotations": (1.0, lambda x: analysis.steady_rotations(ROTOR, x)),
+    "damped_axis_stability": (1.0, lambda x: analysis.damped_axis_stability(LOSING, x)),
+    "top_stability": (1.0, lambda x: analysis.top_stability(TOP, x)),
     "axis_stability": (THREE, lambda x: free_axes.axis_stability(x, 1.0)),
     "polhode_family": (THREE, polhodes.polhode_family),
     "separatrix": (THREE, polhodes.separatrix),

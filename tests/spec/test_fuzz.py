@@ -16,8 +16,9 @@ from polhode.cli.render import as_json, print_report
 from polhode.errors import PolhodeError
 from polhode.kinds.reading import read_spec
 from polhode.kinds.registry import FREE_BODY
+from polhode.reports.about import about_body
+from polhode.reports.answer import values_of
 from polhode.reports.base import plain
-from polhode.reports.wording import body_summary
 from spec.mutations import CHANGE, EXAMPLES, FILES, bases, mutated
 
 LONGEST_MESSAGE = 2000  # characters
@@ -59,7 +60,7 @@ def printed_report(spec):
     report = spec.report()
     written = io.StringIO()
     with contextlib.redirect_stdout(written):
-        print_report(spec.name, report.summary, report.sections(), report.notes, [])
+        print_report(spec.name, report.summary, report.answers(), report.notes, [])
     return written.getvalue(), as_json(report.as_json_dict())
 
 
@@ -73,7 +74,7 @@ def check(text, folder):
             spec = read_spec(path)
             assert spec.name.isprintable()
             if spec.body is not None:
-                as_json(plain(body_summary(spec.body)))
+                as_json(plain(values_of([about_body(spec.body)])))
             if spec.kind.name == FREE_BODY and spec.samples <= FEW_SAMPLES:
                 words, _ = printed_report(spec)
                 assert not re.search(r"\b(nan|inf)\b", words, re.IGNORECASE), words

@@ -3,9 +3,12 @@ from .alignment import fit_alignment as fit_alignment
 from .comparison import AttitudeHistory as AttitudeHistory
 from .comparison import Comparison as Comparison
 from .comparison import compare as compare
+from .damped_axes import damped_axis_stability as damped_axis_stability
 from .energy_casimir import Stability as Stability
 from .equilibria import find_equilibria as find_equilibria
 from .free_axes import axis_stability as axis_stability
+from .gyrostat_rotations import SteadyRotation as SteadyRotation
+from .gyrostat_rotations import steady_rotations as steady_rotations
 from .mechanics import Mechanics as Mechanics
 from .mechanics import invariants_along as invariants_along
 from .poinsot import (
@@ -92,4 +95,6 @@ from .spin_orbit import (
     tangent_map as tangent_map,
 )
 from .stability import stability as stability
+from .top_rests import TopRests as TopRests
+from .top_rests import top_stability as top_stability
 from .twist import racket_twist as racket_twist

@@ -7,8 +7,9 @@ from pathlib import Path
 from polhode.cli.render import as_json, print_report
 from polhode.errors import InvalidInput
 from polhode.kinds.reading import read_spec
+from polhode.reports.about import about_body
+from polhode.reports.answer import values_of
 from polhode.reports.base import plain
-from polhode.reports.wording import body_section, body_summary
 
 
 def run_body(path: Path, json: bool) -> None:
@@ -17,6 +18,6 @@ def run_body(path: Path, json: bool) -> None:
     if spec.body is None:
         raise InvalidInput(f"{path}: has no [body]; its system brings sizes of its own. Ask for the report.")
     if json:
-        print(as_json({"name": spec.name, **plain(body_summary(spec.body))}))
+        print(as_json({"name": spec.name, **plain(values_of([about_body(spec.body)]))}))
     else:
-        print_report(spec.name, "", [body_section(spec.body)], [], [])
+        print_report(spec.name, "", [about_body(spec.body)], [], [])

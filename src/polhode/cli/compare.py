@@ -36,7 +36,7 @@ def run_compare(first: Path, second: Path, json: bool, out: Path | None, spec: P
         print(as_json({**report.as_json_dict(), "files": [file]}))
     else:
         title = one_line(f"{first} (A) and {second} (B)")
-        print_report(title, report.summary, report.sections(), report.all_notes(), [file])
+        print_report(title, report.summary, report.answers(), report.all_notes(), [file])
 
 
 def clocks_of(a: Source, b: Source) -> tuple[float, str]:

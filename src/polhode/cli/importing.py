@@ -18,8 +18,9 @@ from polhode.errors import InvalidInput
 from polhode.formats.labels import AttitudeLabels
 from polhode.motion.layout import ATTITUDE, MOMENTUM, StateLayout
 from polhode.motion.trajectory import Trajectory
-from polhode.reports.base import Section, plain
-from polhode.reports.wording import angle, counted, drifts, number, rate
+from polhode.reports.answer import Answer, Group, units_of, values_of
+from polhode.reports.base import plain
+from polhode.reports.wording import counted, drifts, rate
 
 Array = Any
 
@@ -47,17 +48,16 @@ def run_import(path: Path, json: bool, out: Path | None, spec: Path | None, kern
             notes.append("the file has no angular velocity, so that there is neither momentum nor energy.")
         elif body.mechanics.weight is not None:
             kept = "a top's"
-    values = summary_values(trajectory, labels)
+    found = about_file(trajectory, labels, kept)
     written = out or Path(f"{path.stem}_imported.nc")  # not the name that a dataset exported beside it has
     check_spares(written, path)
     write_dataset(trajectory, written, {"title": labels.object_name}, frame)
     if json:
-        print(as_json(plain({"kind": KINDS[kind], **values, "drift": trajectory.drift, "notes": notes,
-                             "files": [str(written)]})))  # fmt: skip
+        print(as_json(plain({"kind": KINDS[kind], **values_of([found]), "drift": trajectory.drift, "notes": notes,
+                             "units": units_of([found]), "files": [str(written)]})))  # fmt: skip
         return
-    sections = [Section("Attitude history", _lines(values, trajectory, kept))]
-    summary = f"{KINDS[kind]} with {counted(values['samples'], 'attitude')}."
-    print_report(str(path), summary, sections, notes, [str(written)])
+    summary = f"{KINDS[kind]} with {counted(len(trajectory.times), 'attitude')}."
+    print_report(str(path), summary, [found], notes, [str(written)])
 
 
 def along_principal_axes(trajectory: Trajectory, frame: BodyFrame, mechanics: Mechanics | None) -> Trajectory:
@@ -84,36 +84,34 @@ def along_principal_axes(trajectory: Trajectory, frame: BodyFrame, mechanics: Me
                    invariants=invariants, drift=drift)
 
 
-def summary_values(trajectory: Trajectory, labels: AttitudeLabels) -> dict[str, Any]:
-    """Return what a file holds by name, SI."""
+def about_file(trajectory: Trajectory, labels: AttitudeLabels, kept: str) -> Group:
+    """Return what a file holds; ``kept`` says whose invariants the drift is of."""
     times, attitude = np.asarray(trajectory.times), np.asarray(trajectory.attitude)
     steps, velocity = np.diff(times), trajectory.angular_velocity
     turns = rotation.angle_between(attitude[1:], attitude[:-1])
     several = len(times) > 1
-    return {
-        "object": labels.object_name, "object_id": labels.object_id, "reference_frame": labels.reference_frame,
-        "body_frame": labels.body_frame, "epoch": labels.epoch, "time_system": labels.time_system,
-        "first": times[0], "last": times[-1], "samples": len(times),
-        "usual_step": np.median(steps) if several else None,
-        "largest_gap": steps.max() if several else None,
-        "gap_from": times[int(np.argmax(steps))] if several else None,
-        "largest_turn": turns.max() if several else None,
-        "has_angular_velocity": velocity is not None,
-        "fastest": None if velocity is None else np.linalg.norm(np.asarray(velocity), axis=-1).max(),
-    }  # fmt: skip
-
-
-def _lines(values: dict[str, Any], trajectory: Trajectory, kept: str) -> list[tuple[str, str | None]]:
-    gap = values["largest_gap"]
-    return [
-        ("object", ", ".join(filter(None, (values["object"], values["object_id"])))),
-        ("frames", f"{values['body_frame']} (body) in {values['reference_frame']} (space)"),
-        ("time zero", f"{values['epoch']} {values['time_system']}"),
-        ("span", f"{values['first']:.9g} to {values['last']:.9g} s"),
-        ("samples", str(values["samples"])),
-        ("usual step", number(values["usual_step"], "s")),
-        ("largest gap", None if gap is None else f"{gap:.8g} s, from {values['gap_from']:.9g} s on"),
-        ("largest turn between samples", angle(values["largest_turn"])),
-        ("angular velocity", "none in the file" if values["fastest"] is None else f"up to {rate(values['fastest'])}"),
-        (f"drift of {kept} invariants", drifts(trajectory.drift) or None),
-    ]
+    gap = float(steps.max()) if several else None
+    gap_from = float(times[int(np.argmax(steps))]) if several else None
+    fastest = None if velocity is None else float(np.linalg.norm(np.asarray(velocity), axis=-1).max())
+    return Group("Attitude history", [
+        Answer("object", labels.object_name, "", "object", "",
+               ", ".join(filter(None, (labels.object_name, labels.object_id)))),
+        Answer("object_id", labels.object_id),
+        Answer("reference_frame", labels.reference_frame, "", "frames", "",
+               f"{labels.body_frame} (body) in {labels.reference_frame} (space)"),
+        Answer("body_frame", labels.body_frame),
+        Answer("epoch", labels.epoch, "", "time zero", "", f"{labels.epoch} {labels.time_system}"),
+        Answer("time_system", labels.time_system),
+        Answer("first", float(times[0]), "s", "span", "", f"{times[0]:.9g} to {times[-1]:.9g} s"),
+        Answer("last", float(times[-1]), "s"),
+        Answer("samples", len(times), "", "samples", "", str(len(times))),
+        Answer("usual_step", float(np.median(steps)) if several else None, "s", "usual step"),
+        Answer("largest_gap", gap, "s", "largest gap", "",
+               None if gap is None else f"{gap:.8g} s, from {gap_from:.9g} s on"),
+        Answer("gap_from", gap_from, "s"),
+        Answer("largest_turn", float(turns.max()) if several else None, "rad", "largest turn between samples"),
+        Answer("has_angular_velocity", velocity is not None),
+        Answer("fastest", fastest, "rad/s", "angular velocity", "",
+               "none in the file" if fastest is None else f"up to {rate(fastest)}"),
+        Answer("", None, "", f"drift of {kept} invariants", "", drifts(trajectory.drift)),
+    ])  # fmt: skip

@@ -7,11 +7,11 @@ from collections.abc import Iterable, Sequence
 from typing import Any
 
 from rich.console import Console
-from rich.table import Table
+from rich.table import Table as Grid
 from rich.text import Text
 
 from polhode.errors import one_line, printable
-from polhode.reports.base import Listing, Section
+from polhode.reports.answer import Group, Table
 
 STYLES = {"stable": "green", "unstable": "red", "undecided": "yellow"}
 
@@ -26,7 +26,7 @@ def as_json(values: dict[str, Any]) -> str:
 
 
 def print_report(
-    name: str, summary: str, sections: Iterable[Section | Listing], notes: Sequence[str], files: Sequence[str],
+    name: str, summary: str, groups: Iterable[Group | Table], notes: Sequence[str], files: Sequence[str],
     removed: Sequence[str] = (),
 ) -> None:  # fmt: skip
     """Print a report; parts that are empty are left out."""
@@ -34,8 +34,10 @@ def print_report(
     console.print(_text(name, "bold"))
     if summary:
         console.print(_text(summary))
-    for section in sections:
-        console.print(_listing(section) if isinstance(section, Listing) else _section(section))
+    for group in groups:
+        grid = _lines(group) if isinstance(group, Group) else _table(group)
+        if grid.row_count:
+            console.print(grid)
     for note in notes:
         console.print(_text(f"Note: {note}", "yellow"))
     if files:
@@ -49,20 +51,19 @@ def _text(text: str, style: str = "") -> Text:
     return Text(printable(text), style)
 
 
-def _section(section: Section) -> Table:
-    table = _table(section.title, ("", ""))
-    table.show_header = False
-    for label, text in section.lines:
-        if text is not None:
-            table.add_row(_text(label), _text(text))
-    return table
+def _lines(group: Group) -> Grid:
+    grid = _grid(group.title, ("", ""))
+    grid.show_header = False
+    for line in group.lines:
+        grid.add_row(*map(_text, line))
+    return grid
 
 
-def _listing(listing: Listing) -> Table:
-    table = _table(listing.title, listing.columns)
-    for row in listing.rows:
-        table.add_row(*(_cell(text) for text in row))
-    return table
+def _table(table: Table) -> Grid:
+    grid = _grid(table.title, list(table.columns))
+    for row in table.cells:
+        grid.add_row(*map(_cell, row))
+    return grid
 
 
 def _cell(text: str) -> Text:
@@ -70,8 +71,8 @@ def _cell(text: str) -> Text:
     return _text(text, style if len(text) < 24 else "")
 
 
-def _table(title: str, columns: Sequence[str]) -> Table:
-    table = Table(title=_text(title, "bold"), title_justify="left", box=None, padding=(0, 2, 0, 0))
+def _grid(title: str, columns: Sequence[str]) -> Grid:
+    grid = Grid(title=_text(title, "bold"), title_justify="left", box=None, padding=(0, 2, 0, 0))
     for name in columns:
-        table.add_column(_text(name), overflow="fold")
-    return table
+        grid.add_column(_text(name), overflow="fold")
+    return grid

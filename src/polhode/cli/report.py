@@ -49,7 +49,7 @@ def run_report(path: Path, json: bool, out: Path | None, figures: list[str], htm
     if json:
         print(as_json({"name": spec.name, **report.as_json_dict(), "files": names, "removed": removed}))
     else:
-        print_report(spec.name, report.summary, report.sections(), report.notes, names, removed)
+        print_report(spec.name, report.summary, report.answers(), report.notes, names, removed)
 
 
 def _remove_outdated(folder: Path, written: list[str]) -> list[str]:

@@ -60,7 +60,7 @@ def read_spec(path: str | Path) -> Spec:
 def report(spec: Spec | str | Path) -> AbstractReport:
     """Return the answers about the motion of a spec, or of a file that holds one.
 
-    Its ``summary``, ``sections()`` and ``notes`` are worded, ``values()`` and ``as_json_dict()`` are data, and
+    Its ``summary`` and ``notes`` are worded, ``answers()``, ``values()`` and ``as_json_dict()`` are data, and
     ``trajectory`` is the motion.
 
     Raises:

@@ -1,5 +1,6 @@
 """From answers to text and JSON: what a report is, and the words that all of them share."""
 
-from polhode.reports.base import AbstractReport, Listing, Section
+from polhode.reports.answer import Answer, Group, Table
+from polhode.reports.base import AbstractReport
 
-__all__ = ["AbstractReport", "Listing", "Section"]
+__all__ = ["AbstractReport", "Answer", "Group", "Table"]

@@ -4,30 +4,16 @@ from __future__ import annotations
 
 import abc
 import math
-from typing import Any, ClassVar, NamedTuple
+from typing import Any, ClassVar
 
 import numpy as np
 
 from polhode.analysis.mechanics import Mechanics
 from polhode.bodies.frame import BodyFrame
 from polhode.motion.trajectory import Trajectory
+from polhode.reports.answer import Group, Table, units_of, values_of
 
 Array = Any
-
-
-class Section(NamedTuple):
-    """Named values, worded; those without a value are left out."""
-
-    title: str
-    lines: list[tuple[str, str | None]]
-
-
-class Listing(NamedTuple):
-    """Rows of cells under column heads."""
-
-    title: str
-    columns: tuple[str, ...]
-    rows: list[tuple[str, ...]]
 
 
 class AbstractReport(abc.ABC):
@@ -67,18 +53,19 @@ class AbstractReport(abc.ABC):
         return None
 
     @abc.abstractmethod
+    def answers(self) -> list[Group | Table]:
+        """Return what the report says, in the order of its text."""
+
     def values(self) -> dict[str, Any]:
         """Return the answers by name, SI units, arrays and numbers that are not finite included."""
-
-    @abc.abstractmethod
-    def sections(self) -> list[Section | Listing]:
-        """Return the answers worded for people."""
+        return values_of(self.answers())
 
     def as_json_dict(self) -> dict[str, Any]:
         """Return the answers as plain lists, numbers, strings and None; undefined or infinite ones are None."""
+        trajectory = self.trajectory
         ends = {
-            "summary": self.summary, "drift": self.trajectory.drift,
-            "state_error_estimate": self.trajectory.error_estimate, "notes": self.notes,
+            "status": str(trajectory.outcome), "units": units_of(self.answers()), "summary": self.summary,
+            "drift": trajectory.drift, "state_error_estimate": trajectory.error_estimate, "notes": self.notes,
         }  # fmt: skip
         return plain({"system": self.kind, **self.values(), **ends})
 

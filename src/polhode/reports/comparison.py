@@ -8,14 +8,11 @@ from typing import Any
 import numpy as np
 
 from polhode.analysis.comparison import Comparison, Invariants
-from polhode.reports.base import Listing, Section, plain
+from polhode.reports.answer import Answer, Group, Table, units_of, values_of
+from polhode.reports.base import plain
 from polhode.reports.wording import angle, number, vector
 
 Array = Any
-UNITS = {
-    "times": "s, A's", "angle": "rad", "growth": "rad/s", "alignment": "rad, rad/s", "interpolation_error": "rad",
-    "invariants.drift": "relative",
-}  # fmt: skip
 LEAST = 1e-16  # rad; rounding of a quaternion's components alone makes more
 NAMES = {"energy": "energy", "momentum_norm": "|L|", "momentum_space": "L in space", "vertical_momentum": "L upwards"}
 INVARIANT_UNITS = {"energy": "J"}
@@ -55,47 +52,72 @@ class ComparisonReport:
             text += f" Constant misalignments and a constant rate explain all but {rest:.3g} rad of it."
         return text
 
-    def sections(self) -> list[Section | Listing]:
-        """Return the answers worded for people."""
+    def answers(self) -> list[Group | Table]:
+        """Return what the report says, in the order of its text."""
+        fit = [Group("", [Answer("alignment", None)])] if self.comparison.alignment is None else [self._fit()]
+        return [self._times(), self._angle(), *fit, *self._invariants()]
+
+    def _times(self) -> Group:
         found = self.comparison
-        first, last = float(found.times[0]), float(found.times[-1])
+        first, last, missed = float(found.times[0]), float(found.times[-1]), found.interpolation_error
+        words = None if missed is None else f"less than {missed:.2g} rad"
+        sources = [
+            Answer("", None, "", f"angular velocity of {side}", "", None if kept is None else kept.source)
+            for side, kept in zip("AB", found.invariants, strict=True)
+        ]
+        return Group("Times", [
+            Answer("clocks", self.clocks, "", "clocks"),
+            Answer("times.first", first, "s", "compared from", "A's", f"{first:.9g} to {last:.9g} s of A"),
+            Answer("times.last", last, "s", "", "A's"),
+            Answer("times.samples", len(found.times), "", "samples", "", str(len(found.times))),
+            Answer("method", found.method, "", "how"),
+            Answer("interpolation_error", missed, "rad", "interpolation misses", "", words),
+            *sources,
+        ])  # fmt: skip
+
+    def _angle(self) -> Group:
+        found = self.comparison
+        sizes = {"largest": found.largest, "rms": found.rms, "first": found.angle[0], "last": found.angle[-1]}
         growth = None if found.growth is None or found.is_rounding else f"{found.growth:.6g} rad/s"
-        missed = None if found.interpolation_error is None else f"less than {found.interpolation_error:.2g} rad"
-        sections: list[Section | Listing] = [
-            Section("Times", [
-                ("clocks", self.clocks), ("compared from", f"{first:.9g} to {last:.9g} s of A"),
-                ("samples", str(len(found.times))), ("how", found.method), ("interpolation misses", missed),
-                *((f"angular velocity of {side}", None if kept is None else kept.source)
-                  for side, kept in zip("AB", found.invariants, strict=True)),
-            ]),
-            Section("Angle between them", [
-                ("largest", _seen(found.largest)), ("rms", _seen(found.rms)),
-                ("first", _seen(float(found.angle[0]))), ("last", _seen(float(found.angle[-1]))),
-                ("growth, best line", growth),
-            ]),
-        ]  # fmt: skip
-        return [*sections, *self._fit(), *self._invariants()]
+        said = "" if growth is None else "growth, best line"
+        return Group("Angle between them", [
+            *(Answer(f"angle.{name}", x, "rad", name, "", _seen(float(x))) for name, x in sizes.items()),
+            Answer("growth", found.growth, "rad/s", said, "", growth),
+        ])  # fmt: skip
 
-    def _fit(self) -> list[Section | Listing]:
+    def _fit(self) -> Group:
         fit = self.comparison.alignment
-        if fit is None:
-            return []
-        rest = f"{float(fit.remaining.max()):.6g} rad, {fit.rms:.6g} rad rms"
-        return [Section("Best fit, A = turn(rate · t) · space · B · body", [
-            ("body axes misaligned by", vector(fit.body, "rad")),
-            ("space axes misaligned by", vector(fit.space, "rad")),
-            ("turning at", vector(fit.rate, "rad/s, space axes")), ("angle that remains", rest),
-            ("explains it", "yes" if self.comparison.explained else "no"),
-        ])]  # fmt: skip
+        assert fit is not None
+        largest, turning = float(fit.remaining.max()), vector(fit.rate, "rad/s, space axes")
+        rest = f"{largest:.6g} rad, {fit.rms:.6g} rad rms"
+        return Group("Best fit, A = turn(rate · t) · space · B · body", [
+            Answer("alignment.body", fit.body, "rad", "body axes misaligned by"),
+            Answer("alignment.space", fit.space, "rad", "space axes misaligned by"),
+            Answer("alignment.rate", fit.rate, "rad/s", "turning at", "space axes", turning),
+            Answer("alignment.remaining.largest", largest, "rad", "angle that remains", "", rest),
+            Answer("alignment.remaining.rms", fit.rms, "rad"),
+            Answer("alignment.determined", fit.determined),
+            Answer("alignment.explains", self.comparison.explained, "", "explains it"),
+        ])  # fmt: skip
 
-    def _invariants(self) -> list[Section | Listing]:
-        rows = []
-        for side, kept in zip("AB", self.comparison.invariants, strict=True):
-            for name, change in {} if kept is None else kept.drift.items():
-                assert kept is not None
-                rows.append((side, NAMES[name], _first(kept, name), f"{change:.2e}"))
-        columns = ("of", "invariant", "at first", "drift, relative")
-        return [Listing("Invariants", columns, rows)] if rows else []
+    def _invariants(self) -> list[Group | Table]:
+        both = self.comparison.invariants
+        rows = [
+            {"of": side, "name": name, "first": _first(kept, name), "drift": change}
+            for side, kept in zip("AB", both, strict=True) if kept is not None for name, change in kept.drift.items()
+        ]  # fmt: skip
+        columns = {
+            "of": lambda row: row["of"], "invariant": lambda row: NAMES[row["name"]],
+            "at first": lambda row: row["first"], "drift, relative": lambda row: f"{row['drift']:.2e}",
+        }  # fmt: skip
+        values = [
+            None if kept is None else {
+                "source": kept.source, "drift": kept.drift,
+                "first": {name: value[0] for name, value in kept.values.items()},
+            } for kept in both
+        ]  # fmt: skip
+        answer = Answer("invariants", values, explanation="drift is relative")
+        return [Group("", [answer]), Table("", "Invariants", columns, rows)]
 
     def all_notes(self) -> list[str]:
         """Return what a reader should know beside the numbers."""
@@ -110,21 +132,10 @@ class ComparisonReport:
 
     def as_json_dict(self) -> dict[str, Any]:
         """Return the answers as plain lists, numbers, strings and None."""
-        found, fit = self.comparison, self.comparison.alignment
-        alignment = None if fit is None else {
-            "body": fit.body, "space": fit.space, "rate": fit.rate, "determined": fit.determined,
-            "remaining": {"largest": fit.remaining.max(), "rms": fit.rms}, "explains": found.explained,
-        }  # fmt: skip
+        answers = self.answers()
         return plain({
-            "names": found.names, "summary": self.summary, "clocks": self.clocks, "method": found.method,
-            "times": {"first": found.times[0], "last": found.times[-1], "samples": len(found.times)},
-            "angle": {"largest": found.largest, "rms": found.rms, "first": found.angle[0], "last": found.angle[-1]},
-            "growth": found.growth, "interpolation_error": found.interpolation_error, "alignment": alignment,
-            "invariants": [None if kept is None else {
-                "source": kept.source, "drift": kept.drift,
-                "first": {name: value[0] for name, value in kept.values.items()},
-            } for kept in found.invariants],
-            "notes": self.all_notes(), "units": UNITS,
+            "names": self.comparison.names, "summary": self.summary, **values_of(answers),
+            "notes": self.all_notes(), "units": units_of(answers),
         })  # fmt: skip
 
 

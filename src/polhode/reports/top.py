@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import warnings
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -12,25 +12,17 @@ import numpy as np
 from polhode import rotation
 from polhode.analysis.energy_casimir import Stability
 from polhode.analysis.mechanics import Mechanics
-from polhode.analysis.stability import stability
+from polhode.analysis.top_rests import top_stability
 from polhode.bodies.body import Body
 from polhode.bodies.frame import BodyFrame
 from polhode.bodies.surface import Surface
 from polhode.errors import InvalidInput
 from polhode.exact.lagrange_top import LagrangeMotion
 from polhode.motion.trajectory import Trajectory
-from polhode.reports.base import AbstractReport, Listing, Section
-from polhode.reports.wording import (
-    accuracy_lines,
-    angle,
-    axes_lines,
-    distinct,
-    number,
-    stability_values,
-    unit_in_words,
-    vector,
-    verdicts,
-)
+from polhode.reports.about import GIVEN, about_axes, accuracy, stability_values, verdicts
+from polhode.reports.answer import Answer, Group, Table
+from polhode.reports.base import AbstractReport
+from polhode.reports.wording import distinct, unit_in_words, vector
 from polhode.systems.heavy_top import ALONG, HeavyTop
 
 Array = Any
@@ -108,59 +100,42 @@ class TopReport(AbstractReport):
         case = "" if self.top.case is None else f" It is {self.top.case[0]}'s case, with a third integral."
         return f"The axis to the centre of mass leans between {low:.5g}° and {high:.5g}° from the vertical.{case}"
 
-    def values(self) -> dict[str, Any]:
-        tilt = np.arccos(np.clip(self.axis_in_space[:, 2], -1.0, 1.0))
-        first = {name: np.asarray(value)[0] for name, value in self.trajectory.invariants.items()}
-        return {
-            "mass": self.frame.mass,
-            "center_of_mass": self.frame.center_of_mass,
-            "pivot": self.pivot,
-            "principal_moments": np.asarray(self.top.moments),
-            "principal_axes": np.asarray(self.top.axes),
-            "axis": np.asarray(self.top.axis),
-            "mgl": float(self.top.mgl),
-            "integrable_case": None if self.top.case is None else self.top.case[0],
-            "tilt": {"smallest": tilt.min(), "largest": tilt.max()},
-            "invariants": first,
-            "equilibria": {name: stability_values(found) for name, found in self.verdicts.items()},
-            "status": str(self.trajectory.outcome),
-            "units": UNITS | {f"invariants.{name}": unit for name, unit in self._units().items()},
-        }
-
-    def _units(self) -> dict[str, str]:
-        """Return the units of the invariants in words."""
-        return {name: unit_in_words(self.trajectory.quantity(name).unit) for name in self.trajectory.invariants}
-
-    def sections(self) -> list[Section | Listing]:
-        values = self.values()
-        body = Section("Body about the fixed point", [
-            ("mass", number(values["mass"], "kg")),
-            ("fixed point", vector(self.pivot, "m") + "  (given axes)"),
-            ("principal moments there", distinct(values["principal_moments"], "kg m²")),
-            *axes_lines(values["principal_axes"]),
-            ("centre of mass along", vector(values["axis"]) + "  (principal axes)"),
-            ("weight × distance mgl", number(values["mgl"], "N m")),
-            ("integrable case", values["integrable_case"] or "none"),
+    def answers(self) -> list[Group | Table]:
+        case = None if self.top.case is None else self.top.case[0]
+        axes, axis = np.asarray(self.top.axes), np.asarray(self.top.axis)
+        moments, there = np.asarray(self.top.moments), "about the pivot"
+        body = Group("Body about the fixed point", [
+            Answer("mass", self.frame.mass, "kg", "mass"),
+            Answer("center_of_mass", self.frame.center_of_mass, "m", "", "given axes"),
+            Answer("pivot", self.pivot, "m", "fixed point", "given axes", vector(self.pivot, "m") + GIVEN),
+            Answer("principal_moments", moments, "kg m²", "principal moments there", there, distinct(moments, "kg m²")),
+            *about_axes("principal_axes", axes),
+            Answer("axis", axis, "", "centre of mass along", "direction from pivot to centre of mass, principal axes",
+                   vector(axis) + "  (principal axes)"),
+            Answer("mgl", float(self.top.mgl), "N m", "weight × distance mgl"),
+            Answer("integrable_case", case, "", "integrable case", "", case or "none"),
         ])  # fmt: skip
-        standing = [verdicts("Axis to the centre of mass at rest", "position", self.verdicts)] if self.verdicts else []
-        return [body, *standing, self.motion()]
+        rows = [{"position": name, **stability_values(found)} for name, found in self.verdicts.items()]
+        title = "Axis to the centre of mass at rest"
+        standing = verdicts("equilibria", title, "position", lambda row: row["position"], rows, key="position")
+        return [body, standing, self.motion()]
 
-    def motion(self) -> Section:
+    def kept(self) -> list[Answer]:
+        """Return the invariants at the start, and the tilt of the samples."""
+        tilt = np.arccos(np.clip(self.axis_in_space[:, 2], -1.0, 1.0))
+        return [
+            Answer("tilt.smallest", float(tilt.min()), "rad", "smallest tilt sampled", "of the samples"),
+            Answer("tilt.largest", float(tilt.max()), "rad", "largest tilt sampled", "of the samples"),
+            *(
+                Answer(f"invariants.{name}", float(np.asarray(value)[0]),
+                       unit_in_words(self.trajectory.quantity(name).unit), name.replace("_", " "))
+                for name, value in self.trajectory.invariants.items()
+            ),
+        ]  # fmt: skip
+
+    def motion(self) -> Group:
         """Return what is said of the motion."""
-        values = self.values()
-        kept = [(name.replace("_", " "), number(float(x), self._units()[name]))
-                for name, x in values["invariants"].items()]  # fmt: skip
-        lean = values["tilt"]
-        lines = [("smallest tilt sampled", angle(lean["smallest"])), ("largest tilt sampled", angle(lean["largest"]))]
-        return Section("Motion", [*lines, *kept, *accuracy_lines(self.trajectory)])
-
-
-UNITS = {
-    "mass": "kg", "center_of_mass": "m, given axes", "pivot": "m, given axes",
-    "principal_moments": "kg m², about the pivot", "principal_axes": "columns, in the given frame",
-    "axis": "direction from pivot to centre of mass, principal axes", "mgl": "N m", "tilt": "rad, of the samples",
-    "equilibria.rate": "1/s",
-}  # fmt: skip
+        return Group("Motion", [*self.kept(), *accuracy(self.trajectory)])
 
 
 def top_of(body: Body, pivot: Array, gravity: float) -> tuple[HeavyTop, bool]:
@@ -210,14 +185,7 @@ def rest_verdicts(top: HeavyTop, momentum: Array) -> dict[str, Stability]:
     if float(top.mgl) == 0.0:
         return {}
     words = f"at {abs(spin):.6g} rad/s" if spin else "at rest"
-    found = {"upright": stability(top, top.upright(spin)), "hanging": stability(top, top.upright(spin, hanging=True))}
-    return {f"{name}, {words}": _in_a_tops_words(verdict) for name, verdict in found.items()}
-
-
-def _in_a_tops_words(found: Stability) -> Stability:
-    """Return a verdict with the Casimirs of se(3)* and Lagrange's integral called by what they are here."""
-    text = found.certificate.replace("|P|²", "|Γ|²").replace("Π·P", "Π·Γ").replace("Lagrange's ", "")
-    return replace(found, certificate=text)
+    return {f"{name}, {words}": verdict for name, verdict in top_stability(top, spin)._asdict().items()}
 
 
 def natural_period(top: HeavyTop, momentum: Array) -> float:

@@ -9,11 +9,6 @@ from typing import Any
 
 import numpy as np
 
-from polhode.analysis.energy_casimir import Stability
-from polhode.bodies.body import Body
-from polhode.motion.trajectory import Trajectory
-from polhode.reports.base import Listing, Section
-
 Array = Any
 RAISED = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 
@@ -36,6 +31,22 @@ def angle(value: float | None) -> str | None:
 def rate(value: float | None) -> str | None:
     """Return a rate [rad/s], with turns per minute."""
     return _unless_infinite(value, lambda x: f"{x:.8g} rad/s = {x * 30.0 / math.pi:.6g} rpm")
+
+
+def worded(value: Any, unit: str = "") -> str | None:
+    """Return a value for people, by its unit; None for None and for text that is empty.
+
+    >>> worded(0.5, "rad"), worded((1.0, 2.0), "m"), worded("none")
+    ('0.5 rad = 28.6479°', '(1, 2) m', 'none')
+    """
+    if value is None or isinstance(value, str):
+        return value or None
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if np.ndim(value):
+        return vector(value, unit)
+    words = {"rad": angle, "rad/s": rate}.get(unit)
+    return words(float(value)) if words else number(float(value), unit)
 
 
 def _unless_infinite(value: float | None, words: Callable[[float], str]) -> str | None:
@@ -74,61 +85,3 @@ def distinct(values: Any, unit: str = "") -> str:
 def drifts(values: dict[str, Any]) -> str:
     """Return drifts by name."""
     return ", ".join(f"{name.replace('_', ' ')} {float(x):.1e}" for name, x in values.items())
-
-
-def accuracy_lines(trajectory: Trajectory, words: str = "drift") -> list[tuple[str, str | None]]:
-    """Return how well the motion keeps what it should, and how far its states may be from the true ones."""
-    error = trajectory.error_estimate
-    return [
-        (words, drifts(trajectory.drift)),
-        ("state error estimate, relative", None if error is None or not np.isfinite(error) else f"{float(error):.1e}"),
-    ]
-
-
-def body_section(body: Body) -> Section:
-    """Return the mass properties."""
-    size = math.sqrt(max(body.principal_moments) / body.mass) if body.mass else 0.0
-    lines: list[tuple[str, str | None]] = [
-        ("mass", number(body.mass, "kg")),
-        ("centre of mass", vector(body.center_of_mass, "m", size)),
-        ("principal moments", distinct(body.principal_moments, "kg m²")),
-    ]
-    return Section("Body", lines + axes_lines(body.principal_axes))
-
-
-def body_summary(body: Body) -> dict[str, Any]:
-    """Return the mass properties alone, as arrays."""
-    return {
-        "mass": body.mass,
-        "center_of_mass": body.center_of_mass,
-        "principal_moments": body.principal_moments,
-        "principal_axes": body.principal_axes,
-    }
-
-
-def axes_lines(axes: Array) -> list[tuple[str, str | None]]:
-    """Return axes, by columns, a line each."""
-    columns = enumerate(zip(*axes.tolist(), strict=True))
-    return [(f"principal axis {k + 1}", vector(column) + "  (given axes)") for k, column in columns]
-
-
-def verdicts(title: str, head: str, found: dict[str, Stability]) -> Listing:
-    """Return verdicts by what they are on."""
-    rows = []
-    for name, verdict in found.items():
-        word = verdict.verdict + (f" ({verdict.growth})" if verdict.growth == "linear" else "")
-        speed = f"{verdict.rate:.4g} /s" if verdict.rate else "–"
-        rows.append((name, word, speed, verdict.certificate))
-    return Listing(title, (head, "verdict", "rate", "because"), rows)
-
-
-def stability_values(found: Stability) -> dict[str, Any]:
-    """Return a verdict as values by name."""
-    return {
-        "verdict": found.verdict,
-        "rate": found.rate,
-        "growth": found.growth,
-        "direction": found.direction,
-        "exponents": [[float(x.real), float(x.imag)] for x in found.spectrum],
-        "certificate": found.certificate,
-    }

@@ -4,21 +4,21 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import jax.numpy as jnp
 import numpy as np
 
 from polhode.kinds.base import Spec
 from polhode.motion.trajectory import Trajectory
-from polhode.reports.base import AbstractReport, Listing, Section
-from polhode.reports.wording import drifts, number
+from polhode.reports.about import accuracy
+from polhode.reports.answer import Answer, Group, Table
+from polhode.reports.base import AbstractReport
 from polhode.simulation import simulate
 from spherical_pendulum.system import SphericalPendulum
 from spherical_pendulum.table import PendulumTable
 
 SWINGS = 10
-UNITS = {"length": "m", "small_period": "s", "highest": "m, from the pivot", "lowest": "m, from the pivot"}
 
 
 @dataclass(frozen=True)
@@ -38,20 +38,15 @@ class PendulumReport(AbstractReport):
     def summary(self) -> str:
         return f"The mass swings between {self.values()['lowest']:.5g} m and {self.values()['highest']:.5g} m."
 
-    def values(self) -> dict[str, Any]:
+    def answers(self) -> list[Group | Table]:
         height = np.asarray(self.trajectory.part("z"))
-        return {
-            "length": float(self.system.length), "small_period": self.small_period,
-            "highest": height.max(), "lowest": height.min(), "units": UNITS,
-        }  # fmt: skip
-
-    def sections(self) -> list[Section | Listing]:
-        lines = [
-            ("rod", number(float(self.system.length), "m")),
-            ("period of small swings", number(self.small_period, "s")),
-            ("drift", drifts(self.trajectory.drift)),
-        ]
-        return [Section("Pendulum", lines)]
+        return [Group("Pendulum", [
+            Answer("length", float(self.system.length), "m", "rod"),
+            Answer("small_period", self.small_period, "s", "period of small swings"),
+            Answer("highest", float(height.max()), "m", "highest", "from the pivot"),
+            Answer("lowest", float(height.min()), "m", "lowest", "from the pivot"),
+            *accuracy(self.trajectory),
+        ])]  # fmt: skip
 
 
 def report_of(spec: Spec) -> PendulumReport:

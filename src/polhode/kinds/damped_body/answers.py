@@ -3,34 +3,24 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any, ClassVar
 
 import diffrax
-import jax
-import jax.numpy as jnp
 import numpy as np
 
+from polhode.analysis.damped_axes import damped_axis_stability
 from polhode.analysis.energy_casimir import Stability
-from polhode.analysis.first_method import first_method
 from polhode.bodies.body import Body
 from polhode.bodies.frame import BodyFrame
 from polhode.errors import InvalidInput
 from polhode.kinds.base import Spec
 from polhode.kinds.damped_body.table import DampedBodyTable
 from polhode.motion.trajectory import Trajectory
-from polhode.reports.base import AbstractReport, Listing, Section
+from polhode.reports.about import about_body, accuracy, stability_values, verdicts
+from polhode.reports.answer import Answer, Group, Table
+from polhode.reports.base import AbstractReport
 from polhode.reports.length import ADAPTIVE, ORBITING, TURNING, check_length
-from polhode.reports.wording import (
-    accuracy_lines,
-    angle,
-    body_section,
-    body_summary,
-    number,
-    stability_values,
-    vector,
-    verdicts,
-)
 from polhode.simulation import simulate
 from polhode.systems.double_bracket import DoubleBracket
 from polhode.systems.kepler_orbit import KeplerOrbit
@@ -42,16 +32,6 @@ SETTLED = 12.0  # time constants in which what is left of an angle is 6e-6 of it
 DECAYS = 5.0  # time constants of drag followed where no end is given
 MOST_TURNS = 2000.0  # of the start, followed where no end is given
 ON_AXIS = 1e-9  # angle [rad] below which a start counts as being on an axis
-
-UNITS = {
-    "mass": "kg", "center_of_mass": "m, given axes", "principal_moments": "kg m²",
-    "principal_axes": "columns, in the given frame", "damping": "α |L|", "linear_drag": "N m s",
-    "quadratic_drag": "N m s²", "orbital_period": "s", "start.energy": "J", "start.momentum_norm": "kg m²/s",
-    "start.angular_velocity": "rad/s, principal axes", "start.angle_to_major_axis": "rad", "start.time": "s",
-    "end.energy": "J", "end.momentum_norm": "kg m²/s", "end.angular_velocity": "rad/s, principal axes",
-    "end.angle_to_major_axis": "rad", "end.time": "s", "energy_lost": "J", "lowest_energy": "J, at this |L|",
-    "time_constant": "s", "axes.rate": "1/s", "axes.moment": "kg m²", "axes.time_constant": "s",
-}  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -138,65 +118,47 @@ class DampedBodyReport(AbstractReport):
             notes.append("the verdicts on the axes are those of drag; gravity's pull on the body is left out of them.")
         return notes
 
-    def _state(self, k: int) -> dict[str, Any]:
-        return {
-            "time": np.asarray(self.trajectory.times)[k],
-            "energy": self.energy[k],
-            "momentum_norm": self.momentum_norm[k],
-            "angular_velocity": np.asarray(self.trajectory.angular_velocity)[k],
-            "angle_to_major_axis": self.angle_to_major_axis[k],
-        }
-
-    def values(self) -> dict[str, Any]:
-        moments, norm = self.body.principal_moments, self.momentum_norm
-        return {
-            **body_summary(self.body),
-            "damping": self.table.damping,
-            "linear_drag": self.table.linear_drag,
-            "quadratic_drag": self.table.quadratic_drag,
-            "orbital_period": self.table.orbital_period,
-            "eccentricity": None if self.table.orbital_period is None else self.table.eccentricity or 0.0,
-            "start": self._state(0),
-            "end": self._state(-1),
-            "energy_lost": self.energy[0] - self.energy[-1],
-            "lowest_energy": 0.5 * norm[0] ** 2 / moments[2] if self.inside else None,
-            "time_constant": self.time_constant,
-            "axes": [
-                {"axis": k + 1, "moment": moments[k], "time_constant": _time_constant(found), **stability_values(found)}
-                for k, found in enumerate(self.axes)
-            ],
-            "status": str(self.trajectory.outcome),
-            "units": UNITS,
-        }
-
-    def sections(self) -> list[Section | Listing]:
-        values, start, end = self.values(), self._state(0), self._state(-1)
-        losses = Section("Losses", [
-            ("inside, α |L|", number(self.table.damping)),
-            ("linear drag", number(self.table.linear_drag, "N m s")),
-            ("quadratic drag", number(self.table.quadratic_drag, "N m s²")),
-            ("orbital period", number(self.table.orbital_period, "s")),
-            ("eccentricity", number(values["eccentricity"])),
+    def answers(self) -> list[Group | Table]:
+        orbiting = self.table.orbital_period is not None
+        losses = Group("Losses", [
+            Answer("damping", self.table.damping, "", "inside, α |L|", "α |L|"),
+            Answer("linear_drag", self.table.linear_drag, "N m s", "linear drag"),
+            Answer("quadratic_drag", self.table.quadratic_drag, "N m s²", "quadratic drag"),
+            Answer("orbital_period", self.table.orbital_period, "s", "orbital period"),
+            Answer("eccentricity", self.table.eccentricity or 0.0 if orbiting else None, "", "eccentricity"),
         ])  # fmt: skip
-        rows = {str(k + 1): found for k, found in enumerate(self.axes)}
-        listing = verdicts("L along each principal axis, with the losses, at the |L| of the start", "axis", rows)
-        word = "of the approach to the major axis" if self.inside else "of the spin about the major axis, at first"
-        lines = [
-            ("time", number(float(end["time"]), "s")),
-            ("energy at the start", number(float(start["energy"]), "J")),
-            ("energy at the end", number(float(end["energy"]), "J")),
-            ("lowest energy at this |L|", number(values["lowest_energy"], "J")),
-            ("|L| at the start", number(float(start["momentum_norm"]), "kg m²/s")),
-            ("|L| at the end", number(float(end["momentum_norm"]), "kg m²/s")),
-            ("Ω at the start", vector(start["angular_velocity"], "rad/s")),
-            ("Ω at the end", vector(end["angular_velocity"], "rad/s")),
-            ("L to the major axis at the start", angle(float(start["angle_to_major_axis"]))),
-            ("L to the major axis at the end", angle(float(end["angle_to_major_axis"]))),
-            (f"time constant {word}", number(values["time_constant"], "s")),
-            *accuracy_lines(self.trajectory, "drift of what is kept or balanced"),
+        rows = [
+            {"axis": k + 1, "moment": self.body.principal_moments[k], "time_constant": _time_constant(found),
+             **stability_values(found)} for k, found in enumerate(self.axes)
+        ]  # fmt: skip
+        title = "L along each principal axis, with the losses, at the |L| of the start"
+        units = {"moment": "kg m²", "time_constant": "s"}
+        axes = verdicts("axes", title, "axis", lambda row: str(row["axis"]), rows, units)
+        return [about_body(self.body), losses, axes, self._motion()]
+
+    def _motion(self) -> Group:
+        energy, norm, moments = self.energy, self.momentum_norm, self.body.principal_moments
+        lowest = float(0.5 * norm[0] ** 2 / moments[2]) if self.inside else None
+        which = "of the approach to the major axis" if self.inside else "of the spin about the major axis, at first"
+        return Group("Motion", [
+            Answer("start.time", float(self.trajectory.times[0]), "s"),
+            Answer("end.time", float(self.trajectory.times[-1]), "s", "time"),
+            *self._at_both_ends("energy", energy, "J", "energy"),
+            Answer("energy_lost", energy[0] - energy[-1], "J"),
+            Answer("lowest_energy", lowest, "J", "lowest energy at this |L|", "at this |L|"),
+            *self._at_both_ends("momentum_norm", norm, "kg m²/s", "|L|"),
+            *self._at_both_ends("angular_velocity", np.asarray(self.trajectory.angular_velocity), "rad/s", "Ω",
+                                "principal axes"),
+            *self._at_both_ends("angle_to_major_axis", self.angle_to_major_axis, "rad", "L to the major axis"),
+            Answer("time_constant", self.time_constant, "s", f"time constant {which}"),
+            *accuracy(self.trajectory, "drift of what is kept or balanced"),
+        ])  # fmt: skip
+
+    def _at_both_ends(self, name: str, values: Array, unit: str, label: str, explanation: str = "") -> list[Answer]:
+        return [
+            Answer(f"{end}.{name}", values[k], unit, f"{label} at the {end}", explanation)
+            for end, k in (("start", 0), ("end", -1))
         ]
-        parts: list[Section | Listing] = [body_section(self.body), losses]
-        return [*parts, *([listing] if rows else []), Section("Motion", lines)]
 
 
 def report_of(spec: Spec) -> DampedBodyReport:
@@ -216,7 +178,7 @@ def report_of(spec: Spec) -> DampedBodyReport:
     momentum, attitude = spec.start(moments, spec.body.principal_axes)
     norm = float(np.linalg.norm(momentum))
     system = _system(table, moments, norm)
-    axes = tuple(_verdict(system, moments, norm, k) for k in range(3)) if norm else ()
+    axes = damped_axis_stability(system, norm) if norm else ()
     cut = False
     if times is None:
         end, cut = _end(table, moments, momentum, axes)
@@ -250,40 +212,6 @@ def _system(table: DampedBodyTable, moments: Array, norm: float) -> DoubleBracke
         orbit = KeplerOrbit(2.0 * math.pi / table.orbital_period, table.eccentricity or 0.0)
         torques.append(GravityGradient(orbit, moments))
     return TorquedBody(moments, torques)
-
-
-def _verdict(system: DoubleBracket | TorquedBody, moments: Array, norm: float, k: int) -> Stability:
-    """Judge principal axis k as a direction n of L, |L| frozen: ṅ is the field less its part along n.
-
-    Under drag L itself dies away; whether it meanwhile turns towards the axis or away from it is what is judged.
-    """
-    if isinstance(system, TorquedBody):
-        system = TorquedBody(moments, [torque for torque in system.torques if not torque.needs_attitude])
-
-    def turning(direction: Array) -> Array:
-        field = system.vector_field(0.0, norm * direction) / norm
-        return field - direction * jnp.sum(field * direction)
-
-    axis = np.eye(3)[k]
-    across = np.delete(np.eye(3), k, axis=1)
-    found = first_method(np.asarray(jax.jacfwd(turning)(jnp.asarray(axis))), across)
-    return found if found.verdict != "undecided" else _along_family(found, moments, k)
-
-
-def _along_family(found: Stability, moments: Array, k: int) -> Stability:
-    """Return the verdict where what does not decay is the drift along other axes of the same moment, all alike at rest.
-
-    Across a circle of equilibria the exponent decides: where it is negative, neighbours settle on the circle as near as
-    they started.
-    """
-    alike = int((moments == moments[k]).sum())
-    if alike == 3:
-        return replace(found, verdict="stable", certificate="every axis of a sphere is a rest of L")
-    rest = float(np.min(found.spectrum.real))
-    if alike == 2 and rest < 0 and np.min(np.abs(found.spectrum)) < abs(rest) * 1e-6:
-        text = f"neighbours settle on the circle of axes of equal moment, as near as they start: {rest:.6g}/s across it"
-        return replace(found, verdict="stable", rate=rest, certificate=text)
-    return found
 
 
 def _time_constant(found: Stability) -> float | None:

@@ -16,25 +16,14 @@ from polhode.kinds.euler_disk.laws import LAWS
 from polhode.kinds.euler_disk.table import EulerDiskTable
 from polhode.motion.outcome import Outcome
 from polhode.motion.trajectory import Trajectory
-from polhode.reports.base import AbstractReport, Listing, Section
-from polhode.reports.wording import accuracy_lines, angle, number, rate, stability_values, verdicts
+from polhode.reports.about import about_stability, accuracy, stability_values, verdicts
+from polhode.reports.answer import Answer, Group, Table
+from polhode.reports.base import AbstractReport
+from polhode.reports.wording import rate
 from polhode.systems.euler_disk import LAYOUT, EulerDisk
 
 Array = Any
 PURE = 0.9  # of the power, from which on one law is said to dominate
-
-UNITS = {
-    "mass": "kg", "radius": "m", "thickness": "m", "axial_moment": "kg m²", "diametral_moment": "kg m²",
-    "gravity": "m/s²", "start.tilt": "rad", "start.heading": "rad", "start.precession": "rad/s", "start.spin": "rad/s",
-    "start.tilt_rate": "rad/s", "start.energy": "J", "start.angular_velocity": "rad/s, magnitude",
-    "start.face_rate": "rad/s", "start.normal_force": "N", "steady.precession": "rad/s", "steady.spin": "rad/s",
-    "steady.nutation": "rad/s", "steady.stability.rate": "1/s", "critical_rolling_speed": "m/s",
-    "critical_spin_rate": "rad/s", "laws.power": "W, at the start", "laws.share": "of the power, at the start",
-    "laws.share_late": "of the power, in the half of the samples that is fitted", "spin_down.end": "s from the start",
-    "spin_down.end_uncertainty": "s", "spin_down.end_by_energy": "s", "spin_down.events": "s from the start",
-    "end_time": "s", "end_energy": "J", "turns": "of the contact", "normal_force_minimum": "N",
-    "normal_force_minimum_of_weight": "1",
-}  # fmt: skip
 
 
 class Steady(NamedTuple):
@@ -185,137 +174,135 @@ class EulerDiskReport(AbstractReport):
             notes.append("followed through four decades of tilt or a million steps without an event.")
         return notes
 
-    def values(self) -> dict[str, Any]:
-        table, disk, state = self.table, self.disk, self.trajectory.states[0]
-        tilt, heading, _, _, _, *rates = (float(x) for x in state)
-        first, last = self.energies
-        precession = float(disk.precession(state))
-        return {
-            "mass": table.mass,
-            "radius": table.radius,
-            "thickness": table.thickness,
-            "axial_moment": float(disk.mechanics.axial_moment),
-            "diametral_moment": float(disk.mechanics.diametral_moment),
-            "gravity": table.gravity,
-            "start": {
-                "tilt": tilt,
-                "heading": heading,
-                "tilt_rate": rates[0],
-                "precession": precession,
-                "spin": rates[2],
-                "face_rate": rates[2] + 2.0 * precession * math.sin(0.5 * tilt) ** 2,
-                "angular_velocity": math.hypot(*rates),
-                "normal_force": float(disk.normal_force(state)),
-                "energy": first,
-            },
-            "steady": None if self.steady is None else {
-                "precession": float(disk.precession(self.steady.state)),
-                "spin": float(self.steady.state[7]),
-                "nutation": self.steady.nutation,
-                "stability": stability_values(self.steady.verdict),
-            },
-            "critical_rolling_speed": None if self.thresholds is None else self.thresholds[0],
-            "critical_spin_rate": None if self.thresholds is None else self.thresholds[1],
-            "laws": [law._asdict() for law in self.laws],
-            "spin_down": self._spin_down_values(),
-            "turns": self.turns,
-            "end_time": float(self.trajectory.times[-1]),
-            "end_energy": last,
-            "normal_force_minimum": self.lowest_force,
-            "normal_force_minimum_of_weight": self.lowest_force / (table.mass * table.gravity),
-            "status": str(self.trajectory.outcome),
-            "units": UNITS,
-        }  # fmt: skip
+    def answers(self) -> list[Group | Table]:
+        end = [] if self.spin_down is None else [self._exponents(self.spin_down), self._end(self.spin_down)]
+        none = [] if end else [Group("", [Answer("spin_down", None)])]
+        return [self._disk(), self._start(), *self._steady(), self._laws(), *end, *none, self._motion()]
 
-    def _spin_down_values(self) -> dict[str, Any] | None:
-        found, dominant = self.spin_down, self.dominant
-        if found is None:
-            return None
-        n = None if dominant is None else dominant.exponent
+    def _disk(self) -> Group:
+        table, mechanics = self.table, self.disk.mechanics
+        axial, diametral = float(mechanics.axial_moment), float(mechanics.diametral_moment)
+        return Group("Disk", [
+            Answer("mass", table.mass, "kg", "mass"),
+            Answer("radius", table.radius, "m", "radius"),
+            Answer("thickness", table.thickness, "m", "thickness", "", None if table.thickness else "none (thin)"),
+            Answer("axial_moment", axial, "kg m²"),
+            Answer("diametral_moment", diametral, "kg m²"),
+            Answer("", None, "", "moments, axial and diametral", "", f"{axial:.8g}, {diametral:.8g} kg m²"),
+            Answer("gravity", table.gravity, "m/s²"),
+        ])  # fmt: skip
+
+    def _start(self) -> Group:
+        state = self.trajectory.states[0]
+        tilt, heading, _, _, _, *rates = (float(x) for x in state)
+        precession = float(self.disk.precession(state))
+        rolling, spinning = self.thresholds or (None, None)
+        nutation = None if self.steady is None else self.steady.nutation
+        ratio = nutation / abs(precession or math.inf) if nutation else None
+        small = f"{rate(nutation)} = {ratio:.6g} of the precession" if ratio else None
+        return Group("Start", [
+            Answer("start.tilt", tilt, "rad", "tilt from the plane"),
+            Answer("start.heading", heading, "rad"),
+            Answer("start.precession", precession, "rad/s", "precession Ω of the contact"),
+            Answer("start.face_rate", rates[2] + 2.0 * precession * math.sin(0.5 * tilt) ** 2, "rad/s",
+                   "turning of what is printed on it"),
+            Answer("start.spin", rates[2], "rad/s", "spin about the axis"),
+            Answer("start.tilt_rate", rates[0], "rad/s", "rate of the tilt"),
+            Answer("start.angular_velocity", math.hypot(*rates), "rad/s", "", "magnitude"),
+            Answer("", None, "", "small nutation", "", small),
+            Answer("critical_rolling_speed", rolling, "m/s", "rolls stably upright from"),
+            Answer("critical_spin_rate", spinning, "rad/s", "spins stably upright from"),
+            Answer("start.energy", self.energies[0], "J", "energy"),
+            Answer("start.normal_force", float(self.disk.normal_force(state)), "N", "normal force"),
+        ])  # fmt: skip
+
+    def _steady(self) -> list[Group | Table]:
+        steady = self.steady
+        if steady is None:
+            return [Group("", [Answer("steady", None)])]
+        values = Group("", [
+            Answer("steady.precession", float(self.disk.precession(steady.state)), "rad/s"),
+            Answer("steady.spin", float(steady.state[7]), "rad/s"),
+            Answer("steady.nutation", steady.nutation, "rad/s"),
+            *about_stability("steady.stability", steady.verdict),
+        ])  # fmt: skip
+        title = "Steady rolling at this tilt and precession without dissipation, in tilt and rates"
+        motion = f"tilt {math.degrees(float(steady.state[0])):.6g}°"
+        return [values, verdicts("", title, "motion", lambda row: motion, [stability_values(steady.verdict)])]
+
+    def _laws(self) -> Table:
+        columns = {
+            "law": lambda row: row["law"],
+            "power at first": lambda row: f"{row['power']:.4g} W",
+            "share": lambda row: f"{row['share']:.4g}",
+            "share late": lambda row: "–" if row["share_late"] is None else f"{row['share_late']:.4g}",
+            "its exponent n": lambda row: _predicted(row["exponent"]),
+        }
+        units = {
+            "power": "W, at the start", "share": "of the power, at the start",
+            "share_late": "of the power, in the half of the samples that is fitted",
+        }  # fmt: skip
+        return Table("laws", "Dissipation", columns, [law._asdict() for law in self.laws], units)
+
+    def _exponents(self, found: SpinDown) -> Table:
+        law = "None" if self.dominant is None else self.dominant.law
+        said = {
+            "tilt_exponent": ("tilt ∝ (t0 − t)^n", law),
+            "precession_exponent": ("Ω ∝ (t0 − t)^k", law),
+            "precession_by_tilt_exponent": ("Ω ∝ tilt^k", "any law; not −1"),
+        }
+        rows = [{"name": name, **values} for name, values in self._fits(found).items()]
+        columns = {
+            "law": lambda row: said[row["name"]][0],
+            "fitted": lambda row: f"{row['fitted']:.5f} ± {row['uncertainty']:.1g}",
+            "predicted": lambda row: (
+                "–" if row["predicted"] is None else f"{_predicted(row['predicted'])} ({said[row['name']][1]})"
+            ),
+        }
+        title = f"Exponents, fitted where |tilt rate|/(tilt·Ω) < {ASYMPTOTIC_FIT:g}"
+        return Table("", title, columns, rows)
+
+    def _fits(self, found: SpinDown) -> dict[str, dict[str, float | None]]:
+        """Return the exponents as fitted and as predicted by the dominant law."""
+        n = None if self.dominant is None else self.dominant.exponent
         return {
-            "end": found.end,
-            "end_uncertainty": found.end_uncertainty,
-            "end_by_energy": self.end_by_energy,
-            "first_event": found.first_event,
-            "events": found.events,
-            "dominant_law": None if dominant is None else dominant.law,
             "tilt_exponent": _exponent(found.tilt, n),
             "precession_exponent": _exponent(found.precession, None if n is None else -0.5 * n),
             "precession_by_tilt_exponent": _exponent(found.precession_by_tilt, -0.5),
-            "energy_balance": found.energy_balance,
         }
 
-    def sections(self) -> list[Section | Listing]:
-        steady = self.steady
-        rest = [] if steady is None else [
-            verdicts("Steady rolling at this tilt and precession without dissipation, in tilt and rates", "motion", {
-                f"tilt {math.degrees(float(steady.state[0])):.6g}°": steady.verdict,
-            })
-        ]  # fmt: skip
-        end = [] if self.spin_down is None else [self._exponents(), self._end(self.spin_down)]
-        return [*self._start(), *rest, *([self._laws()] if self.laws else []), *end, self._motion()]
-
-    def _start(self) -> list[Section]:
-        values = self.values()
-        start, steady = values["start"], values["steady"] or {}
-        ratio = steady.get("nutation") and steady["nutation"] / abs(start["precession"] or math.inf)
-        of_precession = f" = {ratio:.6g} of the precession" if ratio else ""
-        disk = Section("Disk", [
-            ("mass", number(values["mass"], "kg")),
-            ("radius", number(values["radius"], "m")),
-            ("thickness", number(values["thickness"], "m") if values["thickness"] else "none (thin)"),
-            ("moments, axial and diametral", f"{values['axial_moment']:.8g}, {values['diametral_moment']:.8g} kg m²"),
-        ])  # fmt: skip
-        return [disk, Section("Start", [
-            ("tilt from the plane", angle(start["tilt"])),
-            ("precession Ω of the contact", rate(start["precession"])),
-            ("turning of what is printed on it", rate(start["face_rate"])),
-            ("spin about the axis", rate(start["spin"])),
-            ("rate of the tilt", rate(start["tilt_rate"])),
-            ("small nutation", None if not ratio else (rate(steady["nutation"]) or "") + of_precession),
-            ("rolls stably upright from", number(values["critical_rolling_speed"], "m/s")),
-            ("spins stably upright from", rate(values["critical_spin_rate"])),
-            ("energy", number(start["energy"], "J")),
-            ("normal force", number(start["normal_force"], "N")),
-        ])]  # fmt: skip
-
-    def _laws(self) -> Listing:
-        rows = []
-        for law in self.laws:
-            late = "–" if law.share_late is None else f"{law.share_late:.4g}"
-            rows.append((law.law, f"{law.power:.4g} W", f"{law.share:.4g}", late, _predicted(law.exponent)))
-        return Listing("Dissipation", ("law", "power at first", "share", "share late", "its exponent n"), rows)
-
-    def _exponents(self) -> Listing:
-        values = self._spin_down_values() or {}
-        law = values["dominant_law"]
-        rows = []
-        for what, key in (("tilt ∝ (t0 − t)^n", "tilt_exponent"), ("Ω ∝ (t0 − t)^k", "precession_exponent"),
-                          ("Ω ∝ tilt^k", "precession_by_tilt_exponent")):  # fmt: skip
-            fit = values[key]
-            of = "any law; not −1" if key == "precession_by_tilt_exponent" else str(law)
-            wanted = "–" if fit["predicted"] is None else f"{_predicted(fit['predicted'])} ({of})"
-            rows.append((what, f"{fit['fitted']:.5f} ± {fit['uncertainty']:.1g}", wanted))
-        title = f"Exponents, fitted where |tilt rate|/(tilt·Ω) < {ASYMPTOTIC_FIT:g}"
-        return Listing(title, ("law", "fitted", "predicted"), rows)
-
-    def _end(self, found: SpinDown) -> Section:
-        t0 = None if found.end is None else f"{found.end:.10g} ± {found.end_uncertainty:.1g} s"
-        events = [(name, f"{time:.10g} s" + ("" if found.end is None else f", t0 {time - found.end:+.3g} s"))
-                  for name, time in found.events.items()]  # fmt: skip
+    def _end(self, found: SpinDown) -> Group:
+        dominant, exact = self.dominant, found.end
+        t0 = None if exact is None else f"{exact:.10g} ± {found.end_uncertainty:.1g} s"
         by_energy = None if self.end_by_energy is None else f"{self.end_by_energy:.6g} s"
-        return Section("End", [("asymptotic t0", t0), ("t0 by energy alone", by_energy), *events])
+        events = [
+            Answer("", None, "", name, "", f"{time:.10g} s" + ("" if exact is None else f", t0 {time - exact:+.3g} s"))
+            for name, time in found.events.items()
+        ]
+        return Group("End", [
+            Answer("spin_down.end", exact, "s", "asymptotic t0", "from the start", t0),
+            Answer("spin_down.end_uncertainty", found.end_uncertainty, "s"),
+            Answer("spin_down.end_by_energy", self.end_by_energy, "s", "t0 by energy alone", "", by_energy),
+            Answer("spin_down.first_event", found.first_event),
+            Answer("spin_down.events", found.events, "s", "", "from the start"),
+            *events,
+            Answer("spin_down.dominant_law", None if dominant is None else dominant.law),
+            *(Answer(f"spin_down.{name}", values) for name, values in self._fits(found).items()),
+            Answer("spin_down.energy_balance", found.energy_balance),
+        ])  # fmt: skip
 
-    def _motion(self) -> Section:
-        first, last = self.energies
-        lowest = self.lowest_force
-        force = f"{lowest:.6g} N = {lowest / (self.table.mass * self.table.gravity):.4g} of the weight"
-        kept = "energy balance" if self.laws else "drift"
-        return Section("Motion", [
-            ("turns of the contact", number(self.turns)),
-            ("energy at the end", f"{last:.8g} J" + (f" = {last / first:.4g} of the start's" if self.laws else "")),
-            ("lowest normal force", force),
-            *accuracy_lines(self.trajectory, kept),
+    def _motion(self) -> Group:
+        (first, last), lowest = self.energies, self.lowest_force
+        of_weight = lowest / (self.table.mass * self.table.gravity)
+        left = f" = {last / first:.4g} of the start's" if self.laws else ""
+        return Group("Motion", [
+            Answer("turns", self.turns, "", "turns of the contact", "of the contact"),
+            Answer("end_time", float(self.trajectory.times[-1]), "s"),
+            Answer("end_energy", last, "J", "energy at the end", "", f"{last:.8g} J{left}"),
+            Answer("normal_force_minimum", lowest, "N", "lowest normal force", "",
+                   f"{lowest:.6g} N = {of_weight:.4g} of the weight"),
+            Answer("normal_force_minimum_of_weight", of_weight, "1"),
+            *accuracy(self.trajectory, "energy balance" if self.laws else "drift"),
         ])  # fmt: skip
 
 

@@ -20,46 +20,15 @@ from polhode.exact.free_body import FreeMotion
 from polhode.kinds.base import Spec
 from polhode.motion.inputs import finite
 from polhode.motion.trajectory import Trajectory
-from polhode.reports.base import AbstractReport, Listing, Section
-from polhode.reports.wording import (
-    accuracy_lines,
-    angle,
-    body_section,
-    body_summary,
-    number,
-    stability_values,
-    verdicts,
-)
+from polhode.reports.about import about_body, accuracy, stability_values, verdicts
+from polhode.reports.answer import Answer, Group, Table
+from polhode.reports.base import AbstractReport
 
 Array = Any
 SAMPLES = 2000
 PERIODS = 10
 EXACT_TURNS = 2.0**50
 LARGEST = 1e200  # of energies and momenta in SI; products of the two stay within the range of numbers
-
-UNITS = {
-    "mass": "kg",
-    "center_of_mass": "m",
-    "principal_moments": "kg m²",
-    "principal_axes": "columns, in the given frame",
-    "energy": "J",
-    "momentum_norm": "kg m²/s",
-    "angular_velocity": "rad/s, principal axes",
-    "momentum": "kg m²/s, principal axes",
-    "polhode_period": "s",
-    "flip_interval": "s",
-    "twist_per_flip": "rad",
-    "precession_rate": "rad/s",
-    "precession_per_period": "rad",
-    "geometric_phase": "rad",
-    "action": "J s",
-    "tumbling_periods": "s",
-    "long_axis_period": "s",
-    "rotation_period": "s",
-    "herpolhode": "1/√(kg m²)",
-    "axes.rate": "1/s",
-    "axes.moment": "kg m²",
-}
 
 
 @dataclass(frozen=True)
@@ -85,68 +54,55 @@ class FreeBodyReport(AbstractReport):
     def mechanics(self) -> Mechanics:
         return Mechanics(self.frame.inertia)
 
-    def values(self) -> dict[str, Any]:
-        motion = self.motion
-        tumbling = motion.tumbling_periods
-        return {
-            **body_summary(self.body),
-            "angular_velocity": motion.momentum_at_epoch / motion.moments,
-            "momentum": motion.momentum_at_epoch,
-            "energy": motion.energy,
-            "momentum_norm": motion.momentum_norm,
-            "regime": motion.regime,
-            "encircled_axis": None if motion.encircled_axis is None else motion.encircled_axis + 1,
-            "modulus": motion.modulus,
-            "polhode_period": motion.period,
-            "rotation_period": self.rotation_period,
-            "flip_interval": motion.flip_interval,
-            "twist_per_flip": self.twist_per_flip,
-            "precession_rate": motion.precession_rate,
-            "precession_per_period": motion.precession_per_period,
-            "precession": {
-                "body": None if self.precession_body is None else self.precession_body._asdict(),
-                "space": None if self.precession_space is None else self.precession_space._asdict(),
-            },
-            "geometric_phase": motion.geometric_phase,
-            "action": motion.action,
-            "tumbling_periods": {"P_phi": tumbling[0], "P_psi": tumbling[1]},
-            "long_axis_period": motion.long_axis_period,
-            "herpolhode": None if self.herpolhode is None else self.herpolhode._asdict(),
-            "axes": [
-                {"axis": k + 1, "moment": motion.moments[k], **stability_values(found)}
-                for k, found in enumerate(self.stability)
-            ],
-            "units": UNITS,
-        }
+    def answers(self) -> list[Group | Table]:
+        title = "Rotation about each principal axis, at this |L|"
+        axes = [
+            {"axis": k + 1, "moment": self.motion.moments[k], **stability_values(found)}
+            for k, found in enumerate(self.stability)
+        ]
+        table = verdicts("axes", title, "axis", lambda row: str(row["axis"]), axes, {"moment": "kg m²"})
+        return [about_body(self.body), self._start(), table, self._motion()]
 
-    def sections(self) -> list[Section | Listing]:
+    def _start(self) -> Group:
+        motion, principal = self.motion, "principal axes"
+        velocity = motion.momentum_at_epoch / motion.moments
+        return Group("Start", [
+            Answer("angular_velocity", velocity, "rad/s", explanation=principal),
+            Answer("momentum", motion.momentum_at_epoch, "kg m²/s", explanation=principal),
+        ])  # fmt: skip
+
+    def _motion(self) -> Group:
         motion, found = self.motion, self.herpolhode
-        tumbling = [x for x in motion.tumbling_periods if finite(x) is not None]
+        tumbling = motion.tumbling_periods
+        encircled = None if motion.encircled_axis is None else motion.encircled_axis + 1
+        periods = ", ".join(f"{x:.8g} s" for x in tumbling if finite(x) is not None)
+        unit = "1/√(kg m²)"
         radii = None if found is None else (
             f"{found.inner_radius:.6g} to {found.outer_radius:.6g}, in a plane {found.plane_distance:.6g} "
-            "from the centre, 1/√(kg m²)"
+            f"from the centre, {unit}"
         )  # fmt: skip
-        lines = [
-            ("regime", motion.regime),
-            ("energy", number(motion.energy, "J")),
-            ("|L|", number(motion.momentum_norm, "kg m²/s")),
-            ("polhode period T", number(motion.period, "s")),
-            ("rotation period", number(self.rotation_period, "s")),
-            ("flip interval T/2", number(motion.flip_interval, "s")),
-            ("turn about L per flip", angle(self.twist_per_flip)),
-            ("precession in the body", _precession(self.precession_body)),
-            ("precession in space", _precession(self.precession_space)),
-            ("precession per period", angle(motion.precession_per_period)),
-            ("geometric phase", angle(motion.geometric_phase)),
-            ("action", number(motion.action, "J s")),
-            ("tumbling periods P_φ, P_ψ", ", ".join(f"{x:.8g} s" for x in tumbling) or None),
-            ("long-axis period P₁", number(motion.long_axis_period, "s")),
-            ("herpolhode radii", radii),
-            *accuracy_lines(self.trajectory),
-        ]
-        stable = {str(k + 1): found for k, found in enumerate(self.stability)}
-        axes = verdicts("Rotation about each principal axis, at this |L|", "axis", stable)
-        return [body_section(self.body), axes, Section("Motion", lines)]
+        return Group("Motion", [
+            Answer("regime", motion.regime, "", "regime"),
+            Answer("encircled_axis", encircled),
+            Answer("modulus", motion.modulus),
+            Answer("energy", motion.energy, "J", "energy"),
+            Answer("momentum_norm", motion.momentum_norm, "kg m²/s", "|L|"),
+            Answer("polhode_period", motion.period, "s", "polhode period T"),
+            Answer("rotation_period", self.rotation_period, "s", "rotation period"),
+            Answer("flip_interval", motion.flip_interval, "s", "flip interval T/2"),
+            Answer("twist_per_flip", self.twist_per_flip, "rad", "turn about L per flip"),
+            *_precession("body", self.precession_body),
+            *_precession("space", self.precession_space),
+            Answer("precession_rate", motion.precession_rate, "rad/s"),
+            Answer("precession_per_period", motion.precession_per_period, "rad", "precession per period"),
+            Answer("geometric_phase", motion.geometric_phase, "rad", "geometric phase"),
+            Answer("action", motion.action, "J s", "action"),
+            Answer("tumbling_periods", {"P_phi": tumbling[0], "P_psi": tumbling[1]}, "s"),
+            Answer("", None, "", "tumbling periods P_φ, P_ψ", "", periods),
+            Answer("long_axis_period", motion.long_axis_period, "s", "long-axis period P₁"),
+            Answer("herpolhode", None if found is None else found._asdict(), unit, "herpolhode radii", "", radii),
+            *accuracy(self.trajectory),
+        ])  # fmt: skip
 
     @property
     def notes(self) -> list[str]:
@@ -216,8 +172,15 @@ def free_body_report(
     )
 
 
-def _precession(value: Precession | None) -> str | None:
-    return None if value is None else f"{value.rate:.8g} rad/s {value.sense}"
+def _precession(place: str, value: Precession | None) -> list[Answer]:
+    name, label = f"precession.{place}", f"precession in {'the ' * (place == 'body')}{place}"
+    if value is None:
+        return [Answer(name, None)]
+    return [
+        Answer(f"{name}.frame", value.frame),
+        Answer(f"{name}.rate", value.rate, "rad/s", label, "", f"{value.rate:.8g} rad/s {value.sense}"),
+        Answer(f"{name}.sense", value.sense),
+    ]
 
 
 def _mode(motion: FreeMotion) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import numpy as np
 
@@ -15,17 +15,12 @@ from polhode.kinds.base import Spec
 from polhode.kinds.lagrange_top.build import axis_third
 from polhode.kinds.lagrange_top.table import LagrangeTopTable
 from polhode.motion.inputs import finite
-from polhode.reports.base import Section
+from polhode.reports.about import accuracy
+from polhode.reports.answer import Answer, Group
 from polhode.reports.top import TopReport, leaned, natural_period, rest_verdicts, top_of
-from polhode.reports.wording import accuracy_lines, angle, number, rate
 
 PERIODS = 10
 
-LAGRANGE_UNITS = {
-    "energy": "J", "nutation_limits": "cos of the tilt", "nutation_period": "s", "precession_per_period": "rad",
-    "spin_per_period": "rad", "precession_rate": "rad/s", "spin_rate": "rad/s", "steady_precession": "rad/s",
-    "sleeping_threshold": "rad/s", "spin": "rad/s", "start_tilt": "rad",
-}  # fmt: skip
 
 @dataclass(frozen=True)
 class LagrangeTopReport(TopReport):
@@ -51,7 +46,7 @@ class LagrangeTopReport(TopReport):
         if self.constant_tilt and exact.precession_rate is not None:
             return f"The top precesses steadily at constant tilt, at {exact.precession_rate:.6g} rad/s."
         words = _REGIMES[exact.regime]
-        if exact.regime == "sleeping" and abs(self.values()["spin"]) < self.threshold:
+        if exact.regime == "sleeping" and abs(self.spin) < self.threshold:
             words = "The top stands upright, spinning too slowly to sleep: the least push fells it."
         if period is None:
             return words
@@ -59,51 +54,39 @@ class LagrangeTopReport(TopReport):
         turn = "" if mean is None else f" and precesses at {mean:.6g} rad/s on average"
         return f"{words} It nutates every {period:.6g} s{turn}."
 
-    def values(self) -> dict[str, Any]:
-        exact = self._exact
-        return super().values() | {
-            "regime": exact.regime,
-            "energy": exact.energy,
-            "spin": float(exact.momentum_at_epoch[2] / exact.moments[2]),
-            "start_tilt": math.acos(max(-1.0, min(1.0, float(self.axis_in_space[0, 2])))),
-            "nutation_limits": exact.nutation_limits,
-            "nutation_period": exact.nutation_period,
-            "precession_per_period": exact.precession_per_period,
-            "spin_per_period": exact.spin_per_period,
-            # in a plane both only jump by half turns, through the verticals
-            "precession_rate": None if exact.regime == "planar" else exact.precession_rate,
-            "spin_rate": None if exact.regime == "planar" else exact.spin_rate,
-            "steady_precession": None if self.steady is None else self.steady._asdict(),
-            "sleeping_threshold": self.threshold,
-            "units": super().values()["units"] | LAGRANGE_UNITS,
-        }
+    @property
+    def spin(self) -> float:
+        """About its own axis, at the start [rad/s]."""
+        return float(self._exact.momentum_at_epoch[2] / self._exact.moments[2])
 
-    def motion(self) -> Section:
-        values = self.values()
-        low, high = self._exact.nutation_limits
+    def motion(self) -> Group:
+        exact, planar = self._exact, self._exact.regime == "planar"
+        low, high = exact.nutation_limits
         limits = None if low is None else f"{math.degrees(math.acos(low)):.8g}°, constant" if self.constant_tilt else (
             f"{math.degrees(math.acos(high)):.8g}° to {math.degrees(math.acos(low)):.8g}°"
         )  # fmt: skip
-        steady = None if self.steady is None else ", ".join(
-            f"{name} {value:.8g} rad/s" for name, value in self.steady._asdict().items() if value is not None
-        )  # fmt: skip
-        return Section("Motion", [
-            ("regime", "steady" if self.constant_tilt else values["regime"]),
-            ("spin about the axis", rate(values["spin"])),
-            ("spin from which it sleeps", rate(self.threshold)),
-            ("tilt", limits),
-            *([] if self.constant_tilt else [
-                ("nutation period T", number(values["nutation_period"], "s")),
-                ("precession per period Δφ", angle(values["precession_per_period"])),
-                ("own turn per period Δψ", angle(values["spin_per_period"])),
-            ]),
-            ("mean precession", rate(values["precession_rate"])),
-            ("mean own turn", rate(values["spin_rate"])),
-            ("steady precession at this tilt", steady),
-            ("energy", number(values["energy"], "J")),
-            ("vertical momentum", number(self._exact.vertical_momentum, "kg m²/s")),
-            ("axial momentum", number(self._exact.axial_momentum, "kg m²/s")),
-            *accuracy_lines(self.trajectory),
+        start = math.acos(max(-1.0, min(1.0, float(self.axis_in_space[0, 2]))))
+        varying = lambda label: "" if self.constant_tilt else label  # noqa: E731
+        steady = None if self.steady is None else self.steady._asdict()
+        rates = ", ".join(f"{name} {x:.8g} rad/s" for name, x in (steady or {}).items() if x is not None)
+        return Group("Motion", [
+            Answer("regime", exact.regime, "", "regime", "", "steady" if self.constant_tilt else exact.regime),
+            Answer("spin", self.spin, "rad/s", "spin about the axis"),
+            Answer("sleeping_threshold", self.threshold, "rad/s", "spin from which it sleeps"),
+            Answer("start_tilt", start, "rad"),
+            Answer("nutation_limits", exact.nutation_limits, "", "tilt", "cos of the tilt", limits),
+            Answer("nutation_period", exact.nutation_period, "s", varying("nutation period T")),
+            Answer("precession_per_period", exact.precession_per_period, "rad", varying("precession per period Δφ")),
+            Answer("spin_per_period", exact.spin_per_period, "rad", varying("own turn per period Δψ")),
+            # in a plane both only jump by half turns, through the verticals
+            Answer("precession_rate", None if planar else exact.precession_rate, "rad/s", "mean precession"),
+            Answer("spin_rate", None if planar else exact.spin_rate, "rad/s", "mean own turn"),
+            Answer("steady_precession", steady, "rad/s", "steady precession at this tilt", "", rates or None),
+            Answer("energy", exact.energy, "J", "energy"),
+            Answer("", exact.vertical_momentum, "kg m²/s", "vertical momentum"),
+            Answer("", exact.axial_momentum, "kg m²/s", "axial momentum"),
+            *(answer._replace(label="") for answer in self.kept()),
+            *accuracy(self.trajectory),
         ])  # fmt: skip
 
 

@@ -18,9 +18,11 @@ from polhode.errors import InvalidInput
 from polhode.kinds.base import Spec
 from polhode.kinds.spin_orbit.table import SpinOrbitTable
 from polhode.motion.trajectory import Trajectory
-from polhode.reports.base import AbstractReport, Listing, Section
+from polhode.reports.about import about_body, accuracy
+from polhode.reports.answer import Answer, Group, Table
+from polhode.reports.base import AbstractReport
 from polhode.reports.length import ADAPTIVE, ORBITING, check_length
-from polhode.reports.wording import accuracy_lines, body_section, number
+from polhode.reports.wording import number
 from polhode.simulation import simulate
 from polhode.systems.kepler_orbit import KeplerOrbit
 from polhode.systems.spin_orbit import SpinOrbit
@@ -31,17 +33,6 @@ DAY = 86400.0
 LISTED = (3.0, 10.0)  # orders up to which resonances are listed: at least, and at most where spin or orbit are faster
 LARGEST = 1e100  # of rates in rad/s; their squares stay within the range of numbers
 TOLERANCE = 1e-12  # of the samples' adaptive steps
-
-UNITS = {
-    "asphericity": "√(3(B − A)/C)", "mean_motion": "rad/s", "orbital_period": "s",
-    "overlap_threshold": "as asphericity",
-    "small_eccentricity_threshold": "as asphericity", "resonances.order": "turns per orbit",
-    "resonances.rate": "rad/s", "resonances.half_width": "rad/s", "resonances.stable_angle": "rad, at periapsis",
-    "start.angle": "rad, long axis from the direction of the periapsis", "start.rate": "rad/s",
-    "start.spin_ratio": "turns per orbit", "lyapunov_exponent": "1/s", "regular_level": "1/s", "lyapunov_time": "s",
-    "mean_rate": "rad/s", "mean_spin_ratio": "turns per orbit", "libration": "rad, at periapsis",
-    "predictable_time": "s", "mass": "kg", "principal_moments": "kg m²",
-}  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -92,44 +83,15 @@ class SpinOrbitReport(AbstractReport):
         rate = float(self.motion.exponents[-1])
         return math.log(1.0 / TOLERANCE) / rate if self.motion.verdict == "chaotic" else None
 
-    def values(self) -> dict[str, Any]:
-        system, motion, body = self.system, self.motion, self.body
-        n, e = float(system.mean_motion), float(system.eccentricity)
-        exponent = float(motion.exponents[-1])
-        span = motion.orbits * float(system.orbit.period)
-        return {
-            "mass": None if body is None else body.mass,
-            "principal_moments": None if body is None else body.principal_moments,
-            "asphericity": float(system.asphericity),
-            "eccentricity": e,
-            "mean_motion": n,
-            "orbital_period": float(system.orbit.period),
-            "overlap_threshold": self.threshold,
-            "small_eccentricity_threshold": float(overlap_threshold(e)) if e > 0.0 else None,
-            "chaos_expected": self.chaos_expected,
-            "resonances": [vars(found) for found in self.resonances],
-            "start": {"angle": self.start[0], "rate": self.start[1], "spin_ratio": self.start[1] / n},
-            "orbits": motion.orbits,
-            "verdict": motion.verdict,
-            "lyapunov_exponent": exponent,
-            "regular_level": math.log(n * span) / span,
-            "lyapunov_time": 1.0 / exponent if motion.verdict == "chaotic" else None,
-            "predictable_time": self.predictable_time,
-            "mean_rate": motion.mean_rate,
-            "mean_spin_ratio": motion.mean_rate / n,
-            "libration": None if motion.libration is None else motion.libration._asdict(),
-            "status": str(self.trajectory.outcome),
-            "units": UNITS,
-        }
+    def answers(self) -> list[Group | Table]:
+        body = [] if self.body is None else [about_body(self.body)]
+        missing = [] if body else [Group("", [Answer("mass", None), Answer("principal_moments", None)])]
+        return [*body, *missing, self._orbit(), self._resonances(), self._motion()]
 
-    def sections(self) -> list[Section | Listing]:
-        body = [] if self.body is None else [body_section(self.body)]
-        return [*body, self._orbit(), *self._listing(), self._motion()]
-
-    def _orbit(self) -> Section:
-        values = self.values()
-        period = values["orbital_period"]
-        if values["asphericity"] == 0.0:
+    def _orbit(self) -> Group:
+        system, asphericity = self.system, float(self.system.asphericity)
+        e, period = float(system.eccentricity), float(system.orbit.period)
+        if asphericity == 0.0:
             chaos = "no: A = B, and gravity has no hold on the spin"
         elif self.threshold is None:
             chaos = "no: on a circular orbit the spin is a pendulum, and no pendulum is chaotic"
@@ -137,46 +99,64 @@ class SpinOrbitReport(AbstractReport):
             chaos = f"yes: zones of resonances overlap from ω0 = {self.threshold:.4g} on"
         else:
             chaos = f"in thin layers at most: zones overlap from ω0 = {self.threshold:.4g} on"
-        return Section("Shape and orbit", [
-            ("asphericity ω0 = √(3(B − A)/C)", number(values["asphericity"])),
-            ("eccentricity", number(values["eccentricity"])),
-            ("orbital period", f"{period:.8g} s = {period / DAY:.6g} d"),
-            ("mean motion n", number(values["mean_motion"], "rad/s")),
-            ("chaos expected", chaos),
+        small, ratio_of = float(overlap_threshold(e)) if e > 0.0 else None, "√(3(B − A)/C)"
+        return Group("Shape and orbit", [
+            Answer("asphericity", asphericity, "", f"asphericity ω0 = {ratio_of}", ratio_of),
+            Answer("eccentricity", e, "", "eccentricity"),
+            Answer("orbital_period", period, "s", "orbital period", "", f"{period:.8g} s = {period / DAY:.6g} d"),
+            Answer("mean_motion", float(system.mean_motion), "rad/s", "mean motion n", "",
+                   number(float(system.mean_motion), "rad/s")),
+            Answer("overlap_threshold", self.threshold, "", "", "as asphericity"),
+            Answer("small_eccentricity_threshold", small, "", "", "as asphericity"),
+            Answer("chaos_expected", self.chaos_expected, "", "chaos expected", "", chaos),
         ])  # fmt: skip
 
-    def _listing(self) -> list[Listing]:
+    def _resonances(self) -> Table:
         n = float(self.system.mean_motion)
-        rows = []
-        for found in self.resonances:
-            if found.stable_angle is not None and found.half_width > 0.0:
-                stable = f"{math.degrees(found.stable_angle):.0f}°"
-                rows.append((ratio(found.order), f"{found.strength:.6g}", f"{found.half_width / n:.4g} n", stable))
-        heads = ("turns : orbits", "strength H", "half-width", "long axis at periapsis")
-        return [Listing("Resonances of spin and orbit", heads, rows)] if rows else []
+        columns = {
+            "turns : orbits": lambda row: ratio(row["order"]),
+            "strength H": lambda row: f"{row['strength']:.6g}",
+            "half-width": lambda row: f"{row['half_width'] / n:.4g} n",
+            "long axis at periapsis": lambda row: f"{math.degrees(row['stable_angle']):.0f}°",
+        }
+        units = {"order": "turns per orbit", "rate": "rad/s", "half_width": "rad/s",
+                 "stable_angle": "rad, at periapsis"}  # fmt: skip
+        said = lambda row: row["stable_angle"] is not None and row["half_width"] > 0.0  # noqa: E731
+        rows = [vars(found) for found in self.resonances]
+        return Table("resonances", "Resonances of spin and orbit", columns, rows, units, shown=said)
 
-    def _motion(self) -> Section:
-        values, motion = self.values(), self.motion
-        n, held = values["mean_motion"], motion.libration
-        start = f"{math.degrees(values['start']['angle']):.6g}°, {values['start']['spin_ratio']:.6g} n"
-        exponent = f"{values['lyapunov_exponent']:.4g} /s = {values['lyapunov_exponent'] / n:.4g} n"
-        if motion.verdict != "chaotic":
-            exponent += f"; a regular motion shows about {values['regular_level']:.4g} /s by then, falling as ln t/t"
-        kept = None if held is None else (
+    def _motion(self) -> Group:
+        motion, n, held = self.motion, float(self.system.mean_motion), self.motion.libration
+        angle, spin_ratio = float(self.start[0]), float(self.start[1] / n)
+        rate, span = float(motion.exponents[-1]), motion.orbits * float(self.system.orbit.period)
+        level, chaotic = math.log(n * span) / span, motion.verdict == "chaotic"
+        exponent = f"{rate:.4g} /s = {rate / n:.4g} n"
+        if not chaotic:
+            exponent += f"; a regular motion shows about {level:.4g} /s by then, falling as ln t/t"
+        kept = "none" if held is None else (
             f"in {ratio(held.order)}, about {_cleaned(math.degrees(held.angle)):.5g}° by "
             f"±{_cleaned(math.degrees(held.amplitude)):.5g}° at periapsis"
         )  # fmt: skip
         # the weighted mean of a quasi-periodic motion has many digits, that of chaos as few as the square root says
-        digits = 4 if motion.verdict == "chaotic" else 8
-        return Section("Motion", [
-            ("start, at periapsis", start),
-            ("verdict", f"{motion.verdict} over {motion.orbits} orbits"),
-            ("Lyapunov exponent", exponent),
-            ("its time 1/λ", _duration(values["lyapunov_time"])),
-            ("predictable for about", _duration(values["predictable_time"])),
-            ("libration", kept or "none"),
-            ("mean rotation", f"{values['mean_rate']:.{digits}g} rad/s = {values['mean_spin_ratio']:.{digits}g} n"),
-            *accuracy_lines(self.trajectory),
+        digits, lasting = 4 if chaotic else 8, 1.0 / rate if chaotic else None
+        mean, mean_ratio = motion.mean_rate, motion.mean_rate / n
+        return Group("Motion", [
+            Answer("start.angle", angle, "rad", "start, at periapsis", "long axis from the direction of the periapsis",
+                   f"{math.degrees(angle):.6g}°, {spin_ratio:.6g} n"),
+            Answer("start.rate", float(self.start[1]), "rad/s"),
+            Answer("start.spin_ratio", spin_ratio, "", "", "turns per orbit"),
+            Answer("orbits", motion.orbits),
+            Answer("verdict", motion.verdict, "", "verdict", "", f"{motion.verdict} over {motion.orbits} orbits"),
+            Answer("lyapunov_exponent", rate, "1/s", "Lyapunov exponent", "", exponent),
+            Answer("regular_level", level, "1/s"),
+            Answer("lyapunov_time", lasting, "s", "its time 1/λ", "", _duration(lasting)),
+            Answer("predictable_time", self.predictable_time, "s", "predictable for about", "",
+                   _duration(self.predictable_time)),
+            Answer("libration", None if held is None else held._asdict(), "rad", "libration", "at periapsis", kept),
+            Answer("mean_rate", mean, "rad/s", "mean rotation", "",
+                   f"{mean:.{digits}g} rad/s = {mean_ratio:.{digits}g} n"),
+            Answer("mean_spin_ratio", mean_ratio, "", "", "turns per orbit"),
+            *accuracy(self.trajectory),
         ])  # fmt: skip
 
     @property

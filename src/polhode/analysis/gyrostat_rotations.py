@@ -1,0 +1,123 @@
+"""Steady rotations of a gyrostat: where its energy is critical on the momentum sphere."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from polhode.analysis.energy_casimir import Stability
+from polhode.analysis.equilibria import find_equilibria
+from polhode.analysis.stability import stability
+from polhode.arrays import known_numbers_only
+from polhode.errors import InvalidInput, shown
+from polhode.systems.gyrostat import Gyrostat
+
+Array = Any
+CLEAN = 1e-14  # components of a unit vector below it are rounding of the frame's
+FLAT = 1e-9  # curvatures of the energy below it, relative to the largest, vanish
+
+
+class SteadyRotation(NamedTuple):
+    """A steady rotation of a gyrostat, by its point on the momentum sphere.
+
+    Attributes:
+        along: (3,) unit vector of L, axes of the motion.
+        spin: Ω along it [rad/s].
+        energy: of the carrier [J].
+        extremum: "minimum", "maximum", "saddle" or "flat" of the energy on the sphere.
+        circle: whether it stands for a circle of them, or for the whole sphere.
+        verdict: on it.
+    """
+
+    along: Array
+    spin: float
+    energy: float
+    extremum: str
+    circle: bool
+    verdict: Stability
+
+
+@known_numbers_only
+def steady_rotations(gyrostat: Gyrostat, momentum_norm: float) -> list[SteadyRotation]:
+    """Return all steady rotations at one |L| with verdicts, lowest energy first; none for |L| zero.
+
+    Of a circle of them, one is given. On a carrier of revolution about the rotor's axis, where (Π − h)/I = λ Π, they
+    are the two poles and, for |h| I1 < |L| |I1 − I3|, a circle at Π3 = h I1/(I1 − I3).
+
+    Args:
+        gyrostat: the body and its rotor.
+        momentum_norm: |L| [kg m²/s].
+
+    Raises:
+        InvalidInput: for what is not a gyrostat, or a |L| that is negative or not finite.
+
+    Source: Hughes, *Spacecraft Attitude Dynamics*, §6.4 and §6.6.
+
+    >>> found = steady_rotations(Gyrostat((1.0, 2.0, 3.0), (0.0, 0.0, 0.5)), 2.0)
+    >>> [(rotation.extremum, rotation.verdict.verdict) for rotation in found[::2]]
+    [('minimum', 'stable'), ('saddle', 'unstable'), ('maximum', 'stable')]
+    """
+    if not isinstance(gyrostat, Gyrostat):
+        raise InvalidInput(f"`gyrostat` must be a Gyrostat; got {shown(gyrostat)}. Make one from moments and a rotor.")
+    norm = float(momentum_norm)
+    if not 0.0 <= norm < math.inf:
+        raise InvalidInput(f"`momentum_norm` must be zero or positive, and finite; got {norm:g}. Give |L| in kg m²/s.")
+    if not norm:
+        return []
+    moments, rotor = np.asarray(gyrostat.moments), np.asarray(gyrostat.rotor)
+    found = []
+    for point, circle in _points(gyrostat, moments, rotor, norm):
+        velocity = (point - rotor) / moments
+        multiplier = float(velocity @ point) / norm**2
+        along = cleaned(point / norm)
+        energy, extremum = float(gyrostat.energy(point)), _extremum(moments, along, multiplier)
+        verdict = stability(gyrostat, point)
+        found.append(SteadyRotation(along, multiplier * norm, energy, extremum, circle, verdict))
+    return sorted(found, key=lambda rotation: rotation.energy)
+
+
+def _points(gyrostat: Gyrostat, moments: Array, rotor: Array, norm: float) -> list[tuple[Array, bool]]:
+    """Return the equilibria (3,) on the sphere |L| = norm, and whether each stands for a circle of them."""
+    k = symmetry_axis(moments, rotor)
+    if k is None:
+        # the search starts where the body does not rest
+        start = -rotor / np.abs(rotor).max() if rotor.any() else np.eye(3)[0]
+        found = find_equilibria(gyrostat, norm * start / np.linalg.norm(start))
+        return [(point, False) for point in found]
+    if (moments == moments[0]).all() and not rotor.any():
+        return [(norm * np.eye(3)[0], True)]
+    pole, side = np.eye(3)[k], np.eye(3)[(k + 1) % 3]
+    points = [(norm * pole, False), (-norm * pole, False)]
+    gap = moments[k - 1] - moments[k]
+    if abs(rotor[k]) * moments[k - 1] < norm * abs(gap):
+        height = rotor[k] * moments[k - 1] / gap
+        points.append((height * pole + math.sqrt(norm**2 - height**2) * side, True))
+    return points
+
+
+def _extremum(moments: Array, along: Array, multiplier: float) -> str:
+    """Return what the energy has on the sphere: the curvature is that of ½ Σ (1/I − λ) δΠ² on the tangent plane."""
+    across = np.linalg.svd(along[None])[2][1:]
+    bends = np.linalg.eigvalsh(across @ np.diag(1.0 / moments - multiplier) @ across.T)
+    bends = np.where(np.abs(bends) < FLAT * np.max(1.0 / moments), 0.0, bends)
+    if (bends == 0).all():
+        return "flat"
+    if bends[0] < 0 < bends[1]:
+        return "saddle"
+    return "maximum" if bends[0] < 0 else "minimum"
+
+
+def symmetry_axis(moments: Array, rotor: Array | None = None) -> int | None:
+    """Return the axis about which the other two moments are equal, and the rotor's momentum nothing; else None."""
+    for k in (2, 0, 1):
+        i, j = (k + 1) % 3, (k + 2) % 3
+        if moments[i] == moments[j] and (rotor is None or not (rotor[i] or rotor[j])):
+            return k
+    return None
+
+
+def cleaned(direction: Array) -> Array:
+    """Return a unit vector whose components that are rounding are zero."""
+    return np.where(np.abs(direction) < CLEAN, 0.0, direction)

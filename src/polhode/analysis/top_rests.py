@@ -1,0 +1,55 @@
+"""Whether a top stands: its axis upright and hanging, at rest or spinning."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+
+from polhode.analysis.energy_casimir import Stability
+from polhode.analysis.stability import stability
+from polhode.arrays import known_numbers_only
+from polhode.errors import InvalidInput, shown
+from polhode.systems.heavy_top import HeavyTop
+
+
+class TopRests(NamedTuple):
+    """Verdicts on both vertical positions of a top's axis."""
+
+    upright: Stability
+    hanging: Stability
+
+
+@known_numbers_only
+def top_stability(top: HeavyTop, spin: float = 0.0) -> TopRests:
+    """Return verdicts on the axis to the centre of mass upright and hanging.
+
+    Args:
+        top: with a weight.
+        spin: about that axis [rad/s]; other than zero only where it is a principal axis.
+
+    Raises:
+        InvalidInput: for another system, a top without weight, or a spin about a line that is not a principal axis.
+
+    Source: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, §15.10.
+
+    >>> top_stability(HeavyTop((1.0, 1.0, 0.5), 1.0, (0.0, 0.0, 1.0)), 5.0).upright.verdict
+    'stable'
+    """
+    if not isinstance(top, HeavyTop):
+        raise InvalidInput(f"`top` must be a HeavyTop; got {shown(top)}.")
+    if not math.isfinite(spin):
+        raise InvalidInput(f"`spin` must be finite; got {spin:g}. Give it in rad/s.")
+    if float(top.mgl) == 0.0:
+        raise InvalidInput("`top` has no weight: its centre of mass is its fixed point, and no position is upright.")
+    points = (top.upright(spin), top.upright(spin, hanging=True))
+    upright, hanging = (_in_a_tops_words(stability(top, np.asarray(point))) for point in points)
+    return TopRests(upright, hanging)
+
+
+def _in_a_tops_words(found: Stability) -> Stability:
+    """Return a verdict with the Casimirs of se(3)* and Lagrange's integral called by what they are here."""
+    text = found.certificate.replace("|P|²", "|Γ|²").replace("Π·P", "Π·Γ").replace("Lagrange's ", "")
+    return replace(found, certificate=text)

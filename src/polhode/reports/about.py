@@ -1,0 +1,100 @@
+"""Answers that reports of several kinds give: a body, verdicts, and how good the motion is."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+
+from polhode.analysis.energy_casimir import Stability
+from polhode.bodies.body import Body
+from polhode.motion.trajectory import Trajectory
+from polhode.reports.answer import Answer, Group, Table
+from polhode.reports.wording import distinct, drifts, vector
+
+Array = Any
+GIVEN = "  (given axes)"
+
+
+def about_body(body: Body, of_moments: str = "") -> Group:
+    """Return the mass properties.
+
+    Args:
+        body: whose.
+        of_moments: what else must be known of the principal moments and axes.
+    """
+    size = math.sqrt(max(body.principal_moments) / body.mass) if body.mass else 0.0
+    center, moments = body.center_of_mass, body.principal_moments
+    return Group("Body", [
+        Answer("mass", body.mass, "kg", "mass"),
+        Answer("center_of_mass", center, "m", "centre of mass", "given axes", vector(center, "m", size)),
+        Answer("principal_moments", moments, "kg m²", "principal moments", of_moments, distinct(moments, "kg m²")),
+        *about_axes("principal_axes", body.principal_axes, of_moments),
+    ])  # fmt: skip
+
+
+def about_axes(name: str, axes: Array, explanation: str = "") -> list[Answer]:
+    """Return axes, which are columns, with a line each."""
+    columns = enumerate(zip(*axes.tolist(), strict=True))
+    lines = [Answer("", None, "", f"principal axis {k + 1}", "", vector(column) + GIVEN) for k, column in columns]
+    said = ", ".join(filter(None, ("columns, in the given frame", explanation)))
+    return [Answer(name, axes, "", "", said), *lines]
+
+
+def accuracy(trajectory: Trajectory, label: str = "drift") -> list[Answer]:
+    """Return how well the motion keeps what it should, and how far its states may be from the true ones."""
+    error = trajectory.error_estimate
+    words = None if error is None or not np.isfinite(error) else f"{float(error):.1e}"
+    return [
+        Answer("", None, "", label, "", drifts(trajectory.drift)),
+        Answer("", None, "", "state error estimate, relative", "", words),
+    ]
+
+
+def stability_values(found: Stability) -> dict[str, Any]:
+    """Return a verdict as values by name."""
+    return {
+        "verdict": found.verdict,
+        "rate": found.rate,
+        "growth": found.growth,
+        "direction": found.direction,
+        "exponents": [[float(x.real), float(x.imag)] for x in found.spectrum],
+        "certificate": found.certificate,
+    }
+
+
+def about_stability(name: str, found: Stability) -> list[Answer]:
+    """Return one verdict, without lines of its own."""
+    return [
+        Answer(f"{name}.{key}", value, "1/s" if key in ("rate", "exponents") else "")
+        for key, value in stability_values(found).items()
+    ]
+
+
+def verdicts(
+    name: str, title: str, head: str, cell: Callable[[dict[str, Any]], str], rows: Sequence[dict[str, Any]],
+    units: dict[str, str] | None = None, key: str = "",
+) -> Table:  # fmt: skip
+    """Return verdicts by what they are on.
+
+    Args:
+        name: in the JSON.
+        title: above the table.
+        head: of the column that says what a verdict is on.
+        cell: that column, from the values of a row.
+        rows: the values, those of ``stability_values`` among them.
+        units: of the values, that of the rate apart.
+        key: value by which the JSON has the rows; empty for a list.
+    """
+    columns = {head: cell, "verdict": _verdict, "rate": _rate, "because": lambda row: row["certificate"]}
+    return Table(name, title, columns, rows, {"rate": "1/s", **(units or {})}, key)
+
+
+def _verdict(row: dict[str, Any]) -> str:
+    return row["verdict"] + (f" ({row['growth']})" if row["growth"] == "linear" else "")
+
+
+def _rate(row: dict[str, Any]) -> str:
+    return f"{row['rate']:.4g} /s" if row["rate"] else "–"

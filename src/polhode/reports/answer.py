@@ -1,0 +1,115 @@
+"""Answers as data: values with name, unit and label, from which the text, the JSON and the units in it follow."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from typing import Any, NamedTuple
+
+from polhode.reports.wording import worded
+
+
+class Answer(NamedTuple):
+    """One thing that a report says.
+
+    Attributes:
+        name: its place in the JSON, a dot between levels: "rotor.moment". Empty for what is only said in the text.
+        value: in SI units: a number, array, string, truth value or a mapping of such; None where it is not defined.
+        unit: as people write it: "kg m²/s".
+        label: of its line in the text. Empty for what is only in the JSON.
+        explanation: what else a reader must know of the value: along which axes, when, of what.
+        text: the value in words; None to word it by its unit. An answer without a value has no line.
+    """
+
+    name: str
+    value: Any
+    unit: str = ""
+    label: str = ""
+    explanation: str = ""
+    text: str | None = None
+
+    @property
+    def words(self) -> str | None:
+        """The value for people; None where there is nothing to say."""
+        return worded(self.value, self.unit) if self.text is None else self.text
+
+
+class Group(NamedTuple):
+    """Answers that belong together, under a title."""
+
+    title: str
+    answers: Sequence[Answer]
+
+    @property
+    def lines(self) -> list[tuple[str, str]]:
+        """Label and words of each line of the text."""
+        said = ((answer.label, answer.words) for answer in self.answers if answer.label)
+        return [(label, words) for label, words in said if words is not None]
+
+
+class Table(NamedTuple):
+    """Answers of the same kind about several things, one row each.
+
+    Attributes:
+        name: its place in the JSON.
+        title: above it in the text.
+        columns: head of a column → its cell, from the values of a row.
+        rows: the values of each, by name.
+        units: name of a value → its unit.
+        key: value by which the JSON has the rows, as an object; empty for a list of rows.
+        shown: whether a row stands in the text, from its values.
+    """
+
+    name: str
+    title: str
+    columns: dict[str, Callable[[dict[str, Any]], str]]
+    rows: Sequence[dict[str, Any]]
+    units: dict[str, str] = {}  # noqa: RUF012
+    key: str = ""
+    shown: Callable[[dict[str, Any]], bool] = lambda row: True
+
+    @property
+    def cells(self) -> list[list[str]]:
+        """The rows of the text."""
+        return [[cell(row) for cell in self.columns.values()] for row in self.rows if self.shown(row)]
+
+
+def values_of(groups: Iterable[Group | Table]) -> dict[str, Any]:
+    """Return the answers by name, levels as nested dictionaries."""
+    found: dict[str, Any] = {}
+    for name, value in _named(groups):
+        *parents, last = name.split(".")
+        level = found
+        for parent in parents:
+            level = level.setdefault(parent, {})
+        assert last not in level, f"two answers are called {name}"
+        level[last] = value
+    return found
+
+
+def units_of(groups: Iterable[Group | Table]) -> dict[str, str]:
+    """Return the units by the names of the answers, explanations after them."""
+    found: dict[str, str] = {}
+    for group in groups:
+        if isinstance(group, Table):
+            if group.name and group.rows:
+                found |= {f"{group.name}.{name}": unit for name, unit in group.units.items()}
+            continue
+        for answer in group.answers:
+            said = ", ".join(filter(None, (answer.unit, answer.explanation)))
+            if answer.name and said:
+                found[answer.name] = said
+    return found
+
+
+def _named(groups: Iterable[Group | Table]) -> Iterator[tuple[str, Any]]:
+    for group in groups:
+        if isinstance(group, Group):
+            yield from ((answer.name, answer.value) for answer in group.answers if answer.name)
+        elif group.key:
+            yield group.name, {row[group.key]: _without(row, group.key) for row in group.rows}
+        elif group.name:
+            yield group.name, list(group.rows)
+
+
+def _without(row: dict[str, Any], key: str) -> dict[str, Any]:
+    return {name: value for name, value in row.items() if name != key}
