@@ -12,7 +12,7 @@ from polhode import rotation
 from polhode.arrays import as_float64, is_traced, namespace, register_node
 from polhode.bodies.body import Body
 from polhode.errors import InvalidInput, shown
-from polhode.exact import evaluation, geometry
+from polhode.exact.free_body import evaluation, geometry
 from polhode.motion.base import AbstractMotion
 from polhode.motion.inputs import (
     by_attributes,

@@ -10,7 +10,7 @@ import numpy as np
 from polhode import rotation
 from polhode.arrays import as_float64, is_traced, known_false, namespace, register_node
 from polhode.errors import InvalidInput
-from polhode.exact import top_evaluation, top_geometry
+from polhode.exact.lagrange_top import evaluation, geometry
 from polhode.motion.base import AbstractMotion
 from polhode.motion.inputs import (
     by_attributes,
@@ -106,7 +106,7 @@ class LagrangeMotion(AbstractMotion):
         for name, value in (values | {"epoch": epoch}).items():
             object.__setattr__(self, name, value)
         register_node(LagrangeMotion, (*values, "epoch", "_columns"), like=moments)
-        object.__setattr__(self, "_columns", top_evaluation.top_columns(self._arguments))
+        object.__setattr__(self, "_columns", evaluation.motion_columns(self._arguments))
 
     @property
     def _arguments(self) -> tuple[Array, Array, Array, Array]:
@@ -126,7 +126,7 @@ class LagrangeMotion(AbstractMotion):
         xp = namespace(t, self.moments)
         t = checked_times(xp, t, self.batch_shape)
         elapsed, rest = two_sum(t, -self.epoch)
-        attitude, momentum = top_evaluation.top_state(self._columns, self._arguments, elapsed, rest)
+        attitude, momentum = evaluation.state(self._columns, self._arguments, elapsed, rest)
         spin = xp.max(xp.abs(self.momentum_at_epoch / self.moments), axis=-1)
         refuse_overflow(xp, attitude, t, spin + xp.sqrt(xp.abs(self.mgl) / self.moments[..., 0]))
         return attitude, momentum
@@ -172,8 +172,8 @@ class LagrangeMotion(AbstractMotion):
         return self._common_shape(*self._arguments)
 
     @cached_unless_traced
-    def _numbers(self) -> top_geometry.TopCharacteristics:
-        return top_evaluation.top_numbers(self._columns, self._arguments)
+    def _numbers(self) -> geometry.Characteristics:
+        return evaluation.characteristics(self._columns, self._arguments)
 
     @property
     def energy(self) -> Any:
@@ -204,7 +204,7 @@ class LagrangeMotion(AbstractMotion):
         Exact signs on the given floats decide. In batches, integer codes in that order from 0.
         """
         code = self._numbers.regime
-        return code if np.ndim(code) or is_traced(code) else top_geometry.REGIMES[int(code)]
+        return code if np.ndim(code) or is_traced(code) else geometry.REGIMES[int(code)]
 
     @property
     def nutation_limits(self) -> tuple[Any, Any]:

@@ -15,11 +15,11 @@ from polhode.arrays import (
     stack_last,
     stop_gradient,
 )
-from polhode.exact import geometry
 from polhode.exact.blocks import columns_in_blocks, state_in_blocks
-from polhode.exact.derivative import state_tangent
-from polhode.exact.preparation import prepare
-from polhode.exact.spinor import evaluate
+from polhode.exact.free_body import geometry
+from polhode.exact.free_body.derivative import state_tangent
+from polhode.exact.free_body.preparation import prepare
+from polhode.exact.free_body.spinor import evaluate
 
 Array = Any
 
