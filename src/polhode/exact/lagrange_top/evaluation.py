@@ -15,7 +15,7 @@ from polhode.exact.lagrange_top.series import ENTRIES, evaluate
 from polhode.exact.lagrange_top.tangent import TangentData, state_tangent, tangent_data
 
 Array = Any
-Arguments = tuple[Array, Array, Array, Array]
+Arguments = tuple[Array, ...]
 NUMBERS = ENTRIES + len(TangentData._fields)  # where they begin among the columns
 
 
