@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import abc
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, ClassVar, Self
+from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
 import numpy as np
 
@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from polhode.motion.trajectory import Trajectory
 
 Array = Any
+Motion = TypeVar("Motion", bound="AbstractMotion")
 
 
 @dataclass(frozen=True, eq=False, init=False)
@@ -61,7 +62,7 @@ class AbstractMotion(abc.ABC):
     _principal: tuple[Array, Array] = field(repr=False, init=False)  # momentum and attitude
     _columns: tuple[Array, ...] = field(repr=False, init=False)
 
-    def _make(
+    def __init__(
         self, moments: Array, numbers: dict[str, Array], momentum: Array | None, attitude: Array, epoch: Array,
         angular_velocity: Array | None, attributes: dict[str, Array],
     ) -> None:  # fmt: skip
@@ -205,14 +206,14 @@ class AbstractMotion(abc.ABC):
             source=self,
         )
 
-    def along_principal_axes(self) -> Self:
+    def along_principal_axes(self: Motion) -> Motion:
         """Return the same motion with vectors and attitude along the principal axes, in the order of ``moments``."""
         if self.axes is None:
             return self
         body = (self.moments, *(getattr(self, name) for name in self.body_numbers))
         return self._of(body, *self._principal, self.epoch, None)
 
-    def _with_time_axis(self) -> Self:
+    def _with_time_axis(self: Motion) -> Motion:
         """Return the same motion with a last batch axis of length 1 for times."""
         vectors = (self.moments, *self._principal)
         moments, momentum, attitude = (v[..., None, :] if v.ndim > 1 else v for v in vectors)
@@ -221,7 +222,7 @@ class AbstractMotion(abc.ABC):
         return self._of((moments, *numbers), momentum, attitude, epoch, self.axes)
 
     @classmethod
-    def _of(cls, *fields: Any) -> Self:
+    def _of(cls: type[Motion], *fields: Any) -> Motion:
         """Return the motion of checked fields, as ``_hold`` takes them."""
         motion = object.__new__(cls)
         motion._hold(*fields)

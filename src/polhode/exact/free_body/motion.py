@@ -66,7 +66,7 @@ class FreeMotion(AbstractMotion):
         self, moments: Array, momentum: Array | None = None, attitude: Array = (1.0, 0.0, 0.0, 0.0),
         epoch: Array = 0.0, *, angular_velocity: Array | None = None, **attributes: Array,
     ) -> None:  # fmt: skip
-        self._make(moments, {}, momentum, attitude, epoch, angular_velocity, attributes)
+        super().__init__(moments, {}, momentum, attitude, epoch, angular_velocity, attributes)
 
     @classmethod
     def from_body(

@@ -79,7 +79,7 @@ class LagrangeMotion(AbstractMotion):
         self, moments: Array, mgl: Array, momentum: Array | None = None, attitude: Array = (1.0, 0.0, 0.0, 0.0),
         epoch: Array = 0.0, *, angular_velocity: Array | None = None, **attributes: Array,
     ) -> None:  # fmt: skip
-        self._make(moments, {"mgl": mgl}, momentum, attitude, epoch, angular_velocity, attributes)
+        super().__init__(moments, {"mgl": mgl}, momentum, attitude, epoch, angular_velocity, attributes)
 
     @classmethod
     def from_body(

@@ -26,11 +26,11 @@ def third_axis_to_centre(body: PivotedBody) -> tuple[Array, Array]:
     axis = np.zeros(3) if free else body.arm / np.linalg.norm(body.arm)
     k = _any_symmetry(moments) if free else axis_of_symmetry(moments, axis)
     if k is None:
-        along = "" if free else f", and the centre of mass in the direction {_digits(axis)} of their axes"
+        line = "" if free else f", the line ({', '.join(f'{x:.6g}' for x in axis)}) along their axes"
         raise InvalidInput(
-            "`body` must be a Lagrange top: two equal moments about `pivot`, and its centre of mass on the third axis; "
-            f"got moments {_digits(moments)} kg m²{along}: it is not symmetric about the line from pivot to centre of "
-            "mass. Check `pivot`; other heavy tops have no closed form: use HeavyTop.from_body with simulate."
+            "`body` must be a Lagrange top, but is not symmetric about the line from pivot to centre of mass; its "
+            f"moments at the pivot are ({', '.join(map(str, moments.tolist()))}) kg m²{line}. Check `pivot`; other "
+            "heavy tops have no closed form: use HeavyTop.from_body with simulate."
         )
     if k < 0:
         first = rotation.perpendicular(axis)
@@ -46,7 +46,3 @@ def _any_symmetry(moments: Array) -> int | None:
     """Return the index of an axis of symmetry, None where there is none."""
     pairs = (k for k in range(3) if abs(moments[(k + 1) % 3] - moments[(k + 2) % 3]) <= EQUAL * moments.max())
     return next(pairs, None)
-
-
-def _digits(vector: Array) -> str:
-    return f"({', '.join(str(x) for x in vector.tolist())})"
