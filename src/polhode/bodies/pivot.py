@@ -47,7 +47,7 @@ def about_pivot(body: Body, pivot: Array, gravity: float = STANDARD_GRAVITY) -> 
         InvalidInput: for a body without mass, gravity that is not positive, or numbers that JAX traces.
     """
     check_is_body(body)
-    if is_traced(pivot, gravity):
+    if is_traced(gravity, *(pivot if isinstance(pivot, tuple | list) else (pivot,))):
         raise InvalidInput("`pivot` and `gravity` must be known numbers, not traced by JAX: the principal axes at the "
                            "pivot are decided on them. Give moments and mgl to LagrangeMotion instead.")  # fmt: skip
     refuse_single_precision(gravity=gravity)

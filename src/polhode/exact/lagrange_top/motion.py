@@ -119,7 +119,7 @@ class LagrangeMotion(AbstractMotion):
         >>> cone = ph.shapes.cone(0.1, 0.03, 0.05).placed((0.0, 1.0, 0.0, 0.0))  # on its point, 37.5 mm below
         >>> top = LagrangeMotion.from_body(cone, (0.0, 0.0, -0.0375), (0.0, 0.0, 200.0), attitude=(0.8, 0.6, 0.0, 0.0))
         >>> top.regime, round(top.nutation_period, 6)
-        ('cusp', 0.077893)
+        ('cusp', 0.188594)
         """
         spin_of(momentum, angular_velocity)
         pivoted = about_pivot(body, pivot, gravity)
