@@ -12,7 +12,7 @@ import polhode as ph
 from oracle.derivatives import Direction, reference_derivative
 from oracle.families import Case, draw
 from polhode.errors import InvalidInput
-from polhode.exact.derivative import state_tangent
+from polhode.exact.free_body.derivative import state_tangent
 
 WORST = 1e-13
 """Relative to the size of the Jacobian's block (turn or momentum, by moments, momentum or time): the promise."""

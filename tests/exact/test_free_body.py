@@ -6,7 +6,7 @@ from scipy.integrate import quad, solve_ivp
 
 import polhode as ph
 from polhode.errors import InvalidInput
-from polhode.exact.geometry import REGIMES
+from polhode.exact.free_body.geometry import REGIMES
 
 MOMENTS = (1.0, 2.0, 3.0)
 SAM, LAM = (0.3, 0.9, 0.5), (0.9, 0.8, 0.1)

@@ -39,8 +39,6 @@ def test_a_spin_may_be_an_angular_velocity():
             make(moments, momentum=velocity, momentum_at_epoch=velocity)
     with pytest.raises(InvalidInput, match="finite"):
         FreeMotion(moments * 1e200, angular_velocity=velocity * 1e200)
-    with pytest.raises(InvalidInput, match="`axes` must be left out"):
-        LagrangeMotion((1.0, 1.0, 2.0), 1.0, velocity, axes=np.eye(3))
 
 
 def test_an_inertia_tensor_is_a_body_and_no_list_of_moments():

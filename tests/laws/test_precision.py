@@ -19,6 +19,7 @@ LONG_ENOUGH = 120.0
 """Seconds; some four are needed."""
 THREE, FOUR, SIX, MATRIX = (1.0, 2.0, 2.5), (1.0, 0.0, 0.0, 0.0), (1.0, 2.0, 3.0, 2.0, 3.0, 5.0), np.eye(3)
 BODY = systems.FreeRigidBody(THREE)
+BALL = ph.shapes.sphere(1.0, 1.0)
 SO3 = algebra.SO3()
 
 
@@ -33,10 +34,13 @@ ENTRIES = {
     "FreeMotion epoch": (0.0, lambda x: ph.FreeMotion(THREE, THREE, FOUR, x)),
     "FreeMotion time": (1.0, lambda x: ph.FreeMotion(THREE, THREE).state(x)),
     "FreeMotion times": (THREE, lambda x: ph.FreeMotion(THREE, THREE).sample(x)),
-    "FreeMotion.from_body": (THREE, lambda x: ph.FreeMotion.from_body(ph.shapes.sphere(1.0, 1.0), x)),
+    "FreeMotion.from_body": (THREE, lambda x: ph.FreeMotion.from_body(BALL, x)),
     "LagrangeMotion moments": ((1.0, 1.0, 0.5), lambda x: ph.LagrangeMotion(x, 1.0, THREE)),
     "LagrangeMotion mgl": (1.0, lambda x: ph.LagrangeMotion((1.0, 1.0, 0.5), x, THREE)),
     "LagrangeMotion time": (1.0, lambda x: ph.LagrangeMotion((1.0, 1.0, 0.5), 1.0, THREE).state(x)),
+    "LagrangeMotion.from_body": (THREE, lambda x: ph.LagrangeMotion.from_body(BALL, (0.0, 0.0, -2.0), x)),
+    "LagrangeMotion.from_body pivot": ((0.0, 0.0, -2.0), lambda x: ph.LagrangeMotion.from_body(BALL, x, THREE)),
+    "LagrangeMotion.from_body gravity": (9.8, lambda x: ph.LagrangeMotion.from_body(BALL, THREE, THREE, gravity=x)),
     "list of numbers": ([np.float32(1.0), 2.0, 3.0], lambda x: ph.FreeMotion(x, THREE)),
     "Body": (MATRIX, lambda x: ph.Body(1.0, (0.0, 0.0, 0.0), x)),
     "rotation": (FOUR, ph.rotation.as_matrix),

@@ -137,6 +137,7 @@ REFUSED = {
     "critical_rolling_speed": (1.0, lambda x: rolling.critical_rolling_speed(scaled(DISK, x))),
     "critical_spin_rate": (1.0, lambda x: rolling.critical_spin_rate(scaled(DISK, x))),
     "HeavyTop.from_body": (1.0, lambda x: systems.HeavyTop.from_body(SOLID, pivot=(0.0, 0.0, x))),
+    "LagrangeMotion.from_body": (1.0, lambda x: ph.LagrangeMotion.from_body(SOLID, (0.0, 0.0, x), THREE)),
     "SpinOrbit.from_body": (0.1, lambda x: systems.SpinOrbit.from_body(SOLID, x)),
     "HeavyTop.check_state": (SIX, TOP.check_state),
 }

@@ -156,6 +156,19 @@ class Body:
         return self.mass
 
 
+def check_is_body(body: Any) -> None:
+    """Refuse what is not a ``Body``.
+
+    Raises:
+        InvalidInput: then.
+    """
+    if not isinstance(body, Body):
+        raise InvalidInput(
+            f"`body` must be a Body; got {shown(body)}. "
+            "Make one with polhode.shapes, from_mesh or Body."
+        )
+
+
 def combine(bodies: Sequence[Body]) -> Body:
     """Return several bodies as one rigid body: J = Σ J_k + m_k (|d_k|² 1 − d_k d_kᵀ), d_k from the common centre.
 

@@ -42,7 +42,7 @@ def as_dataset(
         trajectory: plain arrays.
         attributes: global attributes to add.
         frame: the principal axes that the dataset is along; they are added with the mass properties. A trajectory
-            sampled from ``FreeMotion.from_body`` is turned to them; others are along them already.
+            sampled from a motion made by ``from_body`` is turned to them; others are along them already.
     """
     import xarray as xr
 

@@ -23,7 +23,8 @@ def along_given_axes(trajectory: Trajectory, frame: BodyFrame | None) -> Traject
     """Return a trajectory with attitude, momentum and angular velocity of the given axes instead of the principal ones.
 
     Args:
-        trajectory: along the principal axes, or sampled from ``FreeMotion.from_body``, whose axes are the given ones.
+        trajectory: along the principal axes, or sampled from a motion made by ``from_body``, whose axes are the given
+            ones.
         frame: the principal axes in the given ones; None where the trajectory's axes are the given ones already.
     """
     if frame is None or _from_body(trajectory) is not None:
@@ -32,7 +33,7 @@ def along_given_axes(trajectory: Trajectory, frame: BodyFrame | None) -> Traject
 
 
 def along_principal_axes(trajectory: Trajectory) -> Trajectory:
-    """Return the trajectory of a motion made by ``FreeMotion.from_body`` along the principal axes, others as they are.
+    """Return the trajectory of a motion made by ``from_body`` along the principal axes, others as they are.
 
     Its states and its motion are then along these too.
     """

@@ -3,30 +3,46 @@
 from __future__ import annotations
 
 import abc
-from typing import TYPE_CHECKING, Any, ClassVar
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
 import numpy as np
 
 from polhode import rotation
-from polhode.arrays import namespace
-from polhode.motion.inputs import checked_sample_times
+from polhode.arrays import as_float64, namespace, register_node
+from polhode.motion.inputs import (
+    by_attributes,
+    checked,
+    checked_last_axis,
+    checked_sample_times,
+    checked_times,
+    momentum_of,
+    refuse_overflow,
+    refuse_tensor,
+    spin_of,
+)
 from polhode.motion.layout import ATTITUDE, MOMENTUM, Quantity, StateLayout
+from polhode.special.doubledouble import two_sum
 
 if TYPE_CHECKING:
     from polhode.motion.trajectory import Trajectory
 
 Array = Any
+Motion = TypeVar("Motion", bound="AbstractMotion")
 
 
+@dataclass(frozen=True, eq=False, init=False)
 class AbstractMotion(abc.ABC):
     """A motion of rigid bodies in closed form, at any time: no step, no drift.
 
     Subclasses are final, frozen, and pytrees of JAX where their arrays are JAX's. All vectors are along the body's axes
-    that ``axes`` tells, ``moments`` alone are about the principal ones.
+    that ``axes`` tells, ``moments`` alone are about the principal ones. A subclass says what a body is made of beyond
+    its moments, and gives its closed form along the principal axes: ``_columns_of``, ``_closed_form``, ``_fastest``.
 
     Attributes:
         title: what such a motion is called.
         has_vertical: whether space has an up of its own, as under gravity.
+        body_numbers: the attributes (…) that say, beside the moments, what the body is.
         moments: (…, 3) principal moments [kg m²].
         momentum_at_epoch: (…, 3) [kg m²/s, body axes].
         attitude_at_epoch: (…, 4) unit quaternion wxyz, body → space.
@@ -37,25 +53,79 @@ class AbstractMotion(abc.ABC):
 
     title: ClassVar[str] = "Motion"
     has_vertical: ClassVar[bool] = False
+    body_numbers: ClassVar[tuple[str, ...]] = ()
     moments: Array
     momentum_at_epoch: Array
     attitude_at_epoch: Array
     epoch: Array
     axes: Array | None
+    _principal: tuple[Array, Array] = field(repr=False, init=False)  # momentum and attitude
+    _columns: tuple[Array, ...] = field(repr=False, init=False)
 
-    @abc.abstractmethod
-    def state(self, t: Array) -> tuple[Array, Array]:
-        """Return attitude (…, 4) and momentum (…, 3) at the times [s]; one evaluation gives both."""
+    def __init__(
+        self, moments: Array, numbers: dict[str, Array], momentum: Array | None, attitude: Array, epoch: Array,
+        angular_velocity: Array | None, attributes: dict[str, Array],
+    ) -> None:  # fmt: skip
+        """Check what a motion is made of, and set all fields."""
+        momentum, attitude, axes = by_attributes(type(self).__name__, momentum, attitude, attributes)
+        name, vector = spin_of(momentum, angular_velocity)
+        named = {"moments": moments, **numbers, name: vector, "attitude": attitude, "epoch": epoch}
+        xp = namespace(*named.values())
+        arrays = {key: as_float64(xp, value, key) for key, value in named.items()}
+        moments, vector, attitude, epoch = (arrays[key] for key in ("moments", name, "attitude", "epoch"))
+        refuse_tensor(moments, vector)
+        vector = checked_last_axis(name, vector, 3)
+        if axes is not None:
+            axes = as_float64(xp, axes, "axes")
+            attitude = rotation.multiply(checked_last_axis("attitude", attitude, 4), rotation.from_matrix(axes))
+            vector = vector @ axes
+        momentum = vector if angular_velocity is None else momentum_of(moments, vector)
+        moments, momentum, attitude = checked(xp, moments, momentum, attitude, epoch)
+        body = (moments, *(arrays[key] for key in numbers))
+        self._hold(*self._checked_further(xp, body, momentum, attitude, epoch), epoch, axes)
+
+    def _checked_further(
+        self, xp: Any, body: tuple[Array, ...], momentum: Array, attitude: Array, epoch: Array
+    ) -> tuple[tuple[Array, ...], Array, Array]:
+        """Return body, momentum and attitude along the principal axes as the closed form takes them.
+
+        Raises:
+            InvalidInput: for what this motion cannot be.
+        """
+        return body, momentum, attitude
+
+    def _hold(self, body: tuple[Array, ...], momentum: Array, attitude: Array, epoch: Array,
+              axes: Array | None) -> None:  # fmt: skip
+        """Set all fields from momentum and attitude along the principal axes."""
+        object.__setattr__(self, "axes", axes)
+        given = self._along_given_axes(attitude, momentum)
+        values = dict(zip(("moments", *self.body_numbers), body, strict=True))
+        values |= {"momentum_at_epoch": given[1], "attitude_at_epoch": given[0], "epoch": epoch, "axes": axes,
+                   "_principal": (momentum, attitude)}  # fmt: skip
+        for name, value in values.items():
+            object.__setattr__(self, name, value)
+        register_node(type(self), (*values, "_columns"), like=self.moments)
+        object.__setattr__(self, "_columns", self._columns_of())
+
+    # ------------------------------------------------------------------ the closed form, along the principal axes
 
     @property
-    @abc.abstractmethod
-    def batch_shape(self) -> tuple[int, ...]:
-        """The common shape of the bodies, () for one."""
+    def _arguments(self) -> tuple[Array, ...]:
+        """What the closed form is of, each (…, k): moments, numbers of the body, momentum and attitude at the epoch."""
+        numbers = (getattr(self, name)[..., None] for name in self.body_numbers)
+        return (self.moments, *numbers, *self._principal)
 
-    @property
-    def free_moments(self) -> Array | None:
-        """(…, 3) principal moments of a body that nothing acts on; None of any other."""
-        return None
+    @abc.abstractmethod
+    def _columns_of(self) -> tuple[Array, ...]:
+        """Return the constants of the motion, flat columns of the bodies' common shape."""
+
+    @abc.abstractmethod
+    def _closed_form(self, elapsed: Array, rest: Array) -> tuple[Array, Array]:
+        """Return attitude (…, 4) and momentum (…, 3) at a time since the epoch, given in two parts."""
+
+    @abc.abstractmethod
+    def _fastest(self, xp: Any) -> Array:
+        """Return about how fast the bodies turn (…) [rad/s]."""
 
     @property
     @abc.abstractmethod
@@ -63,16 +133,35 @@ class AbstractMotion(abc.ABC):
         """Unit and meaning of what the motion conserves, by name."""
 
     @abc.abstractmethod
-    def along_principal_axes(self) -> AbstractMotion:
-        """Return the same motion with vectors and attitude along the principal axes, in the order of ``moments``."""
-
-    @abc.abstractmethod
-    def _with_time_axis(self) -> AbstractMotion:
-        """Return the same motion with a last batch axis of length 1 for times."""
-
-    @abc.abstractmethod
     def _invariants(self, attitude: Array, momentum: Array, velocity: Array) -> tuple[dict[str, Array], dict[str, Any]]:
         """Return what is conserved at samples (…, T, k), by name, and by how much it drifts."""
+
+    # ------------------------------------------------------------------ what every motion offers
+
+    @property
+    def batch_shape(self) -> tuple[int, ...]:
+        """The common shape of the bodies, () for one."""
+        return tuple(np.broadcast_shapes(*(v.shape[:-1] for v in self._arguments), self.epoch.shape))
+
+    @property
+    def free_moments(self) -> Array | None:
+        """(…, 3) principal moments of a body that nothing acts on; None of any other."""
+        return None
+
+    def state(self, t: Array) -> tuple[Array, Array]:
+        """Return attitude (…, 4) and momentum (…, 3) at the times [s]; one evaluation gives both.
+
+        The quaternion equals the given one over its length at the epoch, sign included. Between, its sign is
+        continuous in t except where a rate and time exceed 2⁵⁰ turns.
+
+        Raises:
+            InvalidInput: for times that are not finite.
+        """
+        xp = namespace(t, self.moments)
+        t = checked_times(xp, t, self.batch_shape)
+        attitude, momentum = self._closed_form(*two_sum(t, -self.epoch))
+        refuse_overflow(xp, attitude, t, self._fastest(xp))
+        return self._along_given_axes(attitude, momentum)
 
     def attitude(self, t: Array) -> Array:
         """Return the attitude (…, 4), unit quaternions wxyz, body → space."""
@@ -117,11 +206,45 @@ class AbstractMotion(abc.ABC):
             source=self,
         )
 
+    def along_principal_axes(self: Motion) -> Motion:
+        """Return the same motion with vectors and attitude along the principal axes, in the order of ``moments``."""
+        if self.axes is None:
+            return self
+        body = (self.moments, *(getattr(self, name) for name in self.body_numbers))
+        return self._of(body, *self._principal, self.epoch, None)
+
+    def _with_time_axis(self: Motion) -> Motion:
+        """Return the same motion with a last batch axis of length 1 for times."""
+        vectors = (self.moments, *self._principal)
+        moments, momentum, attitude = (v[..., None, :] if v.ndim > 1 else v for v in vectors)
+        numbers = (*(getattr(self, name) for name in self.body_numbers), self.epoch)
+        *numbers, epoch = (v[..., None] if v.ndim else v for v in numbers)
+        return self._of((moments, *numbers), momentum, attitude, epoch, self.axes)
+
+    @classmethod
+    def _of(cls: type[Motion], *fields: Any) -> Motion:
+        """Return the motion of checked fields, as ``_hold`` takes them."""
+        motion = object.__new__(cls)
+        motion._hold(*fields)
+        return motion
+
+    def _along_given_axes(self, attitude: Array, momentum: Array) -> tuple[Array, Array]:
+        """Return attitude and momentum of the principal axes as those of the given ones."""
+        if self.axes is None:
+            return attitude, momentum
+        frame = rotation.conjugate(rotation.from_matrix(self.axes))
+        axes = namespace(momentum, self.axes).asarray(self.axes)
+        return rotation.multiply(attitude, frame), momentum @ axes.T
+
+    def _of_principal_axes(self, attitude: Array, momentum: Array) -> tuple[Array, Array]:
+        """Return attitude and momentum of the given axes as those of the principal ones."""
+        if self.axes is None:
+            return attitude, momentum
+        axes = namespace(momentum, self.axes).asarray(self.axes)
+        return rotation.multiply(attitude, rotation.from_matrix(self.axes)), momentum @ axes
+
     def _angular_velocity_of(self, momentum: Array) -> Array:
         if self.axes is None:
             return momentum / self.moments
         axes = namespace(momentum, self.axes).asarray(self.axes)
         return ((momentum @ axes) / self.moments) @ axes.T
-
-    def _common_shape(self, *vectors: Array) -> tuple[int, ...]:
-        return tuple(np.broadcast_shapes(*(v.shape[:-1] for v in vectors), self.epoch.shape))

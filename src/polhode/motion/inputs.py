@@ -187,6 +187,11 @@ def plain_answer(value: Array) -> Any:
     return None if math.isnan(number) else number
 
 
+def named_code(code: Array, names: tuple[str, ...]) -> Any:
+    """Return the name of one concrete body's code; the codes as they are otherwise."""
+    return code if np.ndim(code) or is_traced(code) else names[int(code)]
+
+
 def finite(answer: float | None) -> float | None:
     """Return one body's answer where it is a finite number, None where it is infinite or undefined."""
     return answer if answer is not None and math.isfinite(answer) else None

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import warnings
 from typing import Any, ClassVar
 
 import equinox as eqx
@@ -13,7 +12,8 @@ from polhode import rotation
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.se3 import SE3
 from polhode.arrays import known_numbers_only, refuse_single_precision
-from polhode.bodies.body import Body, principal_axes
+from polhode.bodies.body import Body
+from polhode.bodies.pivot import STANDARD_GRAVITY, about_pivot
 from polhode.errors import InvalidInput, shown
 from polhode.motion.layout import Quantity
 from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow
@@ -22,8 +22,6 @@ from polhode.systems.free_rigid_body import checked_moments
 from polhode.systems.top_integrals import INTEGRAL_UNITS, Integral, integrable_case, leaf_integral
 
 Array = Any
-STANDARD_GRAVITY = 9.80665  # m/s², by definition
-AT_PIVOT = 1e-12  # of the radius of gyration: a centre of mass nearer to the pivot is there but for rounding
 ALONG = 1e-9  # sine of the angle up to which the line to the centre of mass counts as a principal axis
 UPRIGHT = 1e-6  # Γ may miss the direction that the attitude gives by this much
 
@@ -90,16 +88,8 @@ class HeavyTop(AbstractLiePoissonSystem):
         Raises:
             InvalidInput: for a body without mass, or gravity that is not positive.
         """
-        if not (np.ndim(gravity) == 0 and np.isfinite(gravity) and gravity > 0):
-            raise InvalidInput(f"`gravity` must be positive and finite [m/s²]; got {shown(gravity)}.")
-        moments, axes = principal_axes(body.about(pivot))
-        arm = (body.center_of_mass - np.asarray(pivot, dtype=float)) @ axes
-        length, mass = float(np.linalg.norm(arm)), float(body.mass or 0.0)
-        if length <= AT_PIVOT * np.sqrt(moments[2] / mass):
-            warnings.warn("the fixed point is the centre of mass: the weight has no torque, the body is free.",
-                          stacklevel=2)  # fmt: skip
-            return cls(moments, 0.0, axes=axes)
-        return cls(moments, mass * gravity * length, arm, axes)
+        pivoted = about_pivot(body, pivot, gravity)
+        return cls(pivoted.moments, pivoted.mgl, pivoted.arm if pivoted.mgl else (0.0, 0.0, 1.0), pivoted.axes)
 
     def state(
         self,

@@ -9,11 +9,11 @@ from collections.abc import Callable
 from typing import Any
 
 import jax.numpy as jnp
-import numpy as np
+
+from polhode.bodies.pivot import EQUAL, axis_of_symmetry
 
 Array = Any
 Integral = Callable[[Array], Array]
-EQUAL = 1e-12  # relative: moments of a body about a point are sums with rounding
 ON_LEAF = 1e-12  # of |Π| |Γ|: Π·Γ below it is zero but for rounding
 
 INTEGRAL_UNITS = {"Euler": "kg2 m4 s-2", "Lagrange": "kg m2 s-1", "Kovalevskaya": "s-4", "Goryachev-Chaplygin": "s-3"}
@@ -23,14 +23,13 @@ def integrable_case(moments: Array, mgl: float, axis: Array) -> tuple[str, int] 
     """Return the case by name and the index of the axis of symmetry, or None for a top that is not integrable."""
     if mgl == 0.0:
         return "Euler", 0
-    if np.ptp(moments) <= EQUAL * moments.max():
-        return "Lagrange", -1
+    symmetric = axis_of_symmetry(moments, axis)
+    if symmetric is not None:
+        return "Lagrange", symmetric
     for k in range(3):
         i, j = (k + 1) % 3, (k + 2) % 3
         if abs(moments[i] - moments[j]) > EQUAL * moments[i]:
             continue
-        if abs(axis[i]) + abs(axis[j]) <= EQUAL:
-            return "Lagrange", k
         if abs(axis[k]) <= EQUAL:
             for name, ratio in (("Kovalevskaya", 2.0), ("Goryachev-Chaplygin", 4.0)):
                 if abs(moments[i] / ratio - moments[k]) <= EQUAL * moments[k]:

@@ -3,21 +3,24 @@
 from __future__ import annotations
 
 import math
+import warnings
 from dataclasses import dataclass, field
 from typing import ClassVar
 
 import numpy as np
 
 from polhode import rotation
+from polhode.bodies.body import Body
+from polhode.errors import InvalidInput
 from polhode.exact.lagrange_top import LagrangeMotion
 from polhode.exact.steady_precession import SteadyPrecession, sleeping_threshold, steady_precession
 from polhode.kinds.base import Spec
-from polhode.kinds.lagrange_top.build import axis_third
 from polhode.kinds.lagrange_top.table import LagrangeTopTable
 from polhode.motion.inputs import finite
 from polhode.reports.about import accuracy
 from polhode.reports.answer import Answer, Group
 from polhode.reports.top import TopReport, leaned, natural_period, rest_verdicts, top_of
+from polhode.systems.heavy_top import HeavyTop
 
 PERIODS = 10
 
@@ -112,20 +115,35 @@ def report_of(spec: Spec) -> LagrangeTopReport:
     """
     table, body, times = spec.system, spec.body, spec.times
     assert isinstance(table, LagrangeTopTable) and body is not None
-    top, free = top_of(body, table.pivot, table.gravity)
-    top = axis_third(top)
-    momentum, attitude = spec.start(np.asarray(top.moments), np.asarray(top.axes))
-    attitude = leaned(top, attitude, table.lean)
-    exact = LagrangeMotion(np.asarray(top.moments), float(top.mgl), momentum, attitude)
+    free = top_of(body, table.pivot, table.gravity)[1]  # refuses what no top has
+    standing = _standing(body, table)
+    moments, axes, mgl = standing.moments, np.asarray(standing.axes), float(standing.mgl)
+    top = HeavyTop(moments, mgl, (0.0, 0.0, 1.0), axes)
+    momentum, attitude = spec.start(moments, axes)
+    exact = LagrangeMotion(moments, mgl, momentum, leaned(top, attitude, table.lean))
     if times is None:
         span = finite(exact.nutation_period) or natural_period(top, momentum)
         times = np.linspace(0.0, PERIODS * span, spec.samples)
-    moments = (float(top.moments[0]), float(top.moments[0]), float(top.moments[2]))
+    sizes = (float(moments[0]), float(moments[1]), float(moments[2]))
     axis = rotation.rotate(exact.state(0.0)[0], np.array([0.0, 0.0, 1.0]))
     tilt = math.acos(max(-1.0, min(1.0, float(axis[2]))))
-    spin = float(momentum[2]) / moments[2]
-    steady = steady_precession(moments, float(top.mgl), tilt, spin) if 1e-12 < tilt < math.pi - 1e-12 else None
+    spin = float(momentum[2]) / sizes[2]
+    steady = steady_precession(sizes, mgl, tilt, spin) if 1e-12 < tilt < math.pi - 1e-12 else None
     return LagrangeTopReport(
         body, spec.surface, top, np.asarray(table.pivot), exact.sample(times), rest_verdicts(top, momentum), free,
-        steady=steady, threshold=sleeping_threshold(moments, float(top.mgl)),
+        steady=steady, threshold=sleeping_threshold(sizes, mgl),
     )  # fmt: skip
+
+
+def _standing(body: Body, table: LagrangeTopTable) -> LagrangeMotion:
+    """Return the top at rest, which has its moments, axes and mgl.
+
+    Raises:
+        InvalidInput: for a body that is not a Lagrange top about its pivot; all else of it has been looked at before.
+    """
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", UserWarning)  # that the body is free is said in the report
+        try:
+            return LagrangeMotion.from_body(body, table.pivot, momentum=np.zeros(3), gravity=table.gravity)
+        except InvalidInput as error:
+            raise InvalidInput(f'{error} In a spec ask for kind = "heavy-top".') from None

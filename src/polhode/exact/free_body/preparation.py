@@ -10,9 +10,9 @@ import math
 from typing import Any, NamedTuple
 
 from polhode.arrays import choose, compiled, namespace, split_halves
-from polhode.exact.frequencies import Frequencies, canonical_frequencies
-from polhode.exact.reduction import Reduction, canonical_reduction
-from polhode.exact.spinor import Motion, flatten, start_spinor
+from polhode.exact.free_body.frequencies import Frequencies, canonical_frequencies
+from polhode.exact.free_body.reduction import Reduction, canonical_reduction
+from polhode.exact.free_body.spinor import Motion, flatten, start_spinor
 from polhode.rotation import product_of_parts
 from polhode.special import doubledouble as dd
 from polhode.special.circular import split_rate

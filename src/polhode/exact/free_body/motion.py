@@ -3,37 +3,24 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any, ClassVar
 
 import numpy as np
 
 from polhode import rotation
-from polhode.arrays import as_float64, is_traced, namespace, register_node
-from polhode.bodies.body import Body
-from polhode.errors import InvalidInput, shown
-from polhode.exact import evaluation, geometry
+from polhode.arrays import is_traced, namespace
+from polhode.bodies.body import Body, check_is_body
+from polhode.exact.free_body import evaluation, geometry
 from polhode.motion.base import AbstractMotion
-from polhode.motion.inputs import (
-    by_attributes,
-    cached_unless_traced,
-    checked,
-    checked_last_axis,
-    checked_times,
-    momentum_of,
-    plain_answer,
-    refuse_overflow,
-    refuse_tensor,
-    spin_of,
-)
+from polhode.motion.inputs import cached_unless_traced, named_code, plain_answer, spin_of
 from polhode.motion.invariants import drift, norm
 from polhode.motion.layout import ENERGY, MOMENTUM_NORM, MOMENTUM_SPACE, Quantity
-from polhode.special.doubledouble import two_sum
 
 Array = Any
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, init=False)
 class FreeMotion(AbstractMotion):
     """Torque-free motion of rigid bodies in closed form: dL/dt = L × Ω, L = IΩ, dR/dt = R hat(Ω).
 
@@ -74,42 +61,12 @@ class FreeMotion(AbstractMotion):
     """
 
     title: ClassVar[str] = "Free motion"
-    moments: Array
-    momentum_at_epoch: Array
-    attitude_at_epoch: Array
-    epoch: Array
-    axes: Array | None = None
-    _principal: tuple[Array, Array] = field(default=(None, None), repr=False, init=False)  # momentum and attitude
-    _columns: tuple[Array, ...] = field(default=(), repr=False, init=False)
 
     def __init__(
         self, moments: Array, momentum: Array | None = None, attitude: Array = (1.0, 0.0, 0.0, 0.0),
         epoch: Array = 0.0, *, angular_velocity: Array | None = None, **attributes: Array,
     ) -> None:  # fmt: skip
-        momentum, attitude, axes = by_attributes("FreeMotion", momentum, attitude, attributes)
-        name, vector = spin_of(momentum, angular_velocity)
-        xp = namespace(moments, vector, attitude, epoch)
-        named = {"moments": moments, name: vector, "attitude": attitude, "epoch": epoch}
-        moments, vector, attitude, epoch = (as_float64(xp, value, key) for key, value in named.items())
-        refuse_tensor(moments, vector)
-        vector = checked_last_axis(name, vector, 3)
-        if axes is not None:
-            axes = as_float64(xp, axes, "axes")
-            vector, attitude = vector @ axes, rotation.multiply(attitude, rotation.from_matrix(axes))
-        momentum = vector if angular_velocity is None else momentum_of(moments, vector)
-        moments, momentum, attitude = checked(xp, moments, momentum, attitude, epoch)
-        attitude = attitude / xp.sqrt(xp.sum(attitude * attitude, axis=-1, keepdims=True))
-        self._hold(moments, momentum, attitude, epoch, axes)
-
-    def _hold(self, moments: Array, momentum: Array, attitude: Array, epoch: Array, axes: Array | None) -> None:
-        """Set all fields from momentum and attitude along the principal axes."""
-        given = (attitude, momentum) if axes is None else _along_given_axes(axes, attitude, momentum)
-        values = {"moments": moments, "momentum_at_epoch": given[1], "attitude_at_epoch": given[0], "epoch": epoch,
-                  "axes": axes, "_principal": (momentum, attitude)}  # fmt: skip
-        for name, value in values.items():
-            object.__setattr__(self, name, value)
-        register_node(FreeMotion, (*values, "_columns"), like=moments)
-        object.__setattr__(self, "_columns", evaluation.motion_columns(moments, momentum, attitude))
+        super().__init__(moments, {}, momentum, attitude, epoch, angular_velocity, attributes)
 
     @classmethod
     def from_body(
@@ -132,41 +89,27 @@ class FreeMotion(AbstractMotion):
         Raises:
             InvalidInput: unless exactly one of angular velocity and momentum is given, or as the class does.
         """
-        if not isinstance(body, Body):
-            raise InvalidInput(
-                f"`body` must be a Body; got {shown(body)}. "
-                "Make one with polhode.shapes, from_mesh or Body."
-            )
+        check_is_body(body)
         spin_of(momentum, angular_velocity)
         given = {} if momentum is None else {"momentum_at_epoch": momentum}
         return cls(body.principal_moments, attitude=attitude, epoch=epoch, angular_velocity=angular_velocity,
                    axes=body.principal_axes, **given)  # fmt: skip
 
-    def along_principal_axes(self) -> FreeMotion:
-        """Return the same motion with vectors and attitude along the principal axes, in the order of ``moments``."""
-        if self.axes is None:
-            return self
-        motion = object.__new__(FreeMotion)
-        motion._hold(self.moments, *self._principal, self.epoch, None)
-        return motion
-
     # ------------------------------------------------------------------ evaluation
 
-    def state(self, t: Array) -> tuple[Array, Array]:
-        """Return attitude (…, 4) and momentum (…, 3) at the times [s]; one evaluation gives both.
+    def _checked_further(
+        self, xp: Any, body: tuple[Array, ...], momentum: Array, attitude: Array, epoch: Array
+    ) -> tuple[tuple[Array, ...], Array, Array]:
+        return body, momentum, attitude / xp.sqrt(xp.sum(attitude * attitude, axis=-1, keepdims=True))
 
-        The quaternion equals the given one at the epoch, sign included. Between, its sign is continuous in t except
-        where a rate and time exceed 2⁵⁰ turns.
+    def _columns_of(self) -> tuple[Array, ...]:
+        return evaluation.motion_columns(self._arguments)
 
-        Raises:
-            InvalidInput: for times that are not finite.
-        """
-        xp = namespace(t, self.moments)
-        t = checked_times(xp, t, self.batch_shape)
-        elapsed, rest = two_sum(t, -self.epoch)
-        attitude, momentum = evaluation.state(self._columns, self.moments, *self._principal, elapsed, rest)
-        refuse_overflow(xp, attitude, t, xp.max(xp.abs(self._principal[0] / self.moments), axis=-1))
-        return (attitude, momentum) if self.axes is None else _along_given_axes(self.axes, attitude, momentum)
+    def _closed_form(self, elapsed: Array, rest: Array) -> tuple[Array, Array]:
+        return evaluation.state(self._columns, self._arguments, elapsed, rest)
+
+    def _fastest(self, xp: Any) -> Array:
+        return xp.max(xp.abs(self._principal[0] / self.moments), axis=-1)
 
     @property
     def free_moments(self) -> Array:
@@ -185,19 +128,7 @@ class FreeMotion(AbstractMotion):
         }
         return values, {name: drift(xp, value, name == "momentum_space") for name, value in values.items()}
 
-    def _with_time_axis(self) -> FreeMotion:
-        motion = object.__new__(FreeMotion)
-        vectors = (self.moments, *self._principal)
-        moments, momentum, attitude = (v[..., None, :] if v.ndim > 1 else v for v in vectors)
-        epoch = self.epoch[..., None] if self.epoch.ndim else self.epoch
-        motion._hold(moments, momentum, attitude, epoch, self.axes)
-        return motion
-
     # ------------------------------------------------------------------ meaning
-
-    @property
-    def batch_shape(self) -> tuple[int, ...]:
-        return self._common_shape(self.moments, *self._principal)
 
     @cached_unless_traced
     def _numbers(self) -> geometry.Characteristics:
@@ -223,8 +154,7 @@ class FreeMotion(AbstractMotion):
 
         Exact comparisons on the given floats decide. In batches, integer codes in that order from 0.
         """
-        code = self._numbers.regime
-        return code if np.ndim(code) or is_traced(code) else geometry.REGIMES[int(code)]
+        return named_code(self._numbers.regime, geometry.REGIMES)
 
     @property
     def encircled_axis(self) -> Any:
@@ -298,9 +228,3 @@ class FreeMotion(AbstractMotion):
         """Whether the polhode goes round the axis of least inertia (long-axis mode; prolate bodies too)."""
         xp = namespace(self.moments, self._numbers.period)
         return self._numbers.encircled_axis == xp.argmin(self.moments, axis=-1)
-
-
-def _along_given_axes(axes: Array, attitude: Array, momentum: Array) -> tuple[Array, Array]:
-    """Return attitude and momentum of the axes in which the principal ones are the columns of ``axes``."""
-    frame = rotation.conjugate(rotation.from_matrix(axes))
-    return rotation.multiply(attitude, frame), momentum @ namespace(momentum, axes).asarray(axes).T

@@ -11,11 +11,11 @@ import math
 from typing import Any
 
 from polhode.arrays import first_order_only, namespace
-from polhode.exact.top_periods import Invariants, change_of_nutation
-from polhode.exact.top_tangent import TangentData, changed_invariants, scaled_changes
+from polhode.exact.lagrange_top.periods import Invariants, change_of_nutation
+from polhode.exact.lagrange_top.tangent import TangentData, changed_invariants, scaled_changes
 
 Array = Any
-Numbers = tuple[Array, Array, Array, Array, Array, Array, Array]  # lowest to spin_rate of ``TopCharacteristics``
+Numbers = tuple[Array, Array, Array, Array, Array, Array, Array]  # lowest to spin_rate of ``Characteristics``
 
 
 def changed_numbers(top: TangentData, numbers: Numbers, changes: tuple[Array, ...]) -> Numbers:

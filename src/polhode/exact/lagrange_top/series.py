@@ -10,7 +10,7 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 from polhode.arrays import choose, namespace, split_halves
-from polhode.exact.spinor import exponential_decay
+from polhode.exact.decay import exponential_decay
 from polhode.special.circular import SplitRate, reduced_phase, sine_cosine_turns
 from polhode.special.doubledouble import fast_two_sum, two_sum
 
@@ -20,7 +20,7 @@ Numerators = tuple[Array, ...]  # A, B and their derivatives by z or x', real an
 TERMS = 4  # of each series: q^16 is below 1e-21
 
 
-class TopMotion(NamedTuple):
+class Motion(NamedTuple):
     """All that evaluation needs, one entry per top. ``full`` says which form it takes."""
 
     full: Array
@@ -38,7 +38,7 @@ class TopMotion(NamedTuple):
     reversed: Array  # −1 where the axis was turned round
 
 
-def flatten(motion: TopMotion) -> tuple[Array, ...]:
+def flatten(motion: Motion) -> tuple[Array, ...]:
     """Return the entries as one flat tuple of arrays, ``full`` first."""
     out: list[Array] = []
     for part in motion:
@@ -46,9 +46,9 @@ def flatten(motion: TopMotion) -> tuple[Array, ...]:
     return tuple(out)
 
 
-def unflatten(flat: tuple[Array, ...]) -> TopMotion:
+def unflatten(flat: tuple[Array, ...]) -> Motion:
     """Return the inverse of ``flatten``."""
-    return TopMotion(
+    return Motion(
         flat[0], flat[1:4], flat[4:7], flat[7:10], flat[10:12], flat[12:28], flat[28], flat[29:35], flat[35:37],
         flat[37:39], flat[39:43], flat[43], flat[44],
     )  # fmt: skip
@@ -58,7 +58,7 @@ def evaluate(flat: tuple[Array, ...], time: Array, time_rest: Array | None = Non
     """Return the four quaternion and three momentum components at the times, elementwise with broadcasting.
 
     Args:
-        flat: a flattened ``TopMotion``.
+        flat: a flattened ``Motion``.
         time: time since the epoch.
         time_rest: what the float ``time`` leaves of it, if anything.
     """
@@ -67,7 +67,7 @@ def evaluate(flat: tuple[Array, ...], time: Array, time_rest: Array | None = Non
     return _states(unflatten(flat), choose(flat[0], _full_of, _complementary_of, *flat[1:37], high, low))
 
 
-def start_numerators(motion: TopMotion) -> Numerators:
+def start_numerators(motion: Motion) -> Numerators:
     """Return A, B, their derivatives and phases at the epoch."""
     xp = namespace(motion.axial)
     zero = xp.zeros_like(motion.axial)
@@ -169,7 +169,7 @@ def _dot(coefficients: tuple[Array, ...], values: list[Array], weights: tuple[fl
     return total
 
 
-def _states(motion: TopMotion, numerators: Numerators) -> tuple[Array, ...]:
+def _states(motion: Motion, numerators: Numerators) -> tuple[Array, ...]:
     """Return quaternion and momentum: α = A e^{iφ_a}, β = B e^{iφ_b} over their norm, and w."""
     xp = namespace(*numerators)
     ar, ai, br, bi, dar, dai, dbr, dbi, turns_a, turns_b = numerators

@@ -6,10 +6,10 @@ import math
 from typing import Any, NamedTuple
 
 from polhode.arrays import barrier, choose, compiled, namespace, split_halves
-from polhode.exact.top_frequencies import TopFrequencies, top_frequencies
-from polhode.exact.top_reduction import TopReduction, reduce_top
-from polhode.exact.top_roots import TurningPoints, turning_points
-from polhode.exact.top_series import TERMS, TopMotion, flatten, start_numerators
+from polhode.exact.lagrange_top.frequencies import Frequencies, top_frequencies
+from polhode.exact.lagrange_top.reduction import Reduction, reduce_top
+from polhode.exact.lagrange_top.roots import TurningPoints, turning_points
+from polhode.exact.lagrange_top.series import TERMS, Motion, flatten, start_numerators
 from polhode.special import doubledouble as dd
 from polhode.special.circular import split_rate
 from polhode.special.doubledouble import DoubleDouble
@@ -19,13 +19,13 @@ from polhode.special.first_kind import first_kind
 Array = Any
 
 
-class PreparedTop(NamedTuple):
-    """The flattened ``TopMotion`` for evaluation, with what it came from."""
+class Prepared(NamedTuple):
+    """The flattened ``Motion`` for evaluation, with what it came from."""
 
     motion: tuple[Array, ...]
-    top: TopReduction
+    top: Reduction
     points: TurningPoints
-    rates: TopFrequencies
+    rates: Frequencies
 
 
 class _Arguments(NamedTuple):
@@ -41,17 +41,17 @@ class _Arguments(NamedTuple):
     x0: DoubleDouble
 
 
-def prepare_top(moments: Array, mgl: Array, momentum: Array, attitude: Array) -> PreparedTop:
+def prepare(moments: Array, mgl: Array, momentum: Array, attitude: Array) -> Prepared:
     """Return the constants of motion of tops with arrays (…, 3), (…, 1), (…, 3) and (…, 4) of one batch shape."""
     top = barrier(compiled(reduce_top, moments)(moments, mgl, momentum, attitude))
     points = barrier(compiled(turning_points, moments)(top))
     rates = barrier(compiled(top_frequencies, moments)(top, points))
     arguments = barrier(compiled(_arguments, moments)(top, points, rates))
     axial = momentum[..., 2]
-    return PreparedTop(compiled(_motion, moments)(top, points, rates, arguments, axial), top, points, rates)
+    return Prepared(compiled(_motion, moments)(top, points, rates, arguments, axial), top, points, rates)
 
 
-def _arguments(top: TopReduction, points: TurningPoints, rates: TopFrequencies) -> _Arguments:
+def _arguments(top: Reduction, points: TurningPoints, rates: Frequencies) -> _Arguments:
     xp = namespace(top.reversed)
     G, s2, t1, d, A, B = (v[0] for v in (top.G, points.s2, points.t1, points.d, points.A, points.B))
     separatrix, permanent = rates.separatrix, rates.permanent
@@ -73,7 +73,7 @@ def _arguments(top: TopReduction, points: TurningPoints, rates: TopFrequencies) 
     return _Arguments(full, q, theta3, y_alpha, y_beta, tail(w_a), tail(w_b), x0)
 
 
-def _integrals(top: TopReduction, points: TurningPoints, idle: Array) -> tuple[Any, ...]:
+def _integrals(top: Reduction, points: TurningPoints, idle: Array) -> tuple[Any, ...]:
     """Return the distances v of α's and β's poles from the real axis, K' − v, and x0, by R_F in double-double.
 
     All five in one run; places where an answer is not used get harmless arguments.
@@ -108,9 +108,9 @@ def _integrals(top: TopReduction, points: TurningPoints, idle: Array) -> tuple[A
 
 
 def _motion(
-    top: TopReduction, points: TurningPoints, rates: TopFrequencies, at: _Arguments, axial: Array
+    top: Reduction, points: TurningPoints, rates: Frequencies, at: _Arguments, axial: Array
 ) -> tuple[Array, ...]:
-    """Return the flattened ``TopMotion``."""
+    """Return the flattened ``Motion``."""
     xp = namespace(top.reversed)
     permanent, separatrix = rates.permanent, rates.separatrix
     turns = [_turns_per_time(top, v) for v in _phase_rates(top, rates)]
@@ -135,7 +135,7 @@ def _motion(
     argument_rate = xp.where(full, rates.nutation[0], rates.half_root[0] / (theta3 * theta3))
     argument_rate = xp.where(permanent, 0.0, argument_rate)
     linear = _linear_rates(rates, at)
-    motion = barrier(TopMotion(
+    motion = barrier(Motion(
         full, split_rate(*turns[0]), split_rate(*turns[1]), split_rate(*third), start, coefficients[:16],
         coefficients[16],
         (q, upper, lower + period[1], *(xp.where(separatrix | full, 0.0, y / math.pi) for y in (at.y_alpha, at.y_beta)),
@@ -147,7 +147,7 @@ def _motion(
     return flatten(motion._replace(phases=_constant_phases(top, motion, linear, argument_rate)))
 
 
-def _phase_rates(top: TopReduction, rates: TopFrequencies) -> tuple[DoubleDouble, DoubleDouble]:
+def _phase_rates(top: Reduction, rates: Frequencies) -> tuple[DoubleDouble, DoubleDouble]:
     """Return the linear rates of the phases of α and β by τ, the spin that I3 ≠ I1 adds included."""
     half_spin = dd.scale(rates.spin, 0.5)
     alpha, beta = dd.add(rates.alpha, half_spin), dd.subtract(rates.beta, half_spin)
@@ -156,13 +156,13 @@ def _phase_rates(top: TopReduction, rates: TopFrequencies) -> tuple[DoubleDouble
     return dd.where(rates.permanent, own, alpha), dd.where(rates.permanent, dd.negate(own), beta)
 
 
-def _turns_per_time(top: TopReduction, rate: DoubleDouble) -> DoubleDouble:
+def _turns_per_time(top: Reduction, rate: DoubleDouble) -> DoubleDouble:
     zero = 0.0 * rate[0]
     inverse = dd.divide(tuple(c + zero for c in dd.INVERSE_TWO_PI), dd.from_float(top.moments[0]))
     return dd.scale(dd.multiply(rate, inverse), top.rate_scale)
 
 
-def _linear_rates(rates: TopFrequencies, at: _Arguments) -> tuple[Array, Array]:
+def _linear_rates(rates: Frequencies, at: _Arguments) -> tuple[Array, Array]:
     """Return the derivatives by τ of the phases of α and β that evaluation adds to A and B, spin aside."""
     xp = namespace(at.full)
     out = []
@@ -175,7 +175,7 @@ def _linear_rates(rates: TopFrequencies, at: _Arguments) -> tuple[Array, Array]:
 
 
 def _series_columns(
-    top: TopReduction, points: TurningPoints, rates: TopFrequencies, at: _Arguments
+    top: Reduction, points: TurningPoints, rates: Frequencies, at: _Arguments
 ) -> tuple[Array, ...]:
     xp = namespace(at.full)
     root_t, root_s = (xp.sqrt(0.5 * v[0]) for v in (points.t2, points.s1))
@@ -227,7 +227,7 @@ def _complementary_series(*columns: Array) -> tuple[Array, ...]:
 
 
 def _constant_phases(
-    top: TopReduction, motion: TopMotion, linear: tuple[Array, Array], argument_rate: Array
+    top: Reduction, motion: Motion, linear: tuple[Array, Array], argument_rate: Array
 ) -> tuple[Array, ...]:
     """Return cos and sin of the phases that turn A and B at the epoch into the given α and β.
 

@@ -15,18 +15,19 @@ from polhode.arrays import (
     stack_last,
     stop_gradient,
 )
-from polhode.exact import geometry
 from polhode.exact.blocks import columns_in_blocks, state_in_blocks
-from polhode.exact.derivative import state_tangent
-from polhode.exact.preparation import prepare
-from polhode.exact.spinor import evaluate
+from polhode.exact.free_body import geometry
+from polhode.exact.free_body.derivative import state_tangent
+from polhode.exact.free_body.preparation import prepare
+from polhode.exact.free_body.spinor import evaluate
 
 Array = Any
+Arguments = tuple[Array, ...]
 
 
-def motion_columns(moments: Array, momentum: Array, attitude: Array) -> tuple[Array, ...]:
-    """Return the constants of motion as flat columns of the bodies' common batch shape."""
-    return columns_in_blocks(_columns_of_bodies, (moments, momentum, attitude))
+def motion_columns(arguments: Arguments) -> tuple[Array, ...]:
+    """Return the constants of motion of moments (…, 3), momentum (…, 3), attitude (…, 4) as columns."""
+    return columns_in_blocks(_columns_of_bodies, arguments)
 
 
 def _columns_of_bodies(moments: Array, momentum: Array, attitude: Array) -> tuple[Array, ...]:
@@ -50,20 +51,18 @@ def _differentiable_characteristics(moments: Array, momentum: Array) -> geometry
     return geometry.Characteristics(*codes, *numbers)
 
 
-def state(
-    columns: tuple[Array, ...], moments: Array, momentum: Array, attitude: Array, elapsed: Array, rest: Array
-) -> tuple[Array, Array]:
+def state(columns: tuple[Array, ...], arguments: Arguments, elapsed: Array, rest: Array) -> tuple[Array, Array]:
     """Return attitude (…, 4) and momentum (…, 3) at the elapsed times, which broadcast against the columns."""
     if is_jax(elapsed, *columns):
-        return compiled(_differentiable_state, elapsed)(columns, moments, momentum, attitude, elapsed, rest)
+        return compiled(_differentiable_state, elapsed)(columns, arguments, elapsed, rest)
     return state_in_blocks(evaluate, columns, elapsed, rest)
 
 
 def _differentiable_state(
-    columns: tuple[Array, ...], moments: Array, momentum: Array, attitude: Array, elapsed: Array, rest: Array
+    columns: tuple[Array, ...], arguments: Arguments, elapsed: Array, rest: Array
 ) -> tuple[Array, Array]:
     flow = custom_derivative(_stacked, _stacked_rule)
-    return flow(moments, momentum, attitude, elapsed, rest, stop_gradient(columns))
+    return flow(*arguments, elapsed, rest, stop_gradient(columns))
 
 
 def _stacked(

@@ -12,10 +12,10 @@ import math
 from typing import Any, NamedTuple
 
 from polhode.arrays import derivative_columns, first_order_only, namespace, split_halves
-from polhode.exact import top_standing
-from polhode.exact.top_flow import flow, slopes
-from polhode.exact.top_periods import Invariants, Nutation, added_by_nutation
-from polhode.exact.top_preparation import PreparedTop
+from polhode.exact.lagrange_top import standing
+from polhode.exact.lagrange_top.flow import flow, slopes
+from polhode.exact.lagrange_top.periods import Invariants, Nutation, added_by_nutation
+from polhode.exact.lagrange_top.preparation import Prepared
 from polhode.special import doubledouble as dd
 from polhode.special.circular import reduced_phase, split_rate
 from polhode.special.doubledouble import DoubleDouble
@@ -81,7 +81,7 @@ class _Course(NamedTuple):
     phases: tuple[Array, Array]  # of α and β, apart from the flow's, in turns
 
 
-def tangent_data(prepared: PreparedTop) -> TangentData:
+def tangent_data(prepared: Prepared) -> TangentData:
     """Return the data of a prepared top."""
     motion, top, points, rates = prepared
     xp = namespace(top.reversed)
@@ -103,7 +103,7 @@ def tangent_data(prepared: PreparedTop) -> TangentData:
     )  # fmt: skip
 
 
-def top_tangent(
+def state_tangent(
     top: TangentData, time: Array, state: tuple[Array, Array], changes: tuple[Array, ...]
 ) -> tuple[Array, Array]:
     """Return the changes of attitude (…, 4) and momentum (…, 3).
@@ -243,22 +243,22 @@ def _stood(
     permanent, hanging = top.permanent, top.hanging
     begin = xp.where(permanent, 0.0, course.rest)
     now, change = (tuple(xp.where(permanent, x, y) for x, y in zip(*v, strict=True)) for v in (values, changes))
-    growth = top_standing.growth(dd.scale((top.D, top.D_rest), 0.25), course.tau, begin, ~permanent)
+    growth = standing.growth(dd.scale((top.D, top.D_rest), 0.25), course.tau, begin, ~permanent)
     sense = xp.where(hanging, -1.0, 1.0)
     a, da = sense * top.L3, sense * by.a
     of = da, xp.where(hanging, 2.0 * da, by.c + 2.0 * da)
-    found = top_standing.upright_change(
-        a, top_standing.reversed_axis(hanging, now), top_standing.reversed_axis(hanging, change), of, growth
+    found = standing.upright_change(
+        a, standing.reversed_axis(hanging, now), standing.reversed_axis(hanging, change), of, growth
     )
     climbing = top.separatrix & (begin == course.tau[0])
     found = tuple(xp.where(climbing, x, y) for x, y in zip(change, found, strict=True))
     # α's phase of the climb is in the flow
     back = xp.exp(-0.5j * a * begin)
     found = (found[0] * back, found[1], found[2] * xp.conj(back))
-    idle = top_standing.resting_change(values[0], changes[0], (by.G, by.a), course.tau[0])
+    idle = standing.resting_change(values[0], changes[0], (by.G, by.a), course.tau[0])
     resting = (top.G == 0) & (top.L3 == 0)
     return tuple(
-        xp.where(resting, x, y) for x, y in zip(idle, top_standing.given_axis(hanging, found), strict=True)
+        xp.where(resting, x, y) for x, y in zip(idle, standing.given_axis(hanging, found), strict=True)
     )
 
 

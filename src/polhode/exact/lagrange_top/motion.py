@@ -2,45 +2,43 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any, ClassVar
 
 import numpy as np
 
 from polhode import rotation
-from polhode.arrays import as_float64, is_traced, known_false, namespace, register_node
+from polhode.arrays import known_false, namespace
+from polhode.bodies.body import Body
+from polhode.bodies.pivot import EQUAL, STANDARD_GRAVITY, about_pivot
 from polhode.errors import InvalidInput
-from polhode.exact import top_evaluation, top_geometry
+from polhode.exact.lagrange_top import evaluation, geometry
+from polhode.exact.lagrange_top.symmetry import third_axis_to_centre
 from polhode.motion.base import AbstractMotion
 from polhode.motion.inputs import (
-    by_attributes,
     cached_unless_traced,
-    checked,
-    checked_last_axis,
-    checked_times,
     common_shape,
-    momentum_of,
+    named_code,
     plain_answer,
     refuse_not_finite,
-    refuse_overflow,
-    refuse_tensor,
     spin_of,
 )
 from polhode.motion.invariants import drift, norm
 from polhode.motion.layout import ENERGY, Quantity
-from polhode.special.doubledouble import two_sum
 
 Array = Any
-ROUNDING = 1e-12  # relative; what sums leave of equal moments
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, init=False)
 class LagrangeMotion(AbstractMotion):
     """Heavy symmetric tops in closed form: H = ½ L·I⁻¹L + mgl cos θ, dL/dt = L × Ω + mgl Γ × e3, dR/dt = R hat(Ω).
 
     θ is the tilt of the body's third axis from the vertical, space z, up; Γ = Rᵀe_z. The Cayley–Klein parameters are
     quotients of theta functions, regular also where Euler angles are not, with phases in double-double: no step, no
     drift, the same error at any time, from the sleeping top to the spherical pendulum (moments I1, I1, any I3; L3 = 0).
+    All components are along the principal axes. Those of a motion made by ``from_body`` are along the body's given
+    axes, in every attribute; ``axes`` then has the principal axes by columns, the third from the pivot to the centre of
+    mass, and ``moments`` are of these. ``along_principal_axes`` gives the other view.
 
     Args:
         moments: (…, 3) principal moments about the pivot [kg m²], positive, the first two equal.
@@ -52,8 +50,8 @@ class LagrangeMotion(AbstractMotion):
         epoch: (…) time at which these hold [s].
         angular_velocity: (…, 3) at the epoch [rad/s, body axes].
 
-    Attributes may be given by their own names too, ``momentum_at_epoch`` and ``attitude_at_epoch``: so
-    ``dataclasses.replace(top, epoch=1.0)`` works.
+    Attributes may be given by their own names too, ``momentum_at_epoch``, ``attitude_at_epoch`` and ``axes``, then all
+    along the given axes: so ``dataclasses.replace(top, epoch=1.0)`` works.
 
     Batch axes of all five are broadcast against each other, and times against them. JAX arrays in, JAX arrays out, with
     ``jit``, ``vmap`` and first derivatives.
@@ -74,62 +72,81 @@ class LagrangeMotion(AbstractMotion):
 
     title: ClassVar[str] = "Lagrange top"
     has_vertical: ClassVar[bool] = True
-    moments: Array
+    body_numbers: ClassVar[tuple[str, ...]] = ("mgl",)
     mgl: Array
-    momentum_at_epoch: Array
-    attitude_at_epoch: Array
-    epoch: Array
-    axes: ClassVar[None] = None  # vectors are along the principal axes
-    _columns: tuple[Array, ...] = field(default=(), repr=False, init=False)
 
     def __init__(
         self, moments: Array, mgl: Array, momentum: Array | None = None, attitude: Array = (1.0, 0.0, 0.0, 0.0),
         epoch: Array = 0.0, *, angular_velocity: Array | None = None, **attributes: Array,
     ) -> None:  # fmt: skip
-        momentum, attitude, axes = by_attributes("LagrangeMotion", momentum, attitude, attributes)
-        if axes is not None:
-            raise InvalidInput("`axes` must be left out: vectors of a LagrangeMotion are along the principal axes.")
-        name, vector = spin_of(momentum, angular_velocity)
-        named = {"moments": moments, "mgl": mgl, name: vector, "attitude": attitude, "epoch": epoch}
-        xp = namespace(*named.values())
-        moments, mgl, vector, attitude, epoch = (as_float64(xp, value, key) for key, value in named.items())
-        refuse_tensor(moments, vector)
-        vector = checked_last_axis(name, vector, 3)
-        spin = vector if angular_velocity is None else momentum_of(moments, vector)
-        moments, spin, attitude = checked(xp, moments, spin, attitude, epoch)
-        refuse_not_finite(xp, mgl=mgl)
-        common_shape(moments=moments[..., 0], mgl=mgl, momentum=spin[..., 0], epoch=epoch)
-        self._hold(_checked_symmetry(xp, moments), mgl, spin, attitude, epoch)
+        super().__init__(moments, {"mgl": mgl}, momentum, attitude, epoch, angular_velocity, attributes)
 
-    def _hold(self, moments: Array, mgl: Array, momentum: Array, attitude: Array, epoch: Array) -> None:
-        values = {"moments": moments, "mgl": mgl, "momentum_at_epoch": momentum, "attitude_at_epoch": attitude}
-        for name, value in (values | {"epoch": epoch}).items():
-            object.__setattr__(self, name, value)
-        register_node(LagrangeMotion, (*values, "epoch", "_columns"), like=moments)
-        object.__setattr__(self, "_columns", top_evaluation.top_columns(self._arguments))
+    @classmethod
+    def from_body(
+        cls,
+        body: Body,
+        pivot: Array,
+        angular_velocity: Array | None = None,
+        momentum: Array | None = None,
+        attitude: Array = (1.0, 0.0, 0.0, 0.0),
+        epoch: Array = 0.0,
+        *,
+        gravity: float = STANDARD_GRAVITY,
+    ) -> LagrangeMotion:
+        """Return the top that a body makes about a fixed point, vectors and attitude along its given axes, in and out.
 
-    @property
-    def _arguments(self) -> tuple[Array, Array, Array, Array]:
-        return self.moments, self.mgl[..., None], self.momentum_at_epoch, self.attitude_at_epoch
+        Moments about the pivot are J + m (|d|² 1 − d dᵀ) with d from it to the centre of mass (Huygens and Steiner),
+        mgl is m g |d|, and the third principal axis is along d. A pivot at the centre of mass leaves the free symmetric
+        body; a warning says so.
+
+        Args:
+            body: with its mass.
+            pivot: (3,) the fixed point [m, given body axes].
+            angular_velocity: (…, 3) [rad/s, given body axes]; this or ``momentum``.
+            momentum: (…, 3) about the pivot [kg m²/s, given body axes].
+            attitude: (…, 4) unit quaternion wxyz, given body axes → space, z up.
+            epoch: time at which these hold [s].
+            gravity: [m/s²], positive.
+
+        Raises:
+            InvalidInput: for a body without mass; one that is not a Lagrange top about the pivot, two moments there
+                equal and the centre of mass on the third axis, both to 1e-12; unless exactly one of angular velocity
+                and momentum is given; or as the class does.
+
+        Source: Klein & Sommerfeld, *Theorie des Kreisels*, ch. IV; Whittaker, *Analytical Dynamics*, §71.
+
+        >>> import polhode as ph
+        >>> cone = ph.shapes.cone(0.1, 0.03, 0.05).placed((0.0, 1.0, 0.0, 0.0))  # on its point, 37.5 mm below
+        >>> top = LagrangeMotion.from_body(cone, (0.0, 0.0, -0.0375), (0.0, 0.0, 200.0), attitude=(0.8, 0.6, 0.0, 0.0))
+        >>> top.regime, round(top.nutation_period, 6)
+        ('cusp', 0.188594)
+        """
+        spin_of(momentum, angular_velocity)
+        pivoted = about_pivot(body, pivot, gravity)
+        moments, axes = third_axis_to_centre(pivoted)
+        given = {} if momentum is None else {"momentum_at_epoch": momentum}
+        return cls(moments, pivoted.mgl, attitude=attitude, epoch=epoch, angular_velocity=angular_velocity,
+                   axes=axes, **given)  # fmt: skip
 
     # ------------------------------------------------------------------ evaluation
 
-    def state(self, t: Array) -> tuple[Array, Array]:
-        """Return attitude (…, 4) and momentum (…, 3) at the times [s]; one evaluation gives both.
+    def _checked_further(
+        self, xp: Any, body: tuple[Array, ...], momentum: Array, attitude: Array, epoch: Array
+    ) -> tuple[tuple[Array, ...], Array, Array]:
+        moments, mgl = body
+        refuse_not_finite(xp, mgl=mgl)
+        common_shape(moments=moments[..., 0], mgl=mgl, momentum=momentum[..., 0], epoch=epoch)
+        return (_checked_symmetry(xp, moments), mgl), momentum, attitude
 
-        The quaternion equals the given one over its length at the epoch, sign included. Between, its sign is
-        continuous in t except where a rate and time exceed 2⁵⁰ turns.
+    def _columns_of(self) -> tuple[Array, ...]:
+        return evaluation.motion_columns(self._arguments)
 
-        Raises:
-            InvalidInput: for times that are not finite.
-        """
-        xp = namespace(t, self.moments)
-        t = checked_times(xp, t, self.batch_shape)
-        elapsed, rest = two_sum(t, -self.epoch)
-        attitude, momentum = top_evaluation.top_state(self._columns, self._arguments, elapsed, rest)
-        spin = xp.max(xp.abs(self.momentum_at_epoch / self.moments), axis=-1)
-        refuse_overflow(xp, attitude, t, spin + xp.sqrt(xp.abs(self.mgl) / self.moments[..., 0]))
-        return attitude, momentum
+    def _closed_form(self, elapsed: Array, rest: Array) -> tuple[Array, Array]:
+        return evaluation.state(self._columns, self._arguments, elapsed, rest)
+
+    def _fastest(self, xp: Any) -> Array:
+        spin = xp.max(xp.abs(self._principal[0] / self.moments), axis=-1)
+        return spin + xp.sqrt(xp.abs(self.mgl) / self.moments[..., 0])
 
     @property
     def quantities(self) -> dict[str, Quantity]:
@@ -142,10 +159,12 @@ class LagrangeMotion(AbstractMotion):
     def _invariants(self, attitude: Array, momentum: Array, velocity: Array) -> tuple[dict[str, Array], dict[str, Any]]:
         """Return energy and momenta; drifts are relative to the largest kinetic energy plus |mgl|, and to max |L|."""
         xp = namespace(momentum, self.moments)
-        kinetic = _kinetic_energy(xp, self.moments, momentum)
+        kinetic = 0.5 * xp.sum(momentum * velocity, axis=-1)
+        vertical_momentum = rotation.rotate(attitude, momentum)[..., 2]
+        attitude, momentum = self._of_principal_axes(attitude, momentum)
         values = {
             "energy": kinetic + self.mgl * _vertical(xp, attitude),
-            "vertical_momentum": rotation.rotate(attitude, momentum)[..., 2],
+            "vertical_momentum": vertical_momentum,
             "axial_momentum": momentum[..., 2],
         }
         of_momentum = xp.max(norm(xp, momentum), axis=-1, keepdims=True)
@@ -153,46 +172,31 @@ class LagrangeMotion(AbstractMotion):
         sizes = {name: of_energy if name == "energy" else of_momentum for name in values}
         return values, {name: drift(xp, value, False, sizes[name]) for name, value in values.items()}
 
-    def along_principal_axes(self) -> LagrangeMotion:
-        """Return the motion itself, which is along the principal axes."""
-        return self
-
-    def _with_time_axis(self) -> LagrangeMotion:
-        motion = object.__new__(LagrangeMotion)
-        vectors = (self.moments, self.momentum_at_epoch, self.attitude_at_epoch)
-        moments, momentum, attitude = (v[..., None, :] if v.ndim > 1 else v for v in vectors)
-        mgl, epoch = (v[..., None] if v.ndim else v for v in (self.mgl, self.epoch))
-        motion._hold(moments, mgl, momentum, attitude, epoch)
-        return motion
-
     # ------------------------------------------------------------------ meaning
 
-    @property
-    def batch_shape(self) -> tuple[int, ...]:
-        return self._common_shape(*self._arguments)
-
     @cached_unless_traced
-    def _numbers(self) -> top_geometry.TopCharacteristics:
-        return top_evaluation.top_numbers(self._columns, self._arguments)
+    def _numbers(self) -> geometry.Characteristics:
+        return evaluation.characteristics(self._columns, self._arguments)
 
     @property
     def energy(self) -> Any:
         """Energy ½ L·I⁻¹L + mgl cos θ [J]; zero potential is the axis level with the pivot."""
-        xp = namespace(self.moments, self.momentum_at_epoch)
-        kinetic = _kinetic_energy(xp, self.moments, self.momentum_at_epoch)
-        return plain_answer(kinetic + self.mgl * _vertical(xp, self.attitude_at_epoch))
+        momentum, attitude = self._principal
+        xp = namespace(self.moments, momentum)
+        kinetic = 0.5 * xp.sum(momentum / self.moments * momentum, axis=-1)
+        return plain_answer(kinetic + self.mgl * _vertical(xp, attitude))
 
     @property
     def vertical_momentum(self) -> Any:
         """p_φ = (R L)_z [kg m²/s], kept because the vertical is a symmetry of the weight."""
-        xp = namespace(self.attitude_at_epoch, self.momentum_at_epoch)
-        attitude = self.attitude_at_epoch / norm(xp, self.attitude_at_epoch)[..., None]
-        return plain_answer(rotation.rotate(attitude, self.momentum_at_epoch)[..., 2])
+        momentum, attitude = self._principal
+        xp = namespace(attitude, momentum)
+        return plain_answer(rotation.rotate(attitude / norm(xp, attitude)[..., None], momentum)[..., 2])
 
     @property
     def axial_momentum(self) -> Any:
         """p_ψ = L3 = I3 ω3 [kg m²/s], kept because the axis is a symmetry of the body."""
-        return plain_answer(self.momentum_at_epoch[..., 2])
+        return plain_answer(self._principal[0][..., 2])
 
     @property
     def regime(self) -> Any:
@@ -203,8 +207,7 @@ class LagrangeMotion(AbstractMotion):
         time; the others nutate, and are told apart by the azimuth: always onward, halting, or turning back in loops.
         Exact signs on the given floats decide. In batches, integer codes in that order from 0.
         """
-        code = self._numbers.regime
-        return code if np.ndim(code) or is_traced(code) else top_geometry.REGIMES[int(code)]
+        return named_code(self._numbers.regime, geometry.REGIMES)
 
     @property
     def nutation_limits(self) -> tuple[Any, Any]:
@@ -243,16 +246,12 @@ def _checked_symmetry(xp: Any, moments: Array) -> Array:
         bad = np.asarray(moments)[~np.asarray(equal)[..., 0]][0]
         apart = abs(bad[0] - bad[1]) / max(bad[:2])
         remedy = (
-            "They differ by rounding: give one of them twice." if apart <= ROUNDING
+            "They differ by rounding: give one of them twice." if apart <= EQUAL
             else "Other heavy tops have no closed form: put the axis third, or use HeavyTop with simulate."
         )  # fmt: skip
         raise InvalidInput(f"`moments` must be (I1, I1, I3), the first two equal; got {tuple(bad.tolist())} kg m², "
                            f"{apart:.1e} of their size apart. {remedy}")  # fmt: skip
     return xp.where(equal, moments, np.nan)
-
-
-def _kinetic_energy(xp: Any, moments: Array, momentum: Array) -> Array:
-    return 0.5 * xp.sum(momentum / moments * momentum, axis=-1)
 
 
 def _vertical(xp: Any, attitude: Array) -> Array:

@@ -11,6 +11,7 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 from polhode.arrays import choose, namespace, split_halves
+from polhode.exact.decay import exponential_decay
 from polhode.special.circular import SplitRate, reduced_phase, sine_cosine_turns
 from polhode.special.doubledouble import fast_two_sum, two_sum
 
@@ -141,14 +142,6 @@ def _complementary_spinor(
     ai, bi = ai * side, bi * side
     odd = 1.0 - 2.0 * (count - 2.0 * xp.floor(0.5 * count))
     return c * ar - s * ai, c * ai + s * ar, odd * (c * br - s * bi), odd * (c * bi + s * br)
-
-
-def exponential_decay(x: Array, rest: Array, upper: Array, lower: Array) -> Array:
-    """Return exp(−(x + rest)(upper + lower)) with the exponent's product exact in its leading part."""
-    xp = namespace(x)
-    high, low = split_halves(x)
-    small = (high * lower + low * (upper + lower)) + rest * upper
-    return xp.exp(-(high * upper)) * (1.0 - small * (1.0 - 0.5 * small))
 
 
 def _states(motion: Motion, spinor: Spinor) -> tuple[Array, ...]:

@@ -10,7 +10,7 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 from polhode.arrays import iterate, namespace
-from polhode.exact.top_reduction import TopReduction
+from polhode.exact.lagrange_top.reduction import Reduction
 from polhode.special import doubledouble as dd
 from polhode.special.doubledouble import DoubleDouble
 
@@ -35,7 +35,7 @@ class TurningPoints(NamedTuple):
     Z_plus: DoubleDouble  # G (u3 + 1)
 
 
-def turning_points(top: TopReduction) -> TurningPoints:
+def turning_points(top: Reduction) -> TurningPoints:
     """Return the turning points of reduced tops."""
     xp = namespace(top.reversed)
     G = top.G
@@ -106,7 +106,7 @@ def _larger_and_smaller(
 
 
 def _upper_root_apart(
-    top: TopReduction, p2: DoubleDouble, c2: DoubleDouble, f1: DoubleDouble, Y: DoubleDouble
+    top: Reduction, p2: DoubleDouble, c2: DoubleDouble, f1: DoubleDouble, Y: DoubleDouble
 ) -> tuple[DoubleDouble, ...]:
     """From Y = G (u3 − u0): with v = u − u0, v1 + v2 = (f1 + G p²/Y)/Y and v1 v2 = −p²/Y."""
     G = top.G
@@ -129,7 +129,7 @@ def _upper_root_apart(
 
 
 def _lower_root_apart(
-    top: TopReduction, p2: DoubleDouble, c2: DoubleDouble, G: DoubleDouble, s1: DoubleDouble
+    top: Reduction, p2: DoubleDouble, c2: DoubleDouble, G: DoubleDouble, s1: DoubleDouble
 ) -> tuple[DoubleDouble, ...]:
     """From s1 = 1 − u1: s2 + s3 = (c²/s1 − 2F)/(G s1) and s2 s3 = −c²/(G s1)."""
     G_s1 = dd.multiply(G, s1)

@@ -11,7 +11,7 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 from polhode.arrays import namespace
-from polhode.exact.reduction import Reduction
+from polhode.exact.free_body.reduction import Reduction
 from polhode.special import doubledouble as dd
 from polhode.special.agm import third_kind_agm
 from polhode.special.doubledouble import DoubleDouble

@@ -7,19 +7,19 @@ from typing import Any
 import numpy as np
 
 from polhode.arrays import compiled, custom_derivative, is_jax, namespace, stack_last, stop_gradient
-from polhode.exact import top_geometry
 from polhode.exact.blocks import columns_in_blocks, state_in_blocks
-from polhode.exact.top_geometry_tangent import changed_numbers
-from polhode.exact.top_preparation import prepare_top
-from polhode.exact.top_series import ENTRIES, evaluate
-from polhode.exact.top_tangent import TangentData, tangent_data, top_tangent
+from polhode.exact.lagrange_top import geometry
+from polhode.exact.lagrange_top.geometry_tangent import changed_numbers
+from polhode.exact.lagrange_top.preparation import prepare
+from polhode.exact.lagrange_top.series import ENTRIES, evaluate
+from polhode.exact.lagrange_top.tangent import TangentData, state_tangent, tangent_data
 
 Array = Any
-Arguments = tuple[Array, Array, Array, Array]
+Arguments = tuple[Array, ...]
 NUMBERS = ENTRIES + len(TangentData._fields)  # where they begin among the columns
 
 
-def top_columns(arguments: Arguments) -> tuple[Array, ...]:
+def motion_columns(arguments: Arguments) -> tuple[Array, ...]:
     """Return the constants of motion of moments (…, 3), mgl (…, 1), momentum (…, 3), attitude (…, 4) as columns.
 
     On JAX what the derivative needs follows what evaluation needs, and then the numbers of the motion.
@@ -28,25 +28,25 @@ def top_columns(arguments: Arguments) -> tuple[Array, ...]:
 
 
 def _columns_of_tops(*arguments: Array) -> tuple[Array, ...]:
-    prepared = prepare_top(*arguments)
+    prepared = prepare(*arguments)
     if not is_jax(*arguments):
         return prepared.motion
-    return (*prepared.motion, *tangent_data(prepared), *top_geometry.characteristics_of(*prepared[1:]))
+    return (*prepared.motion, *tangent_data(prepared), *geometry.characteristics_of(*prepared[1:]))
 
 
-def top_numbers(columns: tuple[Array, ...], arguments: Arguments) -> top_geometry.TopCharacteristics:
+def characteristics(columns: tuple[Array, ...], arguments: Arguments) -> geometry.Characteristics:
     """Return the numbers of the motion."""
     xp = namespace(*arguments)
     shape = np.broadcast_shapes(*(v.shape[:-1] for v in arguments))
     spread = tuple(xp.broadcast_to(v, (*shape, v.shape[-1])) for v in arguments)
     if not is_jax(*arguments):
         with np.errstate(all="ignore"):
-            return top_geometry.top_characteristics(*spread)
+            return geometry.characteristics(*spread)
     columns = stop_gradient(_with_derivative(columns, arguments))
     regime, *numbers = columns[NUMBERS:]
     differentiable = custom_derivative(lambda values, *_: values, _numbers_rule)
     numbers = differentiable(tuple(numbers), columns[ENTRIES:NUMBERS], *spread)
-    return top_geometry.TopCharacteristics(regime, *numbers)
+    return geometry.Characteristics(regime, *numbers)
 
 
 def _numbers_rule(primals: tuple[Any, ...], tangents: tuple[Any, ...]) -> tuple[Any, Any]:
@@ -56,7 +56,7 @@ def _numbers_rule(primals: tuple[Any, ...], tangents: tuple[Any, ...]) -> tuple[
     return values, changed_numbers(data, values, tangents[2:])
 
 
-def top_state(columns: tuple[Array, ...], arguments: Arguments, elapsed: Array, rest: Array) -> tuple[Array, Array]:
+def state(columns: tuple[Array, ...], arguments: Arguments, elapsed: Array, rest: Array) -> tuple[Array, Array]:
     """Return attitude (…, 4) and momentum (…, 3) at the elapsed times, which broadcast against the columns."""
     if is_jax(elapsed, *columns):
         return compiled(_differentiable_state, elapsed)(columns, arguments, elapsed, rest)
@@ -72,7 +72,7 @@ def _differentiable_state(
 
 def _with_derivative(columns: tuple[Array, ...], arguments: Arguments) -> tuple[Array, ...]:
     """Return the columns as they are on JAX; those of a motion made on NumPy lack what the derivative needs."""
-    return columns if len(columns) > ENTRIES else top_columns(arguments)
+    return columns if len(columns) > ENTRIES else motion_columns(arguments)
 
 
 def _stacked(
@@ -92,4 +92,4 @@ def _stacked_rule(primals: tuple[Any, ...], tangents: tuple[Any, ...]) -> tuple[
     vectors = (xp.broadcast_to(v, (*shape, v.shape[-1])) for v in tangents[:4])
     data = TangentData(*(xp.broadcast_to(v, shape) for v in primals[6][ENTRIES:NUMBERS]))
     time, change = (xp.broadcast_to(v[4], shape) for v in (primals, tangents))
-    return value, top_tangent(data, time, value, (*vectors, change))
+    return value, state_tangent(data, time, value, (*vectors, change))

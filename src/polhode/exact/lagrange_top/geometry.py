@@ -6,9 +6,9 @@ import math
 from typing import Any, NamedTuple
 
 from polhode.arrays import compiled, namespace
-from polhode.exact.top_frequencies import TopFrequencies, top_frequencies
-from polhode.exact.top_reduction import TopReduction, reduce_top
-from polhode.exact.top_roots import TurningPoints, turning_points
+from polhode.exact.lagrange_top.frequencies import Frequencies, top_frequencies
+from polhode.exact.lagrange_top.reduction import Reduction, reduce_top
+from polhode.exact.lagrange_top.roots import TurningPoints, turning_points
 from polhode.special import doubledouble as dd
 from polhode.special.doubledouble import DoubleDouble
 
@@ -20,7 +20,7 @@ REGIMES = (
 REST, SLEEPING, HANGING, STEADY, FREE, PLANAR, UNDULATING, CUSP, LOOP, SEPARATRIX = range(10)
 
 
-class TopCharacteristics(NamedTuple):
+class Characteristics(NamedTuple):
     """Numbers of the motion, one per top; inf or NaN where there is none."""
 
     regime: Array  # code, index into REGIMES
@@ -33,19 +33,19 @@ class TopCharacteristics(NamedTuple):
     spin_rate: Array
 
 
-def top_characteristics(moments: Array, mgl: Array, momentum: Array, attitude: Array) -> TopCharacteristics:
+def characteristics(moments: Array, mgl: Array, momentum: Array, attitude: Array) -> Characteristics:
     """Return the characteristics of tops with arrays (…, 3), (…, 1), (…, 3) and (…, 4) of one batch shape."""
     top = compiled(reduce_top, moments)(moments, mgl, momentum, attitude)
     points = compiled(turning_points, moments)(top)
     return characteristics_of(top, points, compiled(top_frequencies, moments)(top, points))
 
 
-def characteristics_of(top: TopReduction, points: TurningPoints, rates: TopFrequencies) -> TopCharacteristics:
+def characteristics_of(top: Reduction, points: TurningPoints, rates: Frequencies) -> Characteristics:
     """Return the characteristics of tops that have been reduced."""
     return compiled(_characteristics, top.reversed)(top, points, rates)
 
 
-def _characteristics(top: TopReduction, points: TurningPoints, rates: TopFrequencies) -> TopCharacteristics:
+def _characteristics(top: Reduction, points: TurningPoints, rates: Frequencies) -> Characteristics:
     xp = namespace(top.reversed)
     zero = xp.zeros_like(top.moments[0])
     permanent, separatrix = rates.permanent, rates.separatrix
@@ -63,7 +63,7 @@ def _characteristics(top: TopReduction, points: TurningPoints, rates: TopFrequen
     none = xp.where(separatrix, math.inf, xp.where(permanent, math.nan, 0.0))
     undefined = xp.where(separatrix | permanent, math.nan, 0.0)
     rate = lambda turn: turn / period + undefined  # noqa: E731
-    return TopCharacteristics(
+    return Characteristics(
         _regime(top, points, rates), xp.where(top.reversed, -upper, lower), xp.where(top.reversed, -lower, upper),
         xp.where(none == 0.0, period, none), precession + undefined, sense * own_turn + undefined, rate(precession),
         sense * rate(own_turn),
@@ -76,7 +76,7 @@ def _cosine(xp: Any, s: DoubleDouble, t: DoubleDouble) -> Array:
     return xp.where(s[0] < t[0], dd.subtract(one, s)[0], dd.subtract(t, one)[0])
 
 
-def _regime(top: TopReduction, points: TurningPoints, rates: TopFrequencies) -> Array:
+def _regime(top: Reduction, points: TurningPoints, rates: Frequencies) -> Array:
     """Signs of polynomials in the given floats decide; only the steady top needs the computed gap u2 − u1.
 
     The azimuth stands still where p_φ = a u; there |w|² = lean/a, which is positive inside the nutation's range.

@@ -18,7 +18,7 @@ from polhode.special.doubledouble import DoubleDouble
 Array = Any
 
 
-class TopReduction(NamedTuple):
+class Reduction(NamedTuple):
     """A top with mgl ≥ 0, scaled by powers of two; pairs are double-double.
 
     u = cos θ, s = 1 − u, t = 1 + u, index 0 at the epoch; dots are derivatives by τ.
@@ -45,7 +45,7 @@ class TopReduction(NamedTuple):
     rate_scale: Array
 
 
-def reduce_top(moments: Array, mgl: Array, momentum: Array, attitude: Array) -> TopReduction:
+def reduce_top(moments: Array, mgl: Array, momentum: Array, attitude: Array) -> Reduction:
     """Return the reduction of tops with moments (…, 3), mgl (…, 1), momentum (…, 3) and attitude (…, 4)."""
     xp = namespace(moments, mgl, momentum, attitude)
     turned = mgl[..., 0] < 0
@@ -65,7 +65,7 @@ def reduce_top(moments: Array, mgl: Array, momentum: Array, attitude: Array) -> 
     scales = xp.ldexp(one, momentum_exponent), xp.ldexp(one, momentum_exponent - moment_exponent)
     L, q = (L1, L2, L3), (w, x, y, z)
     parts = ((I1, I3), L, q, *_invariants(I1, weight, L, q), turned, *scales)
-    return TopReduction._make(parts)
+    return Reduction._make(parts)
 
 
 def _momentum_exponent(xp: Any, I1: Array, weight: Array, momentum: tuple[Array, ...]) -> Array:

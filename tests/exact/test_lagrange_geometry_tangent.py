@@ -5,11 +5,11 @@ import math
 import numpy as np
 import pytest
 
+from polhode.exact.lagrange_top.geometry import REGIMES, characteristics
+from polhode.exact.lagrange_top.geometry_tangent import changed_numbers
+from polhode.exact.lagrange_top.preparation import prepare
+from polhode.exact.lagrange_top.tangent import tangent_data
 from polhode.exact.steady_precession import steady_precession
-from polhode.exact.top_geometry import REGIMES, top_characteristics
-from polhode.exact.top_geometry_tangent import changed_numbers
-from polhode.exact.top_preparation import prepare_top
-from polhode.exact.top_tangent import tangent_data
 
 STEP, BY_DIFFERENCES = 1e-5, 3e-8
 """Central differences leave h² times third derivatives of up to a hundred, 1e-8, and rounding over h, 1e-11."""
@@ -46,12 +46,12 @@ def found_and_differences(name, factor=1.0):
     ways[0][:, 1] = ways[0][:, 0]
 
     def numbers(step):
-        return np.array(top_characteristics(*(x + step * v for x, v in zip(top, ways, strict=True)))[1:])[:, 0]
+        return np.array(characteristics(*(x + step * v for x, v in zip(top, ways, strict=True)))[1:])[:, 0]
 
     change = numbers(STEP) - numbers(-STEP)
     change[3:5] = np.remainder(change[3:5] + math.pi / 2, math.pi) - math.pi / 2
-    values = tuple(top_characteristics(*top)[1:])
-    found = np.array(changed_numbers(tangent_data(prepare_top(*top)), values, tuple(ways)))
+    values = tuple(characteristics(*top)[1:])
+    found = np.array(changed_numbers(tangent_data(prepare(*top)), values, tuple(ways)))
     which = list(TOPS[name][3])
     return factor * found[which, 0], change[which] / (2 * STEP)
 
@@ -73,7 +73,7 @@ def test_a_wrong_derivative_is_caught():
 def test_numbers_that_are_undefined_have_no_derivative(name):
     top = arrays(*NONE[name])
     with np.errstate(all="ignore"):
-        values = top_characteristics(*top)
+        values = characteristics(*top)
         assert REGIMES[int(values.regime[0])] == name
         ways = tuple(np.ones_like(x) for x in top)
-        assert np.isnan(changed_numbers(tangent_data(prepare_top(*top)), tuple(values[1:]), ways)).all()
+        assert np.isnan(changed_numbers(tangent_data(prepare(*top)), tuple(values[1:]), ways)).all()

@@ -6,9 +6,9 @@ from typing import Any
 
 from polhode import rotation
 from polhode.arrays import first_order_only, namespace
-from polhode.exact.preparation import Prepared, prepare
-from polhode.exact.reduction import Reduction, as_sorted, from_sorted
-from polhode.exact.tangent import momentum_tangent
+from polhode.exact.free_body.preparation import Prepared, prepare
+from polhode.exact.free_body.reduction import Reduction, as_sorted, from_sorted
+from polhode.exact.free_body.tangent import momentum_tangent
 
 Array = Any
 

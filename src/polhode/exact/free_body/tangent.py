@@ -12,9 +12,9 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 from polhode.arrays import namespace
-from polhode.exact.preparation import Prepared
-from polhode.exact.reduction import half_turn_sign
-from polhode.exact.tangent_kernel import Kernel, elliptic_kernel
+from polhode.exact.free_body.preparation import Prepared
+from polhode.exact.free_body.reduction import half_turn_sign
+from polhode.exact.free_body.tangent_kernel import Kernel, elliptic_kernel
 from polhode.special import doubledouble as dd
 
 Array = Any

@@ -6,8 +6,8 @@ import math
 from typing import Any, NamedTuple
 
 from polhode.arrays import namespace
-from polhode.exact.frequencies import Frequencies, canonical_frequencies
-from polhode.exact.reduction import Reduction, canonical_reduction
+from polhode.exact.free_body.frequencies import Frequencies, canonical_frequencies
+from polhode.exact.free_body.reduction import Reduction, canonical_reduction
 from polhode.special import doubledouble as dd
 from polhode.special.doubledouble import DoubleDouble
 

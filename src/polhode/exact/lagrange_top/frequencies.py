@@ -10,8 +10,8 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 from polhode.arrays import namespace
-from polhode.exact.top_reduction import TopReduction
-from polhode.exact.top_roots import TurningPoints
+from polhode.exact.lagrange_top.reduction import Reduction
+from polhode.exact.lagrange_top.roots import TurningPoints
 from polhode.special import doubledouble as dd
 from polhode.special.agm import third_kind_agm
 from polhode.special.doubledouble import DoubleDouble
@@ -19,7 +19,7 @@ from polhode.special.doubledouble import DoubleDouble
 Array = Any
 
 
-class TopFrequencies(NamedTuple):
+class Frequencies(NamedTuple):
     """Rates by τ = t/I1 in scaled units; all but the signs and flags are double-double."""
 
     half_root: DoubleDouble  # W = ½√A: x = x0 + W τ
@@ -34,7 +34,7 @@ class TopFrequencies(NamedTuple):
     steady: Array  # the tilt stays
 
 
-def top_frequencies(top: TopReduction, points: TurningPoints) -> TopFrequencies:
+def top_frequencies(top: Reduction, points: TurningPoints) -> Frequencies:
     """Return the frequencies of reduced tops."""
     xp = namespace(top.reversed)
     a = top.momentum[2]
@@ -63,13 +63,13 @@ def top_frequencies(top: TopReduction, points: TurningPoints) -> TopFrequencies:
     beta = dd.where(separatrix, zero, beta)
     I1, I3 = top.moments
     spin = dd.divide(dd.multiply_float(dd.two_sum(I1, -I3), a), dd.from_float(I3))
-    return TopFrequencies(
+    return Frequencies(
         dd.scale(root_A, 0.5), dd.where(separatrix, zero, nutation), dd.scale(alpha, sign_alpha),
         dd.scale(beta, sign_beta), sign_alpha, sign_beta, spin, permanent, separatrix, ~(points.d[0] > 0) & ~aperiodic,
     )  # fmt: skip
 
 
-def _starts(top: TopReduction, points: TurningPoints) -> tuple[Any, ...]:
+def _starts(top: Reduction, points: TurningPoints) -> tuple[Any, ...]:
     """Return p² at the start of either sum, and whether either takes the form that starts from Z."""
     first_alpha = points.Z_plus[0] <= 2.0 * points.A[0]
     first_beta = dd.multiply(top.G, points.s2)[0] <= points.Z_minus[0]

@@ -1,0 +1,17 @@
+"""Exponentials of time with all their digits, for the series of both motions."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from polhode.arrays import namespace, split_halves
+
+Array = Any
+
+
+def exponential_decay(x: Array, rest: Array, upper: Array, lower: Array) -> Array:
+    """Return exp(−(x + rest)(upper + lower)) with the exponent's product exact in its leading part."""
+    xp = namespace(x)
+    high, low = split_halves(x)
+    small = (high * lower + low * (upper + lower)) + rest * upper
+    return xp.exp(-(high * upper)) * (1.0 - small * (1.0 - 0.5 * small))
