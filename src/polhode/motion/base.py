@@ -11,11 +11,11 @@ from polhode import rotation
 from polhode.arrays import namespace
 from polhode.motion.inputs import checked_sample_times
 from polhode.motion.layout import ATTITUDE, MOMENTUM, Quantity, StateLayout
+from polhode.types import Array, ArrayLike, Float64, Real
 
 if TYPE_CHECKING:
     from polhode.motion.trajectory import Trajectory
 
-Array = Any
 
 
 class AbstractMotion(abc.ABC):
@@ -37,14 +37,14 @@ class AbstractMotion(abc.ABC):
 
     title: ClassVar[str] = "Motion"
     has_vertical: ClassVar[bool] = False
-    moments: Array
-    momentum_at_epoch: Array
-    attitude_at_epoch: Array
-    epoch: Array
-    axes: Array | None
+    moments: Float64[Array, "... 3"]
+    momentum_at_epoch: Float64[Array, "... 3"]
+    attitude_at_epoch: Float64[Array, "... 4"]
+    epoch: Float64[Array, "..."]
+    axes: Float64[Array, "3 3"] | None
 
     @abc.abstractmethod
-    def state(self, t: Array) -> tuple[Array, Array]:
+    def state(self, t: Real[ArrayLike, "..."]) -> tuple[Float64[Array, "*batch 4"], Float64[Array, "*batch 3"]]:
         """Return attitude (…, 4) and momentum (…, 3) at the times [s]; one evaluation gives both."""
 
     @property
@@ -53,7 +53,7 @@ class AbstractMotion(abc.ABC):
         """The common shape of the bodies, () for one."""
 
     @property
-    def free_moments(self) -> Array | None:
+    def free_moments(self) -> Float64[Array, "... 3"] | None:
         """(…, 3) principal moments of a body that nothing acts on; None of any other."""
         return None
 
@@ -74,23 +74,23 @@ class AbstractMotion(abc.ABC):
     def _invariants(self, attitude: Array, momentum: Array, velocity: Array) -> tuple[dict[str, Array], dict[str, Any]]:
         """Return what is conserved at samples (…, T, k), by name, and by how much it drifts."""
 
-    def attitude(self, t: Array) -> Array:
+    def attitude(self, t: Real[ArrayLike, "..."]) -> Float64[Array, "... 4"]:
         """Return the attitude (…, 4), unit quaternions wxyz, body → space."""
         return self.state(t)[0]
 
-    def momentum(self, t: Array) -> Array:
+    def momentum(self, t: Real[ArrayLike, "..."]) -> Float64[Array, "... 3"]:
         """Return the angular momentum (…, 3) [kg m²/s, body axes]."""
         return self.state(t)[1]
 
-    def angular_velocity(self, t: Array) -> Array:
+    def angular_velocity(self, t: Real[ArrayLike, "..."]) -> Float64[Array, "... 3"]:
         """Return the angular velocity (…, 3) [rad/s, body axes]."""
         return self._angular_velocity_of(self.state(t)[1])
 
-    def rotation_matrix(self, t: Array) -> Array:
+    def rotation_matrix(self, t: Real[ArrayLike, "..."]) -> Float64[Array, "... 3 3"]:
         """Return the rotation matrix (…, 3, 3), body → space."""
         return rotation.as_matrix(self.state(t)[0])
 
-    def sample(self, times: Array) -> Trajectory:
+    def sample(self, times: Real[ArrayLike, "time"]) -> Trajectory:
         """Return the motion at times (T,) [s] as a trajectory, with what its invariants drift by.
 
         Raises:
@@ -117,7 +117,7 @@ class AbstractMotion(abc.ABC):
             source=self,
         )
 
-    def _angular_velocity_of(self, momentum: Array) -> Array:
+    def _angular_velocity_of(self, momentum: Float64[Array, "*#batch 3"]) -> Float64[Array, "*batch 3"]:
         if self.axes is None:
             return momentum / self.moments
         axes = namespace(momentum, self.axes).asarray(self.axes)
