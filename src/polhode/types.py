@@ -29,6 +29,8 @@ if TYPE_CHECKING:
     from typing import Annotated as Real
     from typing import Annotated as Shaped
 elif "jaxtyping" in sys.modules:
+    from typing import no_type_check
+
     import numpy as np
     from jaxtyping import AbstractDtype, Bool, Complex128, Float64, Integer, Shaped
 
@@ -40,6 +42,7 @@ elif "jaxtyping" in sys.modules:
     class _NamesAxes(type):
         """The type of types that everything belongs to; belonging names the axes of what has the expected shape."""
 
+        @no_type_check  # the check of this call would keep the names for itself
         def __instancecheck__(cls, value):
             if value is not None:
                 try:

@@ -103,7 +103,7 @@ def triple_products(corners: Float64[Array, "m 3 3"]) -> Float64[Array, "m"]:
     return np.einsum("mi,mi->m", a, np.cross(b - a, c - a))
 
 
-def pieces_of(faces: Integer[Array, "m 3"]) -> list[Array]:
+def pieces_of(faces: Integer[Array, "m 3"]) -> list[Integer[Array, "_"]]:
     """Return the indices of the faces of each piece of surface that hangs together by edges."""
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import connected_components
