@@ -20,11 +20,11 @@ from polhode.formats.zarr_gate import check_store
 from polhode.motion.layout import ATTITUDE, MOMENTUM, Quantity, StateLayout, StatePart
 from polhode.motion.outcome import Ending, Outcome
 from polhode.motion.trajectory import Trajectory
+from polhode.types import Array
 
 if TYPE_CHECKING:
     import xarray
 
-Array = Any
 NEEDED_LABELS = ("object_name", "reference_frame", "body_frame", "epoch", "time_system")
 LARGEST_FILE = 4000 * MB  # it is held in memory whole
 
