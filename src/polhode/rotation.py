@@ -13,12 +13,12 @@ import numpy as np
 
 from polhode.arrays import as_float64, is_traced, known_false, namespace
 from polhode.errors import InvalidInput
-from polhode.types import Array, ArrayLike, Float64, Real
+from polhode.types import Array, ArrayLike, ArrayOrFloat, Float64, Real
 
 if TYPE_CHECKING:
     from scipy.spatial.transform import Rotation
 
-Part = Float64[Array, "..."] | float
+Part = Float64[ArrayOrFloat, "..."]
 UNIT_TOLERANCE = 1e-6  # a quaternion further from unit length is taken for a mistake, not for rounding
 ORTHOGONALITY_TOLERANCE = 1e-6  # a matrix further from a rotation is taken for a mistake, not for rounding
 OPPOSITE = 4e-16  # length of the sum of two unit vectors below which it is rounding: they are opposite

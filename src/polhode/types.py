@@ -21,6 +21,12 @@ ArrayLike = Any
 """What a function makes an array of: an array, a number, or nested lists or tuples of these."""
 
 if TYPE_CHECKING:
+    ArrayOrFloat = Any
+else:
+    ArrayOrFloat = Any | float
+    """An array, or one float of Python's, as elementwise functions take it."""
+
+if TYPE_CHECKING:
     from typing import Annotated as Bool
     from typing import Annotated as Complex128
     from typing import Annotated as Double

@@ -11,7 +11,7 @@ import numpy as np
 from polhode.arrays import as_float64, is_traced, known_false
 from polhode.errors import InvalidInput, shown
 from polhode.rotation import UNIT_TOLERANCE
-from polhode.types import Array, ArrayLike, Float64, Real
+from polhode.types import Array, ArrayLike, ArrayOrFloat, Float64, Real
 
 SYMMETRY = 1e-9  # of a matrix, relative: an inertia tensor that was typed in or computed
 MOST_RADIANS = 1e27  # of a phase, which has 104 bits
@@ -187,7 +187,7 @@ def checked_sample_times(xp: Any, times: Real[ArrayLike, "time"]) -> Float64[Arr
     return times
 
 
-def plain_answer(value: Float64[Array, "*batch"] | float) -> Float64[Array, "*batch"] | float | None:
+def plain_answer(value: Float64[ArrayOrFloat, "*batch"]) -> Float64[ArrayOrFloat, "*batch"] | None:
     """Return a float for one concrete body, None where it is undefined; the array as it is otherwise."""
     if np.ndim(value) or is_traced(value):
         return value

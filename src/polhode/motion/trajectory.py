@@ -11,7 +11,7 @@ from polhode.errors import InvalidInput
 from polhode.motion.base import AbstractMotion
 from polhode.motion.layout import Quantity, StateLayout
 from polhode.motion.outcome import Outcome
-from polhode.types import Array, Double, Float64, Integer
+from polhode.types import Array, ArrayOrFloat, Double, Float64, Integer
 
 _SAMPLED = ("states", "attitude", "momentum", "angular_velocity")
 _BY_NAME = ("invariants", "balances", "received")
@@ -55,12 +55,12 @@ class Trajectory:
     invariants: dict[str, Float64[Array, "..."]] = field(default_factory=dict)
     balances: dict[str, Float64[Array, "*batch time"]] = field(default_factory=dict)
     received: dict[str, Float64[Array, "*batch time"]] = field(default_factory=dict)
-    drift: dict[str, Float64[Array, "*batch"] | float] = field(default_factory=dict)
+    drift: dict[str, Float64[ArrayOrFloat, "*batch"]] = field(default_factory=dict)
     quantities: dict[str, Quantity] = field(default_factory=dict)
     outcome: Outcome = field(default_factory=Outcome)
     source: Any = None
     statistics: dict[str, int] = field(default_factory=dict)
-    error_estimate: Float64[Array, "*batch"] | float | None = None
+    error_estimate: Float64[ArrayOrFloat, "*batch"] | None = None
 
     def __len__(self) -> int:
         return len(self.times)

@@ -6,11 +6,11 @@ import math
 
 from polhode.arrays import is_jax, namespace, split_halves
 from polhode.special.doubledouble import two_sum
-from polhode.types import Array, Float64
+from polhode.types import Array, ArrayOrFloat, Float64
 
-Operand = Float64[Array, "*#shape"] | float
-Result = Float64[Array, "*shape"] | float
-SplitRate = tuple[Float64[Array, "..."] | float, Float64[Array, "..."] | float, Float64[Array, "..."] | float]
+Operand = Float64[ArrayOrFloat, "*#shape"]
+Result = Float64[ArrayOrFloat, "*shape"]
+SplitRate = tuple[Float64[ArrayOrFloat, "..."], Float64[ArrayOrFloat, "..."], Float64[ArrayOrFloat, "..."]]
 
 _SINE = [(-1) ** n * math.tau ** (2 * n + 1) / math.factorial(2 * n + 1) for n in range(9)]
 _COSINE = [(-1) ** n * math.tau ** (2 * n) / math.factorial(2 * n) for n in range(10)]

@@ -14,13 +14,13 @@ from collections.abc import Iterable
 import numpy as np
 
 from polhode.arrays import is_jax, iterate, namespace, split_halves
-from polhode.types import Array, Bool, Float64
+from polhode.types import Array, ArrayOrFloat, Bool, Float64
 
-DoubleDouble = tuple[Float64[Array, "..."] | float, Float64[Array, "..."] | float]
+DoubleDouble = tuple[Float64[ArrayOrFloat, "..."], Float64[ArrayOrFloat, "..."]]
 
 # of the functions here, which broadcast
-Operand = Float64[Array, "*#shape"] | float
-Result = Float64[Array, "*shape"] | float
+Operand = Float64[ArrayOrFloat, "*#shape"]
+Result = Float64[ArrayOrFloat, "*shape"]
 Pair = tuple[Operand, Operand]
 Pairs = tuple[Result, Result]
 

@@ -13,9 +13,9 @@ from polhode.arrays import as_float64, known_false, namespace
 from polhode.errors import InvalidInput
 from polhode.special import doubledouble as dd
 from polhode.special.carlson import carlson_rd, carlson_rf, carlson_rj
-from polhode.types import Array, ArrayLike, Bool, Float64, Real
+from polhode.types import Array, ArrayLike, ArrayOrFloat, Bool, Float64, Real
 
-Operand = Float64[Array, "*#shape"] | float
+Operand = Float64[ArrayOrFloat, "*#shape"]
 Result = Float64[Array, "*shape"]
 FARTHEST = 700.0  # of the hyperbolic argument: beyond it e^x overflows
 SMALLEST_SQUARE = math.exp(-2.0 * 340.0)  # of e^−x, whose inverse is the integral's size
