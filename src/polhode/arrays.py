@@ -15,8 +15,8 @@ import array_api_compat.numpy as numpy_namespace
 import numpy as np
 
 from polhode.errors import InvalidInput, PolhodeError, shown
+from polhode.types import Array, ArrayLike, Float64
 
-Array = Any
 Parameters = ParamSpec("Parameters")
 Result = TypeVar("Result")
 
@@ -94,7 +94,7 @@ def _remedy(jax_array: bool) -> str:
     )
 
 
-def as_float64(xp: Any, value: Any, name: str) -> Array:
+def as_float64(xp: Any, value: ArrayLike, name: str) -> Float64[Array, "..."]:
     """Return ``value`` as a float64 array of the namespace.
 
     Raises:

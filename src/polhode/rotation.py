@@ -13,11 +13,12 @@ import numpy as np
 
 from polhode.arrays import as_float64, is_traced, known_false, namespace
 from polhode.errors import InvalidInput
+from polhode.types import Array, ArrayLike, ArrayOrFloat, Float64, Real
 
 if TYPE_CHECKING:
     from scipy.spatial.transform import Rotation
 
-Array = Any
+Part = Float64[ArrayOrFloat, "..."]
 UNIT_TOLERANCE = 1e-6  # a quaternion further from unit length is taken for a mistake, not for rounding
 ORTHOGONALITY_TOLERANCE = 1e-6  # a matrix further from a rotation is taken for a mistake, not for rounding
 OPPOSITE = 4e-16  # length of the sum of two unit vectors below which it is rounding: they are opposite
@@ -40,13 +41,13 @@ def _parts(value: Array) -> list[Array]:
     return [value[..., k] for k in range(value.shape[-1])]
 
 
-def multiply(p: Array, q: Array) -> Array:
+def multiply(p: Real[ArrayLike, "*#batch 4"], q: Real[ArrayLike, "*#batch 4"]) -> Float64[Array, "*batch 4"]:
     """Return the Hamilton product p q, shape (…, 4): first q, then p."""
     xp, (p, q) = _arrays(p=p, q=q)
     return xp.stack(product_of_parts(_parts(p), _parts(q)), axis=-1)
 
 
-def product_of_parts(p: Sequence[Array], q: Sequence[Array]) -> tuple[Array, ...]:
+def product_of_parts(p: Sequence[Part], q: Sequence[Part]) -> tuple[Part, Part, Part, Part]:
     """Return the four components of p q from those of p and q, where they are kept apart."""
     (a, b, c, d), (w, x, y, z) = p, q
     return (
@@ -57,13 +58,13 @@ def product_of_parts(p: Sequence[Array], q: Sequence[Array]) -> tuple[Array, ...
     )
 
 
-def conjugate(quaternion: Array) -> Array:
+def conjugate(quaternion: Real[ArrayLike, "*batch 4"]) -> Float64[Array, "*batch 4"]:
     """Return the conjugate (w, −x, −y, −z), the inverse of a unit quaternion."""
     xp, (q,) = _arrays(quaternion=quaternion)
     return q * xp.asarray([1.0, -1.0, -1.0, -1.0], dtype=xp.float64)
 
 
-def normalize(quaternion: Array) -> Array:
+def normalize(quaternion: Real[ArrayLike, "*batch 4"]) -> Float64[Array, "*batch 4"]:
     """Return the unit quaternion along the given one.
 
     Raises:
@@ -90,7 +91,9 @@ def _refuse_not_unit(q: Array) -> None:
         )
 
 
-def rotate(quaternion: Array, vector: Array) -> Array:
+def rotate(
+    quaternion: Real[ArrayLike, "*#batch 4"], vector: Real[ArrayLike, "*#batch 3"]
+) -> Float64[Array, "*batch 3"]:
     """Return the vector (…, 3) turned from body to space: v + 2w u×v + 2 u×(u×v).
 
     Raises:
@@ -109,7 +112,7 @@ def rotate(quaternion: Array, vector: Array) -> Array:
     return xp.stack(parts, axis=-1)
 
 
-def as_matrix(quaternion: Array) -> Array:
+def as_matrix(quaternion: Real[ArrayLike, "*batch 4"]) -> Float64[Array, "*batch 3 3"]:
     """Return the rotation matrix (…, 3, 3), v_space = R v_body.
 
     Raises:
@@ -126,7 +129,7 @@ def as_matrix(quaternion: Array) -> Array:
     return xp.stack([xp.stack(row, axis=-1) for row in rows], axis=-2)
 
 
-def from_matrix(matrix: Array) -> Array:
+def from_matrix(matrix: Real[ArrayLike, "*batch 3 3"]) -> Float64[Array, "*batch 4"]:
     """Return the unit quaternion of a rotation matrix (…, 3, 3), with its largest component positive.
 
     Raises:
@@ -170,7 +173,7 @@ def _refuse_improper(m: np.ndarray) -> None:
         raise InvalidInput("`matrix` must be a proper rotation, det R = +1; got a reflection. Flip one axis.")
 
 
-def from_rotation_vector(vector: Array) -> Array:
+def from_rotation_vector(vector: Real[ArrayLike, "*batch 3"]) -> Float64[Array, "*batch 4"]:
     """Return exp of a rotation vector (…, 3) [rad] as a unit quaternion; smooth through zero."""
     xp, (v,) = _arrays(vector=vector)
     square = xp.sum(v * v, axis=-1, keepdims=True)
@@ -183,7 +186,7 @@ def from_rotation_vector(vector: Array) -> Array:
     return xp.concat([cosine, half_sinc * v], axis=-1)
 
 
-def as_rotation_vector(quaternion: Array) -> Array:
+def as_rotation_vector(quaternion: Real[ArrayLike, "*batch 4"]) -> Float64[Array, "*batch 3"]:
     """Return log of a unit quaternion as a rotation vector (…, 3) [rad] of length ≤ π; smooth through zero."""
     xp, (q,) = _arrays(quaternion=quaternion)
     q = xp.where(q[..., :1] < 0, -q, q)
@@ -197,7 +200,9 @@ def as_rotation_vector(quaternion: Array) -> Array:
     return v * xp.where(small, series, 2.0 * xp.atan2(sine, w) / sine)
 
 
-def from_axis_angle(axis: Array, angle: Array) -> Array:
+def from_axis_angle(
+    axis: Real[ArrayLike, "*#batch 3"], angle: Real[ArrayLike, "*#batch"]
+) -> Float64[Array, "*batch 4"]:
     """Return the rotation by an angle [rad] about an axis (…, 3), which need not be of unit length."""
     xp = namespace(axis, angle)
     axis = as_float64(xp, axis, "axis")
@@ -211,7 +216,7 @@ def from_axis_angle(axis: Array, angle: Array) -> Array:
     return xp.concat([xp.cos(half) + 0.0 * unit[..., :1], xp.sin(half) * unit], axis=-1)
 
 
-def hat(vector: Array) -> Array:
+def hat(vector: Real[ArrayLike, "*batch 3"]) -> Float64[Array, "*batch 3 3"]:
     """Return the skew matrix (…, 3, 3) with hat(v) w = v × w."""
     xp, (v,) = _arrays(vector=vector)
     x, y, z = _parts(v)
@@ -219,14 +224,14 @@ def hat(vector: Array) -> Array:
     return xp.stack([xp.stack(row, axis=-1) for row in ((o, -z, y), (z, o, -x), (-y, x, o))], axis=-2)
 
 
-def vee(matrix: Array) -> Array:
+def vee(matrix: Real[ArrayLike, "*batch 3 3"]) -> Float64[Array, "*batch 3"]:
     """Return the vector of the skew part of a matrix (…, 3, 3); the inverse of ``hat``."""
     xp, (m,) = _arrays(matrix=matrix)
     parts = (m[..., 2, 1] - m[..., 1, 2], m[..., 0, 2] - m[..., 2, 0], m[..., 1, 0] - m[..., 0, 1])
     return 0.5 * xp.stack(parts, axis=-1)
 
 
-def angle_between(p: Array, q: Array) -> Array:
+def angle_between(p: Real[ArrayLike, "*#batch 4"], q: Real[ArrayLike, "*#batch 4"]) -> Float64[Array, "*batch"]:
     """Return the angle (…) [rad] in [0, π] of the rotation from q to p, accurate when it is tiny."""
     xp, (p, q) = _arrays(p=p, q=q)
     relative = multiply(conjugate(q), p)
@@ -234,7 +239,9 @@ def angle_between(p: Array, q: Array) -> Array:
     return 2.0 * xp.atan2(sine, xp.abs(relative[..., 0]))
 
 
-def shortest_between(start: Array, end: Array) -> Array:
+def shortest_between(
+    start: Real[ArrayLike, "*#batch 3"], end: Real[ArrayLike, "*#batch 3"]
+) -> Float64[Array, "*batch 4"]:
     """Return the unit quaternion (…, 4) of the shortest rotation that takes one direction (…, 3) to another.
 
     With unit vectors a, b and s = a + b it is (|s|/2, a × s/|s|), which loses no digits where they are nearly opposite.
@@ -257,7 +264,7 @@ def shortest_between(start: Array, end: Array) -> Array:
     return turn / xp.sqrt(xp.sum(turn * turn, axis=-1, keepdims=True))
 
 
-def perpendicular(vector: Array) -> Array:
+def perpendicular(vector: Real[ArrayLike, "*batch 3"]) -> Float64[Array, "*batch 3"]:
     """Return a unit vector (…, 3) at right angles to each vector: its cross product with the axis farthest from it.
 
     Raises:
@@ -290,7 +297,7 @@ def _cross(xp: Any, a: Array, b: Array) -> Array:
     return xp.stack([y * w - z * v, z * u - x * w, x * v - y * u], axis=-1)
 
 
-def as_scipy(quaternion: Array) -> Rotation:
+def as_scipy(quaternion: Real[ArrayLike, "*batch 4"]) -> Rotation:
     """Return the rotation as SciPy's ``Rotation``, whose quaternions end with the scalar."""
     from scipy.spatial.transform import Rotation
 
@@ -298,7 +305,7 @@ def as_scipy(quaternion: Array) -> Rotation:
     return Rotation.from_quat(xp.concat([q[..., 1:], q[..., :1]], axis=-1))
 
 
-def from_scipy(rotation: Rotation) -> Array:
+def from_scipy(rotation: Rotation) -> Float64[Array, "*batch 4"]:
     """Return SciPy's ``Rotation`` as quaternions (…, 4), scalar first."""
     xyzw = rotation.as_quat()
     xp = namespace(xyzw)

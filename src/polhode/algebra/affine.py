@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import jax.numpy as jnp
 
 from polhode.algebra.base import AbstractLieAlgebra
-
-Array = Any
+from polhode.types import Array, Float64
 
 
 class AffineLine(AbstractLieAlgebra):
@@ -21,9 +18,9 @@ class AffineLine(AbstractLieAlgebra):
     def dim(self) -> int:
         return 2
 
-    def bracket(self, x: Array, y: Array) -> Array:
+    def bracket(self, x: Float64[Array, "*#batch 2"], y: Float64[Array, "*#batch 2"]) -> Float64[Array, "*batch 2"]:
         value = x[..., 0] * y[..., 1] - x[..., 1] * y[..., 0]
         return jnp.stack([jnp.zeros_like(value), value], axis=-1)
 
-    def coadjoint(self, x: Array, mu: Array) -> Array:
+    def coadjoint(self, x: Float64[Array, "*#batch 2"], mu: Float64[Array, "*#batch 2"]) -> Float64[Array, "*batch 2"]:
         return jnp.stack(jnp.broadcast_arrays(-mu[..., 1] * x[..., 1], mu[..., 1] * x[..., 0]), axis=-1)

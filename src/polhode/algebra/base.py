@@ -19,9 +19,13 @@ import numpy as np
 
 from polhode.arrays import custom_derivative
 from polhode.errors import InvalidInput
+from polhode.types import Array, ArrayLike, Double, Float64
 
-Array = Any
 SERIES_TERMS = 60  # of Σ ad*ᵏμ/k!: enough for a turn by 2π and more in one step
+
+# of algebras whose elements are vectors; operands broadcast
+Vector = Float64[Array, "*batch {self.dim}"]
+Operand = Float64[Array, "*#batch {self.dim}"]
 
 
 class HashableModule(eqx.Module):
@@ -67,45 +71,45 @@ class AbstractLieAlgebra(HashableModule):
     # ------------------------------------------------------------------ the algebra and its dual
 
     @abc.abstractmethod
-    def bracket(self, x: Array, y: Array) -> Array:
+    def bracket(self, x: Double[Array, "..."], y: Double[Array, "..."]) -> Double[Array, "..."]:
         """Return [x, y]."""
 
     @abc.abstractmethod
-    def coadjoint(self, x: Array, mu: Array) -> Array:
+    def coadjoint(self, x: Double[Array, "..."], mu: Double[Array, "..."]) -> Double[Array, "..."]:
         """Return ad*_x μ, ⟨ad*_x μ, y⟩ = ⟨μ, [x, y]⟩."""
 
-    def pairing(self, mu: Array, x: Array) -> Array:
+    def pairing(self, mu: Double[Array, "..."], x: Double[Array, "..."]) -> Float64[Array, "..."]:
         """Return ⟨μ, x⟩ (…)."""
         return jnp.sum(self.to_dual_vector(mu) * self.to_vector(x), axis=-1)
 
-    def casimirs(self, mu: Array) -> Array:
+    def casimirs(self, mu: Double[Array, "..."]) -> Float64[Array, "... k"]:
         """Return the known Casimirs (…, k) at μ: k of them may be zero."""
         mu = jnp.asarray(mu)
         return jnp.zeros((*self.batch_shape(mu), 0))
 
     # ------------------------------------------------------------------ coordinates
 
-    def to_vector(self, x: Array) -> Array:
+    def to_vector(self, x: Double[Array, "..."]) -> Float64[Array, "... {self.dim}"]:
         """Return the coordinates (…, dim) of an element in the stated basis."""
         return x
 
-    def from_vector(self, vector: Array) -> Array:
+    def from_vector(self, vector: Float64[Array, "... {self.dim}"]) -> Double[Array, "..."]:
         """Return the element with the given coordinates (…, dim)."""
         return vector
 
-    def to_dual_vector(self, mu: Array) -> Array:
+    def to_dual_vector(self, mu: Double[Array, "..."]) -> Float64[Array, "... {self.dim}"]:
         """Return ⟨μ, e_i⟩ (…, dim): coordinates in the dual basis."""
         return mu
 
-    def from_dual_vector(self, vector: Array) -> Array:
+    def from_dual_vector(self, vector: Float64[Array, "... {self.dim}"]) -> Double[Array, "..."]:
         """Return the dual element with ⟨μ, e_i⟩ as given (…, dim)."""
         return vector
 
-    def from_gradient(self, gradient: Array) -> Array:
+    def from_gradient(self, gradient: Double[Array, "..."]) -> Double[Array, "..."]:
         """Return the element x with δF = ⟨δμ, x⟩ from a function's partial derivatives as JAX gives them."""
         return gradient
 
-    def batch_shape(self, value: Array) -> tuple[int, ...]:
+    def batch_shape(self, value: ArrayLike) -> tuple[int, ...]:
         """Return the leading axes of an array of elements.
 
         Raises:
@@ -127,31 +131,31 @@ class AbstractLieAlgebra(HashableModule):
         basis = self.from_vector(jnp.eye(self.dim))
         return self.to_vector(self.bracket(basis[:, None], basis[None, :]))
 
-    def structure_constants(self) -> np.ndarray:
+    def structure_constants(self) -> Float64[Array, "{self.dim} {self.dim} {self.dim}"]:
         """Return c (dim, dim, dim), [e_i, e_j] = Σ_k c[i,j,k] e_k; for small algebras."""
         return self._structure_constants
 
-    def rate(self, x: Array) -> Array:
+    def rate(self, x: Double[Array, "..."]) -> Float64[Array, "..."]:
         """Return how fast exp(tx) turns (…) [rad per unit of t]: the spectral radius of ad_x, or a bound of it."""
         constants = np.abs(self.structure_constants())
         return jnp.max(jnp.einsum("...i,ijk->...jk", jnp.abs(self.to_vector(x)), constants).sum(axis=-1), axis=-1)
 
     # ------------------------------------------------------------------ the group
 
-    def exp(self, x: Array) -> Array:
+    def exp(self, x: Double[Array, "..."]) -> Any:
         """Return the group element exp x; here as the matrix of Ad (…, dim, dim) in the stated basis."""
         ad = jnp.einsum("...i,ijk->...kj", self.to_vector(x), self.structure_constants())
         return jax.scipy.linalg.expm(ad)
 
-    def coadjoint_action(self, g: Array, mu: Array) -> Array:
+    def coadjoint_action(self, g: Any, mu: Double[Array, "..."]) -> Double[Array, "..."]:
         """Return Ad*_g μ for g as ``exp`` gives it."""
         return self.from_dual_vector(jnp.einsum("...ji,...j->...i", g, self.to_dual_vector(mu)))
 
-    def cayley(self, x: Array) -> Array:
+    def cayley(self, x: Double[Array, "..."]) -> Any:
         """Return (1 − x/2)⁻¹ (1 + x/2) as a group element, where the group is one of those whose Cayley map exists."""
         raise InvalidInput(f"the group of {self.name} has no Cayley map here; use `exp`.")
 
-    def exp_change(self, x: Array, mu: Array) -> Array:
+    def exp_change(self, x: Double[Array, "..."], mu: Double[Array, "..."]) -> Double[Array, "..."]:
         """Return Ad*_{exp x} μ − μ without cancellation, so that many small steps round little.
 
         By Σ_{k≥1} (ad*_x)ᵏ μ/k!, summed until the terms vanish beside the sum, each copy of a batch to its own: exact
@@ -187,6 +191,6 @@ class AbstractLieAlgebra(HashableModule):
 
         return custom_derivative(lambda x, mu: summed(x, mu, False), rule)(jnp.asarray(x), jnp.asarray(mu))
 
-    def cayley_change(self, x: Array, mu: Array) -> Array:
+    def cayley_change(self, x: Double[Array, "..."], mu: Double[Array, "..."]) -> Double[Array, "..."]:
         """Return Ad*_{cay x} μ − μ."""
         return self.coadjoint_action(self.cayley(x), mu) - mu

@@ -12,7 +12,6 @@ from collections import defaultdict
 from collections.abc import Iterator
 from fractions import Fraction
 from itertools import combinations_with_replacement
-from typing import Any
 
 import numpy as np
 
@@ -20,7 +19,6 @@ from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.polynomial import Polynomial
 from polhode.errors import InvalidInput, not_installed, shown
 
-Array = Any
 Terms = dict[tuple[int, ...], Fraction]
 LARGEST_DENOMINATOR = 10_000
 MOST_MONOMIALS = 20_000  # writing down the equations takes a minute then

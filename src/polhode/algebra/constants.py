@@ -7,11 +7,11 @@ from typing import Any
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.algebra.base import AbstractLieAlgebra
+from polhode.algebra.base import AbstractLieAlgebra, Operand, Vector
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput
+from polhode.types import Array, ArrayLike, Double, Float64, Real
 
-Array = Any
 TOLERANCE = 1e-12  # of identities among constants, relative to their size
 
 
@@ -24,10 +24,10 @@ class ConstantsAlgebra(AbstractLieAlgebra):
     def dim(self) -> int:
         return len(self.constants)
 
-    def bracket(self, x: Array, y: Array) -> Array:
+    def bracket(self, x: Operand, y: Operand) -> Vector:
         return jnp.einsum("...i,...j,ijk->...k", x, y, self.constants)
 
-    def coadjoint(self, x: Array, mu: Array) -> Array:
+    def coadjoint(self, x: Operand, mu: Operand) -> Vector:
         return jnp.einsum("...i,...k,ijk->...j", x, mu, self.constants)
 
     def structure_constants(self) -> np.ndarray:
@@ -39,13 +39,13 @@ class MatrixBasisAlgebra(ConstantsAlgebra):
 
     matrices: np.ndarray
 
-    def exp(self, x: Array) -> Array:
+    def exp(self, x: Vector) -> Double[Array, "*batch n n"]:
         """Return exp Σ x_i B_i as a matrix."""
         from jax.scipy.linalg import expm
 
         return expm(jnp.einsum("...i,iab->...ab", x, self.matrices))
 
-    def coadjoint_action(self, g: Array, mu: Array) -> Array:
+    def coadjoint_action(self, g: Double[Array, "*#batch n n"], mu: Operand) -> Vector:
         inverse = np.linalg.pinv(self.matrices.reshape(self.dim, -1).T)
         turned = g[..., None, :, :] @ self.matrices @ jnp.linalg.inv(g)[..., None, :, :]
         adjoint = jnp.einsum("ij,...kj->...ik", inverse, turned.reshape(*turned.shape[:-2], -1))
@@ -53,7 +53,7 @@ class MatrixBasisAlgebra(ConstantsAlgebra):
 
 
 @known_numbers_only
-def from_structure_constants(constants: Array) -> ConstantsAlgebra:
+def from_structure_constants(constants: Real[ArrayLike, "dim dim dim"]) -> ConstantsAlgebra:
     """Return the algebra with [e_i, e_j] = Σ_k c[i,j,k] e_k, after checking that it is one.
 
     Args:
@@ -71,7 +71,7 @@ def from_structure_constants(constants: Array) -> ConstantsAlgebra:
     return ConstantsAlgebra(checked_constants(constants))
 
 
-def checked_constants(constants: Array) -> np.ndarray:
+def checked_constants(constants: Real[ArrayLike, "dim dim dim"]) -> Float64[Array, "dim dim dim"]:
     """Return structure constants as a read-only array after the checks of ``from_structure_constants``."""
     refuse_single_precision(constants=constants)
     try:
@@ -114,7 +114,7 @@ def _check_jacobi(c: np.ndarray, scale: float) -> None:
 
 
 @known_numbers_only
-def from_matrices(basis: Array) -> MatrixBasisAlgebra:
+def from_matrices(basis: Real[ArrayLike, "dim n n"]) -> MatrixBasisAlgebra:
     """Return the algebra spanned over the reals by matrices, after checking that it closes under commutation.
 
     Args:

@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import equinox as eqx
 import jax.numpy as jnp
 
-from polhode.algebra.base import AbstractLieAlgebra
+from polhode.algebra.base import AbstractLieAlgebra, Operand, Vector
 from polhode.errors import InvalidInput
-
-Array = Any
+from polhode.types import Array, Float64
 
 
 class Heisenberg(AbstractLieAlgebra):
@@ -37,18 +34,18 @@ class Heisenberg(AbstractLieAlgebra):
     def casimir_names(self) -> tuple[str, ...]:
         return ("γ",)
 
-    def bracket(self, x: Array, y: Array) -> Array:
+    def bracket(self, x: Operand, y: Operand) -> Vector:
         n = self.n
         value = jnp.sum(x[..., :n] * y[..., n : 2 * n] - x[..., n : 2 * n] * y[..., :n], axis=-1, keepdims=True)
         return jnp.concatenate([jnp.zeros((*value.shape[:-1], 2 * n)), value], axis=-1)
 
-    def coadjoint(self, x: Array, mu: Array) -> Array:
+    def coadjoint(self, x: Operand, mu: Operand) -> Vector:
         n, level = self.n, mu[..., -1:]
         parts = jnp.broadcast_arrays(-level * x[..., n : 2 * n], level * x[..., :n])
         return jnp.concatenate([*parts, jnp.zeros((*parts[0].shape[:-1], 1))], axis=-1)
 
-    def casimirs(self, mu: Array) -> Array:
+    def casimirs(self, mu: Vector) -> Float64[Array, "*batch k"]:
         return jnp.asarray(mu)[..., -1:]
 
-    def exp_change(self, x: Array, mu: Array) -> Array:
+    def exp_change(self, x: Operand, mu: Operand) -> Vector:
         return self.coadjoint(x, mu)  # ad*² = 0

@@ -17,8 +17,10 @@ import numpy as np
 
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.errors import InvalidInput, shown
+from polhode.types import Array, Double, Float64
 
-Array = Any
+Element = Double[Array, "*batch {self.size} {self.size}"]
+Operand = Double[Array, "*#batch {self.size} {self.size}"]
 
 
 class AbstractMatrixAlgebra(AbstractLieAlgebra):
@@ -37,7 +39,7 @@ class AbstractMatrixAlgebra(AbstractLieAlgebra):
         """Return the basis matrices."""
 
     @abc.abstractmethod
-    def project(self, matrix: Array) -> Array:
+    def project(self, matrix: Element) -> Element:
         """Return the part of any matrix (…, size, size) that lies in the algebra."""
 
     @property
@@ -57,52 +59,52 @@ class AbstractMatrixAlgebra(AbstractLieAlgebra):
     def _lengths(self) -> np.ndarray:
         return self.scale * np.sum(np.abs(self.basis) ** 2, axis=(1, 2))
 
-    def bracket(self, x: Array, y: Array) -> Array:
+    def bracket(self, x: Operand, y: Operand) -> Element:
         return x @ y - y @ x
 
-    def coadjoint(self, x: Array, mu: Array) -> Array:
+    def coadjoint(self, x: Operand, mu: Operand) -> Element:
         turned = adjoint(x)
         return turned @ mu - mu @ turned
 
-    def pairing(self, mu: Array, x: Array) -> Array:
+    def pairing(self, mu: Operand, x: Operand) -> Float64[Array, "*batch"]:
         return self.scale * jnp.sum((jnp.conj(mu) * x).real, axis=(-2, -1))
 
-    def to_vector(self, x: Array) -> Array:
+    def to_vector(self, x: Element) -> Float64[Array, "*batch {self.dim}"]:
         return self.to_dual_vector(x) / self._lengths
 
-    def from_vector(self, vector: Array) -> Array:
+    def from_vector(self, vector: Float64[Array, "*batch {self.dim}"]) -> Element:
         return jnp.einsum("...k,kij->...ij", vector, self.basis)
 
-    def to_dual_vector(self, mu: Array) -> Array:
+    def to_dual_vector(self, mu: Element) -> Float64[Array, "*batch {self.dim}"]:
         return self.scale * jnp.einsum("...ij,kij->...k", mu, self.basis.conj()).real
 
-    def from_dual_vector(self, vector: Array) -> Array:
+    def from_dual_vector(self, vector: Float64[Array, "*batch {self.dim}"]) -> Element:
         return self.from_vector(vector / self._lengths)
 
-    def from_gradient(self, gradient: Array) -> Array:
+    def from_gradient(self, gradient: Element) -> Element:
         return self.project(jnp.conj(gradient)) / self.scale
 
-    def rate(self, x: Array) -> Array:
+    def rate(self, x: Element) -> Float64[Array, "*batch"]:
         return jnp.sqrt(2.0) * jnp.linalg.norm(x, axis=(-2, -1))
 
-    def exp(self, x: Array) -> Array:
+    def exp(self, x: Element) -> Element:
         return jax.scipy.linalg.expm(jnp.asarray(x))
 
-    def coadjoint_action(self, g: Array, mu: Array) -> Array:
+    def coadjoint_action(self, g: Operand, mu: Operand) -> Element:
         turned = adjoint(g)
         return adjoint(jnp.linalg.solve(g, adjoint(turned @ mu)))
 
-    def cayley(self, x: Array) -> Array:
+    def cayley(self, x: Element) -> Element:
         one = jnp.eye(self.size)
         return jnp.linalg.solve(one - 0.5 * x, one + 0.5 * x)
 
-    def exp_change(self, x: Array, mu: Array) -> Array:
+    def exp_change(self, x: Operand, mu: Operand) -> Element:
         return self.project(AbstractLieAlgebra.exp_change(self, x, mu))
 
-    def cayley_change(self, x: Array, mu: Array) -> Array:
+    def cayley_change(self, x: Operand, mu: Operand) -> Element:
         return self.coadjoint(x, self.cayley_middle(x, mu))
 
-    def cayley_middle(self, x: Array, mu: Array) -> Array:
+    def cayley_middle(self, x: Operand, mu: Operand) -> Element:
         """Return W̃ with μ = (1 − x†/2) W̃ (1 + x†/2) and Ad*_{cay x} μ = (1 + x†/2) W̃ (1 − x†/2)."""
         one, half = jnp.eye(self.size), 0.5 * adjoint(x)
         found = adjoint(jnp.linalg.solve(one + adjoint(half), adjoint(jnp.linalg.solve(one - half, mu))))
@@ -139,7 +141,7 @@ class SO(AbstractMatrixAlgebra):
         basis[np.arange(self.dim), columns, rows] = 1.0
         return basis - basis.transpose(0, 2, 1)
 
-    def project(self, matrix: Array) -> Array:
+    def project(self, matrix: Element) -> Element:
         return 0.5 * (matrix - adjoint(matrix))
 
     @property
@@ -151,7 +153,7 @@ class SO(AbstractMatrixAlgebra):
         traces = tuple("−½ tr μ²" if k == 2 else f"tr μ^{k}" for k in self._powers)
         return traces if self.n % 2 else (*traces, "Pf μ")
 
-    def casimirs(self, mu: Array) -> Array:
+    def casimirs(self, mu: Element) -> Float64[Array, "*batch k"]:
         mu = jnp.asarray(mu)
         values = self._power_traces(mu, self._powers)
         values = [-0.5 * v if k == 2 else v for k, v in zip(self._powers, values, strict=True)]
@@ -191,14 +193,14 @@ class SU(AbstractMatrixAlgebra):
             matrices.append(np.diag([-0.5j] * k + [0.5j * k] + [0.0] * (self.n - k - 1)))
         return np.array(matrices)
 
-    def project(self, matrix: Array) -> Array:
+    def project(self, matrix: Element) -> Element:
         return traceless(0.5 * (matrix - adjoint(matrix)))
 
     @property
     def casimir_names(self) -> tuple[str, ...]:
         return tuple(f"tr (iμ)^{k}" for k in range(2, self.n + 1))
 
-    def casimirs(self, mu: Array) -> Array:
+    def casimirs(self, mu: Element) -> Float64[Array, "*batch k"]:
         return jnp.stack(self._power_traces(1j * jnp.asarray(mu), tuple(range(2, self.n + 1))), axis=-1).real
 
 
@@ -224,20 +226,20 @@ class SL(AbstractMatrixAlgebra):
         matrices += [np.diag([1.0] * k + [-float(k)] + [0.0] * (self.n - k - 1)) for k in range(1, self.n)]
         return np.array(matrices)
 
-    def project(self, matrix: Array) -> Array:
+    def project(self, matrix: Element) -> Element:
         return traceless(matrix)
 
-    def cayley(self, x: Array) -> Array:
+    def cayley(self, x: Element) -> Element:
         return AbstractLieAlgebra.cayley(self, x)
 
-    def cayley_middle(self, x: Array, mu: Array) -> Array:
+    def cayley_middle(self, x: Operand, mu: Operand) -> Element:
         return AbstractLieAlgebra.cayley(self, x)
 
     @property
     def casimir_names(self) -> tuple[str, ...]:
         return tuple(f"tr μ^{k}" for k in range(2, self.n + 1))
 
-    def casimirs(self, mu: Array) -> Array:
+    def casimirs(self, mu: Element) -> Float64[Array, "*batch k"]:
         return jnp.stack(self._power_traces(jnp.asarray(mu), tuple(range(2, self.n + 1))), axis=-1)
 
 
@@ -276,7 +278,7 @@ class Sp(AbstractMatrixAlgebra):
                     matrices.append(one)
         return np.array(matrices)
 
-    def project(self, matrix: Array) -> Array:
+    def project(self, matrix: Element) -> Element:
         n = self.n
         form = np.block([[np.zeros((n, n)), np.eye(n)], [-np.eye(n), np.zeros((n, n))]])
         return 0.5 * (matrix + form @ adjoint(matrix) @ form)
@@ -285,22 +287,22 @@ class Sp(AbstractMatrixAlgebra):
     def casimir_names(self) -> tuple[str, ...]:
         return tuple(f"tr μ^{2 * k}" for k in range(1, self.n + 1))
 
-    def casimirs(self, mu: Array) -> Array:
+    def casimirs(self, mu: Element) -> Float64[Array, "*batch k"]:
         return jnp.stack(self._power_traces(jnp.asarray(mu), tuple(range(2, 2 * self.n + 1, 2))), axis=-1)
 
 
-def adjoint(matrix: Array) -> Array:
+def adjoint(matrix: Double[Array, "*batch n n"]) -> Double[Array, "*batch n n"]:
     """Return the conjugate transpose of the last two axes."""
     return jnp.conj(jnp.swapaxes(matrix, -1, -2))
 
 
-def traceless(matrix: Array) -> Array:
+def traceless(matrix: Double[Array, "*batch n n"]) -> Double[Array, "*batch n n"]:
     """Return the matrix (…, n, n) less its trace's share of the identity."""
     n = matrix.shape[-1]
     return matrix - (jnp.trace(matrix, axis1=-2, axis2=-1) / n)[..., None, None] * jnp.eye(n)
 
 
-def pfaffian(matrix: Array) -> Array:
+def pfaffian(matrix: Float64[Array, "*batch n n"]) -> Float64[Array, "*batch"]:
     """Return the Pfaffian of antisymmetric matrices (…, 2k, 2k), by expansion along the first row."""
     n = matrix.shape[-1]
     if n == 2:

@@ -9,8 +9,8 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode.arrays import is_jax
+from polhode.types import Array, ArrayLike, Float64, Real
 
-Array = Any
 SUPERSCRIPTS = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
@@ -34,7 +34,7 @@ class Polynomial:
         """Degree of every term."""
         return int(self.exponents[0].sum())
 
-    def __call__(self, point: Array) -> Array:
+    def __call__(self, point: Real[ArrayLike, "*batch dim"]) -> Float64[Array, "*batch"]:
         """Return the values (…) at coordinates (…, dim), NumPy or JAX."""
         xp: Any = jnp if is_jax(point) else np
         x = xp.asarray(point)

@@ -9,8 +9,7 @@ import jax.numpy as jnp
 
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.errors import InvalidInput, shown
-
-Array = Any
+from polhode.types import Array, Double, Float64
 
 
 class Power(AbstractLieAlgebra):
@@ -43,49 +42,49 @@ class Power(AbstractLieAlgebra):
     def casimir_names(self) -> tuple[str, ...]:
         return tuple(f"{name} of {k}" for k in range(self.count) for name in self.algebra.casimir_names)
 
-    def bracket(self, x: Array, y: Array) -> Array:
+    def bracket(self, x: Double[Array, "..."], y: Double[Array, "..."]) -> Double[Array, "..."]:
         return self.algebra.bracket(x, y)
 
-    def coadjoint(self, x: Array, mu: Array) -> Array:
+    def coadjoint(self, x: Double[Array, "..."], mu: Double[Array, "..."]) -> Double[Array, "..."]:
         return self.algebra.coadjoint(x, mu)
 
-    def pairing(self, mu: Array, x: Array) -> Array:
+    def pairing(self, mu: Double[Array, "..."], x: Double[Array, "..."]) -> Float64[Array, "..."]:
         return jnp.sum(self.algebra.pairing(mu, x), axis=-1)
 
-    def casimirs(self, mu: Array) -> Array:
+    def casimirs(self, mu: Double[Array, "..."]) -> Float64[Array, "... k"]:
         return self._flat(self.algebra.casimirs(mu))
 
-    def to_vector(self, x: Array) -> Array:
+    def to_vector(self, x: Double[Array, "..."]) -> Float64[Array, "... {self.dim}"]:
         return self._flat(self.algebra.to_vector(x))
 
-    def from_vector(self, vector: Array) -> Array:
+    def from_vector(self, vector: Float64[Array, "... {self.dim}"]) -> Double[Array, "..."]:
         return self.algebra.from_vector(self._split(vector))
 
-    def to_dual_vector(self, mu: Array) -> Array:
+    def to_dual_vector(self, mu: Double[Array, "..."]) -> Float64[Array, "... {self.dim}"]:
         return self._flat(self.algebra.to_dual_vector(mu))
 
-    def from_dual_vector(self, vector: Array) -> Array:
+    def from_dual_vector(self, vector: Float64[Array, "... {self.dim}"]) -> Double[Array, "..."]:
         return self.algebra.from_dual_vector(self._split(vector))
 
-    def from_gradient(self, gradient: Array) -> Array:
+    def from_gradient(self, gradient: Double[Array, "..."]) -> Double[Array, "..."]:
         return self.algebra.from_gradient(gradient)
 
-    def rate(self, x: Array) -> Array:
+    def rate(self, x: Double[Array, "..."]) -> Float64[Array, "..."]:
         return jnp.max(self.algebra.rate(x), axis=-1)
 
-    def exp(self, x: Array) -> Array:
+    def exp(self, x: Double[Array, "..."]) -> Any:
         return self.algebra.exp(x)
 
-    def coadjoint_action(self, g: Array, mu: Array) -> Array:
+    def coadjoint_action(self, g: Any, mu: Double[Array, "..."]) -> Double[Array, "..."]:
         return self.algebra.coadjoint_action(g, mu)
 
-    def cayley(self, x: Array) -> Array:
+    def cayley(self, x: Double[Array, "..."]) -> Any:
         return self.algebra.cayley(x)
 
-    def exp_change(self, x: Array, mu: Array) -> Array:
+    def exp_change(self, x: Double[Array, "..."], mu: Double[Array, "..."]) -> Double[Array, "..."]:
         return self.algebra.exp_change(x, mu)
 
-    def cayley_change(self, x: Array, mu: Array) -> Array:
+    def cayley_change(self, x: Double[Array, "..."], mu: Double[Array, "..."]) -> Double[Array, "..."]:
         return self.algebra.cayley_change(x, mu)
 
     def _flat(self, values: Array) -> Array:

@@ -8,10 +8,9 @@ from typing import Any
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.algebra.base import AbstractLieAlgebra
+from polhode.algebra.base import AbstractLieAlgebra, Operand, Vector
 from polhode.errors import InvalidInput, shown
-
-Array = Any
+from polhode.types import Array, Float64
 
 
 class Product(AbstractLieAlgebra):
@@ -36,47 +35,47 @@ class Product(AbstractLieAlgebra):
     def casimir_names(self) -> tuple[str, ...]:
         return tuple(f"{name} of {k}" for k, factor in enumerate(self.factors) for name in factor.casimir_names)
 
-    def split(self, vector: Array) -> list[Array]:
+    def split(self, vector: Float64[Array, "... {self.dim}"]) -> list[Float64[Array, "..."]]:
         """Return each factor's coordinates."""
         ends = np.cumsum([factor.dim for factor in self.factors])[:-1]
         return jnp.split(jnp.asarray(vector), ends, axis=-1)
 
-    def bracket(self, x: Array, y: Array) -> Array:
+    def bracket(self, x: Operand, y: Operand) -> Vector:
         def one(f: AbstractLieAlgebra, a: Array, b: Array) -> Array:
             return f.to_vector(f.bracket(f.from_vector(a), f.from_vector(b)))
 
         return self._each(one, x, y)
 
-    def coadjoint(self, x: Array, mu: Array) -> Array:
+    def coadjoint(self, x: Operand, mu: Operand) -> Vector:
         def one(f: AbstractLieAlgebra, a: Array, b: Array) -> Array:
             return f.to_dual_vector(f.coadjoint(f.from_vector(a), f.from_dual_vector(b)))
 
         return self._each(one, x, mu)
 
-    def casimirs(self, mu: Array) -> Array:
+    def casimirs(self, mu: Vector) -> Float64[Array, "*batch k"]:
         parts = zip(self.factors, self.split(mu), strict=True)
         return jnp.concatenate([f.casimirs(f.from_dual_vector(part)) for f, part in parts], axis=-1)
 
-    def exp_change(self, x: Array, mu: Array) -> Array:
+    def exp_change(self, x: Operand, mu: Operand) -> Vector:
         def one(f: AbstractLieAlgebra, a: Array, b: Array) -> Array:
             return f.to_dual_vector(f.exp_change(f.from_vector(a), f.from_dual_vector(b)))
 
         return self._each(one, x, mu)
 
-    def cayley_change(self, x: Array, mu: Array) -> Array:
+    def cayley_change(self, x: Operand, mu: Operand) -> Vector:
         def one(f: AbstractLieAlgebra, a: Array, b: Array) -> Array:
             return f.to_dual_vector(f.cayley_change(f.from_vector(a), f.from_dual_vector(b)))
 
         return self._each(one, x, mu)
 
-    def exp(self, x: Array) -> Array:
+    def exp(self, x: Vector) -> Any:
         """Return the factors' group elements, a tuple."""
         return tuple(f.exp(f.from_vector(part)) for f, part in zip(self.factors, self.split(x), strict=True))
 
-    def cayley(self, x: Array) -> Array:
+    def cayley(self, x: Vector) -> Any:
         return tuple(f.cayley(f.from_vector(part)) for f, part in zip(self.factors, self.split(x), strict=True))
 
-    def coadjoint_action(self, g: Array, mu: Array) -> Array:
+    def coadjoint_action(self, g: Any, mu: Operand) -> Vector:
         parts = zip(self.factors, g, self.split(mu), strict=True)
         moved = [f.to_dual_vector(f.coadjoint_action(one, f.from_dual_vector(part))) for f, one, part in parts]
         return jnp.concatenate(moved, axis=-1)

@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
 
 import jax.numpy as jnp
 
 from polhode import rotation
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.so3 import SO3, scaled_norm
-
-Array = Any
+from polhode.types import Array, Float64
 
 
 class SE3(AbstractLieAlgebra):
@@ -29,22 +27,22 @@ class SE3(AbstractLieAlgebra):
     def casimir_names(self) -> tuple[str, ...]:
         return ("|P|²", "Π·P")
 
-    def bracket(self, x: Array, y: Array) -> Array:
+    def bracket(self, x: Float64[Array, "*#batch 6"], y: Float64[Array, "*#batch 6"]) -> Float64[Array, "*batch 6"]:
         (a, b), (c, d) = _parts(x), _parts(y)
         return jnp.concatenate([jnp.cross(a, c), jnp.cross(a, d) + jnp.cross(b, c)], axis=-1)
 
-    def coadjoint(self, x: Array, mu: Array) -> Array:
+    def coadjoint(self, x: Float64[Array, "*#batch 6"], mu: Float64[Array, "*#batch 6"]) -> Float64[Array, "*batch 6"]:
         (a, b), (angular, linear) = _parts(x), _parts(mu)
         return jnp.concatenate([jnp.cross(angular, a) + jnp.cross(linear, b), jnp.cross(linear, a)], axis=-1)
 
-    def casimirs(self, mu: Array) -> Array:
+    def casimirs(self, mu: Float64[Array, "*batch 6"]) -> Float64[Array, "*batch k"]:
         angular, linear = _parts(mu)
         return jnp.stack([jnp.sum(linear * linear, axis=-1), jnp.sum(angular * linear, axis=-1)], axis=-1)
 
-    def rate(self, x: Array) -> Array:
+    def rate(self, x: Float64[Array, "*batch 6"]) -> Float64[Array, "*batch"]:
         return scaled_norm(x[..., :3])
 
-    def exp(self, x: Array) -> Array:
+    def exp(self, x: Float64[Array, "*batch 6"]) -> Float64[Array, "*batch 7"]:
         a, b = _parts(x)
         square = jnp.sum(a * a, axis=-1, keepdims=True)
         small = square < 0.01
@@ -57,13 +55,15 @@ class SE3(AbstractLieAlgebra):
         once = jnp.cross(a, b)
         return jnp.concatenate([SO3().exp(a), b + first * once + second * jnp.cross(a, once)], axis=-1)
 
-    def coadjoint_action(self, g: Array, mu: Array) -> Array:
+    def coadjoint_action(
+        self, g: Float64[Array, "*#batch 7"], mu: Float64[Array, "*#batch 6"]
+    ) -> Float64[Array, "*batch 6"]:
         back = rotation.conjugate(g[..., :4])
         angular, linear = _parts(mu)
         angular = angular + jnp.cross(linear, g[..., 4:])
         return jnp.concatenate([rotation.rotate(back, angular), rotation.rotate(back, linear)], axis=-1)
 
-    def cayley(self, x: Array) -> Array:
+    def cayley(self, x: Float64[Array, "*batch 6"]) -> Float64[Array, "*batch 7"]:
         a, b = _parts(x)
         # (1 − â/2)⁻¹ b
         half = 0.5 * a
@@ -71,10 +71,12 @@ class SE3(AbstractLieAlgebra):
         shift = (b + jnp.cross(half, b) + half * jnp.sum(half * b, axis=-1, keepdims=True)) / (1.0 + square)
         return jnp.concatenate([SO3().cayley(a), shift], axis=-1)
 
-    def exp_change(self, x: Array, mu: Array) -> Array:
+    def exp_change(self, x: Float64[Array, "*#batch 6"], mu: Float64[Array, "*#batch 6"]) -> Float64[Array, "*batch 6"]:
         return self._change(SO3().exp_change, self.exp(x)[..., 4:], x, mu)
 
-    def cayley_change(self, x: Array, mu: Array) -> Array:
+    def cayley_change(
+        self, x: Float64[Array, "*#batch 6"], mu: Float64[Array, "*#batch 6"]
+    ) -> Float64[Array, "*batch 6"]:
         return self._change(SO3().cayley_change, self.cayley(x)[..., 4:], x, mu)
 
     def _change(self, turned: Callable[[Array, Array], Array], shift: Array, x: Array, mu: Array) -> Array:

@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.algebra.base import AbstractLieAlgebra
+from polhode.algebra.base import AbstractLieAlgebra, Operand, Vector
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput
+from polhode.types import Array, ArrayLike, Real
 
-Array = Any
 TOLERANCE = 1e-12  # of the representation's identity, relative to the generators
 
 
@@ -33,7 +31,7 @@ class Semidirect(AbstractLieAlgebra):
     generators: np.ndarray
 
     @known_numbers_only
-    def __init__(self, algebra: AbstractLieAlgebra, generators: Array) -> None:
+    def __init__(self, algebra: AbstractLieAlgebra, generators: Real[ArrayLike, "dim m m"]) -> None:
         refuse_single_precision(generators=generators)
         rho = np.array(generators, dtype=float)
         if rho.ndim != 3 or rho.shape[0] != algebra.dim or rho.shape[1] != rho.shape[2]:
@@ -57,14 +55,14 @@ class Semidirect(AbstractLieAlgebra):
     def name(self) -> str:
         return f"{self.algebra.name} ⋉ R^{self.generators.shape[1]}"
 
-    def bracket(self, x: Array, y: Array) -> Array:
+    def bracket(self, x: Operand, y: Operand) -> Vector:
         (a, v), (b, w) = self._parts(x), self._parts(y)
         f = self.algebra
         first = f.to_vector(f.bracket(f.from_vector(a), f.from_vector(b)))
         second = self._act(a, w) - self._act(b, v)
         return jnp.concatenate([first, second], axis=-1)
 
-    def coadjoint(self, x: Array, mu: Array) -> Array:
+    def coadjoint(self, x: Operand, mu: Operand) -> Vector:
         (a, v), (m, p) = self._parts(x), self._parts(mu)
         f = self.algebra
         first = f.to_dual_vector(f.coadjoint(f.from_vector(a), f.from_dual_vector(m)))

@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import jax.numpy as jnp
 
 from polhode import rotation
 from polhode.algebra.base import AbstractLieAlgebra
+from polhode.types import Array, Float64
 
-Array = Any
 
-
-def half_angle_factors(x: Array) -> tuple[Array, Array]:
+def half_angle_factors(x: Float64[Array, "*batch 3"]) -> tuple[Float64[Array, "*batch 1"], Float64[Array, "*batch 1"]]:
     """Return 2 sin(θ/2)/θ and cos(θ/2), (…, 1), θ = |x|, regular at zero."""
     square = jnp.sum(x * x, axis=-1, keepdims=True)
     small = square < 1e-8
@@ -38,41 +35,45 @@ class SO3(AbstractLieAlgebra):
     def casimir_names(self) -> tuple[str, ...]:
         return ("|L|²",)
 
-    def bracket(self, x: Array, y: Array) -> Array:
+    def bracket(self, x: Float64[Array, "*#batch 3"], y: Float64[Array, "*#batch 3"]) -> Float64[Array, "*batch 3"]:
         return jnp.cross(x, y)
 
-    def coadjoint(self, x: Array, mu: Array) -> Array:
+    def coadjoint(self, x: Float64[Array, "*#batch 3"], mu: Float64[Array, "*#batch 3"]) -> Float64[Array, "*batch 3"]:
         return jnp.cross(mu, x)
 
-    def casimirs(self, mu: Array) -> Array:
+    def casimirs(self, mu: Float64[Array, "*batch 3"]) -> Float64[Array, "*batch k"]:
         return jnp.sum(jnp.asarray(mu) ** 2, axis=-1, keepdims=True)
 
-    def rate(self, x: Array) -> Array:
+    def rate(self, x: Float64[Array, "*batch 3"]) -> Float64[Array, "*batch"]:
         return scaled_norm(x)
 
-    def exp(self, x: Array) -> Array:
+    def exp(self, x: Float64[Array, "*batch 3"]) -> Float64[Array, "*batch 4"]:
         s, c = half_angle_factors(jnp.asarray(x))
         return jnp.concatenate([c, 0.5 * s * x], axis=-1)
 
-    def coadjoint_action(self, g: Array, mu: Array) -> Array:
+    def coadjoint_action(
+        self, g: Float64[Array, "*#batch 4"], mu: Float64[Array, "*#batch 3"]
+    ) -> Float64[Array, "*batch 3"]:
         return rotation.rotate(rotation.conjugate(g), mu)
 
-    def cayley(self, x: Array) -> Array:
+    def cayley(self, x: Float64[Array, "*batch 3"]) -> Float64[Array, "*batch 4"]:
         x = jnp.asarray(x)
         w = 1.0 / jnp.sqrt(1.0 + 0.25 * jnp.sum(x * x, axis=-1, keepdims=True))
         return jnp.concatenate([w, 0.5 * w * x], axis=-1)
 
-    def exp_change(self, x: Array, mu: Array) -> Array:
+    def exp_change(self, x: Float64[Array, "*#batch 3"], mu: Float64[Array, "*#batch 3"]) -> Float64[Array, "*batch 3"]:
         s, c = half_angle_factors(x)
         once = jnp.cross(mu, x)
         return s * (c * once + 0.5 * s * jnp.cross(once, x))
 
-    def cayley_change(self, x: Array, mu: Array) -> Array:
+    def cayley_change(
+        self, x: Float64[Array, "*#batch 3"], mu: Float64[Array, "*#batch 3"]
+    ) -> Float64[Array, "*batch 3"]:
         once = jnp.cross(mu, x)
         return (once + 0.5 * jnp.cross(once, x)) / (1.0 + 0.25 * jnp.sum(x * x, axis=-1, keepdims=True))
 
 
-def scaled_norm(x: Array) -> Array:
+def scaled_norm(x: Float64[Array, "*batch n"]) -> Float64[Array, "*batch"]:
     """Return |x| (…) of vectors whose squares may be beyond the largest or smallest number."""
     x = jnp.asarray(x)
     largest = jnp.max(jnp.abs(x), axis=-1, keepdims=True)

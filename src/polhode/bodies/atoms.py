@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 
@@ -11,13 +10,15 @@ from polhode.arrays import known_numbers_only
 from polhode.bodies.body import Body
 from polhode.bodies.points import from_points
 from polhode.errors import InvalidInput, not_installed, shown
+from polhode.types import Array, ArrayLike, Float64, Real
 
-Array = Any
 ATOMIC_MASS_UNIT = 1.66053906892e-27  # kg, CODATA 2022
 
 
 @known_numbers_only
-def from_atoms(symbols: Sequence[str], positions: Array, masses: Array | None = None) -> Body:
+def from_atoms(
+    symbols: Sequence[str], positions: Real[ArrayLike, "n 3"], masses: Real[ArrayLike, "n"] | None = None
+) -> Body:
     """Return a molecule as a rigid body of point masses, which is where its rotational constants come from.
 
     Masses are the standard atomic weights of ASE's tables, averaged over isotopes; a spectroscopist gives the isotopes'
@@ -45,7 +46,7 @@ def from_atoms(symbols: Sequence[str], positions: Array, masses: Array | None = 
     return from_points(atomic_masses(symbols) if masses is None else masses, positions)
 
 
-def atomic_masses(symbols: Sequence[str]) -> Array:
+def atomic_masses(symbols: Sequence[str]) -> Float64[Array, "n"]:
     """Return standard atomic weights [kg] of chemical symbols."""
     try:
         from ase.data import atomic_masses as table

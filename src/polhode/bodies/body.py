@@ -13,8 +13,8 @@ import numpy as np
 from polhode.arrays import as_float64, is_traced, known_numbers_only, numpy_namespace
 from polhode.errors import InvalidInput, shown
 from polhode.rotation import as_matrix, from_matrix, normalize
+from polhode.types import Array, ArrayLike, Float64, Real
 
-Array = Any
 ROUNDING = 64 * np.finfo(float).eps  # what the sums behind an inertia matrix may leave, relative to its entries
 SYMMETRY = 1e-9  # a matrix less symmetric than this was mistyped, not rounded
 LARGEST = 1e150  # SI; beyond it products of two overflow, and no body is near
@@ -45,8 +45,8 @@ class Body:
     """
 
     mass: float | None
-    center_of_mass: Array
-    inertia: Array
+    center_of_mass: Real[ArrayLike, "3"]  # given so; kept as float64 arrays
+    inertia: Real[ArrayLike, "3 3"]
 
     def __post_init__(self) -> None:
         mass = None if self.mass is None else _finite("mass", self.mass, ())
@@ -84,7 +84,7 @@ class Body:
 
     @classmethod
     @known_numbers_only
-    def from_inertia(cls, inertia: Array, mass: float | None = None) -> Body:
+    def from_inertia(cls, inertia: Real[ArrayLike, "3 3"], mass: float | None = None) -> Body:
         """Return the body with an inertia tensor (3, 3) about its centre of mass, at the origin [kg m²].
 
         >>> Body.from_inertia([[2.0, 1.0, 0.0], [1.0, 2.0, 0.0], [0.0, 0.0, 2.5]]).principal_moments
@@ -93,13 +93,13 @@ class Body:
         return cls(mass, (0.0, 0.0, 0.0), inertia)
 
     @cached_property
-    def _principal(self) -> tuple[Array, Array]:
+    def _principal(self) -> tuple[Float64[Array, "3"], Float64[Array, "3 3"]]:
         moments, axes = principal_axes(self.inertia)
         moments.flags.writeable = axes.flags.writeable = False
         return moments, axes
 
     @property
-    def principal_moments(self) -> Array:
+    def principal_moments(self) -> Float64[Array, "3"]:
         """(3,) moments about the centre of mass, ascending [kg m²]; exact where the inertia is diagonal.
 
         Otherwise moments that differ by no more than the rounding of the inertia's entries come out equal, and those
@@ -108,7 +108,7 @@ class Body:
         return self._principal[0]
 
     @property
-    def principal_axes(self) -> Array:
+    def principal_axes(self) -> Float64[Array, "3 3"]:
         """(3, 3) right-handed rotation whose columns are the principal axes in the given frame.
 
         Deterministic: each axis points along its largest component, the third makes the frame right-handed; where
@@ -116,7 +116,7 @@ class Body:
         """
         return self._principal[1]
 
-    def about(self, point: Array) -> Array:
+    def about(self, point: Real[ArrayLike, "3"]) -> Float64[Array, "3 3"]:
         """Return the inertia (3, 3) about a point (3,) [m, given axes], by the parallel-axis theorem [kg m²].
 
         Raises:
@@ -129,7 +129,9 @@ class Body:
             raise InvalidInput(f"the inertia about `point` overflows; got {shown(point)} m. Check its unit.")
         return inertia
 
-    def placed(self, rotation: Array = (1.0, 0.0, 0.0, 0.0), translation: Array = (0.0, 0.0, 0.0)) -> Body:
+    def placed(
+    self, rotation: ArrayLike = (1.0, 0.0, 0.0, 0.0), translation: Real[ArrayLike, "3"] = (0.0, 0.0, 0.0)
+) -> Body:
         """Return the body turned about the origin, then shifted: r → R r + d, J → R J Rᵀ.
 
         Args:
@@ -192,14 +194,14 @@ def combine(bodies: Sequence[Body]) -> Body:
         return Body(float(masses.sum()), center, inertia)
 
 
-def point_inertia(offset: Array) -> Array:
+def point_inertia(offset: Real[ArrayLike, "*batch 3"]) -> Float64[Array, "*batch 3 3"]:
     """Return |r|² 1 − r rᵀ (…, 3, 3), the inertia of a unit mass at r, its diagonal as sums of squares."""
     x, y, z = np.moveaxis(np.asarray(offset, dtype=float), -1, 0)
     rows = ((y * y + z * z, -x * y, -x * z), (-x * y, x * x + z * z, -y * z), (-x * z, -y * z, x * x + y * y))
     return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
 
 
-def check_moments(moments: Array) -> None:
+def check_moments(moments: Float64[Array, "3"]) -> None:
     """Refuse moments (3,) ascending that no rigid body has.
 
     Raises:
@@ -221,7 +223,7 @@ def check_moments(moments: Array) -> None:
         )
 
 
-def principal_axes(inertia: Array) -> tuple[Array, Array]:
+def principal_axes(inertia: Float64[Array, "3 3"]) -> tuple[Float64[Array, "3"], Float64[Array, "3 3"]]:
     """Return ascending moments (3,) and right-handed axes (3, 3), by columns, of a symmetric matrix."""
     diagonal = np.diag(inertia)
     if np.array_equal(inertia, np.diag(diagonal)):

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from polhode.bodies.body import Body
-
-Array = Any
+from polhode.types import Array, Float64
 
 
 class BodyFrame(NamedTuple):
@@ -22,11 +21,11 @@ class BodyFrame(NamedTuple):
         pivot: (3,) fixed point [m, given axes]; None for a body that turns about its centre of mass.
     """
 
-    moments: Array
-    axes: Array
-    center_of_mass: Array
+    moments: Float64[Array, "3"]
+    axes: Float64[Array, "3 3"]
+    center_of_mass: Float64[Array, "3"]
     mass: float | None
-    pivot: Array | None = None
+    pivot: Float64[Array, "3"] | None = None
 
     @classmethod
     def of(cls, body: Body) -> BodyFrame:
@@ -34,12 +33,12 @@ class BodyFrame(NamedTuple):
         return cls(body.principal_moments, body.principal_axes, body.center_of_mass, body.mass)
 
     @property
-    def inertia(self) -> Array:
+    def inertia(self) -> Float64[Array, "3 3"]:
         """(3, 3) about the point that the body turns about [kg m², given axes]."""
         axes = np.asarray(self.axes)
         return axes @ np.diag(np.asarray(self.moments)) @ axes.T
 
     @property
-    def origin(self) -> Array:
+    def origin(self) -> Float64[Array, "3"]:
         """(3,) the point that the body turns about [m, given axes]."""
         return np.asarray(self.center_of_mass if self.pivot is None else self.pivot)

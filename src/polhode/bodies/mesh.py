@@ -2,22 +2,19 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from polhode.arrays import known_numbers_only
 from polhode.bodies.body import Body
 from polhode.bodies.mesh_gate import checked_mesh, repaired_mesh, triple_products
 from polhode.errors import InvalidInput, shown
-
-Array = Any
+from polhode.types import Array, ArrayLike, Float64, Real
 
 
 @known_numbers_only
 def from_mesh(
-    vertices: Array,
-    faces: Array,
+    vertices: Real[ArrayLike, "n 3"],
+    faces: Real[ArrayLike, "m 3"],
     mass: float | None = None,
     density: float | None = None,
     several: bool = False,
@@ -65,7 +62,7 @@ def from_mesh(
     return Body(whole, center, whole / volume * inertia)
 
 
-def volume_moments(corners: Array) -> tuple[float, Array, Array]:
+def volume_moments(corners: Float64[Array, "m 3 3"]) -> tuple[float, Float64[Array, "3"], Float64[Array, "3 3"]]:
     """Return volume [m³], centroid (3,) [m] and ∫ r rᵀ dV about the centroid (3, 3) [m⁵] inside triangles (m, 3, 3).
 
     Tetrahedra are taken from the middle of the mesh, then from the centroid, so that a mesh far from the origin loses

@@ -3,19 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 
 from polhode.errors import InvalidInput
+from polhode.types import Array, Float64, Integer
 
-Array = Any
 TOUCHING = 1e-6  # of the mesh's extent: contact, and what single-precision files make of it, is not a crossing
 LEAF = 20_000  # pairs of boxes compared at once; smaller sets cost calls, larger ones needless comparisons
 SAMPLES = 64  # faces of one piece asked whether they lie inside another
 
 
-def crossing_faces(vertices: Array, faces: Array) -> tuple[int, int] | None:
+def crossing_faces(vertices: Float64[Array, "n 3"], faces: Integer[Array, "m 3"]) -> tuple[int, int] | None:
     """Return two faces of which an edge of the first pierces the second, None if there are none.
 
     The edge must end clearly on both sides and pass clearly through the inside, so that surfaces may touch.
@@ -83,7 +82,7 @@ def _pierces(segments: Array, triangles: Array, clear: float) -> Array:
     return ok
 
 
-def depths(corners: Array, pieces: list[Array]) -> Array:
+def depths(corners: Float64[Array, "m 3 3"], pieces: list[Array]) -> Integer[Array, "pieces"]:
     """Return in how many other pieces each one lies (p,), for closed pieces of triangles (m, 3, 3) that do not cross.
 
     Raises:

@@ -6,19 +6,19 @@ and not at all around any other: pieces neither cross nor contain each other, bu
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from polhode.bodies.mesh_crossing import crossing_faces, depths
 from polhode.errors import InvalidInput
+from polhode.types import Array, ArrayLike, Float64, Integer, Real
 
-Array = Any
 FINEST = 1e-30  # m; fifth powers of coordinates must neither overflow nor underflow
 NO_VOLUME = 1e-12  # of the tetrahedra's own size: a flat surface leaves rounding, a foil of 1e-9 of its width far more
 
 
-def checked_mesh(vertices: Array, faces: Array, several: bool = False) -> tuple[Array, Array]:
+def checked_mesh(
+    vertices: Real[ArrayLike, "n 3"], faces: Real[ArrayLike, "m 3"], several: bool = False
+) -> tuple[Float64[Array, "n 3"], Integer[Array, "m 3"]]:
     """Return the mesh as arrays if it bounds a body.
 
     Raises:
@@ -42,7 +42,9 @@ def checked_mesh(vertices: Array, faces: Array, several: bool = False) -> tuple[
     return vertices, faces
 
 
-def repaired_mesh(vertices: Array, faces: Array) -> tuple[Array, Array]:
+def repaired_mesh(
+    vertices: Real[ArrayLike, "n 3"], faces: Real[ArrayLike, "m 3"]
+) -> tuple[Float64[Array, "n 3"], Integer[Array, "kept 3"]]:
     """Return the mesh with its faces turned alike, bodies outward, cavities inward; what cannot be turned stays.
 
     Triangles with repeated corners are dropped.
@@ -66,7 +68,9 @@ def repaired_mesh(vertices: Array, faces: Array) -> tuple[Array, Array]:
     return vertices, faces
 
 
-def as_mesh(vertices: Array, faces: Array) -> tuple[Array, Array]:
+def as_mesh(
+    vertices: Real[ArrayLike, "n 3"], faces: Real[ArrayLike, "m 3"]
+) -> tuple[Float64[Array, "n 3"], Integer[Array, "m 3"]]:
     """Return copies as float64 and int64 arrays of the right shapes, finite and in range."""
     if np.iscomplexobj(vertices):
         raise InvalidInput("`vertices` must be real; got complex numbers.")
@@ -93,13 +97,13 @@ def as_mesh(vertices: Array, faces: Array) -> tuple[Array, Array]:
     return vertices, faces.astype(np.int64)
 
 
-def triple_products(corners: Array) -> Array:
+def triple_products(corners: Float64[Array, "m 3 3"]) -> Float64[Array, "m"]:
     """Return a · (b − a) × (c − a) (m,) of triangles (m, 3, 3), six times the tetrahedra's volumes."""
     a, b, c = np.moveaxis(corners, 1, 0)
     return np.einsum("mi,mi->m", a, np.cross(b - a, c - a))
 
 
-def pieces_of(faces: Array) -> list[Array]:
+def pieces_of(faces: Integer[Array, "m 3"]) -> list[Integer[Array, "_"]]:
     """Return the indices of the faces of each piece of surface that hangs together by edges."""
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import connected_components

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import warnings
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from polhode.arrays import is_traced, refuse_single_precision
 from polhode.bodies.body import Body, check_is_body, principal_axes
 from polhode.errors import InvalidInput, shown
+from polhode.types import Array, ArrayLike, Float64, Real
 
-Array = Any
 STANDARD_GRAVITY = 9.80665  # m/s², by definition
 AT_PIVOT = 1e-12  # of the radius of gyration: a centre of mass nearer to the pivot is there but for rounding
 EQUAL = 1e-12  # relative: moments of a body about a point are sums with rounding
@@ -27,13 +27,13 @@ class PivotedBody(NamedTuple):
         mgl: weight times the length of the arm [N m]; zero where that is rounding, and the body is free.
     """
 
-    moments: Array
-    axes: Array
-    arm: Array
+    moments: Float64[Array, "3"]
+    axes: Float64[Array, "3 3"]
+    arm: Float64[Array, "3"]
     mgl: float
 
 
-def about_pivot(body: Body, pivot: Array, gravity: float = STANDARD_GRAVITY) -> PivotedBody:
+def about_pivot(body: Body, pivot: Real[ArrayLike, "3"], gravity: float = STANDARD_GRAVITY) -> PivotedBody:
     """Return what the motion of a body about a fixed point depends on: Huygens and Steiner's theorem, and the weight.
 
     A fixed point at the centre of mass leaves the free body; a warning to the caller of the caller says so.
@@ -63,7 +63,7 @@ def about_pivot(body: Body, pivot: Array, gravity: float = STANDARD_GRAVITY) -> 
     return PivotedBody(moments, axes, arm, mass * gravity * length)
 
 
-def axis_of_symmetry(moments: Array, axis: Array) -> int | None:
+def axis_of_symmetry(moments: Real[ArrayLike, "3"], axis: Real[ArrayLike, "3"]) -> int | None:
     """Return the index of the principal axis of symmetry that a direction lies along, but for rounding.
 
     Args:

@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 import math
-from typing import Any
 
 import numpy as np
 
 from polhode.arrays import known_numbers_only
 from polhode.bodies.body import LARGEST, Body, point_inertia
 from polhode.errors import InvalidInput
-
-Array = Any
+from polhode.types import ArrayLike, Real
 
 
 @known_numbers_only
-def from_points(masses: Array, positions: Array) -> Body:
+def from_points(masses: Real[ArrayLike, "n"], positions: Real[ArrayLike, "n 3"]) -> Body:
     """Return point masses as one rigid body: J = Σ m (|r|² 1 − r rᵀ), r from the centre of mass.
 
     Args:

@@ -15,13 +15,13 @@ import numpy as np
 from polhode.arrays import as_float64, known_numbers_only, numpy_namespace
 from polhode.bodies.body import Body
 from polhode.errors import InvalidInput, shown
+from polhode.types import Array, ArrayLike, Float64, Real
 
-Array = Any
 SMALLEST, LARGEST = 1e-60, 1e60  # m or kg; no body is near
 
 
 @known_numbers_only
-def box(mass: float, size: Array) -> Body:
+def box(mass: float, size: Real[ArrayLike, "3"]) -> Body:
     """Return a rectangular block with edges ``size`` (3,) [m] along x, y, z: ⟨x²⟩ = size_x²/12.
 
     >>> box(12.0, (1.0, 2.0, 3.0)).principal_moments
@@ -41,7 +41,7 @@ def cylinder(mass: float, radius: float, height: float, inner_radius: float = 0.
 
 
 @known_numbers_only
-def ellipsoid(mass: float, semi_axes: Array) -> Body:
+def ellipsoid(mass: float, semi_axes: Real[ArrayLike, "3"]) -> Body:
     """Return a solid ellipsoid with semi-axes (3,) [m] along x, y, z: ⟨x²⟩ = a²/5."""
     (mass,) = _positive(mass=mass)
     return _shape(mass, _lengths("semi_axes", semi_axes) ** 2 / 5.0)
@@ -117,7 +117,7 @@ def _positive(**named: Any) -> list[float]:
     return values
 
 
-def _lengths(name: str, value: Any) -> Array:
+def _lengths(name: str, value: Any) -> Float64[Array, "3"]:
     array = _numbers(name, value)
     if array.shape != (3,):
         raise InvalidInput(f"`{name}` must be three lengths; got {shown(value)}.")

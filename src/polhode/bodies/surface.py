@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -11,8 +11,8 @@ from polhode.arrays import known_numbers_only
 from polhode.bodies.body import point_inertia, principal_axes
 from polhode.bodies.frame import BodyFrame
 from polhode.errors import InvalidInput
+from polhode.types import Array, ArrayLike, Float64, Integer, Real
 
-Array = Any
 _FINEST = 1 << 20  # cells along an edge; their number still fits into 64 bits
 _CORNERS = np.array([[x, y, z] for x in (-0.5, 0.5) for y in (-0.5, 0.5) for z in (-0.5, 0.5)])
 _FACES = np.array([[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1],
@@ -27,8 +27,8 @@ class Surface(NamedTuple):
         faces: (m, 3) indices of corners, counterclockwise seen from outside.
     """
 
-    vertices: Array
-    faces: Array
+    vertices: Float64[Array, "n 3"]
+    faces: Integer[Array, "m 3"]
 
     def along(self, frame: BodyFrame) -> Surface:
         """Return a surface in given axes as it stands along a trajectory's axes, about the point it turns about."""
@@ -65,7 +65,7 @@ class Surface(NamedTuple):
 
 
 @known_numbers_only
-def cuboid(edges: Array) -> Surface:
+def cuboid(edges: Real[ArrayLike, "3"]) -> Surface:
     """Return the block with these edges (3,) [m] along x, y, z about the origin."""
     return Surface(_CORNERS * np.asarray(edges, dtype=float), _FACES)
 
@@ -97,7 +97,7 @@ def _clustered(surface: Surface, cells: int) -> Surface:
 
 
 @known_numbers_only
-def box_of_same_inertia(moments: Array, mass: float | None = None) -> Surface | None:
+def box_of_same_inertia(moments: Real[ArrayLike, "3"], mass: float | None = None) -> Surface | None:
     """Return the solid box with these moments about its centre: edge_i² = 6 (I_j + I_k − I_i)/m.
 
     Args:

@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 import math
-from typing import Any
 
 import numpy as np
 
 from polhode.bodies.surface import Surface
+from polhode.types import ArrayLike, Real
 
-Array = Any
 SECTIONS = 64  # of a full turn; an inscribed polygon of so many has 0.16 % less area than its circle
 
 
-def turned(profile: Array, sections: int = SECTIONS, closed: bool = False) -> Surface:
+def turned(profile: Real[ArrayLike, "k 2"], sections: int = SECTIONS, closed: bool = False) -> Surface:
     """Return the surface that a line swings out about z.
 
     Args:
@@ -69,7 +68,7 @@ def torus(major_radius: float, minor_radius: float, sections: int = SECTIONS) ->
     return turned(np.maximum(profile, [0.0, -np.inf]), sections, closed=True)
 
 
-def bar(start: Array, end: Array, radius: float, sections: int = 12) -> Surface:
+def bar(start: Real[ArrayLike, "3"], end: Real[ArrayLike, "3"], radius: float, sections: int = 12) -> Surface:
     """Return a round bar from one point (3,) to another [m]."""
     start, end = np.asarray(start, dtype=float), np.asarray(end, dtype=float)
     straight = tube(radius, float(np.linalg.norm(end - start)), sections=sections)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -12,8 +12,8 @@ from polhode.figures import style
 from polhode.figures.sphere import draw_curve, mark_point, sphere_axes, view_frame
 from polhode.motion.inputs import finite
 from polhode.reports.top import TopReport
+from polhode.types import Array, Float64
 
-Array = Any
 VIEW = (0.62, -0.62, 0.48)
 PERIODS = 4  # drawn at most
 SAMPLES = 6000
@@ -61,10 +61,10 @@ class Followed(NamedTuple):
         words: which part it is, beginning with a comma; empty for all of it.
     """
 
-    attitude: Array
-    axis: Array
-    momentum: Array
-    velocity: Array
+    attitude: Float64[Array, "time 4"]
+    axis: Float64[Array, "time 3"]
+    momentum: Float64[Array, "time 3"]
+    velocity: Float64[Array, "time 3"]
     limits: list[float]
     words: str
 

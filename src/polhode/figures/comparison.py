@@ -9,8 +9,8 @@ from matplotlib.figure import Figure
 
 from polhode.analysis.comparison import Comparison, Invariants
 from polhode.figures import style
+from polhode.types import Array
 
-Array = Any
 LEAST = 1e-17  # rad or relative: where zero is drawn, on an axis that has none
 LONGEST = 60  # characters of a name that fit into the figure's width
 STRETCHES = 240  # a curve of more samples is the largest of each stretch: noise would fill the picture

@@ -11,14 +11,20 @@ from matplotlib.collections import LineCollection
 from polhode.analysis.polhodes import level_segments
 from polhode.figures import style
 from polhode.figures.sphere import view_frame
+from polhode.types import Array, Float64
 
-Array = Any
 VIEW = (0.80, 0.46, 0.38)
 MARKS = {"stable": ("o", style.GREEN), "unstable": ("X", style.VERMILION), "undecided": ("s", style.ORANGE)}
 
 
-def draw_levels(axes: Any, frame: Array, energy: Callable[[Array], Array], values: Sequence[float] | None,
-                colour: str, width: float) -> None:  # fmt: skip
+def draw_levels(
+    axes: Any,
+    frame: Float64[Array, "3 3"],
+    energy: Callable[[Array], Array],
+    values: Sequence[float] | None,
+    colour: str,
+    width: float,
+) -> None:
     """Draw where a function of unit vectors (…, 3) has the values, by default evenly spread ones; far side dimmed."""
     pieces = level_segments(energy, values)
     x, y, depth = np.moveaxis(pieces @ frame.T, -1, 0)
@@ -30,14 +36,14 @@ def draw_levels(axes: Any, frame: Array, energy: Callable[[Array], Array], value
         ), autolim=False)  # fmt: skip
 
 
-def mark_verdict(axes: Any, frame: Array, point: Array, verdict: str) -> None:
+def mark_verdict(axes: Any, frame: Float64[Array, "3 3"], point: Float64[Array, "3"], verdict: str) -> None:
     """Mark an equilibrium at a unit vector."""
     x, y, depth = frame @ point
     shape, colour = MARKS[verdict]
     axes.plot([x], [y], shape, ms=5, color=colour, mec="white", mew=0.6, zorder=6, alpha=1.0 if depth >= 0 else 0.4)
 
 
-def label_axes(axes: Any, frame: Array, names: Sequence[str] = ("$L_1$", "$L_2$", "$L_3$")) -> None:
+def label_axes(axes: Any, frame: Float64[Array, "3 3"], names: Sequence[str] = ("$L_1$", "$L_2$", "$L_3$")) -> None:
     """Draw the ends of the body's axes."""
     for k, name in enumerate(names):
         x, y, _ = frame @ np.eye(3)[k]
@@ -59,6 +65,6 @@ def legend_of(axes: Any, lines: Sequence[tuple[str, str, float]], verdicts: Sequ
                 frameon=False, handlelength=1.6, columnspacing=1.2)  # fmt: skip
 
 
-def default_frame() -> Array:
+def default_frame() -> Float64[Array, "3 3"]:
     """Return the frame of the usual view."""
     return view_frame(VIEW)

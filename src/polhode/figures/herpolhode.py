@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 from matplotlib.figure import Figure
 
@@ -13,8 +11,8 @@ from polhode.figures import style
 from polhode.figures.free_motion import free_motion_of
 from polhode.motion.inputs import finite
 from polhode.motion.trajectory import Trajectory
+from polhode.types import Array
 
-Array = Any
 PERIODS, TURNS = 6, 24  # drawn at most
 SAMPLES_PER_TURN = 120
 SAME = 2e-3  # of the outer radius: circles closer than this are one line in print

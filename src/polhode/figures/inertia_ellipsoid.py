@@ -22,8 +22,8 @@ from polhode.figures.free_motion import free_motion_of
 from polhode.figures.scene import Scene
 from polhode.motion.inputs import finite
 from polhode.motion.trajectory import Trajectory
+from polhode.types import Array
 
-Array = Any
 BODY = "#eef0f3"
 APART = 0.55  # of the longest semi-axis, heads of arrows on the motion's own polhode
 

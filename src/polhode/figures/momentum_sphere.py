@@ -14,8 +14,8 @@ from polhode.figures.free_motion import free_motion_of
 from polhode.figures.sphere import draw_curve, mark_point, sphere_axes, view_frame
 from polhode.motion.inputs import finite
 from polhode.motion.trajectory import Trajectory
+from polhode.types import Array
 
-Array = Any
 VIEW = (0.80, 0.46, 0.38)
 
 

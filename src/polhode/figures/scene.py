@@ -14,8 +14,8 @@ import numpy as np
 from polhode import rotation
 from polhode.bodies.surface import Surface
 from polhode.figures import style
+from polhode.types import Array, ArrayLike, Bool, Float64, Integer, Real
 
-Array = Any
 PIXELS = 720  # of the image's longer side, each the mean of four
 MOST_FACES = 12_000  # drawn; finer surfaces are coarsened first
 CREASE = np.cos(np.radians(40.0))  # edges sharper than this stay sharp
@@ -36,7 +36,13 @@ class Scene:
         eye: distance of the eye from the origin for perspective, None for parallel rays.
     """
 
-    def __init__(self, axes: Any, frame: Array, window: tuple[float, float, float, float], eye: float | None = None):
+    def __init__(
+        self,
+        axes: Any,
+        frame: Float64[Array, "3 3"],
+        window: tuple[float, float, float, float],
+        eye: float | None = None,
+    ) -> None:
         left, right, bottom, top = window
         self.axes, self.frame, self.window, self.eye = axes, frame, window, eye
         self.size = max(right - left, top - bottom)
@@ -49,7 +55,9 @@ class Scene:
         axes.set_ylim(bottom, top)
         axes.axis("off")
 
-    def project(self, points: Array) -> tuple[Array, Array, Array]:
+    def project(
+        self, points: Real[ArrayLike, "*shape 3"]
+    ) -> tuple[Float64[Array, "*shape"], Float64[Array, "*shape"], Float64[Array, "*shape"]]:
         """Return right and up on the page, and a height towards the viewer, linear along straight lines on the page."""
         x, y, depth = np.moveaxis(np.asarray(points) @ self.frame.T, -1, 0)
         if self.eye is None:
@@ -111,7 +119,7 @@ class Scene:
         self.axes.set_xlim(*self.window[:2])
         self.axes.set_ylim(*self.window[2:])
 
-    def seen(self, points: Array) -> Array:
+    def seen(self, points: Real[ArrayLike, "*shape 3"]) -> Bool[Array, "*shape"]:
         """Return which points (…, 3) no solid hides."""
         x, y, depth = self.project(points)
         rows, columns = self.depth.shape
@@ -119,8 +127,16 @@ class Scene:
         i = np.clip(((y - self.window[2]) / self.pixel).astype(int), 0, rows - 1)
         return depth >= self.depth[i, j] - NEAR * self.size
 
-    def line(self, points: Array, colour: str, width: float, *, form: Any = "-", dim: float = DIM,
-             over: float = 3.0) -> None:  # fmt: skip
+    def line(
+        self,
+        points: Real[ArrayLike, "time 3"],
+        colour: str,
+        width: float,
+        *,
+        form: Any = "-",
+        dim: float = DIM,
+        over: float = 3.0,
+    ) -> None:
         """Draw a curve (T, 3), dimmed where it is hidden."""
         x, y, _ = self.project(points)
         seen = self.seen(points)
@@ -131,7 +147,15 @@ class Scene:
                            alpha=1.0 if front else dim, zorder=over if front else over - 0.5,
                            solid_capstyle="round")  # fmt: skip
 
-    def arrow(self, start: Array, end: Array, colour: str, name: str, *, side: Array = (0.0, 0.0)) -> None:
+    def arrow(
+        self,
+        start: Real[ArrayLike, "3"],
+        end: Real[ArrayLike, "3"],
+        colour: str,
+        name: str,
+        *,
+        side: Real[ArrayLike, "2"] = (0.0, 0.0),
+    ) -> None:
         """Draw an arrow, always in front, with its name beyond its tip and this far (2,) [points] to the side."""
         (x0, x1), (y0, y1), _ = self.project(np.stack([start, end]))
         long = float(np.hypot(x1 - x0, y1 - y0))
@@ -145,7 +169,7 @@ class Scene:
                            bbox={"fc": "white", "ec": "none", "pad": 0.4, "alpha": 0.75})  # fmt: skip
 
 
-def corner_normals(vertices: Array, faces: Array) -> Array:
+def corner_normals(vertices: Float64[Array, "n 3"], faces: Integer[Array, "m 3"]) -> Float64[Array, "m 3 3"]:
     """Return unit normals (m, 3, 3) at the corners of triangles, smooth but across creases."""
     a, b, c = (vertices[faces[:, k]] for k in range(3))
     areas = np.cross(b - a, c - a)
@@ -162,7 +186,9 @@ def corner_normals(vertices: Array, faces: Array) -> Array:
     return normals
 
 
-def circle_about(axis: Array, half_angle: float, length: float, count: int = 241) -> Array:
+def circle_about(
+    axis: Real[ArrayLike, "3"], half_angle: float, length: float, count: int = 241
+) -> Float64[Array, "{count} 3"]:
     """Return the rim (count, 3) of the cone about a unit axis with its apex at the origin, slant sides this long."""
     first = rotation.perpendicular(axis)
     turn = np.linspace(0.0, 2.0 * np.pi, count)[:, None]
@@ -170,7 +196,9 @@ def circle_about(axis: Array, half_angle: float, length: float, count: int = 241
     return length * (np.cos(half_angle) * np.asarray(axis) + np.sin(half_angle) * around)
 
 
-def draw_cone(scene: Scene, axis: Array, half_angle: float, length: float, colour: str, strength: float = 0.14) -> None:
+def draw_cone(
+    scene: Scene, axis: Real[ArrayLike, "3"], half_angle: float, length: float, colour: str, strength: float = 0.14
+) -> None:
     """Draw a cone from the origin: its outline filled faintly, and its rim."""
     rim = circle_about(axis, half_angle, length)
     x, y, _ = scene.project(np.vstack([rim, np.zeros((1, 3))]))
@@ -180,7 +208,7 @@ def draw_cone(scene: Scene, axis: Array, half_angle: float, length: float, colou
     scene.line(rim, colour, 0.9, over=2.5)
 
 
-def convex_outline(points: Array) -> Array:
+def convex_outline(points: Float64[Array, "m 2"]) -> Float64[Array, "n 2"]:
     """Return the corners (n, 2) of the convex hull of points (m, 2), counterclockwise."""
     points = np.unique(points, axis=0)
 

@@ -8,8 +8,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from polhode.figures import style
-
-Array = Any
+from polhode.types import Array, ArrayLike, Float64, Real
 
 
 def sphere_axes(figure: Figure) -> Any:
@@ -25,7 +24,7 @@ def sphere_axes(figure: Figure) -> Any:
     return axes
 
 
-def view_frame(view: Array) -> Array:
+def view_frame(view: Real[ArrayLike, "3"]) -> Float64[Array, "3 3"]:
     """Return right, up and towards the viewer as rows; the third axis points up the page."""
     towards = np.asarray(view) / np.linalg.norm(view)
     right = np.cross([0.0, 0.0, 1.0], towards)
@@ -33,7 +32,9 @@ def view_frame(view: Array) -> Array:
     return np.stack([right, np.cross(towards, right), towards])
 
 
-def draw_curve(axes: Any, frame: Array, curve: Array, colour: str, width: float) -> None:
+def draw_curve(
+    axes: Any, frame: Float64[Array, "3 3"], curve: Float64[Array, "time 3"], colour: str, width: float
+) -> None:
     """Draw a curve (T, 3) on the unit sphere."""
     x, y, depth = frame @ curve.T
     for front in (False, True):
@@ -44,7 +45,7 @@ def draw_curve(axes: Any, frame: Array, curve: Array, colour: str, width: float)
                   alpha=1.0 if front else 0.25, zorder=3 if front else 1, solid_capstyle="round")  # fmt: skip
 
 
-def mark_point(axes: Any, frame: Array, point: Array) -> None:
+def mark_point(axes: Any, frame: Float64[Array, "3 3"], point: Float64[Array, "3"]) -> None:
     """Draw where the motion starts."""
     x, y, depth = frame @ point
     axes.plot([x], [y], "o", ms=4, color=style.BLUE, mec="white", mew=0.6, zorder=5, alpha=1.0 if depth >= 0 else 0.4)

@@ -14,8 +14,8 @@ from polhode.figures.axis_locus import Followed, followed
 from polhode.figures.scene import Scene, circle_about, draw_cone
 from polhode.figures.sphere import view_frame
 from polhode.reports.top import TopReport
+from polhode.types import Array
 
-Array = Any
 ELEVATION = np.radians(20.0)
 TURNED = np.radians(20.0)  # of the lean, from across the line of sight towards the viewer
 BEYOND = 1.22  # length of the axis drawn, in the body's reach

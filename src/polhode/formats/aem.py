@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Any, TextIO
+from typing import TextIO
 
 import numpy as np
 
@@ -25,8 +25,8 @@ from polhode.formats.given_axes import along_given_axes, single_attitude
 from polhode.formats.labels import USUAL_ID, USUAL_ORIGINATOR, AttitudeLabels, is_in_spacecraft, labels_of
 from polhode.formats.paths import written_whole
 from polhode.motion.trajectory import Trajectory
+from polhode.types import Array
 
-Array = Any
 TYPES = {None: "QUATERNION", "derivative": "QUATERNION/DERIVATIVE", "angular velocity": "QUATERNION/ANGVEL"}
 CHUNK = 50_000  # lines that are in memory as text at once
 LONGEST_LINE = 254  # 504, 6.6.1

@@ -8,13 +8,13 @@ Source: CCSDS 504.0-B-2, tables 4-3 and 4-4, annex F.
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from polhode import rotation
+from polhode.types import Array, Float64
 
-Array = Any
 COLUMNS = {
     "QUATERNION": 4,
     "QUATERNION/DERIVATIVE": 8,
@@ -49,7 +49,9 @@ class Meaning(NamedTuple):
     backward: bool = False
 
 
-def attitudes(meaning: Meaning, columns: Array) -> tuple[Array, Array | None]:
+def attitudes(
+    meaning: Meaning, columns: Float64[Array, "n k"]
+) -> tuple[Float64[Array, "n 4"], Float64[Array, "n 3"] | None]:
     """Return attitudes (n, 4), body → space, scalar first, and angular velocities (n, 3) [rad/s, body axes] or None.
 
     Args:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -16,8 +15,8 @@ from polhode.formats.labels import AttitudeLabels, Recording, is_in_spacecraft, 
 from polhode.motion.layout import ATTITUDE, StateLayout
 from polhode.motion.outcome import Ending, Outcome
 from polhode.motion.trajectory import Trajectory
+from polhode.types import Array
 
-Array = Any
 _ROTATION_SEQUENCE = re.compile(r"([XYZ])(?!\1)([XYZ])(?!\2)[XYZ]")
 _SAME = ("OBJECT_NAME", "OBJECT_ID", "REF_FRAME_A", "REF_FRAME_B", "TIME_SYSTEM", "ATTITUDE_DIR")
 

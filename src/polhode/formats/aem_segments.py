@@ -8,9 +8,9 @@ from __future__ import annotations
 import difflib
 import io
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import NoReturn
 
 import numpy as np
 
@@ -20,8 +20,8 @@ from polhode.formats.epochs import TIME_SYSTEMS, read_epoch
 from polhode.formats.labels import plain
 from polhode.formats.numerals import read_number
 from polhode.formats.opening import MB, open_file
+from polhode.types import Array, Float64, Integer
 
-Array = Any
 LONGEST_LINE = 16_384  # characters; the standard allows 254
 LARGEST_FILE = 2000 * MB  # fifteen million attitudes
 CHUNK = 50_000  # lines that are in memory as text at once
@@ -57,10 +57,10 @@ class Segment:
     values: dict[str, str]
     lines: dict[str, int]
     comments: list[str]
-    whole: Array = None
-    picoseconds: Array = None
-    columns: Array = None
-    numbers: Array = None
+    whole: Integer[Array, "n"] = field(init=False)
+    picoseconds: Integer[Array, "n"] = field(init=False)
+    columns: Float64[Array, "n k"] = field(init=False)
+    numbers: Integer[Array, "n"] = field(init=False)
 
     def wrong(self, keyword: str, what: str) -> NoReturn:
         """Say what is wrong with the value of a keyword, or without one.

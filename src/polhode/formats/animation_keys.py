@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 
@@ -12,15 +11,17 @@ from polhode import rotation
 from polhode.errors import InvalidInput
 from polhode.motion.base import AbstractMotion
 from polhode.motion.trajectory import Trajectory
+from polhode.types import Array, Float64
 
-Array = Any
 FARTHEST = 0.5 * math.pi  # rad from key to key; beyond π viewers, which take the short way, turn it backward
 FINE = math.pi / 16.0  # rad from key to key where an exact motion is evaluated again
 MOST_KEYS = 1_000_000
 SAME_ATTITUDE = 1e-9  # rad; a motion whose trajectory was not turned to other axes gives its first attitude again
 
 
-def keys_of(trajectory: Trajectory, speed: float, rate: float | None = None) -> tuple[Array, Trajectory]:
+def keys_of(
+    trajectory: Trajectory, speed: float, rate: float | None = None
+) -> tuple[Float64[Array, "keys"], Trajectory]:
     """Return the clock (K,) [s] of an animation, as single precision has it, and the trajectory at its keys.
 
     Exact motions are evaluated again at just these times, finer than they were sampled where need be; of other samples

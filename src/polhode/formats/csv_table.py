@@ -10,7 +10,6 @@ import io
 import re
 import warnings
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -24,8 +23,8 @@ from polhode.formats.paths import written_whole
 from polhode.motion.layout import ATTITUDE, MOMENTUM, StateLayout
 from polhode.motion.outcome import Ending, Outcome
 from polhode.motion.trajectory import Trajectory
+from polhode.types import Array
 
-Array = Any
 LARGEST_FILE = 2000 * MB  # seven million rows of fourteen columns
 LONGEST_LINE = 1_000_000  # characters; a system of ten thousand parts needs a third
 CHUNK = 10_000  # rows that are in memory as Python's numbers at once

@@ -23,7 +23,6 @@ from polhode.motion.trajectory import Trajectory
 if TYPE_CHECKING:
     import xarray
 
-Array = Any
 _VECTORS = {
     "momentum": (UNITS["momentum"], "angular momentum along the body axes"),
     "angular_velocity": (UNITS["angular_velocity"], "angular velocity along the body axes"),

@@ -20,11 +20,11 @@ from polhode.formats.zarr_gate import check_store
 from polhode.motion.layout import ATTITUDE, MOMENTUM, Quantity, StateLayout, StatePart
 from polhode.motion.outcome import Ending, Outcome
 from polhode.motion.trajectory import Trajectory
+from polhode.types import Array
 
 if TYPE_CHECKING:
     import xarray
 
-Array = Any
 NEEDED_LABELS = ("object_name", "reference_frame", "body_frame", "epoch", "time_system")
 LARGEST_FILE = 4000 * MB  # it is held in memory whole
 
@@ -32,8 +32,8 @@ LARGEST_FILE = 4000 * MB  # it is held in memory whole
 def read_dataset(path: str | Path) -> Trajectory:
     """Return the trajectory in a NetCDF file or a Zarr store that polhode wrote.
 
-    All arrays are those that were written, bit for bit. The states are what the file has of them: the attitude, then
-    the momentum. The source is a ``Recording``.
+    All arrays are those that were written, bit for bit, as doubles whatever a tool in between made of them. The states
+    are what the file has of them: the attitude, then the momentum. The source is a ``Recording``.
 
     Raises:
         InvalidInput: if the file is missing, or zarr is for a store.
@@ -45,7 +45,7 @@ def read_dataset(path: str | Path) -> Trajectory:
         raise FormatError(f"{path}: is a dataset, but not one that polhode wrote. Read it with xarray.")
     check_variables(path, dataset)
     variables: dict[str, Any] = {str(name): variable for name, variable in dataset.data_vars.items()}
-    arrays = {name: np.asarray(variable.values) for name, variable in variables.items()}
+    arrays = {name: _doubles(variable.values) for name, variable in variables.items()}
     roles: dict[str, list[str]] = {role: [] for role in ROLES}
     for name, variable in variables.items():
         if "role" in variable.attrs:
@@ -57,7 +57,7 @@ def read_dataset(path: str | Path) -> Trajectory:
     kept = {name: variables[name].attrs for name in (*roles["invariant"], *roles["balance"])}
     return Trajectory(
         source=_recording(path, dataset, variables),
-        times=np.asarray(dataset["time"].values),
+        times=_doubles(dataset["time"].values),
         states=states,
         layout=layout,
         attitude=arrays.get("attitude"),
@@ -111,6 +111,13 @@ def _loaded_store(path: Path) -> xarray.Dataset:
     return xr.load_dataset(store, engine="zarr", decode_times=False, consolidated=False, zarr_format=2)
 
 
+def _doubles(values: Array) -> Array:
+    """Return numbers as doubles, or pairs of them; what is neither stays for the checks."""
+    values = np.asarray(values)
+    kind = {"f": np.float64, "i": np.float64, "u": np.float64, "c": np.complex128}.get(values.dtype.kind)
+    return values if kind is None else values.astype(kind, copy=False)
+
+
 def _states(arrays: dict[str, Array], components: dict[str, dict[str, Any]], own: int) -> tuple[StateLayout, Array]:
     """Return the states: one array, or attitude and momentum, and components behind them or in their stead."""
     if "state" in arrays:
@@ -143,7 +150,7 @@ def _recording(path: Path, dataset: xarray.Dataset, variables: dict[str, Any]) -
     frame = None
     if "principal_axes" in variables:
         names = ("principal_moments", "principal_axes", "center_of_mass", "mass", "pivot")
-        parts = [np.asarray(variables[name].values) if name in variables else None for name in names]
+        parts = [_doubles(variables[name].values) if name in variables else None for name in names]
         mass = None if parts[3] is None else float(parts[3])
         frame = BodyFrame(parts[0], parts[1], parts[2], mass, parts[4])
     labels = _labels(path, attributes) if "body_frame" in attributes else None

@@ -12,7 +12,6 @@ from polhode.errors import FormatError, shown
 if TYPE_CHECKING:
     import xarray
 
-Array = Any
 ROLES = ("invariant", "balance", "received", "state", "error estimate")
 VECTORS = {"attitude": ("quaternion", 4), "momentum": ("axis", 3), "angular_velocity": ("axis", 3)}
 FRAME = {  # name → dimensions and shape

@@ -10,13 +10,12 @@ import bisect
 import functools
 import re
 from datetime import date, timedelta
-from typing import Any
 
 import numpy as np
 
 from polhode.errors import InvalidInput, shown
+from polhode.types import Array, Float64, Integer
 
-Array = Any
 TIME_SYSTEMS = ("UTC", "TAI", "TT", "TDB", "TCB", "TCG", "GPS")
 PICO = 10**12
 _FORM = re.compile(r"(\d{4})-(?:(\d\d)-(\d\d)|(\d{3}))T(\d\d):(\d\d):(\d\d)(?:\.(\d+))?Z?", re.ASCII)
@@ -76,7 +75,9 @@ def _day(year: str, month: str | None, day: str | None, day_of_year: str | None)
         raise ValueError(f"has no such day; got {named} of {year}") from None
 
 
-def later(epoch: tuple[int, int], times: Array) -> tuple[Array, Array]:
+def later(
+    epoch: tuple[int, int], times: Float64[Array, "time"]
+) -> tuple[Integer[Array, "time"], Integer[Array, "time"]]:
     """Return the instants at times (T,) [s] after an epoch, rounded to picoseconds: whole seconds and picoseconds (T,).
 
     Raises:
@@ -91,12 +92,14 @@ def later(epoch: tuple[int, int], times: Array) -> tuple[Array, Array]:
     return floor.astype(np.int64) + carry + epoch[0], picoseconds
 
 
-def since(epoch: tuple[int, int], whole: Array, picoseconds: Array) -> Array:
+def since(
+    epoch: tuple[int, int], whole: Integer[Array, "time"], picoseconds: Integer[Array, "time"]
+) -> Float64[Array, "time"]:
     """Return the time (T,) [s] from an epoch to instants."""
     return (np.asarray(whole) - epoch[0]) + (np.asarray(picoseconds) - epoch[1]) / PICO
 
 
-def as_text(whole: Array, picoseconds: Array, time_system: str) -> list[str]:
+def as_text(whole: Integer[Array, "time"], picoseconds: Integer[Array, "time"], time_system: str) -> list[str]:
     """Return instants (T,) as ``YYYY-MM-DDThh:mm:ss.dddddddddddd``, leap seconds as 23:59:60.
 
     Raises:

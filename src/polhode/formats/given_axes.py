@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -13,8 +12,8 @@ from polhode.bodies.frame import BodyFrame
 from polhode.errors import FormatError, InvalidInput
 from polhode.motion.base import AbstractMotion
 from polhode.motion.trajectory import Trajectory
+from polhode.types import Array, Float64, Shaped
 
-Array = Any
 UNIT = 1e-6  # how far from one the norm of a quaternion in a file may be: seven digits of each component, at least
 DAMAGED = "The file is damaged; write it again."
 
@@ -63,7 +62,7 @@ def _turned(trajectory: Trajectory, axes: Array) -> Trajectory:
                    angular_velocity=along(trajectory.angular_velocity))  # fmt: skip
 
 
-def single_attitude(trajectory: Trajectory, form: str) -> Array:
+def single_attitude(trajectory: Trajectory, form: str) -> Float64[Array, "time 4"]:
     """Return the attitude (T, 4) of one body, as a form of file wants it.
 
     Raises:
@@ -79,7 +78,12 @@ def single_attitude(trajectory: Trajectory, form: str) -> Array:
     return attitude
 
 
-def check_recorded(path: Path, times: Array, attitude: Array | None, velocity: Array | None = None) -> None:
+def check_recorded(
+    path: Path,
+    times: Shaped[Array, "time"],
+    attitude: Shaped[Array, "*batch time 4"] | None,
+    velocity: Shaped[Array, "*batch time 3"] | None = None,
+) -> None:
     """Refuse times, attitudes (…, 4) and velocities of a file that are not finite, as a store without its chunks has.
 
     Raises:

@@ -13,8 +13,8 @@ from typing import Any
 import numpy as np
 
 from polhode.bodies.surface import Surface
+from polhode.types import Array, ArrayLike, Float64, Real
 
-Array = Any
 FLOAT, TRIANGLES, FOR_VERTICES = 5126, 4, 34962
 KINDS = {1: "SCALAR", 3: "VEC3", 4: "VEC4"}
 
@@ -39,7 +39,7 @@ class Glb:
         entries.append(entry)
         return len(entries) - 1
 
-    def numbers(self, values: Array, bounds: bool = False, for_vertices: bool = False) -> int:
+    def numbers(self, values: Real[ArrayLike, "n ..."], bounds: bool = False, for_vertices: bool = False) -> int:
         """Store numbers (n,) or (n, k) in single precision and return the index of their accessor.
 
         Args:
@@ -97,7 +97,9 @@ class Glb:
         material = self.add("materials", {"pbrMetallicRoughness": look, "doubleSided": True})
         return {"attributes": attributes, "material": material, "mode": TRIANGLES}
 
-    def animate(self, name: str, clock: Array, tracks: Sequence[tuple[int, str, Array]]) -> None:
+    def animate(
+        self, name: str, clock: Float64[Array, "keys"], tracks: Sequence[tuple[int, str, Float64[Array, "keys _"]]]
+    ) -> None:
         """Add an animation that leads nodes by keys.
 
         Args:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -19,8 +18,8 @@ from polhode.formats.glb import Glb
 from polhode.formats.labels import AttitudeLabels
 from polhode.formats.paths import written_whole
 from polhode.motion.trajectory import Trajectory
+from polhode.types import Array
 
-Array = Any
 WATCHABLE = (1.0, 600.0)  # s; a motion that lasts shorter or longer is not shown in real time
 VIEWABLE = (1e-2, 1e3)  # m; a body that is smaller or larger is not shown in its own size
 STEADY = 1e-6  # of a direction: what single precision hardly shows

@@ -15,8 +15,8 @@ from polhode.errors import FormatError, InvalidInput, shown
 from polhode.formats.mesh_checks import as_text, checked
 from polhode.formats.obj_mesh import read_obj
 from polhode.formats.opening import MB, read_file
+from polhode.types import Array, Float64, Integer
 
-Array = Any
 LARGEST_FILE = 256 * MB  # five million triangles of a binary STL
 LARGEST_EXTENT = 1e30  # m; moments of inertia are its fifth power, and doubles end at 1e308
 ENDINGS = ("stl", "obj", "ply", "off", "glb", "gltf")
@@ -24,7 +24,9 @@ NEIGHBOURS = 50  # of a corner within SAME_CORNER, on average; more would be all
 SAME_CORNER = 1e-6  # of the mesh's extent: what single precision and printed digits leave between copies of a corner
 
 
-def read_mesh(path: str | Path, unit: float, repair: bool = False) -> tuple[Array, Array]:
+def read_mesh(
+    path: str | Path, unit: float, repair: bool = False
+) -> tuple[Float64[Array, "n 3"], Integer[Array, "m 3"]]:
     """Return vertices (n, 3) [m] and faces (m, 3) of a mesh file (STL, OBJ, PLY, OFF, GLB, glTF in one file).
 
     Corners at exactly the same place become one, as STL files repeat them for every triangle.

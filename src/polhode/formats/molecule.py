@@ -14,8 +14,8 @@ from polhode.bodies.atoms import ATOMIC_MASS_UNIT
 from polhode.errors import FormatError, not_installed, shown
 from polhode.formats.numerals import is_misread
 from polhode.formats.opening import MB, read_text
+from polhode.types import Array, Float64
 
-Array = Any
 FORMS = {"xyz": "extxyz", "extxyz": "extxyz", "pdb": "proteindatabank", "mol": "mol", "sdf": "sdf"}
 """ASE's names of the formats, by ending. ASE guesses among a hundred otherwise, some of which unpack or open others."""
 TITLE_LINES = {"extxyz": 2, "mol": 3, "sdf": 3}
@@ -25,7 +25,7 @@ ANGSTROM = 1e-10  # m
 LARGEST_FILE = 64 * MB  # a million atoms
 
 
-def read_molecule(path: str | Path) -> tuple[list[str], Array, Array | None]:
+def read_molecule(path: str | Path) -> tuple[list[str], Float64[Array, "n 3"], Float64[Array, "n"] | None]:
     """Return symbols, positions (n, 3) [m] and masses (n,) [kg] of a structure file, by its ending (see ``FORMS``).
 
     Masses are None unless the file gives them, as an extended xyz with a ``masses`` column does for isotopes. The three

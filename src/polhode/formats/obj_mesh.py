@@ -7,17 +7,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import NoReturn
 
 import numpy as np
 
 from polhode.errors import FormatError, shown
 from polhode.formats.numerals import read_number
+from polhode.types import Array, Float64, Integer
 
-Array = Any
 
-
-def read_obj(path: Path, text: str) -> tuple[Array, Array]:
+def read_obj(path: Path, text: str) -> tuple[Float64[Array, "n 3"], Integer[Array, "m 3"]]:
     """Return vertices (n, 3) and faces (m, 3); faces of more corners become a fan.
 
     Corners count from 1, or backwards from the last one above the face.

@@ -36,8 +36,8 @@ from polhode.formats.spice_kernels import (
 )
 from polhode.formats.time_scales import leap_seconds_kernel
 from polhode.motion.trajectory import Trajectory
+from polhode.types import Array, Float64
 
-Array = Any
 HEAD = 1000  # bytes in which a kernel of ours says so
 UNREADABLE = "SPICE cannot read again what it wrote; the disk may be full"
 
@@ -134,10 +134,10 @@ class _Records(NamedTuple):
         starts: (M,) ticks at which intervals of interpolation begin.
     """
 
-    ticks: Array
-    quaternions: Array
-    velocity: Array | None
-    starts: Array
+    ticks: Float64[Array, "records"]
+    quaternions: Float64[Array, "records 4"]
+    velocity: Float64[Array, "records 3"] | None
+    starts: Float64[Array, "starts"]
 
 
 def _begins(times: Array, velocity: Array | None) -> Array:

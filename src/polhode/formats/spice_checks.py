@@ -10,15 +10,15 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any, NamedTuple, NoReturn
+from typing import NamedTuple, NoReturn
 
 import numpy as np
 
 from polhode.errors import FormatError, shown
 from polhode.formats.opening import MB, read_file
 from polhode.formats.spice_kernels import DIRECTORY
+from polhode.types import Array, Float64
 
-Array = Any
 RECORD = 1024  # bytes
 MOST_SUMMARIES = 25  # segments to a summary record
 PACKETS = {0: 8, 1: 4, 2: 14, 3: 7}  # doubles to a packet, by subtype of type 5
@@ -146,7 +146,9 @@ def _check_segment(path: Path, segment: Segment, doubles: Array) -> None:
             _broken(path, f"record {k} of a segment is not a unit quaternion; got {shown(packets[k, :4].tolist())}")
 
 
-def record_ticks(path: Path, segment: Segment, values: Array) -> tuple[Array | None, Array]:
+def record_ticks(
+    path: Path, segment: Segment, values: Float64[Array, "size"]
+) -> tuple[Float64[Array, "n"] | None, Float64[Array, "..."]]:
     """Return the clock's times (n,) at which a segment has records, and these (m, k); None where a type has none.
 
     Layouts: NAIF, *CK Required Reading*, data types 1, 2, 3 and 5.

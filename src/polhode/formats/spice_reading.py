@@ -23,8 +23,8 @@ from polhode.formats.time_scales import as_epoch, leap_seconds_kernel
 from polhode.motion.layout import ATTITUDE, StateLayout
 from polhode.motion.outcome import Ending, Outcome
 from polhode.motion.trajectory import Trajectory
+from polhode.types import Array
 
-Array = Any
 BEGINNINGS = (b"DAF/CK", b"NAIF/DAF")
 LARGEST_FILE = 2000 * MB  # as much as SPICE addresses by four bytes
 MOST_SECONDS = 6e10  # 1900 years either way of 2000

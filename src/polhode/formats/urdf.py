@@ -14,8 +14,8 @@ from polhode.errors import FormatError, InvalidInput, shown
 from polhode.formats.numerals import read_number
 from polhode.formats.opening import MB, read_file
 from polhode.formats.paths import written_whole
+from polhode.types import Array
 
-Array = Any
 LARGEST_FILE = 16 * MB  # robots of a thousand links take one
 ENTRIES = {"ixx": (0, 0), "ixy": (0, 1), "ixz": (0, 2), "iyy": (1, 1), "iyz": (1, 2), "izz": (2, 2)}
 

@@ -23,11 +23,11 @@ from polhode.motion.inputs import (
 )
 from polhode.motion.layout import ATTITUDE, MOMENTUM, Quantity, StateLayout
 from polhode.special.doubledouble import two_sum
+from polhode.types import Array, ArrayLike, Float64, Real
 
 if TYPE_CHECKING:
     from polhode.motion.trajectory import Trajectory
 
-Array = Any
 Motion = TypeVar("Motion", bound="AbstractMotion")
 
 
@@ -54,11 +54,11 @@ class AbstractMotion(abc.ABC):
     title: ClassVar[str] = "Motion"
     has_vertical: ClassVar[bool] = False
     body_numbers: ClassVar[tuple[str, ...]] = ()
-    moments: Array
-    momentum_at_epoch: Array
-    attitude_at_epoch: Array
-    epoch: Array
-    axes: Array | None
+    moments: Float64[Array, "... 3"]
+    momentum_at_epoch: Float64[Array, "... 3"]
+    attitude_at_epoch: Float64[Array, "... 4"]
+    epoch: Float64[Array, "..."]
+    axes: Float64[Array, "3 3"] | None
     _principal: tuple[Array, Array] = field(repr=False, init=False)  # momentum and attitude
     _columns: tuple[Array, ...] = field(repr=False, init=False)
 
@@ -144,11 +144,11 @@ class AbstractMotion(abc.ABC):
         return tuple(np.broadcast_shapes(*(v.shape[:-1] for v in self._arguments), self.epoch.shape))
 
     @property
-    def free_moments(self) -> Array | None:
+    def free_moments(self) -> Float64[Array, "... 3"] | None:
         """(…, 3) principal moments of a body that nothing acts on; None of any other."""
         return None
 
-    def state(self, t: Array) -> tuple[Array, Array]:
+    def state(self, t: Real[ArrayLike, "..."]) -> tuple[Float64[Array, "*batch 4"], Float64[Array, "*batch 3"]]:
         """Return attitude (…, 4) and momentum (…, 3) at the times [s]; one evaluation gives both.
 
         The quaternion equals the given one over its length at the epoch, sign included. Between, its sign is
@@ -163,23 +163,23 @@ class AbstractMotion(abc.ABC):
         refuse_overflow(xp, attitude, t, self._fastest(xp))
         return self._along_given_axes(attitude, momentum)
 
-    def attitude(self, t: Array) -> Array:
+    def attitude(self, t: Real[ArrayLike, "..."]) -> Float64[Array, "... 4"]:
         """Return the attitude (…, 4), unit quaternions wxyz, body → space."""
         return self.state(t)[0]
 
-    def momentum(self, t: Array) -> Array:
+    def momentum(self, t: Real[ArrayLike, "..."]) -> Float64[Array, "... 3"]:
         """Return the angular momentum (…, 3) [kg m²/s, body axes]."""
         return self.state(t)[1]
 
-    def angular_velocity(self, t: Array) -> Array:
+    def angular_velocity(self, t: Real[ArrayLike, "..."]) -> Float64[Array, "... 3"]:
         """Return the angular velocity (…, 3) [rad/s, body axes]."""
         return self._angular_velocity_of(self.state(t)[1])
 
-    def rotation_matrix(self, t: Array) -> Array:
+    def rotation_matrix(self, t: Real[ArrayLike, "..."]) -> Float64[Array, "... 3 3"]:
         """Return the rotation matrix (…, 3, 3), body → space."""
         return rotation.as_matrix(self.state(t)[0])
 
-    def sample(self, times: Array) -> Trajectory:
+    def sample(self, times: Real[ArrayLike, "time"]) -> Trajectory:
         """Return the motion at times (T,) [s] as a trajectory, with what its invariants drift by.
 
         Raises:
@@ -243,7 +243,7 @@ class AbstractMotion(abc.ABC):
         axes = namespace(momentum, self.axes).asarray(self.axes)
         return rotation.multiply(attitude, rotation.from_matrix(self.axes)), momentum @ axes
 
-    def _angular_velocity_of(self, momentum: Array) -> Array:
+    def _angular_velocity_of(self, momentum: Float64[Array, "*#batch 3"]) -> Float64[Array, "*batch 3"]:
         if self.axes is None:
             return momentum / self.moments
         axes = namespace(momentum, self.axes).asarray(self.axes)

@@ -11,8 +11,8 @@ import numpy as np
 from polhode.arrays import as_float64, is_traced, known_false
 from polhode.errors import InvalidInput, shown
 from polhode.rotation import UNIT_TOLERANCE
+from polhode.types import Array, ArrayLike, ArrayOrFloat, Float64, Real
 
-Array = Any
 SYMMETRY = 1e-9  # of a matrix, relative: an inertia tensor that was typed in or computed
 MOST_RADIANS = 1e27  # of a phase, which has 104 bits
 
@@ -28,8 +28,8 @@ class cached_unless_traced(cached_property):
 
 
 def by_attributes(
-    name: str, momentum: Array | None, attitude: Array, attributes: dict[str, Array]
-) -> tuple[Array | None, Array, Array | None]:
+    name: str, momentum: ArrayLike | None, attitude: ArrayLike, attributes: dict[str, ArrayLike]
+) -> tuple[ArrayLike | None, ArrayLike, ArrayLike | None]:
     """Return momentum, attitude and axes where a motion's attributes may be given by their own names.
 
     Raises:
@@ -45,7 +45,7 @@ def by_attributes(
     return momentum, attributes.get("attitude_at_epoch", attitude), attributes.get("axes")
 
 
-def spin_of(momentum: Array | None, angular_velocity: Array | None) -> tuple[str, Array]:
+def spin_of(momentum: ArrayLike | None, angular_velocity: ArrayLike | None) -> tuple[str, ArrayLike]:
     """Return what says how a body spins, with its name.
 
     Raises:
@@ -56,14 +56,14 @@ def spin_of(momentum: Array | None, angular_velocity: Array | None) -> tuple[str
     return ("momentum", momentum) if angular_velocity is None else ("angular_velocity", angular_velocity)
 
 
-def momentum_of(moments: Array, angular_velocity: Array) -> Array:
+def momentum_of(moments: Float64[Array, "..."], angular_velocity: Float64[Array, "..."]) -> Float64[Array, "..."]:
     """Return IΩ along the principal axes; what overflows is refused with the momentum."""
     common_shape(moments=moments, angular_velocity=angular_velocity)
     with np.errstate(over="ignore", invalid="ignore"):
         return moments * angular_velocity
 
 
-def refuse_tensor(moments: Array, vector: Array) -> None:
+def refuse_tensor(moments: Float64[Array, "..."], vector: Float64[Array, "..."]) -> None:
     """Refuse an inertia tensor where principal moments belong; it would be taken for three bodies."""
     if tuple(moments.shape) != (3, 3) or vector.ndim != 1 or is_traced(moments):
         return
@@ -78,7 +78,7 @@ def refuse_tensor(moments: Array, vector: Array) -> None:
         )
 
 
-def checked_last_axis(name: str, value: Array, size: int) -> Array:
+def checked_last_axis(name: str, value: Float64[Array, "..."], size: int) -> Float64[Array, "... {size}"]:
     """Return the array; refuse one whose last axis is not of the size."""
     if value.ndim == 0 or value.shape[-1] != size:
         raise InvalidInput(f"`{name}` must have shape (..., {size}); got {tuple(value.shape)}.")
@@ -97,7 +97,13 @@ def common_shape(**named: Array) -> tuple[int, ...]:
         ) from None
 
 
-def checked(xp: Any, moments: Array, momentum: Array, attitude: Array, epoch: Array) -> tuple[Array, Array, Array]:
+def checked(
+    xp: Any,
+    moments: Float64[Array, "..."],
+    momentum: Float64[Array, "..."],
+    attitude: Float64[Array, "..."],
+    epoch: Float64[Array, "..."],
+) -> tuple[Float64[Array, "... 3"], Float64[Array, "... 3"], Float64[Array, "... 4"]]:
     """Return moments, momentum and attitude as given; refuse bad concrete ones, turn bad traced ones to NaN."""
     for name, value, size in (("moments", moments, 3), ("momentum", momentum, 3), ("attitude", attitude, 4)):
         checked_last_axis(name, value, size)
@@ -141,7 +147,7 @@ def refuse_not_finite(xp: Any, **named: Array) -> None:
             raise InvalidInput(f"`{name}` must be finite; got NaN or an infinity. Check where it comes from.")
 
 
-def checked_times(xp: Any, t: Array, batch: tuple[int, ...]) -> Array:
+def checked_times(xp: Any, t: Real[ArrayLike, "*shape"], batch: tuple[int, ...]) -> Float64[Array, "*shape"]:
     """Return times as float64; refuse concrete ones that are not finite, and shapes that do not fit the batch."""
     t = as_float64(xp, t, "t")
     if known_false(xp.all(xp.isfinite(t))):
@@ -151,7 +157,9 @@ def checked_times(xp: Any, t: Array, batch: tuple[int, ...]) -> Array:
     return t
 
 
-def refuse_overflow(xp: Any, attitude: Array, t: Array, rates: Array) -> None:
+def refuse_overflow(
+    xp: Any, attitude: Float64[Array, "... 4"], t: Float64[Array, "..."], rates: Float64[Array, "..."]
+) -> None:
     """Refuse times whose phases have left the range of numbers, as the attitude shows, or have no digits left.
 
     Args:
@@ -171,7 +179,7 @@ def refuse_overflow(xp: Any, attitude: Array, t: Array, rates: Array) -> None:
         )
 
 
-def checked_sample_times(xp: Any, times: Array) -> Array:
+def checked_sample_times(xp: Any, times: Real[ArrayLike, "time"]) -> Float64[Array, "time"]:
     """Return times as a float64 array (T,)."""
     times = as_float64(xp, times, "times")
     if times.ndim != 1 or times.shape[0] == 0:
@@ -179,7 +187,7 @@ def checked_sample_times(xp: Any, times: Array) -> Array:
     return times
 
 
-def plain_answer(value: Array) -> Any:
+def plain_answer(value: Float64[ArrayOrFloat, "*batch"]) -> Float64[ArrayOrFloat, "*batch"] | None:
     """Return a float for one concrete body, None where it is undefined; the array as it is otherwise."""
     if np.ndim(value) or is_traced(value):
         return value

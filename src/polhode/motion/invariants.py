@@ -4,17 +4,19 @@ from __future__ import annotations
 
 from typing import Any
 
-Array = Any
+from polhode.types import Array, Float64
 
 
-def norm(xp: Any, vector: Array) -> Array:
+def norm(xp: Any, vector: Float64[Array, "*batch n"]) -> Float64[Array, "*batch"]:
     """Return |v| without overflow or underflow."""
     largest = xp.max(xp.abs(vector), axis=-1, keepdims=True)
     unit = vector / xp.where(largest > 0, largest, 1.0)
     return largest[..., 0] * xp.sqrt(xp.sum(unit * unit, axis=-1))
 
 
-def drift(xp: Any, value: Array, vector: bool, size: Array | None = None) -> Array:
+def drift(
+    xp: Any, value: Float64[Array, "..."], vector: bool, size: Float64[Array, "..."] | None = None
+) -> Float64[Array, "..."]:
     """Return the largest deviation from the first sample relative to a size (…, 1), or to the first sample's own."""
     if vector:
         own, deviation = norm(xp, value[..., :1, :]), norm(xp, value - value[..., :1, :])

@@ -7,8 +7,6 @@ from typing import Any, NamedTuple
 
 from polhode.errors import shown
 
-Array = Any
-
 
 class StatePart(NamedTuple):
     """A part of a packed state.

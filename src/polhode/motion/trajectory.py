@@ -11,8 +11,8 @@ from polhode.errors import InvalidInput
 from polhode.motion.base import AbstractMotion
 from polhode.motion.layout import Quantity, StateLayout
 from polhode.motion.outcome import Outcome
+from polhode.types import Array, ArrayOrFloat, Double, Float64, Integer
 
-Array = Any
 _SAMPLED = ("states", "attitude", "momentum", "angular_velocity")
 _BY_NAME = ("invariants", "balances", "received")
 
@@ -46,21 +46,21 @@ class Trajectory:
     (4, 2, (4, 3))
     """
 
-    times: Array
-    states: Array
+    times: Float64[Array, "time"]
+    states: Double[Array, "..."]
     layout: StateLayout = field(default_factory=StateLayout)
-    attitude: Array | None = None
-    momentum: Array | None = None
-    angular_velocity: Array | None = None
-    invariants: dict[str, Array] = field(default_factory=dict)
-    balances: dict[str, Array] = field(default_factory=dict)
-    received: dict[str, Array] = field(default_factory=dict)
-    drift: dict[str, Array] = field(default_factory=dict)
+    attitude: Float64[Array, "*batch time 4"] | None = None
+    momentum: Float64[Array, "*batch time 3"] | None = None
+    angular_velocity: Float64[Array, "*batch time 3"] | None = None
+    invariants: dict[str, Float64[Array, "..."]] = field(default_factory=dict)
+    balances: dict[str, Float64[Array, "*batch time"]] = field(default_factory=dict)
+    received: dict[str, Float64[Array, "*batch time"]] = field(default_factory=dict)
+    drift: dict[str, Float64[ArrayOrFloat, "*batch"]] = field(default_factory=dict)
     quantities: dict[str, Quantity] = field(default_factory=dict)
     outcome: Outcome = field(default_factory=Outcome)
     source: Any = None
     statistics: dict[str, int] = field(default_factory=dict)
-    error_estimate: Array | None = None
+    error_estimate: Float64[ArrayOrFloat, "*batch"] | None = None
 
     def __len__(self) -> int:
         return len(self.times)
@@ -79,7 +79,7 @@ class Trajectory:
         """Return the unit and meaning of an invariant or balance; without a unit where none is known."""
         return self.quantities.get(name) or Quantity("", name.replace("_", " "))
 
-    def part(self, name: str) -> Array:
+    def part(self, name: str) -> Double[Array, "..."]:
         """Return a part of the states by name, (batch…, T) of one component, else (batch…, T, size).
 
         Raises:
@@ -105,7 +105,7 @@ class Trajectory:
             )
         return self.taken(np.flatnonzero(inside))
 
-    def taken(self, rows: Array | slice) -> Trajectory:
+    def taken(self, rows: Integer[Array, "rows"] | slice) -> Trajectory:
         """Return the samples of these indices along the time axis, in their order."""
         axis = len(self.batch_shape)
         at = (slice(None),) * axis + (rows,)

@@ -8,7 +8,6 @@ Source: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, §13.1.
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
 
 import jax
 import jax.numpy as jnp
@@ -16,8 +15,8 @@ import jax.numpy as jnp
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.arrays import in_jax_numpy, known_false, refuse_single_precision
 from polhode.errors import InvalidInput, shown
+from polhode.types import Array, ArrayLike, Double, Float64
 
-Array = Any
 Function = Callable[[Array], Array]
 
 
@@ -35,7 +34,7 @@ def bracket(algebra: AbstractLieAlgebra, F: Function, G: Function, sign: int = -
     """
     dF, dG, sign = differential(algebra, F), differential(algebra, G), _checked_sign(sign)
 
-    def value(mu: Array) -> Array:
+    def value(mu: ArrayLike) -> Float64[Array, "..."]:
         mu = as_points(algebra, mu)
         return sign * algebra.pairing(mu, algebra.bracket(dF(mu), dG(mu)))
 
@@ -46,7 +45,7 @@ def hamiltonian_field(algebra: AbstractLieAlgebra, H: Function, sign: int = -1) 
     """Return X_H: μ̇ = −sign · ad*_{dH} μ, as a function of points."""
     dH, sign = differential(algebra, H), _checked_sign(sign)
 
-    def field(mu: Array) -> Array:
+    def field(mu: ArrayLike) -> Double[Array, "..."]:
         mu = as_points(algebra, mu)
         return -sign * algebra.coadjoint(dH(mu), mu)
 
@@ -84,7 +83,9 @@ def differential(algebra: AbstractLieAlgebra, F: Function) -> Function:
     return at
 
 
-def poisson_tensor(algebra: AbstractLieAlgebra, mu: Array, sign: int = -1) -> Array:
+def poisson_tensor(
+    algebra: AbstractLieAlgebra, mu: ArrayLike, sign: int = -1
+) -> Float64[Array, "... {algebra.dim} {algebra.dim}"]:
     """Return π_ij = {x_i, x_j} = sign · ⟨ad*_{e_i} μ, e_j⟩ (…, dim, dim) in the coordinates ⟨μ, e_i⟩."""
     mu, depth = as_points(algebra, mu), len(algebra.element_shape)
     basis = algebra.from_vector(jnp.eye(algebra.dim))
@@ -92,7 +93,7 @@ def poisson_tensor(algebra: AbstractLieAlgebra, mu: Array, sign: int = -1) -> Ar
     return _checked_sign(sign) * algebra.to_dual_vector(rows)
 
 
-def as_points(algebra: AbstractLieAlgebra, mu: Array) -> Array:
+def as_points(algebra: AbstractLieAlgebra, mu: ArrayLike) -> Double[Array, "..."]:
     """Return points as JAX arrays of the algebra's type and shape.
 
     Raises:

@@ -7,7 +7,6 @@
 from __future__ import annotations
 
 import math
-from typing import Any
 
 import jax.numpy as jnp
 import numpy as np
@@ -17,13 +16,13 @@ from polhode.algebra.so3 import SO3
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
 from polhode.poisson.brackets import as_points, poisson_tensor
+from polhode.types import Array, ArrayLike, Float64, Integer, Real
 
-Array = Any
 RANK_TOLERANCE = 1e-10  # of singular values of the Poisson tensor, relative to the largest
 
 
 @known_numbers_only
-def orbit_dimension(algebra: AbstractLieAlgebra, mu: Array) -> Array:
+def orbit_dimension(algebra: AbstractLieAlgebra, mu: ArrayLike) -> Integer[Array, "..."] | int:
     """Return the dimension (…) of the orbit through μ: the rank of the Poisson tensor, always even."""
     sizes = np.linalg.svd(np.asarray(poisson_tensor(algebra, mu)), compute_uv=False)
     largest = np.maximum(sizes[..., :1], np.finfo(float).tiny)
@@ -32,14 +31,16 @@ def orbit_dimension(algebra: AbstractLieAlgebra, mu: Array) -> Array:
 
 
 @known_numbers_only
-def orbit_tangent(algebra: AbstractLieAlgebra, mu: Array) -> Array:
+def orbit_tangent(algebra: AbstractLieAlgebra, mu: ArrayLike) -> Float64[Array, "d {algebra.dim}"]:
     """Return an orthonormal basis (d, dim) of the tangent space at one μ, in the coordinates ⟨·, e_i⟩."""
     mu = _one_point(algebra, mu)
     _, sizes, rows = np.linalg.svd(np.asarray(poisson_tensor(algebra, mu)))
     return rows[: int((sizes > RANK_TOLERANCE * max(sizes[0], np.finfo(float).tiny)).sum())]
 
 
-def kks_form(algebra: AbstractLieAlgebra, mu: Array, x: Array, y: Array, sign: int = -1) -> Array:
+def kks_form(
+    algebra: AbstractLieAlgebra, mu: ArrayLike, x: ArrayLike, y: ArrayLike, sign: int = -1
+) -> Float64[Array, "..."]:
     """Return ω(ad*_x μ, ad*_y μ) = sign · ⟨μ, [x, y]⟩ (…) for elements x, y that generate the two tangent vectors."""
     if sign not in (-1, 1):
         raise InvalidInput(f"`sign` must be −1 or +1; got {shown(sign)}.")
@@ -48,7 +49,7 @@ def kks_form(algebra: AbstractLieAlgebra, mu: Array, x: Array, y: Array, sign: i
 
 
 @known_numbers_only
-def kks_matrix(algebra: AbstractLieAlgebra, mu: Array, sign: int = -1) -> Array:
+def kks_matrix(algebra: AbstractLieAlgebra, mu: ArrayLike, sign: int = -1) -> Float64[Array, "d d"]:
     """Return ω(t_a, t_b) (d, d) in the basis of ``orbit_tangent`` at one μ."""
     tangent = orbit_tangent(algebra, mu)
     # ad*_x μ = Σ_i x_i c_ijk μ_k: the coordinates of the tangent vector that x moves μ by
@@ -58,7 +59,7 @@ def kks_matrix(algebra: AbstractLieAlgebra, mu: Array, sign: int = -1) -> Array:
 
 
 @known_numbers_only
-def restricted_bracket(algebra: AbstractLieAlgebra, mu: Array, sign: int = -1) -> Array:
+def restricted_bracket(algebra: AbstractLieAlgebra, mu: ArrayLike, sign: int = -1) -> Float64[Array, "d d"]:
     """Return {t_a, t_b} (d, d): the bracket on the orbit, of coordinates along ``orbit_tangent`` at one μ.
 
     It is the inverse of −ω there, so that ω(X_F, X_G) = {F, G}.
@@ -68,7 +69,7 @@ def restricted_bracket(algebra: AbstractLieAlgebra, mu: Array, sign: int = -1) -
 
 
 @known_numbers_only
-def symplectic_area(momenta: Array, sign: int = -1) -> float:
+def symplectic_area(momenta: Real[ArrayLike, "n 3"], sign: int = -1) -> float:
     """Return ∫ω over the part of an SO(3) orbit to the left of a closed curve (n, 3) on it: sign · area/|L|.
 
     The curve is closed by its first point; its pieces are taken as arcs of great circles, for which the sum of the
@@ -90,7 +91,7 @@ def symplectic_area(momenta: Array, sign: int = -1) -> float:
 
 
 @known_numbers_only
-def liouville_volume(algebra: AbstractLieAlgebra, mu: Array) -> float:
+def liouville_volume(algebra: AbstractLieAlgebra, mu: ArrayLike) -> float:
     """Return the symplectic volume of the orbit through one μ: 4π|L| on SO(3)."""
     if not isinstance(algebra, SO3):
         raise InvalidInput(f"the volume of orbits is known for SO3; got {algebra.name}.")

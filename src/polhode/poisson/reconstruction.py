@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import jax
 import jax.numpy as jnp
@@ -17,8 +17,8 @@ import numpy as np
 from polhode import rotation
 from polhode.arrays import known_false, refuse_single_precision
 from polhode.errors import InvalidInput
+from polhode.types import Array, ArrayLike, Float64, Real
 
-Array = Any
 NODES = 0.5 + np.array([-1.0, 1.0]) * math.sqrt(3.0) / 6.0
 
 
@@ -33,13 +33,16 @@ class Reconstruction(NamedTuple):
             of the two phases.
     """
 
-    attitude: Array
-    dynamic_phase: Array
-    geometric_phase: Array
+    attitude: Float64[Array, "time 4"]
+    dynamic_phase: Float64[Array, "time"]
+    geometric_phase: Float64[Array, "time"]
 
 
 def reconstruct(
-    times: Array, momentum: Array, velocity: Callable[[Array], Array], attitude: Array = (1.0, 0.0, 0.0, 0.0)
+    times: Real[ArrayLike, "time"],
+    momentum: Real[ArrayLike, "time 3"],
+    velocity: Callable[[Array], Array],
+    attitude: Real[ArrayLike, "4"] = (1.0, 0.0, 0.0, 0.0),
 ) -> Reconstruction:
     """Return the attitude of a motion L̇ = L × Ω(L) from samples of L; the space momentum R L is kept to rounding.
 

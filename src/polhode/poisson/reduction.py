@@ -7,30 +7,33 @@ Source: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, §13.2–13.4
 
 from __future__ import annotations
 
-from typing import Any
-
 from polhode import rotation
 from polhode.arrays import refuse_single_precision
 from polhode.errors import InvalidInput, shown
+from polhode.types import Array, ArrayLike, Float64, Real
 
-Array = Any
 
-
-def left_trivialize(attitude: Array, covector: Array) -> Array:
+def left_trivialize(
+    attitude: Real[ArrayLike, "*#batch 4"], covector: Real[ArrayLike, "*#batch 3 3"]
+) -> Float64[Array, "*batch 3"]:
     """Return the body momentum L (…, 3) of covectors P (…, 3, 3) at attitudes (…, 4)."""
     refuse_single_precision(covector=covector)
     R = rotation.as_matrix(attitude)
     return _antisymmetric_part(_transpose(R) @ covector)
 
 
-def right_trivialize(attitude: Array, covector: Array) -> Array:
+def right_trivialize(
+    attitude: Real[ArrayLike, "*#batch 4"], covector: Real[ArrayLike, "*#batch 3 3"]
+) -> Float64[Array, "*batch 3"]:
     """Return the space momentum π (…, 3) of covectors P (…, 3, 3) at attitudes (…, 4)."""
     refuse_single_precision(covector=covector)
     R = rotation.as_matrix(attitude)
     return _antisymmetric_part(covector @ _transpose(R))
 
 
-def lifted_action(turn: Array, attitude: Array, covector: Array) -> tuple[Array, Array]:
+def lifted_action(
+    turn: Real[ArrayLike, "*#batch 4"], attitude: Real[ArrayLike, "*#batch 4"], covector: Real[ArrayLike, "*#batch 3 3"]
+) -> tuple[Float64[Array, "... 4"], Float64[Array, "... 3 3"]]:
     """Return the cotangent lift of R → G R: attitude (…, 4) and covector (…, 3, 3) after a turn (…, 4) in space.
 
     It leaves the body momentum as it is and turns the space momentum by G.
@@ -39,17 +42,23 @@ def lifted_action(turn: Array, attitude: Array, covector: Array) -> tuple[Array,
     return rotation.multiply(turn, attitude), rotation.as_matrix(turn) @ covector
 
 
-def space_momentum(attitude: Array, momentum: Array) -> Array:
+def space_momentum(
+    attitude: Real[ArrayLike, "*#batch 4"], momentum: Real[ArrayLike, "*#batch 3"]
+) -> Float64[Array, "*batch 3"]:
     """Return π = R L (…, 3), the momentum map of turns in space, from body momenta."""
     return rotation.rotate(attitude, momentum)
 
 
-def body_momentum(attitude: Array, momentum: Array) -> Array:
+def body_momentum(
+    attitude: Real[ArrayLike, "*#batch 4"], momentum: Real[ArrayLike, "*#batch 3"]
+) -> Float64[Array, "*batch 3"]:
     """Return L = Rᵀ π (…, 3), the momentum map of turns in the body, from space momenta."""
     return rotation.rotate(rotation.conjugate(attitude), momentum)
 
 
-def reduce(attitude: Array, momentum: Array, side: str = "left") -> Array:
+def reduce(
+    attitude: Real[ArrayLike, "*#batch 4"], momentum: Real[ArrayLike, "*#batch 3"], side: str = "left"
+) -> Float64[Array, "... 3"]:
     """Return the point of so(3)* that is left when turns are divided out of T*SO(3).
 
     Args:

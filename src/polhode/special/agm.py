@@ -7,13 +7,11 @@ exact motion carry thirty digits and their phases stay sharp for any time. Sourc
 
 from __future__ import annotations
 
-from typing import Any
-
 from polhode.arrays import iterate_until, namespace
 from polhode.special import doubledouble as dd
 from polhode.special.doubledouble import DoubleDouble
+from polhode.types import Array
 
-Array = Any
 CONVERGED = 2e-8  # the closing formulas leave an error of the fourth power
 MOST_STEPS = 20
 

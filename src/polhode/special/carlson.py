@@ -10,14 +10,16 @@ from typing import Any
 
 from polhode.arrays import as_float64, forward_columns, is_jax, is_traced, iterate, iterate_until, namespace
 from polhode.errors import InvalidInput
+from polhode.types import Array, ArrayLike, Float64, Real
 
-Array = Any
 STEPS = 22  # halve the exponent of the largest ratio about nine times, then divide the spread by four
 MOST_STEPS = 600  # a large p of R_J shrinks by four a step only
 CONVERGED = 2e-3  # of the relative spread, whose eighth power the closing series leaves
 
 
-def carlson_rf(x: Array, y: Array, z: Array) -> Array:
+def carlson_rf(
+    x: Real[ArrayLike, "*#shape"], y: Real[ArrayLike, "*#shape"], z: Real[ArrayLike, "*#shape"]
+) -> Float64[Array, "*shape"]:
     """Return R_F(x, y, z) = ½ ∫₀^∞ dt / √((t+x)(t+y)(t+z)), at most one argument zero.
 
     Raises:
@@ -44,7 +46,7 @@ def carlson_rf(x: Array, y: Array, z: Array) -> Array:
     return (1.0 - E2 / 10.0 + E3 / 14.0 + E2 * E2 / 24.0 + tail) / xp.sqrt(mean) / root
 
 
-def carlson_rc(x: Array, y: Array) -> Array:
+def carlson_rc(x: Real[ArrayLike, "*#shape"], y: Real[ArrayLike, "*#shape"]) -> Float64[Array, "*shape"]:
     """Return R_C(x, y) = R_F(x, y, y); for y < 0 its Cauchy principal value.
 
     Raises:
@@ -58,7 +60,9 @@ def carlson_rc(x: Array, y: Array) -> Array:
     return factor * carlson_rf(first, second, second)
 
 
-def carlson_rd(x: Array, y: Array, z: Array) -> Array:
+def carlson_rd(
+    x: Real[ArrayLike, "*#shape"], y: Real[ArrayLike, "*#shape"], z: Real[ArrayLike, "*#shape"]
+) -> Float64[Array, "*shape"]:
     """Return R_D(x, y, z) = R_J(x, y, z, z), with z > 0 and at most one of x and y zero.
 
     Raises:
@@ -84,7 +88,12 @@ def carlson_rd(x: Array, y: Array, z: Array) -> Array:
     return (power * _closing(E2, E3, E4, E5) / (mean * xp.sqrt(mean)) + 3.0 * total) / root**3
 
 
-def carlson_rj(x: Array, y: Array, z: Array, p: Array) -> Array:
+def carlson_rj(
+    x: Real[ArrayLike, "*#shape"],
+    y: Real[ArrayLike, "*#shape"],
+    z: Real[ArrayLike, "*#shape"],
+    p: Real[ArrayLike, "*#shape"],
+) -> Float64[Array, "*shape"]:
     """Return R_J(x, y, z, p) = 3/2 ∫₀^∞ dt / ((t+p) √((t+x)(t+y)(t+z))), p > 0, at most one of x, y, z zero.
 
     JAX differentiates it once, in either mode.

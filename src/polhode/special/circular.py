@@ -3,19 +3,20 @@
 from __future__ import annotations
 
 import math
-from typing import Any
 
 from polhode.arrays import is_jax, namespace, split_halves
 from polhode.special.doubledouble import two_sum
+from polhode.types import Array, ArrayOrFloat, Float64
 
-Array = Any
-SplitRate = tuple[Array, Array, Array]
+Operand = Float64[ArrayOrFloat, "*#shape"]
+Result = Float64[ArrayOrFloat, "*shape"]
+SplitRate = tuple[Float64[ArrayOrFloat, "..."], Float64[ArrayOrFloat, "..."], Float64[ArrayOrFloat, "..."]]
 
 _SINE = [(-1) ** n * math.tau ** (2 * n + 1) / math.factorial(2 * n + 1) for n in range(9)]
 _COSINE = [(-1) ** n * math.tau ** (2 * n) / math.factorial(2 * n) for n in range(10)]
 
 
-def sine_cosine_turns(x: Array) -> tuple[Array, Array]:
+def sine_cosine_turns(x: Operand) -> tuple[Result, Result]:
     """Return (sin 2πx, cos 2πx) for |x| ≤ ½, to about 3e-16.
 
     One tangent of the half angle serves both, which vector libraries make cheap. XLA has no vector sine or tangent on
@@ -43,13 +44,15 @@ def _horner(coefficients: list[float], x: Array) -> Array:
     return value
 
 
-def split_rate(high: Array, low: Array) -> SplitRate:
+def split_rate(high: Operand, low: Operand) -> tuple[Result, Result, Result]:
     """Return the double-double rate as two half-length floats and a remainder, for exact products with times."""
     upper, lower = split_halves(high)
     return upper, lower, low
 
 
-def reduced_phase(rate: SplitRate, time_halves: tuple[Array, Array]) -> tuple[Array, Array, Array]:
+def reduced_phase(
+    rate: tuple[Operand, Operand, Operand], time_halves: tuple[Operand, Operand]
+) -> tuple[Result, Result, Result]:
     """Return (fraction, rest, turns): rate · time less whole turns, as fraction + rest.
 
     The products of halves are exact, so each is reduced exactly and nothing depends on how a compiler contracts

@@ -10,33 +10,38 @@ Source: Dekker, Numer. Math. 18 (1971) 224; Hida, Li & Bailey, ARITH-15 (2001).
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any
 
 import numpy as np
 
 from polhode.arrays import is_jax, iterate, namespace, split_halves
+from polhode.types import Array, ArrayOrFloat, Bool, Float64
 
-Array = Any
-DoubleDouble = tuple[Array, Array]
+DoubleDouble = tuple[Float64[ArrayOrFloat, "..."], Float64[ArrayOrFloat, "..."]]
+
+# of the functions here, which broadcast
+Operand = Float64[ArrayOrFloat, "*#shape"]
+Result = Float64[ArrayOrFloat, "*shape"]
+Pair = tuple[Operand, Operand]
+Pairs = tuple[Result, Result]
 
 PI: DoubleDouble = (np.pi, 1.2246467991473532e-16)
 INVERSE_TWO_PI: DoubleDouble = (0.15915494309189535, -9.839338337591243e-18)
 
 
-def two_sum(a: Array, b: Array) -> DoubleDouble:
+def two_sum(a: Operand, b: Operand) -> Pairs:
     """Return fl(a + b) and its exact error [Knuth]."""
     s = a + b
     t = s - a
     return s, (a - (s - t)) + (b - t)
 
 
-def fast_two_sum(a: Array, b: Array) -> DoubleDouble:
+def fast_two_sum(a: Operand, b: Operand) -> Pairs:
     """Return fl(a + b) and its exact error, for |a| ≥ |b| [Dekker]."""
     s = a + b
     return s, b - (s - a)
 
 
-def two_product(a: Array, b: Array) -> DoubleDouble:
+def two_product(a: Operand, b: Operand) -> Pairs:
     """Return fl(a b) and its exact error, barring overflow and underflow [Dekker–Veltkamp].
 
     XLA may contract ``ah*bh - a*b`` into one fused step, which returns zero for the error, and its optimization
@@ -51,7 +56,7 @@ def two_product(a: Array, b: Array) -> DoubleDouble:
     return p, ((ah * bh - p) + ah * bl + al * bh) + al * bl
 
 
-def two_square(a: Array) -> DoubleDouble:
+def two_square(a: Operand) -> Pairs:
     """Return fl(a²) and its exact error."""
     h, l = split_halves(a)  # noqa: E741
     hl = h * l
@@ -69,12 +74,12 @@ def _sum_of_partial_products(most: Array, middle: Array, other: Array, least: Ar
     return p, e + (rest + below)
 
 
-def from_float(a: Array) -> DoubleDouble:
+def from_float(a: Operand) -> Pairs:
     """Return the float64 array as a pair."""
     return a, 0.0 * a
 
 
-def one_like(a: Array) -> DoubleDouble:
+def one_like(a: Operand) -> Pairs:
     """Return 1 in the shape of a finite array.
 
     XLA folds sums with two literal constants, (1 + b) − 1 → b, which would undo ``two_sum``; this one is not a literal.
@@ -82,46 +87,46 @@ def one_like(a: Array) -> DoubleDouble:
     return 1.0 + 0.0 * a, 0.0 * a
 
 
-def add(x: DoubleDouble, y: DoubleDouble) -> DoubleDouble:
+def add(x: Pair, y: Pair) -> Pairs:
     """Return x + y."""
     s, e = two_sum(x[0], y[0])
     return fast_two_sum(s, e + (x[1] + y[1]))
 
 
-def subtract(x: DoubleDouble, y: DoubleDouble) -> DoubleDouble:
+def subtract(x: Pair, y: Pair) -> Pairs:
     """Return x − y."""
     return add(x, negate(y))
 
 
-def negate(x: DoubleDouble) -> DoubleDouble:
+def negate(x: Pair) -> Pairs:
     """Return −x."""
     return -x[0], -x[1]
 
 
-def multiply(x: DoubleDouble, y: DoubleDouble) -> DoubleDouble:
+def multiply(x: Pair, y: Pair) -> Pairs:
     """Return x y."""
     p, e = two_product(x[0], y[0])
     return fast_two_sum(p, e + (x[0] * y[1] + x[1] * y[0]))
 
 
-def multiply_float(x: DoubleDouble, factor: Array) -> DoubleDouble:
+def multiply_float(x: Pair, factor: Operand) -> Pairs:
     """Return x times a float64 factor."""
     p, e = two_product(x[0], factor)
     return fast_two_sum(p, e + x[1] * factor)
 
 
-def square(x: DoubleDouble) -> DoubleDouble:
+def square(x: Pair) -> Pairs:
     """Return x²."""
     p, e = two_square(x[0])
     return fast_two_sum(p, e + 2.0 * x[0] * x[1])
 
 
-def scale(x: DoubleDouble, power_of_two: Array) -> DoubleDouble:
+def scale(x: Pair, power_of_two: Operand) -> Pairs:
     """Return x times an exact power of two (or 0, ±1)."""
     return x[0] * power_of_two, x[1] * power_of_two
 
 
-def divide(x: DoubleDouble, y: DoubleDouble) -> DoubleDouble:
+def divide(x: Pair, y: Pair) -> Pairs:
     """Return x / y."""
     q = x[0] / y[0]
     p, e = two_product(q, y[0])
@@ -129,7 +134,7 @@ def divide(x: DoubleDouble, y: DoubleDouble) -> DoubleDouble:
     return fast_two_sum(q, r / y[0])
 
 
-def sqrt(x: DoubleDouble) -> DoubleDouble:
+def sqrt(x: Pair) -> Pairs:
     """Return √x; zero for x = 0."""
     xp = namespace(*x)
     s = xp.sqrt(x[0])
@@ -138,18 +143,18 @@ def sqrt(x: DoubleDouble) -> DoubleDouble:
     return fast_two_sum(s, r / xp.where(s > 0, s + s, 1.0))
 
 
-def where(condition: Array, x: DoubleDouble, y: DoubleDouble) -> DoubleDouble:
+def where(condition: Bool[Array, "*#shape"], x: Pair, y: Pair) -> Pairs:
     """Return x where the condition holds, else y."""
     xp = namespace(condition, *x, *y)
     return xp.where(condition, x[0], y[0]), xp.where(condition, x[1], y[1])
 
 
-def expansion_product(terms: Iterable[Array], factor: Array) -> list[Array]:
+def expansion_product(terms: Iterable[Operand], factor: Operand) -> list[Result]:
     """Return the exact product of a sum of floats and a float as a sum with twice as many terms [Shewchuk 1997]."""
     return [part for term in terms for part in two_product(term, factor)]
 
 
-def distil(terms: list[Array], passes: int = 5) -> DoubleDouble:
+def distil(terms: list[Operand], passes: int = 5) -> Pairs:
     """Return the sum of the terms to double-double accuracy whatever cancels, up to 2^(-53 passes).
 
     Source: Ogita, Rump & Oishi, SIAM J. Sci. Comput. 26 (2005) 1955, Algorithm 4.8 (SumK).
@@ -161,7 +166,7 @@ def distil(terms: list[Array], passes: int = 5) -> DoubleDouble:
     return two_sum(x[-1], rest)
 
 
-def compress(terms: list[Array], count: int = 4) -> list[Array]:
+def compress(terms: list[Operand], count: int = 4) -> list[Result]:
     """Return the sum of the terms as an expansion of ``count`` floats, largest last, correct to eps^count of its size.
 
     Exact zero stays exact zero. Each sweep moves the sum's leading part to the end, as in ``distil``.
@@ -172,7 +177,7 @@ def compress(terms: list[Array], count: int = 4) -> list[Array]:
     return list(x[-count:])
 
 
-def expansion_times_expansion(x: Iterable[Array], y: Iterable[Array]) -> list[Array]:
+def expansion_times_expansion(x: Iterable[Operand], y: Iterable[Operand]) -> list[Result]:
     """Return the exact product of two sums of floats as a sum of floats."""
     y = list(y)
     return [part for factor in y for part in expansion_product(x, factor)]

@@ -13,13 +13,15 @@ from polhode.arrays import as_float64, known_false, namespace
 from polhode.errors import InvalidInput
 from polhode.special import doubledouble as dd
 from polhode.special.carlson import carlson_rd, carlson_rf, carlson_rj
+from polhode.types import Array, ArrayLike, ArrayOrFloat, Bool, Float64, Real
 
-Array = Any
+Operand = Float64[ArrayOrFloat, "*#shape"]
+Result = Float64[Array, "*shape"]
 FARTHEST = 700.0  # of the hyperbolic argument: beyond it e^x overflows
 SMALLEST_SQUARE = math.exp(-2.0 * 340.0)  # of e^−x, whose inverse is the integral's size
 
 
-def jacobi(u: Array, m1: Array) -> tuple[Array, Array, Array]:
+def jacobi(u: Real[ArrayLike, "*#shape"], m1: Real[ArrayLike, "*#shape"]) -> tuple[Result, Result, Result]:
     """Return (sn, cn, dn) of u with complementary parameter m1 in [0, 1].
 
     Errors are a few 1e-16 plus 1e-16 |u| times the slope, which the rounding of u itself costs. cn and dn keep their
@@ -35,7 +37,7 @@ def jacobi(u: Array, m1: Array) -> tuple[Array, Array, Array]:
     return sn, cn, dn
 
 
-def amplitude(u: Array, m1: Array) -> Array:
+def amplitude(u: Real[ArrayLike, "*#shape"], m1: Real[ArrayLike, "*#shape"]) -> Result:
     """Return am u, the continuous angle with sin am = sn and cos am = cn."""
     sn, cn, _, turns = _jacobi(u, m1)
     xp = namespace(sn)
@@ -43,21 +45,21 @@ def amplitude(u: Array, m1: Array) -> Array:
     return xp.atan2(odd * sn, odd * cn) + math.pi * turns
 
 
-def complete_k(m1: Array) -> Array:
+def complete_k(m1: Real[ArrayLike, "*shape"]) -> Result:
     """Return K, the quarter period; infinite for m1 = 0."""
     xp, m1 = _parameter(m1)
     q, full = _nome_of(xp, m1)
     return _quarter_period(xp, q, full)
 
 
-def incomplete_f(angle: Array, m1: Array) -> Array:
+def incomplete_f(angle: Real[ArrayLike, "*#shape"], m1: Real[ArrayLike, "*#shape"]) -> Result:
     """Return F(φ | m) for |φ| ≤ π/2."""
     xp, m1 = _parameter(m1, angle)
     s, cc, dd_ = _amplitude_squares(xp, angle, m1)
     return s * carlson_rf(cc, dd_, 1.0 + 0.0 * cc)
 
 
-def incomplete_e(angle: Array, m1: Array) -> Array:
+def incomplete_e(angle: Real[ArrayLike, "*#shape"], m1: Real[ArrayLike, "*#shape"]) -> Result:
     """Return E(φ | m) for |φ| ≤ π/2."""
     xp, m1 = _parameter(m1, angle)
     s, cc, dd_ = _amplitude_squares(xp, angle, m1)
@@ -68,7 +70,9 @@ def incomplete_e(angle: Array, m1: Array) -> Array:
     ) * s * xp.sqrt(cc) / xp.sqrt(dd_)
 
 
-def incomplete_pi(n: Array, angle: Array, m1: Array) -> Array:
+def incomplete_pi(
+    n: Real[ArrayLike, "*#shape"], angle: Real[ArrayLike, "*#shape"], m1: Real[ArrayLike, "*#shape"]
+) -> Result:
     """Return Π(n; φ | m) = ∫₀^φ dθ / ((1 − n sin²θ) √(1 − m sin²θ)) for |φ| ≤ π/2 and n sin²φ < 1."""
     xp, m1 = _parameter(m1, angle, n)
     n = as_float64(xp, n, "n")
@@ -122,7 +126,7 @@ def _quarter_period(xp: Any, q: Array, full: Array) -> Array:
     return xp.where(full, own, xp.where(positive, other, math.inf))
 
 
-def nome(parameter: Array) -> Array:
+def nome(parameter: Operand) -> Result:
     """Return the nome q = exp(−πK'/K) of a parameter in [0, ½], relatively accurate, without logarithms.
 
     Source: the inversion q = ε + 2ε⁵ + 15ε⁹ + …, ε = (1−√k)/(2(1+√k)), k = √(1−m) (Whittaker & Watson, 21.8).
@@ -130,7 +134,7 @@ def nome(parameter: Array) -> Array:
     return parameter * nome_per_parameter(parameter, namespace(parameter).sqrt(1.0 - parameter))
 
 
-def nome_per_parameter(parameter: Array, k: Array) -> Array:
+def nome_per_parameter(parameter: Operand, k: Operand) -> Result:
     """Return nome/parameter, with k = √(1 − parameter) given; nothing cancels."""
     xp = namespace(k)
     root = 1.0 + xp.sqrt(k)
@@ -141,8 +145,8 @@ def nome_per_parameter(parameter: Array, k: Array) -> Array:
 
 
 def jacobi_at_reduced_phase(
-    q: Array, full: Array, rest: tuple[Array, Array], to_quarter: Array
-) -> tuple[Array, Array, Array, Array]:
+    q: Operand, full: Bool[Array, "*#shape"], rest: tuple[Operand, Operand], to_quarter: Operand
+) -> tuple[Result, Result, Result, Result]:
     """Return sn, cn, dn and ∫₀ᵘ (sn/dn)² at |u| ≤ K, from the smaller nome.
 
     Args:
@@ -161,7 +165,7 @@ def jacobi_at_reduced_phase(
     return sn, cn, dn, integral
 
 
-def sd_squared_over_half_period(q: Array, full: Array) -> Array:
+def sd_squared_over_half_period(q: Operand, full: Bool[Array, "*#shape"]) -> Result:
     """Return ∫ (sn/dn)² du over 2K; where not ``full``, q must not vanish."""
     xp = namespace(q)
     t2, t3, t4 = theta_constants(q)
@@ -171,7 +175,7 @@ def sd_squared_over_half_period(q: Array, full: Array) -> Array:
     return xp.where(full, c2 * kq * math.pi / t3, c2 * (0.5 / safe + kq * xp.log(safe) / t3))
 
 
-def theta_constants(q: Array) -> tuple[Array, Array, Array]:
+def theta_constants(q: Operand) -> tuple[Result, Result, Result]:
     """Return θ2/(2 q^¼), θ3 and θ4 at zero, for q ≤ e^−π."""
     return 1.0 + q**2 + q**6, 1.0 + 2.0 * (q + q**4 + q**9), 1.0 - 2.0 * (q - q**4 + q**9)
 

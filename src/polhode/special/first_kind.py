@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from polhode.arrays import iterate
 from polhode.special import doubledouble as dd
 from polhode.special.doubledouble import DoubleDouble
+from polhode.types import Array
 
-Array = Any
 STEPS = 20  # nine halve the exponent of the smallest ratio, the rest divide the spread by four
 
 

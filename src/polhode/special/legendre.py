@@ -12,8 +12,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from polhode.arrays import namespace
+from polhode.types import Array, Float64
 
-Array = Any
 BLOCK = 8
 TERMS = 64  # of series in x ≤ ½, whose terms fall as xⁿ/n: the rest is below 1e-19 of the sum
 EULER = 0.57721566490153286061
@@ -28,11 +28,11 @@ class LegendreFunction(NamedTuple):
         sine: sin(π(ν+1))/π, the weight of the second solution.
     """
 
-    near: Array
-    far: Array
-    sine: Array
+    near: Float64[Array, "n"]
+    far: Float64[Array, "n"]
+    sine: Float64[Array, ""]
 
-    def values(self, tilt: Array) -> tuple[Array, Array]:
+    def values(self, tilt: Float64[Array, "*shape"]) -> tuple[Float64[Array, "*shape"], Float64[Array, "*shape"]]:
         """Return P_ν(cos θ) and its derivative by θ, at angles 0 ≤ θ < π, any shape."""
         xp = namespace(tilt)
         x, y = xp.sin(0.5 * tilt) ** 2, xp.cos(0.5 * tilt) ** 2

@@ -6,37 +6,37 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from polhode.arrays import as_float64, known_false, namespace
 from polhode.errors import InvalidInput, shown
+from polhode.types import Array, ArrayLike, Float64, Real
 
-Array = Any
 LARGEST_NOME = 0.2  # by the imaginary transformation e^−π = 0.043 is enough for any lattice
 TERMS = 6  # q^36 is below 1e-25 then
 
 
-def theta1(z: Array, q: Array) -> Array:
+def theta1(z: Real[ArrayLike, "*#shape"], q: Real[ArrayLike, "*#shape"]) -> Float64[Array, "*shape"]:
     """Return θ1(z, q) for real z and 0 ≤ q ≤ 0.2."""
     return theta(1, z, 0.0, q)[0]
 
 
-def theta2(z: Array, q: Array) -> Array:
+def theta2(z: Real[ArrayLike, "*#shape"], q: Real[ArrayLike, "*#shape"]) -> Float64[Array, "*shape"]:
     """Return θ2(z, q) for real z and 0 ≤ q ≤ 0.2."""
     return theta(2, z, 0.0, q)[0]
 
 
-def theta3(z: Array, q: Array) -> Array:
+def theta3(z: Real[ArrayLike, "*#shape"], q: Real[ArrayLike, "*#shape"]) -> Float64[Array, "*shape"]:
     """Return θ3(z, q) for real z and 0 ≤ q ≤ 0.2."""
     return theta(3, z, 0.0, q)[0]
 
 
-def theta4(z: Array, q: Array) -> Array:
+def theta4(z: Real[ArrayLike, "*#shape"], q: Real[ArrayLike, "*#shape"]) -> Float64[Array, "*shape"]:
     """Return θ4(z, q) for real z and 0 ≤ q ≤ 0.2."""
     return theta(4, z, 0.0, q)[0]
 
 
-def theta(kind: int, z: Array, y: Array, q: Array) -> tuple[Array, Array]:
+def theta(
+    kind: int, z: Real[ArrayLike, "*#shape"], y: Real[ArrayLike, "*#shape"], q: Real[ArrayLike, "*#shape"]
+) -> tuple[Float64[Array, "*shape"], Float64[Array, "*shape"]]:
     """Return real and imaginary part of θ_kind(z + iy, q), kind 1 to 4, for |y| ≤ −ln q (a period of the lattice).
 
     Raises:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import Any
 
 import jax
 import jax.numpy as jnp
@@ -13,8 +12,8 @@ from polhode.algebra.base import AbstractLieAlgebra
 from polhode.errors import InvalidInput
 from polhode.poisson.brackets import bracket
 from polhode.testing.laws import Laws, hold, hold_all
+from polhode.types import Array
 
-Array = Any
 EXACT = 1e-12  # relative; some dozens of roundings
 POINTS = 4
 SMALL = 0.1

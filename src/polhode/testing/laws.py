@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections import OrderedDict
 from collections.abc import Callable
-from typing import Any
 
 import jax
 import numpy as np
 
-Array = Any
+from polhode.types import Array
+
 Laws = dict[str, tuple[Array, Array]]  # both sides of each law
 ONCE = {"xla_backend_optimization_level": 0}
 """What runs once need not be fast, and compiles in half the time."""

@@ -10,8 +10,8 @@ import numpy as np
 
 from polhode.systems.base import AbstractLiePoissonSystem, components
 from polhode.testing.laws import hold
+from polhode.types import Array
 
-Array = Any
 EXACT = 1e-11  # relative; derivatives of polynomials of a few degrees
 FLOWS = 1e-5  # of the flows' sum over a short time, whose commutators are of second order in it
 SHORT, LONG = 1e-7, 0.3

@@ -9,12 +9,13 @@ from typing import Any
 
 import numpy as np
 
-Array = Any
+from polhode.types import Array, Shaped
+
 RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 EXPONENT = re.compile(r"(?<![\w.])(\d+(?:\.\d+)?)e([+-]?\d+)\b")
 
 
-def packed(values: Array, kind: str = "f8") -> dict[str, Any]:
+def packed(values: Shaped[Array, "..."], kind: str = "f8") -> dict[str, Any]:
     """Return an array for JSON: its numbers little-endian in base64.
 
     Args:

@@ -14,9 +14,9 @@ import numpy as np
 
 from polhode.bodies.surface import Surface
 from polhode.errors import InvalidInput, not_installed
+from polhode.types import Array
 from polhode.viewer.live_motion import Picture, Pose, Setting, allowed, picture_of
 
-Array = Any
 HOST = "127.0.0.1"  # only this machine: the page has no password
 FRAMES = 30  # a second
 SHOWN = 20  # periods on the time slider

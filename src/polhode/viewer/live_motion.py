@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -14,8 +14,8 @@ from polhode.bodies.surface import Surface, box_of_same_inertia
 from polhode.bodies.turned import ball
 from polhode.exact.free_body import FreeMotion
 from polhode.motion.inputs import finite
+from polhode.types import Array, ArrayLike, Float64, Real
 
-Array = Any
 PERIODS, POINTS = 6, 2400  # of the herpolhode that is drawn
 OWN = 400  # points of the motion's polhode
 
@@ -30,13 +30,13 @@ class Setting(NamedTuple):
         around: angle of Ω about the second axis, from the third towards the first [rad].
     """
 
-    moments: Array
+    moments: Float64[Array, "3"]
     rate: float
     off: float
     around: float
 
     @classmethod
-    def of(cls, moments: Array, velocity: Array) -> Setting:
+    def of(cls, moments: Real[ArrayLike, "3"], velocity: Real[ArrayLike, "3"]) -> Setting:
         """Return the setting with an angular velocity (3,) [rad/s, principal axes]."""
         x, y, z = (float(v) for v in velocity)
         across = float(np.hypot(x, z))
@@ -44,7 +44,7 @@ class Setting(NamedTuple):
         return cls(np.asarray(moments, dtype=float), float(np.hypot(across, y)), float(np.arctan2(across, y)), around)
 
     @property
-    def velocity(self) -> Array:
+    def velocity(self) -> Float64[Array, "3"]:
         """(3,) Ω [rad/s, principal axes]."""
         s, c = np.sin(self.off), np.cos(self.off)
         return self.rate * np.array([s * np.sin(self.around), c, s * np.cos(self.around)])
@@ -55,7 +55,7 @@ class Setting(NamedTuple):
         return FreeMotion(self.moments, momentum, rotation.shortest_between(momentum, (0.0, 0.0, 1.0)))
 
 
-def allowed(moments: Array, k: int) -> tuple[float, float]:
+def allowed(moments: Real[ArrayLike, "3"], k: int) -> tuple[float, float]:
     """Return the least and the greatest value of one moment beside the two others: |I_i − I_j| ≤ I_k ≤ I_i + I_j."""
     i, j = (float(moments[n]) for n in range(3) if n != k)
     return abs(i - j), i + j
@@ -71,10 +71,10 @@ class Pose(NamedTuple):
         contact: (3,) where Poinsot's ellipsoid touches the plane, space axes.
     """
 
-    attitude: Array
-    momentum: Array
-    velocity: Array
-    contact: Array
+    attitude: Float64[Array, "4"]
+    momentum: Float64[Array, "3"]
+    velocity: Float64[Array, "3"]
+    contact: Float64[Array, "3"]
 
 
 class Picture(NamedTuple):
@@ -100,11 +100,11 @@ class Picture(NamedTuple):
     body: Surface
     ellipsoid: Surface
     plane_height: float
-    family: Array
-    separatrix: Array
-    own: Array
-    polhode: Array
-    herpolhode: Array
+    family: Float64[Array, "_ 2 3"]
+    separatrix: Float64[Array, "_ 2 3"]
+    own: Float64[Array, "_ 2 3"]
+    polhode: Float64[Array, "_ 2 3"]
+    herpolhode: Float64[Array, "_ 2 3"]
 
     def at(self, time: float) -> Pose:
         """Return the motion at a time [s]."""

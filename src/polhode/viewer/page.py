@@ -16,11 +16,10 @@ from polhode.bodies.frame import BodyFrame
 from polhode.bodies.surface import Surface
 from polhode.errors import InvalidInput, shown
 from polhode.motion.trajectory import Trajectory
+from polhode.types import Array
 from polhode.viewer.encoding import as_script_json, packed, with_powers
 from polhode.viewer.panels import Content, content_of, free_moments_of, title_of, up_of
 from polhode.viewer.samples import Samples, samples_of
-
-Array = Any
 
 
 @dataclass(frozen=True)

@@ -12,11 +12,11 @@ from polhode.analysis.poinsot import herpolhode
 from polhode.analysis.polhodes import level_segments, polhode, polhode_family, saddle_energies, separatrix
 from polhode.bodies.surface import Surface
 from polhode.exact.free_body import FreeMotion
+from polhode.types import Array, Float64
 from polhode.viewer.encoding import packed
 from polhode.viewer.samples import Samples
 from polhode.viewer.shapes import body_shape, top_shape
 
-Array = Any
 Panel = dict[str, Any]
 PERIOD_POINTS = 2000  # of the drawn polhode, so that its chords miss it by 2e-6 at most
 KEPT = 1e-6  # of |L|: a momentum in space that stays within this is the one that a page's "up" can be
@@ -73,7 +73,7 @@ def title_of(source: Any) -> str:
     return getattr(source, "title", None) or "Motion"
 
 
-def moments_of(source: Any) -> Array | None:
+def moments_of(source: Any) -> Float64[Array, "3"] | None:
     """Return the principal moments (3,) of the one body that a system has, or None."""
     moments = getattr(source, "moments", None)
     if moments is None or np.shape(moments) != (3,):
@@ -90,7 +90,7 @@ def free_moments_of(source: Any, samples: Samples) -> list[float] | None:
     return np.asarray(source.free_moments, dtype=float).tolist()
 
 
-def up_of(source: Any, samples: Samples) -> tuple[Array, str]:
+def up_of(source: Any, samples: Samples) -> tuple[Float64[Array, "4"], str]:
     """Return the unit quaternion (4,) that turns space for the page, and what then points up.
 
     The momentum points up where it is kept in space, else the space axis z.
@@ -108,7 +108,7 @@ def up_of(source: Any, samples: Samples) -> tuple[Array, str]:
 # ---------------------------------------------------------------------- the body
 
 
-def body_panels(samples: Samples, moments: Array | None, surface: Surface | None) -> list[Panel]:
+def body_panels(samples: Samples, moments: Float64[Array, "3"] | None, surface: Surface | None) -> list[Panel]:
     """Return the body in space; none without attitudes."""
     return [] if samples.attitude is None else [_body(samples, moments, *body_shape(moments, surface))]
 
@@ -126,7 +126,9 @@ def _body(samples: Samples, moments: Array | None, surface: Surface | None, word
     return panel
 
 
-def top_panels(source: Any, samples: Samples, moments: Array | None, surface: Surface | None) -> list[Panel]:
+def top_panels(
+    source: Any, samples: Samples, moments: Float64[Array, "3"] | None, surface: Surface | None
+) -> list[Panel]:
     """Return a body about a fixed point, and the path of its axis; none without attitudes."""
     if samples.attitude is None:
         return []
@@ -179,7 +181,12 @@ def _sphere_of_polhodes(motion: FreeMotion) -> Panel:
             "words": "L in body axes runs along its polhode"}  # fmt: skip
 
 
-def sphere_of_levels(momentum: Array, moments: Array | None, rotor: Array | None = None, words: str = "") -> Panel:
+def sphere_of_levels(
+    momentum: Float64[Array, "time 3"],
+    moments: Float64[Array, "3"] | None,
+    rotor: Float64[Array, "3"] | None = None,
+    words: str = "",
+) -> Panel:
     """Return the sphere with levels of the energy ½ (L − h)·I⁻¹(L − h) at the |L| of the last sample.
 
     Args:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
-from typing import Any
 
 import numpy as np
 
@@ -13,8 +12,8 @@ from polhode.motion.base import AbstractMotion
 from polhode.motion.layout import StateLayout
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.wording import unit_in_words
+from polhode.types import Array, Double, Float64
 
-Array = Any
 MOST = 4000  # samples on a page, about 0.4 MB
 FINE, COARSE = 0.05, 0.25  # rad the body turns from sample to sample: wanted, and at most, of motions known exactly
 JOINED = 0.5 * np.pi  # rad up to which the motion between two samples is clear
@@ -35,12 +34,12 @@ class Samples:
         notes: what the page has to say of this choice.
     """
 
-    times: Array
-    states: Array
-    attitude: Array | None
-    momentum: Array | None
-    angular_velocity: Array | None
-    energy: Array | None
+    times: Float64[Array, "time"]
+    states: Double[Array, "time ..."]
+    attitude: Float64[Array, "time 4"] | None
+    momentum: Float64[Array, "time 3"] | None
+    angular_velocity: Float64[Array, "time 3"] | None
+    energy: Float64[Array, "time"] | None
     energy_name: str = "energy"
     energy_unit: str = "J"
     joined: bool = True

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from polhode.bodies.surface import Surface, box_of_same_inertia
+from polhode.types import Array, ArrayLike, Real
 
-Array = Any
 MOST_FACES = 8000  # about 0.15 MB
 FINEST_GRID = 256  # cells along the longest side when corners are merged
 LEANING = 0.05  # rad from a principal axis to the centre of mass up to which a stem along that axis looks right
@@ -16,7 +14,7 @@ EQUAL = 1e-6  # of the size: corners nearer to each other are one
 RIM = 48  # corners of a disk's rim
 
 
-def body_shape(moments: Array | None, surface: Surface | None) -> tuple[Surface | None, str]:
+def body_shape(moments: Real[ArrayLike, "3"] | None, surface: Surface | None) -> tuple[Surface | None, str]:
     """Return the surface to draw and what it is, None where only the inertia ellipsoid, or nothing, can be drawn.
 
     Args:
@@ -32,7 +30,9 @@ def body_shape(moments: Array | None, surface: Surface | None) -> tuple[Surface 
     return box, "inertia ellipsoid, as no solid body has these moments" if box is None else "box of the same inertia"
 
 
-def top_shape(moments: Array, axis: Array, surface: Surface | None) -> tuple[Surface | None, str]:
+def top_shape(
+    moments: Real[ArrayLike, "3"], axis: Real[ArrayLike, "3"], surface: Surface | None
+) -> tuple[Surface | None, str]:
     """Return a top's surface, or an elliptic disk on a massless stem with these moments about the pivot.
 
     With the disk's centre at h and its semi-axes a, b along two principal axes: I_k = m(a²+b²)/4 along the stem,

@@ -1,0 +1,76 @@
+"""Names for the annotations of arrays: their numbers and shapes, in jaxtyping's notation, which the tests enforce.
+
+``Float64[Array, "*batch 3"]`` is an array of doubles whose last axis has length 3, in NumPy, JAX, traced or not, or
+another array-API library. A name for an axis means one length, and a starred name one run of axes, in all arguments and
+the result of a call; ``*#batch`` marks arguments that broadcast to ``*batch``.
+
+``Real[ArrayLike, "*#batch 3"]`` is what a user may give: an array, a number, or nested lists of numbers. The function
+itself refuses what is wrong, in words, so that the check lets it pass, and takes from what fits the axes that it names.
+
+Annotations cost nothing outside the tests: jaxtyping is used only where it has been imported before.
+"""
+
+from __future__ import annotations
+
+import sys
+from typing import TYPE_CHECKING, Any
+
+Array = Any
+"""An array of any shape and type of number, of any library."""
+ArrayLike = Any
+"""What a function makes an array of: an array, a number, or nested lists or tuples of these."""
+
+if TYPE_CHECKING:
+    ArrayOrFloat = Any
+else:
+    ArrayOrFloat = Any | float
+    """An array, or one float of Python's, as elementwise functions take it."""
+
+if TYPE_CHECKING:
+    from typing import Annotated as Bool
+    from typing import Annotated as Complex128
+    from typing import Annotated as Double
+    from typing import Annotated as Float64
+    from typing import Annotated as Integer
+    from typing import Annotated as Real
+    from typing import Annotated as Shaped
+elif "jaxtyping" in sys.modules:
+    from typing import no_type_check
+
+    import numpy as np
+    from jaxtyping import AbstractDtype, Bool, Complex128, Float64, Integer, Shaped
+
+    class Double(AbstractDtype):
+        """float64 or complex128."""
+
+        dtypes = ("float64", "complex128")
+
+    class _NamesAxes(type):
+        """The type of types that everything belongs to; belonging names the axes of what has the expected shape."""
+
+        @no_type_check  # the check of this call would keep the names for itself
+        def __instancecheck__(cls, value):
+            if value is not None:
+                try:
+                    shape = np.shape(value)
+                except Exception:  # rows of different lengths, traced numbers in a list, an object that is not a number
+                    return True
+                isinstance(np.broadcast_to(0.0, shape), cls.expected)
+            return True
+
+    class Real:
+        """Numbers that the function checks itself."""
+
+        def __class_getitem__(cls, item):
+            expected = Shaped[Any, item[1]]
+            return _NamesAxes(f"Real[{item[1]}]", (), {"expected": expected})
+
+else:
+
+    class _Unchecked:
+        """Stands for jaxtyping's types where nothing is checked."""
+
+        def __class_getitem__(cls, item):
+            return item[0]
+
+    Bool = Complex128 = Double = Float64 = Integer = Real = Shaped = _Unchecked
