@@ -76,6 +76,7 @@ def test_states_whose_squares_are_no_numbers(scale, heavy):
     assert found.error_estimate < 1e-9
 
 
+@pytest.mark.sweep
 def test_equilibria_stay():
     pair = systems.LiePoisson(lie.Power(lie.SO3(), 2), spins)
     up = np.array([[0.0, 0, 1], [0, 0, 1]])

@@ -52,7 +52,7 @@ CASES = [
 ]
 
 QUICK = {
-    ("body", MoserVeselov, 10), ("top", Splitting, 4), ("fish", MuntheKaas, 2), ("eight", IsospectralMidpoint, 4),
+    ("body", MoserVeselov, 10), ("top", Splitting, 4), ("fish", MuntheKaas, 2), ("four", IsospectralMidpoint, 2),
     ("pair", SphericalMidpoint, 2),
 }  # fmt: skip
 """Every method; the others, each compiled for two seconds or more, are in the sweep."""

@@ -12,6 +12,7 @@ import polhode as ph
 from polhode.errors import InvalidInput, NotConverged
 from polhode.motion import Ending
 from polhode.systems import AbstractSystem, Balance
+from sweeping import first
 
 CLOSE = 1e-10  # some hundred steps at 1e-12, and what interpolation between them adds
 
@@ -89,7 +90,7 @@ def test_the_first_event_ends_the_motion(speed, event, when):
     assert np.abs(found.states[:, 0] - (1.0 + speed * found.times - found.times**2)).max() < 1e-14
 
 
-@pytest.mark.parametrize("last", [1e12, 1e300])
+@pytest.mark.parametrize("last", first(1, [1e300, 1e12]))
 def test_an_event_ends_the_motion_however_late_the_last_time_is(last):
     """The shortest step was a rounding of the last time, so that a late one stopped the motion before its event."""
     found = ph.simulate(Falling(), [1.0, 1.0], [0.0, last])

@@ -64,6 +64,7 @@ def test_verdicts_flip_at_the_threshold(read):
         assert (upright.verdict == word and "Π·χ" in upright.certificate) or word == "unstable"
 
 
+@pytest.mark.sweep
 def test_a_pivot_at_the_centre_of_mass_is_said(read):
     at_centre = '[system]\nkind = "heavy-top"\npivot = ["0.5 m", "1 m", "1.5 m"]'
     report = read(BOX, at_centre, '[spin]\nrate = "1 rad/s"\nabout = 2\n[time]\nuntil = "1 s"\nsamples = 3').report()

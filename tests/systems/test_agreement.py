@@ -197,7 +197,7 @@ def check_order(system, state, method, order, end):
 @pytest.mark.parametrize(
     ("method", "order"),
     [
-        (LieMidpoint, 4), (MuntheKaas, 4),
+        (LieMidpoint, 4), pytest.param(MuntheKaas, 4, marks=pytest.mark.sweep),
         *(pytest.param(method, 2, marks=pytest.mark.sweep) for method in (LieMidpoint, MuntheKaas, SphericalMidpoint)),
     ],
     ids=lambda value: getattr(value, "__name__", str(value)),

@@ -19,6 +19,7 @@ LIBRATION = 1e-7  # relative, of frequencies from motions small enough to be lin
 TIMES = np.linspace(0.0, 8.0, 17)
 
 
+@pytest.mark.sweep
 def test_linear_drag_decays_exponentially():
     coefficient = np.array([0.1, 0.2, 0.3])
     found = ph.simulate(TorquedBody(MOMENTS, [LinearDrag(coefficient)]), 3.0 * np.eye(3), TIMES)
