@@ -53,7 +53,7 @@ that add up at random grow like the root of their number)."""
 
 QUICK = [
     ("body", Splitting, 4), ("body", MoserVeselov, 10), ("body", MuntheKaas, 4),
-    ("eight", IsospectralMidpoint, 2), ("pair", SphericalMidpoint, 2), ("pair", LieMidpoint, 2),
+    ("four", IsospectralMidpoint, 2), ("pair", SphericalMidpoint, 2), ("body", LieMidpoint, 2),
 ]  # fmt: skip
 
 

@@ -75,6 +75,7 @@ def test_rates_may_depend_on_time_and_states_may_be_a_batch():
     assert ph.as_dataset(found)["state"].dims == ("batch_0", "batch_1", "time", "component_0")
 
 
+@pytest.mark.sweep
 def test_a_wrong_rate_is_seen_in_the_balance():
     found = ph.simulate(WrongRate(), [1.0, 0.0], np.linspace(0.0, 20.0, 41))
     assert found.drift["energy"] > 5 * CLOSE

@@ -14,7 +14,6 @@ from polhode.kinds.gyrostat import KIND
 from polhode.kinds.gyrostat.answers import steady_rotations
 from polhode.kinds.reading import read_spec
 from polhode.systems import DoubleBracket
-from sweeping import first
 
 MOTION = 2e-9
 """Relative: two methods of steps, each with its own error over some turns."""
@@ -70,11 +69,11 @@ def equations(moment, torque):
     return rates
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(
     ("drive", "torque"),
-    first(1, [('motor_torque = "0.05 N*m"', 0.05), ('rotor_drive = "constant-rate"', None),
-              ('rotor_drive = "free"', 0.0)]),
-)  # fmt: skip
+    [('motor_torque = "0.05 N*m"', 0.05), ('rotor_drive = "constant-rate"', None), ('rotor_drive = "free"', 0.0)],
+)
 def test_motion_is_that_of_body_and_rotor_in_the_given_axes(spec, drive, torque):
     report = report_on(spec(TILTED, f"{ROTOR}\n{drive}", SPIN))
     times = np.asarray(report.trajectory.times)
@@ -93,6 +92,7 @@ def test_motion_is_that_of_body_and_rotor_in_the_given_axes(spec, drive, torque)
     assert max(report.trajectory.drift.values()) < MOTION
 
 
+@pytest.mark.sweep
 def test_the_motors_work_is_what_body_and_rotor_gained(spec):
     report = report_on(spec(TILTED, f'{ROTOR}\nmotor_torque = "0.05 N*m"', SPIN))
     gained = []

@@ -45,6 +45,7 @@ def test_the_cone_is_lagranges_top(read):
         assert abs(left) < 1e-12 * I3 * 200.0 * precession
 
 
+@pytest.mark.sweep
 def test_heavy_and_lagrange_agree_and_name_the_case(read):
     spin = '[spin]\nangular_velocity = ["1 rad/s", "0 rad/s", "90 rad/s"]\n[time]\nuntil = "0.5 s"\nsamples = 11'
     exact = read(CONE, lagrange('lean = "30 deg"'), spin).report()

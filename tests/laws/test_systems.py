@@ -3,14 +3,14 @@
 import jax.numpy as jnp
 import pytest
 
-from polhode.systems import DoubleBracket, FreeRigidBody, HeavyTop, LiePoisson, Manakov
+from polhode.systems import DoubleBracket, FreeRigidBody, Gyrostat, LiePoisson, Manakov
 from polhode.testing import LawBroken, check_system
 from specimens import SYSTEMS, named
 
 
 def some_at_once(systems):
-    """A body and its attitude in a potential, one with losses, matrices, and a user's own; the others in the sweep."""
-    chosen = [next(s for s in systems if type(s) is kind) for kind in (HeavyTop, DoubleBracket, Manakov, LiePoisson)]
+    """A body with a rotor, one with losses, matrices, and a user's own; others, compiled for longer, in the sweep."""
+    chosen = [next(s for s in systems if type(s) is kind) for kind in (Gyrostat, DoubleBracket, Manakov, LiePoisson)]
     return [pytest.param(system, marks=[] if any(system is s for s in chosen) else [pytest.mark.sweep])
             for system in systems]  # fmt: skip
 

@@ -222,6 +222,7 @@ def test_a_driven_motion_runs_back():
     assert np.abs(back.states[-1] - MOMENTUM).max() < THERE_AND_BACK
 
 
+@pytest.mark.sweep
 def test_a_drive_between_the_moments_looked_at_is_not_split():
     """Inherited flows would leave it out: a structural rule, as any sampling can be missed."""
 
