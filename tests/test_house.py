@@ -27,7 +27,7 @@ def slow_in_the_sweep(cases, slow):
             for name, case in names.items()]  # fmt: skip
 
 
-@pytest.mark.parametrize("page", slow_in_the_sweep(PAGES, {"euler_disk.md", "tops.md"}))
+@pytest.mark.parametrize("page", slow_in_the_sweep(PAGES, {"README.md", "euler_disk.md", "tops.md"}))
 def test_python_in_the_docs_runs(page):
     exec(compile("\n".join(FENCE.findall(page.read_text("utf-8"))), page.name, "exec"), {})
 
@@ -38,7 +38,10 @@ def modules_with_examples():
             yield ".".join(path.relative_to(ROOT / "src").with_suffix("").parts)
 
 
-@pytest.mark.parametrize("name", slow_in_the_sweep(modules_with_examples(), {"polhode.analysis.spin_down"}))
+SLOW = {"polhode.analysis.spin_down", "polhode.testing.algebras", "polhode.systems.euler_disk"}
+
+
+@pytest.mark.parametrize("name", slow_in_the_sweep(modules_with_examples(), SLOW))
 def test_examples_in_docstrings(name):
     found = doctest.testmod(importlib.import_module(name))
     assert found.attempted and not found.failed

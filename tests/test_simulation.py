@@ -14,6 +14,7 @@ from polhode.errors import InvalidInput, NotConverged
 from polhode.integrators import LieMidpoint, MoserVeselov, SphericalMidpoint, Splitting
 from polhode.motion import Ending
 from specimens import in_su3, spins
+from sweeping import first
 
 MOMENTS, MOMENTUM = (1.0, 2.0, 3.0), np.array([0.3, 1.8, 1.5])
 body = systems.FreeRigidBody(MOMENTS)
@@ -64,8 +65,8 @@ def test_a_diffrax_solver_may_be_given():
     assert np.abs(found.momentum - ph.FreeMotion(MOMENTS, MOMENTUM).momentum(TIMES)).max() < 1e-9
 
 
-@pytest.mark.parametrize("scale", [1e200, 1e-200])
-@pytest.mark.parametrize("heavy", [True, False])
+@pytest.mark.parametrize("scale", first(1, [1e-200, 1e200]))
+@pytest.mark.parametrize("heavy", first(1, [True, False]))
 def test_states_whose_squares_are_no_numbers(scale, heavy):
     moments, times = np.array(MOMENTS) * (scale if heavy else 1.0), TIMES * (1.0 if heavy else 1.0 / scale)
     with pytest.warns(UserWarning, match="beyond double precision"):
@@ -76,6 +77,7 @@ def test_states_whose_squares_are_no_numbers(scale, heavy):
     assert found.error_estimate < 1e-9
 
 
+@pytest.mark.sweep
 def test_equilibria_stay():
     pair = systems.LiePoisson(lie.Power(lie.SO3(), 2), spins)
     up = np.array([[0.0, 0, 1], [0, 0, 1]])
@@ -97,7 +99,7 @@ def test_a_long_step_draws_a_warning():
 
 
 @pytest.mark.filterwarnings("ignore:a step of")
-@pytest.mark.parametrize("method", [LieMidpoint, MoserVeselov])
+@pytest.mark.parametrize("method", first(1, [LieMidpoint, MoserVeselov]))
 def test_a_step_that_does_not_converge_says_so(method):
     with pytest.raises(NotConverged, match="shorter `step`"):
         ph.simulate(body, START, [0.0, 20.0], method, step=5.0)

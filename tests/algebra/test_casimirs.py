@@ -52,7 +52,8 @@ def test_galilei_has_momentum_squared_and_its_product_with_the_boost():
         assert ratio == pytest.approx(ratio[0], rel=1e-9)
 
 
-@pytest.mark.parametrize(("algebra", "degrees"), [(lie.SL(3), [2, 3]), (lie.SU(3), [2, 3]), (lie.Sp(2), [2, 4])],
+@pytest.mark.parametrize(("algebra", "degrees"),
+                         first(1, [(lie.Sp(2), [2, 4]), (lie.SL(3), [2, 3]), (lie.SU(3), [2, 3])]),
                          ids=lambda x: getattr(x, "name", ""))  # fmt: skip
 def test_found_ones_and_known_ones_are_functions_of_each_other(algebra, degrees):
     casimirs = lie.polynomial_casimirs(algebra, max(degrees))
@@ -68,7 +69,7 @@ def test_found_ones_and_known_ones_are_functions_of_each_other(algebra, degrees)
         assert np.abs(left).max() < 1e-9 * np.abs(values).max()
 
 
-@pytest.mark.parametrize("algebra", first(3, [a for a in ALGEBRAS if a.dim <= 8]), ids=lambda a: a.name)
+@pytest.mark.parametrize("algebra", first(2, [a for a in ALGEBRAS if a.dim <= 8]), ids=lambda a: a.name)
 def test_they_are_constant_on_orbits(algebra):
     rng = np.random.default_rng(3)
     mu = algebra.from_dual_vector(rng.normal(size=algebra.dim))

@@ -41,7 +41,7 @@ CASES = [
 
 
 @pytest.mark.parametrize(
-    ("law", "coefficient", "exponent", "decades"), only(CASES[-1:], CASES), ids=[case[0].__name__ for case in CASES]
+    ("law", "coefficient", "exponent", "decades"), only(CASES[:1], CASES), ids=[case[0].__name__ for case in CASES]
 )
 def test_each_law_has_its_exponent(law, coefficient, exponent, decades):
     assert law.exponent == exponent

@@ -50,7 +50,7 @@ def test_json_is_one_object_with_every_key(spec, capsys, tmp_path):
     assert [axis["verdict"] for axis in values["axes"]] == ["stable", "unstable", "stable"]
     assert {"axis", "verdict", "rate", "certificate"} <= set(values["axes"][0])
     assert all((tmp_path / name).is_file() for name in values["files"])
-    assert len(values["files"]) == 5
+    assert len(values["files"]) == 5 and not (tmp_path / "case" / "page.html").exists()  # nobody asked for a page
 
 
 def test_report_and_body_for_people(spec, capsys):

@@ -1,8 +1,11 @@
 """What the command compiles is kept for its next run, and nothing else changes by it."""
 
 import os
+import shutil
 import subprocess
 import sys
+
+import pytest
 
 PROGRAM = """
 import os
@@ -11,7 +14,7 @@ keep_compiled()
 import jax, diffrax
 rates = diffrax.ODETerm(lambda t, y, args: -y)
 times = diffrax.SaveAt(ts=jax.numpy.array([0.5, 1.0]))
-solve = jax.jit(lambda y: diffrax.diffeqsolve(rates, diffrax.Tsit5(), 0.0, 1.0, 0.1, y, saveat=times, throw=False).ys)
+solve = jax.jit(lambda y: diffrax.diffeqsolve(rates, diffrax.Heun(), 0.0, 1.0, 0.1, y, saveat=times, throw=False).ys)
 print(float(solve(1.0)[-1]))
 """
 IMPORT = """
@@ -34,16 +37,24 @@ def kept(cache):
     return {path: path.stat().st_mtime_ns for path in cache.glob("**/compiled/*/*-cache")}
 
 
-def test_what_is_compiled_is_kept_even_a_solver_with_checks(tmp_path):
-    said = run(PROGRAM, tmp_path)
-    files = kept(tmp_path)
+@pytest.fixture(scope="module")
+def filled(tmp_path_factory):
+    """What the program says when it runs for the first time, and the folder where it keeps what it compiled."""
+    cache = tmp_path_factory.mktemp("cache")
+    return run(PROGRAM, cache), cache
+
+
+def test_what_is_compiled_is_kept_even_a_solver_with_checks(filled):
+    said, cache = filled
+    files = kept(cache)
     assert abs(float(said) - 0.367879) < 1e-3
     assert any("lambda" in path.name for path in files)
-    assert run(PROGRAM, tmp_path) == said and kept(tmp_path) == files  # all of it was found
+    assert run(PROGRAM, cache) == said and kept(cache) == files  # all of it was found
 
 
-def test_what_is_broken_or_cannot_be_written_is_compiled_again_in_silence(tmp_path):
-    said = run(PROGRAM, tmp_path / "good")
+def test_what_is_broken_or_cannot_be_written_is_compiled_again_in_silence(filled, tmp_path):
+    said, cache = filled
+    shutil.copytree(cache, tmp_path / "good")
     for path in kept(tmp_path / "good"):
         path.write_bytes(path.read_bytes()[:40])
     assert run(PROGRAM, tmp_path / "good") == said

@@ -53,8 +53,6 @@ def test_report_puts_it_beside_the_figures(run, tmp_path):
     files = json.loads(out)["files"]
     assert code == 0 and files[-1] == "case/page.html" and len(files) == 6
     assert "a body" in (tmp_path / "case" / "page.html").read_text("utf-8")
-    assert "case/page.html" not in run("report", "case.toml", "--out", "without")[1]
-    assert not (tmp_path / "without" / "page.html").exists()
 
 
 def test_it_is_all_or_nothing(run, tmp_path):

@@ -12,6 +12,7 @@ import sys
 import pytest
 
 from faults.harness import CODES, COMMANDS, PATIENCE, Reference, environment, moments, prepare, start, strike
+from sweeping import first
 
 pytestmark = [
     pytest.mark.skipif(not sys.platform.startswith("linux"), reason="signals are told by /proc"),
@@ -33,12 +34,14 @@ samples = 50
 """
 
 
-def test_signals_at_a_few_moments(tmp_path):
-    for command, numbers in ((CSV, [signal.SIGTERM, signal.SIGKILL]), (CK, [signal.SIGINT, signal.SIGHUP])):
-        reference = Reference(command, tmp_path / command[-1])
-        for k, number in enumerate(numbers):
-            moment = None if k else random.Random(SEED).uniform(0.0, reference.seconds)
-            reference.attack(tmp_path / f"{command[-1]}-{k}", number, moment)
+@pytest.mark.parametrize(
+    ("command", "numbers"), first(1, [(CK, [signal.SIGINT, signal.SIGKILL]), (CSV, [signal.SIGTERM, signal.SIGHUP])])
+)
+def test_signals_at_a_few_moments(tmp_path, command, numbers):
+    reference = Reference(command, tmp_path / command[-1])
+    for k, number in enumerate(numbers):
+        moment = None if k else random.Random(SEED).uniform(0.0, reference.seconds)
+        reference.attack(tmp_path / f"{command[-1]}-{k}", number, moment)
 
 
 @pytest.mark.sweep
@@ -95,7 +98,7 @@ def test_output_that_cannot_be_written_is_one_message(tmp_path):
     assert code == 2 and err.decode().count("\n") == 1 and b"No space left on device" in err
 
 
-@pytest.mark.parametrize("encoding", ["ascii", "cp1252"])
+@pytest.mark.parametrize("encoding", first(1, ["ascii", "cp1252"]))
 def test_terminals_with_few_letters(tmp_path, encoding):
     folder = prepare(tmp_path / "a")
     code, out, err = run(folder, "body", "case.toml", env=environment(PYTHONIOENCODING=encoding))

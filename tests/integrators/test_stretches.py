@@ -9,6 +9,7 @@ import pytest
 import polhode as ph
 from polhode import systems
 from polhode.integrators import equal_steps
+from sweeping import first
 
 BODY = systems.FreeRigidBody((1.0, 2.0, 3.0))
 START = np.array([0.3, 1.8, 1.5])
@@ -19,7 +20,7 @@ def run(times, step, states=START):
     return ph.simulate(BODY, states, times, step=step, estimate_error=False).states
 
 
-@pytest.mark.parametrize("states", [START, START * np.array([[1.0], [0.5], [2.0]])], ids=["one", "three"])
+@pytest.mark.parametrize("states", first(1, [START * np.array([[1.0], [0.5], [2.0]]), START]), ids=["three", "one"])
 def test_stretches_join_into_the_whole_run(monkeypatch, states):
     many, few = np.linspace(0.0, 10.0, 101), np.linspace(0.0, 10.0, 3)
     whole = [run(many, 0.02, states), run(few, 0.02, states)]

@@ -104,6 +104,7 @@ def test_in_orbit_the_balances_close(report):
     assert any("gravity" in note for note in values["notes"])
 
 
+@pytest.mark.sweep
 def test_rest_spheres_and_starts_on_an_axis(report, tmp_path):
     drag = 'linear_drag = "1e-5 N*m*s"\norbital_period = "90 min"'
     in_orbit = report(TRIAXIAL, drag, "attitude = [0.9, 0.1, 0.2, 0.3]")

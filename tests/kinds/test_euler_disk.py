@@ -82,6 +82,7 @@ def test_upright_rolling_falls_over_below_the_critical_speed(read):
         assert way == pytest.approx(factor * critical * 0.2, rel=1e-9)
 
 
+@pytest.mark.sweep
 def test_how_a_disk_ends(ended):
     values = ended.as_json_dict()
     down = values["spin_down"]
@@ -104,6 +105,7 @@ def test_how_a_disk_ends(ended):
     assert "not −1" in text and "1/2 (viscous-contour-friction)" in text
 
 
+@pytest.mark.sweep
 def test_the_path_is_the_last_turns_of_the_same_motion(ended):
     """Stepped again from a sample on the way, it ends where the other did, but for rounding that the end amplifies."""
     path, whole = ended.path, ended.trajectory
@@ -118,6 +120,7 @@ def test_the_path_is_the_last_turns_of_the_same_motion(ended):
     assert np.ptp(first[:, 0]) == pytest.approx(2 * A * math.cos(TILT), rel=1e-3)
 
 
+@pytest.mark.sweep
 def test_figures_say_what_they_show(ended, tmp_path):
     for path in draw_all(ended, KIND.figures(), tmp_path):
         picture = matplotlib.image.imread(path)

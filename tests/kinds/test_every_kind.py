@@ -9,6 +9,7 @@ import sys
 import numpy as np
 import pytest
 
+from polhode.cli.main import main
 from polhode.errors import InvalidInput
 from polhode.figures.drawing import draw_all
 from polhode.formats.dataset import write_dataset
@@ -145,15 +146,15 @@ def test_a_kind_that_cannot_be_imported_is_named(monkeypatch):
 # ---------------------------------------------------------------------- the pendulum of the other package
 
 
-def test_the_pendulum_by_its_command(plugin, tmp_path):
+def test_the_pendulum_by_its_command(tmp_path, monkeypatch, capsys):
     """A conical pendulum, ω² = g/(l cos θ), keeps its height."""
+    monkeypatch.chdir(tmp_path)
     rate = math.sqrt(9.80665 / math.cos(math.radians(40.0)))
     text = find_kind("spherical-pendulum").example.replace("2 rad/s", f"{rate!r} rad/s")
     (tmp_path / "cone.toml").write_text(text, "utf-8")
-    code = f"import sys; sys.path.insert(0, {str(plugin)!r}); from polhode.cli.main import main; main()"
-    done = subprocess.run([sys.executable, "-c", code, "report", "cone.toml", "--json"], cwd=tmp_path, timeout=240,
-                          capture_output=True, text=True, check=True)  # fmt: skip
-    values = json.loads(done.stdout)
+    with pytest.raises(SystemExit, match="0"):
+        main(["report", "cone.toml", "--json"])
+    values = json.loads(capsys.readouterr().out)
     assert values["highest"] - values["lowest"] < 1e-9 and values["files"][0].endswith("path.png")
     assert abs(values["highest"] + math.cos(math.radians(40.0))) < 1e-9
 

@@ -15,7 +15,6 @@ from polhode.kinds.gyrostat import KIND
 from polhode.kinds.reading import read_spec
 from polhode.systems import DoubleBracket
 from polhode.systems.gyrostat import Gyrostat
-from sweeping import first
 
 MOTION = 2e-9
 """Relative: two methods of steps, each with its own error over some turns."""
@@ -71,11 +70,11 @@ def equations(moment, torque):
     return rates
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(
     ("drive", "torque"),
-    first(1, [('motor_torque = "0.05 N*m"', 0.05), ('rotor_drive = "constant-rate"', None),
-              ('rotor_drive = "free"', 0.0)]),
-)  # fmt: skip
+    [('motor_torque = "0.05 N*m"', 0.05), ('rotor_drive = "constant-rate"', None), ('rotor_drive = "free"', 0.0)],
+)
 def test_motion_is_that_of_body_and_rotor_in_the_given_axes(spec, drive, torque):
     report = report_on(spec(TILTED, f"{ROTOR}\n{drive}", SPIN))
     times = np.asarray(report.trajectory.times)
@@ -94,6 +93,7 @@ def test_motion_is_that_of_body_and_rotor_in_the_given_axes(spec, drive, torque)
     assert max(report.trajectory.drift.values()) < MOTION
 
 
+@pytest.mark.sweep
 def test_the_motors_work_is_what_body_and_rotor_gained(spec):
     report = report_on(spec(TILTED, f'{ROTOR}\nmotor_torque = "0.05 N*m"', SPIN))
     gained = []

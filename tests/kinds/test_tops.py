@@ -43,6 +43,7 @@ def test_the_cone_is_lagranges_top(read):
         assert abs(left) < 1e-12 * I3 * 200.0 * precession
 
 
+@pytest.mark.sweep
 def test_heavy_and_lagrange_agree_and_name_the_case(read):
     spin = '[spin]\nangular_velocity = ["1 rad/s", "0 rad/s", "90 rad/s"]\n[time]\nuntil = "0.5 s"\nsamples = 11'
     exact = read(CONE, lagrange('lean = "30 deg"'), spin).report()
@@ -62,6 +63,7 @@ def test_verdicts_flip_at_the_threshold(read):
         assert (upright.verdict == word and "Π·χ" in upright.certificate) or word == "unstable"
 
 
+@pytest.mark.sweep
 def test_a_pivot_at_the_centre_of_mass_is_said(read):
     at_centre = '[system]\nkind = "heavy-top"\npivot = ["0.5 m", "1 m", "1.5 m"]'
     report = read(BOX, at_centre, '[spin]\nrate = "1 rad/s"\nabout = 2\n[time]\nuntil = "1 s"\nsamples = 3').report()

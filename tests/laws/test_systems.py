@@ -3,19 +3,19 @@
 import jax.numpy as jnp
 import pytest
 
-from polhode.systems import BodyInPotential, BrunBody, FreeRigidBody, Kirchhoff
+from polhode.systems import DoubleBracket, FreeRigidBody, Gyrostat, LiePoisson, Manakov
 from polhode.testing import LawBroken, check_system
 from specimens import SYSTEMS, named
 
 
-def one_of_each(systems):
-    """The first of each class that is compiled in a few seconds; the others in the sweep."""
-    classes = [BodyInPotential, BrunBody, Kirchhoff, *map(type, systems)]
-    return [pytest.param(system, marks=[pytest.mark.sweep] if type(system) in classes[: k + 3] else [])
-            for k, system in enumerate(systems)]  # fmt: skip
+def some_at_once(systems):
+    """A body with a rotor, one with losses, matrices, and a user's own; others, compiled for longer, in the sweep."""
+    chosen = [next(s for s in systems if type(s) is kind) for kind in (Gyrostat, DoubleBracket, Manakov, LiePoisson)]
+    return [pytest.param(system, marks=[] if any(system is s for s in chosen) else [pytest.mark.sweep])
+            for system in systems]  # fmt: skip
 
 
-@pytest.mark.parametrize("system", one_of_each(SYSTEMS), ids=named)
+@pytest.mark.parametrize("system", some_at_once(SYSTEMS), ids=named)
 def test_laws(system):
     check_system(system)
 

@@ -11,6 +11,8 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
+from polhode.testing.laws import ONCE
+
 ROOMS = ("rotation", "special.carlson", "special.elliptic", "special.theta")
 LEFT_OUT = {
     "rotation.product_of_parts": "takes columns, and is called by multiply",
@@ -34,6 +36,8 @@ BY_NAME = {
     "y": UPPER[::-1] + 0.3, "z": UPPER + 0.5, "u": UPPER, "m1": UPPER, "n": 0.5 * UPPER, "parameter": 0.5 * UPPER,
     "k": np.sqrt(1.0 - 0.5 * UPPER),
 }  # fmt: skip
+AT_ONCE = ("special.carlson.carlson_rd", "special.theta.theta1")
+"""Of the functions that are compiled for seconds; the others in the sweep."""
 QUATERNIONS = {"p": BY_NAME["quaternion"], "q": BY_NAME["quaternion"][[1, 2, 0]]}
 
 
@@ -54,8 +58,8 @@ def public_functions():
         for name, function in vars(module).items():
             own = inspect.isfunction(function) and function.__module__ == module.__name__
             if own and not name.startswith("_") and f"{room}.{name}" not in LEFT_OUT:
-                costly = [pytest.mark.sweep] if room == "special.elliptic" else []
-                yield pytest.param(f"{room}.{name}", marks=costly)
+                costly = room.startswith("special.") and f"{room}.{name}" not in AT_ONCE
+                yield pytest.param(f"{room}.{name}", marks=[pytest.mark.sweep] if costly else [])
 
 
 def flat(values, xp):
@@ -82,8 +86,13 @@ def test_alone_under_every_transformation(name):
             jax.eval_shape(lambda x, k=k: function(*arguments[:k], x, *arguments[k + 1 :]), inputs[k])
         whole = lambda *x: flat(function(*x), jnp)  # noqa: E731
         value = jax.jit(whole)(*inputs)
-        by_vmap = jax.jit(lambda *x: jax.vmap(function)(*x))(*inputs)
-        change = jax.jit(lambda x, v: jax.jvp(whole, x, v)[1])(inputs, directions)
+        every = tuple(range(len(inputs)))
+        weighed = lambda *x: jnp.vdot(jnp.asarray(weights), whole(*x))  # noqa: E731
+        of_vmap_and_both_modes = jax.jit(
+            lambda x, v: (jax.vmap(function)(*x), jax.jvp(whole, x, v)[1], jax.grad(weighed, argnums=every)(*x)),
+            compiler_options=ONCE,
+        )
+        by_vmap, change, slopes = of_vmap_and_both_modes(inputs, directions)
         assert np.abs(np.asarray(value) - wanted).max() < SAME
         assert np.abs(np.asarray(flat(by_vmap, jnp)) - wanted).max() < SAME
         if last != "from_matrix":
@@ -91,7 +100,5 @@ def test_alone_under_every_transformation(name):
                              for s in (1, -1))  # fmt: skip
             slope = (ahead - behind) / (2 * STEP)
             assert np.abs(np.asarray(change) - slope).max() < BY_DIFFERENCES * (1.0 + np.abs(slope).max())
-        every = tuple(range(len(inputs)))
-        slopes = jax.jit(jax.grad(lambda *x: jnp.vdot(jnp.asarray(weights), whole(*x)), argnums=every))(*inputs)
         there = sum(float(jnp.vdot(a, b)) for a, b in zip(slopes, directions, strict=True))
         assert there == pytest.approx(float(weights @ np.asarray(change)), rel=1e-10, abs=1e-10)

@@ -10,10 +10,11 @@ from polhode import algebra as lie
 from polhode import poisson
 from polhode.errors import InvalidInput
 from specimens import ALGEBRAS
-from sweeping import first
+from sweeping import first, only
 
 EXACT = 1e-12
 SMALL = [a for a in ALGEBRAS if a.dim <= 10]
+AT_ONCE = [a for a in SMALL if a.name in ("SE3", "SU(3)")]  # one with singular orbits, one of complex matrices
 
 
 def point_of(algebra, seed=0, count=None):
@@ -38,7 +39,7 @@ def test_signs_of_the_minus_bracket():
     assert np.asarray(plus(L)) == pytest.approx(-np.asarray(field(L)))
 
 
-@pytest.mark.parametrize("algebra", first(8, SMALL), ids=lambda a: a.name)
+@pytest.mark.parametrize("algebra", only(AT_ONCE, SMALL), ids=lambda a: a.name)
 def test_bracket_field_tensor_and_time_derivative_agree(algebra):
     F, G = functions(algebra)
     points = point_of(algebra, count=5)
@@ -65,7 +66,7 @@ def test_bracket_field_tensor_and_time_derivative_agree(algebra):
         assert np.asarray(again) == pytest.approx(np.asarray(values), rel=EXACT, abs=EXACT)
 
 
-@pytest.mark.parametrize("algebra", first(5, SMALL), ids=lambda a: a.name)
+@pytest.mark.parametrize("algebra", only(AT_ONCE, SMALL), ids=lambda a: a.name)
 def test_form_on_hamiltonian_fields_is_the_bracket(algebra):
     F, G = functions(algebra)
     mu = point_of(algebra, 1)
@@ -93,7 +94,7 @@ def test_form_on_hamiltonian_fields_is_the_bracket(algebra):
         assert inside[0] @ poisson.kks_matrix(algebra, mu, sign) @ inside[1] == pytest.approx(value, rel=1e-9, abs=1e-9)
 
 
-@pytest.mark.parametrize("algebra", [lie.SO3(), lie.SE3(), lie.SO(4), lie.SU(3)], ids=lambda a: a.name)
+@pytest.mark.parametrize("algebra", first(2, [lie.SE3(), lie.SU(3), lie.SO3(), lie.SO(4)]), ids=lambda a: a.name)
 def test_restricted_bracket_inverts_the_form(algebra):
     mu = point_of(algebra, 2)
     form, inner = poisson.kks_matrix(algebra, mu), poisson.restricted_bracket(algebra, mu)

@@ -1,5 +1,6 @@
 """T*SO(3): trivialisations, momentum maps, reduction, and the attitude back from the reduced motion."""
 
+import jax
 import numpy as np
 import pytest
 
@@ -42,10 +43,11 @@ def test_momentum_maps_and_the_lifted_action():
 @pytest.mark.parametrize("momentum", first(1, [[0.3, 1.8, 1.5], [0.9, 1.6, 0.3]]))
 def test_attitude_and_phases_come_back(momentum):
     motion = ph.FreeMotion(MOMENTS, momentum, attitude=rotation.normalize((0.5, 0.1, -0.7, 0.2)))
+    again = jax.jit(lambda t, L, q: poisson.reconstruct(t, L, lambda L: L / MOMENTS, q))  # compiled as a whole
     start, errors = motion.attitude(0.0), []
     for count in (400, 800):
         times = np.linspace(0.0, motion.period, count + 1)
-        found = poisson.reconstruct(times, motion.momentum(times), lambda L: L / MOMENTS, start)
+        found = again(times, motion.momentum(times), start)
         errors.append(np.abs(np.asarray(found.attitude) - motion.attitude(times)).max())
     assert np.log2(errors[0] / errors[1]) == pytest.approx(4.0, abs=0.1) and errors[1] < 1e-8
     dynamic, geometric = float(found.dynamic_phase[-1]), float(found.geometric_phase[-1])

@@ -197,7 +197,7 @@ def check_order(system, state, method, order, end):
 @pytest.mark.parametrize(
     ("method", "order"),
     [
-        (LieMidpoint, 4), (MuntheKaas, 4),
+        (LieMidpoint, 4), pytest.param(MuntheKaas, 4, marks=pytest.mark.sweep),
         *(pytest.param(method, 2, marks=pytest.mark.sweep) for method in (LieMidpoint, MuntheKaas, SphericalMidpoint)),
     ],
     ids=lambda value: getattr(value, "__name__", str(value)),
@@ -222,6 +222,7 @@ def test_a_driven_motion_runs_back():
     assert np.abs(back.states[-1] - MOMENTUM).max() < THERE_AND_BACK
 
 
+@pytest.mark.sweep
 def test_a_drive_between_the_moments_looked_at_is_not_split():
     """Inherited flows would leave it out: a structural rule, as any sampling can be missed."""
 

