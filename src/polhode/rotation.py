@@ -24,7 +24,7 @@ OPPOSITE = 4e-16  # length of the sum of two unit vectors below which it is roun
 
 
 def _arrays(**named: Array) -> tuple[Any, list[Array]]:
-    sizes = {"quaternion": 4, "p": 4, "q": 4, "vector": 3, "matrix": 3}
+    sizes = {"quaternion": 4, "p": 4, "q": 4, "vector": 3, "angular_velocity": 3, "matrix": 3}
     xp = namespace(*named.values())
     values = [as_float64(xp, value, name) for name, value in named.items()]
     for name, value in zip(named, values, strict=True):
@@ -55,6 +55,26 @@ def product_of_parts(p: Sequence[Array], q: Sequence[Array]) -> tuple[Array, ...
         ((a * y - b * z) + c * w) + d * x,
         ((a * z + b * y) - c * x) + d * w,
     )
+
+
+def quaternion_rate(quaternion: Array, angular_velocity: Array) -> Array:
+    """Return dq/dt = ½ q (0, Ω), shape (…, 4) [1/s], of an attitude whose body turns with Ω.
+
+    Args:
+        quaternion: (…, 4) q, body → space; its rate is linear in it, and has its length.
+        angular_velocity: (…, 3) Ω [rad/s, body axes].
+
+    >>> quaternion_rate([1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 4.0]).tolist()
+    [0.0, 0.0, 0.0, 2.0]
+    """
+    xp, (q, v) = _arrays(quaternion=quaternion, angular_velocity=angular_velocity)
+    return 0.5 * xp.stack(product_with_vector(_parts(q), _parts(v)), axis=-1)
+
+
+def product_with_vector(q: Sequence[Array], vector: Sequence[Array]) -> tuple[Array, ...]:
+    """Return the four components of q (0, v) from those of q and v, where they are kept apart."""
+    (w, x, y, z), (a, b, c) = q, vector
+    return -((x * a + y * b) + z * c), (w * a + y * c) - z * b, (w * b - x * c) + z * a, (w * c + x * b) - y * a
 
 
 def conjugate(quaternion: Array) -> Array:
