@@ -11,6 +11,7 @@ import polhode as ph
 from polhode import rotation
 from polhode.errors import InvalidInput
 from polhode.systems import (
+    AbstractMount,
     AbstractTorque,
     DoubleBracket,
     EnergySink,
@@ -281,6 +282,50 @@ def test_a_torque_of_ones_own_with_a_state():
     wanted = 0.8 * np.sin(0.5 * TIMES)
     assert found.layout.names == ("momentum", "winding")
     assert np.abs(found.part("winding") - wanted).max() < MOTION and found.drift["kinetic_energy"] < BALANCE
+
+
+class SprungWheel(AbstractMount):
+    """A user's own, with two parts: a wheel on a torsion spring."""
+
+    axis: jax.Array
+    moment: float
+    stiffness: float
+
+    @property
+    def state_parts(self):
+        return (ph.motion.StatePart("wheel_momentum", 1, "kg m2 s-1"), ph.motion.StatePart("twist", 1, "rad"))
+
+    @property
+    def inertia(self):
+        return self.moment * jnp.outer(self.axis, self.axis)
+
+    def momentum(self, own):
+        return self.part(own, "wheel_momentum")[..., None] * self.axis
+
+    def energy(self, own):
+        h, twist = self.part(own, "wheel_momentum"), self.part(own, "twist")
+        return 0.5 * h**2 / self.moment + 0.5 * self.stiffness * twist**2
+
+    def state_rate(self, t, attitude, angular_velocity, own):
+        rate = self.part(own, "wheel_momentum") / self.moment - angular_velocity @ self.axis
+        return jnp.stack([-self.stiffness * self.part(own, "twist"), rate], axis=-1)
+
+    def start(self, rate, angular_velocity):
+        h = self.moment * (rate + angular_velocity @ self.axis)
+        return jnp.stack([h, 0.0 * h], axis=-1)
+
+
+@pytest.mark.sweep
+def test_a_mount_of_ones_own_with_two_parts():
+    """About one axis the twist swings by k (1/J + 1/(I − J)); on a skew axis the energy and the momentum stay."""
+    alone = RigidBody(MOMENTS, [SprungWheel(jnp.array([0.0, 0.0, 1.0]), 0.2, 0.5)])
+    found = ph.simulate(alone, alone.state(angular_velocity=(0.0, 0.0, 0.3), rates=[1.5]), TIMES)
+    rate = np.sqrt(0.5 * (1.0 / 0.2 + 1.0 / (MOMENTS[2] - 0.2)))
+    assert np.abs(found.part("twist") - 1.5 / rate * np.sin(rate * TIMES)).max() < 10 * MOTION
+    skew = RigidBody(MOMENTS, [SprungWheel(jnp.asarray(FIRST), 0.2, 0.5)])
+    found = ph.simulate(skew, skew.state(ATTITUDE, VELOCITY, rates=[1.5]), TIMES)
+    assert set(found.invariants) == {"energy", "|L|²", "momentum_space"} and max(found.drift.values()) < BALANCE
+    assert np.asarray(skew.scales(found.states[0]))[-2] > 0.5 and np.asarray(skew.scales(found.states[0]))[-1] == 1.0
 
 
 def test_states_are_made_and_taken_apart_by_name():

@@ -11,7 +11,7 @@ import jax.numpy as jnp
 
 from polhode.arrays import in_jax_numpy
 from polhode.errors import InvalidInput, PolhodeError, shown
-from polhode.motion.layout import StatePart
+from polhode.motion.layout import StateLayout, StatePart
 
 Array = Any
 BATCH = 5  # copies of the trial; no vector has as many components
@@ -34,6 +34,10 @@ class AbstractAttachment(eqx.Module):
     def state_size(self) -> int:
         """How many numbers n its own state has."""
         return sum(part.size for part in self.state_parts)
+
+    def part(self, own: Array, name: str) -> Array:
+        """Return a part of its own state (…, n) by name: (…) of one component, else (…, size)."""
+        return StateLayout(self.state_parts).part(own, name)
 
     @property
     def needs_attitude(self) -> bool:

@@ -115,8 +115,7 @@ class Rotor(AbstractMount):
         self, axis: Array, moment: float, motor: float | Motor | None = None, friction: float = 0.0
     ) -> None:
         self.axis, self.moment = checked_direction("axis", axis), checked_number("moment", moment, 0.0, unit="kg m²")
-        number = motor is None or callable(motor)
-        self.motor = motor if number else checked_number("motor", motor, unit="N m")
+        self.motor = motor if motor is None or callable(motor) else checked_number("motor", motor, unit="N m")
         found = checked_number("friction", friction, least=0.0, unit="N m s")
         self.friction = found if float(found) else None
 
@@ -139,23 +138,24 @@ class Rotor(AbstractMount):
     @property
     def momentum_scale(self) -> Array:
         """What a turn under a constant motor gives the rotor."""
-        constant = self.motor is not None and not callable(self.motor)
-        return jnp.sqrt(jnp.abs(self.motor) * self.moment) if constant else jnp.zeros(())
+        if self.motor is None or callable(self.motor):
+            return jnp.zeros(())
+        return jnp.sqrt(jnp.abs(self.motor) * self.moment)
 
     def momentum(self, own: Array) -> Array:
         return own * self.axis
 
     def energy(self, own: Array) -> Array:
-        return 0.5 * jnp.squeeze(own, -1) ** 2 / self.moment
+        return 0.5 * self.part(own, "rotor_momentum") ** 2 / self.moment
 
     def rate(self, angular_velocity: Array, own: Array) -> Array:
         """Return σ (…) relative to the body [rad/s]."""
-        return jnp.squeeze(own, -1) / self.moment - jnp.sum(angular_velocity * self.axis, axis=-1)
+        return self.part(own, "rotor_momentum") / self.moment - jnp.sum(angular_velocity * self.axis, axis=-1)
 
     def axial_torque(self, t: Array, attitude: Array | None, angular_velocity: Array, own: Array) -> Array:
         """Return ḣ (…), what motor and friction do to the rotor [N m]."""
         rate = self.rate(angular_velocity, own)
-        motor = self.motor(t, attitude, angular_velocity, rate) if callable(self.motor) else self.motor
+        motor: Any = self.motor(t, attitude, angular_velocity, rate) if callable(self.motor) else self.motor
         torque = jnp.broadcast_to(0.0 if motor is None else motor, rate.shape)
         return torque if self.friction is None else torque - self.friction * rate
 

@@ -397,7 +397,7 @@ def _solved(inertia: Array, vector: Array) -> Array:
     """Return the vectors whose product with an inertia is given, by Cramer's rule."""
     if inertia.ndim == 1:
         return vector / inertia
-    size = jnp.trace(inertia)  # so that products of three neither overflow nor vanish
+    size = jnp.max(jnp.abs(inertia))  # so that products of three neither overflow nor vanish
     a, b, c = inertia / size
     adjugate = jnp.stack([jnp.cross(b, c), jnp.cross(c, a), jnp.cross(a, b)])
     return (vector @ adjugate) / jnp.dot(a, adjugate[0]) / size
