@@ -401,6 +401,8 @@ class NotBatched(AbstractTorque):
         (lambda: BODY.state(ATTITUDE, VELOCITY, VELOCITY), "not both"),
         (lambda: BODY.state(ATTITUDE, rates=[1.0]), "one entry for each of the 2 mounts"),
         (lambda: BODY.state(ATTITUDE, rates=[1.0, np.float32(2.0)]), r"`rates\[1\]` must be float64"),
+        (lambda: EVERYTHING.state(rates=[0.0, 0.0, 1.0, None, None]), r"`rates\[2\]` is for a HeldRotor"),
+        (lambda: EVERYTHING.state(actuators=[None, None, None, (1.0, 2.0)]), r"`actuators\[3\]` must have"),
         (lambda: EVERYTHING.state(ATTITUDE, actuators=0.0), "one entry for each of the 4 torques"),
         (lambda: BODY.check_state(np.ones(7)), r"RigidBody must have shape \(…, 9\)"),
         (lambda: BODY.check_state(np.ones(9)), "unit quaternion"),

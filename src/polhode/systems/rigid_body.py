@@ -220,18 +220,14 @@ class AbstractRigidBody(AbstractSystem):
                 out, is zero.
 
         Raises:
-            InvalidInput: if both velocity and momentum are given, or as many rates or actuators as there are not.
+            InvalidInput: if both velocity and momentum are given, or rates or actuators that do not fit what there is.
         """
         if angular_velocity is not None and momentum is not None:
             raise InvalidInput("give `angular_velocity` or `momentum`, not both.")
-        turning = _one_each("rates", rates, "mounts", len(self.mounts))
-        acting = _one_each("actuators", actuators, "torques", len(self.torques))
-        given = {"attitude": attitude, "angular_velocity": angular_velocity, "momentum": momentum}
-        refuse_single_precision(**given, **{f"rates[{k}]": x for k, x in enumerate(turning)},
-                                **{f"actuators[{k}]": x for k, x in enumerate(acting)})  # fmt: skip
+        refuse_single_precision(attitude=attitude, angular_velocity=angular_velocity, momentum=momentum)
+        values, acting = self._checked_rates(rates), self._checked_actuators(actuators)
         if attitude is None and self.needs_attitude:
             attitude = jnp.array([1.0, 0.0, 0.0, 0.0])
-        values = [0.0 if rate is None else jnp.asarray(rate, dtype=float) for rate in turning]
         velocity = jnp.zeros(3) if angular_velocity is None else jnp.asarray(angular_velocity, dtype=float)
         if momentum is not None:
             starts = zip(self.mounts, values, strict=True)
@@ -241,11 +237,32 @@ class AbstractRigidBody(AbstractSystem):
         total = _times(self.carrier, velocity)
         for mount, part in zip(self.mounts, own, strict=True):
             total = total + mount.momentum(part)
-        for torque, part in zip(self.torques, acting, strict=True):
-            own.append(jnp.zeros(torque.state_size) if part is None else jnp.asarray(part, dtype=float))
-        parts = [*([] if attitude is None else [rotation.normalize(jnp.asarray(attitude, dtype=float))]), total, *own]
+        front = [] if attitude is None else [rotation.normalize(jnp.asarray(attitude, dtype=float))]
+        parts = [*front, total, *own, *acting]
         shape = np.broadcast_shapes(*(part.shape[:-1] for part in parts))
         return jnp.concatenate([jnp.broadcast_to(part, (*shape, part.shape[-1])) for part in parts], axis=-1)
+
+    def _checked_rates(self, rates: Sequence[Array | None] | None) -> list[Array]:
+        given = _one_each("rates", rates, "mounts", len(self.mounts))
+        for k, (mount, rate) in enumerate(zip(self.mounts, given, strict=True)):
+            if rate is not None and not mount.state_size:
+                raise InvalidInput(
+                    f"`rates[{k}]` is for a {type(mount).__name__}, which has no rate of its own to start with; "
+                    f"got {shown(rate)}. Give None for it."
+                )
+        return [jnp.zeros(()) if rate is None else jnp.asarray(rate, dtype=float) for rate in given]
+
+    def _checked_actuators(self, actuators: Sequence[Array | None] | None) -> list[Array]:
+        given = _one_each("actuators", actuators, "torques", len(self.torques))
+        own = []
+        for k, (torque, part) in enumerate(zip(self.torques, given, strict=True)):
+            own.append(jnp.zeros(torque.state_size) if part is None else jnp.asarray(part, dtype=float))
+            if own[-1].shape[-1:] != (torque.state_size,):
+                raise InvalidInput(
+                    f"`actuators[{k}]` must have shape (…, {torque.state_size}), the own state of a "
+                    f"{type(torque).__name__}; got {own[-1].shape}."
+                )
+        return own
 
     def _locked(self) -> Array:
         turning, carrier = self._turning_inertia(), self.carrier
@@ -385,6 +402,7 @@ def _one_each(name: str, values: Any, things: str, count: int) -> list[Array | N
             f"`{name}` must be a list with one entry for each of the {count} {things}, None where there is nothing to "
             f"say; got {shown(values)}."
         )
+    refuse_single_precision(**{f"{name}[{k}]": value for k, value in enumerate(values)})
     return list(values)
 
 

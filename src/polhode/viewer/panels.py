@@ -71,10 +71,10 @@ def is_mechanical(source: Any) -> bool:
 
 def _turns_as_one(samples: Samples, moments: Array | None) -> bool:
     """Whether L = IΩ: with rotors inside, levels of ½ L·I⁻¹L are not those of the energy."""
-    if moments is None or samples.angular_velocity is None:
+    momentum, velocity = samples.momentum, samples.angular_velocity
+    if moments is None or momentum is None or velocity is None:
         return True
-    other = samples.momentum - moments * samples.angular_velocity
-    return bool(np.abs(other).max() <= KEPT * np.abs(samples.momentum).max())
+    return bool(np.abs(momentum - moments * velocity).max() <= KEPT * np.abs(momentum).max())
 
 
 def title_of(source: Any) -> str:
