@@ -64,8 +64,8 @@ def quaternion_rate(quaternion: Array, angular_velocity: Array) -> Array:
         quaternion: (…, 4) q, body → space; its rate is linear in it, and has its length.
         angular_velocity: (…, 3) Ω [rad/s, body axes].
 
-    >>> quaternion_rate([1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 4.0]).tolist()
-    [0.0, 0.0, 0.0, 2.0]
+    >>> quaternion_rate([0.6, 0.0, 0.0, 0.8], [0.0, 0.0, 4.0]).tolist()
+    [-1.6, 0.0, 0.0, 1.2]
     """
     xp, (q, v) = _arrays(quaternion=quaternion, angular_velocity=angular_velocity)
     return 0.5 * xp.stack(product_with_vector(_parts(q), _parts(v)), axis=-1)

@@ -390,7 +390,8 @@ class RigidBody(AbstractRigidBody):
         if not left.min() > 0:
             raise InvalidInput(
                 f"`mounts` must be parts of the body; without what they turn by themselves it is left with moments "
-                f"{shown(left.round(12).tolist())} kg m². `moments` are those of the whole body, its mounts locked."
+                f"[{', '.join(f'{x:.6g}' for x in left)}] kg m². `moments` are those of the whole body, its mounts "
+                "locked."
             )
 
 
