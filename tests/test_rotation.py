@@ -35,6 +35,19 @@ def test_product_is_composition_and_rotate_is_the_matrix(quaternions):
     assert np.abs(rotation.rotate(p, v) - np.einsum("nij,nj->ni", rotation.as_matrix(p), v)).max() < 5 * ROUNDING
 
 
+def test_the_rate_of_the_quaternion_turns_the_matrix_about_the_body_axes(quaternions):
+    """dR/dt = R hat(Ω), by the derivative of the matrix; about the space axes it would be hat(Ω) R."""
+    velocity = np.random.default_rng(4).normal(size=(200, 3))
+    rates = rotation.quaternion_rate(quaternions, velocity)
+    with jax.enable_x64(True):
+        turning = np.asarray(jax.jvp(rotation.as_matrix, (quaternions,), (rates,))[1])
+    matrices, skew = rotation.as_matrix(quaternions), rotation.hat(velocity)
+    assert np.abs(turning - matrices @ skew).max() < 10 * ROUNDING
+    assert np.abs(turning - skew @ matrices).max() > 0.1
+    pure = np.concatenate([np.zeros((200, 1)), velocity], axis=-1)
+    assert np.abs(rates - 0.5 * rotation.multiply(quaternions, pure)).max() < ROUNDING
+
+
 def test_from_matrix_returns_the_quaternion_up_to_sign(quaternions):
     special = np.vstack([quaternions, np.eye(4), [[0, 0.6, 0.8, 0], [0, 0, -0.6, 0.8], [1e-9, 0, 0, 1]]])
     back = rotation.from_matrix(rotation.as_matrix(special))

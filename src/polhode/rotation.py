@@ -25,7 +25,7 @@ OPPOSITE = 4e-16  # length of the sum of two unit vectors below which it is roun
 
 
 def _arrays(**named: Array) -> tuple[Any, list[Array]]:
-    sizes = {"quaternion": 4, "p": 4, "q": 4, "vector": 3, "matrix": 3}
+    sizes = {"quaternion": 4, "p": 4, "q": 4, "vector": 3, "angular_velocity": 3, "matrix": 3}
     xp = namespace(*named.values())
     values = [as_float64(xp, value, name) for name, value in named.items()]
     for name, value in zip(named, values, strict=True):
@@ -56,6 +56,28 @@ def product_of_parts(p: Sequence[Part], q: Sequence[Part]) -> tuple[Part, Part, 
         ((a * y - b * z) + c * w) + d * x,
         ((a * z + b * y) - c * x) + d * w,
     )
+
+
+def quaternion_rate(
+    quaternion: Real[ArrayLike, "*#batch 4"], angular_velocity: Real[ArrayLike, "*#batch 3"]
+) -> Float64[Array, "*batch 4"]:
+    """Return dq/dt = ½ q (0, Ω), shape (…, 4) [1/s], of an attitude whose body turns with Ω.
+
+    Args:
+        quaternion: (…, 4) q, body → space; its rate is linear in it, and has its length.
+        angular_velocity: (…, 3) Ω [rad/s, body axes].
+
+    >>> quaternion_rate([0.6, 0.0, 0.0, 0.8], [0.0, 0.0, 4.0]).tolist()
+    [-1.6, 0.0, 0.0, 1.2]
+    """
+    xp, (q, v) = _arrays(quaternion=quaternion, angular_velocity=angular_velocity)
+    return 0.5 * xp.stack(product_with_vector(_parts(q), _parts(v)), axis=-1)
+
+
+def product_with_vector(q: Sequence[Part], vector: Sequence[Part]) -> tuple[Part, ...]:
+    """Return the four components of q (0, v) from those of q and v, where they are kept apart."""
+    (w, x, y, z), (a, b, c) = q, vector
+    return -((x * a + y * b) + z * c), (w * a + y * c) - z * b, (w * b - x * c) + z * a, (w * c + x * b) - y * a
 
 
 def conjugate(quaternion: Real[ArrayLike, "*batch 4"]) -> Float64[Array, "*batch 4"]:

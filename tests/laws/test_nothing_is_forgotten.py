@@ -116,6 +116,8 @@ CALLED_BY_OTHERS = {
     "systems.base.as_finite_state", "systems.base.check_unit_attitude", "systems.base.components",
     "systems.base.joined", "systems.base.attitude_change", "systems.base.attitude_length",
     "systems.base.checked_functions", "systems.base.check_scalar",
+    "systems.attachments.checked_attachments", "systems.mounts.checked_direction", "systems.mounts.checked_mounts",
+    "systems.torques.checked_torques", "systems.free_rigid_body.checked_vector",
     "systems.free_rigid_body.axis_flow", "systems.free_rigid_body.checked_moments",
     "systems.kepler_orbit.ratio_from_eccentric", "systems.kepler_orbit.true_from_eccentric",
     "systems.kepler_orbit.solve_kepler", "systems.kepler_orbit.checked_number", "systems.rolling_dissipation.couples",

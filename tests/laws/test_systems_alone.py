@@ -18,14 +18,26 @@ LAWS = [
     systems.AirLayer(1.8e-4), systems.BoundaryLayer(1e-9), systems.ViscousContourFriction(1e-7),
     systems.DryContourFriction(1e-5), systems.RollingCouple(1e-6), systems.DrillingFriction(1e-5),
 ]  # fmt: skip
+
+
+def motor(t, attitude, angular_velocity, rate):
+    return 0.3 * t - 0.1 * rate + 0.2 * attitude[..., 1] + 0.1 * angular_velocity[..., 0]
+
+
+ROTOR, SLUG = systems.Rotor((1.0, 2.0, 3.0), 0.3, motor, 0.1), systems.SphericalSlug(0.2, 0.3)
+SINK = systems.EnergySink(0.1)
+LAGGED = systems.LaggedTorque(lambda t, attitude, velocity: t[..., None] * velocity + attitude[..., 1:], 0.7)
+HELD = systems.HeldRotor((0.0, 1.0, 1.0), 0.1, 5.0)
+GRAVITY = systems.GravityGradient(systems.KeplerOrbit(0.7, 0.0, 0.4), MOMENTS)
 SPECIMENS = [
     *{type(system): system for system in reversed(SYSTEMS)}.values(), DISK, systems.SpinOrbit(0.89, 0.4), ORBIT, *LAWS,
     systems.LinearDrag((0.1, 0.2, 0.3)), systems.QuadraticDrag(0.05), systems.GravityGradient(ORBIT, MOMENTS),
+    ROTOR, HELD, SLUG, SINK, LAGGED, systems.RigidBody(MOMENTS, [ROTOR, HELD, SLUG, SINK], [GRAVITY, LAGGED]),
     systems.TorquedBody(MOMENTS, [systems.LinearDrag(0.3), systems.GravityGradient(ORBIT, MOMENTS)]),
     systems.TorquedGyrostat(MOMENTS, (1.0, 2.0, 3.0), 0.3, 0.1),
 ]  # fmt: skip
-NOT_MOVING = {systems.AbstractLiePoissonSystem, systems.AbstractSystem, systems.AbstractTorque,
-              systems.RollingDissipation, systems.Balance}  # fmt: skip
+NOT_MOVING = {systems.AbstractLiePoissonSystem, systems.AbstractSystem, systems.AbstractTorque, systems.AbstractMount,
+              systems.AbstractRigidBody, systems.RollingDissipation, systems.Balance}  # fmt: skip
 LEFT_OUT = {
     "check_state": "refuses traced numbers, see test_refused_when_traced",
     "upright": "refuses traced numbers, see test_refused_when_traced",
@@ -34,6 +46,7 @@ LEFT_OUT = {
     "EulerDisk.linear_integrals": "of thin disks only, by Legendre functions of a table",
     "HeavyTop.from_body": "takes a body, whose numbers are known",
     "layout": "says what numbers mean, and returns none",
+    "part": "takes the name of a part of a state",
     "parts": "takes a state apart, and is called by the others",
     "space_vectors": "is called by invariants, with an attitude",
 }
@@ -54,7 +67,8 @@ def starts(system):
         return RNG.normal(size=(3, 2))
     attitude = unit(RNG.normal(size=(3, 4)))
     if not isinstance(system, AbstractLiePoissonSystem):
-        return np.concatenate([attitude, RNG.normal(size=(3, 4 if hasattr(system, "rotor_moment") else 3))], axis=1)
+        own = sum(part.size for part in system.own_parts)
+        return np.concatenate([attitude, RNG.normal(size=(3, 3 + own))], axis=1)
     point = np.asarray(system.algebra.from_dual_vector(RNG.normal(size=(3, system.algebra.dim))))
     if not system.carries_attitude:
         return point
@@ -66,15 +80,19 @@ def arguments(system, method):
     values = {"t": RNG.uniform(0.5, 2.0, 3), "state": state, "attitude": unit(RNG.normal(size=(3, 4))),
               "angular_velocity": RNG.normal(size=(3, 3)), "momentum": RNG.normal(size=(3, 3)),
               "tilt": RNG.uniform(0.2, 0.5, 3), "precession": RNG.uniform(1.0, 2.0, 3)}  # fmt: skip
+    if isinstance(system, ATTACHED):
+        values["own"] = values["actuator"] = RNG.normal(size=(3, system.state_size))
+        values["rate"] = RNG.normal(size=(3, 3) if system is SLUG else 3)
     if isinstance(system, AbstractLiePoissonSystem):
         values["point"] = np.asarray(system.algebra.from_dual_vector(RNG.normal(size=(3, system.algebra.dim))))
     names = list(inspect.signature(method).parameters)
-    if method.__name__ == "state":  # angular velocity or momentum
-        names.remove("momentum")
+    if method.__name__ == "state":  # angular velocity or momentum; mounts at rest
+        names = [name for name in names if name not in ("momentum", "rates", "actuators")]
     return [None if name == "disk" else values[name] for name in names]
 
 
-NO_STATE = (systems.KeplerOrbit, systems.AbstractTorque, systems.RollingDissipation)
+ATTACHED = (systems.AbstractMount, systems.AbstractTorque)
+NO_STATE = (systems.KeplerOrbit, systems.RollingDissipation, *ATTACHED)
 
 
 def methods():

@@ -16,6 +16,7 @@ from polhode.testing.laws import ONCE
 ROOMS = ("rotation", "special.carlson", "special.elliptic", "special.theta")
 LEFT_OUT = {
     "rotation.product_of_parts": "takes columns, and is called by multiply",
+    "rotation.product_with_vector": "takes columns, and is called by quaternion_rate",
     "rotation.as_scipy": "gives an object of SciPy, which no tracer can be in",
     "rotation.from_scipy": "takes an object of SciPy",
     "special.elliptic.jacobi_at_reduced_phase": "inner part of jacobi, with flags",
@@ -32,7 +33,8 @@ VECTOR = RNG.normal(size=(3, 3))
 UPPER = RNG.uniform(0.2, 0.8, 3)
 BY_NAME = {
     "quaternion": TURN / np.linalg.norm(TURN, axis=-1, keepdims=True), "p": UPPER + 1.0, "q": 0.1 * UPPER,
-    "vector": VECTOR, "axis": VECTOR, "start": VECTOR, "end": VECTOR[[1, 2, 0]], "angle": UPPER, "x": UPPER,
+    "vector": VECTOR, "angular_velocity": VECTOR, "axis": VECTOR, "start": VECTOR, "end": VECTOR[[1, 2, 0]],
+    "angle": UPPER, "x": UPPER,
     "y": UPPER[::-1] + 0.3, "z": UPPER + 0.5, "u": UPPER, "m1": UPPER, "n": 0.5 * UPPER, "parameter": 0.5 * UPPER,
     "k": np.sqrt(1.0 - 0.5 * UPPER),
 }  # fmt: skip

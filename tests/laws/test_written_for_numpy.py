@@ -14,12 +14,12 @@ SO3 = ph.algebra.SO3()
 
 
 class Torque(AbstractTorque):
-    def torque(self, t: Any, attitude: Any, angular_velocity: Any) -> Any:
+    def torque(self, t: Any, attitude: Any, angular_velocity: Any, actuator: Any = None) -> Any:
         return -0.1 * np.asarray(angular_velocity)
 
 
 class Branching(AbstractTorque):
-    def torque(self, t: Any, attitude: Any, angular_velocity: Any) -> Any:
+    def torque(self, t: Any, attitude: Any, angular_velocity: Any, actuator: Any = None) -> Any:
         return -angular_velocity if angular_velocity[2] > 1.0 else angular_velocity
 
 

@@ -61,7 +61,7 @@ class FixedInSpace(AbstractTorque):
     def needs_attitude(self):
         return True
 
-    def torque(self, t, attitude, angular_velocity):
+    def torque(self, t, attitude, angular_velocity, actuator=None):
         return rotation.rotate(rotation.conjugate(attitude), jnp.sin(t)[..., None] * self.vector)
 
 
@@ -91,7 +91,7 @@ def worst_balance(system, t, state):
 class BentGravity(GravityGradient):
     """A broken specimen: slightly more torque, the same potential."""
 
-    def torque(self, t, attitude, angular_velocity):
+    def torque(self, t, attitude, angular_velocity, actuator=None):
         return (1.0 + 1e-9) * super().torque(t, attitude, angular_velocity)
 
 

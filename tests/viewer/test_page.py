@@ -19,7 +19,7 @@ from polhode.formats.labels import AttitudeLabels, Recording
 from polhode.kinds.free_body.answers import free_body_report
 from polhode.kinds.page import page_of_report, show, write_page
 from polhode.kinds.reading import read_spec
-from polhode.systems import FreeRigidBody, HeavyTop
+from polhode.systems import FreeRigidBody, HeavyTop, LinearDrag, RigidBody, Rotor
 from polhode.viewer.page import check_given
 from polhode.viewer.samples import MOST
 
@@ -53,6 +53,17 @@ def test_free_body_has_its_three_panels(tmp_path):
     attitude, momentum = MOTION.state(times)
     assert np.array_equal(array(data["attitude"]), attitude) and np.array_equal(array(data["momentum"]), momentum)
     assert not list(tmp_path.glob(".*"))
+
+
+def test_levels_of_the_energy_where_all_turns_with_the_body(tmp_path):
+    """With a rotor inside, ½ L·I⁻¹L is not the energy, and its levels say nothing."""
+    moments = (1.0, 2.0, 3.0)
+    for mounts, torques, levels in (([Rotor((0.0, 0.0, 1.0), 0.1)], [], False), ([], [LinearDrag(0.1)], True)):
+        body = RigidBody(moments, mounts, torques)
+        start = body.state((1.0, 0.0, 0.0, 0.0), (0.3, 0.9, 0.5), rates=[8.0] * len(mounts))
+        data = data_of(write_page(ph.simulate(body, start, TIMES[:21], estimate_error=False), tmp_path / "page.html"))
+        assert kinds(data) == ["body", "sphere"]
+        assert (data["panels"][1]["family"] is not None) == levels
 
 
 def test_principal_axes_of_a_motion_in_given_ones(tmp_path):

@@ -108,8 +108,7 @@ def _columns(trajectory: Trajectory, attitude: Array, rates: str | None) -> Arra
             )
         velocity = np.asarray(trajectory.angular_velocity)
         if rates == "derivative":
-            spin = np.concatenate([np.zeros_like(velocity[:, :1]), velocity], axis=-1)
-            parts.append(_scalar_last(0.5 * rotation.multiply(attitude, spin)))
+            parts.append(_scalar_last(rotation.quaternion_rate(attitude, velocity)))
         else:
             parts.append(np.degrees(velocity))
     columns = np.concatenate(parts, axis=-1) + 0.0  # 504, 6.8.5: −0 is not supported

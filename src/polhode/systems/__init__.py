@@ -12,6 +12,8 @@ from polhode.systems.kepler_orbit import KeplerOrbit
 from polhode.systems.kirchhoff import Kirchhoff
 from polhode.systems.lie_poisson import LiePoisson
 from polhode.systems.manakov import Manakov
+from polhode.systems.mounts import AbstractMount, EnergySink, HeldRotor, Rotor, SphericalSlug
+from polhode.systems.rigid_body import AbstractRigidBody, RigidBody
 from polhode.systems.rolling_dissipation import (
     AirLayer,
     BoundaryLayer,
@@ -23,10 +25,12 @@ from polhode.systems.rolling_dissipation import (
 )
 from polhode.systems.spin_orbit import SpinOrbit
 from polhode.systems.torqued_body import TorquedBody
-from polhode.systems.torques import AbstractTorque, GravityGradient, LinearDrag, QuadraticDrag
+from polhode.systems.torques import AbstractTorque, GravityGradient, LaggedTorque, LinearDrag, QuadraticDrag
 
 __all__ = [
     "AbstractLiePoissonSystem",
+    "AbstractMount",
+    "AbstractRigidBody",
     "AbstractSystem",
     "AbstractTorque",
     "AirLayer",
@@ -37,19 +41,25 @@ __all__ = [
     "DoubleBracket",
     "DrillingFriction",
     "DryContourFriction",
+    "EnergySink",
     "EulerDisk",
     "FreeRigidBody",
     "GravityGradient",
     "Gyrostat",
     "HeavyTop",
+    "HeldRotor",
     "KeplerOrbit",
     "Kirchhoff",
+    "LaggedTorque",
     "LiePoisson",
     "LinearDrag",
     "Manakov",
     "QuadraticDrag",
+    "RigidBody",
     "RollingCouple",
     "RollingDissipation",
+    "Rotor",
+    "SphericalSlug",
     "SpinOrbit",
     "TorquedBody",
     "TorquedGyrostat",

@@ -195,8 +195,7 @@ class AbstractLiePoissonSystem(AbstractSystem):
         flow = self.algebra.coadjoint(generator, point)
         if attitude is None:
             return flow
-        pure = jnp.concatenate([jnp.zeros((*point.shape[:-1], 1)), 0.5 * generator[..., :3]], axis=-1)
-        return jnp.concatenate([rotation.multiply(attitude, pure), flow], axis=-1)
+        return jnp.concatenate([rotation.quaternion_rate(attitude, generator[..., :3]), flow], axis=-1)
 
     def invariants(self, state: Array) -> dict[str, Array]:
         """Return energy, Casimirs, what else is conserved and, with an attitude, the momentum in space."""

@@ -5,14 +5,13 @@ from __future__ import annotations
 from typing import Any
 
 import jax.numpy as jnp
-import numpy as np
 
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.so3 import SO3
-from polhode.arrays import known_numbers_only, refuse_single_precision
-from polhode.errors import InvalidInput, shown
+from polhode.arrays import known_numbers_only
 from polhode.systems.base import AbstractLiePoissonSystem, Balance
 from polhode.systems.free_rigid_body import checked_moments
+from polhode.systems.mounts import EnergySink
 
 Array = Any
 
@@ -37,14 +36,16 @@ class DoubleBracket(AbstractLiePoissonSystem):
 
     algebra: AbstractLieAlgebra
     moments: Array
-    rate: Array
+    sink: EnergySink
 
     @known_numbers_only
     def __init__(self, moments: Array, rate: float) -> None:
-        if not (np.ndim(rate) == 0 and np.isfinite(rate) and rate >= 0):
-            raise InvalidInput(f"`rate` must be finite and not negative [s/(kg m²)]; got {shown(rate)}.")
-        refuse_single_precision(rate=rate)
-        self.algebra, self.moments, self.rate = SO3(), checked_moments(moments), jnp.asarray(float(rate))
+        self.algebra, self.moments, self.sink = SO3(), checked_moments(moments), EnergySink(rate)
+
+    @property
+    def rate(self) -> Array:
+        """α [s/(kg m²)]."""
+        return self.sink.rate
 
     def energy(self, point: Array) -> Array:
         return 0.5 * jnp.sum(point * point / self.moments, axis=-1)
@@ -54,7 +55,7 @@ class DoubleBracket(AbstractLiePoissonSystem):
 
     def generator(self, t: Array, point: Array) -> Array:
         velocity = self.velocity(point)
-        return velocity + self.rate * jnp.cross(point, velocity)
+        return velocity + self.sink.drift(point, velocity)
 
     @property
     def conserves_energy(self) -> bool:

@@ -12,7 +12,7 @@ from typing import Any
 import jax
 import jax.numpy as jnp
 
-from polhode.rotation import product_of_parts
+from polhode.rotation import product_of_parts, product_with_vector
 from polhode.systems.base import Components, attitude_length
 from polhode.systems.forward_only import forward_only
 
@@ -103,7 +103,7 @@ def _series(inverse: Components, time: Array, momentum: Components) -> Component
             terms = [_cross(L[j], velocity[k - j]) for j in range(k + 1)]
             L.append(tuple(sum(t[n] for t in terms) * (1.0 / (k + 1)) for n in range(3)))
             velocity.append(tuple(time * i * x for i, x in zip(inverse, L[-1], strict=True)))
-        terms = [_times_pure(turn[j], velocity[k - j]) for j in range(k + 1)]
+        terms = [product_with_vector(turn[j], velocity[k - j]) for j in range(k + 1)]
         turn.append(tuple(sum(t[n] for t in terms) * (0.5 / (k + 1)) for n in range(4)))
     # from the smallest term up
     return tuple(sum(term[n] for term in turn[:0:-1]) for n in range(4))
@@ -117,15 +117,3 @@ def _excess(turn: Components) -> Array:
 
 def _cross(a: Components, b: Components) -> Components:
     return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
-
-
-def _times_pure(q: Components, v: Components) -> Components:
-    """Return q (0, v)."""
-    w, x, y, z = q
-    a, b, c = v
-    return (
-        -(x * a + y * b + z * c),
-        w * a + y * c - z * b,
-        w * b + z * a - x * c,
-        w * c + x * b - y * a,
-    )

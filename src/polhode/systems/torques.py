@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import abc
+from collections.abc import Callable
 from typing import Any
 
 import equinox as eqx
@@ -12,19 +13,23 @@ import numpy as np
 from polhode import rotation
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
+from polhode.motion.layout import StatePart
+from polhode.systems.attachments import AbstractAttachment, checked_attachments
 from polhode.systems.free_rigid_body import checked_moments
 from polhode.systems.kepler_orbit import KeplerOrbit, checked_number
 
 Array = Any
 
 
-class AbstractTorque(eqx.Module):
-    """What acts on a body."""
+class AbstractTorque(AbstractAttachment):
+    """What acts on a body from outside; it may have a state of its own, as an actuator has.
 
-    @property
-    def needs_attitude(self) -> bool:
-        """Whether the torque depends on how the body is turned."""
-        return False
+    Its power τ·Ω enters the balance of the energy.
+    """
+
+    def state_rate(self, t: Array, attitude: Array | None, angular_velocity: Array, actuator: Array) -> Array:
+        """Return how fast its own state changes, (…, n); not at all by default."""
+        return jnp.zeros_like(actuator)
 
     @property
     def rate(self) -> Array:
@@ -32,13 +37,16 @@ class AbstractTorque(eqx.Module):
         return jnp.zeros(())
 
     @abc.abstractmethod
-    def torque(self, t: Array, attitude: Array | None, angular_velocity: Array) -> Array:
+    def torque(
+        self, t: Array, attitude: Array | None, angular_velocity: Array, actuator: Array | None = None
+    ) -> Array:
         """Return τ (…, 3) [N m, body axes].
 
         Args:
             t: one time (), or one for each state (…) [s]; beside vectors write ``t[..., None]``.
             attitude: (…, 4) unit quaternions wxyz, body → space; None where the state carries none.
             angular_velocity: Ω (…, 3) [rad/s, body axes].
+            actuator: (…, n) its own state; of no components for a torque without one, which may be called without it.
         """
 
 
@@ -62,7 +70,9 @@ class LinearDrag(AbstractTorque):
             )
         self.coefficient = jnp.asarray(values)
 
-    def torque(self, t: Array, attitude: Array | None, angular_velocity: Array) -> Array:
+    def torque(
+        self, t: Array, attitude: Array | None, angular_velocity: Array, actuator: Array | None = None
+    ) -> Array:
         return -self.coefficient * angular_velocity
 
 
@@ -79,8 +89,53 @@ class QuadraticDrag(AbstractTorque):
     def __init__(self, coefficient: float) -> None:
         self.coefficient = checked_number("coefficient", coefficient, least=0.0, unit="N m s²")
 
-    def torque(self, t: Array, attitude: Array | None, angular_velocity: Array) -> Array:
+    def torque(
+        self, t: Array, attitude: Array | None, angular_velocity: Array, actuator: Array | None = None
+    ) -> Array:
         return -self.coefficient * jnp.linalg.norm(angular_velocity, axis=-1, keepdims=True) * angular_velocity
+
+
+class LaggedTorque(AbstractTorque):
+    """A torque that follows a command with a lag of first order: τ̇ = (u − τ)/T, as of a thruster or a magnetorquer.
+
+    Its state is τ itself (…, 3).
+
+    Args:
+        command: u (…, 3) [N m, body axes], a function (t, attitude, angular_velocity) of the time (…) [s], the attitude
+            (…, 4) and Ω (…, 3), batched and written with ``jax.numpy``. It asks for states with the attitude.
+        time_constant: T [s], positive.
+
+    Raises:
+        InvalidInput: for a command that is not a function, or a time constant that is not positive.
+    """
+
+    command: Callable[[Array, Array, Array], Array]
+    time_constant: Array
+
+    @known_numbers_only
+    def __init__(self, command: Callable[[Array, Array, Array], Array], time_constant: float) -> None:
+        if not callable(command):
+            raise InvalidInput(
+                f"`command` must be a function (t, attitude, angular_velocity) that gives a torque (…, 3) [N m]; "
+                f"got {shown(command)}. For a constant one write `lambda t, attitude, velocity: 0 * velocity + torque`."
+            )
+        self.command, self.time_constant = command, checked_number("time_constant", time_constant, 0.0, unit="s")
+
+    @property
+    def state_parts(self) -> tuple[StatePart, ...]:
+        return (StatePart("actuator_torque", 3, "N m", "torque of the actuator", "body"),)
+
+    @property
+    def needs_attitude(self) -> bool:
+        return True
+
+    def state_rate(self, t: Array, attitude: Array | None, angular_velocity: Array, actuator: Array) -> Array:
+        return (self.command(t, attitude, angular_velocity) - actuator) / self.time_constant
+
+    def torque(
+        self, t: Array, attitude: Array | None, angular_velocity: Array, actuator: Array | None = None
+    ) -> Array:
+        return actuator
 
 
 class GravityGradient(AbstractTorque):
@@ -114,7 +169,9 @@ class GravityGradient(AbstractTorque):
     def rate(self) -> Array:
         return self.orbit.mean_motion
 
-    def torque(self, t: Array, attitude: Array | None, angular_velocity: Array) -> Array:
+    def torque(
+        self, t: Array, attitude: Array | None, angular_velocity: Array, actuator: Array | None = None
+    ) -> Array:
         strength = (self.orbit.mean_motion**2 / self.orbit.distance_ratio(t) ** 3)[..., None]
         centre = _in_body(attitude, self.orbit.direction(t))  # its sign cancels
         return 3.0 * strength * jnp.cross(centre, self.moments * centre)
@@ -136,6 +193,29 @@ class GravityGradient(AbstractTorque):
         normal = _in_body(attitude, jnp.array([0.0, 0.0, 1.0]))
         squares = relative**2 + n**2 * (3.0 * centre**2 - normal**2)
         return 0.5 * jnp.sum(self.moments * squares, axis=-1)
+
+
+def checked_torques(torques: Any, moments: Array) -> tuple[AbstractTorque, ...]:
+    """Return a list of torques on a body of these moments.
+
+    Raises:
+        InvalidInput: for anything else, one whose methods fail, and a gravity gradient on other moments.
+    """
+
+    def trial(torque: AbstractTorque, t: Array, attitude: Array, velocity: Array, own: Array) -> dict[str, Any]:
+        return {
+            "torque": (torque.torque(t, attitude, velocity, own), (3,)),
+            "state_rate": (torque.state_rate(t, attitude, velocity, own), (torque.state_size,)),
+        }
+
+    found = checked_attachments("torques", torques, AbstractTorque, trial)
+    for torque in found:
+        if isinstance(torque, GravityGradient) and not np.array_equal(torque.moments, moments):
+            raise InvalidInput(
+                f"`torques` has the gravity gradient on the moments {np.asarray(torque.moments).tolist()}, "
+                f"but the body's are {np.asarray(moments).tolist()} kg m². Give both the same."
+            )
+    return found
 
 
 def _in_body(attitude: Array, direction: Array) -> Array:

@@ -56,7 +56,8 @@ def content_of(source: Any, samples: Samples, surface: Surface | None) -> Conten
         return Content(found)
     free = _as_free_motion(source, samples)
     if free is None:
-        return Content([*found, sphere_of_levels(samples.momentum, moments)])
+        levels = moments if _turns_as_one(samples, moments) else None
+        return Content([*found, sphere_of_levels(samples.momentum, levels)])
     found.append(_sphere_of_polhodes(free))
     if samples.attitude is not None and free.energy:
         found.append(_poinsot(free))
@@ -66,6 +67,14 @@ def content_of(source: Any, samples: Samples, surface: Surface | None) -> Conten
 def is_mechanical(source: Any) -> bool:
     """Whether a trajectory's source is an exact motion or a system, which say what they are."""
     return hasattr(source, "has_vertical") and hasattr(source, "free_moments")
+
+
+def _turns_as_one(samples: Samples, moments: Array | None) -> bool:
+    """Whether L = IΩ: with rotors inside, levels of ½ L·I⁻¹L are not those of the energy."""
+    momentum, velocity = samples.momentum, samples.angular_velocity
+    if moments is None or momentum is None or velocity is None:
+        return True
+    return bool(np.abs(momentum - moments * velocity).max() <= KEPT * np.abs(momentum).max())
 
 
 def title_of(source: Any) -> str:

@@ -51,9 +51,8 @@ def state_tangent(
     turn = tuple(xp.where(resting, r, x) + v * (rate * d_time) for r, x, v in zip(at_rest, turn, velocity, strict=True))
     moved = tuple((x + f * (rate * d_time)) * scale for x, f in zip(change, flow, strict=True))
     xi = xp.stack(from_sorted(body, turn), axis=-1)
-    pure = xp.concat([0.0 * xi[..., :1], 0.5 * xi], axis=-1)
     given = rotation.multiply(d_attitude, rotation.multiply(rotation.conjugate(attitude), attitude_t))
-    return given + rotation.multiply(attitude_t, pure), xp.stack(from_sorted(body, moved), axis=-1)
+    return given + rotation.quaternion_rate(attitude_t, xi), xp.stack(from_sorted(body, moved), axis=-1)
 
 
 def _sorted_sizes(body: Reduction, sizes: Array) -> tuple[Array, ...]:

@@ -1,0 +1,105 @@
+"""What is put on a rigid body: mounts inside it and torques on it, each with a state of its own where it needs one."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from typing import Any
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+
+from polhode.arrays import in_jax_numpy
+from polhode.errors import InvalidInput, PolhodeError, shown
+from polhode.motion.layout import StateLayout, StatePart
+
+Array = Any
+BATCH = 5  # copies of the trial; no vector has as many components
+
+
+class AbstractAttachment(eqx.Module):
+    """A mount or a torque.
+
+    Its methods are batched and written with ``jax.numpy``. They take the time t [s], () or one for each state (…), with
+    vectors ``t[..., None]``; the attitude (…, 4), a unit quaternion wxyz, body → space, None where the state carries
+    none; Ω (…, 3) [rad/s, body axes]; and its own state (…, n), whose last axis has all its parts in order.
+    """
+
+    @property
+    def state_parts(self) -> tuple[StatePart, ...]:
+        """The parts of its own state; none by default."""
+        return ()
+
+    @property
+    def state_size(self) -> int:
+        """How many numbers n its own state has."""
+        return sum(part.size for part in self.state_parts)
+
+    def part(self, own: Array, name: str) -> Array:
+        """Return a part of its own state (…, n) by name: (…) of one component, else (…, size)."""
+        return StateLayout(self.state_parts).part(own, name)
+
+    @property
+    def needs_attitude(self) -> bool:
+        """Whether it depends on how the body is turned; then states must carry the attitude."""
+        return False
+
+
+def checked_attachments(
+    name: str, given: Any, kind: type[AbstractAttachment], trial: Callable[[Any, Array, Array, Array, Array], Any]
+) -> tuple[Any, ...]:
+    """Return a list of attachments.
+
+    Args:
+        name: of the argument.
+        given: what the user gave for it.
+        kind: the class that each is derived from.
+        trial: evaluates all that an attachment offers at (attachment, t, attitude, angular_velocity, own), and returns
+            the values by the name of the method, each with its shape behind the batch axes, (value, shape).
+
+    Raises:
+        InvalidInput: for what is not a list of them, and for one whose methods fail or give wrong shapes.
+    """
+    if not isinstance(given, Iterable):
+        raise InvalidInput(f"`{name}` must be a list; got {shown(given)}. Put it in brackets.")
+    attachments = tuple(given)
+    for k, attachment in enumerate(attachments):
+        if not isinstance(attachment, kind):
+            raise InvalidInput(
+                f"`{name}` must be a list of polhode.systems.{name}; got {shown(attachment)}. "
+                f"Derive your own from {kind.__name__}."
+            )
+        for batch in ((), (BATCH,)):
+            _check_shapes(f"{name}[{k}]", attachment, trial, batch)
+    return attachments
+
+
+def _check_shapes(name: str, attachment: AbstractAttachment, trial: Any, batch: tuple[int, ...]) -> None:
+    kind = type(attachment).__name__
+    wanted: dict[str, tuple[int, ...]] = {}
+
+    def values(*arguments: Array) -> dict[str, Array]:
+        found = trial(attachment, *arguments)
+        wanted.update({method: (*batch, *shape) for method, (_, shape) in found.items()})
+        return {method: jnp.asarray(value) for method, (value, _) in found.items()}
+
+    attitude = jnp.zeros((*batch, 4)) if attachment.needs_attitude else None
+    arguments = jnp.zeros(batch), attitude, jnp.zeros((*batch, 3)), jnp.zeros((*batch, attachment.state_size))
+    try:
+        with in_jax_numpy(f"the methods of {kind}"):
+            got = jax.eval_shape(values, *arguments)
+    except PolhodeError:
+        raise
+    except Exception as error:
+        raise InvalidInput(
+            f"`{name}`, a {kind}, cannot be evaluated with the time of shape {batch}, the attitude "
+            f"{None if attitude is None else attitude.shape}, the angular velocity {arguments[2].shape} and its own "
+            f"state {arguments[3].shape}: {error}. Write its methods for any batch axes, and let `needs_attitude` be "
+            "True where they use the attitude."
+        ) from error
+    for method, value in got.items():
+        if value.shape != wanted[method]:
+            raise InvalidInput(
+                f"`{name}`, a {kind}, must give `{method}` of shape {wanted[method]} for states of batch shape "
+                f"{batch}; got {value.shape}."
+            )

@@ -1,0 +1,316 @@
+"""What is mounted inside a rigid body: rotors, a slug of fuel, and losses without moving parts of their own."""
+
+from __future__ import annotations
+
+import abc
+from collections.abc import Callable
+from typing import Any
+
+import jax.numpy as jnp
+import numpy as np
+
+from polhode.arrays import known_numbers_only, refuse_single_precision
+from polhode.errors import InvalidInput, shown
+from polhode.motion.layout import StatePart
+from polhode.systems.attachments import AbstractAttachment, checked_attachments
+from polhode.systems.free_rigid_body import checked_vector
+from polhode.systems.kepler_orbit import checked_number
+
+Array = Any
+Motor = Callable[[Array, Array, Array, Array], Array]
+
+
+class AbstractMount(AbstractAttachment):
+    """What turns inside a body and leaves the body's mass where it is, as a rotor does.
+
+    A mount brings its own angular momentum p. The whole body's is L = K Ω + Σ p, where K is the inertia of the body
+    with all mounts locked, less what each mount turns by itself, its ``inertia``. The mount's reaction on the carrier
+    is in that sum: L changes by outer torques alone, so that what a rotor gains the carrier loses. The energy is
+    ½ Ω·KΩ + Σ ``energy``, and changes inside by the sum of ``power``.
+
+    A new mount gives ``momentum`` and, where it has a state of its own, ``state_parts``, ``state_rate``, ``start``,
+    ``inertia``, ``energy`` and ``power``. Where energy and power disagree, the drift of the energy says so.
+    """
+
+    @property
+    def inertia(self) -> Array | None:
+        """(3, 3) inertia that turns by the mount's own state instead of with the carrier [kg m²]; None if none does."""
+        return None
+
+    @property
+    def conserves_energy(self) -> bool:
+        """Whether its power is always zero."""
+        return True
+
+    @property
+    def momentum_scale(self) -> Array:
+        """The momentum [kg m²/s] that it gives a body from rest, roughly; zero if none."""
+        return jnp.zeros(())
+
+    @abc.abstractmethod
+    def momentum(self, own: Array) -> Array:
+        """Return p (…, 3) [kg m²/s, body axes]."""
+
+    def energy(self, own: Array) -> Array:
+        """Return its own energy (…) [J]."""
+        return jnp.zeros(own.shape[:-1])
+
+    def state_rate(self, t: Array, attitude: Array | None, angular_velocity: Array, own: Array) -> Array:
+        """Return how fast its own state changes, (…, n); not at all by default."""
+        return jnp.zeros_like(own)
+
+    def power(self, t: Array, attitude: Array | None, angular_velocity: Array, own: Array) -> Array:
+        """Return the power (…) [W] of what acts between mount and carrier; negative where energy is lost."""
+        return jnp.zeros(angular_velocity.shape[:-1])
+
+    def drift(self, momentum: Array, angular_velocity: Array) -> Array:
+        """Return how much faster than Ω the body turns, (…, 3) [rad/s, body axes].
+
+        Zero but for losses that have no state of their own: they act on L and the attitude as a turn more.
+        """
+        return jnp.zeros_like(angular_velocity)
+
+    def start(self, rate: Array, angular_velocity: Array) -> Array:
+        """Return its own state (…, n) where it turns at a rate relative to the body.
+
+        Args:
+            rate: (…) about its axis, or (…, 3) along the body's axes [rad/s]; zero is at rest in the body.
+            angular_velocity: Ω (…, 3) [rad/s, body axes].
+        """
+        return jnp.zeros((*angular_velocity.shape[:-1], self.state_size))
+
+
+class Rotor(AbstractMount):
+    """A rotor on an axis a fixed in the body, which turns freely, against friction, or by a motor.
+
+    Its state is its whole axial momentum h = J (σ + a·Ω), with σ its rate relative to the body: ḣ = u − c σ, p = h a.
+    Its energy is h²/2J, and the power between rotor and body (u − c σ) σ.
+
+    Args:
+        axis: (3,) a along the principal axes, normalised here.
+        moment: J about its axis [kg m²], positive.
+        motor: u, the torque of the motor on the rotor [N m]: a number, or a function (t, attitude, angular_velocity,
+            rate) of the time (…) [s], the attitude (…, 4), Ω (…, 3) and σ (…), batched and written with ``jax.numpy``;
+            left out, there is no motor. A function asks for states with the attitude.
+        friction: c of the bearing [N m s], not negative.
+
+    Raises:
+        InvalidInput: for an axis without direction, a moment that is not positive, a friction that is negative.
+
+    Source: Hughes, *Spacecraft Attitude Dynamics* (1986), §3.4.
+
+    >>> wheel, velocity = Rotor((0.0, 0.0, 2.0), moment=0.5, motor=0.25, friction=0.125), jnp.array([0.0, 0.0, 1.0])
+    >>> own = wheel.start(rate=5.0, angular_velocity=velocity)
+    >>> own.tolist(), wheel.state_rate(0.0, None, velocity, own).tolist()
+    ([3.0], [-0.375])
+    """
+
+    axis: Array
+    moment: Array
+    motor: Array | Motor | None
+    friction: Array | None
+
+    @known_numbers_only
+    def __init__(
+        self, axis: Array, moment: float, motor: float | Motor | None = None, friction: float = 0.0
+    ) -> None:
+        self.axis, self.moment = checked_direction("axis", axis), checked_number("moment", moment, 0.0, unit="kg m²")
+        self.motor = motor if motor is None or callable(motor) else checked_number("motor", motor, unit="N m")
+        found = checked_number("friction", friction, least=0.0, unit="N m s")
+        self.friction = found if float(found) else None
+
+    @property
+    def state_parts(self) -> tuple[StatePart, ...]:
+        return (StatePart("rotor_momentum", 1, "kg m2 s-1", "whole momentum of the rotor along its axis"),)
+
+    @property
+    def needs_attitude(self) -> bool:
+        return callable(self.motor)
+
+    @property
+    def inertia(self) -> Array:
+        return self.moment * jnp.outer(self.axis, self.axis)
+
+    @property
+    def conserves_energy(self) -> bool:
+        return self.motor is None and self.friction is None
+
+    @property
+    def momentum_scale(self) -> Array:
+        """What a turn under a constant motor gives the rotor."""
+        if self.motor is None or callable(self.motor):
+            return jnp.zeros(())
+        return jnp.sqrt(jnp.abs(self.motor) * self.moment)
+
+    def momentum(self, own: Array) -> Array:
+        return own * self.axis
+
+    def energy(self, own: Array) -> Array:
+        return 0.5 * self.part(own, "rotor_momentum") ** 2 / self.moment
+
+    def rate(self, angular_velocity: Array, own: Array) -> Array:
+        """Return σ (…) relative to the body [rad/s]."""
+        return self.part(own, "rotor_momentum") / self.moment - jnp.sum(angular_velocity * self.axis, axis=-1)
+
+    def axial_torque(self, t: Array, attitude: Array | None, angular_velocity: Array, own: Array) -> Array:
+        """Return ḣ (…), what motor and friction do to the rotor [N m]."""
+        rate = self.rate(angular_velocity, own)
+        motor: Any = self.motor(t, attitude, angular_velocity, rate) if callable(self.motor) else self.motor
+        torque = jnp.broadcast_to(0.0 if motor is None else motor, rate.shape)
+        return torque if self.friction is None else torque - self.friction * rate
+
+    def state_rate(self, t: Array, attitude: Array | None, angular_velocity: Array, own: Array) -> Array:
+        return self.axial_torque(t, attitude, angular_velocity, own)[..., None]
+
+    def power(self, t: Array, attitude: Array | None, angular_velocity: Array, own: Array) -> Array:
+        return self.axial_torque(t, attitude, angular_velocity, own) * self.rate(angular_velocity, own)
+
+    def start(self, rate: Array, angular_velocity: Array) -> Array:
+        return (self.moment * (rate + jnp.sum(angular_velocity * self.axis, axis=-1)))[..., None]
+
+
+class HeldRotor(AbstractMount):
+    """A rotor that its motor keeps at a constant rate σ relative to the body: p = J σ a, fixed in the body.
+
+    It has no state of its own. Energy is counted without the motor's work, as in ``Gyrostat``, which is a body with
+    held rotors alone.
+
+    Args:
+        axis: (3,) a along the principal axes, normalised here.
+        moment: J about its axis [kg m²], positive.
+        rate: σ [rad/s].
+
+    Raises:
+        InvalidInput: for an axis without direction, a moment that is not positive, a rate that is not finite.
+    """
+
+    axis: Array
+    moment: Array
+    rate: Array
+
+    @known_numbers_only
+    def __init__(self, axis: Array, moment: float, rate: float) -> None:
+        self.axis, self.moment = checked_direction("axis", axis), checked_number("moment", moment, 0.0, unit="kg m²")
+        self.rate = checked_number("rate", rate, unit="rad/s")
+
+    def momentum(self, own: Array) -> Array:
+        return jnp.broadcast_to(self.moment * self.rate * self.axis, (*own.shape[:-1], 3))
+
+
+class SphericalSlug(AbstractMount):
+    """A ball in a viscous film inside the body, as of fuel: a damper that reaches its own speed and then rests.
+
+    Its state is its whole momentum s = J ω along the body's axes: ṡ = s × Ω + c (Ω − ω). Power: −c |Ω − ω|².
+
+    Args:
+        moment: J of the ball about its centre [kg m²], positive.
+        damping: c of the film [N m s], not negative.
+
+    Raises:
+        InvalidInput: for values out of range.
+
+    Source: Rahn & Barba, J. Guid. Control Dyn. 14 (1991) 724.
+    """
+
+    moment: Array
+    damping: Array
+
+    @known_numbers_only
+    def __init__(self, moment: float, damping: float) -> None:
+        self.moment = checked_number("moment", moment, 0.0, unit="kg m²")
+        self.damping = checked_number("damping", damping, least=0.0, unit="N m s")
+
+    @property
+    def state_parts(self) -> tuple[StatePart, ...]:
+        return (StatePart("slug_momentum", 3, "kg m2 s-1", "whole angular momentum of the slug", "body"),)
+
+    @property
+    def inertia(self) -> Array:
+        return self.moment * jnp.eye(3)
+
+    @property
+    def conserves_energy(self) -> bool:
+        return False
+
+    def momentum(self, own: Array) -> Array:
+        return own
+
+    def energy(self, own: Array) -> Array:
+        return 0.5 * jnp.sum(own**2, axis=-1) / self.moment
+
+    def state_rate(self, t: Array, attitude: Array | None, angular_velocity: Array, own: Array) -> Array:
+        dragged = self.damping * (angular_velocity - own / self.moment)
+        return jnp.cross(own, angular_velocity) + dragged
+
+    def power(self, t: Array, attitude: Array | None, angular_velocity: Array, own: Array) -> Array:
+        return -self.damping * jnp.sum((angular_velocity - own / self.moment) ** 2, axis=-1)
+
+    def start(self, rate: Array, angular_velocity: Array) -> Array:
+        return self.moment * (rate + angular_velocity)
+
+
+class EnergySink(AbstractMount):
+    """Energy lost inside, with no moving part in the state: the body turns with Ω + α L × Ω.
+
+    That is double-bracket dissipation, L̇ = L × Ω + α L × (L × Ω), which ``DoubleBracket`` has alone. The momentum stays
+    in space, the energy falls by α |L × Ω|².
+
+    Args:
+        rate: α [s/(kg m²)], not negative.
+
+    Raises:
+        InvalidInput: for a rate that is negative or not finite.
+
+    Source: Bloch, Krishnaprasad, Marsden & Ratiu, Commun. Math. Phys. 175 (1996) 1.
+    """
+
+    rate: Array
+
+    @known_numbers_only
+    def __init__(self, rate: float) -> None:
+        refuse_single_precision(rate=rate)
+        if not (np.ndim(rate) == 0 and np.isfinite(rate) and rate >= 0):
+            raise InvalidInput(f"`rate` must be finite and not negative [s/(kg m²)]; got {shown(rate)}.")
+        self.rate = jnp.asarray(float(rate))
+
+    @property
+    def conserves_energy(self) -> bool:
+        return False
+
+    def momentum(self, own: Array) -> Array:
+        return jnp.zeros((*own.shape[:-1], 3))
+
+    def drift(self, momentum: Array, angular_velocity: Array) -> Array:
+        return self.rate * jnp.cross(momentum, angular_velocity)
+
+
+def checked_mounts(mounts: Any) -> tuple[AbstractMount, ...]:
+    """Return a list of mounts.
+
+    Raises:
+        InvalidInput: for anything else, and for one whose methods fail or give wrong shapes.
+    """
+
+    def trial(mount: AbstractMount, t: Array, attitude: Array, velocity: Array, own: Array) -> dict[str, Any]:
+        return {
+            "momentum": (mount.momentum(own), (3,)),
+            "energy": (mount.energy(own), ()),
+            "state_rate": (mount.state_rate(t, attitude, velocity, own), (mount.state_size,)),
+            "power": (mount.power(t, attitude, velocity, own), ()),
+            "drift": (mount.drift(velocity, velocity), (3,)),
+        }
+
+    return checked_attachments("mounts", mounts, AbstractMount, trial)
+
+
+def checked_direction(name: str, value: Array) -> Array:
+    """Return a unit vector along a direction of any length.
+
+    Raises:
+        InvalidInput: for what is not three finite numbers, or has no direction.
+    """
+    direction = np.asarray(checked_vector(name, value))
+    if not (largest := np.abs(direction).max()) > 0:
+        raise InvalidInput(f"`{name}` must be a direction (3,); got (0, 0, 0).")
+    direction = np.ldexp(direction, -np.frexp(largest)[1])  # squares of extreme lengths overflow
+    return jnp.asarray(direction / np.linalg.norm(direction))
