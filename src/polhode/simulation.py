@@ -222,10 +222,16 @@ def step_angle(order: int) -> float:
 
 def turning_rates(system: AbstractLiePoissonSystem, state: Array, times: Array) -> Array:
     """Return upper estimates of the rates (batch…) [rad/s] at which the group turns at states, at some of the times."""
-    point, first, last = system.parts(state).point, float(times[0]), float(times[-1])
-    moments = {first + share * (last - first) for share in MOMENTS_OF_TIME} if _is_driven(system) else {first}
-    rates = [np.asarray(system.algebra.rate(system.generator(t, point)), dtype=float) for t in moments]
-    return np.max(np.broadcast_arrays(*rates, np.zeros(system.algebra.batch_shape(point))), axis=0)
+    first, last = float(times[0]), float(times[-1])
+    moments = [first + share * (last - first) for share in MOMENTS_OF_TIME] if _is_driven(system) else [first]
+    return np.asarray(_turning_rates(system, state, jnp.asarray(moments)), dtype=float)
+
+
+@eqx.filter_jit
+def _turning_rates(system: AbstractLiePoissonSystem, state: Array, moments: Array) -> Array:
+    point = system.parts(state).point
+    rates = [system.algebra.rate(system.generator(t, point)) for t in moments]
+    return jnp.max(jnp.stack(jnp.broadcast_arrays(*rates, jnp.zeros(system.algebra.batch_shape(point)))), axis=0)
 
 
 def _is_driven(system: AbstractLiePoissonSystem) -> bool:
@@ -285,7 +291,8 @@ def trajectory_of(
     got = {name: np.asarray(value) for name, value in received.items()}
     vectors = [None if x is None else np.asarray(x) for x in _vectors(system, states)]
     terms = _terms(system, np.take(np.asarray(states), 0, axis=axis)) if jnp.isrealobj(states) else {}
-    drift = {name: _drift(value, axis, terms.get(name)) for name, value in invariants.items()}
+    own = {name for name, quantity in system.quantities.items() if quantity.of_copies}
+    drift = {name: _drift(value, axis, terms.get(name), name in own) for name, value in invariants.items()}
     return Trajectory(
         source=system,
         times=times,
@@ -333,20 +340,38 @@ def _vectors(system: AbstractSystem, states: Array) -> tuple[Array | None, ...]:
 
 @eqx.filter_jit
 def _terms(system: AbstractSystem, state: Array) -> dict[str, Array]:
-    """Return Σ |x ∂C/∂x| of each scalar invariant C at states: the size of its terms, which may cancel in its value."""
+    """Return Σ |x ∂C/∂x| of each invariant C but vectors at states: the size of its terms, which may cancel in it.
+
+    One component after another, as the whole derivative of what each of n copies has would be n times the state.
+    """
+    own = {name for name, quantity in system.quantities.items() if quantity.of_copies}
+
+    def scalars(x: Array) -> dict[str, Array]:
+        return {name: value for name, value in system.invariants(x).items() if not jnp.ndim(value) or name in own}
 
     def of_one(x: Array) -> dict[str, Array]:
-        slopes = jax.jacfwd(system.invariants)(x)
-        return {k: jnp.sum(jnp.abs(s * x)) for k, s in slopes.items() if jnp.ndim(s) == jnp.ndim(x)}
+        def add(k: Array, sums: dict[str, Array]) -> dict[str, Array]:
+            component = jnp.where(jnp.arange(x.size).reshape(x.shape) == k, x, 0.0)
+            changes = jax.jvp(scalars, (x,), (component,))[1]
+            return {name: total + jnp.abs(changes[name]) for name, total in sums.items()}
+
+        return jax.lax.fori_loop(0, x.size, add, jax.tree.map(jnp.zeros_like, scalars(x)))
 
     for _ in range(jnp.ndim(state) - system.state_axes):
         of_one = jax.vmap(of_one)
     return of_one(state)
 
 
-def _drift(values: np.ndarray, axis: int, terms: Array | None = None) -> Array:
-    """Return the largest deviation from the first sample, relative to its size, or that of its terms if larger."""
-    vector = values.ndim > axis + 1
+def _drift(values: np.ndarray, axis: int, terms: Array | None = None, of_copies: bool = False) -> Array:
+    """Return the largest deviation from the first sample, relative to its size, or that of its terms if larger.
+
+    Args:
+        values: (batch…, T), or with a further axis of components or copies.
+        axis: that of time.
+        terms: sizes of the terms.
+        of_copies: whether each copy along the last axis has a drift of its own.
+    """
+    vector = values.ndim > axis + 1 and not of_copies
     first = np.take(values, [0], axis=axis)
     off, size = np.abs(values - first), np.abs(first)
     if vector:

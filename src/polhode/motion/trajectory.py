@@ -28,11 +28,13 @@ class Trajectory:
         attitude: (batch…, T, 4) unit quaternions wxyz, body → space; None where meaningless.
         momentum: (batch…, T, 3) [kg m²/s, body axes]; None where meaningless.
         angular_velocity: (batch…, T, 3) [rad/s, body axes]; None where meaningless.
-        invariants: name → values along the motion, (batch…, T) or (batch…, T, k).
+        invariants: name → values along the motion, (batch…, T); (batch…, T, 3) of a vector; (batch…, T, count) of what
+            each copy in a ``Power`` has, as ``quantities`` says.
         balances: name → quantities that change at a known rate, along the motion, (batch…, T).
         received: name → the integral of that rate from the first time, (batch…, T); dissipated energy is its negative.
         drift: name → largest deviation of that invariant from its first sample, or of that balance from its first
-            sample and what it received since, relative to its size or that of its terms, (batch…).
+            sample and what it received since, relative to its size or that of its terms, (batch…); (batch…, count)
+            of what each copy has.
         quantities: what invariants and balances are, by name; those without an entry have no unit that is known.
         outcome: how the motion came to its end.
         source: what made it: the exact motion, the system, or a ``Recording`` of a file with its labels.
