@@ -10,7 +10,7 @@ import numpy as np
 from polhode.errors import InvalidInput
 from polhode.motion.base import AbstractMotion
 from polhode.motion.layout import Quantity, StateLayout
-from polhode.motion.outcome import Outcome
+from polhode.motion.outcome import Ends, Outcome
 
 Array = Any
 _SAMPLED = ("states", "attitude", "momentum", "angular_velocity")
@@ -41,6 +41,7 @@ class Trajectory:
         statistics: how many steps and iterations of implicit steps it took.
         error_estimate: estimated largest error of the states, relative to the size of attitude and momentum, (batch…);
             infinite where it is not known, None where it was not asked for or the motion is exact.
+        ends: how each copy of an integrated batch came to its end, and when; None otherwise.
 
     >>> import polhode as ph
     >>> motion = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5)).sample([0.0, 0.5, 1.0, 1.5])
@@ -63,6 +64,7 @@ class Trajectory:
     source: Any = None
     statistics: dict[str, int] = field(default_factory=dict)
     error_estimate: Array | None = None
+    ends: Ends | None = None
 
     def __len__(self) -> int:
         return len(self.times)
