@@ -46,12 +46,12 @@ def test_defaults_go_with_the_system():
     pair = systems.LiePoisson(lie.Power(lie.SO3(), 2), spins)
     eight = systems.LiePoisson(lie.SU(3), in_su3)
     line = systems.LiePoisson(lie.AffineLine(), lambda m: jnp.sum(m**2))
-    from polhode.simulation import _solver
+    from polhode.solving import orbit_solver
 
     for system, wanted in ((body, Splitting), (pair, SphericalMidpoint), (eight, LieMidpoint), (line, LieMidpoint)):
-        assert type(_solver(system, None, None)) is wanted
-    assert _solver(eight, None, None).coordinates == "cayley"
-    assert _solver(line, None, None).coordinates == "exp"
+        assert type(orbit_solver(system, None, None)) is wanted
+    assert orbit_solver(eight, None, None).coordinates == "cayley"
+    assert orbit_solver(line, None, None).coordinates == "exp"
 
 
 def test_steps_fit_between_uneven_samples_and_are_counted():

@@ -58,5 +58,7 @@ from .kinds.reading import read_spec as read_spec
 from .kinds.reading import report as report
 from .motion.trajectory import Trajectory as Trajectory
 from .simulation import simulate as simulate
+from .solving import Fold as Fold
+from .solving import solve as solve
 
 __version__: str

@@ -13,20 +13,25 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.algebra.power import Power
-from polhode.algebra.so3 import SO3
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.integrators.accuracy import measured_run, run_to_tolerance
 from polhode.integrators.adaptive import adaptive_error, solve_adaptively
 from polhode.integrators.base import AbstractOrbitSolver
 from polhode.integrators.equal_steps import run_by_equal_steps, step_counts
-from polhode.integrators.lie_midpoint import LieMidpoint
-from polhode.integrators.spherical_midpoint import SphericalMidpoint
 from polhode.integrators.splitting import Splitting
-from polhode.motion.outcome import Ending, Outcome
+from polhode.motion.outcome import Ending, Ends, Outcome, Status
 from polhode.motion.trajectory import Trajectory
-from polhode.systems.agreement import MOMENTS_OF_TIME, check_agreement, moves_by_generator
+from polhode.solving import (
+    adaptive_solver,
+    checked_every,
+    goes_along_orbit,
+    is_adaptive,
+    orbit_solver,
+    step_angle,
+    turning_rates,
+)
+from polhode.systems.agreement import check_agreement, moves_by_generator
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
 
 Array = Any
@@ -41,9 +46,9 @@ class _Asked(NamedTuple):
     throw: bool
     tolerance: float | None
     estimate_error: bool
+    every: int
 
 
-STEP_ANGLE = 0.05  # rad by which the fastest rotation turns in a default step of low order
 TINY = 1e-150  # a state whose squares lose digits, or are zero
 TOO_LONG = 1.0  # rad in a step from which a given step draws a warning
 LONG_RUN = 2_000_000  # steps from which progress is shown, on a terminal
@@ -61,12 +66,15 @@ def simulate(
     throw: bool = True,
     tolerance: float | None = None,
     estimate_error: bool = True,
+    save: int = 1,
 ) -> Trajectory:
     """Return the motion of a system from a state at the first time, sampled at all times.
 
     Methods of ours take equal steps from each time to the next, so that samples are steps; nothing is interpolated.
     diffrax's solvers step adaptively with tolerance 1e-12, and end where one of the system's events does: the last
-    sample is then the event's own, and ``outcome`` names it.
+    sample is then the event's own, and ``outcome`` names it. Each copy of a batch ends at its own event: its samples
+    from there on are infinite, and ``ends`` has time and state of its end. ``polhode.solve`` makes the same runs as a
+    pure function, and can save functions of the states instead of the states.
 
     Args:
         system: what moves.
@@ -87,6 +95,8 @@ def simulate(
             until ``error_estimate`` is below it. diffrax's solvers take it as the tolerance of a step.
         estimate_error: whether to run twice, with other steps, and say by ``error_estimate`` how far the motion is from
             the true one. The second run costs half as much as the first; twice as much where samples are a step apart.
+        save: every how many-th of the times is kept as a sample, so that a long run need not fill the memory; the steps
+            are those to all times.
 
     Returns:
         Trajectory with ``invariants``, ``balances`` and their ``drift``, ``statistics`` of steps and iterations (the
@@ -104,15 +114,15 @@ def simulate(
     for name, value, unit in (("step", step, " time [s]"), ("tolerance", tolerance, " number")):
         if value is not None and not (np.ndim(value) == 0 and math.isfinite(value) and value > 0):
             raise InvalidInput(f"`{name}` must be a positive finite{unit}; got {shown(value)}.")
-    if step is not None and tolerance is not None and not _is_adaptive(method):
+    if step is not None and tolerance is not None and not is_adaptive(method):
         raise InvalidInput("give `step` or `tolerance`, which chooses the step, not both.")
-    asked = _Asked(step, order, progress, throw, tolerance, estimate_error)
+    asked = _Asked(step, order, progress, throw, tolerance, estimate_error, checked_every(save, len(times)))
     with warnings.catch_warnings():
         # diffrax warns of complex states in general; our solvers' arithmetic is tested on them
         warnings.filterwarnings("ignore", message="Complex dtype support in Diffrax")
         if isinstance(system, AbstractLiePoissonSystem):
             check_agreement(system, state, times, by_flows=_would_split(system, method))
-            if _goes_along_orbit(system, method):
+            if goes_along_orbit(system, method):
                 return _by_equal_steps(system, state, times, method, asked)
         return _by_adaptive_steps(system, state, times, method, asked)
 
@@ -120,8 +130,9 @@ def simulate(
 def _by_adaptive_steps(
     system: AbstractSystem, state: Array, times: np.ndarray, method: Any, asked: _Asked
 ) -> Trajectory:
-    solver = _adaptive_solver(system, method, asked.order)
-    motion = solve_adaptively(system, solver, state, times, _meter(bool(asked.progress)), asked.step, asked.tolerance)
+    solver = adaptive_solver(system, method, asked.order)
+    meter = _meter(bool(asked.progress))
+    motion = solve_adaptively(system, solver, state, times, meter, asked.step, asked.tolerance, asked.every)
     failed = np.argwhere(~motion.successful)
     which = "" if not np.ndim(motion.successful) or not len(failed) else (
         f" in {len(failed)} of {motion.successful.size} copies, first {_indices(failed[0])}")  # fmt: skip
@@ -130,22 +141,28 @@ def _by_adaptive_steps(
             f"{type(solver).__name__} could not hold its tolerance after {motion.steps} steps{which}: the motion runs "
             "into a singularity or leaves the finite numbers. End it earlier."
         )
+    ended = np.asarray(motion.ends.status) == Status.EVENT
     if motion.event:
         outcome = Outcome(Ending.EVENT, motion.event)
     elif len(failed):
         outcome = Outcome(Ending.NOT_CONVERGED, message=f"{type(solver).__name__} failed{which}")
+    elif ended.any():
+        names = [motion.ends.events[k] for k in np.unique(np.asarray(motion.ends.event)[ended])]
+        said = "" if ended.all() else f"in {int(ended.sum())} of {ended.size} copies"
+        outcome = Outcome(Ending.EVENT, " or ".join(names), said)
     else:
         outcome = Outcome(Ending.COMPLETED)
     error = None
     if asked.estimate_error:
-        error = adaptive_error(system, solver, state, times, motion, asked.step, asked.tolerance)
-    return trajectory_of(system, motion.times, motion.states, outcome, {"steps": motion.steps}, motion.received, error)
+        error = adaptive_error(system, solver, state, times, motion, asked.step, asked.tolerance, asked.every)
+    steps, ends = {"steps": motion.steps}, motion.ends if np.ndim(motion.successful) else None
+    return trajectory_of(system, motion.times, motion.states, outcome, steps, motion.received, error, ends)
 
 
 def _by_equal_steps(
     system: AbstractLiePoissonSystem, state: Array, times: np.ndarray, method: Any, asked: _Asked
 ) -> Trajectory:
-    rates = turning_rates(system, state, times)
+    rates = _rates(system, state, times)
     if not np.isfinite(rates).all():
         raise InvalidInput(
             f"`state` is too large: the rate of turning of {type(system).__name__} at it overflows. "
@@ -164,11 +181,11 @@ def _by_equal_steps(
     shown = asked.progress if asked.progress is not None else counts.max() > LONG_RUN and sys.stderr.isatty()
     given = solver, state, times, sizes, rates
     if asked.tolerance is not None:
-        run, sizes, error = run_to_tolerance(*given, asked.tolerance, _meter(bool(shown)), _meter(False))
+        run, sizes, error = run_to_tolerance(*given, asked.tolerance, _meter(bool(shown)), _meter(False), asked.every)
     elif asked.estimate_error:
-        run, sizes, error = measured_run(*given, _meter(bool(shown)), _meter(False))
+        run, sizes, error = measured_run(*given, _meter(bool(shown)), _meter(False), asked.every)
     else:
-        run, error = run_by_equal_steps(*given, _meter(bool(shown))), None
+        run, error = run_by_equal_steps(*given, _meter(bool(shown)), asked.every), None
     steps = step_counts(times, sizes).sum(axis=-1)
     statistics = {"steps": int(steps.max()), "iterations": int(run.iterations.max())}
     name, failed = type(solver).__name__, np.argwhere(~run.fine)
@@ -182,7 +199,11 @@ def _by_equal_steps(
         outcome = Outcome(Ending.NOT_CONVERGED, message=f"{name} failed{which}")
     else:
         outcome = Outcome(Ending.COMPLETED)
-    return trajectory_of(system, times, run.states, outcome, statistics, {}, error)
+    ends = None
+    if run.fine.ndim:
+        status = np.where(run.fine, Status.COMPLETED, Status.NOT_CONVERGED)
+        ends = Ends(status, np.full(status.shape, -1), np.where(run.fine, times[-1], np.nan), run.last)
+    return trajectory_of(system, times[:: asked.every], run.states, outcome, statistics, {}, error, ends)
 
 
 def _indices(where: np.ndarray) -> str:
@@ -202,7 +223,7 @@ def _prepared(
             raise InvalidInput("`method` was made for another system; make it with the one that is simulated.")
         solver, sizes = method, np.full(rates.shape, float(method.step_size))
     else:
-        solver = _solver(system, method, asked.order)
+        solver = orbit_solver(system, method, asked.order)
         angle = step_angle(solver.order(None))
         with np.errstate(divide="ignore"):
             sizes = np.full(rates.shape, float(asked.step)) if asked.step is not None else angle / rates
@@ -212,29 +233,11 @@ def _prepared(
 
 def fastest_rate(system: AbstractLiePoissonSystem, state: Array, times: Array = (0.0,)) -> float:
     """Return an upper estimate of the rate [rad/s] at which the group turns at any of the states."""
-    return float(np.max(turning_rates(system, state, times), initial=0.0))
+    return float(np.max(_rates(system, state, times), initial=0.0))
 
 
-def step_angle(order: int) -> float:
-    """Return by how much [rad] the fastest rotation turns in a default step of a method."""
-    return {6: 0.1, 8: 0.2}.get(order, STEP_ANGLE)
-
-
-def turning_rates(system: AbstractLiePoissonSystem, state: Array, times: Array) -> Array:
-    """Return upper estimates of the rates (batch…) [rad/s] at which the group turns at states, at some of the times."""
-    point, first, last = system.parts(state).point, float(times[0]), float(times[-1])
-    moments = {first + share * (last - first) for share in MOMENTS_OF_TIME} if _is_driven(system) else {first}
-    rates = [np.asarray(system.algebra.rate(system.generator(t, point)), dtype=float) for t in moments]
-    return np.max(np.broadcast_arrays(*rates, np.zeros(system.algebra.batch_shape(point))), axis=0)
-
-
-def _is_driven(system: AbstractLiePoissonSystem) -> bool:
-    """Whether the generator may depend on time."""
-    return type(system).generator is not AbstractLiePoissonSystem.generator
-
-
-def _goes_along_orbit(system: AbstractLiePoissonSystem, method: Any) -> bool:
-    return moves_by_generator(system) if method is None else not _is_adaptive(method)
+def _rates(system: AbstractLiePoissonSystem, state: Array, times: Array) -> np.ndarray:
+    return np.asarray(turning_rates(system, state, jnp.asarray([times[0], times[-1]], float)), dtype=float)
 
 
 def _would_split(system: AbstractLiePoissonSystem, method: Any) -> bool:
@@ -243,35 +246,9 @@ def _would_split(system: AbstractLiePoissonSystem, method: Any) -> bool:
     return isinstance(method, Splitting) or (isinstance(method, type) and issubclass(method, Splitting))
 
 
-def _is_adaptive(method: Any) -> bool:
-    return isinstance(method, diffrax.AbstractSolver) and not isinstance(method, AbstractOrbitSolver)
-
-
-def _adaptive_solver(system: AbstractSystem, method: Any, order: int | None) -> diffrax.AbstractSolver:
-    if method is not None and not _is_adaptive(method):
-        raise InvalidInput(
-            f"`method` must be a diffrax solver for {type(system).__name__}, which is not a Lie–Poisson system; "
-            f"got {shown(method)}. Leave it out for diffrax.Dopri8()."
-        )
-    if order is not None:
-        raise InvalidInput("`order` goes with a class of methods; the solver given has its own.")
-    return diffrax.Dopri8() if method is None else method
-
-
-def _solver(system: AbstractLiePoissonSystem, method: Any, order: int | None) -> Any:
-    if method is None:
-        algebra = system.algebra
-        spins = isinstance(algebra, Power) and isinstance(algebra.algebra, SO3)
-        method = Splitting if system.flows else SphericalMidpoint if spins else LieMidpoint
-    if isinstance(method, type) and issubclass(method, AbstractOrbitSolver):
-        any_size = jnp.asarray(1.0)
-        return method(system, any_size) if order is None else method(system, any_size, order=order)  # type: ignore[call-arg]
-    raise InvalidInput(f"`method` must be a class of polhode.integrators or a diffrax solver; got {shown(method)}.")
-
-
 def trajectory_of(
     system: AbstractSystem, times: np.ndarray, states: Array, outcome: Outcome, statistics: dict[str, int],
-    received: dict[str, Array], error_estimate: Array | None = None,
+    received: dict[str, Array], error_estimate: Array | None = None, ends: Ends | None = None,
 ) -> Trajectory:  # fmt: skip
     """Return samples (batch…, T, …) as a trajectory with all that the system says of them."""
     axis = jnp.ndim(states) - 1 - system.state_axes
@@ -285,7 +262,11 @@ def trajectory_of(
     got = {name: np.asarray(value) for name, value in received.items()}
     vectors = [None if x is None else np.asarray(x) for x in _vectors(system, states)]
     terms = _terms(system, np.take(np.asarray(states), 0, axis=axis)) if jnp.isrealobj(states) else {}
-    drift = {name: _drift(value, axis, terms.get(name)) for name, value in invariants.items()}
+    own = {name for name, quantity in system.quantities.items() if quantity.of_copies}
+    beyond = None if ends is None or not ends.events else ends.beyond(times)
+    drift = {name: _drift(value, axis, terms.get(name), name in own, beyond) for name, value in invariants.items()}
+    with np.errstate(invalid="ignore"):  # beyond the end of a copy
+        drift |= {name: _drift(values[name] - value, axis, beyond=beyond) for name, value in got.items()}
     return Trajectory(
         source=system,
         times=times,
@@ -297,11 +278,12 @@ def trajectory_of(
         invariants=invariants,
         balances=values,
         received=got,
-        drift=drift | {name: _drift(values[name] - value, axis) for name, value in got.items()},
+        drift=drift,
         quantities=system.quantities,
         outcome=outcome,
         statistics=statistics,
         error_estimate=error_estimate,
+        ends=ends,
     )
 
 
@@ -333,22 +315,45 @@ def _vectors(system: AbstractSystem, states: Array) -> tuple[Array | None, ...]:
 
 @eqx.filter_jit
 def _terms(system: AbstractSystem, state: Array) -> dict[str, Array]:
-    """Return Σ |x ∂C/∂x| of each scalar invariant C at states: the size of its terms, which may cancel in its value."""
+    """Return Σ |x ∂C/∂x| of each invariant C but vectors at states: the size of its terms, which may cancel in it.
+
+    One component after another, as the whole derivative of what each of n copies has would be n times the state.
+    """
+    own = {name for name, quantity in system.quantities.items() if quantity.of_copies}
+
+    def scalars(x: Array) -> dict[str, Array]:
+        return {name: value for name, value in system.invariants(x).items() if not jnp.ndim(value) or name in own}
 
     def of_one(x: Array) -> dict[str, Array]:
-        slopes = jax.jacfwd(system.invariants)(x)
-        return {k: jnp.sum(jnp.abs(s * x)) for k, s in slopes.items() if jnp.ndim(s) == jnp.ndim(x)}
+        def add(k: Array, sums: dict[str, Array]) -> dict[str, Array]:
+            component = jnp.where(jnp.arange(x.size).reshape(x.shape) == k, x, 0.0)
+            changes = jax.jvp(scalars, (x,), (component,))[1]
+            return {name: total + jnp.abs(changes[name]) for name, total in sums.items()}
+
+        return jax.lax.fori_loop(0, x.size, add, jax.tree.map(jnp.zeros_like, scalars(x)))
 
     for _ in range(jnp.ndim(state) - system.state_axes):
         of_one = jax.vmap(of_one)
     return of_one(state)
 
 
-def _drift(values: np.ndarray, axis: int, terms: Array | None = None) -> Array:
-    """Return the largest deviation from the first sample, relative to its size, or that of its terms if larger."""
-    vector = values.ndim > axis + 1
+def _drift(
+    values: np.ndarray, axis: int, terms: Array | None = None, of_copies: bool = False, beyond: Array | None = None
+) -> Array:
+    """Return the largest deviation from the first sample, relative to its size, or that of its terms if larger.
+
+    Args:
+        values: (batch…, T), or with a further axis of components or copies.
+        axis: that of time.
+        terms: sizes of the terms.
+        of_copies: whether each copy along the last axis has a drift of its own.
+        beyond: (batch…, T) samples that do not count, as a copy of the batch has ended before.
+    """
+    vector = values.ndim > axis + 1 and not of_copies
     first = np.take(values, [0], axis=axis)
     off, size = np.abs(values - first), np.abs(first)
+    if beyond is not None:
+        off = np.where(beyond.reshape(*beyond.shape, *(1,) * (off.ndim - beyond.ndim)), 0.0, off)
     if vector:
         off, size = np.linalg.norm(off, axis=-1), np.linalg.norm(size, axis=-1)
     size = np.take(size, 0, axis=axis)

@@ -73,8 +73,9 @@ def run(name, method, order, count):
 
 def kept(system, trajectory):
     """Casimirs' drift relative to the sizes of their terms, and that of what is fixed in space."""
-    names = {*system.algebra.casimir_names, "momentum_space", "linear_space"}
-    found = {name: float(value) for name, value in trajectory.drift.items() if name in names}
+    points = system.parts(trajectory.states).point
+    names = {*system.algebra.named_casimirs(points), "momentum_space", "linear_space"}
+    found = {name: float(np.max(value)) for name, value in trajectory.drift.items() if name in names}
     if isinstance(system.algebra, lie.SU):
         # Σ λ³ of eigenvalues of both signs is small beside its terms; so is the drift beside Σ |λ|³
         levels = np.linalg.eigvalsh(1j * trajectory.states[0])

@@ -110,7 +110,7 @@ def test_what_runs_away_says_so():
     ("call", "words"),
     [
         (lambda: ph.simulate(Falling(), [0.0, 1.0], [0.0, 1.0]), "at or past the event.*ground"),
-        (lambda: ph.simulate(Falling(), [[1.0, 1.0]], [0.0, 1.0]), "one by one"),
+        (lambda: ph.simulate(Falling(), [[1.0, 1.0], [0.0, 1.0]], [0.0, 1.0]), "in 1 of 2 copies, first .1,., at"),
         (lambda: ph.simulate(Falling(), [np.inf, 1.0], [0.0, 1.0]), "finite"),
         (lambda: ph.simulate(Falling(), [1.0, 1.0], [0.0, 1.0], order=4), "`order`"),
         (lambda: ph.simulate(Falling(), [1.0, 1.0], [0.0, 1.0], ph.integrators.Splitting), "not a Lie–Poisson system"),

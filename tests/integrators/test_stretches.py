@@ -56,3 +56,34 @@ def test_an_interrupt_ends_a_long_run_soon():
     )
     found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120, check=False)
     assert found.stdout == "interrupted\n", found.stderr[-2000:]
+
+
+def test_an_interrupt_that_is_lost_in_a_callback_ends_the_run_as_well():
+    """The garbage collector forgets what its callbacks raise, and JAX has one."""
+    code = (
+        "import os, signal, threading, gc, numpy as np, polhode as ph\n"
+        "body = ph.systems.FreeRigidBody((1.0, 2.0, 3.0))\n"
+        "from polhode.integrators import equal_steps\n"
+        "def run(end):\n"
+        "    ph.simulate(body, (0.3, 1.8, 1.5), np.linspace(0, end, 3), step=0.01, estimate_error=False)\n"
+        "run(1.0)\n"
+        "wait, calls = equal_steps.jax.block_until_ready, []\n"
+        "def collected(phase, info):\n"
+        "    if phase == 'start' and len(calls) == 2:\n"
+        "        calls.append(None)\n"
+        "        os.kill(os.getpid(), signal.SIGINT)\n"
+        "        sum(range(1000))\n"
+        "def waiting(x):\n"
+        "    wait(x)\n"
+        "    calls.append(None)\n"
+        "    gc.collect()\n"
+        "equal_steps.jax.block_until_ready = waiting\n"
+        "gc.callbacks.append(collected)\n"
+        "try:\n"
+        "    run(9e7)\n"
+        "except KeyboardInterrupt:\n"
+        "    print('interrupted', len(calls))\n"
+    )
+    found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120, check=False)
+    assert found.stdout == "interrupted 3\n", found.stderr[-2000:]
+    assert "Exception ignored" in found.stderr

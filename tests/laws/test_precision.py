@@ -83,6 +83,9 @@ ENTRIES = {
     "basis of matrices": (algebra.SU(2).basis, algebra.from_matrices),
     "simulate state": (THREE, lambda x: ph.simulate(BODY, x, (0.0, 1.0))),
     "simulate times": ((0.0, 1.0), lambda x: ph.simulate(BODY, THREE, x)),
+    "solve state": (THREE, lambda x: ph.solve(BODY, x, (0.0, 1.0))),
+    "solve times": ((0.0, 1.0), lambda x: ph.solve(BODY, THREE, x)),
+    "solve step": (0.1, lambda x: ph.solve(BODY, THREE, (0.0, 1.0), step=x)),
     "stability": ((0.0, 1.0, 0.0), lambda x: ph.stability(BODY, x)),
     "find_equilibria": ((0.0, 1.0, 0.0), lambda x: ph.find_equilibria(BODY, x)),
 }

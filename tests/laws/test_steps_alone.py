@@ -1,6 +1,6 @@
 """Steps of every orbit solver alone under jit, vmap, jvp and grad.
 
-Loops of unknown length have forward derivatives; reverse-mode ones are refused in words.
+Loops of unknown length have forward derivatives; reverse-mode ones are refused in words. Fixed points have both.
 """
 
 import diffrax
@@ -22,7 +22,6 @@ SOLVERS = [
     integrators.MuntheKaas(BODY, H, SECOND), integrators.SphericalMidpoint(CHAIN, H, SECOND),
     integrators.IsospectralMidpoint(systems.Manakov((1.0, 2.0, 3.0)), H, SECOND),
 ]  # fmt: skip
-EXPLICIT = (integrators.Splitting, integrators.MuntheKaas)
 NO_ARRAYS = {"order", "memory", "init", "func"}
 """What is a number, zeros, or diffrax's own term."""
 
@@ -49,7 +48,7 @@ def test_no_solver_is_forgotten():
 def test_change_alone(solver):
     step = lambda t, h, state: solver.change(t, h, state).state  # noqa: E731
     sizes = RNG.uniform(0.05, 0.2, 3)
-    check_alone(step, RNG.uniform(size=3), sizes, starts(solver), batched=False, reverse=isinstance(solver, EXPLICIT))
+    check_alone(step, RNG.uniform(size=3), sizes, starts(solver), batched=False)
 
 
 @pytest.mark.parametrize("solver", at_once(SOLVERS[:1]))
@@ -58,6 +57,19 @@ def test_advance_alone(solver):
     run = lambda start, span, state: solver.advance(start, span, state, solver.memory(state))[0]  # noqa: E731
     spans = np.array([0.15, 0.25, -0.15])
     check_alone(run, RNG.uniform(size=3), spans, starts(solver), batched=False, reverse=False)
+
+
+@pytest.mark.parametrize("solver", at_once(SOLVERS[:1]))
+def test_advance_by_alone(solver):
+    """Three steps at most, of which every copy takes as many as it is told."""
+    counts = np.array([1.0, 2.0, 3.0])
+
+    def run(start, span, state, count):
+        return solver.advance_by(jnp.round(count), 3, start, span, state, solver.memory(state))[0]
+
+    spans = np.array([0.05, 0.15, -0.25])
+    ways = (*(RNG.normal(size=x.shape) for x in (counts, spans, starts(solver))), 0.0 * counts)
+    check_alone(run, RNG.uniform(size=3), spans, starts(solver), counts, batched=False, ways=ways)
 
 
 @pytest.mark.parametrize("solver", at_once([]))

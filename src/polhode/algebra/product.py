@@ -56,6 +56,14 @@ class Product(AbstractLieAlgebra):
         parts = zip(self.factors, self.split(mu), strict=True)
         return jnp.concatenate([f.casimirs(f.from_dual_vector(part)) for f, part in parts], axis=-1)
 
+    def named_casimirs(self, mu: Operand) -> dict[str, Array]:
+        parts = enumerate(zip(self.factors, self.split(mu), strict=True))
+        return {
+            f"{name} of {k}": values
+            for k, (f, part) in parts
+            for name, values in f.named_casimirs(f.from_dual_vector(part)).items()
+        }
+
     def exp_change(self, x: Operand, mu: Operand) -> Vector:
         def one(f: AbstractLieAlgebra, a: Array, b: Array) -> Array:
             return f.to_dual_vector(f.exp_change(f.from_vector(a), f.from_dual_vector(b)))

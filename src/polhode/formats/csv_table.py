@@ -81,7 +81,8 @@ def _columns(trajectory: Trajectory, axes: str) -> list[tuple[str, Array]]:
         add(trajectory.states, [f"state_{k}" for k in range(int(np.prod(np.shape(trajectory.states)[1:])))])
     for name, values in (trajectory.invariants | trajectory.balances).items():
         count = 1 if np.ndim(values) == 1 else np.shape(values)[1]
-        ends = [""] if np.ndim(values) == 1 else [f"_{part}" for part in ("xyz" if count == 3 else range(count))]
+        vector = count == 3 and not trajectory.quantity(name).of_copies
+        ends = [""] if np.ndim(values) == 1 else [f"_{part}" for part in ("xyz" if vector else range(count))]
         add(values, [_named(f"{name}{end}", trajectory.quantity(name).unit) for end in ends])
     for name, values in trajectory.received.items():
         add(values, [_named(f"{name}_received", trajectory.quantity(name).unit)])

@@ -72,16 +72,20 @@ def as_dataset(
         units, meaning = trajectory.quantity(name).unit, f"{name.replace('_', ' ')} received"
         note = {"units": units, "long_name": meaning, "role": "received"}
         variables[f"{name}_received"] = ([*batch, "time"], np.asarray(values), note)
+    lengths: dict[str, int] = {}
     for name, values in (trajectory.invariants | trajectory.balances).items():
-        units, meaning = trajectory.quantity(name)
+        units, meaning, of_copies = trajectory.quantity(name)
         components = "space_axis" if name == "momentum_space" else "axis"
+        if of_copies:
+            count = np.shape(values)[-1]
+            components = "copy" if lengths.setdefault("copy", count) == count else f"copy_{count}"
         if components == "space_axis":
             coordinates["space_axis"] = ("space_axis", ["x", "y", "z"])
         dims = [*batch, "time", components][: np.ndim(values)]
         role = "invariant" if name in trajectory.invariants else "balance"
         note: dict[str, Any] = {"units": units, "long_name": meaning, "role": role}
         if name in trajectory.drift and not batch:
-            note["drift"] = float(trajectory.drift[name])
+            note["drift"] = float(np.max(trajectory.drift[name]))
         variables[name] = (dims, np.asarray(values), note)
     if trajectory.error_estimate is not None and np.isfinite(trajectory.error_estimate).all():
         meaning = "estimated largest error of the states, relative to the size of attitude and momentum"

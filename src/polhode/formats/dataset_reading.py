@@ -67,10 +67,17 @@ def read_dataset(path: str | Path) -> Trajectory:
         balances={name: arrays[name] for name in roles["balance"]},
         received={name.removesuffix("_received"): arrays[name] for name in roles["received"]},
         drift={name: variable.attrs["drift"] for name, variable in variables.items() if "drift" in variable.attrs},
-        quantities={key: Quantity(str(x.get("units", "")), str(x.get("long_name", ""))) for key, x in kept.items()},
+        quantities={
+            key: Quantity(str(x.get("units", "")), str(x.get("long_name", "")), _of_copies(variables[key]))
+            for key, x in kept.items()
+        },
         outcome=_outcome(path, dataset.attrs),
         error_estimate=next((arrays[name] for name in roles["error estimate"]), None),
     )
+
+
+def _of_copies(variable: Any) -> bool:
+    return str(variable.dims[-1]).startswith("copy")
 
 
 def _loaded(path: Path) -> xarray.Dataset:

@@ -34,21 +34,21 @@ class Measured(NamedTuple):
 
 def measured_run(
     solver: AbstractOrbitSolver, state: Array, times: np.ndarray, sizes: Array, rates: Array, meter: Any,
-    quiet: Any,
+    quiet: Any, every: int = 1,
 ) -> Measured:  # fmt: skip
     """Return a run and its error, relative to the size of attitude, momentum and what else the state holds.
 
     The second run takes steps twice as long, at half the cost; or half as long, at twice the cost, where samples are a
     step apart and steps cannot be longer, or the longer ones failed.
     """
-    run = run_by_equal_steps(solver, state, times, sizes, rates, meter)
+    run = run_by_equal_steps(solver, state, times, sizes, rates, meter, every)
     counts = step_counts(times, sizes)
     others = np.where(counts.min(axis=-1) > 1, 2.0, 0.5) * sizes
-    second = run_by_equal_steps(solver, state, times, others, rates, quiet)
+    second = run_by_equal_steps(solver, state, times, others, rates, quiet, every)
     failed = ~second.fine & run.fine & (others > sizes)
     if failed.any():
         others = np.where(failed, 0.5 * sizes, others)
-        second = run_by_equal_steps(solver, state, times, others, rates, quiet)
+        second = run_by_equal_steps(solver, state, times, others, rates, quiet, every)
     order = solver.order(None)
     gaps = np.abs(np.diff(times)) / np.ptp(times)
     power, other_power = (np.sum(gaps * (gaps / n) ** order, axis=-1) for n in (counts, step_counts(times, others)))
@@ -62,7 +62,7 @@ def measured_run(
 
 def run_to_tolerance(
     solver: AbstractOrbitSolver, state: Array, times: np.ndarray, sizes: Array, rates: Array,
-    tolerance: float, meter: Any, quiet: Any,
+    tolerance: float, meter: Any, quiet: Any, every: int = 1,
 ) -> Measured:  # fmt: skip
     """Return a run whose estimated error is within the tolerance, by shorter steps where it was not.
 
@@ -72,7 +72,7 @@ def run_to_tolerance(
     last = error = np.full(np.shape(rates), np.inf)
     stuck, wanted = np.zeros(np.shape(rates), bool), 0.0
     for _ in range(ROUNDS):
-        found = measured_run(solver, state, times, sizes, rates, meter, quiet)
+        found = measured_run(solver, state, times, sizes, rates, meter, quiet, every)
         error = np.asarray(found.error)
         missed = error > tolerance
         if not missed.any():

@@ -1,11 +1,13 @@
 """Any system by one of diffrax's own solvers with adaptive steps, up to what ends its motion.
 
 The error of a step is held to the tolerance relative to each component's size and to its scale. Balances are integrated
-beside the motion, under the same control. Each copy of a batch has its own steps and scales.
+beside the motion, under the same control. Each copy of a batch has its own steps, scales and end.
 """
 
 from __future__ import annotations
 
+import math
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import diffrax
@@ -17,6 +19,8 @@ import optimistix
 
 from polhode.errors import InvalidInput, NotConverged
 from polhode.integrators.difference import EPS, LARGE, difference
+from polhode.integrators.either_mode import by_either_mode
+from polhode.motion.outcome import Ends, Status
 from polhode.systems.base import AbstractSystem
 
 Array = Any
@@ -31,16 +35,41 @@ SHORTEST_STEP = 1e-290  # s; at time zero steps advance however short they are
 EVENT_TOLERANCE = 1e-15  # of an event's time, relative: a few roundings
 
 
-class AdaptiveMotion(NamedTuple):
-    """What came out.
+class Sampled(NamedTuple):
+    """What came out for one copy, or for each copy of a batch.
 
     Attributes:
-        times: (T,) [s] samples up to the end; the last is the event's own time if one ended the motion.
-        states: (batch…, T, …).
-        received: name → what each balance received since the first time, (batch…, T).
-        event: name of what ended the motion, or None.
+        saved: (batch…, K, …) states at the times to save, or what was observed; infinite after the end.
+        received: name → what each balance received since the first time, (batch…, K); empty beside observations.
+        status: (batch…) numbers of ``Status``.
+        event: (batch…) which of the system's events ended it, −1 where none did.
+        end: (batch…) [s] the event's own time, or the last; NaN where the solver failed.
+        end_state: (batch…, …) the state then.
+        end_received: name → (batch…) what each balance received until then.
+        steps: (batch…) how many were taken.
+    """
+
+    saved: Any
+    received: dict[str, Array]
+    status: Array
+    event: Array
+    end: Array
+    end_state: Array
+    end_received: dict[str, Array]
+    steps: Array
+
+
+class AdaptiveMotion(NamedTuple):
+    """What came out, on plain arrays.
+
+    Attributes:
+        times: (K,) [s] saved samples; of one motion up to its end, the event's own time if one ended it.
+        states: (batch…, K, …); infinite after the end of a copy of a batch.
+        received: name → what each balance received since the first time, (batch…, K).
+        event: name of what ended the one motion, or None.
         successful: (batch…) whether it reached its end.
         steps: how many were taken, by the copy that took most.
+        ends: how each copy ended.
     """
 
     times: np.ndarray
@@ -49,13 +78,15 @@ class AdaptiveMotion(NamedTuple):
     event: str | None
     successful: np.ndarray
     steps: int
+    ends: Ends
 
 
 class EventBisection(optimistix.Bisection):
     """Bisection until the time is known to rounding, whatever the scale of the function that vanishes there."""
 
     def __init__(self) -> None:
-        super().__init__(rtol=EVENT_TOLERANCE, atol=0.0)
+        # events fall from positive values; a copy of a batch without one runs the same search, with no change of sign
+        super().__init__(rtol=EVENT_TOLERANCE, atol=0.0, flip=True)
 
     def terminate(
         self, fn: Any, y: Array, args: Any, options: Any, state: Any, tags: Any
@@ -92,7 +123,7 @@ class _Carried(NamedTuple):
 
 def solve_adaptively(
     system: AbstractSystem, solver: diffrax.AbstractSolver, state: Array, times: np.ndarray, meter: Any = None,
-    step: float | None = None, tolerance: float | None = None,
+    step: float | None = None, tolerance: float | None = None, every: int = 1,
 ) -> AdaptiveMotion:
     """Return the motion at times, or up to the first of the system's events.
 
@@ -104,9 +135,10 @@ def solve_adaptively(
         meter: of diffrax, for progress.
         step: the largest [s].
         tolerance: of a step, relative.
+        every: which of the times are saved.
 
     Raises:
-        InvalidInput: if an event has already happened at the start, or for a batch of states with events.
+        InvalidInput: if an event has already happened at the start.
         NotConverged: if it takes too many steps.
     """  # fmt: skip
     _check_events(system, times[0], state)
@@ -116,56 +148,63 @@ def solve_adaptively(
     batch = jnp.shape(state)[: jnp.ndim(state) - system.state_axes]
     states = jnp.reshape(state, (-1, *jnp.shape(state)[len(batch) :])) if batch else state
     allowed = jnp.asarray(TOLERANCE if tolerance is None else tolerance)
-    run = _solve_each if batch else _solve
-    solution = run(system, solver, states, jnp.asarray(times), largest, allowed, meter)
-    _check_reached(solution, times)
-    results: Any = diffrax.RESULTS
-    steps = int(np.max(solution.stats["num_steps"], initial=0))
-    sampled, final = jax.tree.map(np.asarray, solution.ys)  # each operation on a JAX array would be compiled by itself
+    kept = times[::every]
+    run = _each_sampled if batch else _one_sampled
+    found = run(system, solver, states, jnp.asarray(times), jnp.asarray(kept), largest, allowed, meter)
+    found = jax.tree.map(np.asarray, found)  # each operation on a JAX array would be compiled by itself
+    steps = int(np.max(found.steps, initial=0))
+    if steps >= MOST_STEPS:
+        raise NotConverged(
+            f"{MOST_STEPS:.1e} steps did not reach the last time, {times[-1]:g} s, and at most so many are taken. Give "
+            "an earlier last time, which is `time.until` in a spec, or follow the motion in parts."
+        )
     if batch:
-        ys = jax.tree.map(lambda y: np.reshape(y, (*batch, *y.shape[1:])), sampled)
-        fine = np.reshape(np.asarray(jax.vmap(lambda r: r == results.successful)(solution.result)), batch)
-        return AdaptiveMotion(times, ys.state, ys.received, None, fine, steps)
-    ended = bool(solution.result == results.event_occurred)
-    reached = np.isfinite(np.asarray(solution.ts[0])) if ended else np.ones(len(times), bool)
-    ts, ys = times[reached], _taken(sampled, reached)
-    event = None
-    if ended:
-        last = float(np.asarray(solution.ts[1])[0])
-        state = jnp.asarray(final.state[0])
-        event = min(system.events, key=lambda name: float(system.events[name](jnp.asarray(last), state)))
-        before = np.abs(ts - times[0]) < abs(last - times[0])
-        ts, ys = np.append(ts[before], last), _joined(_taken(ys, before), final)
-    fine = np.asarray(ended or bool(solution.result == results.successful))
-    return AdaptiveMotion(ts, ys.state, ys.received, event, fine, steps)
+        found = jax.tree.map(lambda y: np.reshape(y, (*batch, *y.shape[1:])), found)
+    ends = Ends(found.status, found.event, found.end, found.end_state, tuple(system.events))
+    fine = found.status != Status.NOT_CONVERGED
+    if batch or found.status != Status.EVENT:
+        return AdaptiveMotion(kept, found.saved, found.received, None, fine, steps, ends)
+    last = float(found.end)
+    before = np.abs(kept - times[0]) < abs(last - times[0])
+    received = {name: value[before] for name, value in found.received.items()}
+    # one row more, for the event itself
+    received = {name: np.append(value, found.end_received[name]) for name, value in received.items()}
+    states = np.concatenate([found.saved[before], found.end_state[None]])
+    event = tuple(system.events)[int(found.event)]
+    return AdaptiveMotion(np.append(kept[before], last), states, received, event, fine, steps, ends)
 
 
 def adaptive_error(
     system: AbstractSystem, solver: diffrax.AbstractSolver, state: Array, times: np.ndarray, motion: AdaptiveMotion,
-    step: float | None = None, tolerance: float | None = None,
+    step: float | None = None, tolerance: float | None = None, kept: int = 1,
 ) -> Array | None:  # fmt: skip
     """Return the estimated error (batch…) of a motion, from a second run with a hundred times the tolerance.
 
     The error of a motion goes with the tolerance of its steps, so that the second run has nearly all of the difference,
     at about half the steps. Where samples lie so close that each is a step in both runs, every other sample of the
-    second is moved next to the one after it, so that every other step is twice as long. Events are not compared; None
-    where one comes before the second sample.
+    second is moved next to the one after it, so that every other step is twice as long. Events are not compared; where
+    one comes before the second sample the error is None, of a copy in a batch infinite.
     """
     looser = LOOSER * (TOLERANCE if tolerance is None else tolerance)
-    other, every = solve_adaptively(system, solver, state, times, None, step, looser), 1
+    other, every = solve_adaptively(system, solver, state, times, None, step, looser, kept), 1
     if len(times) > 2 and other.steps > SAME_STEPS * motion.steps:
-        other, every = solve_adaptively(system, solver, state, _in_pairs(times), None, step, looser), 2
+        other, every = solve_adaptively(system, solver, state, _in_pairs(times), None, step, looser, kept), 2
     count = min(len(motion.times), len(other.times)) - (motion.event is not None or other.event is not None)
-    if count <= every:  # the start alone has no error, and says nothing
+    rows = np.flatnonzero(np.arange(count) * kept % every == 0)
+    if len(rows) < 2:  # the start alone has no error, and says nothing
         return None
     axis = np.ndim(motion.states) - 1 - system.state_axes
-    rows = np.arange(0, count, every)
     one, two = (np.take(m.states, rows, axis=axis) for m in (motion, other))
+    unknown = False
+    if axis:
+        beyond = (motion.ends.beyond(motion.times) | other.ends.beyond(other.times))[..., rows]
+        unknown = beyond[..., 1]
+        one, two = (np.where(beyond.reshape(*beyond.shape, *(1,) * system.state_axes), 0.0, x) for x in (one, two))
     with np.errstate(invalid="ignore"):
         off = difference(system, one, two)
     rounding = np.minimum(off, EPS * motion.steps)
     error = np.where(off > LARGE, off, np.maximum(off / GAIN, rounding))
-    return np.where(motion.successful & other.successful, error, np.inf)
+    return np.where(motion.successful & other.successful & ~np.asarray(unknown), error, np.inf)
 
 
 def _in_pairs(times: np.ndarray) -> np.ndarray:
@@ -176,30 +215,38 @@ def _in_pairs(times: np.ndarray) -> np.ndarray:
     return moved
 
 
-def _check_reached(solution: Any, times: np.ndarray) -> None:
-    if int(np.max(np.asarray(solution.stats["num_steps"]))) >= MOST_STEPS:
-        raise NotConverged(
-            f"{MOST_STEPS:.1e} steps did not reach the last time, {times[-1]:g} s, and at most so many are taken. Give "
-            "an earlier last time, which is `time.until` in a spec, or follow the motion in parts."
-        )
-
-
 def _check_events(system: AbstractSystem, t: float, state: Array) -> None:
-    if system.events and jnp.ndim(state) > system.state_axes:
-        raise InvalidInput(
-            f"`state` of {type(system).__name__} must be one state, as each motion ends at a time of its own; "
-            f"got shape {jnp.shape(state)}. Simulate them one by one."
-        )
+    batch = jnp.shape(state)[: jnp.ndim(state) - system.state_axes]
     for name, event in system.events.items():
-        if not float(event(jnp.asarray(t), state)) > 0.0:
+        distance = lambda one, event=event: event(jnp.asarray(t), one)  # noqa: E731
+        for _ in batch:
+            distance = jax.vmap(distance)
+        past = np.argwhere(~(np.asarray(distance(jnp.asarray(state))) > 0.0))
+        if len(past):
+            which = f" in {len(past)} of {math.prod(batch)} copies, first {tuple(past[0].tolist())}," if batch else ""
             raise InvalidInput(
-                f"`state` is at or past the event that ends the motion: {name}. Start before it happens."
+                f"`state` is{which} at or past the event that ends the motion: {name}. Start before it happens."
             )
 
 
-def _solve_one(
-    system: AbstractSystem, solver: Any, state: Array, times: Array, largest: Array | None, tolerance: Array, meter: Any
-) -> Any:  # fmt: skip
+def sampled(
+    system: AbstractSystem, solver: Any, state: Array, times: Array, kept: Array, largest: Array | None,
+    tolerance: Array, meter: Any = None, observe: Callable[[Array, Array], Any] | None = None, reverse: bool = False,
+) -> Sampled:  # fmt: skip
+    """Return the motion of one state, stepping at all times (T,) and saving at those to be kept (K,).
+
+    Args:
+        system: what moves.
+        solver: one of diffrax's.
+        state: one.
+        times: (T,) [s], in one direction.
+        kept: (K,) some of them.
+        largest: step [s], or None.
+        tolerance: of a step, relative.
+        meter: of diffrax, for progress.
+        observe: function of time and state to save instead of the state.
+        reverse: whether derivatives are to be of reverse mode, instead of forward mode.
+    """
     scale = system.scales(state)
     start = system.balances(times[0], state)
     sizes = {name: jnp.where(balance.value != 0, jnp.abs(balance.value), 1.0) for name, balance in start.items()}
@@ -211,38 +258,78 @@ def _solve_one(
 
     def lowest(t: Array, y: _Carried, args: Any, **more: Any) -> Array:
         # one function whose zero is the first of all, as bisection seeks the zero of one
-        return jnp.min(jnp.stack([event(t, y.state * scale) for event in system.events.values()]))
+        return jnp.min(_distances(system, t, y.state * scale))
+
+    def whole(y: _Carried) -> _Carried:
+        return _Carried(y.state * scale, {name: y.received[name] * size for name, size in sizes.items()})
+
+    def seen(t: Array, y: _Carried, args: Any) -> Any:
+        return whole(y) if observe is None else as_floats(observe(t, y.state * scale))
 
     control = PresentTimeControl(rtol=tolerance, atol=tolerance, dtmax=largest)
     # samples are steps: interpolation between steps costs three digits
-    solution = diffrax.diffeqsolve(
+    solution: Any = diffrax.diffeqsolve(
         diffrax.ODETerm(rates), solver, times[0], times[-1], None,
         _Carried(state / scale, {name: jnp.zeros_like(size) for name, size in sizes.items()}), throw=False,
         stepsize_controller=diffrax.ClipStepSizeController(control, step_ts=times),
-        saveat=diffrax.SaveAt(subs=[diffrax.SubSaveAt(ts=times), diffrax.SubSaveAt(t1=True)]),
+        saveat=diffrax.SaveAt(subs=[diffrax.SubSaveAt(ts=kept, fn=seen), diffrax.SubSaveAt(t1=True)]),
         event=diffrax.Event(lowest, EventBisection(), direction=False) if system.events else None,
-        max_steps=MOST_STEPS, progress_meter=meter, adjoint=diffrax.ForwardMode(),
+        max_steps=MOST_STEPS, progress_meter=diffrax.NoProgressMeter() if meter is None else meter,
+        adjoint=diffrax.RecursiveCheckpointAdjoint() if reverse else diffrax.ForwardMode(),
     )  # fmt: skip
-    whole = lambda y: _Carried(y.state * scale, {name: y.received[name] * size for name, size in sizes.items()})  # noqa: E731
-    saved: Any = solution.ys
-    return eqx.tree_at(lambda s: s.ys, solution, [whole(y) for y in saved])
+    results: Any = diffrax.RESULTS
+    ended = solution.result == results.event_occurred
+    fine = ended | (solution.result == results.successful)
+    saved, last = solution.ys
+    last = whole(jax.tree.map(lambda y: y[0], last))
+    time = solution.ts[1][0]
+    first = jnp.argmin(_distances(system, time, last.state)) if system.events else jnp.asarray(-1)
+    return Sampled(
+        saved if observe is not None else saved.state,
+        {} if observe is not None else saved.received,
+        jnp.where(ended, Status.EVENT, jnp.where(fine, Status.COMPLETED, Status.NOT_CONVERGED)),
+        jnp.where(ended, first, -1),
+        jnp.where(fine, time, jnp.nan),
+        last.state,
+        last.received,
+        solution.stats["num_steps"],
+    )
 
 
-_solve = eqx.filter_jit(_solve_one)
+def sampled_by_either_mode(
+    system: AbstractSystem, solver: Any, state: Array, times: Array, kept: Array, largest: Array | None,
+    tolerance: Array, observe: Callable[[Array, Array], Any] | None,
+) -> Sampled:  # fmt: skip
+    """Return what ``sampled`` does, with derivatives of either mode."""
+
+    def forward(given: tuple[Any, ...]) -> Sampled:
+        return sampled(*given[:-1], observe=given[-1])
+
+    def reverse(given: tuple[Any, ...]) -> Sampled:
+        return sampled(*given[:-1], observe=given[-1], reverse=True)
+
+    return by_either_mode(
+        forward, reverse, (system, solver, state, times, kept, largest, tolerance, observe), "solve by adaptive steps"
+    )
+
+
+def as_floats(observed: Any) -> Any:
+    """Return a nest of observations as arrays that can be infinite where there is none."""
+    return jax.tree.map(lambda x: x if jnp.issubdtype(jnp.result_type(x), jnp.inexact) else jnp.asarray(x, float),
+                        jax.tree.map(jnp.asarray, observed))  # fmt: skip
+
+
+def _distances(system: AbstractSystem, t: Array, state: Array) -> Array:
+    """Return the system's events at a state, positive until their zero."""
+    return jnp.stack([event(t, state) for event in system.events.values()])
+
+
+_one_sampled = eqx.filter_jit(sampled)
 
 
 @eqx.filter_jit
-def _solve_each(
-    system: AbstractSystem, solver: Any, states: Array, times: Array, largest: Array | None, tolerance: Array,
-    meter: Any,
-) -> Any:  # fmt: skip
-    return jax.vmap(lambda state: _solve_one(system, solver, state, times, largest, tolerance, meter))(states)
-
-
-def _taken(ys: _Carried, which: np.ndarray) -> _Carried:
-    return _Carried(ys.state[which], {name: value[which] for name, value in ys.received.items()})
-
-
-def _joined(ys: _Carried, last: _Carried) -> _Carried:
-    received = {name: np.concatenate([value, last.received[name]]) for name, value in ys.received.items()}
-    return _Carried(np.concatenate([ys.state, last.state]), received)
+def _each_sampled(
+    system: AbstractSystem, solver: Any, states: Array, times: Array, kept: Array, largest: Array | None,
+    tolerance: Array, meter: Any,
+) -> Sampled:  # fmt: skip
+    return jax.vmap(lambda state: sampled(system, solver, state, times, kept, largest, tolerance, meter))(states)

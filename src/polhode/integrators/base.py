@@ -86,18 +86,44 @@ class AbstractOrbitSolver(diffrax.AbstractSolver):
             return (carried[0] < count) & carried[-1]
 
         def step(carried: tuple[Array, ...]) -> tuple[Array, ...]:
-            k, now, lost, iterations, _ = carried
-            found = self.change(start + k * h, h, now)
-            wanted = found.state + lost
-            later = now + wanted
-            lost = (now - later) + wanted
-            return k + 1, later, lost, iterations + found.iterations, found.converged
+            return carried[0] + 1, *self._stepped(start + carried[0] * h, h, *carried[1:])
 
         first = (jnp.zeros((), int), state, memory.lost, memory.iterations, memory.fine)
         steps, end, lost, iterations, fine = jax.lax.while_loop(unfinished, step, first)
         end, lost = forward_only((end, lost), type(self).__name__)
-        fine = fine & jnp.all(jnp.isfinite(end))
-        return jnp.where(fine, end, jnp.inf), Memory(lost, memory.steps + steps, iterations, fine)
+        return _ended(end, lost, memory.steps + steps, iterations, fine)
+
+    def advance_by(
+        self, count: Array, most: int, start: Array, span: Array, state: Array, memory: Memory
+    ) -> tuple[Array, Memory]:
+        """Return what ``advance`` does by so many steps, of which the most is known when it is compiled.
+
+        Such a loop has reverse-mode derivatives too. They hold the states of all of its steps.
+        """
+        h = span / count
+
+        def step(carried: tuple[Array, ...], k: Array) -> tuple[tuple[Array, ...], None]:
+            def taken(carried: tuple[Array, ...]) -> tuple[Array, ...]:
+                now, lost, steps, iterations, fine = carried
+                found = self._stepped(start + k * h, h, now, lost, iterations, fine)
+                moved = found[0], found[1], steps + 1, found[2], found[3]
+                return jax.tree.map(lambda new, old: jnp.where(fine, new, old), moved, carried)
+
+            return jax.lax.cond(k < count, taken, lambda carried: carried, carried), None
+
+        first = (state, memory.lost, memory.steps, memory.iterations, memory.fine)
+        end, lost, steps, iterations, fine = jax.lax.scan(jax.checkpoint(step), first, jnp.arange(most))[0]
+        return _ended(end, lost, steps, iterations, fine)
+
+    def _stepped(
+        self, t: Array, h: Array, now: Array, lost: Array, iterations: Array, fine: Array
+    ) -> tuple[Array, Array, Array, Array]:
+        """Return state, what the sum lost, iterations and whether it went well after one step."""
+        found = self.change(t, h, now)
+        wanted = found.state + lost
+        later = now + wanted
+        lost = (now - later) + wanted
+        return later, lost, iterations + found.iterations, found.converged
 
     def init(self, terms: Any, t0: Array, t1: Array, y0: Array, args: Any) -> Memory:
         return self.memory(y0)
@@ -114,6 +140,11 @@ class AbstractOrbitSolver(diffrax.AbstractSolver):
 
     def func(self, terms: Any, t0: Array, y0: Array, args: Any) -> Array:
         return terms.vf(t0, y0, args)
+
+
+def _ended(end: Array, lost: Array, steps: Array, iterations: Array, fine: Array) -> tuple[Array, Memory]:
+    fine = fine & jnp.all(jnp.isfinite(end))
+    return jnp.where(fine, end, jnp.inf), Memory(lost, steps, iterations, fine)
 
 
 def explicit(state: Array) -> Change:

@@ -20,6 +20,7 @@ import numpy as np
 
 from polhode.errors import InvalidInput
 from polhode.integrators.base import AbstractOrbitSolver, Memory, step_count
+from polhode.integrators.interrupts import interrupts_kept
 
 Array = Any
 BLOCK = 64  # copies: enough that a step's fixed costs do not count, few enough that a fast copy slows few others
@@ -35,16 +36,19 @@ class Run(NamedTuple):
         states: (batch…, T, …); infinite from the step on that failed.
         iterations: (batch…) evaluations in implicit steps.
         fine: (batch…) whether the end was reached.
+        last: (batch…, …) the state at the last time.
     """
 
     states: np.ndarray
     iterations: np.ndarray
     fine: np.ndarray
+    last: np.ndarray
 
 
 def run_by_equal_steps(
-    solver: AbstractOrbitSolver, state: Array, times: np.ndarray, sizes: Array, rates: Array, meter: Any
-) -> Run:
+    solver: AbstractOrbitSolver, state: Array, times: np.ndarray, sizes: Array, rates: Array, meter: Any,
+    every: int = 1,
+) -> Run:  # fmt: skip
     """Return the motion at times.
 
     Args:
@@ -54,6 +58,7 @@ def run_by_equal_steps(
         sizes: (batch…) largest steps [s].
         rates: (batch…) of the copies, by which they are sorted.
         meter: of diffrax, for progress.
+        every: which of the times are saved.
 
     Raises:
         InvalidInput: for a run of too many steps.
@@ -73,7 +78,7 @@ def run_by_equal_steps(
         shown = meter.step(shown, jnp.asarray(share))
 
     if not batch:
-        run = _run_block(_go_one, solver, state, times, np.asarray(sizes), show)
+        run = _run_block(_go_one, solver, state, times, np.asarray(sizes), show, every)
         meter.close(shown)
         return run
     flat = np.asarray(state).reshape(-1, *jnp.shape(state)[len(batch) :])
@@ -86,7 +91,7 @@ def run_by_equal_steps(
         chosen = np.minimum(np.arange(first, first + width), len(flat) - 1)
         before, share = first / len(flat), width / len(flat)
         show_block = lambda x, a=before, b=share: show(min(1.0, a + b * x))  # noqa: E731
-        block = _run_block(_go_block, solver, flat[chosen], times, ordered[chosen], show_block)
+        block = _run_block(_go_block, solver, flat[chosen], times, ordered[chosen], show_block, every)
         found.append([x[: len(flat) - first] for x in block])
     meter.close(shown)
     back = np.argsort(order)
@@ -98,7 +103,7 @@ def step_counts(times: np.ndarray, sizes: Array) -> Array:
     return np.asarray(step_count(np, np.diff(times), np.asarray(sizes)[..., None]))
 
 
-def _run_block(go: Any, solver: Any, state: Array, times: np.ndarray, sizes: Array, show: Any) -> Run:
+def _run_block(go: Any, solver: Any, state: Array, times: np.ndarray, sizes: Array, show: Any, every: int) -> Run:
     """Return the motion of one copy or of a block of them, stretch by stretch."""
     longest = STRETCH // -(-sizes.size // AS_ONE)
     parts = int(np.ceil(step_counts(times, sizes).max() / longest))  # of every interval between samples
@@ -107,14 +112,19 @@ def _run_block(go: Any, solver: Any, state: Array, times: np.ndarray, sizes: Arr
     state, grid = jnp.asarray(state), (jnp.asarray(fine[:-1]), jnp.asarray(np.diff(fine)))
     start, axis = state, sizes.ndim
     memory = jax.vmap(solver.memory)(state) if axis else solver.memory(state)
-    saved = jnp.zeros((*sizes.shape, len(times) - 1, *state.shape[axis:]), state.dtype)
-    for first, last in stretches:
-        limits = jnp.asarray(first), jnp.asarray(last), jnp.asarray(parts)
-        state, memory, saved = go(solver, jnp.asarray(sizes), state, memory, saved, grid, limits)
-        jax.block_until_ready(state)
-        show(last / (len(fine) - 1))
-    states = np.concatenate([np.expand_dims(start, axis), np.asarray(saved)], axis=axis)
-    return Run(states, np.asarray(memory.iterations), np.asarray(memory.fine))
+    # a place for every n-th sample, which those before it hold until it comes, and one for the samples behind the last
+    places = -(-(len(times) - 1) // every)
+    saved = jnp.zeros((*sizes.shape, places, *state.shape[axis:]), state.dtype)
+    with interrupts_kept() as check:
+        for first, last in stretches:
+            limits = jnp.asarray(first), jnp.asarray(last), jnp.asarray(parts * every)
+            state, memory, saved = go(solver, jnp.asarray(sizes), state, memory, saved, grid, limits)
+            jax.block_until_ready(state)
+            check()
+            show(last / (len(fine) - 1))
+    whole = np.take(np.asarray(saved), np.arange((len(times) - 1) // every), axis=axis)
+    states = np.concatenate([np.expand_dims(start, axis), whole], axis=axis)
+    return Run(states, np.asarray(memory.iterations), np.asarray(memory.fine), np.asarray(state))
 
 
 def _stretches(counts: Array, longest: int) -> list[tuple[int, int]]:
@@ -127,14 +137,14 @@ def _go(
     solver: Any, size: Array, state: Array, memory: Memory, saved: Array, grid: tuple[Array, Array],
     limits: tuple[Array, Array, Array],
 ) -> tuple[Array, Memory, Array]:  # fmt: skip
-    """Go from one interval up to another, and save the state at the end of each span between samples."""
+    """Go from one interval up to another, and save the state at the end of so many intervals each."""
     solver = eqx.tree_at(lambda s: s.step_size, solver, size)
-    (begin, spans), (first, last, parts) = grid, limits
+    (begin, spans), (first, last, together) = grid, limits
 
     def over(k: Array, carried: tuple[Array, Memory, Array]) -> tuple[Array, Memory, Array]:
         now, memory, saved = carried
         now, memory = solver.advance(begin[k], spans[k], now, memory)
-        return now, memory, saved.at[k // parts].set(now)
+        return now, memory, saved.at[k // together].set(now)
 
     return jax.lax.fori_loop(first, last, over, (state, memory, saved))
 

@@ -1,4 +1,4 @@
-"""Fixed points to rounding, with a count and an honest verdict."""
+"""Fixed points to rounding, with a count and an honest verdict; derivatives of either mode by the implicit rule."""
 
 from __future__ import annotations
 
@@ -7,8 +7,6 @@ from typing import Any, NamedTuple
 
 import jax
 import jax.numpy as jnp
-
-from polhode.systems.forward_only import forward_only
 
 Array = Any
 MOST = 100
@@ -32,6 +30,8 @@ def fixed_point(function: Callable[[Array], Array], start: Array, scale: Array) 
         function: a contraction for steps that are short enough.
         start: first guess.
         scale: size of the unknown, so that the tolerance goes with the state.
+
+    Its derivative solves dx = (∂f/∂x) dx + df by the same iteration, whatever the loop to the point itself did.
     """
 
     def settled(change: Array, last: Array) -> Array:
@@ -46,7 +46,35 @@ def fixed_point(function: Callable[[Array], Array], start: Array, scale: Array) 
         better = function(x)
         return count + 1, better, jnp.max(jnp.abs(better - x)), change
 
-    first = function(start)
-    state = (jnp.ones((), int), first, jnp.max(jnp.abs(first - start)), jnp.asarray(jnp.inf))
-    count, x, change, last = jax.lax.while_loop(unfinished, improve, state)
-    return Found(forward_only(x, "an implicit step"), count, settled(change, last))
+    def iterated(_: Callable[[Array], Array], start: Array) -> tuple[Array, tuple[Array, Array]]:
+        first = function(start)
+        state = (jnp.ones((), int), first, jnp.max(jnp.abs(first - start)), jnp.asarray(jnp.inf))
+        count, x, change, last = jax.lax.while_loop(unfinished, improve, state)
+        # as floats, since custom_root has no derivatives of whole numbers
+        return x, (count.astype(float), settled(change, last).astype(float))
+
+    x, (count, converged) = jax.lax.custom_root(lambda x: function(x) - x, start, iterated, _linear, has_aux=True)
+    return Found(x, count.astype(int), converged > 0.5)
+
+
+def _linear(residual: Callable[[Array], Array], wanted: Array) -> Array:
+    """Return v with J v − v = wanted, forward, or with Jᵀ in its transpose."""
+    return jax.lax.custom_linear_solve(residual, wanted, _by_iteration, _by_iteration)
+
+
+def _by_iteration(residual: Callable[[Array], Array], wanted: Array) -> Array:
+    """Return v with J v − v = wanted, by v ← J v − wanted."""
+
+    def unfinished(carried: tuple[Array, ...]) -> Array:
+        count, v, change, last = carried
+        size = jnp.max(jnp.abs(v))
+        moving = (change > ROUNDING * size) & ((change > NEAR * size) | (change < last))
+        return (count < MOST) & moving & jnp.isfinite(change)
+
+    def improve(carried: tuple[Array, ...]) -> tuple[Array, ...]:
+        count, v, change, _ = carried
+        better = v + residual(v) - wanted
+        return count + 1, better, jnp.max(jnp.abs(better - v)), change
+
+    start = (jnp.zeros((), int), -wanted, jnp.max(jnp.abs(wanted)), jnp.asarray(jnp.inf))
+    return jax.lax.while_loop(unfinished, improve, start)[1]

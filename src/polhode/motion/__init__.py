@@ -2,7 +2,17 @@
 
 from polhode.motion.base import AbstractMotion
 from polhode.motion.layout import Quantity, StateLayout, StatePart
-from polhode.motion.outcome import Ending, Outcome
+from polhode.motion.outcome import Ending, Ends, Outcome, Status
 from polhode.motion.trajectory import Trajectory
 
-__all__ = ["AbstractMotion", "Ending", "Outcome", "Quantity", "StateLayout", "StatePart", "Trajectory"]
+__all__ = [
+    "AbstractMotion",
+    "Ending",
+    "Ends",
+    "Outcome",
+    "Quantity",
+    "StateLayout",
+    "StatePart",
+    "Status",
+    "Trajectory",
+]

@@ -32,10 +32,12 @@ class Quantity(NamedTuple):
     Attributes:
         unit: as CF metadata writes units; "" where it depends on the system.
         meaning: in a few words.
+        of_copies: whether the last axis of the values counts copies, instead of components of a vector.
     """
 
     unit: str = ""
     meaning: str = ""
+    of_copies: bool = False
 
 
 ATTITUDE = StatePart("attitude", 4, "1", "attitude quaternion, scalar first, body to space")

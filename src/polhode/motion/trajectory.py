@@ -10,7 +10,7 @@ import numpy as np
 from polhode.errors import InvalidInput
 from polhode.motion.base import AbstractMotion
 from polhode.motion.layout import Quantity, StateLayout
-from polhode.motion.outcome import Outcome
+from polhode.motion.outcome import Ends, Outcome
 from polhode.types import Array, ArrayOrFloat, Double, Float64, Integer
 
 _SAMPLED = ("states", "attitude", "momentum", "angular_velocity")
@@ -28,17 +28,20 @@ class Trajectory:
         attitude: (batch…, T, 4) unit quaternions wxyz, body → space; None where meaningless.
         momentum: (batch…, T, 3) [kg m²/s, body axes]; None where meaningless.
         angular_velocity: (batch…, T, 3) [rad/s, body axes]; None where meaningless.
-        invariants: name → values along the motion, (batch…, T) or (batch…, T, k).
+        invariants: name → values along the motion, (batch…, T); (batch…, T, 3) of a vector; (batch…, T, count) of what
+            each copy in a ``Power`` has, as ``quantities`` says.
         balances: name → quantities that change at a known rate, along the motion, (batch…, T).
         received: name → the integral of that rate from the first time, (batch…, T); dissipated energy is its negative.
         drift: name → largest deviation of that invariant from its first sample, or of that balance from its first
-            sample and what it received since, relative to its size or that of its terms, (batch…).
+            sample and what it received since, relative to its size or that of its terms, (batch…); (batch…, count)
+            of what each copy has.
         quantities: what invariants and balances are, by name; those without an entry have no unit that is known.
         outcome: how the motion came to its end.
         source: what made it: the exact motion, the system, or a ``Recording`` of a file with its labels.
         statistics: how many steps and iterations of implicit steps it took.
         error_estimate: estimated largest error of the states, relative to the size of attitude and momentum, (batch…);
             infinite where it is not known, None where it was not asked for or the motion is exact.
+        ends: how each copy of an integrated batch came to its end, and when; None otherwise.
 
     >>> import polhode as ph
     >>> motion = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5)).sample([0.0, 0.5, 1.0, 1.5])
@@ -61,6 +64,7 @@ class Trajectory:
     source: Any = None
     statistics: dict[str, int] = field(default_factory=dict)
     error_estimate: Float64[ArrayOrFloat, "*batch"] | None = None
+    ends: Ends | None = None
 
     def __len__(self) -> int:
         return len(self.times)

@@ -9,7 +9,7 @@ import numpy as np
 
 from polhode.errors import InvalidInput
 from polhode.integrators.composition import stages
-from polhode.simulation import step_angle
+from polhode.solving import step_angle
 
 Array = Any
 

@@ -83,5 +83,5 @@ def distinct(values: Any, unit: str = "") -> str:
 
 
 def drifts(values: dict[str, Any]) -> str:
-    """Return drifts by name."""
-    return ", ".join(f"{name.replace('_', ' ')} {float(x):.1e}" for name, x in values.items())
+    """Return drifts by name, the largest where each copy has its own."""
+    return ", ".join(f"{name.replace('_', ' ')} {float(np.max(x)):.1e}" for name, x in values.items())

@@ -198,11 +198,13 @@ class AbstractLiePoissonSystem(AbstractSystem):
         return jnp.concatenate([rotation.quaternion_rate(attitude, generator[..., :3]), flow], axis=-1)
 
     def invariants(self, state: Array) -> dict[str, Array]:
-        """Return energy, Casimirs, what else is conserved and, with an attitude, the momentum in space."""
+        """Return energy, Casimirs, what else is conserved and, with an attitude, the momentum in space.
+
+        A Casimir that every copy in a ``Power`` has is one entry (…, count).
+        """
         attitude, point = self.parts(state)
         values = {"energy": self.energy(point)} if self.conserves_energy else {}
-        casimirs = self.algebra.casimirs(point)
-        values |= {name: casimirs[..., k] for k, name in enumerate(self.algebra.casimir_names)}
+        values |= self.algebra.named_casimirs(point)
         values |= {name: function(point) for name, function in self.extra_invariants.items()}
         if attitude is not None:
             values |= self.space_vectors(attitude, point)
@@ -236,7 +238,10 @@ class AbstractLiePoissonSystem(AbstractSystem):
     @property
     def quantities(self) -> dict[str, Quantity]:
         of_body = {"|L|²": MOMENTUM_SQUARED, "momentum_space": MOMENTUM_SPACE} if isinstance(self.algebra, SO3) else {}
-        return super().quantities | of_body
+        point = jax.ShapeDtypeStruct(self.algebra.element_shape, self.algebra.dtype)
+        casimirs = jax.eval_shape(self.algebra.named_casimirs, point)
+        of_copies = {name: Quantity("", name, of_copies=True) for name, value in casimirs.items() if value.ndim}
+        return super().quantities | of_body | of_copies
 
     def layout(self, state: Array) -> StateLayout:
         """Return the attitude, where the state has it, and the point of the dual."""

@@ -1,0 +1,347 @@
+"""From a system, a state and times to states, as a pure function: compiled, batched and differentiated by JAX.
+
+``polhode.simulation`` makes a checked ``Trajectory`` of the same runs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import diffrax
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+import numpy as np
+
+from polhode.algebra.power import Power
+from polhode.algebra.so3 import SO3
+from polhode.arrays import in_jax_numpy, is_traced, refuse_single_precision
+from polhode.errors import InvalidInput, shown
+from polhode.integrators.adaptive import TOLERANCE, Sampled, as_floats, sampled_by_either_mode
+from polhode.integrators.base import AbstractOrbitSolver, step_count
+from polhode.integrators.lie_midpoint import LieMidpoint
+from polhode.integrators.spherical_midpoint import SphericalMidpoint
+from polhode.integrators.splitting import Splitting
+from polhode.motion.outcome import Status
+from polhode.systems.agreement import MOMENTS_OF_TIME, moves_by_generator
+from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
+from polhode.systems.forward_only import forward_only
+
+Array = Any
+STEP_ANGLE = 0.05  # rad by which the fastest rotation turns in a default step of low order
+
+
+class Fold(NamedTuple):
+    """A reduction while a motion runs, of which only the last value is kept.
+
+    Attributes:
+        function: (value, time, state) → value, a nest of arrays of fixed shapes; called at every sample.
+        start: the value before the first sample.
+    """
+
+    function: Callable[[Any, Array, Array], Any]
+    start: Any
+
+
+class Solution(NamedTuple):
+    """A motion as plain arrays.
+
+    Attributes:
+        times: (K,) [s] of what is saved.
+        saved: states (batch…, K, …); what a function of them gave, with the same leading axes; or what a ``Fold`` came
+            to, (batch…, …). Infinite after the end of a copy.
+        received: name → what each balance received since the first time, (batch…, K); empty where no states are saved.
+        status: (batch…) numbers of ``polhode.motion.Status``.
+        event: (batch…) which of ``system.events`` ended the copy, −1 where none did.
+        end: (batch…) [s] the event's own time, or the last; NaN where the solver failed.
+        end_state: (batch…, …) the state then.
+        steps: (batch…) how many were taken.
+        iterations: (batch…) evaluations in implicit steps.
+    """
+
+    times: Array
+    saved: Any
+    received: dict[str, Array]
+    status: Array
+    event: Array
+    end: Array
+    end_state: Array
+    steps: Array
+    iterations: Array
+
+
+def solve(
+    system: AbstractSystem,
+    state: Array,
+    times: Array,
+    method: type[AbstractOrbitSolver] | diffrax.AbstractSolver | None = None,
+    step: Array | None = None,
+    order: int | None = None,
+    tolerance: Array | None = None,
+    save: int | Callable[[Array, Array], Any] | Fold | None = None,
+) -> Solution:
+    """Return the motion of a system from a state at the first time, as a pure function of arrays.
+
+    Its steps are those of ``simulate``. It works under ``jax.jit``, ``vmap`` and derivatives of either mode, by the
+    state, by the times and by the arrays in the system. It raises for wrong shapes, but not for what numbers do: status
+    says how each copy ended, and numbers that make no sense give states that are not finite.
+
+    Reverse-mode derivatives of methods of ours need ``step`` and ``times`` as known numbers, since they hold all states
+    between two samples; those of diffrax's solvers go back from checkpoints. What a function encloses is not
+    differentiated by: give parameters as fields of a system or of an ``equinox.Module``. The exact flows of bodies with
+    a potential have forward derivatives only; ``LieMidpoint`` has both.
+
+    Args:
+        system: what moves.
+        state: (batch…, …) packed, as for ``simulate``.
+        times: (T,) [s], in one direction.
+        method: as for ``simulate``.
+        step: largest step [s]; by default from each copy's fastest rotation at the start.
+        order: of the method, by default its own.
+        tolerance: of a step of diffrax's solvers, relative; by default 1e-12.
+        save: every how many-th of the times to save; or a function of time and one state, whose values are saved
+            instead; or a ``Fold`` of them, for methods of ours, whose result is no larger for more times.
+
+    Raises:
+        InvalidInput: for wrong shapes and arguments, and for known numbers that are wrong: times out of order, a step
+            or tolerance that is not positive.
+
+    >>> import polhode as ph
+    >>> body = ph.systems.FreeRigidBody((1.0, 2.0, 3.0))
+    >>> found = solve(body, [0.3, 1.8, 1.5], jnp.linspace(0.0, 5.0, 11), save=lambda t, L: jnp.sum(L * L))
+    >>> found.saved.shape, bool(jnp.ptp(found.saved) < 1e-13), int(found.status)
+    ((11,), True, 0)
+    """
+    state, times = _checked(system, state, times)
+    for name, value in (("step", step), ("tolerance", tolerance)):
+        refuse_single_precision(**{name: value})
+        if value is not None and (jnp.ndim(value) or not (is_traced(value) or 0.0 < float(value) < np.inf)):
+            raise InvalidInput(f"`{name}` must be one positive finite number; got {shown(value)}.")
+    every, observe = _to_save(save, len(times))
+    with in_jax_numpy("systems and functions given to `solve`"):
+        if goes_along_orbit(system, method):
+            if tolerance is not None:
+                raise InvalidInput("`tolerance` goes with diffrax's solvers; give `step`, or let `simulate` choose it.")
+            return _by_equal_steps(system, state, times, method, step, order, every, observe)
+        solver = adaptive_solver(system, method, order)
+        if isinstance(observe, Fold):
+            raise InvalidInput(
+                "`save` as a Fold goes with the methods of polhode.integrators, which step from sample to sample. Give "
+                "a function of time and state instead, and reduce what it returns."
+            )
+        tolerance = TOLERANCE if tolerance is None else tolerance
+        largest = None if step is None else jnp.asarray(step, float)
+        found = _adaptively(system, solver, state, times, times[::every], largest, jnp.asarray(tolerance), observe)
+        none = jnp.zeros_like(found.steps)
+        return Solution(jnp.asarray(times[::every]), found.saved, found.received, found.status, found.event, found.end,
+                        found.end_state, found.steps, none)  # fmt: skip
+
+
+def _checked(system: AbstractSystem, state: Array, times: Array) -> tuple[Array, Array]:
+    if not isinstance(system, AbstractSystem):
+        raise InvalidInput(f"`system` must be one of polhode.systems; got {type(system).__name__}.")
+    refuse_single_precision(state=state, times=times)
+    if not is_traced(state, *jax.tree.leaves(system)):
+        state = system.check_state(state)
+    elif isinstance(system, AbstractLiePoissonSystem):
+        system.parts(state)
+    times = jnp.asarray(times, float) if is_traced(times) else np.asarray(times, float)
+    if times.ndim != 1 or len(times) < 2:
+        raise InvalidInput(f"`times` must be at least two times (T,); got shape {times.shape}.")
+    if not is_traced(times):
+        gaps = np.diff(times)
+        if not (np.isfinite(gaps).all() and (gaps * gaps[0] > 0.0).all()):
+            raise InvalidInput("`times` must be finite and advance in one direction, without repetitions.")
+    return state, times
+
+
+def _to_save(save: Any, count: int) -> tuple[int, Any]:
+    """Return every how many-th time is saved, and what of the state, None for itself."""
+    if save is None:
+        return 1, None
+    if isinstance(save, Fold) or (callable(save) and not isinstance(save, type)):
+        return 1, save
+    return checked_every(save, count), None
+
+
+def checked_every(save: Any, count: int) -> int:
+    """Return every how many-th of the times is kept.
+
+    Raises:
+        InvalidInput: for what is not a whole number from 1 to one less than the count of times.
+    """
+    if isinstance(save, bool) or not isinstance(save, int | np.integer) or not 1 <= save < count:
+        raise InvalidInput(
+            f"`save` must say every how many-th of the {count} times is kept, 1 to {count - 1}; got {shown(save)}. "
+            "`polhode.solve` takes functions of the states too."
+        )
+    return int(save)
+
+
+@eqx.filter_jit
+def _adaptively(
+    system: AbstractSystem, solver: Any, state: Array, times: Array, kept: Array, largest: Array | None,
+    tolerance: Array, observe: Any,
+) -> Sampled:  # fmt: skip
+    times, kept = jnp.asarray(times), jnp.asarray(kept)
+
+    def one(state: Array) -> Sampled:
+        return sampled_by_either_mode(system, solver, state, times, kept, largest, tolerance, observe)
+
+    for _ in range(jnp.ndim(state) - system.state_axes):
+        one = jax.vmap(one)
+    return one(jnp.asarray(state))
+
+
+# ---------------------------------------------------------------------- equal steps
+
+
+def _by_equal_steps(
+    system: Any, state: Array, times: Array, method: Any, step: Array | None, order: int | None, every: int,
+    observe: Any,
+) -> Solution:  # fmt: skip
+    if isinstance(method, AbstractOrbitSolver):
+        if step is not None or order is not None:
+            raise InvalidInput("`step` and `order` go with a class of methods; the solver given was made with its own.")
+        if type(method.system) is not type(system):
+            raise InvalidInput("`method` was made for another system; make it with the one that is to move.")
+        solver, step = eqx.tree_at(lambda s: s.system, method, system), method.step_size
+    else:
+        solver = orbit_solver(system, method, order)
+    spans, counts, most = jnp.diff(jnp.asarray(times)), None, None
+    if step is not None and not is_traced(step, times):
+        gaps = np.diff(times)
+        size = min(float(step), float(np.abs(gaps).max()))
+        counts = np.asarray(step_count(np, gaps, np.asarray(size))).astype(int)
+        most = int(counts.max())
+    intervals = (jnp.asarray(times[:-1]), spans, counts)
+    return _run(solver, state, jnp.asarray(times), intervals, step, most, every, observe)
+
+
+@eqx.filter_jit
+def _run(
+    solver: AbstractOrbitSolver, state: Array, times: Array, intervals: Any, step: Array | None, most: int | None,
+    every: int, observe: Any,
+) -> Solution:  # fmt: skip
+    system, state = solver.system, jnp.asarray(state)
+    batch = state.ndim - system.state_axes
+    if step is None:
+        sizes = step_angle(solver.order(None)) / turning_rates(system, state, times)
+    else:
+        sizes = jnp.where(jnp.asarray(step) > 0.0, step, jnp.nan) * jnp.ones(state.shape[:batch])
+    sizes = jnp.minimum(jax.lax.stop_gradient(sizes), jnp.max(jnp.abs(intervals[1])))
+
+    def one(state: Array, size: Array) -> Solution:
+        return _run_one(solver, state, size, times, intervals, most, every, observe)
+
+    for _ in range(batch):
+        one = jax.vmap(one)
+    found = one(state, sizes)
+    return found._replace(times=times[::every])
+
+
+def _run_one(
+    solver: Any, state: Array, size: Array, times: Array, intervals: Any, most: int | None, every: int, observe: Any
+) -> Solution:
+    solver = eqx.tree_at(lambda s: s.step_size, solver, size)
+    state = jnp.where(size > 0.0, state, jnp.nan)
+    fold = isinstance(observe, Fold)
+
+    def over(carried: tuple[Any, ...], interval: Any) -> tuple[tuple[Any, ...], None]:
+        (now, memory, value), (begin, span, count) = carried, interval
+        if most is None:
+            now, memory = solver.advance(begin, span, now, memory)
+            now = forward_only(now, "solve where `step` or `times` are not known numbers")
+        else:
+            now, memory = solver.advance_by(count, most, begin, span, now, memory)
+        return (now, memory, observe.function(value, begin + span, now) if fold else value), None
+
+    def seen(t: Array, state: Array) -> Any:
+        return state if observe is None else as_floats(observe(t, state))
+
+    def together(carried: tuple[Any, ...], group: Any) -> tuple[tuple[Any, ...], Any]:
+        carried, _ = jax.lax.scan(jax.checkpoint(over), carried, group)
+        return carried, None if fold else seen(group[0][-1] + group[1][-1], carried[0])
+
+    groups = (len(times) - 1) // every
+    whole = jax.tree.map(lambda x: x[: groups * every].reshape(groups, every), intervals)
+    rest = jax.tree.map(lambda x: x[groups * every :], intervals)
+    value = observe.function(observe.start, times[0], state) if fold else None
+    carried, saved = jax.lax.scan(together, (state, solver.memory(state), value), whole)
+    (last, memory, value), _ = jax.lax.scan(jax.checkpoint(over), carried, rest)
+    if not fold:
+        first = seen(times[0], state)
+        value = jax.tree.map(lambda x, xs: jnp.concatenate([x[None], xs]), first, saved)
+    fine = memory.fine
+    return Solution(
+        times, value, {}, jnp.where(fine, Status.COMPLETED, Status.NOT_CONVERGED), jnp.asarray(-1),
+        jnp.where(fine, times[-1], jnp.nan), last, memory.steps, memory.iterations,
+    )  # fmt: skip
+
+
+# ---------------------------------------------------------------------- choice of method and step
+
+
+def step_angle(order: int) -> float:
+    """Return by how much [rad] the fastest rotation turns in a default step of a method."""
+    return {6: 0.1, 8: 0.2}.get(order, STEP_ANGLE)
+
+
+@eqx.filter_jit
+def turning_rates(system: AbstractLiePoissonSystem, state: Array, times: Array) -> Array:
+    """Return upper estimates of the rates (batch…) [rad/s] at which the group turns at states, at some of the times."""
+    point = system.parts(state).point
+    shares = MOMENTS_OF_TIME if _is_driven(system) else (0.0,)
+    moments = [times[0] + share * (times[-1] - times[0]) for share in shares]
+    rates = [system.algebra.rate(system.generator(t, point)) for t in moments]
+    return jnp.max(jnp.stack(jnp.broadcast_arrays(*rates, jnp.zeros(system.algebra.batch_shape(point)))), axis=0)
+
+
+def _is_driven(system: AbstractLiePoissonSystem) -> bool:
+    """Whether the generator may depend on time."""
+    return type(system).generator is not AbstractLiePoissonSystem.generator
+
+
+def goes_along_orbit(system: AbstractSystem, method: Any) -> bool:
+    """Return whether a method of ours moves the system, as it does not with one of diffrax's."""
+    if not isinstance(system, AbstractLiePoissonSystem):
+        return False
+    return moves_by_generator(system) if method is None else not is_adaptive(method)
+
+
+def is_adaptive(method: Any) -> bool:
+    """Return whether a method is one of diffrax's own solvers."""
+    return isinstance(method, diffrax.AbstractSolver) and not isinstance(method, AbstractOrbitSolver)
+
+
+def adaptive_solver(system: AbstractSystem, method: Any, order: int | None) -> diffrax.AbstractSolver:
+    """Return diffrax's solver to use.
+
+    Raises:
+        InvalidInput: for a method of ours, which the system cannot be moved by, or an order.
+    """
+    if method is not None and not is_adaptive(method):
+        raise InvalidInput(
+            f"`method` must be a diffrax solver for {type(system).__name__}, which is not a Lie–Poisson system; "
+            f"got {shown(method)}. Leave it out for diffrax.Dopri8()."
+        )
+    if order is not None:
+        raise InvalidInput("`order` goes with a class of methods; the solver given has its own.")
+    return diffrax.Dopri8() if method is None else method
+
+
+def orbit_solver(system: AbstractLiePoissonSystem, method: Any, order: int | None) -> Any:
+    """Return a solver of the class, or of the one that goes with the system, with a step size to be replaced.
+
+    Raises:
+        InvalidInput: for what is not a class of methods.
+    """
+    if method is None:
+        algebra = system.algebra
+        spins = isinstance(algebra, Power) and isinstance(algebra.algebra, SO3)
+        method = Splitting if system.flows else SphericalMidpoint if spins else LieMidpoint
+    if isinstance(method, type) and issubclass(method, AbstractOrbitSolver):
+        any_size = jnp.asarray(1.0)
+        return method(system, any_size) if order is None else method(system, any_size, order=order)  # type: ignore[call-arg]
+    raise InvalidInput(f"`method` must be a class of polhode.integrators or a diffrax solver; got {shown(method)}.")

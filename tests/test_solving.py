@@ -1,0 +1,260 @@
+"""solve: the same runs as simulate, pure, with derivatives of either mode; what it saves, and how copies end."""
+
+from collections.abc import Callable
+from typing import Any
+
+import diffrax
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+import numpy as np
+import pytest
+
+import polhode as ph
+from polhode import systems
+from polhode.errors import InvalidInput
+from polhode.integrators import LieMidpoint, MuntheKaas, Splitting
+from polhode.motion import Ending, Status
+from polhode.systems import AbstractSystem
+
+MOMENTS, START = (1.0, 2.0, 3.0), np.array([0.3, 1.8, 1.5])
+BODY = systems.FreeRigidBody(MOMENTS)
+TIMES = np.linspace(0.0, 2.0, 9)
+STEP = 0.1
+SAME = 1e-14  # the same operations, compiled in another loop
+CLOSE = 1e-10  # order 8 with such steps, or tolerance 1e-12, and the derivatives of that, by either mode
+ADAPTIVE = diffrax.Dopri5()  # of fewer stages than Dopri8, and so compiled sooner
+METHODS = [None, LieMidpoint, ADAPTIVE]
+WEIGHTS = np.random.default_rng(1).normal(size=(len(TIMES), 3))
+
+
+class Falling(AbstractSystem):
+    """z̈ = −2 down to z = 0, or up to z = 1.5."""
+
+    def vector_field(self, t: Any, state: Any) -> Any:
+        return jnp.stack([state[..., 1], -2.0 + 0.0 * state[..., 0]], axis=-1)
+
+    def invariants(self, state: Any) -> dict[str, Any]:
+        return {"energy": 0.5 * state[..., 1] ** 2 + 2.0 * state[..., 0]}
+
+    @property
+    def events(self) -> dict[str, Callable[[Any, Any], Any]]:
+        return {"ground": lambda t, state: state[0], "ceiling": lambda t, state: 1e3 * (1.5 - state[0])}
+
+
+def solved(state, method=None, **more):
+    step = None if method is ADAPTIVE else STEP
+    return ph.solve(BODY, state, TIMES, method, step=step, **more)
+
+
+def weighed(state, method):
+    return jnp.sum(solved(state, method).saved * WEIGHTS)
+
+
+def slopes_of(function, point):
+    """Return the gradient by differences of fourth order, of closed forms: exact to 1e-12 or so."""
+    h, point = 1e-3, np.asarray(point, dtype=float)
+    near = lambda way: 8.0 * (function(point + h * way) - function(point - h * way))  # noqa: E731
+    far = lambda way: function(point + 2.0 * h * way) - function(point - 2.0 * h * way)  # noqa: E731
+    return np.array([(near(way) - far(way)) / (12.0 * h) for way in np.eye(len(point))])
+
+
+def exactly_weighed(momentum):
+    return np.sum(ph.FreeMotion(MOMENTS, momentum).momentum(TIMES) * WEIGHTS)
+
+
+@pytest.mark.parametrize("method", [None, pytest.param(LieMidpoint, marks=pytest.mark.sweep), ADAPTIVE])
+def test_solve_is_simulate(method):
+    """With a step or a tolerance, and with the default step of every copy of a batch."""
+    states = np.stack([START, 3.0 * START])
+    for more in [{}] if method is ADAPTIVE else [{"step": STEP}, {}]:
+        wanted = ph.simulate(BODY, states, TIMES, method, estimate_error=False, **more)
+        found = ph.solve(BODY, states, TIMES, method, **more)
+        assert np.abs(found.saved - wanted.states).max() < SAME * 10
+        assert found.steps.max() == wanted.statistics["steps"]
+        assert (found.status == Status.COMPLETED).all() and (found.end == TIMES[-1]).all()
+        assert np.abs(found.end_state - found.saved[:, -1]).max() < SAME
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_derivatives_of_either_mode_are_those_of_the_closed_form(method):
+    """Under jit of vmap."""
+    states, ways = np.stack([START, -0.5 * START]), np.array([[0.3, -0.2, 0.5], [0.1, 0.9, -0.4]])
+
+    def both(state, way):
+        function = lambda x: weighed(x, method)  # noqa: E731
+        return jax.grad(function)(state), *jax.jvp(function, (state,), (way,))
+
+    slopes, value, change = jax.jit(jax.vmap(both))(jnp.asarray(states), jnp.asarray(ways))
+    wanted = np.stack([slopes_of(exactly_weighed, state) for state in states])
+    assert np.abs(value - np.array([exactly_weighed(state) for state in states])).max() < CLOSE
+    assert np.abs(slopes - wanted).max() < CLOSE
+    assert np.abs(change - np.sum(wanted * ways, axis=1)).max() < CLOSE
+
+
+def test_derivatives_of_a_batch_within():
+    states = np.stack([START, -0.5 * START])
+    slopes = jax.grad(lambda s: jnp.sum(solved(s).saved * WEIGHTS))(jnp.asarray(states))
+    assert np.abs(slopes - np.stack([slopes_of(exactly_weighed, state) for state in states])).max() < CLOSE
+
+
+def test_derivatives_by_the_arrays_in_a_system_and_by_times():
+    weights = jnp.asarray([0.3, 0.9, -0.4])
+
+    def last(numbers):
+        body = eqx.tree_at(lambda s: s.moments, BODY, numbers[:3])
+        times = jnp.asarray([0.0, 0.5]) * numbers[3]
+        return ph.solve(body, START, times, ADAPTIVE).saved[-1] @ weights
+
+    def exactly(numbers):
+        return ph.FreeMotion(numbers[:3], START).momentum(0.5 * numbers[3]) @ np.asarray(weights)
+
+    numbers = jnp.asarray([*MOMENTS, 2.0])
+    wanted = slopes_of(exactly, numbers)
+    assert np.abs(jax.grad(last)(numbers) - wanted).max() < CLOSE
+    assert np.abs(jax.jacfwd(last)(numbers) - wanted).max() < CLOSE
+
+
+def test_where_reverse_derivatives_are_refused():
+    """Without known steps their number is not known when compiled; forward derivatives need none."""
+    by_default = lambda s: ph.solve(BODY, s, TIMES).saved[-1, 0]  # noqa: E731
+    by_known = lambda s: solved(s).saved[-1, 0]  # noqa: E731
+    start, way = jnp.asarray(START), jnp.asarray([0.3, -0.2, 0.5])
+    one, other = (jax.jvp(f, (start,), (way,))[1] for f in (by_default, by_known))
+    assert abs(one - other) < CLOSE
+    with pytest.raises(InvalidInput, match=r"known numbers.*forward derivatives only"):
+        jax.grad(by_default)(start)
+    twice = lambda s: solved(s, ADAPTIVE).saved[-1, 0]  # noqa: E731
+    with pytest.raises(InvalidInput, match="first derivatives only"):
+        jax.hessian(twice)(start)
+
+
+@pytest.mark.parametrize(("method", "every"), [(Splitting, 3), (ADAPTIVE, 2)])
+def test_every_nth_is_that_of_the_whole(method, every):
+    whole, thin = solved(START, method), solved(START, method, save=every)
+    assert np.abs(thin.saved - whole.saved[::every]).max() < SAME and (thin.times == TIMES[::every]).all()
+    assert thin.steps == whole.steps and np.abs(thin.end_state - whole.end_state).max() < SAME
+    more = {"step": STEP} if method is Splitting else {}
+    starts = np.stack([START, 2.0 * START])
+    long, short = (ph.simulate(BODY, starts, TIMES, method, save=k, **more) for k in (1, every))
+    assert np.abs(short.states - long.states[:, ::every, :]).max() < SAME
+    assert (short.times == TIMES[::every]).all() and short.statistics["steps"] == long.statistics["steps"]
+    assert short.invariants["energy"].shape == short.states.shape[:-1]
+    assert np.max(short.error_estimate) < CLOSE
+
+
+@pytest.mark.parametrize("method", [None, ADAPTIVE])
+def test_a_function_of_the_states_is_that_of_saved_states(method):
+    states = np.stack([START, 2.0 * START])
+    observe = lambda t, L: {"power": L[0] * t, "above": L[1] > 0.0}  # noqa: E731
+    found, whole = solved(states, method, save=observe), solved(states, method).saved
+    assert np.abs(found.saved["power"] - whole[..., 0] * TIMES).max() < SAME * 10
+    assert (found.saved["above"] == (whole[..., 1] > 0.0)).all() and found.received == {}
+
+
+def test_a_fold_keeps_one_value_however_many_times_there_are():
+    largest = ph.Fold(lambda value, t, L: jnp.maximum(value, L), jnp.full(3, -jnp.inf))
+    few = solved(START, save=largest)
+    assert np.abs(few.saved - solved(START).saved.max(axis=0)).max() < SAME
+    shapes = [
+        jax.eval_shape(lambda s, n=n: ph.solve(BODY, s, np.linspace(0.0, 2.0, n), step=STEP, save=largest), START).saved
+        for n in (9, 90_000)
+    ]
+    assert [x.shape for x in shapes] == [(3,), (3,)]
+    mean = ph.Fold(lambda value, t, L: value + L @ WEIGHTS[0], 0.0)
+    slopes = jax.grad(lambda s: solved(s, save=mean).saved)(jnp.asarray(START))
+    wanted = jax.grad(lambda s: jnp.sum(solved(s).saved @ WEIGHTS[0]))(jnp.asarray(START))
+    assert np.abs(slopes - wanted).max() < CLOSE
+
+
+def test_every_copy_of_a_batch_ends_at_its_own_event():
+    times = np.linspace(0.0, 1.7, 18)
+    starts = np.array([[[1.0, 1.0], [1.0, 2.0], [0.3, 0.1], [1.0, 1.3]]])  # ground, ceiling, ground sooner, none
+    ended = ["ground", "ceiling", "ground", None]
+    found, plain = ph.simulate(Falling(), starts, times), ph.solve(Falling(), starts, times)
+    assert found.states.shape == (1, 4, 18, 2) and found.outcome.ending is Ending.EVENT
+    assert str(found.outcome) == "ground or ceiling: in 3 of 4 copies"
+    assert found.ends is not None
+    for k, event in enumerate(ended):
+        alone = ph.simulate(Falling(), starts[0, k], times)
+        assert alone.outcome.event == event == found.ends.outcome((0, k)).event
+        last = found.ends.time[0, k]
+        assert abs(last - alone.times[-1]) < SAME and np.abs(found.ends.state[0, k] - alone.states[-1]).max() < SAME
+        before = np.flatnonzero(times < last) if event else slice(None)
+        assert np.abs(found.states[0, k][before] - alone.states[: len(times[before])]).max() < SAME
+        assert not event or np.isinf(found.states[0, k][times > last]).all()
+        assert found.drift["energy"][0, k] < CLOSE and found.error_estimate[0, k] < CLOSE
+        assert plain.status[0, k] == (Status.EVENT if event else Status.COMPLETED)
+        assert plain.end[0, k] == last and (plain.end_state[0, k] == found.ends.state[0, k]).all()
+        assert plain.event[0, k] == (-1 if event is None else ["ground", "ceiling"].index(event))
+
+
+def test_derivatives_of_the_time_of_an_event():
+    """A stone from height z at rest falls for √z, at 2√z: derivatives 1/(2√z) and −1/√z."""
+    height = jnp.asarray([0.3, 0.7])
+
+    def fall(z):
+        found = ph.solve(Falling(), jnp.stack([z, 0.0 * z]), TIMES)
+        return found.end, found.end_state[1]
+
+    time, speed = jax.vmap(fall)(height)
+    assert np.abs(time - np.sqrt(height)).max() < SAME and np.abs(speed + 2.0 * np.sqrt(height)).max() < SAME * 10
+    wanted = 0.5 / np.sqrt(height), -1.0 / np.sqrt(height)
+    for derivative in (jax.jacrev, jax.jacfwd):
+        found = jax.jit(jax.vmap(derivative(fall)))(height)
+        assert max(np.abs(found[k] - wanted[k]).max() for k in range(2)) < CLOSE
+
+
+@pytest.mark.filterwarnings("ignore:a step of")
+def test_status_of_copies_of_equal_steps():
+    states, times = np.array([0.1 * START, 20.0 * START]), [0.0, 10.0, 20.0]
+    found = ph.simulate(BODY, states, times, LieMidpoint, step=2.5, throw=False)
+    assert found.ends is not None and found.ends.status.tolist() == [Status.COMPLETED, Status.NOT_CONVERGED]
+    assert found.ends.outcome(1).ending is Ending.NOT_CONVERGED and np.isnan(found.ends.time[1])
+    plain = ph.solve(BODY, states, times, LieMidpoint, step=2.5)
+    assert plain.status.tolist() == found.ends.status.tolist() and not np.isfinite(plain.end_state[1]).any()
+    assert np.abs(plain.end_state[0] - found.ends.state[0]).max() < SAME
+
+
+def test_uneven_times_and_backwards():
+    times = np.array([0.0, 0.05, 0.35, 1.0])
+    found = ph.solve(BODY, START, times, MuntheKaas, step=STEP)
+    assert found.steps == 1 + 3 + 7
+    assert np.abs(found.saved - ph.simulate(BODY, START, times, MuntheKaas, step=STEP).states).max() < SAME
+    back = ph.solve(BODY, found.end_state, times[::-1], MuntheKaas, step=0.01)
+    assert np.abs(back.end_state - START).max() < 1e-5
+
+
+def test_traced_numbers_that_make_no_sense_give_none():
+    found = jax.jit(lambda h: ph.solve(BODY, START, TIMES, step=h).saved[-1])(-0.1)
+    assert not np.isfinite(found).any()
+
+
+@pytest.mark.parametrize(
+    ("more", "words"),
+    [
+        ({"step": 0.0}, "`step` must be one positive"),
+        ({"step": np.array([0.1, 0.2])}, "`step` must be one positive"),
+        ({"tolerance": 1e-6}, "goes with diffrax's solvers"),
+        ({"method": ADAPTIVE, "tolerance": -1.0}, "`tolerance` must be one positive"),
+        ({"method": ADAPTIVE, "save": ph.Fold(lambda v, t, x: v, 0.0)}, "as a Fold goes with"),
+        ({"save": 0}, "every how many-th"),
+        ({"save": 9}, "1 to 8; got 9"),
+        ({"times": [0.0, 1.0, 0.5]}, "one direction"),
+        ({"times": [[0.0, 1.0]]}, "at least two times"),
+        ({"state": np.ones(5)}, r"shape \(…, 3\)"),
+        ({"method": Splitting(BODY, jnp.asarray(0.1)), "step": 0.1}, "made with its own"),
+        ({"method": Splitting(systems.HeavyTop(MOMENTS, 1.0), jnp.asarray(0.1))}, "another system"),
+    ],
+)
+@pytest.mark.usefixtures("any_type")
+def test_bad_input(more, words):
+    given = {"state": START, "times": TIMES} | more
+    with pytest.raises(InvalidInput, match=words):
+        ph.solve(BODY, **given)
+
+
+@pytest.mark.usefixtures("any_type")
+def test_simulate_refuses_functions_and_says_who_takes_them():
+    with pytest.raises(InvalidInput, match=r"polhode\.solve.* takes functions"):
+        ph.simulate(BODY, START, TIMES, save=lambda t, L: L)  # pyright: ignore[reportArgumentType]
