@@ -25,7 +25,7 @@ def triangles() -> list[tuple[tuple[float, float, float], ...]]:
 
 
 def main() -> None:
-    """Write the file beside this script."""
+    """Write the file next to this script."""
     lines = ["solid t_handle"]
     for corners in triangles():
         lines += ["facet normal 0 0 0", "outer loop"]

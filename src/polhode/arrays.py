@@ -56,7 +56,7 @@ def known_false(condition: Any) -> bool:
 def namespace(*values: Any) -> Any:
     """Return the array namespace shared by mixed inputs: JAX if any is JAX, NumPy for scalars and lists.
 
-    A tracer beside NumPy constants is the normal case of ``jax.grad``; everything is then lifted to JAX.
+    A tracer together with NumPy constants is the normal case of ``jax.grad``; everything is then lifted to JAX.
     """
     libraries = [_library(type(value)) for value in values]
     if "jax" in libraries:
@@ -117,7 +117,7 @@ def as_float64(xp: Any, value: ArrayLike, name: str) -> Float64[Array, "..."]:
 
 
 def _refuse_disabled_double_precision(name: str) -> None:
-    """Refuse what JAX would turn to float32, be it whole numbers or NumPy's float64 beside JAX arrays."""
+    """Refuse what JAX would turn to float32, be it whole numbers or NumPy's float64 together with JAX arrays."""
     import jax
 
     if not jax.config.jax_enable_x64:  # pyright: ignore[reportAttributeAccessIssue]

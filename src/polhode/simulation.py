@@ -38,7 +38,7 @@ Array = Any
 
 
 class _Asked(NamedTuple):
-    """What ``simulate`` was asked for beside system, state, times and method."""
+    """What ``simulate`` was asked for other than system, state, times and method."""
 
     step: float | None
     order: int | None

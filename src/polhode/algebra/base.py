@@ -163,8 +163,8 @@ class AbstractLieAlgebra(HashableModule):
     def exp_change(self, x: Double[Array, "..."], mu: Double[Array, "..."]) -> Double[Array, "..."]:
         """Return Ad*_{exp x} μ − μ without cancellation, so that many small steps round little.
 
-        By Σ_{k≥1} (ad*_x)ᵏ μ/k!, summed until the terms vanish beside the sum, each copy of a batch to its own: exact
-        to rounding for |ad_x| up to about 2π. Beyond, what does not converge comes out as NaN.
+        By Σ_{k≥1} (ad*_x)ᵏ μ/k!, summed until the terms are negligible, each copy of a batch to its own: exact to
+        rounding for |ad_x| up to about 2π. Beyond, what does not converge comes out as NaN.
         """
         own = tuple(range(-len(self.element_shape), 0))
 

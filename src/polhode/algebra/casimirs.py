@@ -211,7 +211,7 @@ def _products(found: list[Terms], degree: int) -> list[Terms]:
 
 
 def _new_ones(invariants: list[Terms], products: list[Terms]) -> list[Terms]:
-    """Return those invariants that are needed beside the products to span all."""
+    """Return those invariants that are needed in addition to the products to span all."""
     monomials = sorted({m for terms in (*invariants, *products) for m in terms}, reverse=True)
     place = {m: n for n, m in enumerate(monomials)}
     columns = [{place[m]: v for m, v in terms.items()} for terms in (*products, *sorted(invariants, key=len))]

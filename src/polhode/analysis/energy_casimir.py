@@ -94,7 +94,7 @@ def energy_casimir(
         tolerance: relative error of the entries, which decides what counts as zero. Zero for matrices whose entries
             are right to their last digit.
         sizes: (n,) of the terms of which dH is the sum and (n, n) of those of the linearisation. Where dH or the flow
-            vanishes but for rounding errors of these terms, it is judged beside them; without them, beside itself.
+            vanishes but for rounding errors of these terms, it is compared with them; without them, with itself.
         contained: (k,) multiples of the C_k that the given derivatives of H contain; the certificate names them.
         unit: of the state, if H and the C_k are given in its square: the certificate's squares are then divided by it.
 

@@ -113,7 +113,7 @@ def _solved(
         def sharpen(_: Any, x: Array) -> Array:
             left = residual(x)
             better = x - jnp.linalg.lstsq(jax.jacfwd(residual)(x), left, rcond=NULL)[0]
-            # not better beside bifurcations
+            # not better near bifurcations
             return jnp.where(jnp.linalg.norm(residual(better)) < jnp.linalg.norm(left), better, x)
 
         x = jax.lax.fori_loop(0, SHARPENED, sharpen, x)

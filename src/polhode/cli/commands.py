@@ -20,13 +20,13 @@ SpecPath = Annotated[Path, typer.Argument(metavar="SPEC", help="TOML file: what 
 AsJson = Annotated[bool, typer.Option("--json", help="Print one JSON object (SI values) on standard output.")]
 BodySpec = Annotated[Path | None, typer.Option("--spec", metavar="SPEC", help="Whose body it is, for its moments.")]
 ClockKernel = Annotated[
-    Path | None, typer.Option("--sclk", metavar="FILE", help="Clock kernel of a C-kernel (default: beside it, .tsc).")
+    Path | None, typer.Option("--sclk", metavar="FILE", help="Clock kernel of a C-kernel (default: next to it, .tsc).")
 ]
 FrameKernel = Annotated[
-    Path | None, typer.Option("--fk", metavar="FILE", help="Frame kernel of a C-kernel (default: beside it, .tf).")
+    Path | None, typer.Option("--fk", metavar="FILE", help="Frame kernel of a C-kernel (default: next to it, .tf).")
 ]
 LeapSeconds = Annotated[
-    Path | None, typer.Option("--lsk", metavar="FILE", help="Leap-seconds kernel (default: beside it, .tls, or ours).")
+    Path | None, typer.Option("--lsk", metavar="FILE", help="Leap-seconds kernel (default: next to it, .tls, or ours).")
 ]
 SpiceId = Annotated[
     int | None,
@@ -59,7 +59,7 @@ def report(
         list[str] | None,
         typer.Option("--figures", metavar="FORM", help="png, svg, pdf, or several with commas (default: png)."),
     ] = None,
-    html: Annotated[bool, typer.Option("--html", help="Write the page of the motion, page.html, beside them.")] = False,
+    html: Annotated[bool, typer.Option("--html", help="Also write the page of the motion, page.html.")] = False,
 ) -> None:
     """Say how the body rotates: motion, stability, periods; write figures and a NetCDF dataset."""
     from polhode.cli.report import run_report

@@ -45,7 +45,7 @@ FORMS = {
     "aem": Form((_HERE, "export_aem"), ".aem",
                 "CCSDS AEM 2.0, attitude and angular velocity of the given axes; 16 digits, epochs to a picosecond"),
     "ck": Form((_HERE, "export_ck"), ".bc",
-               "SPICE C-kernel of the given axes, with its clock, frame and leap seconds beside it; every digit"),
+               "SPICE C-kernel of the given axes, with its clock, frame and leap seconds next to it; every digit"),
     "gltf": Form((_HERE, "export_gltf"), ".glb",
                  "glTF 2.0 animation of the body; angles to 1e-7, as it holds single precision", sampled=False),
     "urdf": Form((_HERE, "export_urdf"), ".urdf", "mass, centre of mass and inertia along the given axes; every digit",
@@ -135,7 +135,7 @@ def export_aem(report: AbstractReport, spec: Spec, path: Path) -> Path:
 
 
 def export_ck(report: AbstractReport, spec: Spec, path: Path) -> Path:
-    """Write the report's attitude history as a SPICE C-kernel, and the kernels that it needs beside it."""
+    """Write the report's attitude history as a SPICE C-kernel, and the kernels that it needs next to it."""
     from polhode.formats.spice import write_ck
 
     return write_ck(report.trajectory, path, labels=spec.labels, frame=report.frame)[0]

@@ -49,7 +49,7 @@ def run_import(path: Path, json: bool, out: Path | None, spec: Path | None, kern
         elif body.mechanics.weight is not None:
             kept = "a top's"
     found = about_file(trajectory, labels, kept)
-    written = out or Path(f"{path.stem}_imported.nc")  # not the name that a dataset exported beside it has
+    written = out or Path(f"{path.stem}_imported.nc")  # not the name that a dataset exported to the same folder has
     check_spares(written, path)
     write_dataset(trajectory, written, {"title": labels.object_name}, frame)
     if json:

@@ -29,7 +29,7 @@ PICOSECOND = 1e-12  # s; epochs in an AEM are read to one
 
 
 class Kernels(NamedTuple):
-    """What goes with a C-kernel, each None for what stands beside it."""
+    """What goes with a C-kernel, each None for the one next to it."""
 
     sclk: Path | None = None
     fk: Path | None = None

@@ -108,7 +108,7 @@ def said(number: int) -> str:
 
 
 def _end_now(number: int) -> None:
-    """End the process from beside, whatever the main thread is in, and leave no drafts."""
+    """End the process from another thread, whatever the main thread is in, and leave no drafts."""
     _remove_drafts()
     with contextlib.suppress(OSError, ValueError):
         os.write(2, said(number).encode("ascii"))

@@ -113,7 +113,7 @@ def _loaded_store(path: Path) -> xarray.Dataset:
     names = check_store(path)
     # a store by its path could be taken for an address; consolidated documents are copies that may say something else
     store: Any = LocalStore(path, read_only=True)
-    for name in names:  # one by one: what fails in zarr's own loop over all is printed beside the message
+    for name in names:  # one by one: what fails in zarr's own loop over all is printed next to the message
         zarr.open_array(store, path=name, mode="r", zarr_format=2)
     return xr.load_dataset(store, engine="zarr", decode_times=False, consolidated=False, zarr_format=2)
 

@@ -126,7 +126,7 @@ def _check_frame(path: Path, name: str, variable: Any) -> None:
 
 def _check_axes(path: Path, variables: dict[str, Any]) -> None:
     if missing := [name for name in NEEDED_OF_FRAME if name not in variables]:
-        _refuse(path, f"principal_axes need {' and '.join(missing)} beside them")
+        _refuse(path, f"principal_axes need {' and '.join(missing)} together with them")
     axes = np.asarray(variables["principal_axes"].values, dtype=float)
     with np.errstate(over="ignore", invalid="ignore"):  # what overflows is not orthogonal
         off = np.abs(axes.T @ axes - np.eye(3)).max()

@@ -1,6 +1,6 @@
 """Hidden folders in which files are written before they take their names.
 
-A draft is a folder ``.polhode-…`` beside the files it is for: what is to come is in ``new``, and what a store replaces
+A draft is a folder ``.polhode-…`` next to the files it is for: what is to come is in ``new``, and what a store replaces
 waits in ``old``. The process that writes it holds a lock on the folder. The kernel lets go of the lock when the process
 ends, however it ends; so the next process that writes there knows an abandoned draft, puts back what waits in its
 ``old``, and removes it.

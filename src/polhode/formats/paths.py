@@ -18,7 +18,7 @@ _FULL = (errno.ENOSPC, errno.EFBIG, getattr(errno, "EDQUOT", errno.ENOSPC))
 def written_whole(path: str | Path, replaces: Callable[[Path], bool] | None = None) -> Iterator[Path]:
     """Yield a draft path that takes the place of ``path`` when the block ends well, and leaves no trace otherwise.
 
-    The draft has the name of the file, ending included, in a hidden folder beside it. What is written there may be a
+    The draft has the name of the file, ending included, in a hidden folder next to it. What is written there may be a
     folder too, such as a Zarr store.
 
     Args:

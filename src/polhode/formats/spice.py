@@ -50,7 +50,7 @@ def write_ck(
     frame: BodyFrame | None = None,
     angular_velocity: bool = True,
 ) -> list[Path]:
-    """Write an attitude history as a C-kernel of type 3, with the kernels that SPICE needs beside it.
+    """Write an attitude history as a C-kernel of type 3, with the kernels that SPICE needs next to it.
 
     Beside ``name.bc`` stand the frame kernel ``name.tf``, the clock kernel ``name.tsc`` and, unless the epoch is in
     TDB, the leap-seconds kernel ``name.tls``, which may give way to NAIF's. Records hold the samples' quaternions to
@@ -91,7 +91,7 @@ def write_ck(
         texts[KINDS["leap seconds"]] = leap_seconds_kernel()
     files = [path, *(path.with_suffix(f".{ending}") for ending in texts)]
     if path in files[1:]:
-        raise InvalidInput(f"{path}: a C-kernel may not end as the kernels beside it; call it {path.stem}.bc.")
+        raise InvalidInput(f"{path}: a C-kernel may not end as the kernels next to it; call it {path.stem}.bc.")
     ticks = clock.ticks(times)
     records = _Records(ticks, rotation.conjugate(attitude), velocity, ticks[_begins(times, velocity)])
     kept = [file for file in files[1:] if _is_anothers(file)]

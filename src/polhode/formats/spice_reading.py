@@ -48,9 +48,9 @@ def read_ck(
 
     Args:
         path: the C-kernel.
-        sclk: the spacecraft's clock kernel; None for the one beside the C-kernel with the ending .tsc.
-        fk: frame kernel; None for the one beside it with the ending .tf, if any.
-        lsk: leap-seconds kernel; None for the one beside it with the ending .tls, if any, else polhode's own.
+        sclk: the spacecraft's clock kernel; None for the one next to the C-kernel with the ending .tsc.
+        fk: frame kernel; None for the one next to it with the ending .tf, if any.
+        lsk: leap-seconds kernel; None for the one next to it with the ending .tls, if any, else polhode's own.
         spice_id: whose attitude, as the kernel has it; it is needed where there are several.
 
     Raises:
@@ -91,11 +91,11 @@ def _read(path: Path, kernels: Sequence[Path], segments: Sequence[Segment], spic
 
 
 def _beside(path: Path, name: str, ending: str, chosen: str | Path | None) -> Path | None:
-    beside = path.with_suffix(f".{ending}") if chosen is None else Path(chosen)
-    if chosen is None and not beside.exists():
+    kernel = path.with_suffix(f".{ending}") if chosen is None else Path(chosen)
+    if chosen is None and not kernel.exists():
         return None
-    check_text_kernel(beside, f"{name} kernel")
-    return beside
+    check_text_kernel(kernel, f"{name} kernel")
+    return kernel
 
 
 def _whose(path: Path, segments: Sequence[Segment], spice_id: int | None) -> int:

@@ -1,7 +1,7 @@
 """Any system by one of diffrax's own solvers with adaptive steps, up to what ends its motion.
 
 The error of a step is held to the tolerance relative to each component's size and to its scale. Balances are integrated
-beside the motion, under the same control. Each copy of a batch has its own steps, scales and end.
+with the motion, under the same control. Each copy of a batch has its own steps, scales and end.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ class Sampled(NamedTuple):
 
     Attributes:
         saved: (batch…, K, …) states at the times to save, or what was observed; infinite after the end.
-        received: name → what each balance received since the first time, (batch…, K); empty beside observations.
+        received: name → what each balance received since the first time, (batch…, K); empty with observations.
         status: (batch…) numbers of ``Status``.
         event: (batch…) which of the system's events ended it, −1 where none did.
         end: (batch…) [s] the event's own time, or the last; NaN where the solver failed.

@@ -24,7 +24,7 @@ class Found(NamedTuple):
 
 
 def fixed_point(function: Callable[[Array], Array], start: Array, scale: Array) -> Found:
-    """Iterate x = function(x) until the changes vanish beside ``scale`` or are at their rounding and shrink no more.
+    """Iterate x = function(x) until the changes are negligible in ``scale``, or are rounding and shrink no more.
 
     Args:
         function: a contraction for steps that are short enough.

@@ -42,7 +42,7 @@ class AbstractMotion(abc.ABC):
     Attributes:
         title: what such a motion is called.
         has_vertical: whether space has an up of its own, as under gravity.
-        body_numbers: the attributes (…) that say, beside the moments, what the body is.
+        body_numbers: the attributes (…) that say, with the moments, what the body is.
         moments: (…, 3) principal moments [kg m²].
         momentum_at_epoch: (…, 3) [kg m²/s, body axes].
         attitude_at_epoch: (…, 4) unit quaternion wxyz, body → space.

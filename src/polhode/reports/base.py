@@ -34,7 +34,7 @@ class AbstractReport(abc.ABC):
 
     @property
     def notes(self) -> list[str]:
-        """What a reader should know beside the numbers."""
+        """What a reader should know in addition to the numbers."""
         return []
 
     @property

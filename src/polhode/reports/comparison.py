@@ -120,7 +120,7 @@ class ComparisonReport:
         return [Group("", [answer]), Table("", "Invariants", columns, rows)]
 
     def all_notes(self) -> list[str]:
-        """Return what a reader should know beside the numbers."""
+        """Return what a reader should know in addition to the numbers."""
         found, notes = self.comparison, list(self.notes)
         if found.alignment is not None and not found.alignment.determined:
             notes.append("the motion does not tell all misalignments and the rate apart: others would explain as much.")

@@ -31,7 +31,7 @@ def check_length(until: float | None, times: Array, steps: float, each: float, r
         times: (T,) [s]; there is a step to each at least.
         steps: about how many there will be.
         each: how long one takes [s].
-        remedy: what helps beside a shorter time.
+        remedy: what helps, other than a shorter time.
 
     Returns:
         Whether to show progress: the run is long, and somebody watches.

@@ -145,7 +145,7 @@ def top_of(body: Body, pivot: Array, gravity: float) -> tuple[HeavyTop, bool]:
         InvalidInput: for a body without mass.
     """
     if body.mass is None:
-        raise InvalidInput("`body.mass` is needed for the weight of a top; give it beside moments or inertia.")
+        raise InvalidInput("`body.mass` is needed for the weight of a top; give it together with moments or inertia.")
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         top = HeavyTop.from_body(body, pivot, gravity)

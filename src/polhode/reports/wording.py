@@ -69,7 +69,7 @@ def unit_in_words(unit: str) -> str:
 
 
 def vector(values: Any, unit: str = "", size: float = 0.0) -> str:
-    """Return components, those zero that are small beside a size or the largest."""
+    """Return components, those zero that are small compared with a size or the largest."""
     largest = max(size, *(abs(x) for x in values))
     cleaned = [0.0 if abs(x) < 1e-15 * largest else x for x in values]
     return "(" + ", ".join(f"{x:.6g}" for x in cleaned) + f") {unit}".rstrip()

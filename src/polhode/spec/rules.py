@@ -1,7 +1,7 @@
 """What the fields of a spec ask of each other.
 
-Rules look at the raw tables, at which keys are there: so they speak up beside wrong values, and everything is said at
-once.
+Rules look at the raw tables, at which keys are there. So they speak up even when values are wrong, and everything is
+said at once.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ def broken_rules(table: dict[str, Any], of_system: Iterable[Mistake] = ()) -> It
 
 
 def table_rules(table: dict[str, Any], kind: str, model: type[SystemTable] | None) -> Iterator[Mistake]:
-    """Yield which tables are missing beside that of a kind, and which do not go with it.
+    """Yield which tables are missing for a kind, and which do not go with it.
 
     Args:
         table: the raw tables.
@@ -62,7 +62,7 @@ def _body_rules(body: dict[str, Any]) -> Iterator[str]:
         if "mesh_unit" not in body:
             yield 'needs mesh_unit, like "mm": mesh files carry no units'
         if ("mass" in body) == ("density" in body):
-            yield "needs exactly one of mass and density beside a mesh"
+            yield "needs exactly one of mass and density for a mesh"
     elif sources:
         if extra := [key for key in ("mesh_unit", "density", "repair", "several") if key in body]:
             verb = "goes" if len(extra) == 1 else "go"

@@ -64,7 +64,7 @@ def reduced_phase(
     a, b, c = upper * high, upper * rest, lower * high
     na, nb, nc = xp.round(a), xp.round(b), xp.round(c)
     d = lower * rest + low * (high + rest)
-    # each remainder may reach half a turn: a plain sum would cost 1e-16 turns, and beside the saddle 1e-13 of x
+    # each remainder may reach half a turn: a plain sum would cost 1e-16 turns, and near the saddle 1e-13 of x
     middle, middle_error = two_sum(b - nb, c - nc)
     fraction, error = two_sum(a - na, middle)
     more = xp.round(fraction)

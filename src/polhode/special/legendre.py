@@ -24,7 +24,7 @@ class LegendreFunction(NamedTuple):
 
     Attributes:
         near: (n,) of xⁿ.
-        far: (n,) of (1 − x)ⁿ beside the logarithm: near · (2ψ(n+1) − ψ(n−ν) − ψ(n+ν+1)).
+        far: (n,) of (1 − x)ⁿ next to the logarithm: near · (2ψ(n+1) − ψ(n−ν) − ψ(n+ν+1)).
         sine: sin(π(ν+1))/π, the weight of the second solution.
     """
 

@@ -93,7 +93,7 @@ class AbstractSystem(HashableModule):
     def balances(self, t: Array, state: Array) -> dict[str, Balance]:
         """Return the quantities whose rate is known, by name; empty where all that is known is conserved.
 
-        ``simulate`` integrates the rates beside the motion and reports by how much the values miss the sum.
+        ``simulate`` integrates the rates together with the motion and reports by how much the values miss the sum.
         """
         return {}
 
@@ -185,7 +185,7 @@ class AbstractLiePoissonSystem(AbstractSystem):
 
     @property
     def extra_invariants(self) -> dict[str, Callable[[Array], Array]]:
-        """Conserved functions of the point beside energy and Casimirs, by name."""
+        """Conserved functions of the point other than energy and Casimirs, by name."""
         return {}
 
     def vector_field(self, t: Array, state: Array) -> Array:

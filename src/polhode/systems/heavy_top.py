@@ -31,7 +31,7 @@ class HeavyTop(AbstractLiePoissonSystem):
 
     Γ = Rᵀe_z is the upward direction along the body's axes, χ the direction from the fixed point to the centre of mass.
     State (Π, Γ) (…, 6), or with the attitude (…, 10). The orbits |Γ|², Π·Γ = const have four dimensions, so a third
-    integral beside H makes a top integrable; where one is known it stands in ``invariants`` under its name. Flows: the
+    integral other than H makes a top integrable; where one is known, ``invariants`` has it under its name. Flows: the
     free body, exactly, and the weight, which kicks Π.
 
     Args:

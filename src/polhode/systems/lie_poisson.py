@@ -21,7 +21,7 @@ class LiePoisson(AbstractLiePoissonSystem):
     """The motion of a Hamiltonian given as a function of one point.
 
     What is compiled for one function serves it again, not another function. Where only parameters change, give them
-    beside the function, as ``jax.tree_util.Partial(function, parameters)`` with H(parameters, point), or as the fields
+    next to the function, as ``jax.tree_util.Partial(function, parameters)`` with H(parameters, point), or as the fields
     of an ``equinox.Module`` with ``__call__``: then they are data, and nothing is compiled again.
 
     Args:

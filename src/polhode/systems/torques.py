@@ -43,7 +43,7 @@ class AbstractTorque(AbstractAttachment):
         """Return τ (…, 3) [N m, body axes].
 
         Args:
-            t: one time (), or one for each state (…) [s]; beside vectors write ``t[..., None]``.
+            t: one time (), or one for each state (…) [s]; with vectors write ``t[..., None]``.
             attitude: (…, 4) unit quaternions wxyz, body → space; None where the state carries none.
             angular_velocity: Ω (…, 3) [rad/s, body axes].
             actuator: (…, n) its own state; of no components for a torque without one, which may be called without it.

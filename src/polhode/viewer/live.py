@@ -146,7 +146,7 @@ class LiveApp:
         self._rebuild()
 
     def _moment_moved(self, k: int) -> None:
-        """Keep a moment to what a body can have beside the two others, and say so."""
+        """Keep a moment to what a body can have together with the two others, and say so."""
         with self.lock:
             if self.busy:
                 return

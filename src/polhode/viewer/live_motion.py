@@ -56,7 +56,7 @@ class Setting(NamedTuple):
 
 
 def allowed(moments: Real[ArrayLike, "3"], k: int) -> tuple[float, float]:
-    """Return the least and the greatest value of one moment beside the two others: |I_i − I_j| ≤ I_k ≤ I_i + I_j."""
+    """Return the least and the greatest value of one moment, given the two others: |I_i − I_j| ≤ I_k ≤ I_i + I_j."""
     i, j = (float(moments[n]) for n in range(3) if n != k)
     return abs(i - j), i + j
 

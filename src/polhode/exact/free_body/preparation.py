@@ -114,7 +114,7 @@ def _full_arguments(*columns: Array) -> tuple[Array, ...]:
     k = xp.sqrt(m1 / total)
     q_over_m = nome_per_parameter(m / total, k)
     q = q_over_m * (m / total)
-    # √(P/Q) sinh, as the hyperbolic sine itself overflows beside a stable axis
+    # √(P/Q) sinh, as the hyperbolic sine itself overflows near a stable axis
     small = columns[16] / xp.sqrt(Q)
     factor, scaled = _landen(k, l3 * xp.sqrt(C / Q), xp.sqrt(B), xp.sqrt(B), xp.sqrt(C))
     grown = scaled + xp.sqrt(small * small + scaled * scaled)

@@ -28,7 +28,7 @@ class Reduction(NamedTuple):
     """
 
     moments: Triple  # ascending, scaled by a power of two so that ½ ≤ I3 < 1
-    momentum: Triple  # along the sorted axes, scaled so that ½ ≤ max |L_i| < 1, times 2^LIFT beside a tiny component
+    momentum: Triple  # along the sorted axes, scaled so that ½ ≤ max |L_i| < 1, times 2^LIFT if a component is tiny
     canonical: Triple  # momentum after mirror and half turn, third component ≥ 0
     A: DoubleDouble
     B: DoubleDouble
@@ -54,7 +54,7 @@ def canonical_reduction(moments: Array, momentum: Array) -> Reduction:
     sorted_ = compiled(_sorted_and_scaled, moments)(moments, momentum)
     I, L = sorted_[0], sorted_[1]  # noqa: E741
     sums = compiled(_sums, moments)(I, L)
-    # beside the saddle L1² and L3² would lose their low words, so S is formed with both scaled up
+    # near the saddle L1² and L3² would lose their low words, so S is formed with both scaled up
     S = compiled(_signed_distance_from_separatrix, moments)(I, (L[0] * sorted_[5], L[1], L[2] * sorted_[5]), *sums[:2])
     return compiled(_assembled, moments)(sorted_, sums, S)
 

@@ -120,7 +120,7 @@ def _canonical(prepared: Prepared) -> Canonical:
     A, B, C, P, Q, S = (x[0] / V for x in (body.A, body.B, body.C, body.P, body.Q, body.S))
     xp = namespace(A)
     b, g = B * Q, A * P
-    # S vanishes only on the separatrix; where it underflows beside the saddle its root does not
+    # S vanishes only on the separatrix; where it underflows near the saddle its root does not
     kappa = C * (body.root_S[0] / V) * body.root_S[0]
     # nearer still κ underflows too, and a derivative without it would be wrong
     kappa = xp.where((kappa > LEAST_KAPPA) | rates.constant, kappa, xp.nan)
@@ -207,7 +207,7 @@ def _from_start(form: Canonical, passage: Passage, changes: Changes) -> Vector:
     """Return r/Δ: the derivative of the addition theorem at fixed b and κ phases, from the epoch on.
 
     With U = AC L1², W = BC L3² and y = AB L2² at the epoch, b = y + W and g = y + U: written in their changes, the
-    terms quadratic in time cancel by algebra beside a symmetric body's equator, where b and g vanish and y does not.
+    terms quadratic in time cancel by algebra near a symmetric body's equator, where b and g vanish and y does not.
     """
     xp = namespace(form.b)
     A, B, C = form[:3]

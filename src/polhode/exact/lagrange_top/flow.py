@@ -45,8 +45,8 @@ def flow(start: Start, tau: Array, D: Array, tilt: Array) -> tuple[Array, ...]:
     D = D + (loose - stop_gradient(loose))
     slow = tilt < SMALL_TILT
     everywhere = _everywhere(start, xp.where(slow, 0.0, tau), D)
-    beside = _beside_upright(start, xp.where(slow, tau, 0.0), D, tilt)
-    return tuple(xp.where(slow, x, y) for x, y in zip(beside, everywhere, strict=True))
+    near = _near_upright(start, xp.where(slow, tau, 0.0), D, tilt)
+    return tuple(xp.where(slow, x, y) for x, y in zip(near, everywhere, strict=True))
 
 
 def _steps(xp: Any, rate: Array, tau: Array) -> Array:
@@ -87,7 +87,7 @@ def _momentum(alpha: Any, beta: Any, alpha_slope: Any, beta_slope: Any) -> tuple
     )
 
 
-def _beside_upright(start: Start, tau: Array, D: Array, tilt: Array) -> tuple[Array, ...]:
+def _near_upright(start: Start, tau: Array, D: Array, tilt: Array) -> tuple[Array, ...]:
     xp = namespace(*start)
     ar, ai, br, bi, wr, wi, G, a = start
     # where this form is not used, anything regular

@@ -24,7 +24,7 @@ class Frequencies(NamedTuple):
 
     half_root: DoubleDouble  # W = ½√A: x = x0 + W τ
     nutation: DoubleDouble  # ϖ = ½ agm(√A, √B) = πW/2K, zero on the separatrix
-    alpha: DoubleDouble  # linear rates of the phases of α and β beside their theta quotients
+    alpha: DoubleDouble  # linear rates of the phases of α and β apart from their theta quotients
     beta: DoubleDouble
     sign_alpha: Array  # sgn c' and sgn c, +1 for zero
     sign_beta: Array

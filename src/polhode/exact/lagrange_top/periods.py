@@ -4,7 +4,7 @@ After one nutation T the motion is back but for phases θ_α, θ_β of α and β
 the action J(ε, c, a, G) = ∮ √f/(s t) ds with f = s t (ε + G s) − (c + a s)² = u̇², ε = |w|² − G s:
 T = 2 J_ε, θ_α = ½(a T − J_a), θ_β = −J_c − θ_α. Of its second derivatives the poles drop out: all are sums of
 I_k = ∮ s^k f^{−3/2} ds, finite parts, which the complete integrals B = ∫cos²/Δ and D = ∫sin²/Δ give with no difference
-that cancels, whatever roots of f coincide, at the steady top and beside the separatrix.
+that cancels, whatever roots of f coincide, at the steady top and near the separatrix.
 Source: Arnold, *Mathematical Methods of Classical Mechanics*, §50, for action and angles; DLMF 19.2 and 19.25(i).
 """
 

@@ -61,7 +61,7 @@ def growth(kappa: DoubleDouble, tau: DoubleDouble, begin: Array, falling: Array)
 
 
 def upright_change(a: Array, now: Vector, change: Vector, of: tuple[Array, Array], by: Growth) -> Vector:
-    """Return the changes of α, β, w at σ beside a top that stands or goes upright, α's own phase ½aσ taken off.
+    """Return the changes of α, β, w at σ near a top that stands or goes upright, α's own phase ½aσ taken off.
 
     Args:
         a: of the top.

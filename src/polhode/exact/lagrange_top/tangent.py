@@ -2,7 +2,7 @@
 
 Whole nutations add what the Hessian of the action says, each the same, and the rest is one short flow that is
 differentiated as it stands; nothing takes the root of anything that may vanish. Which nutations count as whole is
-chosen so that the flow is not led upright and back down beside the separatrix, where float64 would lose the way. A top
+chosen so that the flow is not led upright and back down near the separatrix, where float64 would lose the way. A top
 without a period stands or comes to stand, and goes on by its linear equations.
 """
 
@@ -189,7 +189,7 @@ def _course(xp: Any, top: TangentData, time: Array) -> _Course:
 
 
 def _nutations_more(xp: Any, place: Array, fraction: Array) -> Array:
-    """Return the whole nutations to take out beside those that leave ``fraction``.
+    """Return the whole nutations to take out in addition to those that leave ``fraction``.
 
     From one side of the lowest point to the other, the way leads down and up again or through the top. Changes grow by
     e^K in half a nutation: the former loses the shorter leg twice, as growth that is undone; the latter what a rounding

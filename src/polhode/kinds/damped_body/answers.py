@@ -186,7 +186,7 @@ def report_of(spec: Spec) -> DampedBodyReport:
     state = np.concatenate([attitude, momentum])
     steps = _fewest_steps(table, moments, norm, float(np.ptp(times)))
     shown = check_length(spec.until, times, steps, ADAPTIVE)
-    # adaptive steps, as they integrate the energy's balance beside the motion
+    # adaptive steps, as they integrate the energy's balance together with the motion
     trajectory = simulate(system, state, times, method=diffrax.Dopri8(), progress=shown)
     return DampedBodyReport(spec, table, trajectory, axes, cut)
 

@@ -66,7 +66,7 @@ def _centers(report: EulerDiskReport, states: Array) -> Array:
 
 
 def _bar(axes: Any, colour: str, clock: Array, words: str, ends: bool) -> None:
-    """Say beside a panel what the strength of its colour means, of a grey one for several."""
+    """Say next to a panel what the strength of its colour means, of a grey one for several."""
     norm = Normalize(float(clock.min()), float(clock.max()))
     faded = ScalarMappable(norm, _fade(colour, reverse=ends))
     bar = axes.figure.colorbar(faded, ax=axes, fraction=0.05, pad=0.02)

@@ -29,7 +29,7 @@ def disk_rules(system: dict[str, Any]) -> Iterator[tuple[tuple[str | int, ...], 
     if "spin" in system and "precession" not in system:
         yield ("system", "spin"), "goes with precession, which it follows from; give precession, or both to be checked"
     if "tilt_rate" in system and (missing := [key for key in RATES if key not in system]):
-        text = f"is for a start that is not steady, and needs {' and '.join(missing)} beside it; leave it out else"
+        text = f"is for a start that is not steady, and needs {' and '.join(missing)} with it; leave it out otherwise"
         yield ("system", "tilt_rate"), text
     laws = system.get("dissipation")
     for k, law in enumerate(laws if isinstance(laws, list) else []):

@@ -107,7 +107,7 @@ def _check_fits(body: Body, axis: Array, moment: float) -> None:
         fits = False
     if not fits or not axis @ body.inertia @ axis > moment:
         raise InvalidInput(
-            f"`system.rotor_moment` must be that of a part of the body; got {moment:.6g} kg m², beside which the body "
+            f"`system.rotor_moment` must be that of a part of the body; got {moment:.6g} kg m², without which the body "
             f"would be left with moments of at most {vector(principal_axes(inertia)[0])} kg m². No body has these; "
             "check rotor_moment and rotor_axis, and that [body] has the rotor in it."
         )
@@ -130,7 +130,7 @@ def _start(spec: Spec, rotor: Array) -> tuple[Array, Array]:
 
 
 def _rate(made: Built) -> float:
-    """Return how fast body or momentum turn [rad/s]; beside a fast rotor L goes round a body that hardly turns."""
+    """Return how fast body or momentum turn [rad/s]; with a fast rotor L goes round a body that hardly turns."""
     return max(float(np.linalg.norm(made.velocity)), float(np.linalg.norm(made.total)) / float(np.min(made.moments)))
 
 

@@ -45,7 +45,7 @@ def draw_spin_section(report: SpinOrbitReport) -> Figure:
 
 
 def _zones(report: SpinOrbitReport, side: Any, low: float, high: float) -> Any:
-    """Draw a bar for each zone in sight, neighbours beside each other so that an overlap shows; None without any."""
+    """Draw a bar for each zone in sight, neighbours side by side so that an overlap shows; None without any."""
     n = float(report.system.mean_motion)
     handle, named = None, -np.inf
     for k, found in enumerate(report.resonances):
