@@ -18,7 +18,7 @@ TAKE_FILES_AND_WORDS = {"cli", "figures", "formats", "kinds", "reports", "spec",
 INNER = {
     "arrays": None,
     "algebra": {"polynomial", "precision"},
-    "analysis": {"conserved", "equilibrium_data", "mechanics", "periapsis_map", "power_law", "second_variation"},
+    "analysis": {"conserved", "conserved_function", "equilibrium_data", "mechanics", "periapsis_map", "power_law", "second_variation"},
     "bodies": {"mesh_crossing", "mesh_gate", "pivot", "turned"},
     "exact": {"blocks", "decay", "free_body.derivative", "free_body.evaluation", "free_body.frequencies",
               "free_body.geometry", "free_body.preparation", "free_body.reduction", "free_body.spinor",
@@ -97,7 +97,7 @@ def of_classes(kinds):
 
 NO_ARRAYS = {
     "AbstractLieAlgebra.batch_shape", "AbstractLieAlgebra.structure_constants", "has_cayley", "is_compact",
-    "from_scipy", "energy_casimir.bracketed", "testing.algebras.check_algebra", "testing.systems.check_system",
+    "from_scipy", "testing.algebras.check_algebra", "testing.systems.check_system",
     "Comparison", "SpinDown", "Resonance", "AttitudeHistory",
     "Surface.along", "Surface.coarsened", "surface.joined", "frame.BodyFrame.of",
     "combine",

@@ -3,6 +3,7 @@ from .alignment import fit_alignment as fit_alignment
 from .comparison import AttitudeHistory as AttitudeHistory
 from .comparison import Comparison as Comparison
 from .comparison import compare as compare
+from .conserved_function import ConservedFunction as ConservedFunction
 from .damped_axes import damped_axis_stability as damped_axis_stability
 from .energy_casimir import Stability as Stability
 from .equilibria import find_equilibria as find_equilibria

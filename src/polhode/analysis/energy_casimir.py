@@ -14,11 +14,12 @@ Symmetry*, §1.7 and §15.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
+from polhode.analysis.conserved_function import ConservedFunction
 from polhode.analysis.second_variation import Leaf, definite_combination, null_space, scaled_leaf
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
@@ -46,6 +47,7 @@ class Stability:
         spectrum: exponents of the linearised flow on the null space of the dC [1/s], complex; those that vanish
             everywhere across regular leaves are left out.
         restriction: what "stable" is restricted to, such as "up to the flow of J1"; None for all small perturbations.
+        function: of conserved quantities by which the verdict was reached, or tried to be; None where there is none.
     """
 
     verdict: str
@@ -55,6 +57,7 @@ class Stability:
     certificate: str
     spectrum: Array
     restriction: str | None = None
+    function: ConservedFunction | None = None
 
 
 @known_numbers_only
@@ -121,30 +124,31 @@ def energy_casimir(
     weights = _weights(leaf)
     leaf.check_conservation(weights)
     second = leaf.combination(weights)
-    curvatures = np.linalg.eigvalsh(second)
-    zero = leaf.zero(weights)
-    signs = int((curvatures > zero).sum()), int((curvatures < -zero).sum())
     total = weights if contained is None else weights + np.r_[0.0, weights[0] * contained]
-    function = _function(total / (weights[0] or 1.0), names)
-    if max(signs) == curvatures.size:
-        return _stable(leaf, weights, second, function, names, unit)
+    size, zero = leaf.size(weights) or 1.0, leaf.zero(weights)
+    function = ConservedFunction(
+        tuple(names), total / (weights[0] or 1.0), np.linalg.eigvalsh(second) / size, zero / size,
+        leaf.freedom.shape[1], unit=unit,
+    )  # fmt: skip
+    positive, flat, negative = function.signature
+    if not flat and not (positive and negative):
+        return _stable(leaf, weights, second, function)
     spectrum, rate, direction = _growth(leaf)
     if direction is not None:
-        return _unstable(spectrum, rate, direction)
-    if on_equilibria and not min(signs):
-        return _on_equilibria(leaf, second, zero, function, spectrum)
-    why = "indefinite" if min(signs) else "degenerate"
+        return replace(_unstable(spectrum, rate, direction), function=function)
+    indefinite = bool(positive and negative)
+    if on_equilibria and not indefinite:
+        return replace(_on_equilibria(leaf, second, zero, function, spectrum), function=function)
     text = (
-        f"the second variation of {function} on the leaf is {why} and no exponent has a real part that is surely "
-        + ("positive: a gyroscopic balance; " if min(signs) else "positive: ")
+        f"the second variation of {function} on the leaf is {'indefinite' if indefinite else 'degenerate'} and no "
+        "exponent has a real part that is surely "
+        + ("positive: a gyroscopic balance; " if indefinite else "positive: ")
         + "terms of higher order decide"
     )
-    return Stability("undecided", 0.0, None, None, text, spectrum)
+    return Stability("undecided", 0.0, None, None, text, spectrum, function=function)
 
 
-def _stable(
-    leaf: Leaf, weights: Array, second: Array, function: str, names: list[str], unit: float
-) -> Stability:
+def _stable(leaf: Leaf, weights: Array, second: Array, function: ConservedFunction) -> Stability:
     """State the function; multiples of (C − C⁰)² make it definite across leaves too, hence on all of the space."""
     sizes, vectors = np.linalg.eigh(second)
     sign = -1.0 if sizes.size and sizes[0] < 0 else 1.0
@@ -155,19 +159,16 @@ def _stable(
     spectrum = leaf.unit * (1j * np.sort_complex(turned)[::-1] + 0.0)
     sign = sign * (np.sign(weights[0]) or 1.0)
     squares, lengths = leaf.squares(weights)
-    squares = sign * squares / abs(weights[0] or 1.0)
-    for square, length, name in zip(squares, lengths, names, strict=True):
-        if square:
-            function += f" {'+' if square > 0 else '−'} {_square(abs(square), length, name, unit)}"
+    function = replace(function, squares=sign * squares / abs(weights[0] or 1.0), lengths=lengths)
     text = f"the second variation of {function} is {'positive' if sign > 0 else 'negative'} definite"
     if sizes.size:
-        text += f", on the leaf by {np.abs(sizes).min() / leaf.size(weights):.3g} of its largest term"
-    if squares.any():
+        text += f", on the leaf by {function.margin:.3g} of its largest term"
+    if function.has_squares:
         text += "; Δ is the difference from the value at the equilibrium"
-    return Stability("stable", 0.0, None, None, text, spectrum)
+    return Stability("stable", 0.0, None, None, text, spectrum, function=function)
 
 
-def _on_equilibria(leaf: Leaf, second: Array, zero: float, function: str, spectrum: Array) -> Stability:
+def _on_equilibria(leaf: Leaf, second: Array, zero: float, function: ConservedFunction, spectrum: Array) -> Stability:
     """Judge a semidefinite second variation whose null directions are tangent to equilibria.
 
     F then bounds the distance y to the equilibria by its initial size. A block of the flow that shears, ẇ = Σ a y,
@@ -191,7 +192,7 @@ def _on_equilibria(leaf: Leaf, second: Array, zero: float, function: str, spectr
     return _shear(leaf.out(leaf.flow @ driver), leaf.out(driver), leaf.unit, spectrum)
 
 
-def _all_at_rest(leaf: Leaf, function: str, spectrum: Array) -> Stability:
+def _all_at_rest(leaf: Leaf, function: ConservedFunction, spectrum: Array) -> Stability:
     """Judge a leaf of equilibria: its neighbours may hold none, and then drift past at a rate of their distance."""
     _, sizes, rows = np.linalg.svd(leaf.full)
     if sizes[0] > leaf.noise * leaf.flow_size:
@@ -288,28 +289,6 @@ def _check(A: Array, g: Array, H: Array, dC: Array, ddC: Array, names: Sequence[
 def _largest_real_part(mode: Array) -> Array:
     """Return the real part of a mode turned to the phase at which that part is largest."""
     return (mode * np.exp(-0.5j * np.angle(np.sum(mode * mode)))).real
-
-
-def _function(weights: Array, names: list[str]) -> str:
-    text = "H" if weights[0] else ""
-    for weight, name in zip(weights[1:], names, strict=True):
-        if weight:
-            text += f" {'+' if weight >= 0 else '−'} {abs(weight):.6g} {bracketed(name)}"
-    return text.removeprefix(" + ").strip()
-
-
-def bracketed(name: str) -> str:
-    """Return a function's name as a factor: a sum in brackets."""
-    return f"({name})" if name.startswith("−") or any(f" {sign} " in name for sign in "+−") else name
-
-
-def _square(weight: float, length: float, name: str, unit: float) -> str:
-    """Return weight (C − C⁰)²/(length · unit)² in words, with what is squared apart where it would overflow."""
-    if unit != 1.0:
-        weight, length = weight / length**2, unit
-    if 1e-140 < length < 1e140:
-        return f"{weight / length**2:.6g} Δ({name})²"
-    return f"{weight:.6g} (Δ({name})/{length:.6g})²"
 
 
 def _unit(vector: Array) -> Array:

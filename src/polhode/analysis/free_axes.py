@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from polhode.analysis.conserved_function import ConservedFunction
 from polhode.analysis.energy_casimir import Stability, energy_casimir
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
@@ -58,12 +59,14 @@ def _about(I: Array, norm: float, i: int) -> Stability:  # noqa: E741
     found = energy_casimir(
         flow, np.zeros(3), curvature, axis[None], np.eye(3)[None], ["½|L|²"], on_equilibria=True, tolerance=0.0
     )
-    function = f"H − |L|²/(2·{I[i]:.6g})"
+    bends = np.array([curvature[j, j], curvature[k, k]])
+    used = ConservedFunction(("|L|²",), np.array([1.0, -0.5 / I[i]]), bends / (np.abs(bends).max() or 1.0), 0.0)
+    found, function = replace(found, function=used), f"H − |L|²/(2·{I[i]:.6g})"
     terms = _quadratic_form({f"δL{n + 1}²": curvature[n, n] / I[i] for n in (j, k)})
     if norm == 0.0:
         text = "the body is at rest: |L| = 0 is kept"
         return replace(found, verdict="stable", rate=0.0, growth=None, direction=None, certificate=text,
-                       spectrum=0.0 * found.spectrum)  # fmt: skip
+                       spectrum=0.0 * found.spectrum, function=None)  # fmt: skip
     text = {
         "exponential": f"neighbours grow as exp({found.rate * rate:.6g}/s · t): {function} has the saddle {terms}",
         "linear": f"neighbours drift away in proportion to time: every axis of the equator is at rest, {terms}",

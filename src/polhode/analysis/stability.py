@@ -97,7 +97,7 @@ def stability(
             raise InvalidInput("`integrals` must be left out where energy is lost: exponents alone decide there.")
         return _judge_dissipative(system, known, z)
     found = problem(system, known, tuple(integrals), z, casimirs is not None)
-    return _noted(_judged(found), known.missing)
+    return _at(_noted(_judged(found), known.missing), np.asarray(mu))
 
 
 def _judged(p: Problem) -> Stability:
@@ -168,14 +168,14 @@ def _leafwise(p: Problem, found: Stability, leafwise: Stability, dimension: int,
     """Return what an extremum on the leaf says about all neighbours."""
     if leafwise.verdict != "stable":
         return found
-    sign = "negative" if "negative definite" in leafwise.certificate else "positive"
+    sign = "negative" if leafwise.function is not None and leafwise.function.signature[2] else "positive"
     text = f"the second variation of {function} on the leaf, of dimension {dimension}, is {sign} definite"
     if dimension == p.y.size - index(p.system.algebra):
         text += "; the point is regular, so that leaves nearby have such extrema too"
-        return replace(leafwise, certificate=text)
+        return replace(leafwise, certificate=text, function=None)
     if is_compact(p.system.algebra):
         text += "; the leaf is singular, but the group compact, so that leaves nearby stay near it"
-        return replace(leafwise, certificate=text)
+        return replace(leafwise, certificate=text, function=None)
     text = (
         f"on its own leaf the equilibrium is stable: {text}; but the leaf is singular, leaves nearby are larger, "
         "and motions on these are not confined by it"
@@ -217,6 +217,11 @@ def _noted(found: Stability, missing: str) -> Stability:
     if found.verdict != "undecided" or not missing:
         return found
     return replace(found, certificate=f"{found.certificate}; {missing}")
+
+
+def _at(found: Stability, point: Array) -> Stability:
+    """Return a verdict whose function knows the equilibrium."""
+    return found if found.function is None else replace(found, function=replace(found.function, point=point))
 
 
 def _unit_rows(rows: Array) -> Array:

@@ -51,5 +51,6 @@ def top_stability(top: HeavyTop, spin: float = 0.0) -> TopRests:
 
 def _in_a_tops_words(found: Stability) -> Stability:
     """Return a verdict with the Casimirs of se(3)* and Lagrange's integral called by what they are here."""
+    function = None if found.function is None else found.function.renamed({"|P|²": "|Γ|²", "Π·P": "Π·Γ"})
     text = found.certificate.replace("|P|²", "|Γ|²").replace("Π·P", "Π·Γ").replace("Lagrange's ", "")
-    return replace(found, certificate=text)
+    return replace(found, certificate=text, function=function)

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from polhode.analysis.conserved_function import ConservedFunction
 from polhode.analysis.energy_casimir import Stability
 from polhode.bodies.body import Body
 from polhode.motion.trajectory import Trajectory
@@ -62,7 +63,26 @@ def stability_values(found: Stability) -> dict[str, Any]:
         "direction": found.direction,
         "exponents": [[float(x.real), float(x.imag)] for x in found.spectrum],
         "certificate": found.certificate,
+        "function": None if found.function is None else _function_values(found.function),
     }
+
+
+def _function_values(function: ConservedFunction) -> dict[str, Any]:
+    """Return a function of conserved quantities as values by name; coefficients by the names of the quantities."""
+    pairs = zip(("H", *function.names), function.weights, strict=True)
+    squares = np.zeros(len(function.names)) if function.squares is None else function.squares
+    lengths = np.ones(len(function.names)) if function.lengths is None else function.lengths
+    return {
+        "weights": dict(pairs),
+        "squares": {
+            name: {"weight": square, "length": length * function.unit}
+            for name, square, length in zip(function.names, squares, lengths, strict=True) if square
+        },
+        "signature": dict(zip(("positive", "zero", "negative"), function.signature, strict=True)),
+        "margin": function.margin,
+        "freedom": function.freedom,
+        "point": function.point,
+    }  # fmt: skip
 
 
 def about_stability(name: str, found: Stability) -> list[Answer]:

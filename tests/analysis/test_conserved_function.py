@@ -1,0 +1,78 @@
+"""The function that a verdict holds as data is critical at the equilibrium and has the signature that it says."""
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+import pytest
+
+import polhode as ph
+from polhode import analysis, systems
+
+BODY = systems.FreeRigidBody((1.0, 2.0, 3.0))
+TOP = systems.HeavyTop((1.0, 1.0, 0.5), 1.0, (0.0, 0.0, 1.0))
+ROTOR = systems.Gyrostat((1.0, 2.0, 3.0), (0.1, 0.2, 0.3))
+CRITICAL = 1e-11  # of the terms of dF
+CASES = {
+    "minor axis": (BODY, np.array([2.0, 0.0, 0.0])),
+    "intermediate axis": (BODY, np.array([0.0, 2.0, 0.0])),
+    "major axis": (BODY, np.array([0.0, 0.0, 2.0])),
+    "sleeping top": (TOP, np.asarray(TOP.upright(5.0))),
+    "falling top": (TOP, np.asarray(TOP.upright(1.0))),
+    "hanging top": (TOP, np.asarray(TOP.upright(5.0, hanging=True))),
+    "rotor": (ROTOR, np.asarray(ph.find_equilibria(ROTOR, np.array([0.3, 0.2, 0.9])))[0]),
+}
+
+
+def function_of(system, found):
+    """F as a function of the point, put together from the data alone."""
+    function = found.function
+
+    def values(point):
+        return jnp.stack([system.invariants(point)[name] for name in function.names])
+
+    at_rest = values(jnp.asarray(function.point))
+
+    def whole(point):
+        kept = values(point)
+        energy = function.weights[0] * system.energy(point)
+        linear = energy + jnp.asarray(function.weights[1:]) @ kept
+        if function.squares is None:
+            return linear
+        return linear + jnp.asarray(function.squares) @ ((kept - at_rest) / (function.lengths * function.unit)) ** 2
+
+    return whole
+
+
+def judged(name):
+    system, point = CASES[name]
+    found = ph.stability(system, point)
+    assert found.function is not None and np.array_equal(found.function.point, point)
+    return found, function_of(system, found), jnp.asarray(point)
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_it_is_critical_and_definite_where_it_says_so(name):
+    found, function, point = judged(name)
+    assert float(jnp.abs(jax.grad(function)(point)).max()) < CRITICAL * (1.0 + float(jnp.abs(point).max()))
+    curvatures = np.linalg.eigvalsh(jax.hessian(function)(point))
+    positive, flat, negative = found.function.signature
+    if found.verdict == "stable":
+        # with its squares it is definite in the whole space
+        assert not flat and 0 in (positive, negative)
+        assert (curvatures > 0.0).all() if positive else (curvatures < 0.0).all()
+    else:
+        assert positive and negative and curvatures[0] < 0.0 < curvatures[-1]
+
+
+def test_the_check_sees_another_function():
+    found, _, point = judged("sleeping top")
+    wrong = found.function.renamed({})
+    wrong.weights[1] *= 1.01
+    assert float(jnp.abs(jax.grad(function_of(TOP, found))(point)).max()) > 1e-3
+
+
+def test_the_sentence_and_the_report_are_made_of_it():
+    found = ph.stability(*CASES["sleeping top"])
+    assert str(found.function) in found.certificate
+    called = analysis.top_stability(TOP, 5.0).upright
+    assert "|Γ|²" in called.function.names and "|P|²" not in called.certificate
