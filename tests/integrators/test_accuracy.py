@@ -68,7 +68,7 @@ def test_estimate_whatever_the_samples(times):
 def test_estimate_beside_the_exact_top():
     moments, attitude = (1.0, 1.0, 0.5), np.array([0.9, 0.3, 0.2, 0.1]) / np.linalg.norm([0.9, 0.3, 0.2, 0.1])
     top = systems.HeavyTop(moments, 1.0)
-    state = np.asarray(top.state(attitude, angular_velocity=(0.3, 0.2, 6.0)))
+    state = np.asarray(top.pack(attitude, angular_velocity=(0.3, 0.2, 6.0)))
     exact = ph.LagrangeMotion(moments, 1.0, state[4:7], attitude)
     for order, step in ((None, None), (2, None), (6, 0.1)):
         found = ph.simulate(top, state, SPARSE, order=order, step=step)

@@ -53,7 +53,7 @@ def test_spins_and_tops_move_as_alone():
     rng = np.random.default_rng(0)
     check_copies(pair, rng.normal(size=(3, 2, 3)) * np.array([0.1, 1.0, 10.0])[:, None, None], SphericalMidpoint)
     top = systems.HeavyTop(MOMENTS, 0.7)
-    states = np.asarray(top.state(angular_velocity=np.array([[0.1, 0.2, 30.0], [0.1, 0.2, 0.5]])))
+    states = np.asarray(top.pack(angular_velocity=np.array([[0.1, 0.2, 30.0], [0.1, 0.2, 0.5]])))
     check_copies(top, states, step=0.05)
 
 

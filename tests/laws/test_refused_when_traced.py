@@ -57,7 +57,7 @@ REFUSED = {
     "Kirchhoff": (SIX, systems.Kirchhoff),
     "Manakov": (THREE, systems.Manakov),
     "EulerDisk": (0.1, lambda x: systems.EulerDisk(1.0, x)),
-    "EulerDisk.state": (FOUR, lambda x: DISK.state(x, THREE)),
+    "EulerDisk.pack": (FOUR, lambda x: DISK.pack(x, THREE)),
     "EulerDisk.rolling_state": (0.3, DISK.rolling_state),
     "AirLayer": (0.3, systems.AirLayer),
     "BoundaryLayer": (0.3, systems.BoundaryLayer),
@@ -168,7 +168,7 @@ def test_traced_numbers_are_refused(name):
 KNOWN = {
     "stability": lambda: ph.stability(BODY, AXIS).rate,
     "HeavyTop": lambda: systems.HeavyTop(THREE, 1.0, AXIS).energy(SIX),
-    "HeavyTop.state": lambda: TOP.state(jnp.asarray(FOUR), jnp.asarray(THREE)),
+    "HeavyTop.pack": lambda: TOP.pack(jnp.asarray(FOUR), jnp.asarray(THREE)),
     "KeplerOrbit": lambda: systems.KeplerOrbit(1.0, 0.1).direction(0.3),
     "SpinOrbit": lambda: systems.SpinOrbit(0.3, 0.1).vector_field(0.3, THREE[:2]),
     "GravityGradient": lambda: systems.GravityGradient(systems.KeplerOrbit(1.0, 0.1), THREE).torque(0.0, FOUR, AXIS),

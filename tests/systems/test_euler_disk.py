@@ -219,7 +219,7 @@ def test_a_disk_that_falls_over_lies_flat():
 def test_states_from_attitude_and_angular_velocity():
     for state in random_states(5, seed=3):
         attitude, _, omega = thick.vectors(state)
-        again = thick.state(attitude, omega, state[3:5], thick.center_velocity(state))
+        again = thick.pack(attitude, omega, state[3:5], thick.center_velocity(state))
         assert np.abs(again[5:] - state[5:]).max() < 1e-12
         assert np.abs(thick.vectors(again).attitude - attitude).max() < 1e-14
         assert np.abs(thick.center(again) - thick.center(state)).max() < 1e-15
@@ -238,9 +238,9 @@ UPRIGHT = (np.sqrt(0.5), np.sqrt(0.5), 0.0, 0.0)
         (lambda: EulerDisk(MASS, RADIUS, axial_moment=1.0, diametral_moment=0.1), "at most twice"),
         (lambda: EulerDisk(MASS, RADIUS, dissipation=["air"]), "must be laws"),
         (lambda: AirLayer(-1.8e-5), "`viscosity` must be a positive"),
-        (lambda: thin.state(UPRIGHT, (0, 0, 5.0), center_velocity=(0.1, 0.0, 0.0)), "does not roll.*slip at 0.2905"),
-        (lambda: thin.state((1.0, 0.0, 0.0, 0.0), (0, 0, 5.0)), "lies flat"),
-        (lambda: thin.state((0.0, 1.0, 0.0, 0.0), (0, 0, 5.0)), "lies flat"),
+        (lambda: thin.pack(UPRIGHT, (0, 0, 5.0), center_velocity=(0.1, 0.0, 0.0)), "does not roll.*slip at 0.2905"),
+        (lambda: thin.pack((1.0, 0.0, 0.0, 0.0), (0, 0, 5.0)), "lies flat"),
+        (lambda: thin.pack((0.0, 1.0, 0.0, 0.0), (0, 0, 5.0)), "lies flat"),
         (lambda: thin.rolling_state(0.0), "lies flat"),
         (lambda: ph.simulate(thin, np.zeros(8), [0.0, 1.0]), "lies flat"),
         (lambda: thick.rolling_state(2.0), "turn it over"),

@@ -117,7 +117,7 @@ def test_lagranges_top_is_followed(moments, tilt, spin):
     attitude = (np.cos(half), np.sin(half), 0.0, 0.0)
     top = HeavyTop(moments, 1.0)
     times = np.linspace(0.0, 20.0, 21)
-    found = ph.simulate(top, top.state(attitude, spin), times, step=0.01, order=6)
+    found = ph.simulate(top, top.pack(attitude, spin), times, step=0.01, order=6)
     exact = ph.LagrangeMotion(moments, 1.0, np.array(moments) * spin, attitude).sample(times)
     assert np.abs(found.attitude - exact.attitude).max() < 1e-11
     assert np.abs(found.momentum - exact.momentum).max() < 1e-11
@@ -131,7 +131,7 @@ def test_order_by_slope_against_lagrange():
     for order, sizes in ((2, (0.04, 0.02, 0.01)), (4, (0.1, 0.05, 0.025))):
         misses = []
         for size in sizes:
-            end = ph.simulate(top, top.state(attitude, spin), times, step=size, order=order)
+            end = ph.simulate(top, top.pack(attitude, spin), times, step=size, order=order)
             misses.append(np.abs(end.momentum[-1] - exact[1]).max())
         slope = np.polyfit(np.log(sizes), np.log(misses), 1)[0]
         assert abs(slope - order) < 0.3
@@ -157,7 +157,7 @@ def test_states_in_given_axes():
     body = ph.shapes.box(1.0, (0.3, 0.1, 0.2)).placed((0.8, 0.6, 0.0, 0.0), (0.1, 0.2, 0.4))
     top = HeavyTop.from_body(body, (0.0, 0.0, 0.0))
     velocity = np.array([0.3, -1.0, 2.0])
-    state = top.state((0.6, 0.0, 0.8, 0.0), velocity)
+    state = top.pack((0.6, 0.0, 0.8, 0.0), velocity)
     momentum = np.asarray(top.axes) @ np.asarray(state[4:7])
     assert momentum == pytest.approx(body.about((0, 0, 0)) @ velocity, rel=1e-12)
     up = np.asarray(top.axes) @ np.asarray(state[7:])
@@ -175,7 +175,7 @@ def test_a_fixed_point_at_the_centre_of_mass_is_the_free_body():
         top = HeavyTop.from_body(body, (1.0, 2.0, 3.0))
     assert float(top.mgl) == 0.0 and top.case is not None and top.case[0] == "Euler"
     times = np.linspace(0.0, 100.0, 5)
-    found = ph.simulate(top, top.state(angular_velocity=(0.1, 1.0, 0.2)), times, step=0.5)
+    found = ph.simulate(top, top.pack(angular_velocity=(0.1, 1.0, 0.2)), times, step=0.5)
     exact = ph.FreeMotion(np.asarray(top.moments), np.asarray(found.momentum[0]), found.attitude[0]).sample(times)
     assert np.abs(found.attitude - exact.attitude).max() < 1e-13  # half-radian steps: the flow is exact
 

@@ -53,7 +53,7 @@ def same_motor(t, turn, velocity, spin):
 ROTORS = [Rotor(FIRST, 0.2, motor), Rotor(5.0 * SECOND, 0.1, 0.03, friction=0.02)]
 RATES = [4.0, -6.0]
 BODY = RigidBody(MOMENTS, ROTORS)
-START = BODY.state(ATTITUDE, VELOCITY, rates=RATES)
+START = BODY.pack(ATTITUDE, VELOCITY, rates=RATES)
 
 
 def hub(**more):
@@ -105,7 +105,7 @@ class WithoutReaction(Rotor):
 def test_a_rotor_without_reaction_is_found_out():
     rotors = [ROTORS[0], WithoutReaction(SECOND, 0.1, 0.03, friction=0.02)]
     body = RigidBody(MOMENTS, rotors)
-    found = ph.simulate(body, body.state(ATTITUDE, VELOCITY, rates=RATES), TIMES, estimate_error=False)
+    found = ph.simulate(body, body.pack(ATTITUDE, VELOCITY, rates=RATES), TIMES, estimate_error=False)
     whole = momentum_of_all(hub(), found, rotors)
     assert np.abs(whole - whole[0]).max() > 0.01 and found.drift["energy"] > 1e-3
 
@@ -116,7 +116,7 @@ def test_a_slug_and_drag_as_bodies_of_their_own():
     mounts = [ROTORS[1], SphericalSlug(0.3, 0.15)]
     body = RigidBody(MOMENTS, mounts, [LinearDrag(drag)])
     slug = np.array([0.5, 0.2, -0.4])
-    found = ph.simulate(body, body.state(ATTITUDE, VELOCITY, rates=[RATES[1], slug]), TIMES)
+    found = ph.simulate(body, body.pack(ATTITUDE, VELOCITY, rates=[RATES[1], slug]), TIMES)
     whole = Hub(np.diag(MOMENTS), hub().wheels[1:], 0.3, 0.15, lambda t, R, velocity: -drag * velocity)
     exact = whole.motion(TIMES, rotation.as_matrix(ATTITUDE), VELOCITY, RATES[1:], VELOCITY + slug)
     turns = rotation.as_matrix(found.attitude)
@@ -130,7 +130,7 @@ def test_a_slug_and_drag_as_bodies_of_their_own():
 
 def test_with_nothing_it_is_the_free_body():
     body = RigidBody(MOMENTS)
-    found = ph.simulate(body, body.state(ATTITUDE, VELOCITY), TIMES)
+    found = ph.simulate(body, body.pack(ATTITUDE, VELOCITY), TIMES)
     motion = ph.FreeMotion(MOMENTS, MOMENTS * VELOCITY, ATTITUDE)
     assert np.abs(found.attitude - motion.attitude(TIMES)).max() < MOTION
     assert np.abs(found.angular_velocity - motion.angular_velocity(TIMES)).max() < MOTION
@@ -141,7 +141,7 @@ def test_with_nothing_it_is_the_free_body():
 def test_with_held_rotors_it_is_the_gyrostat():
     mounts = [HeldRotor(FIRST, 0.2, 4.0), HeldRotor((0.0, -2.0, 0.0), 0.1, 3.0)]
     body, rotor = RigidBody(MOMENTS, mounts), 0.8 * FIRST + np.array([0.0, -0.3, 0.0])
-    start = body.state(ATTITUDE, VELOCITY)
+    start = body.pack(ATTITUDE, VELOCITY)
     assert np.abs(np.asarray(start[4:]) - (MOMENTS * VELOCITY + rotor)).max() < 1e-15
     found = ph.simulate(body, start, TIMES)
     same = ph.simulate(Gyrostat(MOMENTS, rotor), start, TIMES, order=8)
@@ -154,7 +154,7 @@ def test_a_free_rotor_and_a_driven_one_are_the_gyrostats_with_the_moments_of_the
     less = MOMENTS - np.array([0.0, 0.2, 0.0])
     for torque, driven in ((None, 0.0), (0.04, 0.04)):
         body = RigidBody(MOMENTS, [Rotor((0.0, 1.0, 0.0), 0.2, torque)])
-        start = body.state(ATTITUDE, VELOCITY, rates=[4.0])
+        start = body.pack(ATTITUDE, VELOCITY, rates=[4.0])
         found = ph.simulate(body, start, TIMES)
         same = ph.simulate(TorquedGyrostat(less, (0.0, 1.0, 0.0), 0.2, driven), start, TIMES)
         assert np.abs(found.states - same.states).max() < AGREES
@@ -169,7 +169,7 @@ def test_a_free_rotor_and_a_driven_one_are_the_gyrostats_with_the_moments_of_the
 
 def test_with_an_energy_sink_it_is_the_double_bracket():
     body = RigidBody(MOMENTS, [EnergySink(0.2)])
-    start = body.state(ATTITUDE, VELOCITY)
+    start = body.pack(ATTITUDE, VELOCITY)
     found, same = (ph.simulate(system, start, TIMES, **more) for system, more in
                    ((body, {}), (DoubleBracket(MOMENTS, 0.2), {"tolerance": 1e-11})))  # fmt: skip
     assert np.abs(found.states - same.states).max() < AGREES
@@ -184,7 +184,7 @@ def test_with_an_energy_sink_it_is_the_double_bracket():
 def test_torques_add_up():
     orbit = KeplerOrbit(0.7, 0.3, mean_anomaly=0.4)
     body = RigidBody(MOMENTS, torques=[LinearDrag(0.1), QuadraticDrag(0.05), GravityGradient(orbit, MOMENTS)])
-    state, t = body.state(ATTITUDE, VELOCITY), 2.0
+    state, t = body.pack(ATTITUDE, VELOCITY), 2.0
     centre = rotation.as_matrix(ATTITUDE).T @ np.asarray(orbit.direction(t))
     pull = 3.0 * 0.49 / float(orbit.distance_ratio(t)) ** 3 * np.cross(centre, MOMENTS * centre)
     wanted = pull - (0.1 + 0.05 * np.linalg.norm(VELOCITY)) * VELOCITY
@@ -197,12 +197,12 @@ def test_a_lagged_torque_answers_a_step_exponentially():
     """On a sphere from rest about one axis: I Ω = u (t − T (1 − e^(−t/T))), whose power heats nothing but the body."""
     lag = LaggedTorque(lambda t, attitude, velocity: jnp.array([0.0, 0.6, 0.0]) + 0.0 * velocity, 0.7)
     body = RigidBody((2.0, 2.0, 2.0), torques=[lag])
-    found = ph.simulate(body, body.state(), TIMES)
+    found = ph.simulate(body, body.pack(), TIMES)
     grown = 1.0 - np.exp(-TIMES / 0.7)
     assert np.abs(found.part("actuator_torque")[:, 1] - 0.6 * grown).max() < MOTION
     assert np.abs(found.momentum[:, 1] - 0.6 * (TIMES - 0.7 * grown)).max() < MOTION
     assert found.drift["kinetic_energy"] < BALANCE
-    begun = body.state(actuators=[(0.0, 0.6, 0.0)])
+    begun = body.pack(actuators=[(0.0, 0.6, 0.0)])
     assert np.asarray(begun).tolist() == [1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.6, 0.0]
 
 
@@ -216,7 +216,7 @@ EVERYTHING = RigidBody(
 
 
 def start_of_everything():
-    return EVERYTHING.state(ATTITUDE, VELOCITY, rates=[*RATES, None, (0.1, -0.2, 0.3), None])
+    return EVERYTHING.pack(ATTITUDE, VELOCITY, rates=[*RATES, None, (0.1, -0.2, 0.3), None])
 
 
 def worst_balance(system, t, state):
@@ -256,7 +256,7 @@ def test_a_wrong_power_is_found_out():
 
 def test_the_jacobi_integral_of_a_satellite_with_a_free_rotor_is_kept():
     satellite = RigidBody(MOMENTS, [Rotor(FIRST, 0.2), HeldRotor(SECOND, 0.1, 5.0)], [GravityGradient(CIRCLE, MOMENTS)])
-    found = ph.simulate(satellite, satellite.state(ATTITUDE, VELOCITY, rates=[3.0, None]), TIMES)
+    found = ph.simulate(satellite, satellite.pack(ATTITUDE, VELOCITY, rates=[3.0, None]), TIMES)
     assert np.ptp(found.received["jacobi_integral"]) < 1e-14 and found.drift["jacobi_integral"] < BALANCE
     assert np.ptp(found.balances["kinetic_energy"]) > 0.1
 
@@ -278,7 +278,7 @@ class Spring(AbstractTorque):
 @pytest.mark.sweep
 def test_a_torque_of_ones_own_with_a_state():
     body = RigidBody((1.0, 1.0, 2.0), torques=[Spring()])
-    found = ph.simulate(body, body.state(angular_velocity=(0.0, 0.0, 0.4)), TIMES)
+    found = ph.simulate(body, body.pack(angular_velocity=(0.0, 0.0, 0.4)), TIMES)
     wanted = 0.8 * np.sin(0.5 * TIMES)
     assert found.layout.names == ("momentum", "winding")
     assert np.abs(found.part("winding") - wanted).max() < MOTION and found.drift["kinetic_energy"] < BALANCE
@@ -323,13 +323,13 @@ def test_a_mount_of_ones_own_with_two_parts():
     rate = np.sqrt(0.5 * (1.0 / 0.2 + 1.0 / (MOMENTS[2] - 0.2)))
     assert np.abs(found.part("twist") - 1.5 / rate * np.sin(rate * TIMES)).max() < 10 * MOTION
     skew = RigidBody(MOMENTS, [SprungWheel(jnp.asarray(FIRST), 0.2, 0.5)])
-    found = ph.simulate(skew, skew.state(ATTITUDE, VELOCITY, rates=[1.5]), TIMES)
+    found = ph.simulate(skew, skew.pack(ATTITUDE, VELOCITY, rates=[1.5]), TIMES)
     assert set(found.invariants) == {"energy", "|L|²", "momentum_space"} and max(found.drift.values()) < BALANCE
     assert np.asarray(skew.scales(found.states[0]))[-2] > 0.5 and np.asarray(skew.scales(found.states[0]))[-1] == 1.0
 
 
 def test_states_are_made_and_taken_apart_by_name():
-    batch = BODY.state(np.stack([ATTITUDE, ATTITUDE]), [VELOCITY, -VELOCITY], rates=[[4.0, 2.0], 0.0])
+    batch = BODY.pack(np.stack([ATTITUDE, ATTITUDE]), [VELOCITY, -VELOCITY], rates=[[4.0, 2.0], 0.0])
     assert batch.shape == (2, 9)
     parts = BODY.parts(batch)
     assert np.abs(np.asarray(BODY.vectors(batch).angular_velocity) - [VELOCITY, -VELOCITY]).max() < 1e-15
@@ -338,15 +338,15 @@ def test_states_are_made_and_taken_apart_by_name():
     # the same motion from its momentum, which is that of the locked body and what turns in it
     momentum = MOMENTS * VELOCITY + 0.2 * 4.0 * FIRST - 0.1 * 6.0 * SECOND
     assert np.abs(np.asarray(START[4:7]) - momentum).max() < 1e-15
-    assert np.abs(np.asarray(BODY.state(ATTITUDE, momentum=momentum, rates=RATES) - START)).max() < 1e-15
-    resting = np.asarray(BODY.state(ATTITUDE, VELOCITY))
+    assert np.abs(np.asarray(BODY.pack(ATTITUDE, momentum=momentum, rates=RATES) - START)).max() < 1e-15
+    resting = np.asarray(BODY.pack(ATTITUDE, VELOCITY))
     assert np.abs(resting[4:7] - MOMENTS * VELOCITY).max() < 1e-15
     # without a motor that looks, the attitude may be left out
     bare = RigidBody(MOMENTS, ROTORS[1:])
-    assert bare.layout(bare.state(angular_velocity=VELOCITY)).names == ("momentum", "rotor_momentum")
+    assert bare.layout(bare.pack(angular_velocity=VELOCITY)).names == ("momentum", "rotor_momentum")
     driven = TorquedGyrostat(MOMENTS, FIRST, 0.2, 0.1)
-    whole = driven.state(ATTITUDE, VELOCITY, rates=[4.0])
-    same = driven.state(ATTITUDE, momentum=whole[4:7], rates=[4.0])
+    whole = driven.pack(ATTITUDE, VELOCITY, rates=[4.0])
+    same = driven.pack(ATTITUDE, momentum=whole[4:7], rates=[4.0])
     assert np.abs(np.asarray(same - whole)).max() < 1e-15
 
 
@@ -355,7 +355,7 @@ def test_adaptive_steps_know_the_sizes():
     still = RigidBody(MOMENTS, [Rotor(FIRST, 0.2, 0.05)])
     assert np.asarray(still.scales(still.state())) == pytest.approx([0.1] * 4, rel=1e-15)
     lagged = RigidBody(MOMENTS, torques=[EVERYTHING.torques[-1]])
-    assert np.asarray(lagged.scales(lagged.state())).tolist() == [1.0] * 4 + [2.6] * 3 + [1.0] * 3
+    assert np.asarray(lagged.scales(lagged.pack())).tolist() == [1.0] * 4 + [2.6] * 3 + [1.0] * 3
 
 
 class Flat(Rotor):
@@ -398,12 +398,12 @@ class NotBatched(AbstractTorque):
         (lambda: EnergySink(-0.1), "`rate` must be finite and not negative"),
         (lambda: LaggedTorque(0.3, 1.0), "`command` must be a function"),
         (lambda: LaggedTorque(lambda *given: given[2], 0.0), "`time_constant`"),
-        (lambda: BODY.state(ATTITUDE, VELOCITY, VELOCITY), "not both"),
-        (lambda: BODY.state(ATTITUDE, rates=[1.0]), "one entry for each of the 2 mounts"),
-        (lambda: BODY.state(ATTITUDE, rates=[1.0, np.float32(2.0)]), r"`rates\[1\]` must be float64"),
-        (lambda: EVERYTHING.state(rates=[0.0, 0.0, 1.0, None, None]), r"`rates\[2\]` is for a HeldRotor"),
-        (lambda: EVERYTHING.state(actuators=[None, None, None, (1.0, 2.0)]), r"`actuators\[3\]` must have"),
-        (lambda: EVERYTHING.state(ATTITUDE, actuators=0.0), "one entry for each of the 4 torques"),
+        (lambda: BODY.pack(ATTITUDE, VELOCITY, VELOCITY), "not both"),
+        (lambda: BODY.pack(ATTITUDE, rates=[1.0]), "one entry for each of the 2 mounts"),
+        (lambda: BODY.pack(ATTITUDE, rates=[1.0, np.float32(2.0)]), r"`rates\[1\]` must be float64"),
+        (lambda: EVERYTHING.pack(rates=[0.0, 0.0, 1.0, None, None]), r"`rates\[2\]` is for a HeldRotor"),
+        (lambda: EVERYTHING.pack(actuators=[None, None, None, (1.0, 2.0)]), r"`actuators\[3\]` must have"),
+        (lambda: EVERYTHING.pack(ATTITUDE, actuators=0.0), "one entry for each of the 4 torques"),
         (lambda: BODY.check_state(np.ones(7)), r"RigidBody must have shape \(…, 9\)"),
         (lambda: BODY.check_state(np.ones(9)), "unit quaternion"),
         (lambda: RigidBody(MOMENTS).check_state(np.ones(9)), r"shape \(…, 3\), or \(…, 7\)"),

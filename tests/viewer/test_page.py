@@ -60,7 +60,7 @@ def test_levels_of_the_energy_where_all_turns_with_the_body(tmp_path):
     moments = (1.0, 2.0, 3.0)
     for mounts, torques, levels in (([Rotor((0.0, 0.0, 1.0), 0.1)], [], False), ([], [LinearDrag(0.1)], True)):
         body = RigidBody(moments, mounts, torques)
-        start = body.state((1.0, 0.0, 0.0, 0.0), (0.3, 0.9, 0.5), rates=[8.0] * len(mounts))
+        start = body.pack((1.0, 0.0, 0.0, 0.0), (0.3, 0.9, 0.5), rates=[8.0] * len(mounts))
         data = data_of(write_page(ph.simulate(body, start, TIMES[:21], estimate_error=False), tmp_path / "page.html"))
         assert kinds(data) == ["body", "sphere"]
         assert (data["panels"][1]["family"] is not None) == levels

@@ -250,7 +250,7 @@ class EulerDisk(AbstractSystem):
         return jnp.stack([jnp.ones_like(a)] * 3 + [a] * 2 + [rate] * 3)
 
     @known_numbers_only
-    def state(
+    def pack(
         self, attitude: Array, angular_velocity: Array, contact: Array = (0.0, 0.0),
         center_velocity: Array | None = None,
     ) -> Array:

@@ -91,7 +91,7 @@ class HeavyTop(AbstractLiePoissonSystem):
         pivoted = about_pivot(body, pivot, gravity)
         return cls(pivoted.moments, pivoted.mgl, pivoted.arm if pivoted.mgl else (0.0, 0.0, 1.0), pivoted.axes)
 
-    def state(
+    def pack(
         self,
         attitude: Array = (1.0, 0.0, 0.0, 0.0),
         angular_velocity: Array | None = None,
@@ -148,7 +148,7 @@ class HeavyTop(AbstractLiePoissonSystem):
             if not bool(jnp.all(jnp.abs(up - point[..., 3:]) < UPRIGHT)):
                 raise InvalidInput(
                     "`state` must end with Γ, the upward direction along the body's axes as its attitude has it, "
-                    "Rᵀe_z. Make it by `top.state(attitude, angular_velocity)`."
+                    "Rᵀe_z. Make it by `top.pack(attitude, angular_velocity)`."
                 )
         return state
 

@@ -203,7 +203,7 @@ class AbstractRigidBody(AbstractSystem):
 
     # ------------------------------------------------------------------ packed states
 
-    def state(
+    def pack(
         self, attitude: Array | None = None, angular_velocity: Array | None = None, momentum: Array | None = None,
         rates: Sequence[Array | None] | None = None, actuators: Sequence[Array | None] | None = None,
     ) -> Array:  # fmt: skip
@@ -366,7 +366,7 @@ class RigidBody(AbstractRigidBody):
     >>> from polhode.systems import LinearDrag, Rotor
     >>> wheels = [Rotor((1.0, 0.0, 0.0), 0.1, motor=0.02), Rotor((0.0, 3.0, 4.0), 0.1)]
     >>> body = RigidBody((1.0, 2.0, 2.5), wheels, [LinearDrag(0.5)])
-    >>> start = body.state(angular_velocity=(0.0, 0.0, 1.0), rates=[5.0, 0.0])
+    >>> start = body.pack(angular_velocity=(0.0, 0.0, 1.0), rates=[5.0, 0.0])
     >>> body.layout(start).names
     ('momentum', 'rotor_momentum_1', 'rotor_momentum_2')
     >>> round(float(body.power(0.0, start)), 9)

@@ -30,7 +30,7 @@ class TorquedBody(AbstractRigidBody):
 
     >>> from polhode.systems.torques import LinearDrag
     >>> body = TorquedBody((1.0, 2.0, 3.0), [LinearDrag(0.5)])
-    >>> body.vector_field(0.0, body.state(momentum=(0.0, 0.0, 3.0))).tolist()
+    >>> body.vector_field(0.0, body.pack(momentum=(0.0, 0.0, 3.0))).tolist()
     [0.0, 0.0, -0.5]
     """
 

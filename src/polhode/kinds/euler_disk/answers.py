@@ -25,7 +25,7 @@ from polhode.motion.outcome import Ending, Outcome
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.length import ADAPTIVE, check_length
 from polhode.simulation import simulate
-from polhode.systems.euler_disk import EulerDisk
+from polhode.systems.euler_disk import LAYOUT, EulerDisk
 
 Array = Any
 PERIODS = 10
@@ -88,7 +88,7 @@ def _start(table: EulerDiskTable, disk: EulerDisk) -> Array:
         state = disk.check_state([tilt, table.heading, 0.0, 0.0, 0.0, table.tilt_rate, rise, table.spin])
     if table.center_velocity is not None:
         known = disk.vectors(state)
-        disk.state(known.attitude, known.angular_velocity, center_velocity=table.center_velocity)
+        disk.pack(known.attitude, known.angular_velocity, center_velocity=table.center_velocity)
     if not float(disk.normal_force(state)) > 0.0:
         raise InvalidInput(
             f"the start leaves the plane at once: its normal force would be {float(disk.normal_force(state)):.4g} N. "
@@ -133,7 +133,8 @@ def _period(disk: EulerDisk, start: Array, steady: Steady | None) -> float:
 
 
 def _fastest(disk: EulerDisk, start: Array) -> float:
-    return max(abs(float(disk.precession(start))), float(jnp.linalg.norm(start[5:])))
+    rates = [LAYOUT.part(start, name) for name in ("tilt_rate", "rise_rate", "spin")]
+    return max(abs(float(disk.precession(start))), float(np.linalg.norm(rates)))
 
 
 def _first_turns(disk: EulerDisk, trajectory: Trajectory, samples: int) -> Path:

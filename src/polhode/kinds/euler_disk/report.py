@@ -194,20 +194,22 @@ class EulerDiskReport(AbstractReport):
 
     def _start(self) -> Group:
         state = self.trajectory.states[0]
-        tilt, heading, _, _, _, *rates = (float(x) for x in state)
+        start = {part.name: float(LAYOUT.part(state, part.name)) for part in LAYOUT.parts}
+        rates = [start["tilt_rate"], start["rise_rate"], start["spin"]]
         precession = float(self.disk.precession(state))
+        face_rate = start["spin"] + 2.0 * precession * math.sin(0.5 * start["tilt"]) ** 2
         rolling, spinning = self.thresholds or (None, None)
         nutation = None if self.steady is None else self.steady.nutation
         ratio = nutation / abs(precession or math.inf) if nutation else None
         small = f"{rate(nutation)} = {ratio:.6g} of the precession" if ratio else None
         return Group("Start", [
-            Answer("start.tilt", tilt, "rad", "tilt from the plane"),
-            Answer("start.heading", heading, "rad"),
+            Answer("start.tilt", start["tilt"], "rad", "tilt from the plane"),
+            Answer("start.heading", start["heading"], "rad"),
             Answer("start.precession", precession, "rad/s", "precession Ω of the contact"),
-            Answer("start.face_rate", rates[2] + 2.0 * precession * math.sin(0.5 * tilt) ** 2, "rad/s",
+            Answer("start.face_rate", face_rate, "rad/s",
                    "turning of what is printed on it"),
-            Answer("start.spin", rates[2], "rad/s", "spin about the axis"),
-            Answer("start.tilt_rate", rates[0], "rad/s", "rate of the tilt"),
+            Answer("start.spin", start["spin"], "rad/s", "spin about the axis"),
+            Answer("start.tilt_rate", start["tilt_rate"], "rad/s", "rate of the tilt"),
             Answer("start.angular_velocity", math.hypot(*rates), "rad/s", "", "magnitude"),
             Answer("", None, "", "small nutation", "", small),
             Answer("critical_rolling_speed", rolling, "m/s", "rolls stably upright from"),
@@ -222,12 +224,12 @@ class EulerDiskReport(AbstractReport):
             return [Group("", [Answer("steady", None)])]
         values = Group("", [
             Answer("steady.precession", float(self.disk.precession(steady.state)), "rad/s"),
-            Answer("steady.spin", float(steady.state[7]), "rad/s"),
+            Answer("steady.spin", float(LAYOUT.part(steady.state, "spin")), "rad/s"),
             Answer("steady.nutation", steady.nutation, "rad/s"),
             *about_stability("steady.stability", steady.verdict),
         ])  # fmt: skip
         title = "Steady rolling at this tilt and precession without dissipation, in tilt and rates"
-        motion = f"tilt {math.degrees(float(steady.state[0])):.6g}°"
+        motion = f"tilt {math.degrees(float(LAYOUT.part(steady.state, "tilt"))):.6g}°"
         return [values, verdicts("", title, "motion", lambda row: motion, [stability_values(steady.verdict)])]
 
     def _laws(self) -> Table:

@@ -44,7 +44,7 @@ def report_of(spec: Spec) -> HeavyTopReport:
     top, free = top_of(body, table.pivot, table.gravity)
     momentum, attitude = spec.start(np.asarray(top.moments), np.asarray(top.axes))
     attitude = leaned(top, attitude, table.lean)
-    state = top.state(rotation.multiply(attitude, rotation.conjugate(rotation.from_matrix(np.asarray(top.axes)))),
+    state = top.pack(rotation.multiply(attitude, rotation.conjugate(rotation.from_matrix(np.asarray(top.axes)))),
                       momentum=np.asarray(top.axes) @ momentum)  # fmt: skip
     if times is None:
         times = np.linspace(0.0, PERIODS * natural_period(top, momentum), spec.samples)
