@@ -246,7 +246,6 @@ UPRIGHT = (np.sqrt(0.5), np.sqrt(0.5), 0.0, 0.0)
         (lambda: thick.rolling_state(2.0), "turn it over"),
         (lambda: ph.simulate(thin, np.ones(7), [0.0, 1.0]), r"shape \(…, 8\)"),
         (lambda: ph.simulate(thin, np.full(8, np.nan), [0.0, 1.0]), "finite"),
-        (lambda: ph.simulate(thin, np.ones((2, 8)), [0.0, 1.0]), "one by one"),
         (lambda: ph.simulate(thin, [1.4, 0, 0, 0, 0, -30.0, 3, 30], [0.0, 1.0]), "past the event.*lift-off"),
         (lambda: ph.simulate(thin, WOBBLING, [0.0, 1.0], ph.integrators.LieMidpoint), "not a Lie–Poisson system"),
         (lambda: thin.rolling_state(0.3, precession=10.0, spin=1.0), "not steady"),
