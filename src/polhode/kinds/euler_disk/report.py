@@ -229,8 +229,8 @@ class EulerDiskReport(AbstractReport):
             *about_stability("steady.stability", steady.verdict),
         ])  # fmt: skip
         title = "Steady rolling at this tilt and precession without dissipation, in tilt and rates"
-        motion = f"tilt {math.degrees(float(LAYOUT.part(steady.state, "tilt"))):.6g}°"
-        return [values, verdicts("", title, "motion", lambda row: motion, [stability_values(steady.verdict)])]
+        tilt = math.degrees(float(LAYOUT.part(steady.state, "tilt")))
+        return [values, verdicts("", title, "motion", lambda row: f"tilt {tilt:.6g}°", [stability_values(steady.verdict)])]
 
     def _laws(self) -> Table:
         columns = {
