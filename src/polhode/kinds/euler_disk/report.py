@@ -230,7 +230,8 @@ class EulerDiskReport(AbstractReport):
         ])  # fmt: skip
         title = "Steady rolling at this tilt and precession without dissipation, in tilt and rates"
         tilt = math.degrees(float(LAYOUT.part(steady.state, "tilt")))
-        return [values, verdicts("", title, "motion", lambda row: f"tilt {tilt:.6g}°", [stability_values(steady.verdict)])]
+        rows = [stability_values(steady.verdict)]
+        return [values, verdicts("", title, "motion", lambda row: f"tilt {tilt:.6g}°", rows)]
 
     def _laws(self) -> Table:
         columns = {
