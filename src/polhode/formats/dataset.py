@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from polhode.bodies.frame import BodyFrame
-from polhode.errors import not_installed
+from polhode.errors import InvalidInput, not_installed
 from polhode.formats.dataset_rules import UNITS
 from polhode.formats.given_axes import along_principal_axes
 from polhode.formats.labels import AttitudeLabels, labels_of
@@ -139,9 +139,10 @@ def write_dataset(
     """Write a trajectory as NetCDF; the file appears whole or not at all.
 
     Raises:
-        InvalidInput: if the file cannot be written there.
+        InvalidInput: if the file cannot be written there, or for states that are not finite.
     """
     path = Path(path)
+    _check_finite(trajectory)
     dataset = as_dataset(trajectory, attributes, frame)
     # HDF5 would try again to write what a full disk refused, and crash as Python ends: it gets memory, not the disk
     packed = BytesIO()
@@ -157,13 +158,14 @@ def write_zarr(
     """Write a trajectory as a Zarr store (format 2), a folder; it appears whole or not at all.
 
     Raises:
-        InvalidInput: if it cannot be written there, or zarr is not installed.
+        InvalidInput: if it cannot be written there, for states that are not finite, or if zarr is not installed.
     """
     try:
         import zarr.storage
     except ImportError:
         raise not_installed("Zarr stores", "zarr", "zarr") from None
     path = Path(path)
+    _check_finite(trajectory)
     dataset = as_dataset(trajectory, attributes, frame)
     # zarr's own thread would go on writing while an interrupted draft is removed: it gets memory, not the disk
     packed: dict[str, Any] = {}
@@ -177,6 +179,20 @@ def write_zarr(
             if place.read_bytes() != data:
                 raise OSError(errno.EIO, f"what was written is not what is read for {key}")
     return path
+
+
+def _check_finite(trajectory: Trajectory) -> None:
+    """Refuse a trajectory that would not be read back: a copy of a batch has no states after its end."""
+    wrong = np.argwhere(~np.isfinite(np.asarray(trajectory.states)))
+    if not len(wrong):
+        return
+    copies = len(trajectory.batch_shape)
+    copy, k = tuple(wrong[0][:copies].tolist()), int(wrong[0][copies])
+    whose = f" of copy {copy if copies > 1 else copy[0]}" if copies else ""
+    raise InvalidInput(
+        f"a dataset holds finite numbers only; the states{whose} are not from {float(trajectory.times[k]):.9g} s on. "
+        "Follow the motion to an earlier time, or each copy to its own end."
+    )
 
 
 def _is_our_store(path: Path) -> bool:
