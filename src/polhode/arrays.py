@@ -375,8 +375,8 @@ def forward_columns(function: Callable[..., tuple[Any, ...]], name: str) -> Call
 
         def column(unit: Any) -> tuple[Any, ...]:
             parts = (unit[k : k + n] for k, n in zip(starts, sizes, strict=True))
-            ways = tuple(jnp.broadcast_to(part, x.shape) for part, x in zip(parts, primals, strict=True))
-            return jax.jvp(function, primals, ways)[1]
+            tangents = tuple(jnp.broadcast_to(part, x.shape) for part, x in zip(parts, primals, strict=True))
+            return jax.jvp(function, primals, tangents)[1]
 
         columns = jax.vmap(column)(jnp.eye(sum(sizes)))
         changes = [jnp.sum(jnp.moveaxis(c, 0, -1) * jnp.concatenate(tangents, axis=-1), axis=-1) for c in columns]

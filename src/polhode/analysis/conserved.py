@@ -173,15 +173,15 @@ def derivatives(source: Source, z: Array, samples: Array) -> Derivatives:
     """Differentiate at z (n,), and once at each sample (m, n); what is not finite there is left so."""
     rng = np.random.default_rng(1)
     size = float(np.abs(z).max(initial=0.0)) or 1.0
-    ways = rng.choice([-1.0, 1.0], size=(2, z.size))
-    ways = np.vstack([ways, -ways])
+    signs = rng.choice([-1.0, 1.0], size=(2, z.size))
+    signs = np.vstack([signs, -signs])
     rounded = z * (1.0 + 2.0**-51 * rng.choice([-1.0, 1.0], size=(2, z.size)))
-    points, centres = np.vstack([z, z + STEP * size * ways, samples]), np.vstack([z, rounded])
+    points, centres = np.vstack([z, z + STEP * size * signs, samples]), np.vstack([z, rounded])
     gradients, hessians = (np.asarray(x) for x in differentiate(source, points, centres))
     slopes, curvatures = gradients[0], hessians[0]
     with np.errstate(invalid="ignore"):
         quotients = (gradients[1:5] - slopes) / STEP
-        expected = size * np.einsum("kij,mj->mki", curvatures, ways)
+        expected = size * np.einsum("kij,mj->mki", curvatures, signs)
         scale = size * np.abs(curvatures).max(axis=(1, 2), initial=0.0) + np.abs(slopes).max(axis=1, initial=0.0)
         off = np.abs(quotients - expected).max(axis=(0, 2), initial=0.0) / np.where(scale > 0, scale, 1.0)
         largest = np.abs(curvatures).max(axis=(1, 2), initial=0.0)

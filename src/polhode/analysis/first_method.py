@@ -39,8 +39,8 @@ def first_method(linearization: Array, basis: Array | None = None, tolerance: fl
     k = int(np.argmax(spectrum.real))
     rate = float(spectrum[k].real)
     if rate > unsure[k]:
-        way = right[:, k] * np.exp(-1j * np.angle(right[np.argmax(np.abs(right[:, k])), k]))
-        direction = basis @ way.real
+        mode = right[:, k] * np.exp(-1j * np.angle(right[np.argmax(np.abs(right[:, k])), k]))
+        direction = basis @ mode.real
         text = f"an exponent has the real part {rate:.6g}/s: neighbours grow as exp({rate:.6g}/s · t)"
         return Stability("unstable", rate, "exponential", direction / np.linalg.norm(direction), text, spectrum)
     if (spectrum.real < -unsure).all():

@@ -153,8 +153,8 @@ def resonance_strength(order: float, eccentricity: float) -> float:
     E = TURN * np.arange(count) / count
     sine = np.sin(0.5 * E)
     ratio = (1.0 - e) + 2.0 * e * sine**2
-    way = ((1.0 - e) - 2.0 * sine**2 + 1j * math.sqrt((1.0 - e) * (1.0 + e)) * np.sin(E)) / ratio  # exp(i f)
-    values = (way**2 * np.exp(-2j * p * (E - e * np.sin(E)))).real / ratio**2
+    direction = ((1.0 - e) - 2.0 * sine**2 + 1j * math.sqrt((1.0 - e) * (1.0 + e)) * np.sin(E)) / ratio  # exp(i f)
+    values = (direction**2 * np.exp(-2j * p * (E - e * np.sin(E)))).real / ratio**2
     strength = math.fsum(values) / count
     # what is left of a sum that vanishes, as those of a circular orbit do, is rounding
     return 0.0 if abs(strength) < 4e-16 * float(np.abs(values).max()) else strength

@@ -1,7 +1,7 @@
 """The arithmetic–geometric mean with its third-kind sum, in double-double.
 
 Arithmetic and square roots alone give complete elliptic integrals of the first and third kind, so that the rates of
-exact motion carry thirty digits and their phases stay sharp for any time. Source: Carlson, SIAM J. Math. Anal. 8 (1977)
+exact motion carry thirty digits and their phases stay right for any time. Source: Carlson, SIAM J. Math. Anal. 8 (1977)
 231.
 """
 

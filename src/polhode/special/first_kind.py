@@ -1,4 +1,4 @@
-"""Carlson's R_F(x, y, 1) in double-double, for phases that must stay sharp."""
+"""Carlson's R_F(x, y, 1) in double-double, for phases that must stay accurate."""
 
 from __future__ import annotations
 

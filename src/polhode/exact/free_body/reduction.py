@@ -36,7 +36,7 @@ class Reduction(NamedTuple):
     P: DoubleDouble
     Q: DoubleDouble
     S: DoubleDouble
-    root_S: DoubleDouble  # √−S, sharp where S itself underflows
+    root_S: DoubleDouble  # √−S, accurate where S itself underflows
     root_P: Array  # √P, likewise
     V: DoubleDouble
     G2: DoubleDouble  # |L|²

@@ -35,7 +35,7 @@ def flow(start: Start, tau: Array, D: Array, tilt: Array) -> tuple[Array, ...]:
     Args:
         start: at τ = 0, |α|² + |β|² = 1.
         tau: elapsed τ = t/I1, constant.
-        D: sharp value of 2G − a² − |w|² + G s, constant; its changes are taken from ``start``.
+        D: accurate value of 2G − a² − |w|² + G s, constant; its changes are taken from ``start``.
         tilt: largest 1 − cos θ of the motion, constant.
     """
     xp = namespace(*start)

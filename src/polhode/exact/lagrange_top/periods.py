@@ -21,7 +21,7 @@ TERMS = 18  # of it: 0.1^18
 
 
 class Nutation(NamedTuple):
-    """A top's invariants and turning points, one plain array each, each as sharp as it can be had."""
+    """A top's invariants and turning points, one plain array each, each as accurate as possible."""
 
     G: Array
     a: Array

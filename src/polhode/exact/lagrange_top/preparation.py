@@ -36,7 +36,7 @@ class _Arguments(NamedTuple):
     theta3: Array
     y_alpha: Array  # imaginary distance of the poles, times π/2K (full) or π/2K'
     y_beta: Array
-    r_alpha: Array  # full: q e^{2y}, sharp where y is far out
+    r_alpha: Array  # full: q e^{2y}, accurate where y is far out
     r_beta: Array
     x0: DoubleDouble
 

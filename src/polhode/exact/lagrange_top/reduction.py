@@ -1,4 +1,4 @@
-"""The invariants of a Lagrange top, scaled and sharp however close to each other the regimes come.
+"""The invariants of a Lagrange top, scaled, and accurate however close to each other the regimes come.
 
 With a = L3, w = L1 + i L2, G = 2 mgl I1, τ = t/I1 and the Cayley–Klein parameters α = q0 + i q3, β = q1 + i q2, a top
 of equal moments obeys 2α' = i a α − w̄ β, 2β' = w α − i a β, w' = G ᾱ β; I3 ≠ I1 only adds the constant spin

@@ -118,7 +118,7 @@ def _upper_root_apart(
     s2, Z = dd.subtract(top.s0, from_upper), dd.subtract(Y, dd.multiply(G, top.s0))
     Gs2 = dd.multiply(G, s2)
     take_Z = Z[0] >= Gs2[0]
-    # s1 s2 Z = c²; of s2 and Z only the larger is a sharp difference
+    # s1 s2 Z = c²; of s2 and Z only the larger is an accurate difference
     s2, Z = (
         dd.where(take_Z, _quotient(c2, dd.multiply(s1, Z)), s2),
         dd.where(take_Z, Z, _quotient(c2, dd.multiply(s1, s2))),
