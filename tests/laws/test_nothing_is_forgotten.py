@@ -107,6 +107,7 @@ NO_ARRAYS = {
 CALLED_BY_OTHERS = {
     "algebra.base.HashableModule", "algebra.constants.checked_constants", "algebra.matrix.adjoint",
     "algebra.matrix.traceless", "algebra.matrix.pfaffian", "algebra.so3.half_angle_factors", "algebra.so3.scaled_norm",
+    "analysis.gyrostat_rotations.cleaned", "analysis.gyrostat_rotations.symmetry_axis",
     "analysis.energy_casimir.Stability", "analysis.energy_casimir.energy_casimir", "analysis.spin_motion.steps_for",
     "analysis.spin_orbit.table_of", "analysis.spin_orbit.scaled_start", "analysis.spin_orbit.counted",
     "analysis.stability.scaled_field", "bodies.atoms.atomic_masses", "bodies.body.point_inertia",

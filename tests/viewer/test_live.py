@@ -195,12 +195,6 @@ def test_what_the_live_view_does_not_show(tmp_path):
         run_live(still, 0, False)
 
 
-def test_without_viser(monkeypatch):
-    monkeypatch.setitem(sys.modules, "viser", None)
-    with pytest.raises(InvalidInput, match=r"polhode\[live\]"):
-        run_live(None, 0, False)
-
-
 def test_interrupting_ends_it_cleanly():
     command = [sys.executable, "-m", "polhode.cli.main", "live", "--port", "0", "--no-open"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as running:

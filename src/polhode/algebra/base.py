@@ -87,7 +87,7 @@ class AbstractLieAlgebra(HashableModule):
         mu = jnp.asarray(mu)
         return jnp.zeros((*self.batch_shape(mu), 0))
 
-    def named_casimirs(self, mu: Double[Array, "..."]) -> dict[str, Array]:
+    def named_casimirs(self, mu: Double[Array, "..."]) -> dict[str, Float64[Array, "..."]]:
         """Return the known Casimirs at μ by name: (…) each, or (…, count) where a ``Power`` has one in every copy."""
         values = self.casimirs(mu)
         return {name: values[..., k] for k, name in enumerate(self.casimir_names)}

@@ -54,7 +54,7 @@ class Power(AbstractLieAlgebra):
     def casimirs(self, mu: Double[Array, "..."]) -> Float64[Array, "... k"]:
         return self._flat(self.algebra.casimirs(mu))
 
-    def named_casimirs(self, mu: Double[Array, "..."]) -> dict[str, Array]:
+    def named_casimirs(self, mu: Double[Array, "..."]) -> dict[str, Float64[Array, "..."]]:
         batch = self.batch_shape(mu)
         return {name: values.reshape(*batch, -1) for name, values in self.algebra.named_casimirs(mu).items()}
 

@@ -56,7 +56,7 @@ class Product(AbstractLieAlgebra):
         parts = zip(self.factors, self.split(mu), strict=True)
         return jnp.concatenate([f.casimirs(f.from_dual_vector(part)) for f, part in parts], axis=-1)
 
-    def named_casimirs(self, mu: Operand) -> dict[str, Array]:
+    def named_casimirs(self, mu: Operand) -> dict[str, Float64[Array, "..."]]:
         parts = enumerate(zip(self.factors, self.split(mu), strict=True))
         return {
             f"{name} of {k}": values
