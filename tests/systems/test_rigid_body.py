@@ -160,7 +160,7 @@ def test_a_free_rotor_and_a_driven_one_are_the_gyrostats_with_the_moments_of_the
         assert np.abs(found.states - same.states).max() < AGREES
         assert ("energy" in found.invariants) == (torque is None)
     free = RigidBody(MOMENTS, [Rotor((0.0, 1.0, 0.0), 0.2)])
-    start = free.state(ATTITUDE, VELOCITY, rates=[4.0])
+    start = free.pack(ATTITUDE, VELOCITY, rates=[4.0])
     one = ph.simulate(free, start, TIMES)
     momentum = 0.2 * (4.0 + VELOCITY[1])
     same = ph.simulate(Gyrostat(less, (0.0, momentum, 0.0)), start[:7], TIMES, order=8)
@@ -319,7 +319,7 @@ class SprungWheel(AbstractMount):
 def test_a_mount_of_ones_own_with_two_parts():
     """About one axis the twist swings by k (1/J + 1/(I − J)); on a skew axis the energy and the momentum stay."""
     alone = RigidBody(MOMENTS, [SprungWheel(jnp.array([0.0, 0.0, 1.0]), 0.2, 0.5)])
-    found = ph.simulate(alone, alone.state(angular_velocity=(0.0, 0.0, 0.3), rates=[1.5]), TIMES)
+    found = ph.simulate(alone, alone.pack(angular_velocity=(0.0, 0.0, 0.3), rates=[1.5]), TIMES)
     rate = np.sqrt(0.5 * (1.0 / 0.2 + 1.0 / (MOMENTS[2] - 0.2)))
     assert np.abs(found.part("twist") - 1.5 / rate * np.sin(rate * TIMES)).max() < 10 * MOTION
     skew = RigidBody(MOMENTS, [SprungWheel(jnp.asarray(FIRST), 0.2, 0.5)])
