@@ -42,7 +42,7 @@ LEFT_OUT = {
     "check_state": "refuses traced numbers, see test_refused_when_traced",
     "upright": "refuses traced numbers, see test_refused_when_traced",
     "rolling_state": "refuses traced numbers, see test_refused_when_traced",
-    "EulerDisk.state": "refuses traced numbers, see test_refused_when_traced",
+    "EulerDisk.pack": "refuses traced numbers, see test_refused_when_traced",
     "EulerDisk.linear_integrals": "of thin disks only, by Legendre functions of a table",
     "HeavyTop.from_body": "takes a body, whose numbers are known",
     "layout": "says what numbers mean, and returns none",
@@ -86,7 +86,7 @@ def arguments(system, method):
     if isinstance(system, AbstractLiePoissonSystem):
         values["point"] = np.asarray(system.algebra.from_dual_vector(RNG.normal(size=(3, system.algebra.dim))))
     names = list(inspect.signature(method).parameters)
-    if method.__name__ == "state":  # angular velocity or momentum; mounts at rest
+    if method.__name__ == "pack":  # angular velocity or momentum; mounts at rest
         names = [name for name in names if name not in ("momentum", "rates", "actuators")]
     return [None if name == "disk" else values[name] for name in names]
 
