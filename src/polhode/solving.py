@@ -101,7 +101,7 @@ def solve(
         order: of the method, by default its own.
         tolerance: of a step of diffrax's solvers, relative; by default 1e-12.
         save: every how many-th of the times to save; or a function of time and one state, whose values are saved
-            instead; or a ``Fold`` of them, for methods of ours, whose result is no larger for more times.
+            instead; or a ``Fold``, whose result does not grow with the times, and which needs one of our methods.
 
     Raises:
         InvalidInput: for wrong shapes and arguments, and for known numbers that are wrong: times out of order, a step

@@ -7,6 +7,7 @@ import pytest
 
 import polhode as ph
 from polhode import analysis, systems
+from polhode.analysis.energy_casimir import energy_casimir
 
 BODY = systems.FreeRigidBody((1.0, 2.0, 3.0))
 TOP = systems.HeavyTop((1.0, 1.0, 0.5), 1.0, (0.0, 0.0, 1.0))
@@ -76,3 +77,15 @@ def test_the_sentence_and_the_report_are_made_of_it():
     assert str(found.function) in found.certificate
     called = analysis.top_stability(TOP, 5.0).upright
     assert "|Γ|²" in called.function.names and "|P|²" not in called.certificate
+
+
+def test_a_negative_weight_of_the_energy_turns_the_signature():
+    """Two oscillators of which −H + C alone is definite: F = H − C has only negative curvatures."""
+    energy, other = np.diag([-2.0, -2.0, 1.0, 1.0]), np.diag([-1.0, -1.0, 3.0, 3.0])
+    turn = np.array([[0.0, 1.0], [-1.0, 0.0]])
+    flow = np.block([[turn, np.zeros((2, 2))], [np.zeros((2, 2)), 2.0 * turn]])
+    found = energy_casimir(flow, np.zeros(4), energy, [np.zeros(4)], [other], ["C"])
+    assert found.verdict == "stable" and found.function is not None and found.function.weights[0] == 1.0
+    curvatures = np.linalg.eigvalsh(energy + found.function.weights[1] * other)
+    assert found.function.signature == ((curvatures > 0).sum(), 0, (curvatures < 0).sum()) == (0, 0, 4)
+    assert "negative definite" in found.certificate

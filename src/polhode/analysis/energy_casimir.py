@@ -124,12 +124,7 @@ def energy_casimir(
     weights = _weights(leaf)
     leaf.check_conservation(weights)
     second = leaf.combination(weights)
-    total = weights if contained is None else weights + np.r_[0.0, weights[0] * contained]
-    size, zero = leaf.size(weights) or 1.0, leaf.zero(weights)
-    function = ConservedFunction(
-        tuple(names), total / (weights[0] or 1.0), np.linalg.eigvalsh(second) / size, zero / size,
-        leaf.freedom.shape[1], unit=unit,
-    )  # fmt: skip
+    function = _function(leaf, weights, second, contained, names, unit)
     positive, flat, negative = function.signature
     if not flat and not (positive and negative):
         return _stable(leaf, weights, second, function)
@@ -138,14 +133,25 @@ def energy_casimir(
         return replace(_unstable(spectrum, rate, direction), function=function)
     indefinite = bool(positive and negative)
     if on_equilibria and not indefinite:
-        return replace(_on_equilibria(leaf, second, zero, function, spectrum), function=function)
+        return replace(_on_equilibria(leaf, second, leaf.zero(weights), function, spectrum), function=function)
+    why, balance = ("indefinite", " a gyroscopic balance;") if indefinite else ("degenerate", "")
     text = (
-        f"the second variation of {function} on the leaf is {'indefinite' if indefinite else 'degenerate'} and no "
-        "exponent has a real part that is surely "
-        + ("positive: a gyroscopic balance; " if indefinite else "positive: ")
-        + "terms of higher order decide"
+        f"the second variation of {function} on the leaf is {why} and no exponent has a real part that is surely "
+        f"positive:{balance} terms of higher order decide"
     )
     return Stability("undecided", 0.0, None, None, text, spectrum, function=function)
+
+
+def _function(
+    leaf: Leaf, weights: Array, second: Array, contained: Array | None, names: Sequence[str], unit: float
+) -> ConservedFunction:
+    """Return F over the weight of H, and its curvatures; a negative weight turns the signs of both."""
+    scale, size = weights[0] or 1.0, leaf.size(weights) or 1.0
+    total = weights if contained is None else weights + np.r_[0.0, weights[0] * contained]
+    curvatures = np.sort(np.sign(scale) * np.linalg.eigvalsh(second)) / size
+    return ConservedFunction(
+        tuple(names), total / scale, curvatures, leaf.zero(weights) / size, leaf.freedom.shape[1], unit=unit
+    )
 
 
 def _stable(leaf: Leaf, weights: Array, second: Array, function: ConservedFunction) -> Stability:

@@ -91,7 +91,7 @@ class Rotor(AbstractMount):
         moment: J about its axis [kg m²], positive.
         motor: u, the torque of the motor on the rotor [N m]: a number, or a function (t, attitude, angular_velocity,
             rate) of the time (…) [s], the attitude (…, 4), Ω (…, 3) and σ (…), batched and written with ``jax.numpy``;
-            left out, there is no motor. A function asks for states with the attitude.
+            None for no motor. A function needs states that have the attitude.
         friction: c of the bearing [N m s], not negative.
 
     Raises:
