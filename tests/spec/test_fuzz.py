@@ -124,6 +124,16 @@ about = "x"
 [time]
 samples = 9
 """,
+    "radius of gyration's square overflows": """
+[body]
+mass = "5.9722e-308 kg"
+moments = ["8.010e37 kg*m^2", "8.010e37 kg*m^2", "8.036e37 kg*m^2"]
+[spin]
+rate = "7.292115e-5 rad/s"
+about = 3
+[time]
+samples = 9
+""",
 }
 
 

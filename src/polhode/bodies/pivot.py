@@ -56,7 +56,7 @@ def about_pivot(body: Body, pivot: Real[ArrayLike, "3"], gravity: float = STANDA
     moments, axes = principal_axes(body.about(pivot))
     arm = (body.center_of_mass - np.asarray(pivot, dtype=float)) @ axes
     length, mass = float(np.linalg.norm(arm)), float(body.mass or 0.0)
-    if length <= AT_PIVOT * np.sqrt(moments[2] / mass):
+    if length * np.sqrt(mass) <= AT_PIVOT * np.sqrt(moments[2]):
         warnings.warn("the fixed point is the centre of mass: the weight has no torque, the body is free.",
                       stacklevel=3)  # fmt: skip
         return PivotedBody(moments, axes, np.zeros(3), 0.0)

@@ -113,7 +113,7 @@ def box_of_same_inertia(moments: Real[ArrayLike, "3"], mass: float | None = None
     if not (squares >= -4.0 * np.finfo(float).eps * I.sum()).all() or not squares.max() > 0:
         return None
     edges = np.sqrt(np.maximum(squares, 0.0))
-    scale = 1.0 / edges.max() if mass is None else np.sqrt(6.0 / mass)
+    scale = 1.0 / edges.max() if mass is None else np.sqrt(6.0) / np.sqrt(mass)
     return cuboid(edges * scale)
 
 

@@ -26,7 +26,7 @@ def about_body(body: Body, of_moments: str = "") -> Group:
         body: whose.
         of_moments: what else must be known of the principal moments and axes.
     """
-    size = math.sqrt(max(body.principal_moments) / body.mass) if body.mass else 0.0
+    size = math.sqrt(max(body.principal_moments)) / math.sqrt(body.mass) if body.mass else 0.0
     center, moments = body.center_of_mass, body.principal_moments
     return Group("Body", [
         Answer("mass", body.mass, "kg", "mass"),
