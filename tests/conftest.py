@@ -1,7 +1,8 @@
 """Every call in the tests has its annotations checked, except where a test gives a wrong type on purpose.
 
 Compiled functions are kept on disk for the length of a run, so that workers and subprocesses compile each once, and
-are dropped from memory once a worker has grown large.
+are dropped from memory once a worker has grown large. Most time goes into compiling, so the default tests compile
+without optimization. The sweeps, and what is compared with the oracle, compile as a user's program does.
 """
 
 import contextlib
@@ -16,9 +17,14 @@ from pathlib import Path
 import pytest
 from jaxtyping import config, install_import_hook
 
+from polhode.cli.compiled import compile_quickly
+
 install_import_hook("polhode", "typed.check")
 
 COMPILED = "JAX_COMPILATION_CACHE_DIR"
+QUICKLY = (  # a fifth of the time
+    "--xla_cpu_use_fusion_emitters=false --xla_backend_optimization_level=0 --xla_cpu_parallel_codegen_split_count=1"
+)
 MAX_RESIDENT = 1.4e9  # bytes of a worker from which it gives memory back, and compiles again what it needs
 MAX_SECONDS = 900  # of one test, on a machine that does other things too
 MAX_SECONDS_IN_A_BROWSER = 240
@@ -31,6 +37,8 @@ def pytest_configure(config):
         os.environ[COMPILED] = config.compiled_here = tempfile.mkdtemp(prefix="polhode-tests-")
         os.environ["JAX_PERSISTENT_CACHE_MIN_COMPILE_TIME_SECS"] = "0.2"
         os.environ["JAX_PERSISTENT_CACHE_MIN_ENTRY_SIZE_BYTES"] = "-1"
+        if config.option.markexpr == "not sweep":
+            compile_quickly(QUICKLY)
 
 
 def pytest_unconfigure(config):

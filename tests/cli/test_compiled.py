@@ -17,15 +17,25 @@ times = diffrax.SaveAt(ts=jax.numpy.array([0.5, 1.0]))
 solve = jax.jit(lambda y: diffrax.diffeqsolve(rates, diffrax.Heun(), 0.0, 1.0, 0.1, y, saveat=times, throw=False).ys)
 print(float(solve(1.0)[-1]))
 """
+FLAGS = """
+import os, sys
+from polhode.cli.compiled import compile_quickly
+compile_quickly()
+assert "jax" not in sys.modules
+print(os.environ.get("XLA_FLAGS", ""))
+import jax
+assert float(jax.jit(lambda x: 2.0 * x)(1.5)) == 3.0
+"""
 IMPORT = """
 import os, polhode, polhode.algebra, jax
-assert jax.config.jax_compilation_cache_dir is None and "EQX_ON_ERROR" not in os.environ
+assert jax.config.jax_compilation_cache_dir is None
+assert not {"EQX_ON_ERROR", "XLA_FLAGS"} & set(os.environ)
 jax.jit(jax.numpy.sin)(1.0)
 """
 
 
 def run(program, cache, **more):
-    environment = {k: v for k, v in os.environ.items() if not k.startswith(("JAX_", "EQX_", "TF_"))}
+    environment = {k: v for k, v in os.environ.items() if not k.startswith(("JAX_", "EQX_", "TF_", "XLA_"))}
     environment |= {"XDG_CACHE_HOME": str(cache), "HOME": str(cache)} | more
     done = subprocess.run([sys.executable, "-c", program], env=environment, capture_output=True, text=True, timeout=300,
                           check=False)  # fmt: skip
@@ -70,3 +80,14 @@ def test_a_folder_that_the_user_chose_is_left_as_it_is(tmp_path):
 def test_importing_the_library_switches_nothing_on(tmp_path):
     run(IMPORT, tmp_path)
     assert not kept(tmp_path)
+
+
+def test_the_compiler_knows_the_flags_and_the_users_own_win(tmp_path):
+    own = "--xla_cpu_enable_fast_math=false"
+    assert "emitters" in run(FLAGS, tmp_path)
+    assert run(FLAGS, tmp_path, XLA_FLAGS=own).strip() == own
+
+
+def test_a_compiler_that_may_not_know_the_flags_is_not_given_them(tmp_path):
+    """It would end the process."""
+    assert run("import jaxlib; jaxlib.__version__ = '0.99.0'" + FLAGS, tmp_path).strip() == ""

@@ -11,6 +11,7 @@ import pytest
 import polhode as ph
 from oracle.families import Case, draw
 from oracle.measures import EPS, drift_in_eps, error_in_eps
+from oracle.optimized import OPTIMIZED
 from sweeping import first
 
 WORST_ERROR = 16.0
@@ -33,20 +34,21 @@ def numpy_states(cases: list[Case]) -> tuple[np.ndarray, np.ndarray]:
 
 def jax_states_one_by_one(cases: list[Case]) -> tuple[np.ndarray, np.ndarray]:
     with jax.enable_x64(True):
-        compiled = jax.jit(one_state)
+        compiled = jax.jit(one_state, compiler_options=OPTIMIZED)
         found = [compiled(*case) for case in zip(*columns(cases), strict=True)]
         return np.array([attitude for attitude, _ in found]), np.array([momentum for _, momentum in found])
 
 
 def jax_states(cases: list[Case]) -> tuple[np.ndarray, np.ndarray]:
     with jax.enable_x64(True):
-        found = jax.jit(one_state)(*(jnp.asarray(column) for column in columns(cases)))
+        found = jax.jit(one_state, compiler_options=OPTIMIZED)(*(jnp.asarray(column) for column in columns(cases)))
         return np.asarray(found[0]), np.asarray(found[1])
 
 
 def jax_vmapped_states(cases: list[Case]) -> tuple[np.ndarray, np.ndarray]:
     with jax.enable_x64(True):
-        found = jax.jit(jax.vmap(one_state))(*(jnp.asarray(column) for column in columns(cases)))
+        states = jax.jit(jax.vmap(one_state), compiler_options=OPTIMIZED)
+        found = states(*(jnp.asarray(column) for column in columns(cases)))
         return np.asarray(found[0]), np.asarray(found[1])
 
 

@@ -16,6 +16,7 @@ import polhode as ph
 from oracle.lagrange import TopState, largest_momentum, reference_top
 from oracle.lagrange_families import TopCase, draw_tops
 from oracle.measures import EPS, rotation_of
+from oracle.optimized import OPTIMIZED
 from sweeping import first
 
 WORST_ERROR = 16.0
@@ -68,13 +69,13 @@ def one_state(moments, mgl, momentum, attitude, time):
 
 def jax_states(cases: list[TopCase]) -> tuple[np.ndarray, np.ndarray]:
     with jax.enable_x64(True):
-        found = jax.jit(one_state)(*map(jnp.asarray, columns(cases)))
+        found = jax.jit(one_state, compiler_options=OPTIMIZED)(*map(jnp.asarray, columns(cases)))
         return np.asarray(found[0]), np.asarray(found[1])
 
 
 def jax_vmapped_states(cases: list[TopCase]) -> tuple[np.ndarray, np.ndarray]:
     with jax.enable_x64(True):
-        found = jax.jit(jax.vmap(one_state))(*map(jnp.asarray, columns(cases)))
+        found = jax.jit(jax.vmap(one_state), compiler_options=OPTIMIZED)(*map(jnp.asarray, columns(cases)))
         return np.asarray(found[0]), np.asarray(found[1])
 
 

@@ -46,11 +46,12 @@ def _run(arguments: list[str] | None) -> int | str | None:
             raise InvalidInput("standard output is closed, so nothing can be printed. Send it to /dev/null instead.")
         from polhode.cli.arguments import check_arguments
         from polhode.cli.commands import app
-        from polhode.cli.compiled import keep_compiled
+        from polhode.cli.compiled import compile_quickly, keep_compiled
 
         try:
             check_arguments(sys.argv[1:] if arguments is None else arguments)
             if arguments is None:  # the process is the command's own
+                compile_quickly()
                 keep_compiled()
             app(arguments)
         finally:
