@@ -74,8 +74,21 @@ class Scene:
         corners = np.stack([(x - left) / self.pixel, (y - bottom) / self.pixel, depth], axis=-1)[faces]
         shades = self._shades(corner_normals(vertices, faces), ambient)
         rgb = np.array([int(colour[k : k + 2], 16) / 255.0 for k in (1, 3, 5)])
-        for triangle, shade in zip(corners, shades, strict=True):
-            self._fill(triangle, shade, rgb)
+        lowest, highest = self._pixels(corners)
+        (ax, ay), (bx, by), (cx, cy) = np.moveaxis(corners[..., :2], 0, -1)
+        area = (bx - ax) * (cy - ay) - (cx - ax) * (by - ay)
+        drawn = (lowest < highest).all(axis=-1) & (np.abs(area) > 1e-12)
+        if _is_closed(vertices, faces):
+            drawn &= area > 0.0  # the rest is on the far side, behind these
+        for k in np.flatnonzero(drawn):
+            self._fill(corners[k], lowest[k], highest[k], area[k], shades[k], rgb)
+
+    def _pixels(self, corners: Array) -> tuple[Array, Array]:
+        """Return the first pixels (m, 2) that triangles (m, 3, 3) may cover, and those after the last."""
+        rows, columns = self.depth.shape
+        low = np.maximum(np.floor(corners[..., :2].min(axis=1)), 0).astype(int)
+        high = np.minimum(np.ceil(corners[..., :2].max(axis=1)) + 1, (columns, rows)).astype(int)
+        return low, high
 
     def _shades(self, normals: Array, ambient: float) -> Array:
         """Return brightness from 0 to about 1.1 by normals (…, 3), either side lit."""
@@ -84,16 +97,8 @@ class Scene:
         lit = np.clip(turned @ (LIGHT / np.linalg.norm(LIGHT)), 0.0, 1.0)
         return ambient + (1.0 - ambient) * lit + 0.12 * lit**8
 
-    def _fill(self, triangle: Array, shade: Array, colour: Array) -> None:
-        rows, columns = self.depth.shape
-        low = np.maximum(np.floor(triangle[:, :2].min(axis=0)).astype(int), 0)
-        high = np.minimum(np.ceil(triangle[:, :2].max(axis=0)).astype(int) + 1, (columns, rows))
-        if (low >= high).any():
-            return
+    def _fill(self, triangle: Array, low: Array, high: Array, area: float, shade: Array, colour: Array) -> None:
         (ax, ay), (bx, by), (cx, cy) = triangle[:, :2]
-        area = (bx - ax) * (cy - ay) - (cx - ax) * (by - ay)
-        if abs(area) < 1e-12:
-            return
         x = np.arange(low[0], high[0]) + 0.5
         y = (np.arange(low[1], high[1]) + 0.5)[:, None]
         second = ((x - ax) * (cy - ay) - (cx - ax) * (y - ay)) / area
@@ -104,7 +109,8 @@ class Scene:
         won = (first >= -1e-9) & (second >= -1e-9) & (third >= -1e-9) & (depth > self.depth[part])
         bright = (first * shade[0] + second * shade[1] + third * shade[2])[won]
         self.depth[part][won] = depth[won]
-        self.colour[part][won] = np.column_stack([np.clip(bright[:, None] * colour, 0.0, 1.0), np.ones(won.sum())])
+        self.colour[part][won, :3] = np.clip(bright[:, None] * colour, 0.0, 1.0)
+        self.colour[part][won, 3] = 1.0
 
     def finish(self, strength: float = 1.0, order: float = 0.0) -> None:
         """Put the image of the solids so far onto the page."""
@@ -174,8 +180,7 @@ def corner_normals(vertices: Float64[Array, "n 3"], faces: Integer[Array, "m 3"]
     a, b, c = (vertices[faces[:, k]] for k in range(3))
     areas = np.cross(b - a, c - a)
     flat = areas / np.maximum(np.linalg.norm(areas, axis=-1, keepdims=True), 1e-300)
-    grid = np.round((vertices - vertices.min(axis=0)) / (np.ptp(vertices, axis=0).max() or 1.0), 6)
-    place = np.unique(grid, axis=0, return_inverse=True)[1].reshape(-1)[faces]
+    place = _places(vertices)[faces]
     normals = np.repeat(flat[:, None, :], 3, axis=1)
     order = np.argsort(place, axis=None, kind="stable")
     starts = np.flatnonzero(np.diff(place.reshape(-1)[order], prepend=-1))
@@ -184,6 +189,25 @@ def corner_normals(vertices: Float64[Array, "n 3"], faces: Integer[Array, "m 3"]
         mean = (near @ near.T > CREASE) @ areas[group // 3]
         normals[group // 3, group % 3] = mean / np.maximum(np.linalg.norm(mean, axis=-1, keepdims=True), 1e-300)
     return normals
+
+
+def _is_closed(vertices: Array, faces: Array) -> bool:
+    """Return whether triangles bound a volume, outside out: every edge is used once each way."""
+    place = _places(vertices)[faces]
+    edges = place[:, ((0, 1), (1, 2), (2, 0))].reshape(-1, 2)
+    edges = edges[edges[:, 0] != edges[:, 1]]  # at a pole of a ball, corners of a triangle may meet
+    count = int(place.max()) + 1
+    there, back = (np.sort(edges @ weights) for weights in ((count, 1), (1, count)))
+    if not (np.array_equal(there, back) and (np.diff(there) > 0).all()):
+        return False
+    a, b, c = ((vertices - vertices.mean(axis=0))[faces[:, k]] for k in range(3))
+    return bool(np.sum(a * np.cross(b, c)) > 0.0)
+
+
+def _places(vertices: Array) -> Array:
+    """Return numbers (n,) of corners, the same where they are in the same place."""
+    grid = np.round((vertices - vertices.min(axis=0)) / (np.ptp(vertices, axis=0).max() or 1.0), 6)
+    return np.unique(grid, axis=0, return_inverse=True)[1].reshape(-1)
 
 
 def circle_about(
