@@ -43,7 +43,6 @@ from .bodies import shapes as shapes
 from .bodies.atoms import from_atoms as from_atoms
 from .bodies.body import Body as Body
 from .bodies.body import combine as combine
-from .bodies.frame import BodyFrame as BodyFrame
 from .bodies.mesh import from_mesh as from_mesh
 from .bodies.points import from_points as from_points
 from .errors import FormatError as FormatError
@@ -56,6 +55,7 @@ from .kinds.page import show as show
 from .kinds.page import write_page as write_page
 from .kinds.reading import read_spec as read_spec
 from .kinds.reading import report as report
+from .motion.frame import BodyFrame as BodyFrame
 from .motion.trajectory import Trajectory as Trajectory
 from .simulation import simulate as simulate
 from .solving import Fold as Fold

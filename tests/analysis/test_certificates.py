@@ -164,7 +164,7 @@ UNDECIDED = {
     "Casimirs that are missing": (
         systems.LiePoisson(borel(), lambda m: 0.5 * (m[0] ** 2 - m[1] ** 2)), np.eye(5)[4], {},
         "only 0 of 1 Casimirs of degree ≤ 4 exist: give them by `casimirs=`"),
-    "a leaf of equilibria": (on_so3(lambda L: (jnp.sum(L**2) - 1.0) ** 2 * L[2]), e1, {}, "higher order"),
+    "a leaf of equilibria": (on_so3(lambda L: (jnp.sum(L**2) - 1.0) ** 2 * L[2]), e1, {}, "second order"),
 }  # fmt: skip
 
 

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 import polhode as ph
-from polhode.bodies.frame import BodyFrame
 from polhode.bodies.surface import Surface, box_in_place, box_of_same_inertia, cuboid, joined
 from polhode.bodies.turned import ball, torus
+from polhode.motion.frame import BodyFrame
 
 EXACT = 1e-13
 """A few roundings, relative."""
@@ -14,7 +14,7 @@ PLACED = ph.shapes.box(2.0, (1.0, 2.0, 3.0)).placed((0.8, 0.2, -0.4, 0.4), (5.0,
 
 
 def test_a_frame_turns_about_its_centre_of_mass_or_its_pivot():
-    frame = BodyFrame.of(PLACED)
+    frame = PLACED.frame
     assert frame.mass == 2.0 and np.array_equal(frame.origin, PLACED.center_of_mass)
     assert np.array_equal(frame._replace(pivot=np.array([1.0, 2.0, 3.0])).origin, [1.0, 2.0, 3.0])
 
@@ -23,14 +23,14 @@ def test_along_a_frame_a_body_has_diagonal_inertia_about_the_origin():
     axes = PLACED.principal_axes
     standing = Surface(cuboid((1.0, 2.0, 3.0)).vertices @ axes[:, ::-1].T + PLACED.center_of_mass,
                        cuboid((1.0, 2.0, 3.0)).faces)  # fmt: skip
-    along = standing.along(BodyFrame.of(PLACED))
+    along = standing.along(PLACED.frame)
     # the longest edge is along the axis of least inertia
     assert np.abs(along.vertices) == pytest.approx(np.tile([1.5, 1.0, 0.5], (8, 1)), abs=EXACT * 100)
 
 
 def test_about_a_pivot_the_fixed_point_is_the_origin():
     pivot = np.array([5.0, -7.0, 9.0])
-    frame = BodyFrame.of(PLACED)._replace(pivot=pivot)
+    frame = PLACED.frame._replace(pivot=pivot)
     surface = Surface(np.array([pivot, pivot + frame.axes[:, 1]]), np.zeros((0, 3), dtype=int))
     assert surface.along(frame).vertices == pytest.approx(np.array([[0, 0, 0], [0, 1, 0]]), abs=EXACT)
 
@@ -51,7 +51,7 @@ def test_the_box_of_other_moments():
 
 @pytest.mark.parametrize("pivot", [None, (5.0, -7.0, 9.0), (0.0, 0.0, 0.0)])
 def test_the_box_in_place_has_the_body_s_inertia_and_place(pivot):
-    frame = BodyFrame.of(PLACED)
+    frame = PLACED.frame
     if pivot is not None:
         moments, axes = np.linalg.eigh(PLACED.about(pivot))
         frame = BodyFrame(moments, axes, PLACED.center_of_mass, PLACED.mass, np.array(pivot))
@@ -62,7 +62,7 @@ def test_the_box_in_place_has_the_body_s_inertia_and_place(pivot):
 
 
 def test_no_box_where_nothing_says_its_size_or_no_body_is():
-    frame = BodyFrame.of(PLACED)
+    frame = PLACED.frame
     assert box_in_place(frame._replace(mass=None, pivot=np.zeros(3))) is None
     assert box_in_place(frame._replace(moments=np.array([1.0, 1.0, 3.0]))) is None
     assert box_in_place(frame._replace(mass=None)) is not None

@@ -81,11 +81,11 @@ def written(tmp_path_factory):
     spec.write_text(BOX)
     report = read_spec(spec).report()
     labels = AttitudeLabels(object_name="BOX", epoch="2026-03-01T12:00:00", spice_id=-321)
-    write_aem(report.trajectory, tmp_path / "box.aem", labels=labels, frame=report.frame)
-    write_ck(report.trajectory, tmp_path / "box.bc", labels=labels, frame=report.frame)
-    write_dataset(report.trajectory, tmp_path / "own.nc", {}, report.frame)
-    write_csv(report.trajectory, tmp_path / "own.csv", report.frame)
-    given = along_given_axes(report.trajectory, report.frame)
+    write_aem(report.trajectory, tmp_path / "box.aem", labels=labels)
+    write_ck(report.trajectory, tmp_path / "box.bc", labels=labels)
+    write_dataset(report.trajectory, tmp_path / "own.nc", {})
+    write_csv(report.trajectory, tmp_path / "own.csv")
+    given = along_given_axes(report.trajectory)
     turn = rotation.from_rotation_vector((1e-3 + 2e-5 * given.times)[:, None] * AXIS)
     turned = replace(given, attitude=rotation.multiply(turn, given.attitude))
     write_aem(turned, tmp_path / "turned.aem", labels=labels)
@@ -187,7 +187,7 @@ def test_tops_against_their_kernels(tmp_path, monkeypatch, capsys, kind):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "top.toml").write_text(TOP.replace("KIND", kind))
     report = read_spec(tmp_path / "top.toml").report()
-    write_ck(report.trajectory, tmp_path / "top.bc", frame=report.frame)
+    write_ck(report.trajectory, tmp_path / "top.bc")
     found = values_of(["compare", "top.bc", "top.toml"], capsys)
     assert found["angle"]["largest"] <= EXACT
     for side in found["invariants"]:
@@ -203,8 +203,7 @@ def test_import_says_what_is_there_and_writes_it(files, capsys, name):
     assert found["largest_gap"] == pytest.approx(60.0 / 499.0)
     assert found["has_angular_velocity"] == (name == "box.bc")
     back = read_dataset(files / "box_imported.nc")
-    expected = along_given_axes(read_spec(files / "box.toml").report().trajectory, 
-        read_spec(files / "box.toml").report().frame)  # fmt: skip
+    expected = along_given_axes(read_spec(files / "box.toml").report().trajectory)
     assert rotation.angle_between(back.attitude, expected.attitude).max() <= EXACT
     assert back.source.labels.epoch == "2026-03-01T12:00:00" and back.momentum is None
     code, out, _ = run(["import", name, "--out", "again.nc"], capsys)
@@ -228,12 +227,12 @@ def test_import_of_a_top_has_what_its_own_dataset_has(tmp_path, monkeypatch, cap
     monkeypatch.chdir(tmp_path)
     (tmp_path / "top.toml").write_text(TOP.replace("KIND", kind))
     report = read_spec(tmp_path / "top.toml").report()
-    write_ck(report.trajectory, tmp_path / "top.bc", frame=report.frame)
+    write_ck(report.trajectory, tmp_path / "top.bc")
     found = values_of(["import", "top.bc", "--spec", "top.toml"], capsys)
     assert set(found["drift"]) == {"energy", "vertical_momentum"} and not found["notes"]
     back, own = read_dataset(tmp_path / "top_imported.nc"), report.trajectory
-    assert np.array_equal(back.source.frame.moments, report.frame.moments)
-    assert np.array_equal(back.source.frame.pivot, report.frame.pivot)
+    assert np.array_equal(back.frame.moments, report.frame.moments)
+    assert np.array_equal(back.frame.pivot, report.frame.pivot)
     assert np.abs(back.momentum - own.momentum).max() <= EXACT * np.abs(own.momentum).max()
     for name in found["drift"]:
         assert np.abs(back.invariants[name] / own.invariants[name] - 1.0).max() <= EXACT

@@ -90,4 +90,4 @@ def test_the_compiler_knows_the_flags_and_the_users_own_win(tmp_path):
 
 def test_a_compiler_that_may_not_know_the_flags_is_not_given_them(tmp_path):
     """It would end the process."""
-    assert run("import jaxlib; jaxlib.__version__ = '0.99.0'" + FLAGS, tmp_path).strip() == ""
+    assert run("import jaxlib.version; jaxlib.version.__version__ = '0.99.0'" + FLAGS, tmp_path).strip() == ""

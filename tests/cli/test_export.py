@@ -78,10 +78,10 @@ def test_every_form_holds_the_motion(run, tmp_path):
         assert np.array_equal(found.attitude, report.trajectory.attitude)
         assert np.array_equal(found.momentum, report.trajectory.momentum)
         assert found.source.title == spec.name and found.source.labels == spec.labels
-    given = formats.along_given_axes(report.trajectory, report.frame)
+    given = formats.along_given_axes(report.trajectory)
     table, message = formats.read_csv(tmp_path / "case.csv"), formats.read_aem(tmp_path / "case.aem")
     assert np.array_equal(table.attitude, given.attitude) and np.array_equal(table.momentum, given.momentum)
-    assert np.array_equal(found.source.frame.axes, report.frame.axes)
+    assert np.array_equal(found.frame.axes, report.trajectory.frame.axes)
     for one in (table, message):
         # the message holds the motion at its own epochs, 9 s + 0.8 s being another double than 9.8 s
         late = 2.1 * np.abs(one.times - given.times).max()  # |Ω| < 2.1 rad/s

@@ -1,6 +1,7 @@
 """A motion made from a body speaks of the body's given axes; how these lie in the body changes no physical answer."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -11,7 +12,6 @@ from polhode.analysis.poinsot import herpolhode, herpolhode_curve
 from polhode.analysis.polhodes import polhode
 from polhode.analysis.precession import body_precession, space_precession
 from polhode.analysis.twist import racket_twist
-from polhode.bodies.frame import BodyFrame
 from polhode.formats.aem import write_aem
 from polhode.formats.aem_reading import read_aem
 from polhode.viewer.samples import samples_of
@@ -101,12 +101,12 @@ def test_samples_and_pages(thrown):
 
 def test_files(thrown, tmp_path):
     _, body, motion = thrown
-    frame, sampled = BodyFrame.of(body), motion.sample(TIMES)
+    frame, sampled = body.frame, motion.sample(TIMES)
     principal = motion.along_principal_axes().sample(TIMES)
     for trajectory, given in ((sampled, None), (sampled, frame), (principal, frame)):
-        write_aem(trajectory, tmp_path / "thrown.aem", frame=given)
+        write_aem(replace(trajectory, frame=given), tmp_path / "thrown.aem")
         found = rotation.as_matrix(read_aem(tmp_path / "thrown.aem").attitude)
         assert found == pytest.approx(rotation.as_matrix(sampled.attitude), abs=1e-14)
-    dataset = ph.as_dataset(sampled, frame=frame)
+    dataset = ph.as_dataset(replace(sampled, frame=frame))
     for name in ("attitude", "momentum", "angular_velocity"):
         assert dataset[name].values == pytest.approx(getattr(principal, name), abs=1e-14)

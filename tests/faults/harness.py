@@ -71,7 +71,10 @@ def strike(command, folder, number, moment):
         while process.poll() is None and time.monotonic() - begun < PATIENCE and not listens(process):
             time.sleep(0.005)
         if moment is None:
-            while process.poll() is None and time.monotonic() - begun < PATIENCE and not left(folder):
+            # a draft without ``new`` may yet be locked, and stays for a minute
+            while process.poll() is None and time.monotonic() - begun < PATIENCE and not any(
+                (draft / "new").is_dir() for draft in left(folder)
+            ):
                 time.sleep(0.002)
         else:
             time.sleep(moment)

@@ -17,6 +17,7 @@ import sys
 import traceback
 import warnings
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -235,7 +236,7 @@ def specimens(folder: Path, names: list[str]) -> dict[str, Specimen]:
 
     folder.mkdir()
     motion = MOTION.sample(np.linspace(0.0, 5.0, 20))
-    frame = ph.BodyFrame.of(ph.shapes.box(2.0, (1.0, 2.0, 3.0)))
+    frame = ph.shapes.box(2.0, (1.0, 2.0, 3.0)).frame
     box = trimesh.creation.box((1.0, 2.0, 3.0))
     for name, options in {"a.stl": {}, "ascii.stl": {"file_type": "stl_ascii"}, "a.obj": {}, "a.ply": {},
                           "ascii.ply": {"encoding": "ascii"}, "a.off": {}, "a.glb": {}}.items():  # fmt: skip
@@ -247,8 +248,9 @@ def specimens(folder: Path, names: list[str]) -> dict[str, Specimen]:
     formats.write_urdf_inertial(ph.shapes.box(12.0, (1.0, 2.0, 3.0)), folder / "a.urdf", principal=True)
     formats.write_aem(motion, folder / "a.aem", LABELS, rates="angular velocity")
     formats.write_csv(motion, folder / "a.csv")
-    formats.write_dataset(motion, folder / "a.nc", frame=frame)
-    formats.write_zarr(motion, folder / "a.zarr", frame=frame)
+    motion = replace(motion, frame=frame)
+    formats.write_dataset(motion, folder / "a.nc")
+    formats.write_zarr(motion, folder / "a.zarr")
     formats.write_ck(motion, folder / "a.bc", labels=LABELS)
     binary = {name: Specimen(folder / name, in_bytes, read_mesh) for name in ("a.stl", "a.ply", "a.glb")}
     texts = {name: Specimen(folder / name, in_text, read_mesh)

@@ -16,22 +16,21 @@ import xarray as xr
 
 import polhode as ph
 from polhode import formats
-from polhode.bodies.frame import BodyFrame
 from polhode.errors import FormatError, InvalidInput
 from polhode.formats import AttitudeLabels
 
 MOTION = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 0.4, 0.5))
 TIMES = np.linspace(0.0, 5.0, 20)
-FRAME = BodyFrame.of(ph.shapes.box(2.0, (1.0, 2.0, 3.0)))
+FRAME = ph.shapes.box(2.0, (1.0, 2.0, 3.0)).frame
 
 
 @pytest.fixture(scope="module")
 def specimens(tmp_path_factory):
     """The same motion as NetCDF and as Zarr."""
     folder = tmp_path_factory.mktemp("datasets")
-    trajectory = MOTION.sample(TIMES)
-    return (formats.write_dataset(trajectory, folder / "motion.nc", frame=FRAME),
-            formats.write_zarr(trajectory, folder / "motion.zarr", frame=FRAME))  # fmt: skip
+    trajectory = replace(MOTION.sample(TIMES), frame=FRAME)
+    return (formats.write_dataset(trajectory, folder / "motion.nc"),
+            formats.write_zarr(trajectory, folder / "motion.zarr"))  # fmt: skip
 
 
 @pytest.fixture

@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 import polhode as ph
-from polhode.bodies.frame import BodyFrame
 from polhode.errors import InvalidInput
 from polhode.formats.given_axes import along_given_axes, single_attitude
 
@@ -24,7 +23,7 @@ def along_principal_axes():
 
 
 def test_it_is_the_motion_along_the_given_axes():
-    found = along_given_axes(along_principal_axes(), BodyFrame.of(BODY))
+    found = along_given_axes(replace(along_principal_axes(), frame=BODY.frame))
     wanted = ph.FreeMotion.from_body(BODY, angular_velocity=VELOCITY, attitude=ATTITUDE).sample(TIMES)
     assert ph.rotation.angle_between(found.attitude, wanted.attitude).max() <= 20 * EXACT
     for name in ("momentum", "angular_velocity"):
@@ -37,12 +36,12 @@ def test_it_is_the_motion_along_the_given_axes():
 
 def test_without_a_frame_it_stays():
     trajectory = along_principal_axes()
-    assert along_given_axes(trajectory, None) is trajectory
+    assert along_given_axes(trajectory) is trajectory
 
 
 def test_what_a_trajectory_does_not_have_it_does_not_get():
-    bare = replace(along_principal_axes(), attitude=None, momentum=None, angular_velocity=None)
-    found = along_given_axes(bare, BodyFrame.of(BODY))
+    bare = replace(along_principal_axes(), frame=BODY.frame, attitude=None, momentum=None, angular_velocity=None)
+    found = along_given_axes(bare)
     assert found.attitude is None and found.momentum is None and found.angular_velocity is None
 
 

@@ -16,12 +16,12 @@ from pygltflib import GLTF2
 from scipy.spatial.transform import Rotation, Slerp
 
 import polhode as ph
-from polhode.bodies.frame import BodyFrame
 from polhode.bodies.surface import Surface, cuboid
 from polhode.errors import InvalidInput
 from polhode.formats.given_axes import along_given_axes
 from polhode.formats.gltf import write_gltf
 from polhode.formats.labels import AttitudeLabels
+from polhode.motion.frame import BodyFrame
 from polhode.motion.trajectory import Trajectory
 
 SINGLE = 2.0**-23
@@ -32,7 +32,7 @@ CLOSE = 3e-7
 HERE = Path(__file__).parent / "gltf_validator"
 EXAMPLES = Path(__file__).parents[2] / "examples"
 BODY = ph.shapes.box(2.0, (0.1, 0.2, 0.3)).placed((0.8, 0.2, -0.4, 0.4), (5.0, -7.0, 11.0))
-FRAME = BodyFrame.of(BODY)
+FRAME = BODY.frame
 MOTION = ph.FreeMotion(BODY.principal_moments, (0.002, 0.07, 0.003), (0.5, -0.5, 0.5, 0.5))
 TIMES = np.linspace(0.0, 8.0, 500)
 
@@ -87,8 +87,8 @@ def node(path, name):
     return next(node for node in taken_apart(path)[0]["nodes"] if node["name"] == name)
 
 
-def written(tmp_path, trajectory=None, **options):
-    trajectory = MOTION.sample(TIMES) if trajectory is None else trajectory
+def written(tmp_path, trajectory=None, frame=None, **options):
+    trajectory = replace(MOTION.sample(TIMES) if trajectory is None else trajectory, frame=frame)
     return write_gltf(trajectory, tmp_path / "motion.glb", **options)
 
 
@@ -133,12 +133,12 @@ def test_samples_keep_their_attitudes_and_their_times_rounded(tmp_path):
     samples = replace(MOTION.sample(TIMES), source=None)
     clock, found = tracks(written(tmp_path, samples, frame=FRAME))
     assert np.array_equal(clock, TIMES.astype(np.float32).astype(float))
-    wanted = ph.rotation.as_scipy(along_given_axes(samples, FRAME).attitude)
+    wanted = ph.rotation.as_scipy(along_given_axes(replace(samples, frame=FRAME)).attitude)
     assert (Rotation.from_quat(found["BODY", "rotation"]) * wanted.inv()).magnitude().max() <= SINGLE
 
 
 def test_a_trajectory_turned_to_the_given_axes_is_not_evaluated_along_others(tmp_path):
-    turned = along_given_axes(MOTION.sample(TIMES), FRAME)
+    turned = along_given_axes(replace(MOTION.sample(TIMES), frame=FRAME))
     clock, found = tracks(written(tmp_path, turned))
     wanted = ph.rotation.as_scipy(turned.attitude)
     assert (Rotation.from_quat(found["BODY", "rotation"]) * wanted.inv()).magnitude().max() <= SINGLE
@@ -149,7 +149,7 @@ def test_the_mesh_is_the_body_about_its_centre(tmp_path):
     surface = Surface(cuboid((0.1, 0.2, 0.3)).vertices + [1.0, 2.0, 3.0], cuboid((1, 1, 1)).faces)  # noqa: RUF005
     body = ph.from_mesh(*surface, mass=2.0)
     motion = ph.FreeMotion(body.principal_moments, (0.002, 0.07, 0.003))
-    path = written(tmp_path, motion.sample(TIMES), frame=BodyFrame.of(body), surface=surface)
+    path = written(tmp_path, motion.sample(TIMES), frame=body.frame, surface=surface)
     corners, normals = triangles(path, "BODY")
     wanted = surface.vertices[surface.faces] - body.center_of_mass
     assert np.abs(corners - wanted).max() <= CLOSE
@@ -174,7 +174,7 @@ def test_another_reader_finds_the_mesh_upright(tmp_path):
     body = ph.shapes.cone(1.0, 0.2, 0.4)
     surface = cuboid((0.1, 0.2, 0.6))
     still = Trajectory(np.array([0.0]), np.zeros((1, 3)), attitude=np.array([[1.0, 0.0, 0.0, 0.0]]))
-    path = written(tmp_path, still, frame=BodyFrame.of(body), surface=surface)
+    path = written(tmp_path, still, frame=body.frame, surface=surface)
     scene = trimesh.load(path)
     transform, geometry = scene.graph["BODY"]
     mesh = scene.geometry[geometry].copy().apply_transform(transform)
@@ -240,7 +240,7 @@ def molecule_case():
     body = ph.from_points(np.array([16, 1, 1]) * 1.66e-27, places)
     rates = np.array([1e11, 2e12, 3e11])
     motion = ph.FreeMotion(body.principal_moments, body.principal_moments * rates)
-    return {"trajectory": motion.sample(np.linspace(0.0, 2e-11, 400)), "frame": BodyFrame.of(body)}
+    return {"trajectory": motion.sample(np.linspace(0.0, 2e-11, 400)), "frame": body.frame}
 
 
 CASES = {

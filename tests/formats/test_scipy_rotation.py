@@ -7,9 +7,9 @@ import pytest
 
 import polhode as ph
 from polhode import rotation
-from polhode.bodies.frame import BodyFrame
 from polhode.errors import InvalidInput
 from polhode.formats import as_rotation, as_rotation_spline
+from polhode.motion.frame import BodyFrame
 
 EXACT = 1e-15
 MOTION = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5), attitude=(0.5, -0.5, 0.1, 0.7))
@@ -25,7 +25,7 @@ def test_rotations_take_body_to_space():
 
 def test_rotations_of_the_given_axes():
     frame = BodyFrame((1.0, 2.0, 3.0), np.eye(3)[[2, 0, 1]], np.zeros(3), None)
-    given = as_rotation(TRAJECTORY, frame).apply(TRAJECTORY.momentum @ frame.axes.T)
+    given = as_rotation(replace(TRAJECTORY, frame=frame)).apply(TRAJECTORY.momentum @ frame.axes.T)
     assert np.abs(given - as_rotation(TRAJECTORY).apply(TRAJECTORY.momentum)).max() <= 10 * EXACT
 
 

@@ -10,7 +10,6 @@ import spiceypy as spice
 
 from polhode import FreeMotion, InvalidInput, rotation
 from polhode.bodies import shapes
-from polhode.bodies.frame import BodyFrame
 from polhode.errors import FormatError
 from polhode.formats import spice as writer
 from polhode.formats.labels import AttitudeLabels
@@ -86,7 +85,7 @@ def test_the_file_is_about_the_given_axes(tmp_path, furnished):
     axes = body.principal_axes
     attitude = rotation.multiply(given.attitude_at_epoch, rotation.from_matrix(axes))
     principal = FreeMotion(body.principal_moments, given.momentum_at_epoch @ axes, attitude)
-    furnished(write_ck(principal.sample(TIMES), tmp_path / "a.bc", labels=LABELS, frame=BodyFrame.of(body)))
+    furnished(write_ck(replace(principal.sample(TIMES), frame=body.frame), tmp_path / "a.bc", labels=LABELS))
     assert max(errors_by_spice(given.sample(TIMES), LABELS)) <= EXACT
 
 

@@ -100,7 +100,7 @@ def test_its_figures(kind, report, tmp_path):
 
 
 def test_its_files(report, tmp_path):
-    found = read_dataset(write_dataset(report.trajectory, tmp_path / "motion.nc", frame=report.frame))
+    found = read_dataset(write_dataset(report.trajectory, tmp_path / "motion.nc"))
     wanted = report.trajectory
     assert np.array_equal(found.times, wanted.times) and found.outcome == wanted.outcome
     for part in found.layout.parts:

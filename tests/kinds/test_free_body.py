@@ -110,7 +110,7 @@ def test_the_herpolhode_is_drawn_turn_by_turn():
 def test_the_dataset_relates_principal_axes_to_the_given_ones(tmp_path):
     body = ph.Body(2.0, (1.0, 2.0, 3.0), [[3.0, 1.0, 0.0], [1.0, 3.0, 0.0], [0.0, 0.0, 3.5]])
     report = free_body_report(body, np.array([0.1, 0.2, 0.3]), IDENTITY)
-    path = write_dataset(report.trajectory, tmp_path / "motion.nc", frame=report.frame)
+    path = write_dataset(report.trajectory, tmp_path / "motion.nc")
     with xr.open_dataset(path, engine="h5netcdf") as data:
         moments, axes = data["principal_moments"].values, data["principal_axes"].values
         assert axes @ np.diag(moments) @ axes.T == pytest.approx(np.asarray(body.inertia), abs=1e-14)

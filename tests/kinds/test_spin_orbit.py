@@ -70,7 +70,7 @@ def test_shape_from_a_body_and_orbit_from_its_size(report):
     assert values["asphericity"] == pytest.approx(np.sqrt(1.5), rel=1e-14)
     assert values["orbital_period"] == pytest.approx(2 * np.pi * np.sqrt(3.844e8**3 / 4.035e14), rel=1e-14)
     assert values["overlap_threshold"] is None and not values["chaos_expected"] and len(values["notes"]) == 1
-    assert values["principal_moments"] == [1.0, 2.5, 3.0] and found.frame is not None
+    assert values["principal_moments"] == [1.0, 2.5, 3.0] and found.trajectory.frame is not None
     words = str([group.cells if isinstance(group, Table) else group.lines for group in found.answers()])
     assert "pendulum" in words and "1:1" in words and "3:2" not in words
 

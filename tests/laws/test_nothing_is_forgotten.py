@@ -100,7 +100,7 @@ NO_ARRAYS = {
     "AbstractLieAlgebra.batch_shape", "AbstractLieAlgebra.structure_constants", "has_cayley", "is_compact",
     "from_scipy", "testing.algebras.check_algebra", "testing.systems.check_system",
     "Comparison", "SpinDown", "Resonance", "AttitudeHistory",
-    "Surface.along", "Surface.coarsened", "surface.joined", "frame.BodyFrame.of",
+    "Surface.along", "Surface.coarsened", "surface.joined",
     "combine",
 }  # fmt: skip
 """Functions of objects, words and whole numbers, and records of known answers."""

@@ -20,9 +20,10 @@ from polhode.analysis import (
 )
 from polhode.analysis.precession import body_precession, space_precession
 from polhode.analysis.twist import racket_twist
-from polhode.bodies import frame, surface
+from polhode.bodies import surface
 from polhode.errors import InvalidInput
 from polhode.exact import steady_precession as tops
+from polhode.motion import frame
 
 THREE, FOUR, EYE = np.array([1.0, 2.0, 2.5]), np.array([1.0, 0.0, 0.0, 0.0]), np.eye(3)
 SIX, AXIS = np.array([1.0, 2.0, 3.0, 2.0, 3.0, 5.0]), np.array([0.0, 1.0, 0.0])

@@ -12,7 +12,6 @@ import numpy as np
 import pytest
 
 import polhode as ph
-from polhode.bodies.frame import BodyFrame
 from polhode.bodies.surface import Surface
 from polhode.errors import InvalidInput
 from polhode.formats.labels import AttitudeLabels, Recording
@@ -165,8 +164,8 @@ def test_surface_is_turned_into_the_axes_of_the_motion(tmp_path):
     corners = np.array([[x, y, z] for x in (3.5, 6.5) for y in (-0.5, 0.5) for z in (-1.0, 1.0)])
     surface = Surface(corners, np.array([[0, 1, 3], [4, 6, 7], [0, 4, 5]]))
     motion = ph.FreeMotion(body.principal_moments, (1.0, 2.0, 3.0))
-    frame = BodyFrame.of(body)
-    path = write_page(motion.sample(TIMES), tmp_path / "page.html", frame=frame, surface=surface)
+    trajectory = replace(motion.sample(TIMES), frame=body.frame)
+    path = write_page(trajectory, tmp_path / "page.html", surface=surface)
     drawn = data_of(path)["panels"][0]
     # edges in the order of the axes of ascending moments: 3, 2 and 1 m
     assert np.allclose(np.abs(array(drawn["surface"]["vertices"])).max(axis=0), (1.5, 1.0, 0.5))

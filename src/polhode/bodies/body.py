@@ -12,6 +12,7 @@ import numpy as np
 
 from polhode.arrays import as_float64, is_traced, known_numbers_only, numpy_namespace
 from polhode.errors import InvalidInput, shown
+from polhode.motion.frame import BodyFrame
 from polhode.rotation import as_matrix, from_matrix, normalize
 from polhode.types import Array, ArrayLike, Float64, Real
 
@@ -115,6 +116,11 @@ class Body:
         moments coincide, the axes nearest to the given ones are taken.
         """
         return self._principal[1]
+
+    @property
+    def frame(self) -> BodyFrame:
+        """The principal axes at the centre of mass, and the mass properties that go with them."""
+        return BodyFrame(self.principal_moments, self.principal_axes, self.center_of_mass, self.mass)
 
     def about(self, point: Real[ArrayLike, "3"]) -> Float64[Array, "3 3"]:
         """Return the inertia (3, 3) about a point (3,) [m, given axes], by the parallel-axis theorem [kg m²].

@@ -9,8 +9,8 @@ import numpy as np
 
 from polhode.arrays import known_numbers_only
 from polhode.bodies.body import point_inertia, principal_axes
-from polhode.bodies.frame import BodyFrame
 from polhode.errors import InvalidInput
+from polhode.motion.frame import BodyFrame
 from polhode.types import Array, ArrayLike, Float64, Integer, Real
 
 _FINEST = 1 << 20  # cells along an edge; their number still fits into 64 bits

@@ -19,7 +19,7 @@ def compile_quickly(flags: str = QUICKLY) -> None:
 
     To be called before JAX is imported. Flags in the environment win.
     """
-    from jaxlib import __version__  # without loading JAX
+    from jaxlib.version import __version__  # without loading JAX
 
     if __version__.startswith(KNOWN_TO):
         os.environ.setdefault(COMPILER, flags)

@@ -105,14 +105,14 @@ def export_netcdf(report: AbstractReport, spec: Spec, path: Path) -> Path:
     """Write the report's trajectory as NetCDF."""
     from polhode.formats.dataset import write_dataset
 
-    return write_dataset(report.trajectory, path, _attributes(spec), report.frame)
+    return write_dataset(report.trajectory, path, _attributes(spec))
 
 
 def export_zarr(report: AbstractReport, spec: Spec, path: Path) -> Path:
     """Write the report's trajectory as a Zarr store."""
     from polhode.formats.dataset import write_zarr
 
-    return write_zarr(report.trajectory, path, _attributes(spec), report.frame)
+    return write_zarr(report.trajectory, path, _attributes(spec))
 
 
 def _attributes(spec: Spec) -> dict[str, str]:
@@ -123,7 +123,7 @@ def export_csv(report: AbstractReport, spec: Spec, path: Path) -> Path:
     """Write the report's trajectory as a table."""
     from polhode.formats.csv_table import write_csv
 
-    return write_csv(report.trajectory, path, report.frame)
+    return write_csv(report.trajectory, path)
 
 
 def export_aem(report: AbstractReport, spec: Spec, path: Path) -> Path:
@@ -131,21 +131,21 @@ def export_aem(report: AbstractReport, spec: Spec, path: Path) -> Path:
     from polhode.formats.aem import write_aem
 
     rates = None if report.trajectory.angular_velocity is None else "angular velocity"
-    return write_aem(report.trajectory, path, spec.labels, report.frame, rates)
+    return write_aem(report.trajectory, path, spec.labels, rates)
 
 
 def export_ck(report: AbstractReport, spec: Spec, path: Path) -> Path:
     """Write the report's attitude history as a SPICE C-kernel, and the kernels that it needs next to it."""
     from polhode.formats.spice import write_ck
 
-    return write_ck(report.trajectory, path, labels=spec.labels, frame=report.frame)[0]
+    return write_ck(report.trajectory, path, labels=spec.labels)[0]
 
 
 def export_gltf(report: AbstractReport, spec: Spec, path: Path) -> Path:
     """Write the motion as an animation of the body's surface, or of a box with its inertia."""
     from polhode.formats.gltf import write_gltf
 
-    return write_gltf(report.shown, path, labels=spec.labels, frame=report.frame, surface=spec.surface)
+    return write_gltf(report.shown, path, labels=spec.labels, surface=spec.surface)
 
 
 def export_urdf(report: AbstractReport, spec: Spec, path: Path) -> Path:

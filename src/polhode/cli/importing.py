@@ -10,12 +10,12 @@ import numpy as np
 
 from polhode import rotation
 from polhode.analysis.mechanics import Mechanics, invariants_along
-from polhode.bodies.frame import BodyFrame
 from polhode.cli.destinations import check_spares
 from polhode.cli.render import as_json, print_report
 from polhode.cli.sources import KINDS, KINDS_IN_WORDS, Kernels, body_of, read_recorded
 from polhode.errors import InvalidInput
 from polhode.formats.labels import AttitudeLabels
+from polhode.motion.frame import BodyFrame
 from polhode.motion.layout import ATTITUDE, MOMENTUM, StateLayout
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.answer import Answer, Group, units_of, values_of
@@ -33,14 +33,14 @@ def run_import(path: Path, json: bool, out: Path | None, spec: Path | None, kern
     if kind in ("dataset", "csv"):
         raise InvalidInput(f"{path}: is {KINDS_IN_WORDS[kind]} of polhode's already; there is nothing to import.")
     assert labels is not None
-    notes, frame, kept = [], None, "a free body's"
+    notes, kept = [], "a free body's"
     if trajectory.outcome.message:
         notes.append(f"{trajectory.outcome.message}.")
     if spec is not None:
         body = body_of(spec)
-        if (frame := body.frame) is None:
+        if body.frame is None:
             raise InvalidInput(f"{spec}: has no [body], whose moments would be needed. Choose another spec.")
-        trajectory = along_principal_axes(trajectory, frame, body.mechanics)
+        trajectory = along_principal_axes(trajectory, body.frame, body.mechanics)
         if body.mechanics is None:
             notes.append("momentum and energy are left out: they are known here of free bodies and tops, and "
                          f"{spec} is of the system {body.kind}.")  # fmt: skip
@@ -51,7 +51,7 @@ def run_import(path: Path, json: bool, out: Path | None, spec: Path | None, kern
     found = about_file(trajectory, labels, kept)
     written = out or Path(f"{path.stem}_imported.nc")  # not the name that a dataset exported to the same folder has
     check_spares(written, path)
-    write_dataset(trajectory, written, {"title": labels.object_name}, frame)
+    write_dataset(trajectory, written, {"title": labels.object_name})
     if json:
         print(as_json(plain({"kind": KINDS[kind], **values_of([found]), "drift": trajectory.drift, "notes": notes,
                              "units": units_of([found]), "files": [str(written)]})))  # fmt: skip
@@ -70,7 +70,8 @@ def along_principal_axes(trajectory: Trajectory, frame: BodyFrame, mechanics: Me
     """
     axes = np.asarray(frame.axes)
     attitude = rotation.multiply(np.asarray(trajectory.attitude), rotation.from_matrix(axes))
-    turned = replace(trajectory, attitude=attitude, states=attitude, layout=StateLayout((ATTITUDE,)))
+    layout = StateLayout((ATTITUDE,))
+    turned = replace(trajectory, attitude=attitude, states=attitude, layout=layout, frame=frame)
     if trajectory.angular_velocity is None:
         return turned
     velocity = np.asarray(trajectory.angular_velocity) @ axes

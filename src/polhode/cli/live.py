@@ -9,7 +9,6 @@ from pathlib import Path
 import numpy as np
 import typer
 
-from polhode.bodies.frame import BodyFrame
 from polhode.bodies.surface import Surface
 from polhode.cli.stopping import Stopped
 from polhode.errors import InvalidInput
@@ -46,7 +45,7 @@ def _start(path: Path | None) -> tuple[Setting, Surface | None, str]:
     spec = read_spec(path)
     if spec.kind.name != FREE_BODY or spec.body is None:
         raise InvalidInput(f"{path}: the live view shows free bodies. Leave out [system], or see it by `polhode view`.")
-    frame = BodyFrame.of(spec.body)
+    frame = spec.body.frame
     momentum, _ = spec.start(frame.moments, frame.axes)
     if not frame.moments[0] > 0.0 or not np.linalg.norm(momentum) > 0.0:
         raise InvalidInput(f"{path}: the live view needs three positive moments and a spin. Give the spec a [spin].")

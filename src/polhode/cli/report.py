@@ -39,7 +39,7 @@ def run_report(path: Path, json: bool, out: Path | None, figures: list[str], htm
         from polhode.formats.dataset import write_dataset
 
         files = draw_all(report, spec.kind.figures(), draft, *forms)
-        files.append(write_dataset(report.trajectory, draft / "motion.nc", {"title": spec.name}, report.frame))
+        files.append(write_dataset(report.trajectory, draft / "motion.nc", {"title": spec.name}))
         if html:
             from polhode.kinds.page import page_of_report
 

@@ -10,13 +10,13 @@ import numpy as np
 
 from polhode import rotation
 from polhode.analysis.comparison import AttitudeHistory, Mechanics
-from polhode.bodies.frame import BodyFrame
 from polhode.errors import FormatError, InvalidInput, NotConverged, one_line
 from polhode.formats.given_axes import along_given_axes, single_attitude
 from polhode.formats.labels import AttitudeLabels, labels_of
 from polhode.formats.opening import is_folder, open_file
 from polhode.kinds.base import Spec
 from polhode.kinds.reading import read_spec
+from polhode.motion.frame import BodyFrame
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.base import AbstractReport
 
@@ -84,7 +84,7 @@ def kind_of(path: Path) -> str:
 
 
 def read_recorded(path: Path, kernels: Kernels) -> tuple[str, Trajectory, AttitudeLabels | None]:
-    """Return kind, trajectory along the given axes, and labels of a file that holds samples.
+    """Return kind, trajectory and labels of a file that holds samples.
 
     Raises:
         InvalidInput: for a spec, which holds none, or as the readers do.
@@ -108,7 +108,7 @@ def read_recorded(path: Path, kernels: Kernels) -> tuple[str, Trajectory, Attitu
         from polhode.formats.dataset_reading import read_dataset
 
         found = read_dataset(path)
-        return kind, along_given_axes(found, found.source.frame), _told(labels_of(found))
+        return kind, found, _told(labels_of(found))
     raise InvalidInput(f"{path}: is no AEM, C-kernel or dataset, as it does not begin like one. Check the file.")
 
 
@@ -121,20 +121,20 @@ def source_of(path: Path, kernels: Kernels) -> Source:
     """
     if kind_of(path) == "spec":
         return _from_spec(path)
-    kind, trajectory, labels = read_recorded(path, kernels)
+    kind, found, labels = read_recorded(path, kernels)
+    trajectory = along_given_axes(found)
     history = replace(
         _history(path, trajectory), resolution=0.5 * PICOSECOND if kind == "aem" else 0.0,
-        mechanics=_recorded_mechanics(trajectory),
+        mechanics=_recorded_mechanics(trajectory, found.frame),
     )  # fmt: skip
     return Source(kind, trajectory, history, labels)
 
 
-def _recorded_mechanics(trajectory: Trajectory) -> Mechanics | None:
-    """Return the mechanics of a dataset that is of a free body, as its momentum is the moments times the velocity.
+def _recorded_mechanics(trajectory: Trajectory, frame: BodyFrame | None) -> Mechanics | None:
+    """Return the mechanics of a free body's dataset, whose momentum is the moments times the velocity.
 
     Of a top the dataset does not tell the weight, and a rotor's momentum is not in the moments.
     """
-    frame: BodyFrame | None = getattr(trajectory.source, "frame", None)
     kept = {"energy", "momentum_space"} <= trajectory.invariants.keys()
     if frame is None or frame.pivot is not None or not kept:
         return None
@@ -169,7 +169,7 @@ def body_of(path: Path) -> SpecBody:
         why = f"is {KINDS_IN_WORDS[kind]}, and --spec wants a spec, whose [body] has the moments"
         raise InvalidInput(f"{path}: {why}. Give a TOML file like those of `polhode report`.")
     report = report_of(path, read_spec(path))
-    return SpecBody(report.kind, report.frame, report.mechanics)
+    return SpecBody(report.kind, report.trajectory.frame, report.mechanics)
 
 
 def report_of(path: Path, spec: Spec) -> AbstractReport:
@@ -183,14 +183,13 @@ def report_of(path: Path, spec: Spec) -> AbstractReport:
 def _from_spec(path: Path) -> Source:
     spec = read_spec(path)
     report, labels = report_of(path, spec), _told(spec.labels)
-    motion, frame = report.trajectory.motion, report.frame
-    trajectory = along_given_axes(report.trajectory, frame)
+    trajectory = along_given_axes(report.trajectory)
     history = replace(_history(path, trajectory), mechanics=report.mechanics)
 
-    if motion is not None:
+    if report.trajectory.motion is not None:
 
         def exact(times: Any) -> tuple[Any, Any]:
-            found = along_given_axes(motion.sample(times), frame)
+            found = along_given_axes(report.trajectory.resampled(times))
             return found.attitude, found.angular_velocity
 
         history = replace(history, exact=exact)

@@ -17,7 +17,6 @@ from typing import TextIO
 import numpy as np
 
 from polhode import rotation
-from polhode.bodies.frame import BodyFrame
 from polhode.errors import InvalidInput, shown
 from polhode.formats.animation_keys import exact_motion
 from polhode.formats.epochs import TIME_SYSTEMS, as_text, later, read_epoch, since
@@ -36,7 +35,6 @@ def write_aem(
     trajectory: Trajectory,
     path: str | Path,
     labels: AttitudeLabels | None = None,
-    frame: BodyFrame | None = None,
     rates: str | None = None,
 ) -> Path:
     """Write an attitude history as CCSDS AEM 2.0; the file appears whole or not at all.
@@ -45,10 +43,9 @@ def write_aem(
     evaluated at the very epochs that the file holds. Text is in capitals, as the standard wants it.
 
     Args:
-        trajectory: of one body, at ascending times counted from the labels' epoch.
+        trajectory: of one body, at ascending times counted from the labels' epoch; the file is about the given axes.
         path: where to.
         labels: whose attitude it is, in which frames, since when; by default those it was read with, if it was.
-        frame: the principal axes that the trajectory is along; the file is about the given ones.
         rates: "angular velocity" (along the body axes, in deg/s), "derivative" (of the quaternion), or None.
 
     Raises:
@@ -67,10 +64,10 @@ def write_aem(
     epoch = _epoch(labels)
     whole, picoseconds = later(epoch, trajectory.times)
     _check_ascending(np.asarray(trajectory.times), whole, picoseconds)
-    if (motion := exact_motion(trajectory)) is not None:
-        again = motion.sample(since(epoch, whole, picoseconds))
+    if exact_motion(trajectory) is not None:
+        again = trajectory.resampled(since(epoch, whole, picoseconds))
         trajectory = again if trajectory.angular_velocity is not None else replace(again, angular_velocity=None)
-    trajectory = along_given_axes(trajectory, frame)
+    trajectory = along_given_axes(trajectory)
     columns = _columns(trajectory, np.asarray(trajectory.attitude), rates)
     ends = as_text(whole[[0, -1]], picoseconds[[0, -1]], labels.time_system)
     head = _head(labels, TYPES[rates], *ends)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 
 import numpy as np
 
@@ -50,7 +49,7 @@ def keys_of(
         clock = _evenly(lasts, fastest * lasts * speed / FINE)
     clock, kept = np.unique(clock.astype(np.float32), return_index=True)
     clock = clock.astype(float)
-    keyed = _taken(trajectory, kept) if motion is None else motion.sample(times[0] + speed * clock)
+    keyed = trajectory.taken(kept) if motion is None else trajectory.resampled(times[0] + speed * clock)
     if (farthest := farthest_turn(keyed)) >= FARTHEST:
         raise InvalidInput(
             f"the keys of the animation are too far apart: {farthest:.3g} rad from one to the next, where less than "
@@ -87,9 +86,3 @@ def exact_motion(trajectory: Trajectory) -> AbstractMotion | None:
     first = np.asarray(trajectory.attitude)[:1]
     same = again.shape == first.shape and float(rotation.angle_between(again, first)[0]) <= SAME_ATTITUDE
     return motion if same else None
-
-
-def _taken(trajectory: Trajectory, kept: Array) -> Trajectory:
-    names = ("times", "states", "attitude", "momentum", "angular_velocity")
-    parts = {name: getattr(trajectory, name) for name in names}
-    return replace(trajectory, **{name: x if x is None else np.asarray(x)[kept] for name, x in parts.items()})

@@ -13,7 +13,6 @@ from pathlib import Path
 
 import numpy as np
 
-from polhode.bodies.frame import BodyFrame
 from polhode.errors import FormatError, InvalidInput, shown
 from polhode.formats.given_axes import along_given_axes, check_recorded
 from polhode.formats.labels import Recording
@@ -33,22 +32,21 @@ _MAY_VANISH = re.compile(r"[eE]-\d{3}", re.ASCII)
 _VECTORS = {"angular_velocity": ("omega", "rad s-1"), "momentum": ("L", "kg m2 s-1")}
 
 
-def write_csv(trajectory: Trajectory, path: str | Path, frame: BodyFrame | None = None) -> Path:
+def write_csv(trajectory: Trajectory, path: str | Path) -> Path:
     """Write one body's motion as a table: time, attitude, angular velocity, momentum, then what else is known of it.
 
     Columns are named like ``time [s]``, ``q_w``, ``omega_1 [rad s-1]``, ``L_1 [kg m2 s-1]``; numbers have the digits
     that they need to be read back exactly.
 
     Args:
-        trajectory: of one body.
+        trajectory: of one body. With a frame the table is along the given axes, and its columns end in x, y and z;
+            otherwise it is along the trajectory's own axes, 1, 2 and 3.
         path: where to.
-        frame: the principal axes that the trajectory is along, for a table along the given ones, whose columns end in
-            x, y and z; without it the table is along the trajectory's own axes, 1, 2 and 3.
 
     Raises:
         InvalidInput: for batches, and where the file cannot be written.
     """
-    columns = _columns(along_given_axes(trajectory, frame), "123" if frame is None else "xyz")
+    columns = _columns(along_given_axes(trajectory), "123" if trajectory.frame is None else "xyz")
     table = np.stack([values for _, values in columns], axis=-1)
     # RFC 4180 ends lines with CR LF, as the csv module does by itself
     with written_whole(path) as draft, draft.open("w", encoding="utf-8", newline="") as file:

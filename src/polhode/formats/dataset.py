@@ -11,12 +11,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from polhode.bodies.frame import BodyFrame
 from polhode.errors import InvalidInput, not_installed
 from polhode.formats.dataset_rules import UNITS
 from polhode.formats.given_axes import along_principal_axes
 from polhode.formats.labels import AttitudeLabels, labels_of
 from polhode.formats.paths import written_whole
+from polhode.motion.frame import BodyFrame
 from polhode.motion.outcome import Outcome
 from polhode.motion.trajectory import Trajectory
 
@@ -29,22 +29,20 @@ _VECTORS = {
 }
 
 
-def as_dataset(
-    trajectory: Trajectory, attributes: dict[str, str] | None = None, frame: BodyFrame | None = None
-) -> xarray.Dataset:
+def as_dataset(trajectory: Trajectory, attributes: dict[str, str] | None = None) -> xarray.Dataset:
     """Return a trajectory as an xarray Dataset whose variables carry units and frames.
 
     Dimensions are ``body`` axes (``batch_0``, …) if any, ``time``, ``quaternion`` (w, x, y, z), ``axis`` (1, 2, 3)
     and ``space_axis`` (x, y, z).
 
     Args:
-        trajectory: plain arrays.
+        trajectory: plain arrays; its frame is added, with the mass properties. One with a frame that is sampled from a
+            motion made by ``from_body`` is turned to the principal axes; others are along them already.
         attributes: global attributes to add.
-        frame: the principal axes that the dataset is along; they are added with the mass properties. A trajectory
-            sampled from a motion made by ``from_body`` is turned to them; others are along them already.
     """
     import xarray as xr
 
+    frame = trajectory.frame
     if frame is not None:
         trajectory = along_principal_axes(trajectory)
     times = np.asarray(trajectory.times)
@@ -133,9 +131,7 @@ def _frame_variables(frame: BodyFrame) -> dict[str, Any]:
     return found
 
 
-def write_dataset(
-    trajectory: Trajectory, path: str | Path, attributes: dict[str, str] | None = None, frame: BodyFrame | None = None
-) -> Path:
+def write_dataset(trajectory: Trajectory, path: str | Path, attributes: dict[str, str] | None = None) -> Path:
     """Write a trajectory as NetCDF; the file appears whole or not at all.
 
     Raises:
@@ -143,7 +139,7 @@ def write_dataset(
     """
     path = Path(path)
     _check_finite(trajectory)
-    dataset = as_dataset(trajectory, attributes, frame)
+    dataset = as_dataset(trajectory, attributes)
     # HDF5 would try again to write what a full disk refused, and crash as Python ends: it gets memory, not the disk
     packed = BytesIO()
     dataset.to_netcdf(packed, engine="h5netcdf")
@@ -152,9 +148,7 @@ def write_dataset(
     return path
 
 
-def write_zarr(
-    trajectory: Trajectory, path: str | Path, attributes: dict[str, str] | None = None, frame: BodyFrame | None = None
-) -> Path:
+def write_zarr(trajectory: Trajectory, path: str | Path, attributes: dict[str, str] | None = None) -> Path:
     """Write a trajectory as a Zarr store (format 2), a folder; it appears whole or not at all.
 
     Raises:
@@ -166,7 +160,7 @@ def write_zarr(
         raise not_installed("Zarr stores", "zarr", "zarr") from None
     path = Path(path)
     _check_finite(trajectory)
-    dataset = as_dataset(trajectory, attributes, frame)
+    dataset = as_dataset(trajectory, attributes)
     # zarr's own thread would go on writing while an interrupted draft is removed: it gets memory, not the disk
     packed: dict[str, Any] = {}
     # format 3 has no settled form for the text that names a quaternion's components

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from polhode.bodies.frame import BodyFrame
 from polhode.errors import FormatError, InvalidInput, not_installed, shown
 from polhode.formats.dataset_rules import ROLES, check_variables
 from polhode.formats.given_axes import DAMAGED, check_recorded
@@ -17,6 +16,7 @@ from polhode.formats.hdf5_gate import check_hdf5
 from polhode.formats.labels import AttitudeLabels, Recording
 from polhode.formats.opening import MB, check_is_file, is_folder
 from polhode.formats.zarr_gate import check_store
+from polhode.motion.frame import BodyFrame
 from polhode.motion.layout import ATTITUDE, MOMENTUM, Quantity, StateLayout, StatePart
 from polhode.motion.outcome import Ending, Outcome
 from polhode.motion.trajectory import Trajectory
@@ -56,7 +56,8 @@ def read_dataset(path: str | Path) -> Trajectory:
     layout, states = _states(arrays, {name: variables[name].attrs for name in roles["state"]}, own)
     kept = {name: variables[name].attrs for name in (*roles["invariant"], *roles["balance"])}
     return Trajectory(
-        source=_recording(path, dataset, variables),
+        source=_recording(path, dataset),
+        frame=_frame(variables),
         times=_doubles(dataset["time"].values),
         states=states,
         layout=layout,
@@ -152,16 +153,18 @@ def _outcome(path: Path, attributes: Any) -> Outcome:
     return Outcome(known[said], event, message or "")
 
 
-def _recording(path: Path, dataset: xarray.Dataset, variables: dict[str, Any]) -> Recording:
+def _recording(path: Path, dataset: xarray.Dataset) -> Recording:
     attributes: dict[str, Any] = {str(key): value for key, value in dataset.attrs.items()}
-    frame = None
-    if "principal_axes" in variables:
-        names = ("principal_moments", "principal_axes", "center_of_mass", "mass", "pivot")
-        parts = [_doubles(variables[name].values) if name in variables else None for name in names]
-        mass = None if parts[3] is None else float(parts[3])
-        frame = BodyFrame(parts[0], parts[1], parts[2], mass, parts[4])
     labels = _labels(path, attributes) if "body_frame" in attributes else None
-    return Recording(str(attributes.get("title", "")), frame, labels, attributes)
+    return Recording(str(attributes.get("title", "")), labels, attributes)
+
+
+def _frame(variables: dict[str, Any]) -> BodyFrame | None:
+    if "principal_axes" not in variables:
+        return None
+    names = ("principal_moments", "principal_axes", "center_of_mass", "mass", "pivot")
+    parts = [_doubles(variables[name].values) if name in variables else None for name in names]
+    return BodyFrame(parts[0], parts[1], parts[2], None if parts[3] is None else float(parts[3]), parts[4])
 
 
 def _labels(path: Path, attributes: dict[str, Any]) -> AttitudeLabels:

@@ -8,7 +8,6 @@ from pathlib import Path
 import numpy as np
 
 from polhode import rotation
-from polhode.bodies.frame import BodyFrame
 from polhode.errors import FormatError, InvalidInput
 from polhode.motion.base import AbstractMotion
 from polhode.motion.trajectory import Trajectory
@@ -18,17 +17,14 @@ UNIT = 1e-6  # how far from one the norm of a quaternion in a file may be: seven
 DAMAGED = "The file is damaged; write it again."
 
 
-def along_given_axes(trajectory: Trajectory, frame: BodyFrame | None) -> Trajectory:
+def along_given_axes(trajectory: Trajectory) -> Trajectory:
     """Return a trajectory with attitude, momentum and angular velocity of the given axes instead of the principal ones.
 
-    Args:
-        trajectory: along the principal axes, or sampled from a motion made by ``from_body``, whose axes are the given
-            ones.
-        frame: the principal axes in the given ones; None where the trajectory's axes are the given ones already.
+    One without a frame, or sampled from a motion made by ``from_body``, is along the given axes already.
     """
-    if frame is None or _from_body(trajectory) is not None:
+    if trajectory.frame is None or _from_body(trajectory) is not None:
         return trajectory
-    return _turned(trajectory, np.asarray(frame.axes).T)
+    return replace(_turned(trajectory, np.asarray(trajectory.frame.axes).T), frame=None)
 
 
 def along_principal_axes(trajectory: Trajectory) -> Trajectory:

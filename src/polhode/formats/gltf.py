@@ -8,7 +8,6 @@ from pathlib import Path
 import numpy as np
 
 from polhode import rotation
-from polhode.bodies.frame import BodyFrame
 from polhode.bodies.surface import Surface, box_in_place
 from polhode.bodies.turned import turned
 from polhode.errors import InvalidInput, shown
@@ -17,6 +16,7 @@ from polhode.formats.given_axes import along_given_axes, single_attitude
 from polhode.formats.glb import Glb
 from polhode.formats.labels import AttitudeLabels
 from polhode.formats.paths import written_whole
+from polhode.motion.frame import BodyFrame
 from polhode.motion.trajectory import Trajectory
 from polhode.types import Array
 
@@ -36,7 +36,6 @@ def write_gltf(
     path: str | Path,
     *,
     labels: AttitudeLabels | None = None,
-    frame: BodyFrame | None = None,
     surface: Surface | None = None,
     rate: float | None = None,
     speed: float | None = None,
@@ -53,7 +52,6 @@ def write_gltf(
         trajectory: of one body, with attitude.
         path: of the file, replaced if it is there.
         labels: its ``object_name`` is that of the node.
-        frame: the principal axes that the trajectory is along; None where it is along the given ones.
         surface: what the body looks like, in the given axes; without it the box of the same inertia, or arrows alone.
         rate: keys per second of the animation, for exact motions; the trajectory's own samples without it, or finer
             where these are too far apart.
@@ -83,15 +81,16 @@ def write_gltf(
         raise InvalidInput("glTF holds finite attitudes, and not all of these are. Cut the trajectory where they end.")
     speed = _watchable_speed(float(trajectory.times[-1] - trajectory.times[0])) if speed is None else speed
     clock, keyed = keys_of(trajectory, speed, rate)
-    drawn = _about_origin(frame, surface)
+    drawn = _about_origin(trajectory.frame, surface)
     reach = 0.0 if drawn is None else float(np.linalg.norm(drawn.vertices, axis=1).max())
     unit = _viewable_unit(reach)
     solid = None if drawn is None else Surface(drawn.vertices / unit, drawn.faces)
     start = float(keyed.times[0])
     extras = {"seconds_per_second": speed, "metres_per_unit": unit, "seconds_at_start": start}
     made = Glb({"asset": {"version": "2.0", "generator": "polhode", "extras": extras}, "scene": 0})
-    place, body = _add_body(made, (labels or AttitudeLabels()).object_name, solid, frame, LONG * reach / unit or 1.0)
-    attitude = np.asarray(along_given_axes(keyed, frame).attitude)
+    name, length = (labels or AttitudeLabels()).object_name, LONG * reach / unit or 1.0
+    place, body = _add_body(made, name, solid, trajectory.frame, length)
+    attitude = np.asarray(along_given_axes(keyed).attitude)
     tracks = [(body, "rotation", _xyzw(_continuous(attitude)))]
     center = getattr(keyed.source, "center", None)
     if callable(center):

@@ -6,7 +6,6 @@ import re
 from dataclasses import dataclass, field
 from typing import Any
 
-from polhode.bodies.frame import BodyFrame
 from polhode.motion.trajectory import Trajectory
 
 # what files that cannot do without them have for what is not known
@@ -60,13 +59,11 @@ class Recording:
 
     Attributes:
         title: what moved.
-        frame: the principal axes that the trajectory is along; None where its axes are the given ones.
         labels: of the attitude, where the file has them.
         attributes: the global attributes of the file.
     """
 
     title: str = ""
-    frame: BodyFrame | None = None
     labels: AttitudeLabels | None = None
     attributes: dict[str, Any] = field(default_factory=dict)
 

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from polhode import rotation
-from polhode.bodies.frame import BodyFrame
 from polhode.errors import InvalidInput
 from polhode.formats.given_axes import along_given_axes, single_attitude
 from polhode.motion.trajectory import Trajectory
@@ -16,13 +15,11 @@ if TYPE_CHECKING:
     from scipy.spatial.transform import Rotation, RotationSpline
 
 
-def as_rotation(trajectory: Trajectory, frame: BodyFrame | None = None) -> Rotation:
+def as_rotation(trajectory: Trajectory) -> Rotation:
     """Return the attitude (T,) of one body as SciPy's ``Rotation``; ``.apply(v_body)`` gives v_space.
 
     Args:
-        trajectory: of one body.
-        frame: the principal axes that the trajectory is along, for rotations of the given ones; without it they are of
-            the trajectory's own axes.
+        trajectory: of one body. With a frame the rotations are of the given axes, otherwise of the trajectory's own.
 
     Raises:
         InvalidInput: for motions without attitude, batches, and trajectories without samples.
@@ -33,24 +30,23 @@ def as_rotation(trajectory: Trajectory, frame: BodyFrame | None = None) -> Rotat
     >>> bool(np.abs(space - (0.1, 2.0, 0.3)).max() < 1e-14)
     True
     """
-    return rotation.as_scipy(single_attitude(along_given_axes(trajectory, frame), "a Rotation"))
+    return rotation.as_scipy(single_attitude(along_given_axes(trajectory), "a Rotation"))
 
 
-def as_rotation_spline(trajectory: Trajectory, frame: BodyFrame | None = None) -> RotationSpline:
+def as_rotation_spline(trajectory: Trajectory) -> RotationSpline:
     """Return SciPy's interpolating spline through the attitude of one body; its rates are along the body axes.
 
     Between samples it is as good as they are close; ``FreeMotion`` and ``LagrangeMotion`` are exact at any time.
 
     Args:
         trajectory: of one body, at two times or more that ascend.
-        frame: as of ``as_rotation``.
 
     Raises:
         InvalidInput: as ``as_rotation``, and for times that do not ascend.
     """
     from scipy.spatial.transform import RotationSpline
 
-    turns, times = as_rotation(trajectory, frame), np.asarray(trajectory.times)
+    turns, times = as_rotation(trajectory), np.asarray(trajectory.times)
     ascending = np.diff(times) > 0
     if not (len(ascending) and ascending.all()):
         what = "got one"

@@ -16,7 +16,6 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from polhode import rotation
-from polhode.bodies.frame import BodyFrame
 from polhode.errors import InvalidInput
 from polhode.formats.given_axes import along_given_axes, single_attitude
 from polhode.formats.labels import AttitudeLabels, labels_of
@@ -47,7 +46,6 @@ def write_ck(
     path: str | Path,
     *,
     labels: AttitudeLabels | None = None,
-    frame: BodyFrame | None = None,
     angular_velocity: bool = True,
 ) -> list[Path]:
     """Write an attitude history as a C-kernel of type 3, with the kernels that SPICE needs next to it.
@@ -61,10 +59,9 @@ def write_ck(
     velocity tells, it interpolates nothing.
 
     Args:
-        trajectory: with attitude; one body.
+        trajectory: with attitude; one body. The kernel is of the given axes.
         path: of the C-kernel.
         labels: names, frames, epoch and SPICE's number; those that the trajectory was read with, or the usual.
-        frame: principal axes that the trajectory is along, in the given ones; None where it is along these.
         angular_velocity: write it too, where the trajectory has it.
 
     Returns:
@@ -76,7 +73,7 @@ def write_ck(
             leap seconds of others stay instead.
     """
     spice, path = spiceypy(), Path(path)
-    given = along_given_axes(trajectory, frame)
+    given = along_given_axes(trajectory)
     attitude, times = single_attitude(given, "A C-kernel"), np.asarray(trajectory.times)
     if labels is None:
         labels = labels_of(trajectory) or AttitudeLabels()

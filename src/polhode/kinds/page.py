@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from polhode.bodies.frame import BodyFrame
 from polhode.bodies.surface import Surface
 from polhode.formats.paths import written_whole
 from polhode.kinds.registry import kind_of_source
@@ -23,7 +22,6 @@ def write_page(
     *,
     name: str | None = None,
     summary: str = "",
-    frame: BodyFrame | None = None,
     surface: Surface | None = None,
     notes: Sequence[str] = (),
 ) -> Path:
@@ -34,7 +32,6 @@ def write_page(
         path: the file; its folder must exist.
         name: heading of the page; the object's or the system's name if left out.
         summary: a sentence below it.
-        frame: the principal axes that the trajectory is along, which a surface in given axes needs.
         surface: what the body looks like, in the given axes; without it, a shape with the same inertia is drawn.
         notes: more lines below.
 
@@ -51,7 +48,7 @@ def write_page(
     """
     path = Path(path)
     text = page_text(
-        trajectory, name=name, summary=summary, frame=frame, surface=surface, notes=notes, content=_content
+        trajectory, name=name, summary=summary, surface=surface, notes=notes, content=_content
     )
     with written_whole(path) as draft:
         draft.write_text(text, "utf-8")
@@ -63,14 +60,13 @@ def show(
     *,
     name: str | None = None,
     summary: str = "",
-    frame: BodyFrame | None = None,
     surface: Surface | None = None,
     notes: Sequence[str] = (),
     height: int = 600,
 ) -> NotebookPage:
     """Return a motion's page for a notebook to show; arguments as of ``write_page``, height [pixels]."""
     text = page_text(
-        trajectory, name=name, summary=summary, frame=frame, surface=surface, notes=notes, content=_content
+        trajectory, name=name, summary=summary, surface=surface, notes=notes, content=_content
     )
     return NotebookPage(text, height)
 
@@ -91,7 +87,7 @@ def page_of_report(report: AbstractReport, path: str | Path, *, name: str, surfa
     if trajectory is not report.trajectory and trajectory.outcome.event is not None:
         notes.append(f"Shown: the last turns, until the disk is {trajectory.outcome.event}.")
     return write_page(
-        trajectory, path, name=name, summary=with_powers(report.summary), frame=report.frame, surface=surface,
+        trajectory, path, name=name, summary=with_powers(report.summary), surface=surface,
         notes=[with_powers(note) for note in notes],
     )  # fmt: skip
 

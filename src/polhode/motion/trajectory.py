@@ -9,9 +9,10 @@ import numpy as np
 
 from polhode.errors import InvalidInput
 from polhode.motion.base import AbstractMotion
+from polhode.motion.frame import BodyFrame
 from polhode.motion.layout import Quantity, StateLayout
 from polhode.motion.outcome import Ends, Outcome
-from polhode.types import Array, ArrayOrFloat, Double, Float64, Integer
+from polhode.types import Array, ArrayLike, ArrayOrFloat, Double, Float64, Integer
 
 _SAMPLED = ("states", "attitude", "momentum", "angular_velocity")
 _BY_NAME = ("invariants", "balances", "received")
@@ -41,6 +42,8 @@ class Trajectory:
         statistics: how many steps and iterations of implicit steps it took.
         error_estimate: estimated largest error of the states, relative to the size of attitude and momentum, (batch…);
             infinite where it is not known, None where it was not asked for or the motion is exact.
+        frame: the body's principal axes, along which momentum and angular velocity are, and its mass properties; None
+            where the components are along the given axes, or the body is not known.
         ends: how each copy of an integrated batch came to its end, and when; None otherwise.
 
     >>> import polhode as ph
@@ -65,6 +68,7 @@ class Trajectory:
     statistics: dict[str, int] = field(default_factory=dict)
     error_estimate: Float64[ArrayOrFloat, "*batch"] | None = None
     ends: Ends | None = None
+    frame: BodyFrame | None = None
 
     def __len__(self) -> int:
         return len(self.times)
@@ -93,6 +97,17 @@ class Trajectory:
             return self.layout.part(self.states, name)
         except KeyError as error:
             raise InvalidInput(f"{error.args[0]}. Choose one of these.") from None
+
+    def resampled(self, times: ArrayLike) -> Trajectory:
+        """Return the exact motion that the samples are of at other times [s], along the same axes.
+
+        Raises:
+            InvalidInput: where the samples are not of an exact motion.
+        """
+        if self.motion is None:
+            raise InvalidInput("the samples are not of an exact motion, which alone is known between them. "
+                               "Integrate to the times that you need.")  # fmt: skip
+        return replace(self.motion.sample(times), frame=self.frame)
 
     def between(self, start: float, end: float) -> Trajectory:
         """Return the samples from one time to another, both included [s]; drifts stay those of the whole motion.

@@ -9,7 +9,6 @@ from typing import Any, ClassVar
 import numpy as np
 
 from polhode.analysis.mechanics import Mechanics
-from polhode.bodies.frame import BodyFrame
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.answer import Group, Table, units_of, values_of
 
@@ -41,11 +40,6 @@ class AbstractReport(abc.ABC):
     def shown(self) -> Trajectory:
         """The motion as it is to be watched: all of it, or a part with samples close enough."""
         return self.trajectory
-
-    @property
-    def frame(self) -> BodyFrame | None:
-        """The body's axes that the trajectory is along, and its mass properties."""
-        return None
 
     @property
     def mechanics(self) -> Mechanics | None:

@@ -14,10 +14,10 @@ from polhode.analysis.energy_casimir import Stability
 from polhode.analysis.mechanics import Mechanics
 from polhode.analysis.top_rests import top_stability
 from polhode.bodies.body import Body
-from polhode.bodies.frame import BodyFrame
 from polhode.bodies.surface import Surface
 from polhode.errors import InvalidInput
 from polhode.exact.lagrange_top import LagrangeMotion
+from polhode.motion.frame import BodyFrame
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import GIVEN, about_axes, accuracy, stability_values, verdicts
 from polhode.reports.answer import Answer, Group, Table
@@ -55,8 +55,8 @@ class TopReport(AbstractReport):
 
     @property
     def frame(self) -> BodyFrame:
-        moments, axes = np.asarray(self.top.moments), np.asarray(self.top.axes)
-        return BodyFrame(moments, axes, self.body.center_of_mass, self.body.mass, self.pivot)
+        """The principal axes at the fixed point."""
+        return frame_of(self.top, self.body, self.pivot)
 
     @property
     def exact(self) -> LagrangeMotion | None:
@@ -105,8 +105,8 @@ class TopReport(AbstractReport):
         axes, axis = np.asarray(self.top.axes), np.asarray(self.top.axis)
         moments, there = np.asarray(self.top.moments), "about the pivot"
         body = Group("Body about the fixed point", [
-            Answer("mass", self.frame.mass, "kg", "mass"),
-            Answer("center_of_mass", self.frame.center_of_mass, "m", "", "given axes"),
+            Answer("mass", self.body.mass, "kg", "mass"),
+            Answer("center_of_mass", self.body.center_of_mass, "m", "", "given axes"),
             Answer("pivot", self.pivot, "m", "fixed point", "given axes", vector(self.pivot, "m") + GIVEN),
             Answer("principal_moments", moments, "kg m²", "principal moments there", there, distinct(moments, "kg m²")),
             *about_axes("principal_axes", axes),
@@ -150,6 +150,11 @@ def top_of(body: Body, pivot: Array, gravity: float) -> tuple[HeavyTop, bool]:
         warnings.simplefilter("always")
         top = HeavyTop.from_body(body, pivot, gravity)
     return top, bool(caught)
+
+
+def frame_of(top: HeavyTop, body: Body, pivot: Array) -> BodyFrame:
+    """Return the principal axes at the fixed point, and the mass properties."""
+    return BodyFrame(np.asarray(top.moments), np.asarray(top.axes), body.center_of_mass, body.mass, np.asarray(pivot))
 
 
 def leaned(top: HeavyTop, attitude: Array, lean: float | None) -> Array:

@@ -12,7 +12,6 @@ from typing import Any
 
 import numpy as np
 
-from polhode.bodies.frame import BodyFrame
 from polhode.bodies.surface import Surface
 from polhode.errors import InvalidInput, shown
 from polhode.motion.trajectory import Trajectory
@@ -42,7 +41,7 @@ class NotebookPage:
 
 
 def page_text(
-    trajectory: Trajectory, *, name: str | None, summary: str, frame: BodyFrame | None, surface: Surface | None,
+    trajectory: Trajectory, *, name: str | None, summary: str, surface: Surface | None,
     notes: Sequence[str], content: Callable[[Trajectory, Samples, Surface | None], Content | None],
 ) -> str:  # fmt: skip
     """Return the whole page; characters that UTF-8 cannot write, as half a pair is, become "?".
@@ -51,7 +50,6 @@ def page_text(
         trajectory: of one body.
         name: heading of the page; what moves, if left out.
         summary: a sentence below it.
-        frame: the principal axes that the trajectory is along, which a surface in given axes needs.
         surface: what the body looks like, in the given axes.
         notes: more lines below.
         content: what chooses the pictures from trajectory, samples and surface; None from it for those of any body.
@@ -61,6 +59,7 @@ def page_text(
     """
     check_given(trajectory, name, summary, notes)
     samples = samples_of(trajectory)
+    frame = trajectory.frame
     drawn = surface if surface is None or frame is None else surface.along(frame)
     shown = content(trajectory, samples, drawn) or content_of(trajectory.source, samples, drawn)
     if not shown.panels:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
 import diffrax
@@ -12,7 +12,6 @@ import numpy as np
 from polhode.analysis.damped_axes import damped_axis_stability
 from polhode.analysis.energy_casimir import Stability
 from polhode.bodies.body import Body
-from polhode.bodies.frame import BodyFrame
 from polhode.errors import InvalidInput
 from polhode.kinds.base import Spec
 from polhode.kinds.damped_body.table import DampedBodyTable
@@ -55,10 +54,6 @@ class DampedBodyReport(AbstractReport):
     def body(self) -> Body:
         assert self.spec.body is not None
         return self.spec.body
-
-    @property
-    def frame(self) -> BodyFrame:
-        return BodyFrame.of(self.body)
 
     @property
     def inside(self) -> bool:
@@ -188,7 +183,7 @@ def report_of(spec: Spec) -> DampedBodyReport:
     shown = check_length(spec.until, times, steps, ADAPTIVE)
     # adaptive steps, as they integrate the energy's balance together with the motion
     trajectory = simulate(system, state, times, method=diffrax.Dopri8(), progress=shown)
-    return DampedBodyReport(spec, table, trajectory, axes, cut)
+    return DampedBodyReport(spec, table, replace(trajectory, frame=spec.body.frame), axes, cut)
 
 
 def _fewest_steps(table: DampedBodyTable, moments: Array, norm: float, span: float) -> float:

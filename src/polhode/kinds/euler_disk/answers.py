@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import Any
 
 import jax.numpy as jnp
@@ -21,6 +22,7 @@ from polhode.errors import InvalidInput, NotConverged
 from polhode.kinds.base import Spec
 from polhode.kinds.euler_disk.report import EulerDiskReport, LawShare, Path, Steady, law_names
 from polhode.kinds.euler_disk.table import EulerDiskTable
+from polhode.motion.frame import BodyFrame
 from polhode.motion.outcome import Ending, Outcome
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.length import ADAPTIVE, check_length
@@ -69,6 +71,8 @@ def report_of(spec: Spec) -> EulerDiskReport:
         trajectory = _sampled_to_its_end(disk, simulate(disk, start, times, progress=shown), spec.samples)
         path = _first_turns(disk, trajectory, spec.samples)
     by_energy = None if found is None or table.precession is not None else adiabatic_end(disk, table.tilt)
+    A, C = float(disk.mechanics.diametral_moment), float(disk.mechanics.axial_moment)
+    trajectory = replace(trajectory, frame=BodyFrame(np.array([A, A, C]), np.eye(3), np.zeros(3), table.mass))
     upright = not table.thickness and abs(table.tilt - 0.5 * math.pi) < UPRIGHT
     return EulerDiskReport(
         table=table, disk=disk, trajectory=trajectory, steady=steady, laws=_shares(table, disk, trajectory, found),

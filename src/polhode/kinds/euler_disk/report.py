@@ -11,7 +11,6 @@ import numpy as np
 from polhode.analysis.energy_casimir import Stability
 from polhode.analysis.power_law import PowerLaw
 from polhode.analysis.spin_down import ASYMPTOTIC_FIT, SpinDown
-from polhode.bodies.frame import BodyFrame
 from polhode.kinds.euler_disk.laws import LAWS
 from polhode.kinds.euler_disk.table import EulerDiskTable
 from polhode.motion.outcome import Outcome
@@ -118,11 +117,6 @@ class EulerDiskReport(AbstractReport):
             momentum=np.asarray(found.momentum), angular_velocity=np.asarray(found.angular_velocity), invariants={},
             balances={"energy": energy}, received={}, outcome=self.path.outcome,
         )  # fmt: skip
-
-    @property
-    def frame(self) -> BodyFrame:
-        A, C = (float(x) for x in (self.disk.mechanics.diametral_moment, self.disk.mechanics.axial_moment))
-        return BodyFrame(np.array([A, A, C]), np.eye(3), np.zeros(3), self.table.mass)
 
     @property
     def dominant(self) -> LawShare | None:

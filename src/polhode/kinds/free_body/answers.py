@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
 import numpy as np
@@ -14,7 +14,6 @@ from polhode.analysis.mechanics import Mechanics
 from polhode.analysis.poinsot import Herpolhode, herpolhode
 from polhode.analysis.precession import Precession, body_precession, space_precession
 from polhode.bodies.body import Body
-from polhode.bodies.frame import BodyFrame
 from polhode.errors import InvalidInput
 from polhode.exact.free_body import FreeMotion
 from polhode.kinds.base import Spec
@@ -47,12 +46,8 @@ class FreeBodyReport(AbstractReport):
     twist_per_flip: float | None
 
     @property
-    def frame(self) -> BodyFrame:
-        return BodyFrame.of(self.body)
-
-    @property
     def mechanics(self) -> Mechanics:
-        return Mechanics(self.frame.inertia)
+        return Mechanics(self.body.frame.inertia)
 
     def answers(self) -> list[Group | Table]:
         title = "Rotation about each principal axis, at this |L|"
@@ -162,7 +157,7 @@ def free_body_report(
     return FreeBodyReport(
         body=body,
         motion=motion,
-        trajectory=motion.sample(times),
+        trajectory=replace(motion.sample(times), frame=body.frame),
         stability=axis_stability(motion.moments, motion.momentum_norm),
         herpolhode=herpolhode(motion),
         precession_body=body_precession(motion),

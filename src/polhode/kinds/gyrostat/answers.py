@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
 import numpy as np
 
 from polhode.analysis.gyrostat_rotations import SteadyRotation, cleaned, steady_rotations, symmetry_axis
 from polhode.bodies.body import Body
-from polhode.bodies.frame import BodyFrame
 from polhode.kinds.base import Spec
 from polhode.kinds.gyrostat.build import Built, built, sampled, unit
 from polhode.kinds.gyrostat.table import GyrostatTable
+from polhode.motion.frame import BodyFrame
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import GIVEN, about_axes, about_body, accuracy, stability_values, verdicts
 from polhode.reports.answer import Answer, Group, Table
@@ -50,10 +50,6 @@ class GyrostatReport(AbstractReport):
     def body(self) -> Body:
         assert self.spec.body is not None
         return self.spec.body
-
-    @property
-    def frame(self) -> BodyFrame:
-        return BodyFrame(self.moments, self.axes, self.body.center_of_mass, self.body.mass)
 
     @property
     def free(self) -> bool:
@@ -190,7 +186,9 @@ def report_of(spec: Spec) -> GyrostatReport:
     """
     assert isinstance(spec.system, GyrostatTable)
     made = built(spec)
-    trajectory = sampled(spec, made)
+    assert spec.body is not None
+    frame = BodyFrame(made.moments, made.axes, spec.body.center_of_mass, spec.body.mass)
+    trajectory = replace(sampled(spec, made), frame=frame)
     motor = spec.system.motor_torque is not None
     last = float(trajectory.part("rotor_momentum")[-1]) if motor else made.momentum
     found = steady_rotations(Gyrostat(made.moments, last * made.along), float(np.linalg.norm(made.total)))

@@ -14,7 +14,7 @@ from polhode.kinds.heavy_top.table import HeavyTopTable
 from polhode.motion.layout import Quantity
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.length import check_length, equal_steps, splitting_step
-from polhode.reports.top import TopReport, leaned, natural_period, rest_verdicts, top_of
+from polhode.reports.top import TopReport, frame_of, leaned, natural_period, rest_verdicts, top_of
 from polhode.simulation import fastest_rate, simulate
 
 Array = Any
@@ -54,6 +54,7 @@ def report_of(spec: Spec) -> HeavyTopReport:
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", UserWarning)
         trajectory = _called(simulate(top, state, times, step=table.step, order=table.order))
+    trajectory = replace(trajectory, frame=frame_of(top, body, table.pivot))
     warned = tuple(str(warning.message) for warning in caught)
     return HeavyTopReport(
         body, spec.surface, top, np.asarray(table.pivot), trajectory, rest_verdicts(top, momentum), free, warned

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import warnings
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import ClassVar
 
 import numpy as np
@@ -19,7 +19,7 @@ from polhode.kinds.lagrange_top.table import LagrangeTopTable
 from polhode.motion.inputs import finite
 from polhode.reports.about import accuracy
 from polhode.reports.answer import Answer, Group
-from polhode.reports.top import TopReport, leaned, natural_period, rest_verdicts, top_of
+from polhode.reports.top import TopReport, frame_of, leaned, natural_period, rest_verdicts, top_of
 from polhode.systems.heavy_top import HeavyTop
 
 PERIODS = 10
@@ -129,8 +129,9 @@ def report_of(spec: Spec) -> LagrangeTopReport:
     tilt = math.acos(max(-1.0, min(1.0, float(axis[2]))))
     spin = float(momentum[2]) / sizes[2]
     steady = steady_precession(sizes, mgl, tilt, spin) if 1e-12 < tilt < math.pi - 1e-12 else None
+    trajectory = replace(exact.sample(times), frame=frame_of(top, body, table.pivot))
     return LagrangeTopReport(
-        body, spec.surface, top, np.asarray(table.pivot), exact.sample(times), rest_verdicts(top, momentum), free,
+        body, spec.surface, top, np.asarray(table.pivot), trajectory, rest_verdicts(top, momentum), free,
         steady=steady, threshold=sleeping_threshold(sizes, mgl),
     )  # fmt: skip
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any, ClassVar
 
@@ -13,7 +13,6 @@ import numpy as np
 from polhode.analysis.spin_motion import SpinMotion, spin_motion
 from polhode.analysis.spin_orbit import Resonance, overlap_threshold, resonances
 from polhode.bodies.body import Body
-from polhode.bodies.frame import BodyFrame
 from polhode.errors import InvalidInput
 from polhode.kinds.base import Spec
 from polhode.kinds.spin_orbit.table import SpinOrbitTable
@@ -55,10 +54,6 @@ class SpinOrbitReport(AbstractReport):
     resonances: list[Resonance]
     motion: SpinMotion
     section_orbits: int
-
-    @property
-    def frame(self) -> BodyFrame | None:
-        return None if self.body is None else BodyFrame.of(self.body)
 
     @property
     def start(self) -> Array:
@@ -211,7 +206,8 @@ def report_of(spec: Spec) -> SpinOrbitReport:
     highest = min(max(LISTED[0], 0.5 * math.ceil(2.0 * fastest)), LISTED[1])
     steps = ORBITING * float(np.ptp(times)) * n * max(1.0, abs(table.spin_ratio))
     shown = check_length(spec.until, times, steps, ADAPTIVE)
-    trajectory = simulate(system, state, times, progress=shown)
+    frame = None if spec.body is None else spec.body.frame
+    trajectory = replace(simulate(system, state, times, progress=shown), frame=frame)
     return SpinOrbitReport(
         spec.body, system, trajectory, resonances(system, highest), spin_motion(system, state),
         table.section_orbits,

@@ -6,7 +6,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from polhode.bodies.body import Body
 from polhode.types import Array, Float64
 
 
@@ -26,11 +25,6 @@ class BodyFrame(NamedTuple):
     center_of_mass: Float64[Array, "3"]
     mass: float | None
     pivot: Float64[Array, "3"] | None = None
-
-    @classmethod
-    def of(cls, body: Body) -> BodyFrame:
-        """Return the principal axes of a body at its centre of mass."""
-        return cls(body.principal_moments, body.principal_axes, body.center_of_mass, body.mass)
 
     @property
     def inertia(self) -> Float64[Array, "3 3"]:
