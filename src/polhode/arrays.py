@@ -112,6 +112,8 @@ def as_float64(xp: Any, value: ArrayLike, name: str) -> Float64[Array, "..."]:
         if "jax" in str(getattr(xp, "__name__", "")):
             _refuse_disabled_double_precision(name)
         return xp.asarray(value if native else np.asarray(value, dtype=np.float64), dtype=xp.float64)
+    except InvalidInput:
+        raise
     except (TypeError, ValueError, OverflowError) as error:
         raise InvalidInput(f"`{name}` must be an array of numbers; got {shown(value)} ({error}).") from None
 
@@ -121,7 +123,10 @@ def _refuse_disabled_double_precision(name: str) -> None:
     import jax
 
     if not jax.config.jax_enable_x64:  # pyright: ignore[reportAttributeAccessIssue]
-        raise InvalidInput(f"`{name}` must be float64, and JAX's is switched off. {_remedy(True)}")
+        raise InvalidInput(
+            f"`{name}` would become float32: it goes together with an array of JAX, whose float64 is switched off. "
+            f"{_remedy(True)}"
+        )
 
 
 def known_numbers_only(function: Callable[Parameters, Result]) -> Callable[Parameters, Result]:

@@ -18,6 +18,7 @@ from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.integrators.accuracy import measured_run, run_to_tolerance
 from polhode.integrators.adaptive import adaptive_error, solve_adaptively
 from polhode.integrators.base import AbstractOrbitSolver
+from polhode.integrators.difference import EPS
 from polhode.integrators.equal_steps import run_by_equal_steps, step_counts
 from polhode.integrators.splitting import Splitting
 from polhode.motion.outcome import Ending, Ends, Outcome, Status
@@ -114,6 +115,10 @@ def simulate(
     for name, value, unit in (("step", step, " time [s]"), ("tolerance", tolerance, " number")):
         if value is not None and not (np.ndim(value) == 0 and math.isfinite(value) and value > 0):
             raise InvalidInput(f"`{name}` must be a positive finite{unit}; got {shown(value)}.")
+    if tolerance is not None and tolerance < EPS:
+        raise InvalidInput(
+            f"`tolerance` must be at least {EPS:.2g}, a rounding; got {shown(tolerance)}. Leave it out for the default."
+        )
     if step is not None and tolerance is not None and not is_adaptive(method):
         raise InvalidInput("give `step` or `tolerance`, which chooses the step, not both.")
     asked = _Asked(step, order, progress, throw, tolerance, estimate_error, checked_every(save, len(times)))

@@ -106,6 +106,13 @@ def test_a_generator_that_takes_the_time_and_does_not_use_it():
     assert ph.stability(Unmoved((1.0, 2.0, 3.0)), e3).verdict == "stable"
 
 
+@pytest.mark.parametrize("kind", [Dragged, Driven])
+def test_equilibria_of_what_does_not_move_by_its_energy_are_not_looked_for(kind):
+    """They would be those of the energy alone."""
+    with pytest.raises(InvalidInput, match=r"overrides `vector_field`|depends on time"):
+        ph.find_equilibria(kind((1.0, 2.0, 3.0)), np.array([0.3, 1.8, 1.0]))
+
+
 # ---------------------------------------------------------------------- refusals
 
 REFUSED = {
@@ -137,6 +144,8 @@ REFUSED = {
     "a point that moves": (body, np.ones(3), {}, "not an equilibrium"),
     "a relative equilibrium without its integral": (vortices(5), ring(5, 0.5), {}, "not an equilibrium"),
     "a vector field of its own": (Dragged((1.0, 2.0, 3.0)), e3, {}, "overrides `vector_field`"),
+    "a point of a size that overflows": (body, 1e308 * e3, {}, "size between 1e-300 and 1e.300"),
+    "one that underflows": (body, 1e-320 * e3, {}, "size between 1e-300 and 1e.300"),
     "a generator that depends on time": (Driven((1.0, 2.0, 3.0)), e3, {}, "depends on time"),
     "one that depends on it for a moment": (Briefly((1.0, 2.0, 3.0)), e3, {}, "depends on time"),
     "a disk's integrals": (systems.EulerDisk(1.0, 1.0), np.zeros(8), {"integrals": [lambda x: x[0]]}, "its own"),

@@ -44,6 +44,31 @@ def test_a_signal_that_is_lost_in_a_callback_stops_the_command_at_its_end():
         signal.raise_signal(signal.SIGINT)  # more of them change nothing
 
 
+def test_nothing_is_printed_of_what_is_lost_in_a_callback(capsys):
+    """Python prints what is raised in a finalizer, with a traceback, and goes on."""
+
+    class Finalized:
+        def __init__(self, act):
+            self.act = act
+
+        def __del__(self):
+            self.act()
+
+    with pytest.raises(Stopped), stopped_by_signals():
+        Finalized(lambda: signal.raise_signal(signal.SIGTERM))
+    assert capsys.readouterr().err == ""
+    before = sys.unraisablehook
+    said = []
+    sys.unraisablehook = said.append
+    try:
+        with stopped_by_signals():
+            Finalized(lambda: 1 / 0)
+        assert sys.unraisablehook == said.append
+    finally:
+        sys.unraisablehook = before
+    assert [type(lost.exc_value) for lost in said] == [ZeroDivisionError]  # other mistakes are still told
+
+
 def test_what_a_library_makes_of_a_signal_is_the_signal():
     with pytest.raises(Stopped), stopped_by_signals():
         try:

@@ -161,11 +161,11 @@ def test_a_file_cut_short(tmp_path):
 
 
 @pytest.mark.usefixtures("any_type")
-def test_missing_file_and_bad_unit(tmp_path):
+def test_missing_file_and_bad_unit(tmp_path, any_type):
     with pytest.raises(InvalidInput, match="no such mesh file"):
         read_mesh(tmp_path / "none.stl", unit=1.0)
     with pytest.raises(InvalidInput, match="is a folder, not a mesh file"):
         read_mesh(tmp_path, unit=1.0)
-    for unit in (0.0, -1.0, np.nan, np.ones(3)):
+    for unit in (0.0, -1.0, np.nan, np.ones(3), "mm"):
         with pytest.raises(InvalidInput, match="`unit` must be a positive length"):
             read_mesh(saved(tmp_path, BOX), unit=unit)

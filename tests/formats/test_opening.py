@@ -16,6 +16,7 @@ from polhode.errors import FormatError, InvalidInput
 from polhode.formats import opening
 from polhode.formats.opening import check_is_file, open_file, read_file, read_text
 
+BROKEN = Path("/proc/self/mem")  # a regular file whose first byte cannot be read
 READERS = {
     "mesh.stl": lambda path: formats.read_mesh(path, 1.0),
     "molecule.xyz": formats.read_molecule,
@@ -141,3 +142,12 @@ def test_the_command_does_not_wait_for_a_pipe(tmp_path):
     command = [sys.executable, "-m", "polhode.cli.main", "import", "/dev/stdin"]
     ran = subprocess.run(command, stdin=subprocess.PIPE, cwd=tmp_path, capture_output=True, text=True, timeout=60)
     assert ran.returncode == 2 and "/dev/stdin: is a pipe" in ran.stderr and "Traceback" not in ran.stderr
+
+
+@pytest.mark.skipif(not BROKEN.exists(), reason="needs a file that cannot be read")
+@pytest.mark.parametrize("read", READERS)
+def test_a_file_that_breaks_while_it_is_read_is_named(read, tmp_path):
+    path = tmp_path / read
+    path.symlink_to(BROKEN)
+    with pytest.raises(InvalidInput, match=rf"{re.escape(str(path))}: cannot be read "):
+        READERS[read](path)

@@ -105,8 +105,13 @@ def test_tolerance_chooses_the_step(tolerance):
     assert error_of(found) < 2.0 * tolerance
 
 
-def test_a_tolerance_below_rounding_is_refused():
-    with pytest.raises(NotConverged, match="`tolerance` 1e-18 could not be met"):
+def test_a_tolerance_that_rounding_does_not_let_through():
+    with pytest.raises(NotConverged, match="`tolerance` 3e-16 could not be met"):
+        ph.simulate(body, START, SPARSE, order=6, tolerance=3e-16)
+
+
+def test_a_tolerance_below_rounding_is_refused_before_the_run():
+    with pytest.raises(InvalidInput, match=r"`tolerance` must be at least 2\.2e-16"):
         ph.simulate(body, START, 0.1 * SPARSE, order=6, tolerance=1e-18)
 
 

@@ -10,7 +10,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.analysis.conserved import Energy, Source, casimirs_of, unit_of
+from polhode.analysis.conserved import Energy, Source, casimirs_of, check_motion, unit_of
 from polhode.analysis.stability import scaled_field
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput
@@ -20,6 +20,7 @@ from polhode.systems.base import AbstractLiePoissonSystem
 Array = Any
 Function = Callable[[Array], Array]
 STARTS = 64
+CHECKED = 4  # starts at which the system must move as its energy says
 NULL = 1e-9  # singular values below it, relative to the largest, do not move a point that is sharpened
 SHARPENED = 3
 SAME = 1e-6  # distance, in units of |μ|, below which two equilibria are one
@@ -48,8 +49,8 @@ def find_equilibria(
         casimirs: Casimirs as functions of one point, real, instead of those that the algebra names or that are found.
 
     Raises:
-        InvalidInput: for a wrong shape, the zero point, or an algebra some of whose Casimirs are neither known nor
-            given.
+        InvalidInput: for a wrong shape, the zero point, an algebra some of whose Casimirs are neither known nor given,
+            or a system that does not move by its energy alone.
     """
     algebra = system.algebra
     mu = as_points(algebra, state)
@@ -61,6 +62,7 @@ def find_equilibria(
     z = np.asarray(algebra.to_dual_vector(mu))
     unit = unit_of(z)
     draws = np.random.default_rng(seed).normal(size=(starts, z.size)) / np.sqrt(z.size)
+    check_motion(system, np.linalg.norm(z) * draws[:CHECKED])
     found, left, energies, works = (
         np.asarray(x)
         for x in _solved(system, known.source, jnp.asarray(z / unit), jnp.asarray(unit), jnp.asarray(draws))

@@ -47,9 +47,11 @@ class _Watch:
         self._told, self._teller = socket.socketpair()
         self._teller.setblocking(False)
         self._before: dict[int, Any] = {}
+        self._told_before = sys.unraisablehook
         self._wakeup = -1
 
     def start(self) -> None:
+        sys.unraisablehook = self._unraisable
         threading.Thread(target=self._see_to_it, name="polhode-signals", daemon=True).start()
         self._wakeup = signal.set_wakeup_fd(self._teller.fileno(), warn_on_full_buffer=False)
         for number in SIGNALS:
@@ -61,6 +63,7 @@ class _Watch:
         self._ended.set()
         for number, handler in self._before.items():
             signal.signal(number, handler)
+        sys.unraisablehook = self._told_before
         signal.set_wakeup_fd(self._wakeup)
         self._teller.close()  # which lets the thread end
 
@@ -68,6 +71,11 @@ class _Watch:
         if self.came is None and not self._ended.is_set():  # more of them do not hurry it
             self.came = Stopped(number)
             raise self.came
+
+    def _unraisable(self, lost: Any) -> None:
+        """Say nothing of a ``Stopped`` that Python lost in a callback; the thread sees to it."""
+        if not isinstance(lost.exc_value, Stopped):
+            self._told_before(lost)
 
     def _see_to_it(self) -> None:
         with self._told:  # open until nobody writes any more: a signal that is held and raised again writes twice

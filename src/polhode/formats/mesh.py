@@ -42,8 +42,8 @@ def read_mesh(
         FormatError: if it cannot be read as a mesh.
     """
     path = Path(path)
-    if not (np.ndim(unit) == 0 and np.isfinite(unit) and unit > 0):
-        raise InvalidInput(f"`unit` must be a positive length in metres; got {shown(unit)}.")
+    if isinstance(unit, str) or not (np.ndim(unit) == 0 and np.isfinite(unit) and unit > 0):
+        raise InvalidInput(f"`unit` must be a positive length in metres, like 1e-3 for millimetres; got {shown(unit)}.")
     vertices, faces = _loaded(path, read_file(path, "mesh", LARGEST_FILE))
     if len(faces) == 0:
         raise FormatError(f"{path}: holds no triangles; it may be cut short. Export it again, as a surface mesh.")

@@ -5,10 +5,11 @@ A pipe that nobody writes to would block the opening for ever, and a device such
 
 from __future__ import annotations
 
+import io
 import os
 import stat
 from pathlib import Path
-from typing import BinaryIO
+from typing import Any, BinaryIO
 
 from polhode.errors import FormatError, InvalidInput
 
@@ -62,7 +63,7 @@ def open_file(path: Path, kind: str, limit: int | None = None) -> BinaryIO:
     """
     check_is_file(path, kind, limit)
     try:
-        file = os.fdopen(os.open(path, os.O_RDONLY | _WITHOUT_WAITING), "rb")
+        file = io.BufferedReader(_File(path, os.open(path, os.O_RDONLY | _WITHOUT_WAITING)))
     except OSError as error:
         raise InvalidInput(f"{path}: cannot be read ({error.strerror}). Check the path.") from None
     try:
@@ -73,6 +74,26 @@ def open_file(path: Path, kind: str, limit: int | None = None) -> BinaryIO:
     return file
 
 
+class _File(io.FileIO):
+    """A file whose failures to be read name it, whoever reads."""
+
+    def __init__(self, path: Path, descriptor: int) -> None:
+        super().__init__(descriptor, "rb")
+        self.path = path
+
+    def readinto(self, buffer: Any) -> int | None:
+        try:
+            return super().readinto(buffer)
+        except OSError as error:
+            raise InvalidInput(f"{self.path}: cannot be read ({error.strerror}). Check the disk.") from None
+
+    def readall(self) -> bytes:
+        try:
+            return super().readall()
+        except OSError as error:
+            raise InvalidInput(f"{self.path}: cannot be read ({error.strerror}). Check the disk.") from None
+
+
 def read_file(path: Path, kind: str, limit: int) -> bytes:
     """Return the bytes of a regular file.
 
@@ -81,10 +102,7 @@ def read_file(path: Path, kind: str, limit: int) -> bytes:
         FormatError: for a file that is too large.
     """
     with open_file(path, kind, limit) as file:
-        try:
-            found = file.read(limit + 1)
-        except OSError as error:
-            raise InvalidInput(f"{path}: cannot be read ({error.strerror}). Check the disk.") from None
+        found = file.read(limit + 1)
     if len(found) > limit:
         raise FormatError(_too_large(path, kind, "more", limit))
     return found
