@@ -11,7 +11,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
-from jaxtyping import TypeCheckError
+from jaxtyping import TypeCheckError, install_import_hook
 
 import polhode
 from polhode import rotation
@@ -47,7 +47,9 @@ def specimen(tmp_path, monkeypatch):
     """A module of the package whose functions return what they are told to."""
     (tmp_path / "specimen.py").write_text(SPECIMEN)
     monkeypatch.setattr(polhode, "__path__", [*polhode.__path__, str(tmp_path)])
-    yield importlib.import_module("polhode.specimen")
+    with install_import_hook("polhode.specimen", "typed.check"):
+        found = importlib.import_module("polhode.specimen")
+    yield found
     del sys.modules["polhode.specimen"]
 
 
