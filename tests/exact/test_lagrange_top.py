@@ -9,7 +9,7 @@ import pytest
 
 import polhode as ph
 from polhode.errors import InvalidInput
-from polhode.exact.steady_precession import sleeping_threshold, steady_precession
+from polhode.exact.lagrange_top.steady_precession import sleeping_threshold, steady_precession
 
 PRINTED = 4e-15
 """Relative to tables of twenty digits: the tilt of 60 degrees is itself only known to an ulp."""

@@ -22,7 +22,7 @@ from polhode.analysis.precession import body_precession, space_precession
 from polhode.analysis.twist import racket_twist
 from polhode.bodies import surface
 from polhode.errors import InvalidInput
-from polhode.exact import steady_precession as tops
+from polhode.exact.lagrange_top import steady_precession as tops
 from polhode.motion import frame
 
 THREE, FOUR, EYE = np.array([1.0, 2.0, 2.5]), np.array([1.0, 0.0, 0.0, 0.0]), np.eye(3)

@@ -13,7 +13,7 @@ from polhode import rotation
 from polhode.bodies.body import Body
 from polhode.errors import InvalidInput
 from polhode.exact.lagrange_top import LagrangeMotion
-from polhode.exact.steady_precession import SteadyPrecession, sleeping_threshold, steady_precession
+from polhode.exact.lagrange_top.steady_precession import SteadyPrecession, sleeping_threshold, steady_precession
 from polhode.kinds.base import Spec
 from polhode.kinds.lagrange_top.table import LagrangeTopTable
 from polhode.motion.inputs import finite
