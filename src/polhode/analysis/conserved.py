@@ -318,7 +318,7 @@ def check_motion(system: AbstractLiePoissonSystem, samples: Array) -> None:
     kind, base = type(system), AbstractLiePoissonSystem
     if not moves_by_generator(system):
         raise InvalidInput(
-            f"{kind.__name__} overrides `vector_field`, which what follows from its energy would not see. "
+            f"{kind.__name__} overrides `vector_field`, so it need not move as its energy says. "
             "Override `generator(t, point)` instead."
         )
     if kind.__module__.partition(".")[0] == "polhode" or (kind.generator is base.generator

@@ -33,7 +33,7 @@ from polhode.systems.euler_disk import EulerDisk
 
 Array = Any
 Function = Callable[[Array], Array]
-SMALLEST, LARGEST = 1e-300, 1e300  # equilibria; numbers beyond lose digits, or overflow when two are added
+SMALLEST, LARGEST = 1e-300, 1e300  # of an equilibrium; smaller numbers lose digits, and sums of larger ones overflow
 AT_REST = 1e-8  # of |dH| |μ|: a field below it vanishes, up to the solver that found the point
 NULL = 1e-9  # singular values of the linearised flow below it, relative to the largest, vanish
 VANISHED = 4.0 * np.finfo(float).eps  # the same per dimension, where they are rounding errors of zero
@@ -94,7 +94,8 @@ def stability(
     size = float(np.abs(z).max())
     if size and not SMALLEST <= size <= LARGEST:
         raise InvalidInput(
-            f"`equilibrium` must be of a size between {SMALLEST:g} and {LARGEST:g}; got {size:g}. Choose other units."
+            f"the largest component of `equilibrium` must be between {SMALLEST:g} and {LARGEST:g}; got {size:g}. "
+            "Choose other units."
         )
     check_motion(system, samples_around(np.asarray(algebra.structure_constants()), z))
     known = casimirs_of(algebra, casimirs)

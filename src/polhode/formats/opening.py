@@ -5,9 +5,11 @@ A pipe that nobody writes to would block the opening for ever, and a device such
 
 from __future__ import annotations
 
+import contextlib
 import io
 import os
 import stat
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, BinaryIO
 
@@ -82,14 +84,17 @@ class _File(io.FileIO):
         self.path = path
 
     def readinto(self, buffer: Any) -> int | None:
-        try:
+        with self._named():
             return super().readinto(buffer)
-        except OSError as error:
-            raise InvalidInput(f"{self.path}: cannot be read ({error.strerror}). Check the disk.") from None
 
     def readall(self) -> bytes:
-        try:
+        with self._named():
             return super().readall()
+
+    @contextlib.contextmanager
+    def _named(self) -> Iterator[None]:
+        try:
+            yield
         except OSError as error:
             raise InvalidInput(f"{self.path}: cannot be read ({error.strerror}). Check the disk.") from None
 
