@@ -239,3 +239,21 @@ def test_a_disk_touches_the_plane_where_it_should(tmp_path, system):
         assert np.linalg.norm(contact[touching], axis=-1).min() < 0.05 * 0.015 + half
     figure = draw_rolling_disk(report)
     assert any("mm" in text.get_text() for text in figure.axes[0].texts) and "°" in figure.axes[0].get_title()
+
+
+@pytest.mark.parametrize("eye", [None, 6.0])
+def test_far_sides_left_out_change_no_pixel(monkeypatch, eye):
+    """Of a closed solid; where a triangle is missing, or it is inside out, all sides are drawn."""
+    from polhode.figures import scene as module
+
+    solid = ball(24)
+    assert module._is_closed(solid.vertices, solid.faces)
+    assert not module._is_closed(solid.vertices, solid.faces[1:])
+    assert not module._is_closed(solid.vertices, solid.faces[:, ::-1])
+    drawn = []
+    for closed in (True, False):
+        monkeypatch.setattr(module, "_is_closed", lambda *_, closed=closed: closed)
+        window = scene(eye=eye)
+        window.solid(solid, "#336699")
+        drawn.append(window.colour)
+    assert np.array_equal(*drawn) and (drawn[0][..., 3] > 0.0).any()

@@ -84,3 +84,12 @@ def test_outcomes_in_words(outcome, words, tmp_path, motion):
     written = dataclasses.replace(motion.sample([0.0, 1.0]), outcome=outcome)
     path = ph.formats.write_dataset(written, tmp_path / "motion.nc")
     assert ph.formats.read_dataset(path).outcome == outcome
+
+
+def test_other_times_of_an_exact_motion_keep_the_frame(motion):
+    frame = ph.shapes.box(2.0, (1.0, 2.0, 3.0)).frame
+    found = dataclasses.replace(motion.sample([0.0, 1.0]), frame=frame).resampled([0.25, 7.0])
+    assert found.frame is frame and found.times.tolist() == [0.25, 7.0]
+    assert np.array_equal(found.momentum, motion.momentum(np.array([0.25, 7.0])))
+    with pytest.raises(InvalidInput, match="not of an exact motion"):
+        dataclasses.replace(found, source=None).resampled([1.0])
