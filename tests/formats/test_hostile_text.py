@@ -92,13 +92,30 @@ ASCII_STL = "solid a\n" + 4 * FACET
 
 
 @pytest.mark.parametrize(("old", "new", "words"), [
-    ("vertex 1 0 0", "vertex 1 0 x", "cannot be read as a mesh"),
-    ("vertex 1 0 0", "vertex 1_0 0 0", "got '1_0'"),
-    ("vertex 1 0 0", "vertex nan 0 0", "got 'nan'"),
+    ("vertex 1 0 0", "vertex 1 0 x", "line 5: a corner must be three finite numbers in decimal digits; got '1 0 x'"),
+    ("vertex 1 0 0", "vertex 1_0 0 0", "got '1_0 0 0'"),
+    ("vertex 1 0 0", "vertex nan 0 0", "got 'nan 0 0'"),
+    ("vertex 1 0 0", "vertex 1 0", "got '1 0'"),
+    ("vertex 1 0 0", "vertex 1 0 0 0", "got '1 0 0 0'"),
     ("vertex 1 0 0\n", "", "three corners each"),
+    ("1 0 0\nvertex 0 1 0\nendloop\nendfacet", "1 0 0\nendloop\nendfacet\nvertex 0 1 0", "three corners each"),
+    ("solid a\n", "solid a\nendsolid a\nendfacet\n", "three corners each"),
 ])  # fmt: skip
 def test_ascii_stl(saved, old, new, words):
     assert words in refused(mesh, saved("mesh.stl", ASCII_STL.replace(old, new, 1) + "endsolid a\n"))
+
+
+def test_ascii_stl_without_its_end(saved):
+    assert "no endsolid" in refused(mesh, saved("mesh.stl", ASCII_STL))
+
+
+def test_ascii_stl_of_several_solids_in_any_spelling(saved):
+    """Names may hold the words of the form, in any encoding."""
+    text = f"SOLID a vertex of an endsolid\r\n{2 * FACET.upper()}EndSolid\nsolid Stück\n{2 * FACET}endsolid Stück\n"
+    expected = formats.read_mesh(saved("plain.stl", f"{ASCII_STL}endsolid\n"), 1.0)
+    for encoding in ("utf-8", "latin-1"):
+        found = formats.read_mesh(saved("mesh.stl", text.encode(encoding)), 1.0)
+        assert np.array_equal(found[0], expected[0]) and np.array_equal(found[1], expected[1])
 
 
 def test_binary_garbage_as_text_is_refused_at_once(saved):

@@ -7,6 +7,7 @@ import trimesh
 import polhode as ph
 from polhode.errors import FormatError, InvalidInput
 from polhode.formats.mesh import read_mesh
+from polhode.formats.stl_mesh import read_stl
 
 EXACT = 1e-13
 """A few roundings, relative, for files that keep double precision or numbers of few digits."""
@@ -169,3 +170,15 @@ def test_missing_file_and_bad_unit(tmp_path, any_type):
     for unit in (0.0, -1.0, np.nan, np.ones(3), "mm"):
         with pytest.raises(InvalidInput, match="`unit` must be a positive length"):
             read_mesh(saved(tmp_path, BOX), unit=unit)
+
+
+@pytest.mark.parametrize("text", [False, True])
+def test_stl_is_what_trimesh_reads(tmp_path, text):
+    body = trimesh.creation.icosphere(2, 0.37)
+    if text:
+        (tmp_path / "ball.stl").write_text(trimesh.exchange.stl.export_stl_ascii(body))
+    path = tmp_path / "ball.stl" if text else saved(tmp_path, body, "ball.stl")
+    other = trimesh.load(path, process=False)
+    vertices, faces = read_stl(path, path.read_bytes())
+    assert np.array_equal(vertices, other.vertices) and np.array_equal(faces, other.faces)
+    assert not np.array_equal(vertices, body.triangles.reshape(-1, 3)) or text  # single precision, the file's

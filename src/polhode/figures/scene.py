@@ -24,6 +24,7 @@ AMBIENT = 0.62  # brightness of what no light falls on
 NEAR = 0.012  # of the window: a curve so close before a surface lies on it
 DIM = 0.25
 UNSEEN = -np.inf
+AT_ONCE = 300_000  # pixels of the boxes round triangles, so that their arrays stay in the processor's cache
 
 
 class Scene:
@@ -49,7 +50,8 @@ class Scene:
         self.pixel = self.size / (2 * PIXELS)
         shape = (2 * int(np.ceil((top - bottom) / self.pixel / 2)), 2 * int(np.ceil((right - left) / self.pixel / 2)))
         self.depth = np.full(shape, UNSEEN)
-        self.colour = np.ones((*shape, 4)) * [1.0, 1.0, 1.0, 0.0]
+        self.colour = np.zeros((*shape, 4))
+        self._covered = np.array([[*shape], [0, 0]])  # the first row and column with a solid, and those after the last
         axes.set_aspect("equal")
         axes.set_xlim(left, right)
         axes.set_ylim(bottom, top)
@@ -80,8 +82,16 @@ class Scene:
         drawn = (lowest < highest).all(axis=-1) & (np.abs(area) > 1e-12)
         if _is_closed(vertices, faces):
             drawn &= area > 0.0  # the rest is on the far side, behind these
-        for k in np.flatnonzero(drawn):
-            self._fill(corners[k], lowest[k], highest[k], area[k], shades[k], rgb)
+        if not drawn.any():
+            return
+        lowest, highest = lowest[drawn], highest[drawn]
+        self._covered[0] = np.minimum(self._covered[0], lowest.min(axis=0)[::-1])
+        self._covered[1] = np.maximum(self._covered[1], highest.max(axis=0)[::-1])
+        pixels = np.cumsum((highest - lowest).prod(axis=-1))
+        for part in np.split(np.arange(len(pixels)), np.flatnonzero(np.diff(pixels // AT_ONCE)) + 1):
+            which = np.flatnonzero(drawn)[part]
+            rows = _rows(corners[which], lowest[part], highest[part])
+            self._fill(corners[which], area[which], shades[which], rgb, rows)
 
     def _pixels(self, corners: Array) -> tuple[Array, Array]:
         """Return the first pixels (m, 2) that triangles (m, 3, 3) may cover, and those after the last."""
@@ -97,28 +107,47 @@ class Scene:
         lit = np.clip(turned @ (LIGHT / np.linalg.norm(LIGHT)), 0.0, 1.0)
         return ambient + (1.0 - ambient) * lit + 0.12 * lit**8
 
-    def _fill(self, triangle: Array, low: Array, high: Array, area: float, shade: Array, colour: Array) -> None:
-        (ax, ay), (bx, by), (cx, cy) = triangle[:, :2]
-        x = np.arange(low[0], high[0]) + 0.5
-        y = (np.arange(low[1], high[1]) + 0.5)[:, None]
-        second = ((x - ax) * (cy - ay) - (cx - ax) * (y - ay)) / area
-        third = ((bx - ax) * (y - ay) - (x - ax) * (by - ay)) / area
-        first = 1.0 - second - third
-        part = (slice(low[1], high[1]), slice(low[0], high[0]))
-        depth = first * triangle[0, 2] + second * triangle[1, 2] + third * triangle[2, 2]
-        won = (first >= -1e-9) & (second >= -1e-9) & (third >= -1e-9) & (depth > self.depth[part])
-        bright = (first * shade[0] + second * shade[1] + third * shade[2])[won]
-        self.depth[part][won] = depth[won]
-        self.colour[part][won, :3] = np.clip(bright[:, None] * colour, 0.0, 1.0)
-        self.colour[part][won, 3] = 1.0
+    def _fill(self, corners: Array, area: Array, shades: Array, colour: Array, rows: tuple[Array, ...]) -> None:
+        """Draw triangles, given the rows of pixels that each may cover, those of each triangle together."""
+        owner, y, start, end = rows
+        count = end - start
+        owner, y = np.repeat(owner, count), np.repeat(y, count)
+        column = np.repeat(start - np.cumsum(count) + count, count) + np.arange(len(owner))
+        x, height = column + 0.5, y + 0.5
+        (ax, ay, az), (bx, by, bz), (cx, cy, cz) = np.moveaxis(corners, 0, -1)
+        # how much of each corner is in a pixel: affine functions of its place
+        second = np.stack([cy - ay, ax - cx, (cx - ax) * ay - (cy - ay) * ax]) / area
+        third = np.stack([ay - by, bx - ax, (by - ay) * ax - (bx - ax) * ay]) / area
+        part = lambda weights: weights[0][owner] * x + weights[1][owner] * height + weights[2][owner]  # noqa: E731
+        second, third = part(second), part(third)
+        depth = az[owner] + second * (bz - az)[owner] + third * (cz - az)[owner]
+        before, place = self.depth.reshape(-1), y * self.depth.shape[1] + column
+        inside = (second >= -1e-9) & (third >= -1e-9) & (second + third <= 1.0 + 1e-9)
+        won = np.flatnonzero(inside & (depth > before[place]))
+        if not len(won):
+            return
+        lowest = place[won].min()
+        nearest = np.full(place[won].max() - lowest + 1, UNSEEN)
+        np.maximum.at(nearest, place[won] - lowest, depth[won])
+        # of triangles at the same depth the first wins, being written last
+        won = won[depth[won] == nearest[place[won] - lowest]][::-1]
+        shade, place, second, third = shades[owner[won]], place[won], second[won], third[won]
+        bright = shade[:, 0] + second * (shade[:, 1] - shade[:, 0]) + third * (shade[:, 2] - shade[:, 0])
+        before[place] = depth[won]
+        seen = self.colour.reshape(-1, 4)
+        seen[place, :3] = np.clip(bright[:, None] * colour, 0.0, 1.0)
+        seen[place, 3] = 1.0
 
     def finish(self, strength: float = 1.0, order: float = 0.0) -> None:
         """Put the image of the solids so far onto the page."""
         rows, columns = self.depth.shape
-        four = self.colour.reshape(rows // 2, 2, columns // 2, 2, 4)
-        cover = four[..., 3].sum(axis=(1, 3))
-        light = (four[..., :3] * four[..., 3:]).sum(axis=(1, 3)) / np.maximum(cover, 1.0)[..., None]
-        image = np.concatenate([np.where(cover[..., None] > 0, light, 1.0), strength * cover[..., None] / 4.0], axis=-1)
+        image = np.ones((rows // 2, columns // 2, 4)) * [1.0, 1.0, 1.0, 0.0]
+        (top, left), (bottom, right) = self._covered // 2 + [[0, 0], [1, 1]]
+        four = self.colour.reshape(rows // 2, 2, columns // 2, 2, 4)[top:bottom, :, left:right]
+        light = four[:, 0, :, 0] + four[:, 0, :, 1] + four[:, 1, :, 0] + four[:, 1, :, 1]
+        cover = light[..., 3:]
+        light = np.where(cover > 0, light[..., :3] / np.maximum(cover, 1.0), 1.0)
+        image[top:bottom, left:right] = np.concatenate([light, strength * cover / 4.0], axis=-1)
         left, _, bottom, _ = self.window
         extent = (left, left + columns * self.pixel, bottom, bottom + rows * self.pixel)
         self.axes.imshow(image, origin="lower", extent=extent, zorder=order, interpolation="antialiased")
@@ -173,6 +202,30 @@ class Scene:
         self.axes.annotate(name, (x1, y1), tuple(7.0 * away + np.asarray(side)), textcoords="offset points", zorder=7,
                            ha="center", va="center", color=colour, fontsize=style.FONT + 1, fontweight="bold",
                            bbox={"fc": "white", "ec": "none", "pad": 0.4, "alpha": 0.75})  # fmt: skip
+
+
+def _rows(corners: Array, lowest: Array, highest: Array) -> tuple[Array, Array, Array, Array]:
+    """Return (n,) rows of pixels that triangles (m, 3, 3) may cover: whose, which, the first pixel, after the last."""
+    tall = highest[:, 1] - lowest[:, 1]
+    owner = np.repeat(np.arange(len(tall)), tall)
+    y = np.repeat(lowest[:, 1] - np.cumsum(tall) + tall, tall) + np.arange(len(owner))
+    flat = corners[..., :2]
+    # at the middle of the row, or the corner next to it
+    height = np.clip(y + 0.5, flat[..., 1].min(axis=1)[owner], flat[..., 1].max(axis=1)[owner])
+    least, most = np.full(len(owner), np.inf), np.full(len(owner), -np.inf)
+    for k in range(3):
+        begin, rise = flat[:, k], flat[:, (k + 1) % 3] - flat[:, k]
+        with np.errstate(divide="ignore", invalid="ignore"):
+            along = (height - begin[owner, 1]) / rise[owner, 1]
+        crossed = (along > -1e-9) & (along < 1.0 + 1e-9)
+        x = begin[owner, 0] + np.where(crossed, along, 0.0) * rise[owner, 0]
+        least, most = np.where(crossed, np.minimum(least, x), least), np.where(crossed, np.maximum(most, x), most)
+    crossed = least <= most
+    owner, y, least, most = owner[crossed], y[crossed], least[crossed], most[crossed]
+    # a pixel more on either side, for rounding
+    start = np.maximum(np.floor(least).astype(int) - 1, lowest[owner, 0])
+    end = np.minimum(np.ceil(most).astype(int) + 1, highest[owner, 0])
+    return owner, y, start, np.maximum(end, start)
 
 
 def corner_normals(vertices: Float64[Array, "n 3"], faces: Integer[Array, "m 3"]) -> Float64[Array, "m 3 3"]:

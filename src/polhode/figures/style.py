@@ -101,6 +101,10 @@ def save(figure: Figure, path: Path) -> Path:
     kind = path.suffix.removeprefix(".")
     drawn = BytesIO()  # so that the bytes are written here, where a full disk is noticed
     with matplotlib.rc_context(SETTINGS):
+        if (layout := figure.get_layout_engine()) is not None:
+            # places everything once; savefig would draw the whole figure for it
+            layout.execute(figure)
+            figure.set_layout_engine(None)
         figure.savefig(drawn, format=kind, dpi=DOTS_PER_INCH, facecolor="white", metadata=METADATA[kind])
     path.write_bytes(drawn.getvalue())
     return path

@@ -1,4 +1,4 @@
-"""Triangle meshes from files, read by trimesh and repaired on request."""
+"""Triangle meshes from files, those of other forms than STL and OBJ read by trimesh, and repaired on request."""
 
 from __future__ import annotations
 
@@ -15,6 +15,7 @@ from polhode.errors import FormatError, InvalidInput, shown
 from polhode.formats.mesh_checks import as_text, checked
 from polhode.formats.obj_mesh import read_obj
 from polhode.formats.opening import MB, read_file
+from polhode.formats.stl_mesh import read_stl
 from polhode.types import Array, Float64, Integer
 
 LARGEST_FILE = 256 * MB  # five million triangles of a binary STL
@@ -71,6 +72,8 @@ def _loaded(path: Path, content: bytes) -> tuple[Array, Array]:
         raise FormatError(f"{path}: {why}. Convert it to STL.")
     if ending == "obj":
         return read_obj(path, as_text(path, content))
+    if ending == "stl":
+        return read_stl(path, content)
     content = checked(path, ending, content)
     trimesh = _trimesh()
     try:

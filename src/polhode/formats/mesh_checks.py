@@ -1,6 +1,6 @@
 """Mesh files looked through before trimesh reads them: counts that the bytes can hold, text that is text.
 
-Source: the formats' own: STL (3D Systems, 1988), PLY (Turk, 1994), OFF (Geomview), glTF 2.0 (Khronos).
+Source: the formats' own: PLY (Turk, 1994), OFF (Geomview), glTF 2.0 (Khronos).
 """
 
 from __future__ import annotations
@@ -13,11 +13,9 @@ from typing import Any, NoReturn
 from polhode.errors import FormatError, shown
 from polhode.formats.numerals import is_misread
 
-STL_HEAD, STL_TRIANGLE = 84, 50  # bytes
 MOST_TRIANGLES = 5_000_000  # of a scene, after its meshes have been put where it shows them
 MOST_PARTS = 1000  # nodes of a scene; trimesh takes a millisecond for each
 COPIES = 16  # of one mesh in a scene, on average by size
-_STL_CORNER, _STL_END = (re.compile(rf"^\s*{word}\b", re.MULTILINE | re.IGNORECASE) for word in ("vertex", "endfacet"))
 _PLY_COUNT = re.compile(r"element[ \t]+\S+[ \t]+(\S+)", re.ASCII)
 
 
@@ -28,7 +26,7 @@ def checked(path: Path, ending: str, content: bytes) -> bytes:
         FormatError: for counts that do not fit the bytes, words that are not numbers, and scenes that lead to other
             files, are compressed, or repeat themselves without bound.
     """
-    return {"stl": _stl, "ply": _ply, "off": _off, "glb": _glb, "gltf": _gltf}[ending](path, content)
+    return {"ply": _ply, "off": _off, "glb": _glb, "gltf": _gltf}[ending](path, content)
 
 
 def as_text(path: Path, content: bytes) -> str:
@@ -48,20 +46,6 @@ def as_text(path: Path, content: bytes) -> str:
 
 def _refuse(path: Path, what: str) -> NoReturn:
     raise FormatError(f"{path}: {what}. Export it again.")
-
-
-def _stl(path: Path, content: bytes) -> bytes:
-    count = int.from_bytes(content[STL_HEAD - 4 : STL_HEAD], "little")
-    if len(content) >= STL_HEAD and len(content) == STL_HEAD + STL_TRIANGLE * count:
-        return content
-    if b"\0" in content or content.lstrip()[:5].lower() != b"solid":
-        held = max(0, len(content) - STL_HEAD) / STL_TRIANGLE
-        _refuse(path, f"cannot be read as a mesh: it claims {count} triangles, and has bytes for {held:.6g}")
-    text = as_text(path, content)
-    _check_words(path, text)
-    if len(_STL_CORNER.findall(text)) != 3 * len(_STL_END.findall(text)):
-        _refuse(path, "cannot be read as a mesh: its triangles do not have three corners each; it may be cut short")
-    return text.encode()
 
 
 def _ply(path: Path, content: bytes) -> bytes:
