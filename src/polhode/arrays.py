@@ -10,8 +10,6 @@ from collections.abc import Callable, Iterator
 from functools import cache
 from typing import Any, ParamSpec, TypeVar
 
-import array_api_compat
-import array_api_compat.numpy as numpy_namespace
 import numpy as np
 
 from polhode.errors import InvalidInput, PolhodeError, shown
@@ -64,9 +62,11 @@ def namespace(*values: Any) -> Any:
 
         return jax.numpy
     if "foreign" in libraries:
+        import array_api_compat
+
         foreign = (value for value, library in zip(values, libraries, strict=True) if library == "foreign")
         return array_api_compat.array_namespace(*foreign)
-    return numpy_namespace
+    return np
 
 
 def refuse_single_precision(**named: Any) -> None:

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from polhode.arrays import as_float64, is_traced, known_numbers_only, numpy_namespace
+from polhode.arrays import as_float64, is_traced, known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.motion.frame import BodyFrame
 from polhode.rotation import as_matrix, from_matrix, normalize
@@ -319,7 +319,7 @@ def _finite(name: str, value: Any, shape: tuple[int, ...]) -> Array:
     """Return a float64 copy of the wanted shape, finite."""
     if is_traced(value):
         raise InvalidInput(f"`{name}` must be known numbers, not traced by JAX; give moments to FreeMotion instead.")
-    array = np.array(as_float64(numpy_namespace, value, name))
+    array = np.array(as_float64(np, value, name))
     if array.shape != shape:
         raise InvalidInput(f"`{name}` must have shape {shape}; got {array.shape}.")
     if not np.isfinite(array).all():

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from polhode.arrays import as_float64, known_numbers_only, numpy_namespace
+from polhode.arrays import as_float64, known_numbers_only
 from polhode.bodies.body import Body
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, Float64, Real
@@ -136,4 +136,4 @@ def _inner_radius(inner: Any, outer: float) -> float:
 def _numbers(name: str, value: Any) -> Array:
     if value is None:
         raise InvalidInput(f"`{name}` must be given as a number; got None.")
-    return np.asarray(as_float64(numpy_namespace, value, name))
+    return np.asarray(as_float64(np, value, name))

@@ -15,6 +15,7 @@ app = typer.Typer(
     no_args_is_help=True,
     add_completion=False,
     pretty_exceptions_enable=False,
+    rich_markup_mode=None,  # half of the time that `--help` would take
 )
 SpecPath = Annotated[Path, typer.Argument(metavar="SPEC", help="TOML file: what body, how it spins, when.")]
 AsJson = Annotated[bool, typer.Option("--json", help="Print one JSON object (SI values) on standard output.")]
@@ -61,7 +62,10 @@ def report(
     ] = None,
     html: Annotated[bool, typer.Option("--html", help="Also write the page of the motion, page.html.")] = False,
 ) -> None:
-    """Say how the body rotates: motion, stability, periods; write figures and a NetCDF dataset."""
+    """Say how the body rotates; write figures and a NetCDF dataset.
+
+    Motion, stability and periods are printed.
+    """
     from polhode.cli.report import run_report
 
     run_report(spec, json, out, figures or [], html)
@@ -76,7 +80,10 @@ def view(
     ] = None,
     no_open: Annotated[bool, typer.Option("--no-open", help="Write the page without opening it.")] = False,
 ) -> None:
-    """Write the motion as one HTML page that needs nothing else, and open it."""
+    """Write the motion as one HTML page, and open it.
+
+    The page needs nothing else.
+    """
     from polhode.cli.view import run_view
 
     run_view(spec, out, not no_open)
@@ -93,7 +100,10 @@ def live(
     ] = 8080,
     no_open: Annotated[bool, typer.Option("--no-open", help="Serve without opening a browser.")] = False,
 ) -> None:
-    """Play with a body: sliders for its moments and spin, and its exact motion as they move."""
+    """Play with a body: its exact motion as you move the sliders.
+
+    The sliders are its moments and its spin.
+    """
     from polhode.cli.live import run_live
 
     run_live(spec, port, not no_open)
@@ -139,7 +149,10 @@ def import_(
     lsk: LeapSeconds = None,
     spice_id: SpiceId = None,
 ) -> None:
-    """Read another tool's attitude history, say what it holds, and write it as a NetCDF dataset."""
+    """Read another tool's attitude history; write it as NetCDF.
+
+    What the history holds is printed.
+    """
     from polhode.cli.importing import run_import
     from polhode.cli.sources import Kernels
 
@@ -160,7 +173,10 @@ def compare(
     lsk: LeapSeconds = None,
     spice_id: SpiceId = None,
 ) -> None:
-    """Say how two attitude histories differ: angle over time, misalignments, drift of energy and momentum."""
+    """Say how two attitude histories differ.
+
+    Printed are the angle over time, misalignments, and the drift of energy and momentum.
+    """
     from polhode.cli.compare import run_compare
     from polhode.cli.sources import Kernels
 

@@ -23,6 +23,7 @@ from polhode.motion.trajectory import Trajectory
 if TYPE_CHECKING:
     import xarray
 
+Named = dict[str, Any]
 _VECTORS = {
     "momentum": (UNITS["momentum"], "angular momentum along the body axes"),
     "angular_velocity": (UNITS["angular_velocity"], "angular velocity along the body axes"),
@@ -42,14 +43,19 @@ def as_dataset(trajectory: Trajectory, attributes: dict[str, str] | None = None)
     """
     import xarray as xr
 
+    return xr.Dataset(*_described(trajectory, attributes))
+
+
+def _described(trajectory: Trajectory, attributes: dict[str, str] | None) -> tuple[Named, Named, dict[str, str]]:
+    """Return variables and coordinates, each (dimensions, values, attributes), and global attributes."""
     frame = trajectory.frame
     if frame is not None:
         trajectory = along_principal_axes(trajectory)
     times = np.asarray(trajectory.times)
     batch = [f"batch_{k}" for k in range(len(trajectory.batch_shape))]
     clock = ("time", times, {"units": "s", "long_name": "time"})
-    coordinates: dict[str, Any] = {"time": clock, "axis": ("axis", [1, 2, 3])}
-    variables: dict[str, Any] = {}
+    coordinates: Named = {"time": clock, "axis": ("axis", [1, 2, 3])}
+    variables: Named = {}
     if trajectory.attitude is not None:
         coordinates["quaternion"] = ("quaternion", ["w", "x", "y", "z"])
         note = {"units": "1", "long_name": "attitude quaternion, scalar first, body to space"}
@@ -96,7 +102,7 @@ def as_dataset(trajectory: Trajectory, attributes: dict[str, str] | None = None)
             if name in variables:
                 variables[name][2]["comment"] = "body axes are the principal ones; principal_axes has them"
     header = {"Conventions": "CF-1.11", "source": "polhode", **_outcome_attributes(trajectory.outcome)}
-    return xr.Dataset(variables, coordinates, header | label_attributes(labels_of(trajectory)) | (attributes or {}))
+    return variables, coordinates, header | label_attributes(labels_of(trajectory)) | (attributes or {})
 
 
 def _outcome_attributes(outcome: Outcome) -> dict[str, str]:
@@ -139,13 +145,31 @@ def write_dataset(trajectory: Trajectory, path: str | Path, attributes: dict[str
     """
     path = Path(path)
     _check_finite(trajectory)
-    dataset = as_dataset(trajectory, attributes)
     # HDF5 would try again to write what a full disk refused, and crash as Python ends: it gets memory, not the disk
     packed = BytesIO()
-    dataset.to_netcdf(packed, engine="h5netcdf")
+    _pack(packed, *_described(trajectory, attributes))
     with written_whole(path) as draft:
         draft.write_bytes(packed.getbuffer())
     return path
+
+
+def _pack(file: BytesIO, variables: Named, coordinates: Named, header: dict[str, str]) -> None:
+    """Write NetCDF as xarray would, whose import takes longer than most reports."""
+    import h5netcdf
+    import h5py
+
+    with h5netcdf.File(file, "w") as store:
+        store.attrs.update(header)
+        for name, (dims, values, *notes) in (coordinates | variables).items():
+            dims, values = (dims,) if isinstance(dims, str) else tuple(dims), np.asarray(values)
+            for dimension, length in zip(dims, values.shape, strict=True):
+                if dimension not in store.dimensions:
+                    store.dimensions[dimension] = length
+            text = values.dtype.kind == "U"
+            variable = store.create_variable(name, dims, h5py.string_dtype() if text else values.dtype)
+            variable[...] = values.astype(object) if text else values
+            for note in notes:
+                variable.attrs.update(note)
 
 
 def write_zarr(trajectory: Trajectory, path: str | Path, attributes: dict[str, str] | None = None) -> Path:
