@@ -93,3 +93,28 @@ def test_a_compiler_that_may_not_know_the_flags_is_not_given_them(tmp_path):
     program = FLAGS.partition("import jax\n")[0]
     assert "emitters" in run(program, tmp_path)
     assert run("import jaxlib.version; jaxlib.version.__version__ = '0.99.0'" + program, tmp_path).strip() == ""
+
+
+UNITS = """
+from polhode.cli.compiled import keep_compiled
+keep_compiled()
+from polhode.spec.units import parse_quantity
+print(parse_quantity("60 rpm", "rad/s"), parse_quantity("3 cpm", "rad/s"), parse_quantity("12 g*cm^2", "kg*m^2"))
+"""
+
+
+def test_the_table_of_units_is_kept_and_a_damaged_one_is_read_again(tmp_path):
+    said = run(UNITS, tmp_path)
+    assert said.split() == ["6.283185307179586", "0.3141592653589793", "1.2000000000000002e-06"]
+    files = [path for path in tmp_path.glob("**/units/*") if path.is_file()]
+    assert files
+    assert run(UNITS, tmp_path) == said
+    for damaged in (b"", b"\x80\x05", b"not a pickle"):
+        for path in files:
+            path.write_bytes(damaged)
+        assert run(UNITS, tmp_path) == said
+
+
+def test_a_cache_that_cannot_be_written_changes_nothing(tmp_path):
+    (tmp_path / "file").write_text("")
+    assert run(UNITS, tmp_path, POLHODE_UNITS_CACHE=str(tmp_path / "file")) == run(UNITS, tmp_path)

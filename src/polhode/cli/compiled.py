@@ -1,4 +1,4 @@
-"""A command compiles quickly, and keeps what it compiled in the user's cache folder for the next time."""
+"""A command compiles quickly, and keeps in the user's cache folder what it compiled and read, for the next time."""
 
 from __future__ import annotations
 
@@ -26,19 +26,20 @@ def compile_quickly(flags: str = QUICKLY) -> None:
 
 
 def keep_compiled() -> None:
-    """Let JAX keep what it compiles, for the command line alone: importing the library changes no such setting.
+    """Let JAX keep what it compiles and pint its table of units, for the command line alone.
 
-    To be called before JAX is imported. Settings in the environment win. What cannot be kept or read is compiled again,
-    and nothing is said.
+    Importing the library changes no such setting. To be called before JAX is imported. Settings in the environment win.
+    What cannot be kept or read is made again, and nothing is said.
     """
     # what equinox checks while it runs calls Python, and such functions cannot be kept; polhode checks beforehand
     os.environ.setdefault("EQX_ON_ERROR", "nan")
     os.environ.setdefault("TF_CPP_MIN_LOG_LEVEL", "3")  # processors that read their own functions back with complaints
     warnings.filterwarnings("ignore", "Error (reading|writing) persistent compilation cache")
-    if "JAX_COMPILATION_CACHE_DIR" in os.environ:
-        return
     from platformdirs import user_cache_path
 
+    os.environ.setdefault("POLHODE_UNITS_CACHE", str(user_cache_path("polhode") / "units"))
+    if "JAX_COMPILATION_CACHE_DIR" in os.environ:
+        return
     # a home that several machines share: they may have different processors
     os.environ["JAX_COMPILATION_CACHE_DIR"] = str(user_cache_path("polhode") / "compiled" / platform.node())
     os.environ.setdefault("JAX_COMPILATION_CACHE_MAX_SIZE", str(LARGEST))

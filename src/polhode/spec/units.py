@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import os
 import re
 import sys
 from functools import cache, lru_cache
@@ -46,6 +47,7 @@ _UNIT_TOKEN = re.compile(
            |1(?![0-9.])|\(|(?P<sign>[*/·⋅×.]))\s*""",
     re.VERBOSE,
 )
+KEPT = "POLHODE_UNITS_CACHE"  # folder where a command keeps the table of units, so as not to read it each time
 ANGLES = {"radian", "degree", "turn", "arcminute", "arcsecond", "milliarcsecond", "grade", "revolutions_per_minute",
           "dps", "cpm", "revolutions_per_second"}  # fmt: skip
 
@@ -54,7 +56,10 @@ ANGLES = {"radian", "degree", "turn", "arcminute", "arcsecond", "milliarcsecond"
 def _registry() -> Any:
     import pint
 
-    registry = pint.UnitRegistry()
+    try:
+        registry = pint.UnitRegistry(cache_folder=os.environ.get(KEPT))
+    except Exception:  # what was kept is damaged, in whatever way, or cannot be written
+        registry = pint.UnitRegistry()
     registry.define("rev = turn")
     registry.define("dps = degree / second")
     registry.define("cpm = turn / minute")
