@@ -100,6 +100,7 @@ def _solved(
     slopes = jnp.linalg.norm(jax.jacfwd(casimirs)(level).reshape(-1, level.size), axis=1) * size
     slopes = jnp.where(slopes > 0, slopes, 1.0)
 
+    @jax.jit  # so that it is traced once, however often the solver asks for it
     def residual(x: Array, args: Any = None) -> Array:
         return jnp.concatenate([field(size * x) / (rate * size), (casimirs(size * x) - wanted) / slopes])
 

@@ -199,7 +199,7 @@ def _asymptotic(disk: EulerDisk, run: _Run, decades: float, samples_per_decade: 
     """Follow the motion by its own clock from sample to sample; return whether an event ended it."""
     length = jnp.asarray(math.log(10.0) / samples_per_decade)
     for _ in range(math.ceil(decades * samples_per_decade)):
-        turn = abs(float(disk.precession(run.states[-1]) * _tick(disk, run.states[-1]) * length))
+        turn = float(_turn(disk, run.states[-1], length))
         if run.steps + STEPS_PER_RADIAN * turn > most_steps:
             return False
         final, ended, fine, steps = _leg(disk, run.states[-1], length)
@@ -222,6 +222,7 @@ def _leg(disk: EulerDisk, state: Array, length: Array) -> tuple[_Leg, Array, Arr
     """Return state, duration and loss of a leg, whether an event ended it, success and number of steps."""
     clock, first_energy = _tick(disk, state), disk.energy(state)
 
+    @jax.jit  # so that it is traced once, however often diffrax asks for it
     def rates(t: Array, y: _Leg, args: Any) -> _Leg:
         now = _unscaled(disk, y.state)
         field, slowness = disk.vector_field(t, now), _tick(disk, now)
@@ -229,8 +230,10 @@ def _leg(disk: EulerDisk, state: Array, length: Array) -> tuple[_Leg, Array, Arr
         lost = 1.5 * disk.mechanics.potential_energy(now[0])
         return _Leg(slowness * change, slowness / clock, lost / first_energy)
 
+    margin = jax.jit(lambda now: _margin(disk, _unscaled(disk, now)))
+
     def lowest(t: Array, y: _Leg, args: Any, **more: Any) -> Array:
-        return _margin(disk, _unscaled(disk, y.state))
+        return margin(y.state)
 
     zero = jnp.zeros(())
     solution = diffrax.diffeqsolve(
@@ -244,6 +247,12 @@ def _leg(disk: EulerDisk, state: Array, length: Array) -> tuple[_Leg, Array, Arr
     last: Any = jax.tree.map(lambda x: x[-1], solution.ys)
     leg = _Leg(_unscaled(disk, last.state), last.time * clock, last.lost * first_energy)
     return leg, ended, ended | (solution.result == results.successful), solution.stats["num_steps"]
+
+
+@eqx.filter_jit
+def _turn(disk: EulerDisk, state: Array, length: Array) -> Array:
+    """Return by how much the precession turns [rad] in a leg."""
+    return jnp.abs(disk.precession(state) * _tick(disk, state) * length)
 
 
 def _tick(disk: EulerDisk, state: Array) -> Array:

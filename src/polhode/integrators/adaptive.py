@@ -216,12 +216,12 @@ def _in_pairs(times: np.ndarray) -> np.ndarray:
 
 
 def _check_events(system: AbstractSystem, t: float, state: Array) -> None:
+    if not system.events:
+        return
     batch = jnp.shape(state)[: jnp.ndim(state) - system.state_axes]
-    for name, event in system.events.items():
-        distance = lambda one, event=event: event(jnp.asarray(t), one)  # noqa: E731
-        for _ in batch:
-            distance = jax.vmap(distance)
-        past = np.argwhere(~(np.asarray(distance(jnp.asarray(state))) > 0.0))
+    distances = np.asarray(_all_distances(system, jnp.asarray(t), jnp.asarray(state)))
+    for name, distance in zip(system.events, np.moveaxis(distances, -1, 0), strict=True):
+        past = np.argwhere(~(distance > 0.0))
         if len(past):
             which = f" in {len(past)} of {math.prod(batch)} copies, first {tuple(past[0].tolist())}," if batch else ""
             raise InvalidInput(
@@ -251,14 +251,17 @@ def sampled(
     start = system.balances(times[0], state)
     sizes = {name: jnp.where(balance.value != 0, jnp.abs(balance.value), 1.0) for name, balance in start.items()}
 
+    @jax.jit  # so that it is traced once, however often diffrax asks for it
     def rates(t: Array, y: _Carried, args: Any) -> _Carried:
         now = y.state * scale
         received = {name: balance.rate / sizes[name] for name, balance in system.balances(t, now).items()}
         return _Carried(system.vector_field(t, now) / scale, received)
 
+    # one function whose zero is the first of all, as bisection seeks the zero of one
+    nearest = jax.jit(lambda t, now: jnp.min(_distances(system, t, now)))
+
     def lowest(t: Array, y: _Carried, args: Any, **more: Any) -> Array:
-        # one function whose zero is the first of all, as bisection seeks the zero of one
-        return jnp.min(_distances(system, t, y.state * scale))
+        return nearest(t, y.state * scale)
 
     def whole(y: _Carried) -> _Carried:
         return _Carried(y.state * scale, {name: y.received[name] * size for name, size in sizes.items()})
@@ -322,6 +325,14 @@ def as_floats(observed: Any) -> Any:
 def _distances(system: AbstractSystem, t: Array, state: Array) -> Array:
     """Return the system's events at a state, positive until their zero."""
     return jnp.stack([event(t, state) for event in system.events.values()])
+
+
+@eqx.filter_jit
+def _all_distances(system: AbstractSystem, t: Array, state: Array) -> Array:
+    distances = lambda one: _distances(system, t, one)  # noqa: E731
+    for _ in range(jnp.ndim(state) - system.state_axes):
+        distances = jax.vmap(distances)
+    return distances(state)
 
 
 _one_sampled = eqx.filter_jit(sampled)

@@ -6,6 +6,7 @@ import math
 from dataclasses import replace
 from typing import Any
 
+import diffrax
 import jax.numpy as jnp
 import numpy as np
 
@@ -19,6 +20,7 @@ from polhode.analysis.spin_down import (
     spin_down,
 )
 from polhode.errors import InvalidInput, NotConverged
+from polhode.integrators.adaptive import solve_adaptively
 from polhode.kinds.base import Spec
 from polhode.kinds.euler_disk.report import EulerDiskReport, LawShare, Path, Steady, law_names
 from polhode.kinds.euler_disk.table import EulerDiskTable
@@ -170,11 +172,13 @@ def _dense(disk: EulerDisk, state: Array, since: float, span: float, samples: in
     ticks, times, states = step * np.arange(FALL_SAMPLES), [np.array([since])], [np.asarray(state)[None]]
     outcome = Outcome(Ending.COMPLETED)
     for k in range(math.ceil(max(samples - 1, piece) / piece)):
-        found = simulate(disk, states[-1][-1], ticks)
-        times.append(since + k * piece * step + np.asarray(found.times)[1:])
+        found = solve_adaptively(disk, diffrax.Dopri8(), jnp.asarray(states[-1][-1]), ticks)
+        times.append(since + k * piece * step + found.times[1:])
         states.append(np.asarray(found.states)[1:])
-        outcome = found.outcome
-        if outcome.ending is not Ending.COMPLETED:
+        if not found.successful:
+            raise NotConverged(f"the last turns cannot be followed past {times[-1][-1]:.6g} s. Give [time] until.")
+        if found.event is not None:
+            outcome = Outcome(Ending.EVENT, found.event)
             break
     return Path(np.concatenate(times), np.concatenate(states), outcome)
 
