@@ -26,10 +26,10 @@ def compile_quickly(flags: str = QUICKLY) -> None:
 
 
 def keep_compiled() -> None:
-    """Let JAX keep what it compiles and pint its table of units, for the command line alone.
+    """Let commands keep what JAX compiles, pint's table of units, and reports; importing the library keeps nothing.
 
-    Importing the library changes no such setting. To be called before JAX is imported. Settings in the environment win.
-    What cannot be kept or read is made again, and nothing is said.
+    To be called before JAX is imported. Settings in the environment win. What cannot be kept or read is made again, and
+    nothing is said.
     """
     # what equinox checks while it runs calls Python, and such functions cannot be kept; polhode checks beforehand
     os.environ.setdefault("EQX_ON_ERROR", "nan")
@@ -37,7 +37,8 @@ def keep_compiled() -> None:
     warnings.filterwarnings("ignore", "Error (reading|writing) persistent compilation cache")
     from platformdirs import user_cache_path
 
-    os.environ.setdefault("POLHODE_UNITS_CACHE", str(user_cache_path("polhode") / "units"))
+    for what in ("units", "reports"):
+        os.environ.setdefault(f"POLHODE_{what.upper()}_CACHE", str(user_cache_path("polhode") / what))
     if "JAX_COMPILATION_CACHE_DIR" in os.environ:
         return
     # a home that several machines share: they may have different processors

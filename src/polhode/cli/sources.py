@@ -10,6 +10,7 @@ import numpy as np
 
 from polhode import rotation
 from polhode.analysis.comparison import AttitudeHistory, Mechanics
+from polhode.cli.kept import kept_report
 from polhode.errors import FormatError, InvalidInput, NotConverged, one_line
 from polhode.formats.given_axes import along_given_axes, single_attitude
 from polhode.formats.labels import AttitudeLabels, labels_of
@@ -175,7 +176,7 @@ def body_of(path: Path) -> SpecBody:
 def report_of(path: Path, spec: Spec) -> AbstractReport:
     """Return the report on a spec; what it refuses names the file."""
     try:
-        return spec.report()
+        return kept_report(spec)
     except (InvalidInput, NotConverged) as error:
         raise type(error)(f"{path}: {error}") from None
 

@@ -1,0 +1,131 @@
+"""Reports kept in the user's cache folder: what one command computed, the next one takes while it is still true.
+
+A report follows from its spec and from the program, so it is kept under a digest of both: of the spec's values, with
+those of the files it names, and of the versions and source files of whatever computes. Kinds of other packages are
+computed each time, as their sources are not known here.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import dataclasses
+import hashlib
+import os
+import pickle
+import sys
+import tempfile
+from collections.abc import Iterator
+from functools import cache
+from importlib import metadata
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from pydantic import BaseModel
+
+import polhode
+from polhode.kinds.base import Spec
+from polhode.reports.base import AbstractReport
+
+FOLDER = "POLHODE_REPORTS_CACHE"  # in the environment: where reports are kept; empty to keep none
+MOST, LARGEST = 32, 50_000_000  # reports, and bytes of one
+COMPUTED_BY = ("numpy", "scipy", "jax", "jaxlib", "equinox", "diffrax", "optimistix", "lineax", "pydantic", "pint")
+
+
+def kept_report(spec: Spec) -> AbstractReport:
+    """Return the report on a spec, as it was kept or computed now.
+
+    Raises:
+        InvalidInput: as ``Spec.report`` does.
+        NotConverged: likewise.
+    """
+    folder = os.environ.get(FOLDER)
+    if not folder or not type(spec.kind).__module__.startswith("polhode."):
+        return spec.report()
+    try:
+        place = Path(folder) / f"{_digest(spec)}.pickle"
+    except TypeError:  # a value whose digest is not known
+        return spec.report()
+    found = _load(place)
+    if found is None:
+        found = spec.report()
+        with contextlib.suppress(Exception):  # what cannot be kept is computed again
+            _keep(found, place)
+    return found
+
+
+def _load(place: Path) -> AbstractReport | None:
+    try:
+        with place.open("rb") as file:
+            if pickle.load(file):  # whether there are arrays of JAX, which are cut to 32 bits unless told otherwise
+                import polhode.algebra  # noqa: F401
+            found = pickle.load(file)
+        os.utime(place)
+    except Exception:  # missing, damaged in whatever way, or not to be read
+        return None
+    return found if isinstance(found, AbstractReport) else None
+
+
+def _keep(report: AbstractReport, place: Path) -> None:
+    packed = pickle.dumps("jax" in sys.modules) + pickle.dumps(report)
+    if len(packed) > LARGEST:
+        return
+    place.parent.mkdir(parents=True, exist_ok=True)
+    descriptor, draft = tempfile.mkstemp(dir=place.parent)
+    try:
+        with os.fdopen(descriptor, "wb") as file:
+            file.write(packed)
+        Path(draft).replace(place)
+    except BaseException:
+        Path(draft).unlink(missing_ok=True)
+        raise
+    oldest_first = sorted(place.parent.glob("*.pickle"), key=lambda path: path.stat().st_mtime)
+    for path in oldest_first[:-MOST]:
+        path.unlink(missing_ok=True)
+
+
+def _digest(spec: Spec) -> str:
+    digest = hashlib.sha256(_program())
+    for part in _parts([getattr(spec, field.name) for field in dataclasses.fields(spec) if field.name != "kind"]):
+        digest.update(b"%d:" % len(part))
+        digest.update(part)
+    digest.update(spec.kind.name.encode())
+    return digest.hexdigest()
+
+
+@cache
+def _program() -> bytes:
+    """Return what tells this program from any other: versions, and size and time of each of its source files."""
+    top = Path(polhode.__file__).parent
+    stats = [(str(file), file.stat().st_size, file.stat().st_mtime_ns) for file in sorted(top.rglob("*.py"))]
+    versions = [(name, metadata.version(name)) for name in COMPUTED_BY]
+    return repr((polhode.__version__, sys.version, sys.platform, versions, stats)).encode()
+
+
+def _parts(value: Any) -> Iterator[bytes]:
+    """Yield bytes that are the same for equal values alone.
+
+    Raises:
+        TypeError: for a type whose values are not known here.
+    """
+    yield type(value).__qualname__.encode()
+    if value is None or isinstance(value, bool | int | str | Path):
+        yield str(value).encode()
+    elif isinstance(value, float):
+        yield value.hex().encode()
+    elif isinstance(value, np.ndarray) and value.dtype.kind in "fiubU":
+        yield repr((value.dtype.str, value.shape)).encode()
+        yield np.ascontiguousarray(value).tobytes()
+    elif isinstance(value, list | tuple):
+        yield str(len(value)).encode()
+        for item in value:
+            yield from _parts(item)
+    elif isinstance(value, dict):
+        yield from _parts(sorted(value.items()))
+    elif isinstance(value, BaseModel):
+        yield from _parts(list(value))
+    elif dataclasses.is_dataclass(value):
+        for field in dataclasses.fields(value):
+            yield from _parts(getattr(value, field.name))
+    else:
+        raise TypeError(type(value).__name__)
