@@ -19,7 +19,7 @@ import jax.numpy as jnp
 from polhode.systems.agreement import check_generated
 from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.systems.forward_only import forward_only
-from polhode.types import Array, ArrayOrFloat, Bool, Double, Float64, Integer
+from polhode.types import Array, ArrayLike, ArrayOrFloat, Bool, Double, Float64, Integer, Real
 
 Scalar = Float64[ArrayOrFloat, ""]
 
@@ -98,7 +98,7 @@ class AbstractOrbitSolver(diffrax.AbstractSolver):
 
     def advance_by(
         self,
-        count: Integer[Array, ""],
+        count: Real[ArrayLike, ""],
         most: int,
         start: Scalar,
         span: Scalar,
