@@ -20,6 +20,7 @@ from polhode.systems.rolling_dissipation import RollingDissipation, couples
 from polhode.systems.rolling_mechanics import RollingMechanics
 from polhode.types import Array, ArrayLike, Float64, Real
 
+States = Float64[Array, "*batch 8"]
 STANDARD_GRAVITY = 9.80665  # m/s²
 FLAT = 1e-6  # rad: the rim of a coin is then lifted by tens of nanometres, less than any table is rough
 ROLLING_TOLERANCE = 1e-6  # of the speeds: a given velocity that misses the rolling one by more is a mistake
@@ -123,7 +124,7 @@ class EulerDisk(AbstractSystem):
 
     # ------------------------------------------------------------------ motion
 
-    def vector_field(self, t: Real[ArrayLike, "..."], state: Float64[Array, "*batch 8"]) -> Float64[Array, "*batch 8"]:
+    def vector_field(self, t: Real[ArrayLike, "..."], state: States) -> States:
         disk = self.mechanics
         a, phi = disk.radius, state[..., 1]
         theta, w1, w2, w3 = self._moving(state)
@@ -141,39 +142,39 @@ class EulerDisk(AbstractSystem):
 
     # ------------------------------------------------------------------ what a state means
 
-    def energy(self, state: Float64[Array, "*batch 8"]) -> Float64[Array, "*batch"]:
+    def energy(self, state: States) -> Float64[Array, "*batch"]:
         """Return kinetic and potential energy [J], above that of the disk lying flat."""
         return self.mechanics.energy(*self._moving(state))
 
-    def power(self, state: Float64[Array, "*batch 8"]) -> Float64[Array, "*batch"]:
+    def power(self, state: States) -> Float64[Array, "*batch"]:
         """Return the rate [W] at which the laws of dissipation take energy away."""
         theta, _, w2, w3 = self._moving(state)
         tau2, tau3 = couples(self.mechanics, self.dissipation, theta, w2, w3)
         return -(tau2 * w2 + tau3 * w3)
 
-    def precession(self, state: Float64[Array, "*batch 8"]) -> Float64[Array, "*batch"]:
+    def precession(self, state: States) -> Float64[Array, "*batch"]:
         """Return φ̇ [rad/s], at which the horizontal diameter and the contact point go round."""
         return state[..., 6] / jnp.sin(state[..., 0])
 
-    def normal_force(self, state: Float64[Array, "*batch 8"]) -> Float64[Array, "*batch"]:
+    def normal_force(self, state: States) -> Float64[Array, "*batch"]:
         """Return the force [N] with which the plane pushes upwards."""
         return self.mechanics.normal_force(*self._moving(state))
 
-    def center(self, state: Float64[Array, "*batch 8"]) -> Float64[Array, "*batch 3"]:
+    def center(self, state: States) -> Float64[Array, "*batch 3"]:
         """Return the centre of mass (…, 3) [m, space]."""
         _, e2, e3 = _frame(state)
         zero = jnp.zeros_like(state[..., 0])
         contact = jnp.stack([state[..., 3], state[..., 4], zero], axis=-1)
         return contact + self.mechanics.radius * e2 + self.mechanics.half_thickness * e3
 
-    def center_velocity(self, state: Float64[Array, "*batch 8"]) -> Float64[Array, "*batch 3"]:
+    def center_velocity(self, state: States) -> Float64[Array, "*batch 3"]:
         """Return the velocity (…, 3) [m/s, space] at which the centre moves if the disk rolls."""
         e1, e2, e3 = _frame(state)
         a, b = self.mechanics.radius, self.mechanics.half_thickness
         w1, w2, w3 = (state[..., k, None] for k in (5, 6, 7))
         return (b * w2 - a * w3) * e1 - b * w1 * e2 + a * w1 * e3
 
-    def vectors(self, state: Float64[Array, "*batch 8"]) -> Vectors:
+    def vectors(self, state: States) -> Vectors:
         state = jnp.asarray(state)
         theta, phi, face = state[..., 0], state[..., 1], state[..., 2]
         s, c = jnp.sin(0.5 * theta), jnp.cos(0.5 * theta)
@@ -185,7 +186,7 @@ class EulerDisk(AbstractSystem):
         momentum = jnp.stack([A * x, A * y, C * w3], axis=-1)
         return Vectors(jnp.stack(parts, axis=-1), momentum, jnp.stack([x, y, w3], axis=-1))
 
-    def invariants(self, state: Float64[Array, "*batch 8"]) -> dict[str, Float64[Array, "*batch"]]:
+    def invariants(self, state: States) -> dict[str, Float64[Array, "*batch"]]:
         """Return the energy and, of a thin disk, the two linear integrals [rad/s]; with dissipation none of them."""
         if self.dissipation:
             return {}
@@ -195,9 +196,7 @@ class EulerDisk(AbstractSystem):
             values |= {"linear_integral_1": first, "linear_integral_2": second}
         return values
 
-    def linear_integrals(
-        self, state: Float64[Array, "*batch 8"]
-    ) -> tuple[Float64[Array, "*batch"], Float64[Array, "*batch"]]:
+    def linear_integrals(self, state: States) -> tuple[Float64[Array, "*batch"], Float64[Array, "*batch"]]:
         """Return c1, c2 of ω3 = c1 P_ν(cos θ) + c2 P_ν(−cos θ) [rad/s], ν(ν+1) = −ma²C/[A(C+ma²)], of a thin disk.
 
         Source: Appell, Rend. Circ. Mat. Palermo 14 (1900) 1; Korteweg, ibid. 14 (1900) 7.
@@ -212,7 +211,7 @@ class EulerDisk(AbstractSystem):
         wronskian = -2.0 * self.legendre.sine / jnp.sin(theta)
         return (-dq * w3 - q * slope) / wronskian, (p * slope - dp * w3) / wronskian
 
-    def balances(self, t: Real[ArrayLike, "..."], state: Float64[Array, "*batch 8"]) -> dict[str, Balance]:
+    def balances(self, t: Real[ArrayLike, "..."], state: States) -> dict[str, Balance]:
         return {"energy": Balance(self.energy(state), -self.power(state))} if self.dissipation else {}
 
     @property
@@ -225,7 +224,7 @@ class EulerDisk(AbstractSystem):
         }
         return ends if self.is_thin else ends | {"on edge": lambda t, state: jnp.cos(state[0])}
 
-    def layout(self, state: Float64[Array, "*batch 8"]) -> StateLayout:
+    def layout(self, state: States) -> StateLayout:
         return LAYOUT
 
     # ------------------------------------------------------------------ where to start
@@ -246,7 +245,7 @@ class EulerDisk(AbstractSystem):
         self._check_tilt(np.asarray(state[..., 0]))
         return state
 
-    def scales(self, state: Float64[Array, "*batch 8"]) -> Float64[Array, "8"]:
+    def scales(self, state: States) -> Float64[Array, "8"]:
         a = self.mechanics.radius
         rate = jnp.sqrt(self.mechanics.gravity / a)
         return jnp.stack([jnp.ones_like(a)] * 3 + [a] * 2 + [rate] * 3)

@@ -24,11 +24,14 @@ from polhode.motion.layout import (
     StateLayout,
     StatePart,
 )
+from polhode.systems.attachments import Time
 from polhode.systems.base import AbstractSystem, Balance, Vectors, as_finite_state, check_unit_attitude
 from polhode.systems.free_rigid_body import checked_moments
 from polhode.systems.mounts import AbstractMount, checked_mounts
 from polhode.systems.torques import AbstractTorque, GravityGradient, checked_torques
 from polhode.types import Array, ArrayLike, Float64, Real
+
+States = Float64[Array, "*#batch n"]
 
 
 class BodyState(NamedTuple):
@@ -87,9 +90,7 @@ class AbstractRigidBody(AbstractSystem):
 
     # ------------------------------------------------------------------ motion
 
-    def vector_field(
-        self, t: Real[ArrayLike, "*#batch"], state: Float64[Array, "*#batch n"]
-    ) -> Float64[Array, "*batch n"]:
+    def vector_field(self, t: Time, state: States) -> Float64[Array, "*batch n"]:
         body, t = self.parts(state), jnp.asarray(t)
         velocity = self._velocity(body)
         turning = velocity + self._drift(body, velocity)
@@ -101,9 +102,7 @@ class AbstractRigidBody(AbstractSystem):
         ]
         return jnp.concatenate([*attitude, change, *own], axis=-1)
 
-    def external_torque(
-        self, t: Real[ArrayLike, "*#batch"], state: Float64[Array, "*#batch n"]
-    ) -> Float64[Array, "*batch 3"]:
+    def external_torque(self, t: Time, state: States) -> Float64[Array, "*batch 3"]:
         """Return the sum of all torques (…, 3) [N m, body axes]."""
         body = self.parts(state)
         return self._torque(jnp.asarray(t), body, self._velocity(body))
@@ -137,7 +136,7 @@ class AbstractRigidBody(AbstractSystem):
         body = self.parts(state)
         return self._energy(body, self._velocity(body))
 
-    def power(self, t: Real[ArrayLike, "*#batch"], state: Float64[Array, "*#batch n"]) -> Float64[Array, "*batch"]:
+    def power(self, t: Time, state: States) -> Float64[Array, "*batch"]:
         """Return what mounts and torques give to the energy (…) [W]."""
         body, t = self.parts(state), jnp.asarray(t)
         velocity = self._velocity(body)
@@ -164,7 +163,7 @@ class AbstractRigidBody(AbstractSystem):
             values["momentum_space"] = rotation.rotate(body.attitude, body.momentum)
         return values
 
-    def balances(self, t: Real[ArrayLike, "*#batch"], state: Float64[Array, "*#batch n"]) -> dict[str, Balance]:
+    def balances(self, t: Time, state: States) -> dict[str, Balance]:
         """Return energy and |L|² with their powers, and with gravity on a circular orbit the Jacobi integral.
 
         Under torques the energy is called kinetic, as the potential of what causes them is not in it.
