@@ -34,8 +34,7 @@ from polhode.solving import (
 )
 from polhode.systems.agreement import check_agreement, moves_by_generator
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
-
-Array = Any
+from polhode.types import Array, ArrayLike, Double, Float64, Real
 
 
 class _Asked(NamedTuple):
@@ -58,8 +57,8 @@ LONG_RUN = 2_000_000  # steps from which progress is shown, on a terminal
 @known_numbers_only
 def simulate(
     system: AbstractSystem,
-    state: Array,
-    times: Array,
+    state: Real[ArrayLike, "..."],
+    times: Real[ArrayLike, "time"],
     method: type[AbstractOrbitSolver] | diffrax.AbstractSolver | None = None,
     step: float | None = None,
     order: int | None = None,
@@ -236,7 +235,9 @@ def _prepared(
     return solver, np.minimum(sizes, float(np.abs(np.diff(times)).max()))
 
 
-def fastest_rate(system: AbstractLiePoissonSystem, state: Array, times: Array = (0.0,)) -> float:
+def fastest_rate(
+    system: AbstractLiePoissonSystem, state: Double[Array, "..."], times: Real[ArrayLike, "time"] = (0.0,)
+) -> float:
     """Return an upper estimate of the rate [rad/s] at which the group turns at any of the states."""
     return float(np.max(_rates(system, state, times), initial=0.0))
 
@@ -252,8 +253,9 @@ def _would_split(system: AbstractLiePoissonSystem, method: Any) -> bool:
 
 
 def trajectory_of(
-    system: AbstractSystem, times: np.ndarray, states: Array, outcome: Outcome, statistics: dict[str, int],
-    received: dict[str, Array], error_estimate: Array | None = None, ends: Ends | None = None,
+    system: AbstractSystem, times: Float64[np.ndarray, "time"], states: Double[Array, "..."], outcome: Outcome,
+    statistics: dict[str, int], received: dict[str, Float64[Array, "*batch time"]],
+    error_estimate: Float64[Array, "*batch"] | None = None, ends: Ends | None = None,
 ) -> Trajectory:  # fmt: skip
     """Return samples (batch…, T, …) as a trajectory with all that the system says of them."""
     axis = jnp.ndim(states) - 1 - system.state_axes
@@ -383,4 +385,3 @@ def _checked_times(times: Array) -> np.ndarray:
     if not (gaps * gaps[0] > 0).all():
         raise InvalidInput("`times` must advance in one direction, without repetitions.")
     return values
-

@@ -18,7 +18,7 @@ from polhode.algebra.power import Power
 from polhode.algebra.so3 import SO3
 from polhode.arrays import in_jax_numpy, is_traced, refuse_single_precision
 from polhode.errors import InvalidInput, shown
-from polhode.integrators.adaptive import TOLERANCE, Sampled, as_floats, sampled_by_either_mode
+from polhode.integrators.adaptive import TOLERANCE, Observe, Sampled, as_floats, sampled_by_either_mode
 from polhode.integrators.base import AbstractOrbitSolver, step_count
 from polhode.integrators.lie_midpoint import LieMidpoint
 from polhode.integrators.spherical_midpoint import SphericalMidpoint
@@ -27,8 +27,8 @@ from polhode.motion.outcome import Status
 from polhode.systems.agreement import MOMENTS_OF_TIME, moves_by_generator
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
 from polhode.systems.forward_only import forward_only
+from polhode.types import Array, ArrayLike, Double, Float64, Integer, Real
 
-Array = Any
 STEP_ANGLE = 0.05  # rad by which the fastest rotation turns in a default step of low order
 
 
@@ -40,7 +40,7 @@ class Fold(NamedTuple):
         start: the value before the first sample.
     """
 
-    function: Callable[[Any, Array, Array], Any]
+    function: Callable[[Any, Float64[Array, ""], Double[Array, "..."]], Any]
     start: Any
 
 
@@ -60,26 +60,26 @@ class Solution(NamedTuple):
         iterations: (batch…) evaluations in implicit steps.
     """
 
-    times: Array
+    times: Float64[Array, "kept"]
     saved: Any
-    received: dict[str, Array]
-    status: Array
-    event: Array
-    end: Array
-    end_state: Array
-    steps: Array
-    iterations: Array
+    received: dict[str, Float64[Array, "*batch kept"]]
+    status: Integer[Array, "*batch"]
+    event: Integer[Array, "*batch"]
+    end: Float64[Array, "*batch"]
+    end_state: Double[Array, "..."]
+    steps: Integer[Array, "*batch"]
+    iterations: Integer[Array, "*batch"]
 
 
 def solve(
     system: AbstractSystem,
-    state: Array,
-    times: Array,
+    state: Real[ArrayLike, "..."],
+    times: Real[ArrayLike, "time"],
     method: type[AbstractOrbitSolver] | diffrax.AbstractSolver | None = None,
-    step: Array | None = None,
+    step: Real[ArrayLike, ""] | None = None,
     order: int | None = None,
-    tolerance: Array | None = None,
-    save: int | Callable[[Array, Array], Any] | Fold | None = None,
+    tolerance: Real[ArrayLike, ""] | None = None,
+    save: int | Observe | Fold | None = None,
 ) -> Solution:
     """Return the motion of a system from a state at the first time, as a pure function of arrays.
 
@@ -289,7 +289,9 @@ def step_angle(order: int) -> float:
 
 
 @eqx.filter_jit
-def turning_rates(system: AbstractLiePoissonSystem, state: Array, times: Array) -> Array:
+def turning_rates(
+    system: AbstractLiePoissonSystem, state: Double[Array, "..."], times: Float64[Array, "time"]
+) -> Float64[Array, "*batch"]:
     """Return upper estimates of the rates (batch…) [rad/s] at which the group turns at states, at some of the times."""
     point = system.parts(state).point
     shares = MOMENTS_OF_TIME if _is_driven(system) else (0.0,)

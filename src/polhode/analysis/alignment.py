@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from polhode import rotation
 from polhode.arrays import known_numbers_only
+from polhode.types import Array, ArrayLike, Float64, Real
 
-Array = Any
 FEWEST = 10  # samples for nine unknowns
 MOST = 20_000  # samples that the fit looks at, evenly chosen
 ROUNDS = 30
@@ -28,10 +28,10 @@ class Alignment(NamedTuple):
         determined: whether the motion tells all nine numbers apart; if not, others would explain as much.
     """
 
-    body: Array
-    space: Array
-    rate: Array
-    remaining: Array
+    body: Float64[Array, "3"]
+    space: Float64[Array, "3"]
+    rate: Float64[Array, "3"]
+    remaining: Float64[Array, "time"]
     determined: bool
 
     @property
@@ -41,7 +41,9 @@ class Alignment(NamedTuple):
 
 
 @known_numbers_only
-def fit_alignment(times: Array, a: Array, b: Array) -> Alignment | None:
+def fit_alignment(
+    times: Real[ArrayLike, "time"], a: Real[ArrayLike, "time 4"], b: Real[ArrayLike, "time 4"]
+) -> Alignment | None:
     """Return the best alignment of attitude b (T, 4) with a (T, 4) at times [s]; None for fewer than ten samples.
 
     Means of quaternions start it, Gauss and Newton's steps on the remaining rotation vectors end it.
@@ -71,7 +73,7 @@ def fit_alignment(times: Array, a: Array, b: Array) -> Alignment | None:
 
 
 @known_numbers_only
-def mean_quaternion(quaternions: Array) -> Array:
+def mean_quaternion(quaternions: Real[ArrayLike, "count 4"]) -> Float64[Array, "4"]:
     """Return the quaternion (4,) nearest to many (T, 4), whatever their signs."""
     return np.linalg.eigh(quaternions.T @ quaternions)[1][:, -1]
 

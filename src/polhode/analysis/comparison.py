@@ -13,8 +13,8 @@ from polhode.analysis.alignment import Alignment, fit_alignment
 from polhode.analysis.mechanics import Mechanics, invariants_along
 from polhode.arrays import is_traced
 from polhode.errors import InvalidInput
+from polhode.types import Array, Float64
 
-Array = Any
 SAME_TIME = 1e-9  # of a step: two samples that near are at the same time, written with other digits
 EXPLAINED = 0.5  # of the rms angle; an alignment that leaves more explains nothing
 ENDS = 16  # samples at either end whose rates a spline does not know; its error there falls to a quarter with each
@@ -37,10 +37,10 @@ class AttitudeHistory:
     """
 
     name: str
-    times: Array
-    attitude: Array
-    angular_velocity: Array | None = None
-    exact: Callable[[Array], tuple[Array, Array]] | None = None
+    times: Float64[Array, "time"]
+    attitude: Float64[Array, "time 4"]
+    angular_velocity: Float64[Array, "time 3"] | None = None
+    exact: Callable[[Float64[Array, "time"]], tuple[Float64[Array, "time 4"], Float64[Array, "time 3"]]] | None = None
     mechanics: Mechanics | None = None
     resolution: float = 0.0
 
@@ -67,8 +67,8 @@ class Invariants(NamedTuple):
         source: where the angular velocity is from.
     """
 
-    times: Array
-    values: dict[str, Array]
+    times: Float64[Array, "time"]
+    values: dict[str, Float64[Array, "..."]]
     drift: dict[str, float]
     source: str
 
@@ -91,8 +91,8 @@ class Comparison:
     """
 
     names: tuple[str, str]
-    times: Array
-    angle: Array
+    times: Float64[Array, "time"]
+    angle: Float64[Array, "time"]
     growth: float | None
     alignment: Alignment | None
     invariants: tuple[Invariants | None, Invariants | None]

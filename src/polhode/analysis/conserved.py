@@ -8,9 +8,9 @@ from __future__ import annotations
 
 import abc
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from functools import lru_cache
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import equinox as eqx
 import jax
@@ -26,10 +26,9 @@ from polhode.algebra.polynomial import Polynomial
 from polhode.algebra.properties import index
 from polhode.errors import InvalidInput
 from polhode.systems.agreement import moves_by_generator
-from polhode.systems.base import AbstractLiePoissonSystem, checked_functions
+from polhode.systems.base import AbstractLiePoissonSystem, Function, checked_functions
+from polhode.types import Array, Bool, Double, Float64
 
-Array = Any
-Function = Callable[[Array], Array]
 CONSERVED = 4e-12  # of the terms of {F, G}, what rounding of smooth derivatives and of parameters may leave
 NOISE = 20.0  # times the change of {F, G} over a rounding error of the point, for functions that lose digits inside
 RANK = 1e-9  # singular values of unit gradients below which user's Casimirs depend on each other
@@ -48,14 +47,14 @@ class Source(eqx.Module):
     """Functions of coordinates."""
 
     @abc.abstractmethod
-    def __call__(self, x: Array) -> Array:
+    def __call__(self, x: Float64[Array, "n"]) -> Float64[Array, "k"]:
         """Return the values (k,) at a point (n,)."""
 
 
 class Energy(Source):
     system: AbstractLiePoissonSystem
 
-    def __call__(self, x: Array) -> Array:
+    def __call__(self, x: Float64[Array, "n"]) -> Float64[Array, "k"]:
         return self.system.energy(self.system.algebra.from_dual_vector(x))[None]
 
 
@@ -64,7 +63,7 @@ class Known(Source):
 
     system: AbstractLiePoissonSystem
 
-    def __call__(self, x: Array) -> Array:
+    def __call__(self, x: Float64[Array, "n"]) -> Float64[Array, "k"]:
         point = self.system.algebra.from_dual_vector(x)
         return _stacked([function(point) for function in self.system.extra_invariants.values()])
 
@@ -74,7 +73,7 @@ class Own(Source):
 
     algebra: AbstractLieAlgebra
 
-    def __call__(self, x: Array) -> Array:
+    def __call__(self, x: Float64[Array, "n"]) -> Float64[Array, "k"]:
         return self.algebra.casimirs(self.algebra.from_dual_vector(x))
 
 
@@ -84,7 +83,7 @@ class Given(Source):
     algebra: AbstractLieAlgebra
     functions: tuple[Function, ...]
 
-    def __call__(self, x: Array) -> Array:
+    def __call__(self, x: Float64[Array, "n"]) -> Float64[Array, "k"]:
         point = self.algebra.from_dual_vector(x)
         return _stacked([function(point) for function in self.functions])
 
@@ -92,7 +91,7 @@ class Given(Source):
 class Polynomials(Source):
     polynomials: tuple[Polynomial, ...]
 
-    def __call__(self, x: Array) -> Array:
+    def __call__(self, x: Float64[Array, "n"]) -> Float64[Array, "k"]:
         return _stacked([polynomial(x) for polynomial in self.polynomials])
 
 
@@ -135,7 +134,7 @@ def _polynomials(constants: bytes, dim: int) -> tuple[Polynomial, ...]:
     return tuple(polynomial_casimirs(ConstantsAlgebra(table), HIGHEST_DEGREE))
 
 
-def unit_of(z: Array) -> float:
+def unit_of(z: Float64[Array, "n"]) -> float:
     """Return a power of two near the size of z where its squares might overflow, else one."""
     largest = float(np.abs(z).max(initial=0.0))
     return 1.0 if largest == 0.0 or 1.0 / USUAL < largest < USUAL else 2.0 ** round(math.log2(largest))
@@ -152,14 +151,14 @@ class Derivatives(NamedTuple):
     infinite where a derivative is.
     """
 
-    gradients: Array
-    hessians: Array
-    around: Array
-    errors: Array
-    rough: Array
+    gradients: Float64[Array, "k n"]
+    hessians: Float64[Array, "k n n"]
+    around: Float64[Array, "m k n"]
+    errors: Float64[Array, "k"]
+    rough: Float64[Array, "k"]
 
     @property
-    def smooth(self) -> Array:
+    def smooth(self) -> Bool[Array, "k"]:
         """Whether each function is twice differentiable, (k,)."""
         return self.rough <= KINK
 
@@ -169,7 +168,7 @@ class Derivatives(NamedTuple):
                            self.rough[rows])  # fmt: skip
 
 
-def derivatives(source: Source, z: Array, samples: Array) -> Derivatives:
+def derivatives(source: Source, z: Float64[Array, "n"], samples: Float64[Array, "m n"]) -> Derivatives:
     """Differentiate at z (n,), and once at each sample (m, n); what is not finite there is left so."""
     rng = np.random.default_rng(1)
     size = float(np.abs(z).max(initial=0.0)) or 1.0
@@ -210,7 +209,9 @@ def refuse_rough(found: Derivatives, name: str) -> None:
         )
 
 
-def differentiate(source: Source, points: Array, centres: Array) -> tuple[Array, Array]:
+def differentiate(
+    source: Source, points: Float64[Array, "m n"], centres: Float64[Array, "c n"]
+) -> tuple[Float64[Array, "m k n"], Float64[Array, "c k n n"]]:
     """Return gradients (m, k, n) at points and Hessians (…, k, n, n) at centres, compiled once for each structure."""
     points, centres = jnp.asarray(points), jnp.asarray(centres)
     try:
@@ -226,7 +227,7 @@ def _differentiate(source: Source, points: Array, centres: Array) -> tuple[Array
     return jax.vmap(jax.jacrev(source))(points), jax.vmap(jax.hessian(source))(centres)
 
 
-def samples_around(constants: Array, z: Array) -> Array:
+def samples_around(constants: Float64[Array, "n n n"], z: Float64[Array, "n"]) -> Float64[Array, "m n"]:
     """Return random points near z, away from it, and on its orbit, where most functions are still defined.
 
     (2m, n): behind the m points their neighbours at a rounding error's distance, which show how exact derivatives are.
@@ -243,7 +244,13 @@ def samples_around(constants: Array, z: Array) -> Array:
 # ---------------------------------------------------------------------- checks
 
 
-def check_commute(tensors: Array, first: Array, second: Array, names: tuple[str, str], remedy: str) -> None:
+def check_commute(
+    tensors: Float64[Array, "m n n"],
+    first: Float64[Array, "m n"],
+    second: Float64[Array, "m n"],
+    names: tuple[str, str],
+    remedy: str,
+) -> None:
     """Refuse two functions whose bracket does not vanish at all samples.
 
     Args:
@@ -275,7 +282,7 @@ def check_commute(tensors: Array, first: Array, second: Array, names: tuple[str,
         )
 
 
-def check_casimirs(tensors: Array, gradients: Array) -> None:
+def check_casimirs(tensors: Float64[Array, "m n n"], gradients: Float64[Array, "m k n"]) -> None:
     """Refuse functions that are not Casimirs, {C, x_i} = 0, or that depend on each other.
 
     Args:
@@ -303,7 +310,7 @@ def check_casimirs(tensors: Array, gradients: Array) -> None:
         )
 
 
-def check_motion(system: AbstractLiePoissonSystem, samples: Array) -> None:
+def check_motion(system: AbstractLiePoissonSystem, samples: Float64[Array, "m n"]) -> None:
     """Refuse a system that does not move by its energy alone, or where energy is lost by a generator without time.
 
     Systems of this package are taken to do so, as their tests check.
@@ -345,7 +352,7 @@ def check_motion(system: AbstractLiePoissonSystem, samples: Array) -> None:
         )
 
 
-def depends_on_time(system: AbstractLiePoissonSystem, point: Array) -> bool:
+def depends_on_time(system: AbstractLiePoissonSystem, point: Double[Array, "..."]) -> bool:
     """Whether anything of the time goes into the generator, by what JAX traces: no sample of times can miss it.
 
     A product of the time with zero counts as well.

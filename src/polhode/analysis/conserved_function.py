@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from polhode.types import Array
+from polhode.types import Array, Float64
 
 
 @dataclass(frozen=True)
@@ -30,14 +30,14 @@ class ConservedFunction:
     """
 
     names: tuple[str, ...]
-    weights: Array
-    curvatures: Array
+    weights: Float64[Array, "all"]
+    curvatures: Float64[Array, "d"]
     zero: float
     freedom: int = 0
-    squares: Array | None = None
-    lengths: Array | None = None
+    squares: Float64[Array, "k"] | None = None
+    lengths: Float64[Array, "k"] | None = None
     unit: float = 1.0
-    point: Array | None = None
+    point: Float64[Array, "..."] | None = None
 
     @property
     def signature(self) -> tuple[int, int, int]:

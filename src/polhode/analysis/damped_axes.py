@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from typing import Any
 
 import jax
 import jax.numpy as jnp
@@ -16,8 +15,7 @@ from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.systems.double_bracket import DoubleBracket
 from polhode.systems.torqued_body import TorquedBody
-
-Array = Any
+from polhode.types import Array
 
 
 @known_numbers_only

@@ -23,8 +23,8 @@ from polhode.analysis.conserved_function import ConservedFunction
 from polhode.analysis.second_variation import Leaf, definite_combination, null_space, scaled_leaf
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
+from polhode.types import Array, ArrayLike, Complex128, Float64, Real
 
-Array = Any
 EQUILIBRIUM_TOLERANCE = 1e-8  # what may be left of dH + Σ λ dC relative to its terms: a solver's, not rounding
 SHOWN = 1e-12  # components of a unit direction below it are rounding errors
 NO_ENERGY = 1e-12  # weight of H, among weights of order one, that counts as none in a function of conserved quantities
@@ -53,26 +53,26 @@ class Stability:
     verdict: str
     rate: float
     growth: str | None
-    direction: Array | None
+    direction: Float64[Array, "n"] | None
     certificate: str
-    spectrum: Array
+    spectrum: Complex128[Array, "d"]
     restriction: str | None = None
     function: ConservedFunction | None = None
 
 
 @known_numbers_only
 def energy_casimir(
-    linearization: Array,
-    energy_gradient: Array,
-    energy_hessian: Array,
-    casimir_gradients: Array,
-    casimir_hessians: Array,
+    linearization: Real[ArrayLike, "n n"],
+    energy_gradient: Real[ArrayLike, "n"],
+    energy_hessian: Real[ArrayLike, "n n"],
+    casimir_gradients: Real[ArrayLike, "..."],
+    casimir_hessians: Real[ArrayLike, "..."],
     casimir_names: Sequence[str] = (),
     on_equilibria: bool = False,
     is_equilibrium: bool = False,
     tolerance: float = 1e-12,
-    sizes: tuple[Array, Array] | None = None,
-    contained: Array | None = None,
+    sizes: tuple[Real[ArrayLike, "n"], Real[ArrayLike, "n n"]] | None = None,
+    contained: Real[ArrayLike, "k"] | None = None,
     unit: float = 1.0,
 ) -> Stability:
     """Return the verdict on an equilibrium from the matrices there, in any consistent units.

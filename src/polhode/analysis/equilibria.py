@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 import equinox as eqx
@@ -15,10 +15,9 @@ from polhode.analysis.stability import scaled_field
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput
 from polhode.poisson.brackets import as_points
-from polhode.systems.base import AbstractLiePoissonSystem
+from polhode.systems.base import AbstractLiePoissonSystem, Function
+from polhode.types import Array, ArrayLike, Double, Real
 
-Array = Any
-Function = Callable[[Array], Array]
 STARTS = 64
 CHECKED = 4  # starts at which the system must move as its energy says
 NULL = 1e-9  # singular values below it, relative to the largest, do not move a point that is sharpened
@@ -31,11 +30,11 @@ NODES = 12  # of Gauss's rule along a ray: exact for energies of degree 24
 @known_numbers_only
 def find_equilibria(
     system: AbstractLiePoissonSystem,
-    state: Array,
+    state: Real[ArrayLike, "..."],
     starts: int = STARTS,
     seed: int = 0,
     casimirs: Sequence[Function] | None = None,
-) -> Array:
+) -> Double[Array, "count ..."]:
     """Return the equilibria on the Casimirs' levels of one point, (m, *element_shape), lowest energy first.
 
     Levenberg and Marquardt's method from random starts of the point's size; what settles is sharpened and counted once.

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import jax.numpy as jnp
 import numpy as np
@@ -22,10 +21,9 @@ from polhode.analysis.conserved import (
     samples_around,
     unit_of,
 )
-from polhode.systems.base import AbstractLiePoissonSystem
+from polhode.systems.base import AbstractLiePoissonSystem, Function
+from polhode.types import Array, Float64
 
-Array = Any
-Function = Callable[[Array], Array]
 NULL = 1e-9  # of a function's field relative to its terms: below it the function's flow leaves the point where it is
 STILL = 1e-13  # a field below it, relative to its terms, at all random points vanishes everywhere
 
@@ -44,18 +42,18 @@ class Problem(NamedTuple):
 
     system: AbstractLiePoissonSystem
     casimirs: Source
-    y: Array
+    y: Float64[Array, "n"]
     unit: float
-    g: Array
-    H: Array
-    tensor: Array
-    constants: Array
+    g: Float64[Array, "terms n"]
+    H: Float64[Array, "terms n n"]
+    tensor: Float64[Array, "n n"]
+    constants: Float64[Array, "n n n"]
     names: list[str]
     free: list[int]
     error: float
     still: bool
 
-    def sizes(self, weights: Array) -> tuple[Array, Array, float]:
+    def sizes(self, weights: Float64[Array, "terms"]) -> tuple[Float64[Array, "n"], Float64[Array, "n n"], float]:
         """Return the sizes of the terms that make up dF (n,), the flow (n, n), and the field.
 
         A gradient that vanishes is a sum of terms that cancel: rounding errors of the point alone change it by those of
@@ -69,7 +67,11 @@ class Problem(NamedTuple):
 
 
 def problem(
-    system: AbstractLiePoissonSystem, casimirs: Casimirs, integrals: tuple[Function, ...], z: Array, given: bool
+    system: AbstractLiePoissonSystem,
+    casimirs: Casimirs,
+    integrals: tuple[Function, ...],
+    z: Float64[Array, "n"],
+    given: bool,
 ) -> Problem:
     """Differentiate all functions, and refuse those that are not conserved."""
     unit = unit_of(z)

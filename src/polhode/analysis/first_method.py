@@ -9,12 +9,13 @@ from scipy.linalg import eig
 
 from polhode.analysis.energy_casimir import Stability
 from polhode.arrays import known_numbers_only
-
-Array = Any
+from polhode.types import ArrayLike, Real
 
 
 @known_numbers_only
-def first_method(linearization: Array, basis: Array | None = None, tolerance: float = 1e-12) -> Stability:
+def first_method(
+    linearization: Real[ArrayLike, "n n"], basis: Real[ArrayLike, "n k"] | None = None, tolerance: float = 1e-12
+) -> Stability:
     """Return the verdict on an equilibrium from the derivative of any vector field there.
 
     Exponents with negative real parts throughout prove stability, asymptotic on the given directions; one with a

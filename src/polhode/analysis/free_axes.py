@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 
@@ -11,12 +10,11 @@ from polhode.analysis.conserved_function import ConservedFunction
 from polhode.analysis.energy_casimir import Stability, energy_casimir
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
-
-Array = Any
+from polhode.types import Array, ArrayLike, Real
 
 
 @known_numbers_only
-def axis_stability(moments: Array, momentum_norm: float) -> tuple[Stability, Stability, Stability]:
+def axis_stability(moments: Real[ArrayLike, "3"], momentum_norm: float) -> tuple[Stability, Stability, Stability]:
     """Return the verdicts on rotation about the three principal axes at the given |L|.
 
     About axis i, H − C/I_i with C = ½|L|² is critical; its second variation on the sphere is ½ Σ (1/I_j − 1/I_i) δL_j²

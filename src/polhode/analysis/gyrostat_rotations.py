@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -13,8 +13,8 @@ from polhode.analysis.stability import stability
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.systems.gyrostat import Gyrostat
+from polhode.types import Array, Float64
 
-Array = Any
 CLEAN = 1e-14  # components of a unit vector below it are rounding of the frame's
 FLAT = 1e-9  # curvatures of the energy below it, relative to the largest, vanish
 
@@ -31,7 +31,7 @@ class SteadyRotation(NamedTuple):
         verdict: on it.
     """
 
-    along: Array
+    along: Float64[Array, "3"]
     spin: float
     energy: float
     extremum: str
@@ -109,7 +109,7 @@ def _extremum(moments: Array, along: Array, multiplier: float) -> str:
     return "maximum" if bends[0] < 0 else "minimum"
 
 
-def symmetry_axis(moments: Array, rotor: Array | None = None) -> int | None:
+def symmetry_axis(moments: Float64[Array, "3"], rotor: Float64[Array, "3"] | None = None) -> int | None:
     """Return the axis about which the other two moments are equal, and the rotor's momentum nothing; else None."""
     for k in (2, 0, 1):
         i, j = (k + 1) % 3, (k + 2) % 3
@@ -118,6 +118,6 @@ def symmetry_axis(moments: Array, rotor: Array | None = None) -> int | None:
     return None
 
 
-def cleaned(direction: Array) -> Array:
+def cleaned(direction: Float64[Array, "3"]) -> Float64[Array, "3"]:
     """Return a unit vector whose components that are rounding are zero."""
     return np.where(np.abs(direction) < CLEAN, 0.0, direction)

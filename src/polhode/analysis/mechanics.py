@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from polhode import rotation
 from polhode.motion.invariants import drift
-
-Array = Any
+from polhode.types import Array, Float64
 
 
 class Mechanics(NamedTuple):
@@ -20,13 +19,13 @@ class Mechanics(NamedTuple):
         weight: (3,) mgl χ, weight times the centre of mass from the fixed point [N m, body axes]; None for a free one.
     """
 
-    inertia: Array
-    weight: Array | None = None
+    inertia: Float64[Array, "3 3"]
+    weight: Float64[Array, "3"] | None = None
 
 
 def invariants_along(
-    attitude: Array, velocity: Array, mechanics: Mechanics
-) -> tuple[dict[str, Array], dict[str, float]]:
+    attitude: Float64[Array, "time 4"], velocity: Float64[Array, "time 3"], mechanics: Mechanics
+) -> tuple[dict[str, Float64[Array, "..."]], dict[str, float]]:
     """Return what should not change, and by how much it does, relative to its first value or a top's own sizes.
 
     Energy, |L| and L in space of a free body; energy and vertical momentum of a top.

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from functools import partial
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import jax
 import jax.numpy as jnp
@@ -18,8 +18,8 @@ import numpy as np
 from polhode.integrators.composition import stages
 from polhode.systems.kepler_orbit import ratio_from_eccentric, solve_kepler, true_from_eccentric
 from polhode.systems.spin_orbit import SpinOrbit
+from polhode.types import Array, Float64
 
-Array = Any
 TURN = 2.0 * math.pi
 ORDER = 6
 
@@ -34,10 +34,10 @@ class Table(NamedTuple):
         last_drift: after the last kick.
     """
 
-    drifts: Array
-    kicks: Array
-    phases: Array
-    last_drift: Array
+    drifts: Float64[Array, "kicks"]
+    kicks: Float64[Array, "kicks"]
+    phases: Float64[Array, "kicks"]
+    last_drift: Float64[Array, ""]
 
 
 def tabulate(system: SpinOrbit, steps: int) -> Table:
@@ -62,7 +62,7 @@ def _kicks(anomalies: Array, sizes: Array, e: Array, asphericity: Array) -> tupl
 
 
 @partial(jax.jit, static_argnames="periods")
-def section(table: Table, states: Array, periods: int) -> Array:
+def section(table: Table, states: Float64[Array, "*batch 2"], periods: int) -> Float64[Array, "{periods} *batch 3"]:
     """Return (θ, p) after each period and the whole turns taken out of θ since the last (periods, …, 3), |θ| ≤ π."""
 
     def kick(state: tuple[Array, Array], row: tuple[Array, ...]) -> tuple[tuple[Array, Array], None]:
@@ -81,8 +81,12 @@ def section(table: Table, states: Array, periods: int) -> Array:
 
 @partial(jax.jit, static_argnames=("periods", "renormalise"))
 def carry_neighbours(
-    table: Table, states: Array, neighbours: Array, periods: int, renormalise: bool
-) -> tuple[Array, Array]:
+    table: Table,
+    states: Float64[Array, "*batch 2"],
+    neighbours: Float64[Array, "*batch 2 k"],
+    periods: int,
+    renormalise: bool,
+) -> tuple[Float64[Array, "*batch 2 k"], Float64[Array, "{periods} *batch k"]]:
     """Return neighbours after all periods (…, 2, k), and by the logarithm of what they grew in each (periods, …, k).
 
     Args:

@@ -7,7 +7,7 @@ Dynamics*, §71; Goldstein, *Classical Mechanics*, §5.6.
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -15,8 +15,7 @@ from polhode import rotation
 from polhode.arrays import as_float64, known_numbers_only, namespace
 from polhode.exact.free_body import FreeMotion
 from polhode.exact.free_body.reduction import canonical_reduction
-
-Array = Any
+from polhode.types import Array, ArrayLike, Float64, Real
 
 
 class Herpolhode(NamedTuple):
@@ -52,13 +51,17 @@ def herpolhode(motion: FreeMotion) -> Herpolhode | None:
     return Herpolhode(inner, outer, distance)
 
 
-def contact_point(angular_velocity: Array, energy: float) -> Array:
+def contact_point(
+    angular_velocity: Real[ArrayLike, "*batch 3"], energy: Real[ArrayLike, "..."]
+) -> Float64[Array, "*batch 3"]:
     """Return the point (…, 3) of the inertia ellipsoid that touches the plane, in the frame of the velocity."""
     xp = namespace(angular_velocity, energy)
     return xp.asarray(angular_velocity) / xp.sqrt(xp.asarray(2.0 * energy))
 
 
-def touching_point(momentum: Array, moments: Array) -> Array:
+def touching_point(
+    momentum: Real[ArrayLike, "*#batch 3"], moments: Real[ArrayLike, "*#batch 3"]
+) -> Float64[Array, "*batch 3"]:
     """Return the point (…, 3) of the ellipsoid that touches the plane while L is along the given directions (…, 3)."""
     xp = namespace(momentum, moments)
     direction = xp.asarray(momentum)
@@ -66,14 +69,14 @@ def touching_point(momentum: Array, moments: Array) -> Array:
     return point / xp.sqrt(xp.sum(direction * point, axis=-1, keepdims=True))
 
 
-def ellipsoid_semi_axes(moments: Array) -> Array:
+def ellipsoid_semi_axes(moments: Real[ArrayLike, "*batch 3"]) -> Float64[Array, "*batch 3"]:
     """Return the semi-axes 1/√I_i (3,) of the inertia ellipsoid along the principal axes."""
     xp = namespace(moments)
     return 1.0 / xp.sqrt(as_float64(xp, moments, "moments"))
 
 
 @known_numbers_only
-def herpolhode_curve(motion: FreeMotion, times: Array) -> Array:
+def herpolhode_curve(motion: FreeMotion, times: Real[ArrayLike, "time"]) -> Float64[Array, "time 2"]:
     """Return the herpolhode (T, 2) in the invariable plane, about the foot of the perpendicular, for one body.
 
     The plane's first direction is fixed in space, across L; seen against L, so that rolling runs counterclockwise.

@@ -9,15 +9,15 @@ separatrices of their own. Source: Landau & Lifshitz, *Mechanics*, §37; Hughes,
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Any
 
 import numpy as np
 
 from polhode.arrays import known_numbers_only
 from polhode.exact.free_body import FreeMotion
 from polhode.motion.inputs import finite
+from polhode.types import Array, ArrayLike, Float64, Real
 
-Array = Any
+Energy = Callable[[Float64[Array, "*batch 3"]], Float64[Array, "*batch"]]
 PARTS = (0.08, 0.25, 0.5, 0.75)  # of the way from an axis to the separatrix
 POINTS = 400  # of a curve
 FAMILY = 9  # levels of any energy
@@ -27,7 +27,7 @@ NEWTON_STEPS, STARTS, SETTLED = 40, 200, 1e-10
 
 
 @known_numbers_only
-def polhode_family(moments: Array) -> list[Array]:
+def polhode_family(moments: Real[ArrayLike, "3"]) -> list[Float64[Array, "points 3"]]:
     """Return unit polhodes (T, 3) around both stable axes, at given fractions of the way to the separatrix.
 
     Args:
@@ -55,7 +55,7 @@ def polhode_family(moments: Array) -> list[Array]:
 
 
 @known_numbers_only
-def polhode(motion: FreeMotion, points: int) -> Array | None:
+def polhode(motion: FreeMotion, points: int) -> Float64[Array, "{points}+1 3"] | None:
     """Return one body's unit polhode (points + 1, 3) along the motion's axes, its ends equal; None without period.
 
     Points are spread half by length, half by time: by time alone they would be far apart where L is fast, between its
@@ -73,7 +73,7 @@ def polhode(motion: FreeMotion, points: int) -> Array | None:
 
 
 @known_numbers_only
-def separatrix(moments: Array) -> list[Array]:
+def separatrix(moments: Real[ArrayLike, "3"]) -> list[Float64[Array, "points 3"]]:
     """Return the two unit great circles (T, 3) on which A L1² = B L3²; none unless the moments (3,) ascend strictly."""
     I1, I2, I3 = moments
     if not I1 < I2 < I3:
@@ -87,7 +87,7 @@ def separatrix(moments: Array) -> list[Array]:
 
 
 @known_numbers_only
-def level_segments(energy: Callable[[Array], Array], values: Sequence[float] | None = None) -> Array:
+def level_segments(energy: Energy, values: Sequence[float] | None = None) -> Float64[Array, "pieces 2 3"]:
     """Return where a function of unit vectors (…, 3) has the values, as short pieces (n, 2, 3) on the unit sphere.
 
     Args:
@@ -105,7 +105,7 @@ def level_segments(energy: Callable[[Array], Array], values: Sequence[float] | N
 
 
 @known_numbers_only
-def saddle_energies(moments: Array, rotor: Array, norm: float) -> list[float]:
+def saddle_energies(moments: Real[ArrayLike, "3"], rotor: Real[ArrayLike, "3"], norm: float) -> list[float]:
     """Return the energies of a gyrostat's saddles on |L| = norm, by Newton's method on Ω = λ u from many directions.
 
     Args:
@@ -155,7 +155,7 @@ def _octahedron() -> Array:
     return corners / np.linalg.norm(corners, axis=-1, keepdims=True)
 
 
-def _crossing(energy: Callable[[Array], Array], corners: Array, heights: Array, value: float) -> Array:
+def _crossing(energy: Energy, corners: Array, heights: Array, value: float) -> Array:
     """Return the pieces of one level in the triangles that it crosses."""
     above = heights >= value
     crossed = above.any(axis=-1) & ~above.all(axis=-1)
@@ -168,7 +168,7 @@ def _crossing(energy: Callable[[Array], Array], corners: Array, heights: Array, 
     return np.stack(ends, axis=1)
 
 
-def _root(energy: Callable[[Array], Array], start: Array, end: Array, above: Array, value: float) -> Array:
+def _root(energy: Energy, start: Array, end: Array, above: Array, value: float) -> Array:
     for _ in range(BISECTIONS):
         middle = start + end
         middle = middle / np.linalg.norm(middle, axis=-1, keepdims=True)

@@ -12,7 +12,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-Array = Any
+from polhode.types import Array, Float64
+
 REACH = 12.0  # e-folds of the samples' span, either way, within which a singularity is sought
 GRID = 400
 
@@ -46,7 +47,7 @@ class Singularity(NamedTuple):
     uncertainty: float
 
 
-def power_law(x: Array, y: Array) -> PowerLaw:
+def power_law(x: Float64[Array, "n"], y: Float64[Array, "n"]) -> PowerLaw:
     """Return the fit of log y against log x.
 
     Args:
@@ -59,7 +60,7 @@ def power_law(x: Array, y: Array) -> PowerLaw:
     return PowerLaw(slope, max(error, 0.5 * abs(slope - early)), len(p))
 
 
-def fit_singularity(spans: Array, y: Array) -> Singularity:
+def fit_singularity(spans: Float64[Array, "gaps"], y: Float64[Array, "n"]) -> Singularity:
     """Return the singularity that samples run into, or come from if they fall ever more slowly.
 
     Args:

@@ -14,7 +14,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from typing import Any
 
 import jax
 import jax.numpy as jnp
@@ -25,13 +24,13 @@ from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput
 from polhode.systems.euler_disk import EulerDisk
 from polhode.systems.rolling_mechanics import RollingMechanics
+from polhode.types import Array, ArrayLike, Real
 
-Array = Any
 AT_REST = 1e-8  # of the terms of θ̈, relative: a steady motion found by a solver or typed in
 
 
 @known_numbers_only
-def rolling_stability(disk: EulerDisk, state: Array) -> Stability:
+def rolling_stability(disk: EulerDisk, state: Real[ArrayLike, "8"]) -> Stability:
     """Return the verdict on a steady motion of a disk: in its tilt and rates, not in heading and place, which drift.
 
     Args:
@@ -67,7 +66,7 @@ def rolling_stability(disk: EulerDisk, state: Array) -> Stability:
 
 
 @known_numbers_only
-def nutation(disk: EulerDisk, state: Array) -> float | None:
+def nutation(disk: EulerDisk, state: Real[ArrayLike, "8"]) -> float | None:
     """Return the frequency [rad/s] of small nutation about a steady motion, None where it is not stable."""
     square = float(_nutation_squared(disk.mechanics, state))
     return math.sqrt(square) if square > 0.0 else None

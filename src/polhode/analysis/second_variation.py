@@ -7,13 +7,13 @@ errors are all of the same size.
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from polhode.errors import InvalidInput
+from polhode.types import Array, ArrayLike, Float64, Real
 
-Array = Any
 CONSERVATION_TOLERANCE = 1e-6  # what may be left of dC A and D²F A + (D²F A)ᵀ relative to their terms, after a solver
 RANK_TOLERANCE = 1e-12  # singular value of unit gradients below which they are dependent
 ROUNDING = 1e-14  # multipliers below it, in units of the terms of dH, are those of its rounding errors
@@ -43,18 +43,18 @@ class Leaf(NamedTuple):
         unit: of the flow [1/s], a power of two.
     """
 
-    flow: Array
-    full: Array
+    flow: Float64[Array, "d d"]
+    full: Float64[Array, "n n"]
     flow_size: float
-    drift: Array
-    hessians: Array
-    terms: Array
-    whole: Array
-    gradients: Array
-    multipliers: Array
-    freedom: Array
-    basis: Array
-    scale: Array
+    drift: Float64[Array, "k n"]
+    hessians: Float64[Array, "all d d"]
+    terms: Float64[Array, "all d d"]
+    whole: Float64[Array, "all n n"]
+    gradients: Float64[Array, "k n"]
+    multipliers: Float64[Array, "k"]
+    freedom: Float64[Array, "k f"]
+    basis: Float64[Array, "n d"]
+    scale: Float64[Array, "n"]
     residual: float
     tolerance: float
     unit: float
@@ -64,23 +64,23 @@ class Leaf(NamedTuple):
         """Relative error of the entries: theirs or, if larger, what the point is away from the equilibrium."""
         return max(self.tolerance, self.residual) if self.tolerance else 0.0
 
-    def combination(self, weights: Array) -> Array:
+    def combination(self, weights: Float64[Array, "all"]) -> Float64[Array, "d d"]:
         """Return Σ weights · second derivatives, (d, d)."""
         return np.tensordot(weights, self.hessians, 1)
 
-    def size(self, weights: Array) -> float:
+    def size(self, weights: Float64[Array, "all"]) -> float:
         """Return the largest term of the combination, before anything cancels."""
         return float(np.tensordot(np.abs(weights), self.terms, 1).max(initial=0.0))
 
-    def zero(self, weights: Array) -> float:
+    def zero(self, weights: Float64[Array, "all"]) -> float:
         """Return how far from zero errors of the entries can move an eigenvalue of the combination."""
         return self.noise * self.size(weights) * max(1, self.basis.shape[1])
 
-    def out(self, vector: Array) -> Array:
+    def out(self, vector: Float64[Array, "d"]) -> Float64[Array, "n"]:
         """Return a vector along the basis in the coordinates of the input."""
         return self.scale * (self.basis @ vector)
 
-    def check_conservation(self, weights: Array | None) -> None:
+    def check_conservation(self, weights: Float64[Array, "all"] | None) -> None:
         """Refuse a flow that leaves the Casimirs' levels or, F being given, changes D²F: no flow of the system does."""
         if np.abs(self.drift).max(initial=0.0) > CONSERVATION_TOLERANCE:
             raise InvalidInput(
@@ -97,7 +97,7 @@ class Leaf(NamedTuple):
                 "Check that the Hessians and the linearisation belong to the same conservative system and point."
             )
 
-    def squares(self, weights: Array) -> tuple[Array, Array]:
+    def squares(self, weights: Float64[Array, "all"]) -> tuple[Float64[Array, "k"], Float64[Array, "k"]]:
         """Return c_k ≥ 0 and ℓ_k with |D²F| + 2 Σ (c_k/ℓ_k²) dC_k dC_kᵀ definite on all of the space, for D²F so here.
 
         By Schur's complement the part across the leaf must exceed what the coupling takes away [Finsler's lemma].
@@ -124,7 +124,13 @@ class Leaf(NamedTuple):
 
 
 def scaled_leaf(
-    A: Array, g: Array, H: Array, dC: Array, ddC: Array, tolerance: float, sizes: tuple[Array, Array] | None = None
+    A: Float64[Array, "n n"],
+    g: Float64[Array, "n"],
+    H: Float64[Array, "n n"],
+    dC: Float64[Array, "k n"],
+    ddC: Float64[Array, "k n n"],
+    tolerance: float,
+    sizes: tuple[Real[ArrayLike, "n"], Real[ArrayLike, "n n"]] | None = None,
 ) -> Leaf:
     """Return the leaf's matrices.
 
@@ -175,7 +181,7 @@ def scaled_leaf(
     )
 
 
-def definite_combination(matrices: Array, tolerance: float) -> Array | None:
+def definite_combination(matrices: Float64[Array, "k d d"], tolerance: float) -> Float64[Array, "k"] | None:
     """Return c, |c| = 1, with Σ c_i M_i positive definite; None if no combination is.
 
     There is one exactly if zero is not in the convex hull of the joint numerical range {(vᵀM_1v, …, vᵀM_kv) : |v| = 1},
@@ -207,7 +213,7 @@ def definite_combination(matrices: Array, tolerance: float) -> Array | None:
     return c if np.linalg.eigvalsh(np.tensordot(c, matrices, 1))[0] > 0 else None
 
 
-def null_space(matrix: Array, tolerance: float) -> Array:
+def null_space(matrix: Float64[Array, "rows n"], tolerance: float) -> Float64[Array, "n d"]:
     """Return an orthonormal basis (n, d) of what the matrix takes to zero, singular values ≤ tolerance."""
     _, sizes, rows = np.linalg.svd(matrix)
     return rows[int((sizes > tolerance).sum()) :].T

@@ -28,8 +28,8 @@ from polhode.motion.outcome import Ending, Outcome
 from polhode.motion.trajectory import Trajectory
 from polhode.simulation import trajectory_of
 from polhode.systems.euler_disk import EulerDisk
+from polhode.types import Array, ArrayLike, Float64, Real
 
-Array = Any
 ASYMPTOTIC_END = 0.3  # |θ̇|/(θ|φ̇|), beyond which the tilt falls as fast as the disk goes round
 ASYMPTOTIC_FIT = 0.02  # the same, up to which exponents are fitted
 END_OF_REGIME = "end of asymptotic regime"
@@ -59,8 +59,8 @@ class SpinDown:
     """
 
     trajectory: Trajectory
-    remaining: Array | None
-    adiabaticity: Array
+    remaining: Float64[Array, "time"] | None
+    adiabaticity: Float64[Array, "time"]
     end: float | None
     end_uncertainty: float | None
     tilt: PowerLaw
@@ -77,7 +77,11 @@ class SpinDown:
 
 @known_numbers_only
 def spin_down(
-    disk: EulerDisk, state: Array, decades: float = 4.0, samples_per_decade: int = 32, most_steps: int = 1_000_000
+    disk: EulerDisk,
+    state: Real[ArrayLike, "8"],
+    decades: float = 4.0,
+    samples_per_decade: int = 32,
+    most_steps: int = 1_000_000,
 ) -> SpinDown:
     """Follow a disk to its end.
 
@@ -140,7 +144,7 @@ def spin_down(
     )
 
 
-def adiabaticity(disk: EulerDisk, state: Array) -> Array:
+def adiabaticity(disk: EulerDisk, state: Float64[Array, "*batch 8"]) -> Float64[Array, "*batch"]:
     """Return |θ̇|/(θ|φ̇|) of states (…, 8): by how much of itself the tilt falls in a radian of precession."""
     theta = jnp.minimum(state[..., 0], jnp.pi - state[..., 0])
     return jnp.abs(state[..., 5]) / (theta * jnp.abs(disk.precession(state)))
@@ -319,7 +323,7 @@ def _distances(spans: Array, fitted: slice, found: Singularity) -> Array:
     return np.append(before, found.distance - np.cumsum(spans[fitted.stop :]))
 
 
-def _checked_start(disk: EulerDisk, state: Array, decades: float, samples_per_decade: int) -> Array:
+def _checked_start(disk: EulerDisk, state: Real[ArrayLike, "8"], decades: float, samples_per_decade: int) -> Array:
     if not isinstance(disk, EulerDisk) or not disk.dissipation:
         raise InvalidInput("`disk` must be an EulerDisk with `dissipation`: without it the disk rolls for ever.")
     if not (math.isfinite(decades) and decades > 0.0 and samples_per_decade >= 2):

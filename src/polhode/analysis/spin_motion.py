@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any, Literal, NamedTuple
+from typing import Literal, NamedTuple
 
 import numpy as np
 
@@ -11,8 +11,8 @@ from polhode.analysis.periapsis_map import section
 from polhode.analysis.spin_orbit import STEPS, counted, lyapunov_exponent, resonance_strength, scaled_start, table_of
 from polhode.arrays import known_numbers_only
 from polhode.systems.spin_orbit import SpinOrbit
+from polhode.types import Array, ArrayLike, Float64, Real
 
-Array = Any
 TURN = 2.0 * math.pi
 MOST_ORBITS, FEWEST_ORBITS = 10_000, 200
 KICKS = 3e7  # of a run's map: a few seconds
@@ -51,13 +51,13 @@ class SpinMotion(NamedTuple):
 
     orbits: int
     verdict: Literal["chaotic", "regular", "undecided"]
-    exponents: Array
+    exponents: Float64[Array, "periods"]
     mean_rate: float
     libration: Libration | None
 
 
 @known_numbers_only
-def spin_motion(system: SpinOrbit, state: Array, orbits: int | None = None) -> SpinMotion:
+def spin_motion(system: SpinOrbit, state: Real[ArrayLike, "2"], orbits: int | None = None) -> SpinMotion:
     """Return what one spin does from a periapsis on.
 
     Chaos is a finding: neighbours have parted half a billion times as far as proportion to time would have them.

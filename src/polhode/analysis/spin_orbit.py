@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any
 
 import jax.numpy as jnp
 import numpy as np
@@ -13,8 +12,8 @@ from polhode.analysis.periapsis_map import Table, carry_neighbours, section, tab
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.systems.spin_orbit import SpinOrbit
+from polhode.types import Array, ArrayLike, Float64, Real
 
-Array = Any
 TURN = 2.0 * math.pi
 STEPS = 128  # per orbit, over √(1 − e): sections of regular motion are then right to 1e-10 after ten orbits
 FEWEST_NODES = 64  # of the trapezoidal rule for a resonance's strength
@@ -41,7 +40,9 @@ class Resonance:
 
 
 @known_numbers_only
-def poincare_section(system: SpinOrbit, states: Array, periods: int, steps: int | None = None) -> Array:
+def poincare_section(
+    system: SpinOrbit, states: Real[ArrayLike, "*batch 2"], periods: int, steps: int | None = None
+) -> Float64[Array, "*batch {periods}+1 2"]:
     """Return the states at one periapsis after another, (…, periods + 1, 2), the given ones first.
 
     Args:
@@ -69,7 +70,9 @@ def poincare_section(system: SpinOrbit, states: Array, periods: int, steps: int 
 
 
 @known_numbers_only
-def tangent_map(system: SpinOrbit, states: Array, periods: int = 1, steps: int | None = None) -> Array:
+def tangent_map(
+    system: SpinOrbit, states: Real[ArrayLike, "*batch 2"], periods: int = 1, steps: int | None = None
+) -> Float64[Array, "*batch 2 2"]:
     """Return the derivative (…, 2, 2) of (θ, θ̇/n) after some periods by (θ, θ̇/n) at a periapsis; its determinant is 1.
 
     Args:
@@ -85,7 +88,9 @@ def tangent_map(system: SpinOrbit, states: Array, periods: int = 1, steps: int |
 
 
 @known_numbers_only
-def lyapunov_exponent(system: SpinOrbit, states: Array, periods: int, steps: int | None = None) -> Array:
+def lyapunov_exponent(
+    system: SpinOrbit, states: Real[ArrayLike, "*batch 2"], periods: int, steps: int | None = None
+) -> Float64[Array, "*batch {periods}"]:
     """Return the estimates (…, periods) [1/s] of the largest Lyapunov exponent after each period; the last is the best.
 
     ln |δ(t)|/t for a neighbour δ = (δθ, δθ̇/n) carried by the tangent map. In a chaotic zone it settles at a positive
@@ -144,8 +149,7 @@ def resonance_strength(order: float, eccentricity: float) -> float:
     e, p = float(eccentricity), float(order)
     if not (2.0 * p).is_integer():
         raise InvalidInput(
-            f"`order` of a resonance must be half an integer; got {shown(order)}. "
-            "It is turns per orbit."
+            f"`order` of a resonance must be half an integer; got {shown(order)}. It is turns per orbit."
         )
     if not 0.0 <= e < 1.0:
         raise InvalidInput(f"`eccentricity` must be within 0 ≤ e < 1; got {shown(eccentricity)}.")
@@ -161,7 +165,7 @@ def resonance_strength(order: float, eccentricity: float) -> float:
 
 
 @known_numbers_only
-def overlap_threshold(eccentricity: Array) -> Array:
+def overlap_threshold(eccentricity: Real[ArrayLike, "*shape"]) -> Float64[Array, "*shape"]:
     """Return the asphericity 1/(2 + √(14 e)) from which the zones of p = 1 and p = 3/2 touch: chaos between them.
 
     Chirikov's criterion with H(1) ≈ 1 and H(3/2) ≈ 7e/2.
@@ -176,7 +180,7 @@ def table_of(system: SpinOrbit, steps: int | None) -> Table:
     return tabulate(system, default if steps is None else counted("steps", steps))
 
 
-def scaled_start(system: SpinOrbit, states: Array) -> Array:
+def scaled_start(system: SpinOrbit, states: Real[ArrayLike, "*batch 2"]) -> Float64[Array, "*batch 2"]:
     return system.check_state(states) / jnp.stack([jnp.ones(()), system.mean_motion])
 
 

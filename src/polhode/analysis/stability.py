@@ -9,7 +9,7 @@ Rational Mech. Anal. 115 (1991) 15; for singular leaves Patrick, Roberts & Wulff
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -28,11 +28,10 @@ from polhode.analysis.second_variation import null_space
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput
 from polhode.poisson.brackets import as_points
-from polhode.systems.base import AbstractLiePoissonSystem, checked_functions
+from polhode.systems.base import AbstractLiePoissonSystem, Function, checked_functions
 from polhode.systems.euler_disk import EulerDisk
+from polhode.types import Array, ArrayLike, Real
 
-Array = Any
-Function = Callable[[Array], Array]
 SMALLEST, LARGEST = 1e-300, 1e300  # of an equilibrium; smaller numbers lose digits, and sums of larger ones overflow
 AT_REST = 1e-8  # of |dH| |μ|: a field below it vanishes, up to the solver that found the point
 NULL = 1e-9  # singular values of the linearised flow below it, relative to the largest, vanish
@@ -43,7 +42,7 @@ RANK = 1e-13  # singular values of the Poisson tensor below it, per dimension, a
 @known_numbers_only
 def stability(
     system: AbstractLiePoissonSystem | EulerDisk,
-    equilibrium: Array,
+    equilibrium: Real[ArrayLike, "..."],
     integrals: Sequence[Function] = (),
     casimirs: Sequence[Function] | None = None,
 ) -> Stability:

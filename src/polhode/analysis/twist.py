@@ -18,8 +18,8 @@ from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.exact.free_body import FreeMotion
 from polhode.motion.inputs import finite
+from polhode.types import Array
 
-Array = Any
 TURN = 2.0 * math.pi
 SEGMENTS = 256
 REFINEMENTS = 3  # each with 16 times as many segments: a needle may hurry past its handle

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -21,8 +20,6 @@ from polhode.motion.trajectory import Trajectory
 from polhode.reports.answer import Answer, Group, units_of, values_of
 from polhode.reports.base import plain
 from polhode.reports.wording import counted, drifts, rate
-
-Array = Any
 
 
 def run_import(path: Path, json: bool, out: Path | None, spec: Path | None, kernels: Kernels) -> None:
@@ -81,8 +78,14 @@ def along_principal_axes(trajectory: Trajectory, frame: BodyFrame, mechanics: Me
     momentum = velocity * np.asarray(frame.moments)
     invariants, drift = invariants_along(trajectory.attitude, np.asarray(trajectory.angular_velocity), mechanics)
     states = np.concatenate([attitude, momentum], axis=-1)
-    return replace(turned, states=states, layout=StateLayout((ATTITUDE, MOMENTUM)), momentum=momentum,
-                   invariants=invariants, drift=drift)
+    return replace(
+        turned,
+        states=states,
+        layout=StateLayout((ATTITUDE, MOMENTUM)),
+        momentum=momentum,
+        invariants=invariants,
+        drift=drift,
+    )
 
 
 def about_file(trajectory: Trajectory, labels: AttitudeLabels, kept: str) -> Group:

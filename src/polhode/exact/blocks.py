@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import Any
 
 import numpy as np
 
 from polhode.arrays import is_jax, namespace, stop_gradient
+from polhode.types import Array, ArrayOrFloat, Float64, Shaped
 
-Array = Any
-Evaluation = Callable[[tuple[Array, ...], Array, Array | None], tuple[Array, ...]]
+Vectors = tuple[Float64[Array, "..."], ...]
+Columns = tuple[Shaped[ArrayOrFloat, "..."], ...]  # numbers and whether something holds, for each body
+Evaluation = Callable[[Columns, Float64[Array, "block"], Float64[Array, "block"] | None], Columns]
 BLOCK = 4096  # states at a time: some thirty live arrays of this length fit a second-level cache
 BODIES = 16384  # bodies at a time: set-up is thousands of calls, whose overhead outweighs the cache
 # glibc returns freed memory to the system above a threshold that it raises to the largest block freed so far; without
@@ -20,7 +21,7 @@ np.empty(3_000_000)
 LONG_RUN = 256  # consecutive times of one body from which its constants are worth handling as scalars
 
 
-def columns_in_blocks(prepare: Callable[..., tuple[Array, ...]], arguments: tuple[Array, ...]) -> tuple[Array, ...]:
+def columns_in_blocks(prepare: Callable[..., Columns], arguments: Vectors) -> Columns:
     """Return what ``prepare`` makes of arrays (…, k), as flat columns of their common batch shape."""
     shape = np.broadcast_shapes(*(v.shape[:-1] for v in arguments))
     if is_jax(*arguments):
@@ -34,8 +35,8 @@ def columns_in_blocks(prepare: Callable[..., tuple[Array, ...]], arguments: tupl
 
 
 def state_in_blocks(
-    evaluate: Evaluation, columns: tuple[Array, ...], elapsed: Array, rest: Array
-) -> tuple[Array, Array]:
+    evaluate: Evaluation, columns: Columns, elapsed: Float64[Array, "..."], rest: Float64[Array, "..."]
+) -> tuple[Float64[Array, "*batch 4"], Float64[Array, "*batch 3"]]:
     """Return attitude (…, 4) and momentum (…, 3) at the elapsed times, which broadcast against the columns."""
     batch = columns[0].shape
     shape = np.broadcast_shapes(batch, elapsed.shape)
@@ -50,7 +51,7 @@ def state_in_blocks(
     scalar = bodies == 1 or run >= LONG_RUN
     index = np.broadcast_to(np.arange(bodies).reshape(batch), shape).reshape(-1) if bodies not in (1, size) else None
 
-    def columns_of(block: slice) -> tuple[Array, ...]:
+    def columns_of(block: slice) -> Columns:
         if scalar:
             return tuple(c[0 if index is None else index[block.start]] for c in flat)
         return tuple(c[block if index is None else index[block]] for c in flat)

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from polhode.arrays import namespace, split_halves
+from polhode.types import ArrayOrFloat, Float64
 
-Array = Any
+Operand = Float64[ArrayOrFloat, "*#shape"]
 
 
-def exponential_decay(x: Array, rest: Array, upper: Array, lower: Array) -> Array:
+def exponential_decay(x: Operand, rest: Operand, upper: Operand, lower: Operand) -> Float64[ArrayOrFloat, "*shape"]:
     """Return exp(−(x + rest)(upper + lower)) with the exponent's product exact in its leading part."""
     xp = namespace(x)
     high, low = split_halves(x)

@@ -16,8 +16,8 @@ from polhode.errors import NotConverged
 from polhode.integrators.base import AbstractOrbitSolver
 from polhode.integrators.difference import EPS, LARGE, difference
 from polhode.integrators.equal_steps import Run, run_by_equal_steps, step_counts
+from polhode.types import Array, Double, Float64
 
-Array = Any
 SAFETY = 0.7  # of the tolerance, at which the next step size aims
 SHORTEST = 1 / 32  # of a step, in one round
 ROUNDS = 8
@@ -28,13 +28,13 @@ class Measured(NamedTuple):
     """A run with its largest steps (batch…) [s] and its estimated error (batch…), None if not asked for."""
 
     run: Run
-    sizes: Array
-    error: np.ndarray | None
+    sizes: Float64[Array, "*batch"]
+    error: Float64[np.ndarray, "*batch"] | None
 
 
 def measured_run(
-    solver: AbstractOrbitSolver, state: Array, times: np.ndarray, sizes: Array, rates: Array, meter: Any,
-    quiet: Any, every: int = 1,
+    solver: AbstractOrbitSolver, state: Double[Array, "..."], times: Float64[np.ndarray, "time"],
+    sizes: Float64[Array, "*batch"], rates: Float64[Array, "*batch"], meter: Any, quiet: Any, every: int = 1,
 ) -> Measured:  # fmt: skip
     """Return a run and its error, relative to the size of attitude, momentum and what else the state holds.
 
@@ -61,8 +61,9 @@ def measured_run(
 
 
 def run_to_tolerance(
-    solver: AbstractOrbitSolver, state: Array, times: np.ndarray, sizes: Array, rates: Array,
-    tolerance: float, meter: Any, quiet: Any, every: int = 1,
+    solver: AbstractOrbitSolver, state: Double[Array, "..."], times: Float64[np.ndarray, "time"],
+    sizes: Float64[Array, "*batch"], rates: Float64[Array, "*batch"], tolerance: float, meter: Any,
+    quiet: Any, every: int = 1,
 ) -> Measured:  # fmt: skip
     """Return a run whose estimated error is within the tolerance, by shorter steps where it was not.
 

@@ -22,8 +22,9 @@ from polhode.integrators.difference import EPS, LARGE, difference
 from polhode.integrators.either_mode import by_either_mode
 from polhode.motion.outcome import Ends, Status
 from polhode.systems.base import AbstractSystem
+from polhode.types import Array, Bool, Double, Float64, Integer
 
-Array = Any
+Observe = Callable[[Float64[Array, ""], Double[Array, "..."]], Any]
 TOLERANCE = 1e-12  # of a step, relative; below it rounding of the stages is all that is left
 MOST_STEPS = 15_000_000  # of a run, some ten minutes
 LOOSER = 100.0  # the tolerance of the second run, by which the error is estimated
@@ -50,13 +51,13 @@ class Sampled(NamedTuple):
     """
 
     saved: Any
-    received: dict[str, Array]
-    status: Array
-    event: Array
-    end: Array
-    end_state: Array
-    end_received: dict[str, Array]
-    steps: Array
+    received: dict[str, Float64[Array, "*batch kept"]]
+    status: Integer[Array, "*batch"]
+    event: Integer[Array, "*batch"]
+    end: Float64[Array, "*batch"]
+    end_state: Double[Array, "..."]
+    end_received: dict[str, Float64[Array, "*batch"]]
+    steps: Integer[Array, "*batch"]
 
 
 class AdaptiveMotion(NamedTuple):
@@ -72,11 +73,11 @@ class AdaptiveMotion(NamedTuple):
         ends: how each copy ended.
     """
 
-    times: np.ndarray
-    states: Array
-    received: dict[str, Array]
+    times: Float64[np.ndarray, "kept"]
+    states: Double[Array, "..."]
+    received: dict[str, Float64[Array, "*batch kept"]]
     event: str | None
-    successful: np.ndarray
+    successful: Bool[np.ndarray, "*batch"]
     steps: int
     ends: Ends
 
@@ -89,8 +90,8 @@ class EventBisection(optimistix.Bisection):
         super().__init__(rtol=EVENT_TOLERANCE, atol=0.0, flip=True)
 
     def terminate(
-        self, fn: Any, y: Array, args: Any, options: Any, state: Any, tags: Any
-    ) -> tuple[Array, optimistix.RESULTS]:
+        self, fn: Any, y: Float64[Array, ""], args: Any, options: Any, state: Any, tags: Any
+    ) -> tuple[Bool[Array, ""], optimistix.RESULTS]:
         width = jnp.abs(state.upper - state.lower)
         narrow = width <= self.rtol * jnp.maximum(jnp.abs(state.upper), jnp.abs(state.lower))
         return narrow, optimistix.RESULTS.successful
@@ -122,8 +123,14 @@ class _Carried(NamedTuple):
 
 
 def solve_adaptively(
-    system: AbstractSystem, solver: diffrax.AbstractSolver, state: Array, times: np.ndarray, meter: Any = None,
-    step: float | None = None, tolerance: float | None = None, every: int = 1,
+    system: AbstractSystem,
+    solver: diffrax.AbstractSolver,
+    state: Double[Array, "..."],
+    times: Float64[np.ndarray, "time"],
+    meter: Any = None,
+    step: float | None = None,
+    tolerance: float | None = None,
+    every: int = 1,
 ) -> AdaptiveMotion:
     """Return the motion at times, or up to the first of the system's events.
 
@@ -175,9 +182,10 @@ def solve_adaptively(
 
 
 def adaptive_error(
-    system: AbstractSystem, solver: diffrax.AbstractSolver, state: Array, times: np.ndarray, motion: AdaptiveMotion,
-    step: float | None = None, tolerance: float | None = None, kept: int = 1,
-) -> Array | None:  # fmt: skip
+    system: AbstractSystem, solver: diffrax.AbstractSolver, state: Double[Array, "..."],
+    times: Float64[np.ndarray, "time"], motion: AdaptiveMotion, step: float | None = None,
+    tolerance: float | None = None, kept: int = 1,
+) -> Float64[Array, "*batch"] | None:  # fmt: skip
     """Return the estimated error (batch…) of a motion, from a second run with a hundred times the tolerance.
 
     The error of a motion goes with the tolerance of its steps, so that the second run has nearly all of the difference,
@@ -230,8 +238,9 @@ def _check_events(system: AbstractSystem, t: float, state: Array) -> None:
 
 
 def sampled(
-    system: AbstractSystem, solver: Any, state: Array, times: Array, kept: Array, largest: Array | None,
-    tolerance: Array, meter: Any = None, observe: Callable[[Array, Array], Any] | None = None, reverse: bool = False,
+    system: AbstractSystem, solver: Any, state: Double[Array, "..."], times: Float64[Array, "time"],
+    kept: Float64[Array, "kept"], largest: Float64[Array, ""] | None, tolerance: Float64[Array, ""],
+    meter: Any = None, observe: Observe | None = None, reverse: bool = False,
 ) -> Sampled:  # fmt: skip
     """Return the motion of one state, stepping at all times (T,) and saving at those to be kept (K,).
 
@@ -300,8 +309,9 @@ def sampled(
 
 
 def sampled_by_either_mode(
-    system: AbstractSystem, solver: Any, state: Array, times: Array, kept: Array, largest: Array | None,
-    tolerance: Array, observe: Callable[[Array, Array], Any] | None,
+    system: AbstractSystem, solver: Any, state: Double[Array, "..."], times: Float64[Array, "time"],
+    kept: Float64[Array, "kept"], largest: Float64[Array, ""] | None, tolerance: Float64[Array, ""],
+    observe: Observe | None,
 ) -> Sampled:  # fmt: skip
     """Return what ``sampled`` does, with derivatives of either mode."""
 

@@ -19,8 +19,9 @@ import jax.numpy as jnp
 from polhode.systems.agreement import check_generated
 from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.systems.forward_only import forward_only
+from polhode.types import Array, ArrayLike, ArrayOrFloat, Bool, Double, Float64, Integer, Real
 
-Array = Any
+Scalar = Float64[ArrayOrFloat, ""]
 
 
 class Change(NamedTuple):
@@ -32,18 +33,18 @@ class Change(NamedTuple):
         converged: whether it solved its equation.
     """
 
-    state: Array
-    iterations: Array
-    converged: Array
+    state: Double[Array, "*shape"]
+    iterations: Integer[Array, ""]
+    converged: Bool[Array, ""]
 
 
 class Memory(NamedTuple):
     """What a solver carries along: what the last sums lost, steps and iterations so far, whether all went well."""
 
-    lost: Array
-    steps: Array
-    iterations: Array
-    fine: Array
+    lost: Double[Array, "*shape"]
+    steps: Integer[Array, ""]
+    iterations: Integer[Array, ""]
+    fine: Bool[Array, ""]
 
 
 class AbstractOrbitSolver(diffrax.AbstractSolver):
@@ -56,7 +57,7 @@ class AbstractOrbitSolver(diffrax.AbstractSolver):
     """
 
     system: eqx.AbstractVar[AbstractLiePoissonSystem]
-    step_size: eqx.AbstractVar[Array]
+    step_size: eqx.AbstractVar[Float64[Array, ""]]
     keeps: eqx.AbstractClassVar[str]
 
     def __check_init__(self) -> None:
@@ -66,18 +67,20 @@ class AbstractOrbitSolver(diffrax.AbstractSolver):
     interpolation_cls: ClassVar[Any] = diffrax.LocalLinearInterpolation
 
     @abc.abstractmethod
-    def change(self, t: Array, h: Array, state: Array) -> Change:
+    def change(self, t: Scalar, h: Scalar, state: Double[Array, "..."]) -> Change:
         """Return what a step of length h from time t does to the state."""
 
     @abc.abstractmethod
     def order(self, terms: Any) -> int:
         """Return the order of convergence."""
 
-    def memory(self, state: Array) -> Memory:
+    def memory(self, state: Double[Array, "..."]) -> Memory:
         """Return what is carried along from a start."""
         return Memory(jnp.zeros_like(state), jnp.zeros((), int), jnp.zeros((), int), jnp.asarray(True))
 
-    def advance(self, start: Array, span: Array, state: Array, memory: Memory) -> tuple[Array, Memory]:
+    def advance(
+        self, start: Scalar, span: Scalar, state: Double[Array, "*shape"], memory: Memory
+    ) -> tuple[Double[Array, "*shape"], Memory]:
         """Return the state a span after the start, by equal steps of at most ``step_size``; infinite if one failed."""
         count = step_count(jnp, span, self.step_size).astype(int)
         h = span / count
@@ -94,8 +97,14 @@ class AbstractOrbitSolver(diffrax.AbstractSolver):
         return _ended(end, lost, memory.steps + steps, iterations, fine)
 
     def advance_by(
-        self, count: Array, most: int, start: Array, span: Array, state: Array, memory: Memory
-    ) -> tuple[Array, Memory]:
+        self,
+        count: Real[ArrayLike, ""],
+        most: int,
+        start: Scalar,
+        span: Scalar,
+        state: Double[Array, "*shape"],
+        memory: Memory,
+    ) -> tuple[Double[Array, "*shape"], Memory]:
         """Return what ``advance`` does by so many steps, of which the most is known when it is compiled.
 
         Such a loop has reverse-mode derivatives too. They hold the states of all of its steps.
@@ -125,12 +134,19 @@ class AbstractOrbitSolver(diffrax.AbstractSolver):
         lost = (now - later) + wanted
         return later, lost, iterations + found.iterations, found.converged
 
-    def init(self, terms: Any, t0: Array, t1: Array, y0: Array, args: Any) -> Memory:
+    def init(self, terms: Any, t0: Scalar, t1: Scalar, y0: Double[Array, "..."], args: Any) -> Memory:
         return self.memory(y0)
 
     def step(
-        self, terms: Any, t0: Array, t1: Array, y0: Array, args: Any, solver_state: Memory, made_jump: Any
-    ) -> tuple[Array, None, dict[str, Array], Memory, Any]:
+        self,
+        terms: Any,
+        t0: Scalar,
+        t1: Scalar,
+        y0: Double[Array, "*shape"],
+        args: Any,
+        solver_state: Memory,
+        made_jump: Any,
+    ) -> tuple[Double[Array, "*shape"], None, dict[str, Double[Array, "*shape"]], Memory, Any]:
         span = terms.contr(t0, t1)
         # diffrax runs backwards in the negative of the time
         y1, memory = self.advance(jnp.sign(span) * t0, span, y0, solver_state)
@@ -138,7 +154,7 @@ class AbstractOrbitSolver(diffrax.AbstractSolver):
         result = results.where(memory.fine, results.successful, results.nonlinear_divergence)
         return y1, None, {"y0": y0, "y1": y1}, memory, result
 
-    def func(self, terms: Any, t0: Array, y0: Array, args: Any) -> Array:
+    def func(self, terms: Any, t0: Scalar, y0: Double[Array, "*shape"], args: Any) -> Double[Array, "*shape"]:
         return terms.vf(t0, y0, args)
 
 
@@ -147,11 +163,13 @@ def _ended(end: Array, lost: Array, steps: Array, iterations: Array, fine: Array
     return jnp.where(fine, end, jnp.inf), Memory(lost, steps, iterations, fine)
 
 
-def explicit(state: Array) -> Change:
+def explicit(state: Double[Array, "..."]) -> Change:
     """Return the change of a step that solves nothing."""
     return Change(state, jnp.zeros((), int), jnp.asarray(True))
 
 
-def step_count(xp: Any, span: Array, step_size: Array) -> Array:
+def step_count(
+    xp: Any, span: Float64[ArrayOrFloat, "*#shape"], step_size: Float64[ArrayOrFloat, "*#shape"]
+) -> Float64[Array, "*shape"]:
     """Return how many steps of at most a size make a span; one that fits but for rounding is not halved."""
     return xp.maximum(xp.ceil(xp.abs(span) / step_size * (1.0 - 1e-12)), 1.0)

@@ -7,17 +7,16 @@ nine stages, s9odr6a; order 8, seventeen stages, s17odr8a).
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
 
 import jax
 import jax.numpy as jnp
 import numpy as np
 
 from polhode.errors import InvalidInput, shown
-from polhode.integrators.base import Change
+from polhode.integrators.base import Change, Scalar
+from polhode.types import Array, Double, Float64
 
-Array = Any
-
+Stage = Callable[[Scalar, Scalar, Double[Array, "..."]], Change]
 _SUZUKI = 1.0 / (4.0 - 4.0 ** (1.0 / 3.0))
 _KAHAN_LI = (0.39216144400731413928, 0.33259913678935943860, -0.70624617255763935981, 0.08221359629355080023)
 _KAHAN_LI_8 = (
@@ -34,7 +33,7 @@ STAGES: dict[int, tuple[float, ...]] = {
 }
 
 
-def stages(order: int) -> np.ndarray:
+def stages(order: int) -> Float64[np.ndarray, "stages"]:
     """Return the fractions of a step that compose a method of the order.
 
     Raises:
@@ -45,13 +44,13 @@ def stages(order: int) -> np.ndarray:
     return np.array(STAGES[order])
 
 
-def stage_times(order: int) -> np.ndarray:
+def stage_times(order: int) -> Float64[np.ndarray, "stages"]:
     """Return the fraction of the step at which each stage begins."""
     fractions = stages(order)
     return np.cumsum(fractions) - fractions
 
 
-def composed(stage: Callable[[Array, Array, Array], Change], order: int, t: Array, h: Array, state: Array) -> Change:
+def composed(stage: Stage, order: int, t: Scalar, h: Scalar, state: Double[Array, "..."]) -> Change:
     """Return the change by stages of t, their length and state that make a step of the order."""
     if order == 2:
         return stage(t, h, state)

@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import jax
 import numpy as np
 
 from polhode.algebra.se3 import SE3
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
+from polhode.types import Array, Double, Float64
 
-Array = Any
 LARGE = 0.05  # of the state's size: runs that differ by more are not in the regime of small errors
 EPS = float(np.finfo(float).eps)
 
 
-def difference(system: AbstractSystem, one: Array, other: Array) -> Array:
+def difference(
+    system: AbstractSystem, one: Double[np.ndarray, "*shape"], other: Double[np.ndarray, "*shape"]
+) -> Float64[Array, "..."]:
     """Return the largest difference (batch…) of two motions (batch…, T, …), relative to the sizes of a state's parts.
 
     Parts are the attitude, of size one, and what has a unit of its own: on se(3)* the angular and the linear part, the

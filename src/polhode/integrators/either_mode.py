@@ -19,8 +19,7 @@ from jax.extend.core import Primitive
 from jax.interpreters import ad, batching, mlir
 
 from polhode.errors import InvalidInput
-
-Array = Any
+from polhode.types import Array
 
 
 def by_either_mode(forward: Callable[[Any], Any], reverse: Callable[[Any], Any], operands: Any, name: str) -> Any:

@@ -21,8 +21,8 @@ import numpy as np
 from polhode.errors import InvalidInput
 from polhode.integrators.base import AbstractOrbitSolver, Memory, step_count
 from polhode.integrators.interrupts import interrupts_kept
+from polhode.types import Array, Bool, Double, Float64, Integer
 
-Array = Any
 BLOCK = 64  # copies: enough that a step's fixed costs do not count, few enough that a fast copy slows few others
 STRETCH = 50_000  # steps in one call, which take from a quarter of a second to a few seconds
 MAX_STEPS = 1e10  # of a run, which takes hours
@@ -39,15 +39,15 @@ class Run(NamedTuple):
         last: (batch…, …) the state at the last time.
     """
 
-    states: np.ndarray
-    iterations: np.ndarray
-    fine: np.ndarray
-    last: np.ndarray
+    states: Double[np.ndarray, "..."]
+    iterations: Integer[np.ndarray, "*batch"]
+    fine: Bool[np.ndarray, "*batch"]
+    last: Double[np.ndarray, "..."]
 
 
 def run_by_equal_steps(
-    solver: AbstractOrbitSolver, state: Array, times: np.ndarray, sizes: Array, rates: Array, meter: Any,
-    every: int = 1,
+    solver: AbstractOrbitSolver, state: Double[Array, "..."], times: Float64[np.ndarray, "time"],
+    sizes: Float64[Array, "*batch"], rates: Float64[Array, "*batch"], meter: Any, every: int = 1,
 ) -> Run:  # fmt: skip
     """Return the motion at times.
 
@@ -98,7 +98,9 @@ def run_by_equal_steps(
     return Run(*(np.concatenate(x)[back].reshape(*batch, *x[0].shape[1:]) for x in zip(*found, strict=True)))
 
 
-def step_counts(times: np.ndarray, sizes: Array) -> Array:
+def step_counts(
+    times: Float64[np.ndarray, "time"], sizes: Float64[Array, "*batch"]
+) -> Float64[Array, "*batch intervals"]:
     """Return how many steps go from each time to the next (batch…, T − 1)."""
     return np.asarray(step_count(np, np.diff(times), np.asarray(sizes)[..., None]))
 

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import jax
 import jax.numpy as jnp
 
-Array = Any
+from polhode.types import Array, Bool, Double, Float64, Integer
+
 MOST = 100
 ROUNDING = 4e-16  # of the unknown's size: a change below it is none
 NEAR = 1e-11  # of the unknown's size: below it, a change that no longer shrinks is rounding too
@@ -18,12 +19,12 @@ NOTHING = 1e-15  # rad: where the group hardly moves, changes below it that no l
 class Found(NamedTuple):
     """The last iterate, how many were needed, and whether they settled."""
 
-    value: Array
-    iterations: Array
-    converged: Array
+    value: Double[Array, "*shape"]
+    iterations: Integer[Array, ""]
+    converged: Bool[Array, ""]
 
 
-def fixed_point(function: Callable[[Array], Array], start: Array, scale: Array) -> Found:
+def fixed_point(function: Callable[[Array], Array], start: Double[Array, "..."], scale: Float64[Array, ""]) -> Found:
     """Iterate x = function(x) until the changes are negligible in ``scale``, or are rounding and shrink no more.
 
     Args:

@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import jax.numpy as jnp
 
 from polhode.algebra.so3 import half_angle_factors
 from polhode.systems.base import attitude_change
+from polhode.types import Array, Double, Float64
 
-Array = Any
 
-
-def attitude_by_exp(attitude: Array | None, x: Array) -> Array | None:
+def attitude_by_exp(
+    attitude: Float64[Array, "*batch 4"] | None, x: Double[Array, "..."]
+) -> Float64[Array, "*batch 4"] | None:
     """Return the change of attitudes (…, 4) by exp of elements whose first three components are a turn."""
     if attitude is None:
         return None
@@ -23,7 +22,9 @@ def attitude_by_exp(attitude: Array | None, x: Array) -> Array | None:
     return attitude_change(attitude, 0.5 * s * turn, less)
 
 
-def attitude_by_cayley(attitude: Array | None, x: Array) -> Array | None:
+def attitude_by_cayley(
+    attitude: Float64[Array, "*batch 4"] | None, x: Double[Array, "..."]
+) -> Float64[Array, "*batch 4"] | None:
     """Return the change of attitudes (…, 4) by Cayley's map."""
     if attitude is None:
         return None

@@ -10,13 +10,12 @@ import jax.numpy as jnp
 
 from polhode.algebra.matrix import AbstractMatrixAlgebra
 from polhode.errors import InvalidInput, shown
-from polhode.integrators.base import AbstractOrbitSolver, Change
+from polhode.integrators.base import AbstractOrbitSolver, Change, Scalar
 from polhode.integrators.composition import DEFAULT_ORDER, composed, stages
 from polhode.integrators.fixed_point import fixed_point
 from polhode.integrators.group import attitude_by_cayley, attitude_by_exp
 from polhode.systems.base import AbstractLiePoissonSystem, joined
-
-Array = Any
+from polhode.types import Array, Double, Float64
 
 
 class LieMidpoint(AbstractOrbitSolver):
@@ -36,13 +35,16 @@ class LieMidpoint(AbstractOrbitSolver):
     """
 
     system: AbstractLiePoissonSystem
-    step_size: Array
+    step_size: Float64[Array, ""]
     own_order: int = eqx.field(static=True)
     coordinates: str = eqx.field(static=True)
     keeps: ClassVar[str] = "the coadjoint orbit, hence every Casimir; time reversal"
 
     def __init__(
-        self, system: AbstractLiePoissonSystem, step_size: Array, order: int = DEFAULT_ORDER,
+        self,
+        system: AbstractLiePoissonSystem,
+        step_size: Scalar,
+        order: int = DEFAULT_ORDER,
         coordinates: str | None = None,
     ) -> None:
         stages(order)
@@ -57,7 +59,7 @@ class LieMidpoint(AbstractOrbitSolver):
     def order(self, terms: Any) -> int:
         return self.own_order
 
-    def change(self, t: Array, h: Array, state: Array) -> Change:
+    def change(self, t: Scalar, h: Scalar, state: Double[Array, "..."]) -> Change:
         return composed(self._stage, self.own_order, t, h, state)
 
     def _stage(self, t: Array, h: Array, state: Array) -> Change:
@@ -88,11 +90,11 @@ class IsospectralMidpoint(AbstractOrbitSolver):
     """
 
     system: AbstractLiePoissonSystem
-    step_size: Array
+    step_size: Float64[Array, ""]
     own_order: int = eqx.field(static=True)
     keeps: ClassVar[str] = "the spectrum, hence every Casimir; the Poisson structure; time reversal"
 
-    def __init__(self, system: AbstractLiePoissonSystem, step_size: Array, order: int = DEFAULT_ORDER) -> None:
+    def __init__(self, system: AbstractLiePoissonSystem, step_size: Scalar, order: int = DEFAULT_ORDER) -> None:
         stages(order)
         if not (isinstance(system.algebra, AbstractMatrixAlgebra) and has_cayley(system)):
             raise InvalidInput(
@@ -104,7 +106,7 @@ class IsospectralMidpoint(AbstractOrbitSolver):
     def order(self, terms: Any) -> int:
         return self.own_order
 
-    def change(self, t: Array, h: Array, state: Array) -> Change:
+    def change(self, t: Scalar, h: Scalar, state: Double[Array, "..."]) -> Change:
         return composed(self._stage, self.own_order, t, h, state)
 
     def _stage(self, t: Array, h: Array, state: Array) -> Change:

@@ -8,13 +8,13 @@ import equinox as eqx
 import jax.numpy as jnp
 
 from polhode.errors import InvalidInput, shown
-from polhode.integrators.base import AbstractOrbitSolver, Change
+from polhode.integrators.base import AbstractOrbitSolver, Change, Scalar
 from polhode.integrators.fixed_point import fixed_point
 from polhode.integrators.moser_veselov_table import SHIFT, TIME_SCALE
 from polhode.systems.base import AbstractLiePoissonSystem, attitude_change, joined
 from polhode.systems.free_rigid_body import FreeRigidBody
+from polhode.types import Array, Double, Float64
 
-Array = Any
 ORDERS = (2, 4, 6, 8, 10)
 
 
@@ -33,11 +33,11 @@ class MoserVeselov(AbstractOrbitSolver):
     """
 
     system: AbstractLiePoissonSystem
-    step_size: Array
+    step_size: Float64[Array, ""]
     own_order: int = eqx.field(static=True)
     keeps: ClassVar[str] = "|L|², the energy, the momentum in space; time reversal"
 
-    def __init__(self, system: AbstractLiePoissonSystem, step_size: Array, order: int = 2) -> None:
+    def __init__(self, system: AbstractLiePoissonSystem, step_size: Scalar, order: int = 2) -> None:
         if not _moves_freely(system):
             raise InvalidInput(
                 f"`MoserVeselov` moves a FreeRigidBody with the free body's energy; got {type(system).__name__}. "
@@ -50,7 +50,7 @@ class MoserVeselov(AbstractOrbitSolver):
     def order(self, terms: Any) -> int:
         return self.own_order
 
-    def change(self, t: Array, h: Array, state: Array) -> Change:
+    def change(self, t: Scalar, h: Scalar, state: Double[Array, "..."]) -> Change:
         attitude, L = self.system.parts(state)
         moments = self._corrected(h, L)
         following, last = jnp.roll(moments, -1, axis=-1), jnp.roll(moments, -2, axis=-1)

@@ -7,11 +7,10 @@ from typing import Any, ClassVar
 import equinox as eqx
 
 from polhode.errors import InvalidInput, shown
-from polhode.integrators.base import AbstractOrbitSolver, Change, explicit
+from polhode.integrators.base import AbstractOrbitSolver, Change, Scalar, explicit
 from polhode.integrators.group import attitude_by_exp
 from polhode.systems.base import AbstractLiePoissonSystem, joined
-
-Array = Any
+from polhode.types import Array, Double, Float64
 
 
 class MuntheKaas(AbstractOrbitSolver):
@@ -28,11 +27,11 @@ class MuntheKaas(AbstractOrbitSolver):
     """
 
     system: AbstractLiePoissonSystem
-    step_size: Array
+    step_size: Float64[Array, ""]
     own_order: int = eqx.field(static=True)
     keeps: ClassVar[str] = "the coadjoint orbit, hence every Casimir; the energy drifts"
 
-    def __init__(self, system: AbstractLiePoissonSystem, step_size: Array, order: int = 4) -> None:
+    def __init__(self, system: AbstractLiePoissonSystem, step_size: Scalar, order: int = 4) -> None:
         if order not in (2, 4):
             raise InvalidInput(f"`order` of MuntheKaas must be 2 or 4; got {shown(order)}.")
         self.system, self.step_size, self.own_order = system, step_size, order
@@ -40,7 +39,7 @@ class MuntheKaas(AbstractOrbitSolver):
     def order(self, terms: Any) -> int:
         return self.own_order
 
-    def change(self, t: Array, h: Array, state: Array) -> Change:
+    def change(self, t: Scalar, h: Scalar, state: Double[Array, "..."]) -> Change:
         algebra, (attitude, point) = self.system.algebra, self.system.parts(state)
         half_way = t + 0.5 * h
 

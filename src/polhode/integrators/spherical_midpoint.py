@@ -10,12 +10,11 @@ import jax.numpy as jnp
 from polhode.algebra.power import Power
 from polhode.algebra.so3 import SO3, scaled_norm
 from polhode.errors import InvalidInput
-from polhode.integrators.base import AbstractOrbitSolver, Change
+from polhode.integrators.base import AbstractOrbitSolver, Change, Scalar
 from polhode.integrators.composition import DEFAULT_ORDER, composed, stages
 from polhode.integrators.fixed_point import fixed_point
 from polhode.systems.base import AbstractLiePoissonSystem
-
-Array = Any
+from polhode.types import Array, Double, Float64
 
 
 class SphericalMidpoint(AbstractOrbitSolver):
@@ -30,11 +29,11 @@ class SphericalMidpoint(AbstractOrbitSolver):
     """
 
     system: AbstractLiePoissonSystem
-    step_size: Array
+    step_size: Float64[Array, ""]
     keeps: ClassVar[str] = "the length of every spin, the Poisson structure; time reversal; linear symmetries' momenta"
     own_order: int = eqx.field(static=True)
 
-    def __init__(self, system: AbstractLiePoissonSystem, step_size: Array, order: int = DEFAULT_ORDER) -> None:
+    def __init__(self, system: AbstractLiePoissonSystem, step_size: Scalar, order: int = DEFAULT_ORDER) -> None:
         algebra = system.algebra
         single = algebra.algebra if isinstance(algebra, Power) else algebra
         if not isinstance(single, SO3):
@@ -45,7 +44,7 @@ class SphericalMidpoint(AbstractOrbitSolver):
     def order(self, terms: Any) -> int:
         return self.own_order
 
-    def change(self, t: Array, h: Array, state: Array) -> Change:
+    def change(self, t: Scalar, h: Scalar, state: Double[Array, "..."]) -> Change:
         attitude, point = self.system.parts(state)
         if attitude is not None:
             raise InvalidInput("`SphericalMidpoint` moves momenta only, not an attitude; take LieMidpoint.")

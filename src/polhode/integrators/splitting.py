@@ -9,12 +9,11 @@ import jax
 import jax.numpy as jnp
 
 from polhode.errors import InvalidInput
-from polhode.integrators.base import AbstractOrbitSolver, Change, explicit
+from polhode.integrators.base import AbstractOrbitSolver, Change, Scalar, explicit
 from polhode.integrators.composition import DEFAULT_ORDER, composed, stages
 from polhode.systems.agreement import has_own_flows
 from polhode.systems.base import AbstractLiePoissonSystem, components
-
-Array = Any
+from polhode.types import Array, Double, Float64
 
 
 class Splitting(AbstractOrbitSolver):
@@ -33,11 +32,11 @@ class Splitting(AbstractOrbitSolver):
     """
 
     system: AbstractLiePoissonSystem
-    step_size: Array
+    step_size: Float64[Array, ""]
     own_order: int = eqx.field(static=True)
     keeps: ClassVar[str] = "every Casimir, the orbit, the Poisson structure; time reversal"
 
-    def __init__(self, system: AbstractLiePoissonSystem, step_size: Array, order: int = DEFAULT_ORDER) -> None:
+    def __init__(self, system: AbstractLiePoissonSystem, step_size: Scalar, order: int = DEFAULT_ORDER) -> None:
         stages(order)
         if not system.flows:
             raise InvalidInput(
@@ -53,7 +52,7 @@ class Splitting(AbstractOrbitSolver):
     def order(self, terms: Any) -> int:
         return self.own_order
 
-    def change(self, t: Array, h: Array, state: Array) -> Change:
+    def change(self, t: Scalar, h: Scalar, state: Double[Array, "..."]) -> Change:
         flows = list(self.system.flows.values())
         parts = [(flow, 0.5) for flow in flows[:-1]]
         parts = [*parts, (flows[-1], 1.0), *parts[::-1]]

@@ -21,14 +21,13 @@ from polhode.spec.building import build_spin
 from polhode.spec.models import BodyTable, SpinTable, SystemTable
 from polhode.spec.rules import Mistake
 from polhode.spec.surfaces import surface_of_body
+from polhode.types import Array, Float64
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from polhode.viewer.panels import Content
     from polhode.viewer.samples import Samples
-
-Array = Any
 
 
 class AbstractKind:
@@ -151,11 +150,13 @@ class Spec:
         return self.kind.surface(self)
 
     @property
-    def times(self) -> Array | None:
+    def times(self) -> Float64[Array, "time"] | None:
         """(T,) [s] that the spec asks for, None for the kind's own choice."""
         return None if self.until is None else np.linspace(0.0, self.until, self.samples)
 
-    def start(self, moments: Array, axes: Array) -> tuple[Array, Array]:
+    def start(
+        self, moments: Float64[Array, "3"], axes: Float64[Array, "3 3"]
+    ) -> tuple[Float64[Array, "3"], Float64[Array, "4"]]:
         """Return momentum (3,) along, and attitude (4,) of, principal axes by columns in the given ones."""
         return build_spin(self.spin, moments, axes)
 

@@ -14,8 +14,8 @@ from polhode.bodies.body import Body
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.wording import distinct, drifts, vector
+from polhode.types import Array, Float64
 
-Array = Any
 GIVEN = "  (given axes)"
 
 
@@ -36,7 +36,7 @@ def about_body(body: Body, of_moments: str = "") -> Group:
     ])  # fmt: skip
 
 
-def about_axes(name: str, axes: Array, explanation: str = "") -> list[Answer]:
+def about_axes(name: str, axes: Float64[Array, "3 3"], explanation: str = "") -> list[Answer]:
     """Return axes, which are columns, with a line each."""
     columns = enumerate(zip(*axes.tolist(), strict=True))
     lines = [Answer("", None, "", f"principal axis {k + 1}", "", vector(column) + GIVEN) for k, column in columns]

@@ -12,8 +12,6 @@ from polhode.analysis.mechanics import Mechanics
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.answer import Group, Table, units_of, values_of
 
-Array = Any
-
 
 class AbstractReport(abc.ABC):
     """Answers about one motion of one system.

@@ -12,7 +12,6 @@ from polhode.reports.answer import Answer, Group, Table, units_of, values_of
 from polhode.reports.base import plain
 from polhode.reports.wording import angle, number, vector
 
-Array = Any
 LEAST = 1e-16  # rad; rounding of a quaternion's components alone makes more
 NAMES = {"energy": "energy", "momentum_norm": "|L|", "momentum_space": "L in space", "vertical_momentum": "L upwards"}
 INVARIANT_UNITS = {"energy": "J"}

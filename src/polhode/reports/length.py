@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 import sys
-from typing import Any
 
 import numpy as np
 
 from polhode.errors import InvalidInput
 from polhode.integrators.composition import stages
 from polhode.solving import step_angle
-
-Array = Any
+from polhode.types import Array, Float64
 
 LONGEST = 600.0  # s that a run may take by these estimates
 SAID_FROM = 5.0  # s from which it is said
@@ -23,7 +21,9 @@ UNCOUNTED = 1e15  # steps, beyond which nobody needs to know how many
 DURATIONS = ((60.0, "s"), (60.0, "min"), (24.0, "h"), (365.25, "days"))
 
 
-def check_length(until: float | None, times: Array, steps: float, each: float, remedy: str = "") -> bool:
+def check_length(
+    until: float | None, times: Float64[Array, "time"], steps: float, each: float, remedy: str = ""
+) -> bool:
     """Say on standard error how long a run will take where that is long.
 
     Args:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 import warnings
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
@@ -24,8 +23,8 @@ from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import AbstractReport
 from polhode.reports.wording import distinct, unit_in_words, vector
 from polhode.systems.heavy_top import ALONG, HeavyTop
+from polhode.types import Array, ArrayLike, Float64, Real
 
-Array = Any
 PERIODS = 10
 CONSTANT = 1e-12  # radians between the limits of a tilt below which it is constant, but for rounding of what was given
 
@@ -47,7 +46,7 @@ class TopReport(AbstractReport):
     body: Body
     surface: Surface | None
     top: HeavyTop
-    pivot: Array
+    pivot: Real[ArrayLike, "3"]
     trajectory: Trajectory
     verdicts: dict[str, Stability]
     free: bool
@@ -81,7 +80,7 @@ class TopReport(AbstractReport):
         return Mechanics(self.frame.inertia, weight)
 
     @property
-    def axis_in_space(self) -> Array:
+    def axis_in_space(self) -> Float64[Array, "time 3"]:
         """(T, 3) unit vector from the fixed point to the centre of mass."""
         return rotation.rotate(np.asarray(self.trajectory.attitude), np.asarray(self.top.axis))
 
@@ -138,7 +137,7 @@ class TopReport(AbstractReport):
         return Group("Motion", [*self.kept(), *accuracy(self.trajectory)])
 
 
-def top_of(body: Body, pivot: Array, gravity: float) -> tuple[HeavyTop, bool]:
+def top_of(body: Body, pivot: Real[ArrayLike, "3"], gravity: float) -> tuple[HeavyTop, bool]:
     """Return the top and whether it is free, its fixed point being the centre of mass.
 
     Raises:
@@ -152,12 +151,12 @@ def top_of(body: Body, pivot: Array, gravity: float) -> tuple[HeavyTop, bool]:
     return top, bool(caught)
 
 
-def frame_of(top: HeavyTop, body: Body, pivot: Array) -> BodyFrame:
+def frame_of(top: HeavyTop, body: Body, pivot: Real[ArrayLike, "3"]) -> BodyFrame:
     """Return the principal axes at the fixed point, and the mass properties."""
     return BodyFrame(np.asarray(top.moments), np.asarray(top.axes), body.center_of_mass, body.mass, np.asarray(pivot))
 
 
-def leaned(top: HeavyTop, attitude: Array, lean: float | None) -> Array:
+def leaned(top: HeavyTop, attitude: Float64[Array, "4"], lean: float | None) -> Float64[Array, "4"]:
     """Return the attitude (4,) of the principal axes; with ``lean`` [rad] the axis leans towards −y from upright.
 
     Raises:
@@ -181,7 +180,7 @@ def _half_turn(angle: float) -> tuple[float, float]:
     return (0.0, 1.0) if abs(angle - math.pi) < 1e-15 else (math.cos(0.5 * angle), math.sin(0.5 * angle))
 
 
-def rest_verdicts(top: HeavyTop, momentum: Array) -> dict[str, Stability]:
+def rest_verdicts(top: HeavyTop, momentum: Float64[Array, "3"]) -> dict[str, Stability]:
     """Return verdicts on the axis upright and hanging; spinning where it is a principal axis, else at rest."""
     axis = np.asarray(top.axis)
     k = int(np.argmax(np.abs(axis)))
@@ -193,7 +192,7 @@ def rest_verdicts(top: HeavyTop, momentum: Array) -> dict[str, Stability]:
     return {f"{name}, {words}": verdict for name, verdict in top_stability(top, spin)._asdict().items()}
 
 
-def natural_period(top: HeavyTop, momentum: Array) -> float:
+def natural_period(top: HeavyTop, momentum: Float64[Array, "3"]) -> float:
     """Return the period of a small swing [s], or of a turn if no weight acts."""
     largest = float(np.max(np.asarray(top.moments)))
     if float(top.mgl) != 0.0:

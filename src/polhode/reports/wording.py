@@ -9,7 +9,6 @@ from typing import Any
 
 import numpy as np
 
-Array = Any
 RAISED = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 

@@ -6,7 +6,6 @@ import contextlib
 import math
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -20,8 +19,8 @@ from polhode.formats.mesh import read_mesh
 from polhode.formats.molecule import read_molecule
 from polhode.formats.urdf import read_urdf_inertial
 from polhode.spec.models import SHAPE_KEYS, BodyTable, PartTable, SpinTable
+from polhode.types import Array, Float64
 
-Array = Any
 TURNS = {"z": np.eye(3), "x": np.eye(3)[[2, 0, 1]], "y": np.eye(3)[[1, 2, 0]]}
 TURNS |= {f"-{axis}": turn * [1.0, -1.0, -1.0] for axis, turn in TURNS.items()}
 
@@ -70,7 +69,9 @@ def build_part(table: PartTable) -> Body:
     return getattr(shapes, table.shape)(table.mass, **measures).placed(TURNS[table.axis], table.at)
 
 
-def build_spin(table: SpinTable | None, moments: Array, axes: Array) -> tuple[Array, Array]:
+def build_spin(
+    table: SpinTable | None, moments: Float64[Array, "3"], axes: Float64[Array, "3 3"]
+) -> tuple[Float64[Array, "3"], Float64[Array, "4"]]:
     """Return momentum (3,) along and attitude (4,) of principal axes (3, 3) with their moments (3,).
 
     Raises:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -14,8 +13,8 @@ from polhode.formats.mesh import read_mesh
 from polhode.formats.molecule import ANGSTROM, read_molecule
 from polhode.spec.building import TURNS
 from polhode.spec.models import BodyTable, PartTable
+from polhode.types import Array, Float64
 
-Array = Any
 THIN = 0.02  # of the radius or length: what a body without thickness is given, to be seen
 BALL = 0.5  # of the covalent radius: an atom
 BAR = 0.12 * ANGSTROM  # radius of what is drawn for a bond
@@ -77,7 +76,7 @@ def _made(part: PartTable) -> Surface:
     return joined([Surface(vertices * radius, faces), *cavity])
 
 
-def surface_of_atoms(symbols: Sequence[str], positions: Array) -> Surface:
+def surface_of_atoms(symbols: Sequence[str], positions: Float64[Array, "n 3"]) -> Surface:
     """Return a molecule as balls, half as large as the atoms' covalent radii, and bars between bonded ones.
 
     Args:

@@ -7,8 +7,6 @@ this package pass it.
 
 from __future__ import annotations
 
-from typing import Any
-
 import equinox as eqx
 import jax
 import jax.numpy as jnp
@@ -17,8 +15,8 @@ import numpy as np
 from polhode.arrays import in_jax_numpy
 from polhode.errors import InvalidInput
 from polhode.systems.base import AbstractLiePoissonSystem, components, joined
+from polhode.types import Array, ArrayLike, Double, Real
 
-Array = Any
 TOLERANCE = 1e-5  # of rates, relative to the largest of each component; a changed model differs by far more
 NOISE = 1e-9  # of the largest rate: components below it are rounding of the others
 FLOW_ANGLE = 1e-3  # rad by which the fastest rotation turns in a flow's difference of fourth order: its error is 1e-12
@@ -53,7 +51,9 @@ def check_generated(system: AbstractLiePoissonSystem, method: str) -> None:
         )
 
 
-def check_agreement(system: AbstractLiePoissonSystem, state: Array, times: Array, by_flows: bool) -> None:
+def check_agreement(
+    system: AbstractLiePoissonSystem, state: Double[Array, "..."], times: Real[ArrayLike, "time"], by_flows: bool
+) -> None:
     """Refuse a system whose descriptions disagree at a state or elsewhere on its orbit.
 
     Args:

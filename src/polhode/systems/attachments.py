@@ -12,8 +12,13 @@ import jax.numpy as jnp
 from polhode.arrays import in_jax_numpy
 from polhode.errors import InvalidInput, PolhodeError, shown
 from polhode.motion.layout import StateLayout, StatePart
+from polhode.types import Array, ArrayLike, Float64, Real
 
-Array = Any
+# what methods of attachments take
+Time = Real[ArrayLike, "*#batch"]
+Attitude = Float64[Array, "*#batch 4"] | None
+Velocity = Float64[Array, "*#batch 3"]
+Own = Float64[Array, "*#batch {self.state_size}"]
 BATCH = 5  # copies of the trial; no vector has as many components
 
 
@@ -35,7 +40,7 @@ class AbstractAttachment(eqx.Module):
         """How many numbers n its own state has."""
         return sum(part.size for part in self.state_parts)
 
-    def part(self, own: Array, name: str) -> Array:
+    def part(self, own: Float64[Array, "*batch n"], name: str) -> Float64[Array, "..."]:
         """Return a part of its own state (…, n) by name: (…) of one component, else (…, size)."""
         return StateLayout(self.state_parts).part(own, name)
 
@@ -46,7 +51,7 @@ class AbstractAttachment(eqx.Module):
 
 
 def checked_attachments(
-    name: str, given: Any, kind: type[AbstractAttachment], trial: Callable[[Any, Array, Array, Array, Array], Any]
+    name: str, given: Any, kind: type[AbstractAttachment], trial: Callable[..., Any]
 ) -> tuple[Any, ...]:
     """Return a list of attachments.
 

@@ -28,11 +28,12 @@ from polhode.motion.layout import (
     StateLayout,
     StatePart,
 )
+from polhode.types import Array, ArrayLike, Double, Float64, Real
 
-Array = Any
-Components = tuple[Array, ...]
-Flow = Callable[[Array, Components], Components]
-Event = Callable[[Array, Array], Array]
+Components = tuple[Double[Array, "*shape"], ...]
+Flow = Callable[[Float64[Array, ""], Components], Components]
+Event = Callable[[Float64[Array, ""], Double[Array, "..."]], Float64[Array, ""]]
+Function = Callable[[Double[Array, "..."]], Float64[Array, "..."]]
 SINGLE_PRECISION = re.compile(r"\b(?:b?f16|f32)\[")  # as a jaxpr writes the type of a value
 LINEAR = StatePart("linear", 3, "", "linear momentum, or a vector fixed in space", "body")
 UNIT = 1e-6  # a quaternion further from unit length is taken for a mistake, not for rounding
@@ -41,8 +42,8 @@ UNIT = 1e-6  # a quaternion further from unit length is taken for a mistake, not
 class Parts(NamedTuple):
     """A packed state taken apart: attitude (…, 4) or None, and the point of the dual."""
 
-    attitude: Array | None
-    point: Array
+    attitude: Float64[Array, "*batch 4"] | None
+    point: Double[Array, "..."]
 
 
 class Vectors(NamedTuple):
@@ -54,9 +55,9 @@ class Vectors(NamedTuple):
         angular_velocity: (…, 3) [rad/s, body axes].
     """
 
-    attitude: Array | None = None
-    momentum: Array | None = None
-    angular_velocity: Array | None = None
+    attitude: Float64[Array, "*batch 4"] | None = None
+    momentum: Float64[Array, "*batch 3"] | None = None
+    angular_velocity: Float64[Array, "*batch 3"] | None = None
 
 
 class Balance(NamedTuple):
@@ -67,8 +68,8 @@ class Balance(NamedTuple):
         rate: (…) per second, such as minus the power of friction for the energy.
     """
 
-    value: Array
-    rate: Array
+    value: Float64[Array, "*batch"]
+    rate: Float64[Array, "*batch"]
 
 
 class AbstractSystem(HashableModule):
@@ -83,14 +84,14 @@ class AbstractSystem(HashableModule):
     has_vertical: ClassVar[bool] = False
 
     @abc.abstractmethod
-    def vector_field(self, t: Array, state: Array) -> Array:
+    def vector_field(self, t: Real[ArrayLike, "..."], state: Double[Array, "*shape"]) -> Double[Array, "*shape"]:
         """Return the state's rate of change, batched."""
 
     @abc.abstractmethod
-    def invariants(self, state: Array) -> dict[str, Array]:
+    def invariants(self, state: Double[Array, "..."]) -> dict[str, Float64[Array, "..."]]:
         """Return the conserved quantities at states, by name."""
 
-    def balances(self, t: Array, state: Array) -> dict[str, Balance]:
+    def balances(self, t: Real[ArrayLike, "..."], state: Double[Array, "..."]) -> dict[str, Balance]:
         """Return the quantities whose rate is known, by name; empty where all that is known is conserved.
 
         ``simulate`` integrates the rates together with the motion and reports by how much the values miss the sum.
@@ -102,12 +103,12 @@ class AbstractSystem(HashableModule):
         """What ends the motion, named: functions of t and one state, positive until their zero."""
         return {}
 
-    def layout(self, state: Array) -> StateLayout:
+    def layout(self, state: Double[Array, "..."]) -> StateLayout:
         """Return which numbers of packed states like this one mean what."""
         return StateLayout()
 
     @property
-    def free_moments(self) -> Array | None:
+    def free_moments(self) -> Float64[Array, "3"] | None:
         """(3,) principal moments of a body that nothing acts on; None of any other system."""
         return None
 
@@ -122,7 +123,7 @@ class AbstractSystem(HashableModule):
         return 1
 
     @known_numbers_only
-    def check_state(self, state: Array) -> Array:
+    def check_state(self, state: Real[ArrayLike, "*shape"]) -> Double[Array, "*shape"]:
         """Return states to start from as an array.
 
         Raises:
@@ -130,12 +131,12 @@ class AbstractSystem(HashableModule):
         """
         return as_finite_state(state, float)
 
-    def scales(self, state: Array) -> Array:
+    def scales(self, state: Double[Array, "..."]) -> Float64[Array, "..."]:
         """Return the sizes of the components, to which adaptive steps hold their absolute tolerance."""
         largest = jnp.max(jnp.abs(state), initial=0.0)
         return jnp.where(largest > 0, largest, 1.0)
 
-    def vectors(self, state: Array) -> Vectors:
+    def vectors(self, state: Double[Array, "..."]) -> Vectors:
         """Return attitude, angular momentum and angular velocity at states."""
         return Vectors()
 
@@ -156,16 +157,16 @@ class AbstractLiePoissonSystem(AbstractSystem):
         return -1
 
     @abc.abstractmethod
-    def energy(self, point: Array) -> Array:
+    def energy(self, point: Double[Array, "..."]) -> Float64[Array, "..."]:
         """Return H (…) at points of the dual."""
 
-    def velocity(self, point: Array) -> Array:
+    def velocity(self, point: Real[ArrayLike, "*shape"]) -> Double[Array, "*shape"]:
         """Return dH, an element of the algebra, at points of the dual."""
         algebra = self.algebra
         total = jax.grad(lambda mu: jnp.sum(self.energy(mu)))  # batch axes do not mix, so one gradient serves all
         return algebra.from_gradient(total(jnp.asarray(point, dtype=algebra.dtype)))
 
-    def generator(self, t: Array, point: Array) -> Array:
+    def generator(self, t: Real[ArrayLike, "..."], point: Double[Array, "..."]) -> Double[Array, "..."]:
         """Return ξ with μ̇ = ad*_ξ μ, batched in the point; override it for what depends on time or loses energy."""
         return -self.sign * self.velocity(point)
 
@@ -184,11 +185,11 @@ class AbstractLiePoissonSystem(AbstractSystem):
         return {}
 
     @property
-    def extra_invariants(self) -> dict[str, Callable[[Array], Array]]:
+    def extra_invariants(self) -> dict[str, Function]:
         """Conserved functions of the point other than energy and Casimirs, by name."""
         return {}
 
-    def vector_field(self, t: Array, state: Array) -> Array:
+    def vector_field(self, t: Real[ArrayLike, "..."], state: Double[Array, "*shape"]) -> Double[Array, "*shape"]:
         """Return the state's rate of change as ``generator`` gives it; orbit methods refuse an override of it."""
         attitude, point = self.parts(state)
         generator = self.generator(t, point)
@@ -197,7 +198,7 @@ class AbstractLiePoissonSystem(AbstractSystem):
             return flow
         return jnp.concatenate([rotation.quaternion_rate(attitude, generator[..., :3]), flow], axis=-1)
 
-    def invariants(self, state: Array) -> dict[str, Array]:
+    def invariants(self, state: Double[Array, "..."]) -> dict[str, Float64[Array, "..."]]:
         """Return energy, Casimirs, what else is conserved and, with an attitude, the momentum in space.
 
         A Casimir that every copy in a ``Power`` has is one entry (…, count).
@@ -210,19 +211,21 @@ class AbstractLiePoissonSystem(AbstractSystem):
             values |= self.space_vectors(attitude, point)
         return values
 
-    def space_vectors(self, attitude: Array, point: Array) -> dict[str, Array]:
+    def space_vectors(
+        self, attitude: Float64[Array, "*batch 4"], point: Float64[Array, "*batch n"]
+    ) -> dict[str, Float64[Array, "*batch 3"]]:
         """Return the vectors that stay fixed in space, by name."""
         if isinstance(self.algebra, SO3):
             return {"momentum_space": rotation.rotate(attitude, point)}
         return {"linear_space": rotation.rotate(attitude, point[..., 3:])}
 
-    def vectors(self, state: Array) -> Vectors:
+    def vectors(self, state: Double[Array, "..."]) -> Vectors:
         if not self.carries_attitude:
             return Vectors()
         attitude, point = self.parts(state)
         return Vectors(attitude, point[..., :3], self.velocity(point)[..., :3])
 
-    def scales(self, state: Array) -> Array:
+    def scales(self, state: Double[Array, "..."]) -> Float64[Array, "..."]:
         """Return one for the attitude, and for the point its size."""
         attitude, point = self.parts(state)
         largest = jnp.max(jnp.abs(point), initial=0.0)
@@ -243,7 +246,7 @@ class AbstractLiePoissonSystem(AbstractSystem):
         of_copies = {name: Quantity("", name, of_copies=True) for name, value in casimirs.items() if value.ndim}
         return super().quantities | of_body | of_copies
 
-    def layout(self, state: Array) -> StateLayout:
+    def layout(self, state: Double[Array, "..."]) -> StateLayout:
         """Return the attitude, where the state has it, and the point of the dual."""
         front = () if self.parts(state).attitude is None else (ATTITUDE,)
         own = self.algebra.element_shape
@@ -255,7 +258,7 @@ class AbstractLiePoissonSystem(AbstractSystem):
         return StateLayout((*front, MOMENTUM, LINEAR) if of_body else (StatePart("point", own[0]),))
 
     @known_numbers_only
-    def check_state(self, state: Array) -> Array:
+    def check_state(self, state: Real[ArrayLike, "*shape"]) -> Double[Array, "*shape"]:
         """Return states as an array of the algebra's kind.
 
         Raises:
@@ -269,7 +272,7 @@ class AbstractLiePoissonSystem(AbstractSystem):
         """Whether a state may have an attitude in front."""
         return isinstance(self.algebra, SO3 | SE3) and self.sign == -1
 
-    def parts(self, state: Array) -> Parts:
+    def parts(self, state: Real[ArrayLike, "..."]) -> Parts:
         """Take a packed state apart.
 
         Raises:
@@ -288,7 +291,7 @@ class AbstractLiePoissonSystem(AbstractSystem):
         return Parts(None, state)
 
 
-def as_finite_state(state: Array, dtype: Any, length: int | None = None) -> Array:
+def as_finite_state(state: Real[ArrayLike, "*shape"], dtype: Any, length: int | None = None) -> Double[Array, "*shape"]:
     """Return a state as a JAX array.
 
     Raises:
@@ -306,7 +309,7 @@ def as_finite_state(state: Array, dtype: Any, length: int | None = None) -> Arra
     return state
 
 
-def check_unit_attitude(state: Array) -> Array:
+def check_unit_attitude(state: Float64[Array, "*batch n"]) -> Float64[Array, "*batch n"]:
     """Return states that begin with a quaternion.
 
     Raises:
@@ -317,7 +320,7 @@ def check_unit_attitude(state: Array) -> Array:
     return state
 
 
-def components(state: Array) -> Components:
+def components(state: Double[Array, "*shape n"]) -> Components:
     """Return the components of states along the last axis."""
     return tuple(state[..., k] for k in range(state.shape[-1]))
 
@@ -327,12 +330,16 @@ def attitude_length(state: Components) -> int:
     return 4 if len(state) % 3 == 1 else 0
 
 
-def joined(attitude: Array | None, point: Array) -> Array:
+def joined(attitude: Float64[Array, "... 4"] | None, point: Double[Array, "..."]) -> Double[Array, "..."]:
     """Return the packed state, or change of one, of attitude and point."""
     return point if attitude is None else jnp.concatenate([attitude, point], axis=-1)
 
 
-def attitude_change(attitude: Array | None, sine: Array, cosine_less_one: Array) -> Array | None:
+def attitude_change(
+    attitude: Float64[Array, "*#batch 4"] | None,
+    sine: Float64[Array, "*#batch 3"],
+    cosine_less_one: Float64[Array, "*#batch 1"],
+) -> Float64[Array, "*batch 4"] | None:
     """Return q p − q for p = (1 + cosine_less_one, sine), without cancellation for small turns.
 
     Args:
@@ -345,9 +352,7 @@ def attitude_change(attitude: Array | None, sine: Array, cosine_less_one: Array)
     return rotation.multiply(attitude, jnp.concatenate([cosine_less_one, sine], axis=-1))
 
 
-def checked_functions(
-    name: str, given: Any, shape: tuple[int, ...], dtype: Any
-) -> tuple[Callable[[Array], Array], ...]:
+def checked_functions(name: str, given: Any, shape: tuple[int, ...], dtype: Any) -> tuple[Function, ...]:
     """Return a list of functions; refuse what is not one, and functions as ``check_scalar`` does."""
     if callable(given) or not isinstance(given, Iterable):
         got = shown(given)
@@ -358,7 +363,7 @@ def checked_functions(
     return functions
 
 
-def check_scalar(name: str, function: Callable[[Array], Array], shape: tuple[int, ...], dtype: Any) -> None:
+def check_scalar(name: str, function: Function, shape: tuple[int, ...], dtype: Any) -> None:
     """Refuse a function that does not give one real number at one point of a shape.
 
     Raises:

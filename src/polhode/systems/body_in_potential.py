@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import jax
 import jax.numpy as jnp
@@ -14,8 +14,9 @@ from polhode.arrays import known_numbers_only
 from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, check_scalar, components
 from polhode.systems.free_flow import free_flow
 from polhode.systems.free_rigid_body import checked_moments
+from polhode.types import Array, ArrayLike, Float64, Real
 
-Array = Any
+Potential = Callable[[Float64[Array, "3"]], Float64[Array, ""]]
 
 
 class BodyInPotential(AbstractLiePoissonSystem):
@@ -37,20 +38,20 @@ class BodyInPotential(AbstractLiePoissonSystem):
     title: ClassVar[str] = "Body in a potential"
     has_vertical: ClassVar[bool] = True
     algebra: AbstractLieAlgebra
-    moments: Array
-    potential: Callable[[Array], Array]
+    moments: Float64[Array, "3"]
+    potential: Potential
 
     @known_numbers_only
-    def __init__(self, moments: Array, potential: Callable[[Array], Array]) -> None:
+    def __init__(self, moments: Real[ArrayLike, "3"], potential: Potential) -> None:
         check_scalar("potential", potential, (3,), jnp.float64)
         self.algebra, self.moments, self.potential = SE3(), checked_moments(moments), potential
 
-    def energy(self, point: Array) -> Array:
+    def energy(self, point: Float64[Array, "*batch 6"]) -> Float64[Array, "*batch"]:
         angular = point[..., :3]
         kinetic = 0.5 * jnp.sum(angular * angular / self.moments, axis=-1)
         return kinetic + self._over_batch(self.potential)(point[..., 3:])
 
-    def velocity(self, point: Array) -> Array:
+    def velocity(self, point: Float64[Array, "*batch 6"]) -> Float64[Array, "*batch 6"]:
         force = self._over_batch(jax.grad(self.potential))(point[..., 3:])
         return jnp.concatenate([point[..., :3] / self.moments, force], axis=-1)
 

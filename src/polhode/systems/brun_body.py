@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import jax.numpy as jnp
 import numpy as np
@@ -15,8 +15,7 @@ from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow
 from polhode.systems.free_flow import free_flow
 from polhode.systems.free_rigid_body import checked_moments
 from polhode.systems.top_integrals import Integral
-
-Array = Any
+from polhode.types import Array, ArrayLike, Float64, Real
 
 
 class BrunBody(AbstractLiePoissonSystem):
@@ -39,21 +38,21 @@ class BrunBody(AbstractLiePoissonSystem):
     title: ClassVar[str] = "Brun's body"
     has_vertical: ClassVar[bool] = True
     algebra: AbstractLieAlgebra
-    moments: Array
-    strength: Array
+    moments: Float64[Array, "3"]
+    strength: Float64[Array, ""]
 
     @known_numbers_only
-    def __init__(self, moments: Array, strength: float) -> None:
+    def __init__(self, moments: Real[ArrayLike, "3"], strength: float) -> None:
         if not (np.ndim(strength) == 0 and np.isfinite(strength)):
             raise InvalidInput(f"`strength` must be one finite number [1/s²]; got {shown(strength)}.")
         refuse_single_precision(strength=strength)
         self.algebra, self.moments, self.strength = SE3(), checked_moments(moments), jnp.asarray(float(strength))
 
-    def energy(self, point: Array) -> Array:
+    def energy(self, point: Float64[Array, "*batch 6"]) -> Float64[Array, "*batch"]:
         angular, up = point[..., :3], point[..., 3:]
         return 0.5 * jnp.sum(angular**2 / self.moments + self.strength * self.moments * up**2, axis=-1)
 
-    def velocity(self, point: Array) -> Array:
+    def velocity(self, point: Float64[Array, "*batch 6"]) -> Float64[Array, "*batch 6"]:
         angular, up = point[..., :3], point[..., 3:]
         return jnp.concatenate([angular / self.moments, self.strength * self.moments * up], axis=-1)
 

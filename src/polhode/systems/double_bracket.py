@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import jax.numpy as jnp
 
 from polhode.algebra.base import AbstractLieAlgebra
@@ -12,8 +10,7 @@ from polhode.arrays import known_numbers_only
 from polhode.systems.base import AbstractLiePoissonSystem, Balance
 from polhode.systems.free_rigid_body import checked_moments
 from polhode.systems.mounts import EnergySink
-
-Array = Any
+from polhode.types import Array, ArrayLike, Float64, Real
 
 
 class DoubleBracket(AbstractLiePoissonSystem):
@@ -35,25 +32,25 @@ class DoubleBracket(AbstractLiePoissonSystem):
     """
 
     algebra: AbstractLieAlgebra
-    moments: Array
+    moments: Float64[Array, "3"]
     sink: EnergySink
 
     @known_numbers_only
-    def __init__(self, moments: Array, rate: float) -> None:
+    def __init__(self, moments: Real[ArrayLike, "3"], rate: float) -> None:
         self.algebra, self.moments, self.sink = SO3(), checked_moments(moments), EnergySink(rate)
 
     @property
-    def rate(self) -> Array:
+    def rate(self) -> Float64[Array, ""]:
         """α [s/(kg m²)]."""
         return self.sink.rate
 
-    def energy(self, point: Array) -> Array:
+    def energy(self, point: Float64[Array, "*batch 3"]) -> Float64[Array, "*batch"]:
         return 0.5 * jnp.sum(point * point / self.moments, axis=-1)
 
-    def velocity(self, point: Array) -> Array:
+    def velocity(self, point: Float64[Array, "*batch 3"]) -> Float64[Array, "*batch 3"]:
         return point / self.moments
 
-    def generator(self, t: Array, point: Array) -> Array:
+    def generator(self, t: Real[ArrayLike, "..."], point: Float64[Array, "*batch 3"]) -> Float64[Array, "*batch 3"]:
         velocity = self.velocity(point)
         return velocity + self.sink.drift(point, velocity)
 
@@ -61,7 +58,7 @@ class DoubleBracket(AbstractLiePoissonSystem):
     def conserves_energy(self) -> bool:
         return False
 
-    def balances(self, t: Array, state: Array) -> dict[str, Balance]:
+    def balances(self, t: Real[ArrayLike, "..."], state: Float64[Array, "..."]) -> dict[str, Balance]:
         point = self.parts(state).point
         lost = self.rate * jnp.sum(jnp.cross(point, self.velocity(point)) ** 2, axis=-1)
         return {"energy": Balance(self.energy(point), -lost)}

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
-from typing import Any, ClassVar
+from collections.abc import Sequence
+from typing import ClassVar
 
 import jax
 import jax.numpy as jnp
@@ -15,11 +15,12 @@ from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
 from polhode.motion.layout import StateLayout, StatePart
 from polhode.special.legendre import LegendreFunction, legendre_function
-from polhode.systems.base import AbstractSystem, Balance, Vectors, as_finite_state
+from polhode.systems.base import AbstractSystem, Balance, Event, Vectors, as_finite_state
 from polhode.systems.rolling_dissipation import RollingDissipation, couples
 from polhode.systems.rolling_mechanics import RollingMechanics
+from polhode.types import Array, ArrayLike, Float64, Real
 
-Array = Any
+States = Float64[Array, "*batch 8"]
 STANDARD_GRAVITY = 9.80665  # m/s²
 FLAT = 1e-6  # rad: the rim of a coin is then lifted by tens of nanometres, less than any table is rough
 ROLLING_TOLERANCE = 1e-6  # of the speeds: a given velocity that misses the rolling one by more is a mistake
@@ -123,7 +124,7 @@ class EulerDisk(AbstractSystem):
 
     # ------------------------------------------------------------------ motion
 
-    def vector_field(self, t: Array, state: Array) -> Array:
+    def vector_field(self, t: Real[ArrayLike, "..."], state: States) -> States:
         disk = self.mechanics
         a, phi = disk.radius, state[..., 1]
         theta, w1, w2, w3 = self._moving(state)
@@ -141,39 +142,39 @@ class EulerDisk(AbstractSystem):
 
     # ------------------------------------------------------------------ what a state means
 
-    def energy(self, state: Array) -> Array:
+    def energy(self, state: States) -> Float64[Array, "*batch"]:
         """Return kinetic and potential energy [J], above that of the disk lying flat."""
         return self.mechanics.energy(*self._moving(state))
 
-    def power(self, state: Array) -> Array:
+    def power(self, state: States) -> Float64[Array, "*batch"]:
         """Return the rate [W] at which the laws of dissipation take energy away."""
         theta, _, w2, w3 = self._moving(state)
         tau2, tau3 = couples(self.mechanics, self.dissipation, theta, w2, w3)
         return -(tau2 * w2 + tau3 * w3)
 
-    def precession(self, state: Array) -> Array:
+    def precession(self, state: States) -> Float64[Array, "*batch"]:
         """Return φ̇ [rad/s], at which the horizontal diameter and the contact point go round."""
         return state[..., 6] / jnp.sin(state[..., 0])
 
-    def normal_force(self, state: Array) -> Array:
+    def normal_force(self, state: States) -> Float64[Array, "*batch"]:
         """Return the force [N] with which the plane pushes upwards."""
         return self.mechanics.normal_force(*self._moving(state))
 
-    def center(self, state: Array) -> Array:
+    def center(self, state: States) -> Float64[Array, "*batch 3"]:
         """Return the centre of mass (…, 3) [m, space]."""
         _, e2, e3 = _frame(state)
         zero = jnp.zeros_like(state[..., 0])
         contact = jnp.stack([state[..., 3], state[..., 4], zero], axis=-1)
         return contact + self.mechanics.radius * e2 + self.mechanics.half_thickness * e3
 
-    def center_velocity(self, state: Array) -> Array:
+    def center_velocity(self, state: States) -> Float64[Array, "*batch 3"]:
         """Return the velocity (…, 3) [m/s, space] at which the centre moves if the disk rolls."""
         e1, e2, e3 = _frame(state)
         a, b = self.mechanics.radius, self.mechanics.half_thickness
         w1, w2, w3 = (state[..., k, None] for k in (5, 6, 7))
         return (b * w2 - a * w3) * e1 - b * w1 * e2 + a * w1 * e3
 
-    def vectors(self, state: Array) -> Vectors:
+    def vectors(self, state: States) -> Vectors:
         state = jnp.asarray(state)
         theta, phi, face = state[..., 0], state[..., 1], state[..., 2]
         s, c = jnp.sin(0.5 * theta), jnp.cos(0.5 * theta)
@@ -185,7 +186,7 @@ class EulerDisk(AbstractSystem):
         momentum = jnp.stack([A * x, A * y, C * w3], axis=-1)
         return Vectors(jnp.stack(parts, axis=-1), momentum, jnp.stack([x, y, w3], axis=-1))
 
-    def invariants(self, state: Array) -> dict[str, Array]:
+    def invariants(self, state: States) -> dict[str, Float64[Array, "*batch"]]:
         """Return the energy and, of a thin disk, the two linear integrals [rad/s]; with dissipation none of them."""
         if self.dissipation:
             return {}
@@ -195,7 +196,7 @@ class EulerDisk(AbstractSystem):
             values |= {"linear_integral_1": first, "linear_integral_2": second}
         return values
 
-    def linear_integrals(self, state: Array) -> tuple[Array, Array]:
+    def linear_integrals(self, state: States) -> tuple[Float64[Array, "*batch"], Float64[Array, "*batch"]]:
         """Return c1, c2 of ω3 = c1 P_ν(cos θ) + c2 P_ν(−cos θ) [rad/s], ν(ν+1) = −ma²C/[A(C+ma²)], of a thin disk.
 
         Source: Appell, Rend. Circ. Mat. Palermo 14 (1900) 1; Korteweg, ibid. 14 (1900) 7.
@@ -210,11 +211,11 @@ class EulerDisk(AbstractSystem):
         wronskian = -2.0 * self.legendre.sine / jnp.sin(theta)
         return (-dq * w3 - q * slope) / wronskian, (p * slope - dp * w3) / wronskian
 
-    def balances(self, t: Array, state: Array) -> dict[str, Balance]:
+    def balances(self, t: Real[ArrayLike, "..."], state: States) -> dict[str, Balance]:
         return {"energy": Balance(self.energy(state), -self.power(state))} if self.dissipation else {}
 
     @property
-    def events(self) -> dict[str, Callable[[Array, Array], Array]]:
+    def events(self) -> dict[str, Event]:
         """The disk lies flat, leaves the plane or, if thick, stands on its edge along a line."""
         weight = self.mechanics.mass * self.mechanics.gravity
         ends = {
@@ -223,13 +224,13 @@ class EulerDisk(AbstractSystem):
         }
         return ends if self.is_thin else ends | {"on edge": lambda t, state: jnp.cos(state[0])}
 
-    def layout(self, state: Array) -> StateLayout:
+    def layout(self, state: States) -> StateLayout:
         return LAYOUT
 
     # ------------------------------------------------------------------ where to start
 
     @known_numbers_only
-    def check_state(self, state: Array) -> Array:
+    def check_state(self, state: Real[ArrayLike, "*shape"]) -> Float64[Array, "*shape"]:
         """Return a state as an array.
 
         Raises:
@@ -244,16 +245,19 @@ class EulerDisk(AbstractSystem):
         self._check_tilt(np.asarray(state[..., 0]))
         return state
 
-    def scales(self, state: Array) -> Array:
+    def scales(self, state: States) -> Float64[Array, "8"]:
         a = self.mechanics.radius
         rate = jnp.sqrt(self.mechanics.gravity / a)
         return jnp.stack([jnp.ones_like(a)] * 3 + [a] * 2 + [rate] * 3)
 
     @known_numbers_only
     def pack(
-        self, attitude: Array, angular_velocity: Array, contact: Array = (0.0, 0.0),
-        center_velocity: Array | None = None,
-    ) -> Array:
+        self,
+        attitude: Real[ArrayLike, "4"],
+        angular_velocity: Real[ArrayLike, "3"],
+        contact: Real[ArrayLike, "2"] = (0.0, 0.0),
+        center_velocity: Real[ArrayLike, "3"] | None = None,
+    ) -> Float64[Array, "8"]:
         """Return the state (8,) of a disk that rolls at an attitude with an angular velocity.
 
         Args:
@@ -282,9 +286,14 @@ class EulerDisk(AbstractSystem):
 
     @known_numbers_only
     def rolling_state(
-        self, tilt: float, precession: float | None = None, spin: float | None = None, heading: float = 0.0,
-        face: float = 0.0, contact: Array = (0.0, 0.0),
-    ) -> Array:
+        self,
+        tilt: float,
+        precession: float | None = None,
+        spin: float | None = None,
+        heading: float = 0.0,
+        face: float = 0.0,
+        contact: Real[ArrayLike, "2"] = (0.0, 0.0),
+    ) -> Float64[Array, "8"]:
         """Return a steady motion (8,) or, with dissipation, its place on the slow manifold, where no nutation rings.
 
         Args:
@@ -304,8 +313,7 @@ class EulerDisk(AbstractSystem):
             square = float(disk.precession_at_rest(theta))
             if not (math.isfinite(square) and square > 0.0):
                 raise InvalidInput(
-                    f"no steady motion has its centre at rest at tilt {shown(tilt)} rad. "
-                    "Give `precession`."
+                    f"no steady motion has its centre at rest at tilt {shown(tilt)} rad. Give `precession`."
                 )
             precession = math.sqrt(square)
             if spin is None:
@@ -332,8 +340,7 @@ class EulerDisk(AbstractSystem):
         square = float(disk.nutation_squared(*here))
         if not square > 0.0:
             raise InvalidInput(
-                f"the steady motion at tilt {shown(tilt)} rad is unstable: "
-                "no slow manifold to start on."
+                f"the steady motion at tilt {shown(tilt)} rad is unstable: no slow manifold to start on."
             )
         _, by_w2, by_w3 = jax.grad(disk.tilt_acceleration, argnums=(0, 1, 2))(*here)
         push2, push3 = disk.accelerations(*couples(disk, self.dissipation, *here))

@@ -10,8 +10,6 @@ from jax.interpreters import ad, batching, mlir
 
 from polhode.errors import InvalidInput
 
-Array = Any
-
 
 def forward_only(values: Any, name: str) -> Any:
     """Return a loop's results; reverse-mode derivatives of them are refused, with the name of what they are.

@@ -7,22 +7,20 @@ rate away. Longer steps are taken in pieces.
 
 from __future__ import annotations
 
-from typing import Any
-
 import jax
 import jax.numpy as jnp
 
 from polhode.rotation import product_of_parts, product_with_vector
 from polhode.systems.base import Components, attitude_length
 from polhode.systems.forward_only import forward_only
+from polhode.types import Array, ArrayOrFloat, Float64
 
-Array = Any
 ORDER = 8
 ANGLE = 0.02  # rad of the fastest rotation in a piece: (0.02/1.57)⁹ is below rounding; higher orders compile long
 MOST_PIECES = 1_000_000
 
 
-def free_flow(moments: Array, time: Array, state: Components) -> Components:
+def free_flow(moments: Float64[Array, "3"], time: Float64[ArrayOrFloat, ""], state: Components) -> Components:
     """Return the changes of attitude, if there in front, and of momentum and direction, or momentum alone.
 
     Args:
@@ -38,7 +36,7 @@ def free_flow(moments: Array, time: Array, state: Components) -> Components:
     return changes
 
 
-def free_turn(moments: Array, time: Array, momentum: Components) -> Components:
+def free_turn(moments: Float64[Array, "3"], time: Float64[ArrayOrFloat, ""], momentum: Components) -> Components:
     """Return p − 1 (4 components) of the unit quaternion p by which a free body turns in its own axes.
 
     The momentum along the body's axes is turned by the inverse; so is every direction fixed in space, whatever the

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import jax.numpy as jnp
 import numpy as np
@@ -12,8 +12,7 @@ from polhode.algebra.so3 import SO3
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
 from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, attitude_length
-
-Array = Any
+from polhode.types import Array, ArrayLike, ArrayOrFloat, Float64, Real
 
 
 class FreeRigidBody(AbstractLiePoissonSystem):
@@ -27,20 +26,20 @@ class FreeRigidBody(AbstractLiePoissonSystem):
 
     title: ClassVar[str] = "Free motion"
     algebra: AbstractLieAlgebra
-    moments: Array
+    moments: Float64[Array, "3"]
 
     @known_numbers_only
-    def __init__(self, moments: Array) -> None:
+    def __init__(self, moments: Real[ArrayLike, "3"]) -> None:
         self.algebra, self.moments = SO3(), checked_moments(moments)
 
-    def energy(self, point: Array) -> Array:
+    def energy(self, point: Float64[Array, "*batch 3"]) -> Float64[Array, "*batch"]:
         return 0.5 * jnp.sum(point * (point / self.moments), axis=-1)
 
-    def velocity(self, point: Array) -> Array:
+    def velocity(self, point: Float64[Array, "*batch 3"]) -> Float64[Array, "*batch 3"]:
         return point / self.moments
 
     @property
-    def free_moments(self) -> Array:
+    def free_moments(self) -> Float64[Array, "3"]:
         return self.moments
 
     @property
@@ -48,7 +47,7 @@ class FreeRigidBody(AbstractLiePoissonSystem):
         return {f"rotation about axis {k + 1}": axis_flow(self.moments, k) for k in range(3)}
 
 
-def axis_flow(moments: Array, axis: int, offset: Array | float = 0.0) -> Flow:
+def axis_flow(moments: Float64[Array, "3"], axis: int, offset: Float64[ArrayOrFloat, ""] = 0.0) -> Flow:
     """Return the flow of (L_i − h)²/2I_i: vectors turn about axis i by −t(L_i − h)/I_i, the attitude by the inverse.
 
     Components are those of one or more vectors, the first the momentum, with a quaternion in front or without.
@@ -75,7 +74,7 @@ def axis_flow(moments: Array, axis: int, offset: Array | float = 0.0) -> Flow:
     return flow
 
 
-def checked_vector(name: str, value: Array) -> Array:
+def checked_vector(name: str, value: Real[ArrayLike, "3"]) -> Float64[Array, "3"]:
     """Return three finite numbers as an array.
 
     Raises:
@@ -91,7 +90,7 @@ def checked_vector(name: str, value: Array) -> Array:
     return jnp.asarray(vector)
 
 
-def checked_moments(moments: Array) -> Array:
+def checked_moments(moments: Real[ArrayLike, "3"]) -> Float64[Array, "3"]:
     """Return three positive finite moments as an array.
 
     Raises:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import jax.numpy as jnp
 
@@ -15,8 +15,7 @@ from polhode.systems.kepler_orbit import checked_number
 from polhode.systems.mounts import AbstractMount, Rotor
 from polhode.systems.rigid_body import AbstractRigidBody
 from polhode.systems.torques import AbstractTorque
-
-Array = Any
+from polhode.types import Array, ArrayLike, Float64, Real
 
 
 class Gyrostat(AbstractLiePoissonSystem):
@@ -40,17 +39,17 @@ class Gyrostat(AbstractLiePoissonSystem):
 
     title: ClassVar[str] = "Gyrostat"
     algebra: AbstractLieAlgebra
-    moments: Array
-    rotor: Array
+    moments: Float64[Array, "3"]
+    rotor: Float64[Array, "3"]
 
     @known_numbers_only
-    def __init__(self, moments: Array, rotor: Array) -> None:
+    def __init__(self, moments: Real[ArrayLike, "3"], rotor: Real[ArrayLike, "3"]) -> None:
         self.algebra, self.moments, self.rotor = SO3(), checked_moments(moments), checked_vector("rotor", rotor)
 
-    def energy(self, point: Array) -> Array:
+    def energy(self, point: Float64[Array, "*batch 3"]) -> Float64[Array, "*batch"]:
         return 0.5 * jnp.sum((point - self.rotor) ** 2 / self.moments, axis=-1)
 
-    def velocity(self, point: Array) -> Array:
+    def velocity(self, point: Float64[Array, "*batch 3"]) -> Float64[Array, "*batch 3"]:
         return (point - self.rotor) / self.moments
 
     @property
@@ -79,18 +78,20 @@ class TorquedGyrostat(AbstractRigidBody):
     """
 
     title: ClassVar[str] = "Gyrostat with a driven rotor"
-    moments: Array
+    moments: Float64[Array, "3"]
     mounts: tuple[AbstractMount, ...]
     torques: tuple[AbstractTorque, ...]
 
     @known_numbers_only
-    def __init__(self, moments: Array, axis: Array, rotor_moment: float, torque: float) -> None:
+    def __init__(
+        self, moments: Real[ArrayLike, "3"], axis: Real[ArrayLike, "3"], rotor_moment: float, torque: float
+    ) -> None:
         moment = float(checked_number("rotor_moment", rotor_moment, above=0.0, unit="kg m²"))
         motor = float(checked_number("torque", torque, unit="N m"))
         self.moments, self.mounts, self.torques = checked_moments(moments), (Rotor(axis, moment, motor),), ()
 
     @property
-    def carrier(self) -> Array:
+    def carrier(self) -> Float64[Array, "3"]:
         """The moments, which are given without the rotor's axial one."""
         return self.moments
 
@@ -100,12 +101,12 @@ class TorquedGyrostat(AbstractRigidBody):
         return True
 
     @property
-    def axis(self) -> Array:
+    def axis(self) -> Float64[Array, "3"]:
         """(3,) of the rotor."""
         return self._rotor.axis
 
     @property
-    def rotor_moment(self) -> Array:
+    def rotor_moment(self) -> Float64[Array, ""]:
         """J of the rotor about its axis [kg m²]."""
         return self._rotor.moment
 

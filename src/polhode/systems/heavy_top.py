@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import equinox as eqx
 import jax.numpy as jnp
@@ -20,8 +20,8 @@ from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow
 from polhode.systems.free_flow import free_flow
 from polhode.systems.free_rigid_body import checked_moments
 from polhode.systems.top_integrals import INTEGRAL_UNITS, Integral, integrable_case, leaf_integral
+from polhode.types import Array, ArrayLike, Float64, Real
 
-Array = Any
 ALONG = 1e-9  # sine of the angle up to which the line to the centre of mass counts as a principal axis
 UPRIGHT = 1e-6  # Γ may miss the direction that the attitude gives by this much
 
@@ -49,21 +49,21 @@ class HeavyTop(AbstractLiePoissonSystem):
     title: ClassVar[str] = "Heavy top"
     has_vertical: ClassVar[bool] = True
     algebra: AbstractLieAlgebra
-    moments: Array
-    mgl: Array
-    axis: Array
-    axes: Array
+    moments: Float64[Array, "3"]
+    mgl: Float64[Array, ""]
+    axis: Float64[Array, "3"]
+    axes: Float64[Array, "3 3"]
     case: tuple[str, int] | None = eqx.field(static=True)
 
     @known_numbers_only
-    def __init__(self, moments: Array, mgl: float, axis: Array = (0.0, 0.0, 1.0), axes: Array | None = None) -> None:
+    def __init__(self, moments: Real[ArrayLike, "3"], mgl: float, axis: Real[ArrayLike, "3"] = (0.0, 0.0, 1.0),
+                 axes: Real[ArrayLike, "3 3"] | None = None) -> None:  # fmt: skip
         refuse_single_precision(mgl=mgl, axis=axis, axes=axes)
         direction = np.asarray(axis, dtype=float)
         largest = np.abs(direction).max() if direction.shape == (3,) else np.nan
         if not (np.isfinite(largest) and largest > 0):
             raise InvalidInput(
-                "`axis` must be a direction (3,), from fixed point to centre of mass; "
-                f"got {shown(axis)}."
+                f"`axis` must be a direction (3,), from fixed point to centre of mass; got {shown(axis)}."
             )
         if not (np.ndim(mgl) == 0 and np.isfinite(mgl)):
             raise InvalidInput(f"`mgl` must be one finite number [N m]; got {shown(mgl)}.")
@@ -75,7 +75,7 @@ class HeavyTop(AbstractLiePoissonSystem):
 
     @classmethod
     @known_numbers_only
-    def from_body(cls, body: Body, pivot: Array, gravity: float = STANDARD_GRAVITY) -> HeavyTop:
+    def from_body(cls, body: Body, pivot: Real[ArrayLike, "3"], gravity: float = STANDARD_GRAVITY) -> HeavyTop:
         """Return the top that a body makes about a fixed point, along its principal axes there.
 
         A fixed point at the centre of mass leaves the free body; a warning says so.
@@ -93,10 +93,10 @@ class HeavyTop(AbstractLiePoissonSystem):
 
     def pack(
         self,
-        attitude: Array = (1.0, 0.0, 0.0, 0.0),
-        angular_velocity: Array | None = None,
-        momentum: Array | None = None,
-    ) -> Array:
+        attitude: Real[ArrayLike, "*#batch 4"] = (1.0, 0.0, 0.0, 0.0),
+        angular_velocity: Real[ArrayLike, "*#batch 3"] | None = None,
+        momentum: Real[ArrayLike, "*#batch 3"] | None = None,
+    ) -> Float64[Array, "*batch 10"]:
         """Return packed states (…, 10) from attitude and spin in the given axes.
 
         Args:
@@ -121,7 +121,7 @@ class HeavyTop(AbstractLiePoissonSystem):
         return jnp.concatenate(list(parts), axis=-1)
 
     @known_numbers_only
-    def upright(self, spin: float = 0.0, hanging: bool = False) -> Array:
+    def upright(self, spin: float = 0.0, hanging: bool = False) -> Float64[Array, "6"]:
         """Return the point (6,) of standing rotation about the vertical axis to the centre of mass, up or down.
 
         Args:
@@ -140,7 +140,7 @@ class HeavyTop(AbstractLiePoissonSystem):
         return jnp.concatenate([momentum, -self.axis if hanging else self.axis])
 
     @known_numbers_only
-    def check_state(self, state: Array) -> Array:
+    def check_state(self, state: Real[ArrayLike, "*shape"]) -> Float64[Array, "*shape"]:
         state = super().check_state(state)
         attitude, point = self.parts(state)
         if attitude is not None:
@@ -152,11 +152,11 @@ class HeavyTop(AbstractLiePoissonSystem):
                 )
         return state
 
-    def energy(self, point: Array) -> Array:
+    def energy(self, point: Float64[Array, "*batch 6"]) -> Float64[Array, "*batch"]:
         angular, up = point[..., :3], point[..., 3:]
         return 0.5 * jnp.sum(angular * angular / self.moments, axis=-1) + self.mgl * jnp.sum(up * self.axis, axis=-1)
 
-    def velocity(self, point: Array) -> Array:
+    def velocity(self, point: Float64[Array, "*batch 6"]) -> Float64[Array, "*batch 6"]:
         angular = point[..., :3]
         return jnp.concatenate([angular / self.moments, jnp.broadcast_to(self.mgl * self.axis, angular.shape)], axis=-1)
 
@@ -175,7 +175,7 @@ class HeavyTop(AbstractLiePoissonSystem):
         name, function, on_leaf = leaf_integral(case, self.moments, self.mgl, self.axis)
         return {} if on_leaf else {name: function}
 
-    def invariants(self, state: Array) -> dict[str, Array]:
+    def invariants(self, state: Float64[Array, "..."]) -> dict[str, Float64[Array, "..."]]:
         """Return energy, Casimirs and the third integral; one that holds on Π·Γ = 0 alone is NaN elsewhere."""
         values = super().invariants(state)
         if self.case is not None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from typing import Any
 
 import equinox as eqx
 import jax
@@ -12,8 +11,8 @@ import numpy as np
 
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
+from polhode.types import Array, ArrayLike, ArrayOrFloat, Float64, Real
 
-Array = Any
 TURN = 2.0 * math.pi
 NEWTON_STEPS = 6  # from the start below five come within three roundings for any e < 1
 SERIES_TERMS = 9  # of E − sin E up to one radian, to rounding
@@ -41,9 +40,9 @@ class KeplerOrbit(eqx.Module):
     (0.033, 1.967)
     """
 
-    mean_motion: Array
-    eccentricity: Array
-    mean_anomaly_at_start: Array
+    mean_motion: Float64[Array, ""]
+    eccentricity: Float64[Array, ""]
+    mean_anomaly_at_start: Float64[Array, ""]
 
     @known_numbers_only
     def __init__(self, mean_motion: float, eccentricity: float, mean_anomaly: float = 0.0) -> None:
@@ -51,8 +50,7 @@ class KeplerOrbit(eqx.Module):
         self.eccentricity = checked_number("eccentricity", eccentricity, least=0.0)
         if not self.eccentricity < 1.0:
             raise InvalidInput(
-                f"`eccentricity` must be below 1; got {shown(eccentricity)}. "
-                "Only ellipses come round again."
+                f"`eccentricity` must be below 1; got {shown(eccentricity)}. Only ellipses come round again."
             )
         self.mean_anomaly_at_start = checked_number("mean_anomaly", mean_anomaly, unit="rad")
 
@@ -74,30 +72,30 @@ class KeplerOrbit(eqx.Module):
         return cls(float(jnp.sqrt(gm / a) / a), eccentricity, mean_anomaly)
 
     @property
-    def period(self) -> Array:
+    def period(self) -> Float64[Array, ""]:
         """2π/n [s]."""
         return TURN / self.mean_motion
 
-    def mean_anomaly(self, t: Array) -> Array:
+    def mean_anomaly(self, t: Real[ArrayLike, "*shape"]) -> Float64[Array, "*shape"]:
         """Return M at times (…) [rad], growing without bound."""
         return self.mean_motion * t + self.mean_anomaly_at_start
 
-    def eccentric_anomaly(self, t: Array) -> Array:
+    def eccentric_anomaly(self, t: Real[ArrayLike, "*shape"]) -> Float64[Array, "*shape"]:
         """Return E at times (…) [rad], growing without bound."""
         within, turns = _reduced(self.mean_anomaly(t))
         return solve_kepler(within, self.eccentricity) + turns
 
-    def true_anomaly(self, t: Array) -> Array:
+    def true_anomaly(self, t: Real[ArrayLike, "*shape"]) -> Float64[Array, "*shape"]:
         """Return f at times (…) [rad], growing without bound."""
         within, turns = _reduced(self.mean_anomaly(t))
         return true_from_eccentric(solve_kepler(within, self.eccentricity), self.eccentricity) + turns
 
-    def distance_ratio(self, t: Array) -> Array:
+    def distance_ratio(self, t: Real[ArrayLike, "*shape"]) -> Float64[Array, "*shape"]:
         """Return r/a at times (…)."""
         within, _ = _reduced(self.mean_anomaly(t))
         return ratio_from_eccentric(solve_kepler(within, self.eccentricity), self.eccentricity)
 
-    def direction(self, t: Array) -> Array:
+    def direction(self, t: Real[ArrayLike, "*shape"]) -> Float64[Array, "*shape 3"]:
         """Return the unit vector (…, 3) from the attracting centre to the body, in space."""
         within, _ = _reduced(self.mean_anomaly(t))
         e, half = self.eccentricity, 0.5 * solve_kepler(within, self.eccentricity)
@@ -108,13 +106,17 @@ class KeplerOrbit(eqx.Module):
         return jnp.stack([x, y, jnp.zeros_like(x)], axis=-1)
 
 
-def ratio_from_eccentric(eccentric: Array, eccentricity: Array) -> Array:
+def ratio_from_eccentric(
+    eccentric: Float64[ArrayOrFloat, "*#shape"], eccentricity: Float64[ArrayOrFloat, "*#shape"]
+) -> Float64[Array, "*shape"]:
     """Return r/a = 1 − e cos E, without cancellation at the periapsis of a needle."""
     sine = jnp.sin(0.5 * eccentric)
     return (1.0 - eccentricity) + 2.0 * eccentricity * sine * sine
 
 
-def true_from_eccentric(eccentric: Array, eccentricity: Array) -> Array:
+def true_from_eccentric(
+    eccentric: Float64[ArrayOrFloat, "*#shape"], eccentricity: Float64[ArrayOrFloat, "*#shape"]
+) -> Float64[Array, "*shape"]:
     """Return f of E in [−π, π]: tan f/2 = √((1+e)/(1−e)) tan E/2."""
     half = 0.5 * eccentric
     y = jnp.sqrt(1.0 + eccentricity) * jnp.sin(half)
@@ -122,7 +124,9 @@ def true_from_eccentric(eccentric: Array, eccentricity: Array) -> Array:
 
 
 @jax.custom_jvp
-def solve_kepler(mean_anomaly: Array, eccentricity: Array) -> Array:
+def solve_kepler(
+    mean_anomaly: Float64[ArrayOrFloat, "*#shape"], eccentricity: Float64[ArrayOrFloat, "*#shape"]
+) -> Float64[Array, "*shape"]:
     """Return E of M in [−π, π] by Kepler's equation.
 
     On [0, π] the equation is convex, so that Newton's steps from above its root go down to it and never past it, for
@@ -164,7 +168,7 @@ def _reduced(mean_anomaly: Array) -> tuple[Array, Array]:
 
 def checked_number(
     name: str, value: float, above: float | None = None, least: float | None = None, unit: str = ""
-) -> Array:
+) -> Float64[Array, ""]:
     """Return a finite number as an array.
 
     Raises:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import jax.numpy as jnp
 import numpy as np
 
@@ -13,8 +11,7 @@ from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput
 from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, components
 from polhode.systems.free_rigid_body import axis_flow
-
-Array = Any
+from polhode.types import Array, ArrayLike, Float64, Real
 
 
 class Kirchhoff(AbstractLiePoissonSystem):
@@ -34,11 +31,11 @@ class Kirchhoff(AbstractLiePoissonSystem):
     """
 
     algebra: AbstractLieAlgebra
-    inverse: Array
+    inverse: Float64[Array, "6 6"]
     diagonal: bool
 
     @known_numbers_only
-    def __init__(self, inertia: Array) -> None:
+    def __init__(self, inertia: Real[ArrayLike, "..."]) -> None:
         refuse_single_precision(inertia=inertia)
         matrix = np.asarray(inertia, dtype=float)
         matrix = np.diag(matrix) if matrix.shape == (6,) else matrix
@@ -51,14 +48,14 @@ class Kirchhoff(AbstractLiePoissonSystem):
         self.diagonal = bool((matrix == np.diag(np.diag(matrix))).all())
 
     @property
-    def moments(self) -> Array:
+    def moments(self) -> Float64[Array, "3"]:
         """1/M⁻¹_ii for the angular part."""
         return 1.0 / jnp.diag(self.inverse)[:3]
 
-    def energy(self, point: Array) -> Array:
+    def energy(self, point: Float64[Array, "*batch 6"]) -> Float64[Array, "*batch"]:
         return 0.5 * jnp.sum(point * self.velocity(point), axis=-1)
 
-    def velocity(self, point: Array) -> Array:
+    def velocity(self, point: Float64[Array, "*batch 6"]) -> Float64[Array, "*batch 6"]:
         return point @ self.inverse
 
     @property

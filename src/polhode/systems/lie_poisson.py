@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any
-
 import equinox as eqx
 import jax
 import jax.numpy as jnp
@@ -12,9 +9,8 @@ import jax.numpy as jnp
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.arrays import refuse_single_precision
 from polhode.errors import InvalidInput, shown
-from polhode.systems.base import AbstractLiePoissonSystem, check_scalar
-
-Array = Any
+from polhode.systems.base import AbstractLiePoissonSystem, Function, check_scalar
+from polhode.types import Array, ArrayLike, Float64, Real
 
 
 class LiePoisson(AbstractLiePoissonSystem):
@@ -40,15 +36,15 @@ class LiePoisson(AbstractLiePoissonSystem):
     """
 
     algebra: AbstractLieAlgebra
-    hamiltonian: Callable[[Array], Array]
-    conserved: dict[str, Callable[[Array], Array]] = eqx.field(default_factory=dict)
+    hamiltonian: Function
+    conserved: dict[str, Function] = eqx.field(default_factory=dict)
     orientation: int = eqx.field(static=True, default=-1)
 
     def __init__(
         self,
         algebra: AbstractLieAlgebra,
-        hamiltonian: Callable[[Array], Array],
-        conserved: dict[str, Callable[[Array], Array]] | None = None,
+        hamiltonian: Function,
+        conserved: dict[str, Function] | None = None,
         sign: int = -1,
     ) -> None:
         if sign not in (-1, 1):
@@ -67,13 +63,13 @@ class LiePoisson(AbstractLiePoissonSystem):
         return self.orientation
 
     @property
-    def extra_invariants(self) -> dict[str, Callable[[Array], Array]]:
+    def extra_invariants(self) -> dict[str, Function]:
         return {name: self._batched(function) for name, function in self.conserved.items()}
 
-    def energy(self, point: Array) -> Array:
+    def energy(self, point: Real[ArrayLike, "..."]) -> Float64[Array, "..."]:
         return self._batched(self.hamiltonian)(point)
 
-    def _batched(self, function: Callable[[Array], Array]) -> Callable[[Array], Array]:
+    def _batched(self, function: Function) -> Function:
         def values(point: Array) -> Array:
             refuse_single_precision(point=point)
             point = jnp.asarray(point, dtype=self.algebra.dtype)
@@ -83,4 +79,3 @@ class LiePoisson(AbstractLiePoissonSystem):
             return batched(point)
 
         return values
-

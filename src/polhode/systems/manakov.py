@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any
-
 import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
@@ -13,9 +10,10 @@ from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.matrix import SO
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput
-from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, components
+from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, Function, components
+from polhode.types import Array, ArrayLike, Float64, Real
 
-Array = Any
+Matrices = Float64[Array, "*batch {self.size} {self.size}"]
 
 
 class Manakov(AbstractLiePoissonSystem):
@@ -31,11 +29,11 @@ class Manakov(AbstractLiePoissonSystem):
     """
 
     algebra: AbstractLieAlgebra
-    masses: Array
+    masses: Float64[Array, "n"]
     size: int = eqx.field(static=True)
 
     @known_numbers_only
-    def __init__(self, masses: Array) -> None:
+    def __init__(self, masses: Real[ArrayLike, "n"]) -> None:
         refuse_single_precision(masses=masses)
         values = np.asarray(masses, dtype=float)
         if values.ndim != 1 or len(values) < 3 or not np.isfinite(values).all():
@@ -52,27 +50,25 @@ class Manakov(AbstractLiePoissonSystem):
     def _sums(self) -> Array:
         return self.masses[:, None] + self.masses[None, :]
 
-    def energy(self, point: Array) -> Array:
+    def energy(self, point: Matrices) -> Float64[Array, "*batch"]:
         return 0.25 * jnp.sum(point * point / self._sums, axis=(-2, -1))
 
-    def velocity(self, point: Array) -> Array:
+    def velocity(self, point: Matrices) -> Matrices:
         return point / self._sums
 
     @property
-    def extra_invariants(self) -> dict[str, Callable[[Array], Array]]:
+    def extra_invariants(self) -> dict[str, Function]:
         """Coefficients of s^j in tr (M + sΛ²)^k, k = 3, …, n, of even degree k − j in M."""
         pairs = [(k, j) for k in range(3, self.size + 1) for j in range(1, k - 1) if (k - j) % 2 == 0]
         return {f"s^{j} of tr (M + sΛ²)^{k}": self._coefficient(k, j) for k, j in pairs}
 
-    def _coefficient(self, k: int, j: int) -> Callable[[Array], Array]:
+    def _coefficient(self, k: int, j: int) -> Function:
         def value(point: Array) -> Array:
             square = jnp.diag(self.masses**2)
             powers = [jnp.eye(self.size)]  # coefficients of 1, s, … of (M + sΛ²)^m
             for _ in range(k):
                 longer = [p @ point for p in powers] + [jnp.zeros_like(point)]
-                powers = [
-                    own + (powers[m - 1] @ square if m else 0.0) for m, own in enumerate(longer)
-                ]
+                powers = [own + (powers[m - 1] @ square if m else 0.0) for m, own in enumerate(longer)]
             return jnp.trace(powers[j], axis1=-2, axis2=-1)
 
         return value

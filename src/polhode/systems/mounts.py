@@ -12,12 +12,13 @@ import numpy as np
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
 from polhode.motion.layout import StatePart
-from polhode.systems.attachments import AbstractAttachment, checked_attachments
+from polhode.systems.attachments import AbstractAttachment, Attitude, Own, Time, Velocity, checked_attachments
 from polhode.systems.free_rigid_body import checked_vector
 from polhode.systems.kepler_orbit import checked_number
+from polhode.types import Array, ArrayLike, Float64, Real
 
-Array = Any
-Motor = Callable[[Array, Array, Array, Array], Array]
+Batch = Float64[Array, "*batch"]
+Motor = Callable[[Batch, Float64[Array, "*batch 4"], Float64[Array, "*batch 3"], Batch], Batch]
 
 
 class AbstractMount(AbstractAttachment):
@@ -33,7 +34,7 @@ class AbstractMount(AbstractAttachment):
     """
 
     @property
-    def inertia(self) -> Array | None:
+    def inertia(self) -> Float64[Array, "3 3"] | None:
         """(3, 3) inertia that turns by the mount's own state instead of with the carrier [kg m²]; None if none does."""
         return None
 
@@ -43,34 +44,40 @@ class AbstractMount(AbstractAttachment):
         return True
 
     @property
-    def momentum_scale(self) -> Array:
+    def momentum_scale(self) -> Float64[Array, ""]:
         """The momentum [kg m²/s] that it gives a body from rest, roughly; zero if none."""
         return jnp.zeros(())
 
     @abc.abstractmethod
-    def momentum(self, own: Array) -> Array:
+    def momentum(self, own: Float64[Array, "*batch {self.state_size}"]) -> Float64[Array, "*batch 3"]:
         """Return p (…, 3) [kg m²/s, body axes]."""
 
-    def energy(self, own: Array) -> Array:
+    def energy(self, own: Float64[Array, "*batch {self.state_size}"]) -> Float64[Array, "*batch"]:
         """Return its own energy (…) [J]."""
         return jnp.zeros(own.shape[:-1])
 
-    def state_rate(self, t: Array, attitude: Array | None, angular_velocity: Array, own: Array) -> Array:
+    def state_rate(
+        self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Own
+    ) -> Float64[Array, "*batch {self.state_size}"]:
         """Return how fast its own state changes, (…, n); not at all by default."""
         return jnp.zeros_like(own)
 
-    def power(self, t: Array, attitude: Array | None, angular_velocity: Array, own: Array) -> Array:
+    def power(self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Own) -> Float64[Array, "*batch"]:
         """Return the power (…) [W] of what acts between mount and carrier; negative where energy is lost."""
         return jnp.zeros(angular_velocity.shape[:-1])
 
-    def drift(self, momentum: Array, angular_velocity: Array) -> Array:
+    def drift(
+        self, momentum: Float64[Array, "*#batch 3"], angular_velocity: Float64[Array, "*#batch 3"]
+    ) -> Float64[Array, "*batch 3"]:
         """Return how much faster than Ω the body turns, (…, 3) [rad/s, body axes].
 
         Zero but for losses that have no state of their own: they act on L and the attitude as a turn more.
         """
         return jnp.zeros_like(angular_velocity)
 
-    def start(self, rate: Array, angular_velocity: Array) -> Array:
+    def start(
+        self, rate: Real[ArrayLike, "..."], angular_velocity: Float64[Array, "*batch 3"]
+    ) -> Float64[Array, "... {self.state_size}"]:
         """Return its own state (…, n) where it turns at a rate relative to the body.
 
         Args:
@@ -105,14 +112,14 @@ class Rotor(AbstractMount):
     ([3.0], [-0.375])
     """
 
-    axis: Array
-    moment: Array
-    motor: Array | Motor | None
-    friction: Array | None
+    axis: Float64[Array, "3"]
+    moment: Float64[Array, ""]
+    motor: Float64[Array, ""] | Motor | None
+    friction: Float64[Array, ""] | None
 
     @known_numbers_only
     def __init__(
-        self, axis: Array, moment: float, motor: float | Motor | None = None, friction: float = 0.0
+        self, axis: Real[ArrayLike, "3"], moment: float, motor: float | Motor | None = None, friction: float = 0.0
     ) -> None:
         self.axis, self.moment = checked_direction("axis", axis), checked_number("moment", moment, 0.0, unit="kg m²")
         self.motor = motor if motor is None or callable(motor) else checked_number("motor", motor, unit="N m")
@@ -128,7 +135,7 @@ class Rotor(AbstractMount):
         return callable(self.motor)
 
     @property
-    def inertia(self) -> Array:
+    def inertia(self) -> Float64[Array, "3 3"]:
         return self.moment * jnp.outer(self.axis, self.axis)
 
     @property
@@ -136,36 +143,44 @@ class Rotor(AbstractMount):
         return self.motor is None and self.friction is None
 
     @property
-    def momentum_scale(self) -> Array:
+    def momentum_scale(self) -> Float64[Array, ""]:
         """What a turn under a constant motor gives the rotor."""
         if self.motor is None or callable(self.motor):
             return jnp.zeros(())
         return jnp.sqrt(jnp.abs(self.motor) * self.moment)
 
-    def momentum(self, own: Array) -> Array:
+    def momentum(self, own: Float64[Array, "*batch {self.state_size}"]) -> Float64[Array, "*batch 3"]:
         return own * self.axis
 
-    def energy(self, own: Array) -> Array:
+    def energy(self, own: Float64[Array, "*batch {self.state_size}"]) -> Float64[Array, "*batch"]:
         return 0.5 * self.part(own, "rotor_momentum") ** 2 / self.moment
 
-    def rate(self, angular_velocity: Array, own: Array) -> Array:
+    def rate(
+        self, angular_velocity: Float64[Array, "*#batch 3"], own: Float64[Array, "*#batch 1"]
+    ) -> Float64[Array, "*batch"]:
         """Return σ (…) relative to the body [rad/s]."""
         return self.part(own, "rotor_momentum") / self.moment - jnp.sum(angular_velocity * self.axis, axis=-1)
 
-    def axial_torque(self, t: Array, attitude: Array | None, angular_velocity: Array, own: Array) -> Array:
+    def axial_torque(
+        self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Own
+    ) -> Float64[Array, "*batch"]:
         """Return ḣ (…), what motor and friction do to the rotor [N m]."""
         rate = self.rate(angular_velocity, own)
         motor: Any = self.motor(t, attitude, angular_velocity, rate) if callable(self.motor) else self.motor
         torque = jnp.broadcast_to(0.0 if motor is None else motor, rate.shape)
         return torque if self.friction is None else torque - self.friction * rate
 
-    def state_rate(self, t: Array, attitude: Array | None, angular_velocity: Array, own: Array) -> Array:
+    def state_rate(
+        self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Own
+    ) -> Float64[Array, "*batch {self.state_size}"]:
         return self.axial_torque(t, attitude, angular_velocity, own)[..., None]
 
-    def power(self, t: Array, attitude: Array | None, angular_velocity: Array, own: Array) -> Array:
+    def power(self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Own) -> Float64[Array, "*batch"]:
         return self.axial_torque(t, attitude, angular_velocity, own) * self.rate(angular_velocity, own)
 
-    def start(self, rate: Array, angular_velocity: Array) -> Array:
+    def start(
+        self, rate: Real[ArrayLike, "..."], angular_velocity: Float64[Array, "*batch 3"]
+    ) -> Float64[Array, "... {self.state_size}"]:
         return (self.moment * (rate + jnp.sum(angular_velocity * self.axis, axis=-1)))[..., None]
 
 
@@ -184,16 +199,16 @@ class HeldRotor(AbstractMount):
         InvalidInput: for an axis without direction, a moment that is not positive, a rate that is not finite.
     """
 
-    axis: Array
-    moment: Array
-    rate: Array
+    axis: Float64[Array, "3"]
+    moment: Float64[Array, ""]
+    rate: Float64[Array, ""]
 
     @known_numbers_only
-    def __init__(self, axis: Array, moment: float, rate: float) -> None:
+    def __init__(self, axis: Real[ArrayLike, "3"], moment: float, rate: float) -> None:
         self.axis, self.moment = checked_direction("axis", axis), checked_number("moment", moment, 0.0, unit="kg m²")
         self.rate = checked_number("rate", rate, unit="rad/s")
 
-    def momentum(self, own: Array) -> Array:
+    def momentum(self, own: Float64[Array, "*batch {self.state_size}"]) -> Float64[Array, "*batch 3"]:
         return jnp.broadcast_to(self.moment * self.rate * self.axis, (*own.shape[:-1], 3))
 
 
@@ -212,8 +227,8 @@ class SphericalSlug(AbstractMount):
     Source: Rahn & Barba, J. Guid. Control Dyn. 14 (1991) 724.
     """
 
-    moment: Array
-    damping: Array
+    moment: Float64[Array, ""]
+    damping: Float64[Array, ""]
 
     @known_numbers_only
     def __init__(self, moment: float, damping: float) -> None:
@@ -225,27 +240,31 @@ class SphericalSlug(AbstractMount):
         return (StatePart("slug_momentum", 3, "kg m2 s-1", "whole angular momentum of the slug", "body"),)
 
     @property
-    def inertia(self) -> Array:
+    def inertia(self) -> Float64[Array, "3 3"]:
         return self.moment * jnp.eye(3)
 
     @property
     def conserves_energy(self) -> bool:
         return False
 
-    def momentum(self, own: Array) -> Array:
+    def momentum(self, own: Float64[Array, "*batch {self.state_size}"]) -> Float64[Array, "*batch 3"]:
         return own
 
-    def energy(self, own: Array) -> Array:
+    def energy(self, own: Float64[Array, "*batch {self.state_size}"]) -> Float64[Array, "*batch"]:
         return 0.5 * jnp.sum(own**2, axis=-1) / self.moment
 
-    def state_rate(self, t: Array, attitude: Array | None, angular_velocity: Array, own: Array) -> Array:
+    def state_rate(
+        self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Own
+    ) -> Float64[Array, "*batch {self.state_size}"]:
         dragged = self.damping * (angular_velocity - own / self.moment)
         return jnp.cross(own, angular_velocity) + dragged
 
-    def power(self, t: Array, attitude: Array | None, angular_velocity: Array, own: Array) -> Array:
+    def power(self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Own) -> Float64[Array, "*batch"]:
         return -self.damping * jnp.sum((angular_velocity - own / self.moment) ** 2, axis=-1)
 
-    def start(self, rate: Array, angular_velocity: Array) -> Array:
+    def start(
+        self, rate: Real[ArrayLike, "..."], angular_velocity: Float64[Array, "*batch 3"]
+    ) -> Float64[Array, "... {self.state_size}"]:
         return self.moment * (rate + angular_velocity)
 
 
@@ -264,7 +283,7 @@ class EnergySink(AbstractMount):
     Source: Bloch, Krishnaprasad, Marsden & Ratiu, Commun. Math. Phys. 175 (1996) 1.
     """
 
-    rate: Array
+    rate: Float64[Array, ""]
 
     @known_numbers_only
     def __init__(self, rate: float) -> None:
@@ -277,10 +296,12 @@ class EnergySink(AbstractMount):
     def conserves_energy(self) -> bool:
         return False
 
-    def momentum(self, own: Array) -> Array:
+    def momentum(self, own: Float64[Array, "*batch {self.state_size}"]) -> Float64[Array, "*batch 3"]:
         return jnp.zeros((*own.shape[:-1], 3))
 
-    def drift(self, momentum: Array, angular_velocity: Array) -> Array:
+    def drift(
+        self, momentum: Float64[Array, "*#batch 3"], angular_velocity: Float64[Array, "*#batch 3"]
+    ) -> Float64[Array, "*batch 3"]:
         return self.rate * jnp.cross(momentum, angular_velocity)
 
 
@@ -303,7 +324,7 @@ def checked_mounts(mounts: Any) -> tuple[AbstractMount, ...]:
     return checked_attachments("mounts", mounts, AbstractMount, trial)
 
 
-def checked_direction(name: str, value: Array) -> Array:
+def checked_direction(name: str, value: Real[ArrayLike, "3"]) -> Float64[Array, "3"]:
     """Return a unit vector along a direction of any length.
 
     Raises:

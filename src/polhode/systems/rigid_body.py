@@ -24,12 +24,14 @@ from polhode.motion.layout import (
     StateLayout,
     StatePart,
 )
+from polhode.systems.attachments import Time
 from polhode.systems.base import AbstractSystem, Balance, Vectors, as_finite_state, check_unit_attitude
 from polhode.systems.free_rigid_body import checked_moments
 from polhode.systems.mounts import AbstractMount, checked_mounts
 from polhode.systems.torques import AbstractTorque, GravityGradient, checked_torques
+from polhode.types import Array, ArrayLike, Float64, Real
 
-Array = Any
+States = Float64[Array, "*#batch n"]
 
 
 class BodyState(NamedTuple):
@@ -42,10 +44,10 @@ class BodyState(NamedTuple):
         torques: those of the torques.
     """
 
-    attitude: Array | None
-    momentum: Array
-    mounts: tuple[Array, ...]
-    torques: tuple[Array, ...]
+    attitude: Float64[Array, "*batch 4"] | None
+    momentum: Float64[Array, "*batch 3"]
+    mounts: tuple[Float64[Array, "*batch n"], ...]
+    torques: tuple[Float64[Array, "*batch n"], ...]
 
 
 class AbstractRigidBody(AbstractSystem):
@@ -57,12 +59,12 @@ class AbstractRigidBody(AbstractSystem):
     ``layout`` names them; the attitude may be left out where nothing asks for it.
     """
 
-    moments: eqx.AbstractVar[Array]
+    moments: eqx.AbstractVar[Float64[Array, "3"]]
     mounts: eqx.AbstractVar[tuple[AbstractMount, ...]]
     torques: eqx.AbstractVar[tuple[AbstractTorque, ...]]
 
     @property
-    def carrier(self) -> Array:
+    def carrier(self) -> Float64[Array, "3"] | Float64[Array, "3 3"]:
         """K [kg m²], the inertia of what turns with Ω: (3,) of the principal axes, or (3, 3)."""
         turning = self._turning_inertia()
         return jnp.diag(self.moments) - sum(turning) if turning else self.moments
@@ -88,7 +90,7 @@ class AbstractRigidBody(AbstractSystem):
 
     # ------------------------------------------------------------------ motion
 
-    def vector_field(self, t: Array, state: Array) -> Array:
+    def vector_field(self, t: Time, state: States) -> Float64[Array, "*batch n"]:
         body, t = self.parts(state), jnp.asarray(t)
         velocity = self._velocity(body)
         turning = velocity + self._drift(body, velocity)
@@ -100,7 +102,7 @@ class AbstractRigidBody(AbstractSystem):
         ]
         return jnp.concatenate([*attitude, change, *own], axis=-1)
 
-    def external_torque(self, t: Array, state: Array) -> Array:
+    def external_torque(self, t: Time, state: States) -> Float64[Array, "*batch 3"]:
         """Return the sum of all torques (…, 3) [N m, body axes]."""
         body = self.parts(state)
         return self._torque(jnp.asarray(t), body, self._velocity(body))
@@ -129,12 +131,12 @@ class AbstractRigidBody(AbstractSystem):
         """Whether nothing inside or outside does work."""
         return not self.torques and all(mount.conserves_energy for mount in self.mounts)
 
-    def energy(self, state: Array) -> Array:
+    def energy(self, state: Float64[Array, "*batch n"]) -> Float64[Array, "*batch"]:
         """Return ½ Ω·KΩ and the mounts' own energy (…) [J]."""
         body = self.parts(state)
         return self._energy(body, self._velocity(body))
 
-    def power(self, t: Array, state: Array) -> Array:
+    def power(self, t: Time, state: States) -> Float64[Array, "*batch"]:
         """Return what mounts and torques give to the energy (…) [W]."""
         body, t = self.parts(state), jnp.asarray(t)
         velocity = self._velocity(body)
@@ -150,7 +152,7 @@ class AbstractRigidBody(AbstractSystem):
         power = sum((mount.power(t, body.attitude, velocity, own) for mount, own in pairs), 0.0)
         return power - jnp.sum(self._drift(body, velocity) * jnp.cross(body.momentum, velocity), axis=-1)
 
-    def invariants(self, state: Array) -> dict[str, Array]:
+    def invariants(self, state: Float64[Array, "*batch n"]) -> dict[str, Float64[Array, "..."]]:
         """Return |L|² and the momentum in space, where no torque acts, and energy, where nothing does work."""
         if self.torques:
             return {}
@@ -161,7 +163,7 @@ class AbstractRigidBody(AbstractSystem):
             values["momentum_space"] = rotation.rotate(body.attitude, body.momentum)
         return values
 
-    def balances(self, t: Array, state: Array) -> dict[str, Balance]:
+    def balances(self, t: Time, state: States) -> dict[str, Balance]:
         """Return energy and |L|² with their powers, and with gravity on a circular orbit the Jacobi integral.
 
         Under torques the energy is called kinetic, as the potential of what causes them is not in it.
@@ -204,9 +206,12 @@ class AbstractRigidBody(AbstractSystem):
     # ------------------------------------------------------------------ packed states
 
     def pack(
-        self, attitude: Array | None = None, angular_velocity: Array | None = None, momentum: Array | None = None,
-        rates: Sequence[Array | None] | None = None, actuators: Sequence[Array | None] | None = None,
-    ) -> Array:  # fmt: skip
+        self, attitude: Real[ArrayLike, "*#batch 4"] | None = None,
+        angular_velocity: Real[ArrayLike, "*#batch 3"] | None = None,
+        momentum: Real[ArrayLike, "*#batch 3"] | None = None,
+        rates: Sequence[Real[ArrayLike, "..."] | None] | None = None,
+        actuators: Sequence[Real[ArrayLike, "..."] | None] | None = None,
+    ) -> Float64[Array, "... n"]:  # fmt: skip
         """Return packed states (…, n).
 
         Args:
@@ -268,7 +273,7 @@ class AbstractRigidBody(AbstractSystem):
         turning, carrier = self._turning_inertia(), self.carrier
         return (jnp.diag(carrier) if carrier.ndim == 1 else carrier) + sum(turning) if turning else carrier
 
-    def parts(self, state: Array) -> BodyState:
+    def parts(self, state: Real[ArrayLike, "..."]) -> BodyState:
         """Take a packed state apart.
 
         Raises:
@@ -291,7 +296,7 @@ class AbstractRigidBody(AbstractSystem):
         return BodyState(attitude, momentum, tuple(own[: len(self.mounts)]), tuple(own[len(self.mounts) :]))
 
     @known_numbers_only
-    def check_state(self, state: Array) -> Array:
+    def check_state(self, state: Real[ArrayLike, "*shape"]) -> Float64[Array, "*shape"]:
         """Return states as an array.
 
         Raises:
@@ -300,11 +305,11 @@ class AbstractRigidBody(AbstractSystem):
         state = as_finite_state(state, float)
         return state if self.parts(state).attitude is None else check_unit_attitude(state)
 
-    def layout(self, state: Array) -> StateLayout:
+    def layout(self, state: Float64[Array, "*batch n"]) -> StateLayout:
         front = () if self.parts(state).attitude is None else (ATTITUDE,)
         return StateLayout((*front, MOMENTUM, *self.own_parts))
 
-    def scales(self, state: Array) -> Array:
+    def scales(self, state: Float64[Array, "*batch n"]) -> Float64[Array, "n"]:
         """Return one for the attitude, and for momenta their size, or that which torques and motors give from rest.
 
         Other parts of the state have their own size, or one.
@@ -329,7 +334,7 @@ class AbstractRigidBody(AbstractSystem):
             found.append(jnp.full(part.size, size))
         return jnp.concatenate(found)
 
-    def vectors(self, state: Array) -> Vectors:
+    def vectors(self, state: Float64[Array, "*batch n"]) -> Vectors:
         body = self.parts(state)
         return Vectors(body.attitude, body.momentum, self._velocity(body))
 
@@ -344,7 +349,7 @@ class AbstractRigidBody(AbstractSystem):
         }
 
     @property
-    def free_moments(self) -> Array | None:
+    def free_moments(self) -> Float64[Array, "3"] | None:
         return None if self.mounts or self.torques else self.moments
 
 
@@ -374,13 +379,16 @@ class RigidBody(AbstractRigidBody):
     """
 
     title: ClassVar[str] = "Rigid body"
-    moments: Array
+    moments: Float64[Array, "3"]
     mounts: tuple[AbstractMount, ...]
     torques: tuple[AbstractTorque, ...]
 
     @known_numbers_only
     def __init__(
-        self, moments: Array, mounts: Sequence[AbstractMount] = (), torques: Sequence[AbstractTorque] = ()
+        self,
+        moments: Real[ArrayLike, "3"],
+        mounts: Sequence[AbstractMount] = (),
+        torques: Sequence[AbstractTorque] = (),
     ) -> None:
         self.moments = checked_moments(moments)
         self.mounts = checked_mounts(mounts)

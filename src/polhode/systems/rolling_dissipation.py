@@ -13,7 +13,7 @@ from __future__ import annotations
 import abc
 import math
 from collections.abc import Sequence
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import equinox as eqx
 import jax.numpy as jnp
@@ -22,9 +22,12 @@ import numpy as np
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
 from polhode.systems.rolling_mechanics import RollingMechanics
+from polhode.types import Array, ArrayOrFloat, Float64
 
-Array = Any
 STOPPING = 30.0  # no couple brakes a rate faster than this many √(g/(a sin θ)), see ``couples``
+
+
+Operand = Float64[ArrayOrFloat, "*#shape"]
 
 
 class RollingDissipation(eqx.Module):
@@ -40,7 +43,7 @@ class RollingDissipation(eqx.Module):
     vertical: eqx.AbstractClassVar[bool]
 
     @abc.abstractmethod
-    def power(self, disk: RollingMechanics, tilt: Array, precession: Array) -> Array:
+    def power(self, disk: RollingMechanics, tilt: Operand, precession: Operand) -> Float64[Array, "*shape"]:
         """Return P ≥ 0 [W] at tilt α [rad] and rate of precession Ω ≥ 0 [rad/s], any shape."""
 
 
@@ -55,13 +58,13 @@ class AirLayer(RollingDissipation):
 
     exponent: ClassVar[float] = 1 / 3
     vertical: ClassVar[bool] = False
-    viscosity: Array
+    viscosity: Float64[Array, ""]
 
     @known_numbers_only
     def __init__(self, viscosity: float) -> None:
         self.viscosity = _positive("viscosity", viscosity, "Pa s")
 
-    def power(self, disk: RollingMechanics, tilt: Array, precession: Array) -> Array:
+    def power(self, disk: RollingMechanics, tilt: Operand, precession: Operand) -> Float64[Array, "*shape"]:
         return math.pi * self.viscosity * disk.gravity * disk.radius**2 / tilt**2
 
 
@@ -76,13 +79,13 @@ class BoundaryLayer(RollingDissipation):
 
     exponent: ClassVar[float] = 4 / 9
     vertical: ClassVar[bool] = False
-    coefficient: Array
+    coefficient: Float64[Array, ""]
 
     @known_numbers_only
     def __init__(self, coefficient: float) -> None:
         self.coefficient = _positive("coefficient", coefficient, "W s^(5/2)")
 
-    def power(self, disk: RollingMechanics, tilt: Array, precession: Array) -> Array:
+    def power(self, disk: RollingMechanics, tilt: Operand, precession: Operand) -> Float64[Array, "*shape"]:
         return self.coefficient * precession**2 * jnp.sqrt(precession)
 
 
@@ -97,13 +100,13 @@ class ViscousContourFriction(RollingDissipation):
 
     exponent: ClassVar[float] = 1 / 2
     vertical: ClassVar[bool] = False
-    coefficient: Array
+    coefficient: Float64[Array, ""]
 
     @known_numbers_only
     def __init__(self, coefficient: float) -> None:
         self.coefficient = _positive("coefficient", coefficient, "W s²")
 
-    def power(self, disk: RollingMechanics, tilt: Array, precession: Array) -> Array:
+    def power(self, disk: RollingMechanics, tilt: Operand, precession: Operand) -> Float64[Array, "*shape"]:
         return self.coefficient * precession**2
 
 
@@ -118,13 +121,13 @@ class DryContourFriction(RollingDissipation):
 
     exponent: ClassVar[float] = 2 / 3
     vertical: ClassVar[bool] = False
-    coefficient: Array
+    coefficient: Float64[Array, ""]
 
     @known_numbers_only
     def __init__(self, coefficient: float) -> None:
         self.coefficient = _positive("coefficient", coefficient, "1")
 
-    def power(self, disk: RollingMechanics, tilt: Array, precession: Array) -> Array:
+    def power(self, disk: RollingMechanics, tilt: Operand, precession: Operand) -> Float64[Array, "*shape"]:
         return self.coefficient * disk.mass * disk.gravity * disk.radius * precession
 
 
@@ -137,13 +140,13 @@ class RollingCouple(RollingDissipation):
 
     exponent: ClassVar[float] = 2.0
     vertical: ClassVar[bool] = False
-    arm: Array
+    arm: Float64[Array, ""]
 
     @known_numbers_only
     def __init__(self, arm: float) -> None:
         self.arm = _positive("arm", arm, "m")
 
-    def power(self, disk: RollingMechanics, tilt: Array, precession: Array) -> Array:
+    def power(self, disk: RollingMechanics, tilt: Operand, precession: Operand) -> Float64[Array, "*shape"]:
         return self.arm * disk.mass * disk.gravity * precession * jnp.sin(tilt)
 
 
@@ -161,19 +164,19 @@ class DrillingFriction(RollingDissipation):
 
     exponent: ClassVar[float] = -2.0
     vertical: ClassVar[bool] = True
-    arm: Array
+    arm: Float64[Array, ""]
 
     @known_numbers_only
     def __init__(self, arm: float) -> None:
         self.arm = _positive("arm", arm, "m")
 
-    def power(self, disk: RollingMechanics, tilt: Array, precession: Array) -> Array:
+    def power(self, disk: RollingMechanics, tilt: Operand, precession: Operand) -> Float64[Array, "*shape"]:
         return self.arm * disk.mass * disk.gravity * precession * tilt**2
 
 
 def couples(
-    disk: RollingMechanics, laws: Sequence[RollingDissipation], theta: Array, w2: Array, w3: Array
-) -> tuple[Array, Array]:
+    disk: RollingMechanics, laws: Sequence[RollingDissipation], theta: Operand, w2: Operand, w3: Operand
+) -> tuple[Float64[Array, "*shape"], Float64[Array, "*shape"]]:
     """Return (τ2, τ3) [N m], the couples of all laws along e2 and e3.
 
     A horizontal couple Q (e3 − c/s e2) works on the rate ψ̇ = ω3 − ω2 c/s, a vertical one on ω·z, and Q = −P/rate.

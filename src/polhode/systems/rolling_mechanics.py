@@ -11,13 +11,15 @@ Source: Routh, *Advanced Rigid Dynamics* (1905), §244; thick: Le Saux, Leine & 
 
 from __future__ import annotations
 
-from typing import Any
-
 import equinox as eqx
 import jax
 import jax.numpy as jnp
 
-Array = Any
+from polhode.types import Array, ArrayOrFloat, Float64
+
+# elementwise; operands broadcast
+Operand = Float64[ArrayOrFloat, "*#shape"]
+Result = Float64[Array, "*shape"]
 
 
 class RollingMechanics(eqx.Module):
@@ -32,33 +34,33 @@ class RollingMechanics(eqx.Module):
         gravity: g [m/s²].
     """
 
-    mass: Array
-    radius: Array
-    half_thickness: Array
-    diametral_moment: Array
-    axial_moment: Array
-    gravity: Array
+    mass: Float64[Array, ""]
+    radius: Float64[Array, ""]
+    half_thickness: Float64[Array, ""]
+    diametral_moment: Float64[Array, ""]
+    axial_moment: Float64[Array, ""]
+    gravity: Float64[Array, ""]
 
     @property
     def _constants(self) -> tuple[Array, ...]:
         return self.mass, self.radius, self.half_thickness, self.diametral_moment, self.axial_moment
 
     @jax.jit
-    def tilt_acceleration(self, theta: Array, w2: Array, w3: Array) -> Array:
+    def tilt_acceleration(self, theta: Operand, w2: Operand, w3: Operand) -> Result:
         """Return θ̈ [rad/s²], on which neither θ̇ nor the couples act; it vanishes in steady motion."""
         m, a, b, A, C = self._constants
         s, c = jnp.sin(theta), jnp.cos(theta)
         inner = (A + m * b * b) * w2 * w2 * c / s + m * a * b * w2 * (w2 - w3 * c / s) - (C + m * a * a) * w2 * w3
         return (inner - m * self.gravity * (a * c - b * s)) / (A + m * a * a + m * b * b)
 
-    def transport(self, theta: Array, w2: Array, w3: Array) -> tuple[Array, Array]:
+    def transport(self, theta: Operand, w2: Operand, w3: Operand) -> tuple[Result, Result]:
         """Return d(ω2, ω3)/dθ without couples: linear in both, whence two linear integrals."""
         m, a, b, A, C = self._constants
         cot = jnp.cos(theta) / jnp.sin(theta)
         tau2 = C * w3 - (A + m * b * b) * w2 * cot - m * a * b * w2
         return self.accelerations(tau2, m * a * (a + b * cot) * w2)
 
-    def accelerations(self, tau2: Array, tau3: Array) -> tuple[Array, Array]:
+    def accelerations(self, tau2: Operand, tau3: Operand) -> tuple[Result, Result]:
         """Return M⁻¹τ, what couples along e2 and e3 do to ω2 and ω3."""
         m, a, b, A, C = self._constants
         p, q, r = A + m * b * b, C + m * a * a, m * a * b
@@ -66,25 +68,25 @@ class RollingMechanics(eqx.Module):
         return (q * tau2 + r * tau3) / det, (r * tau2 + p * tau3) / det
 
     @jax.jit
-    def nutation_squared(self, theta: Array, w2: Array, w3: Array) -> Array:
+    def nutation_squared(self, theta: Operand, w2: Operand, w3: Operand) -> Result:
         """Return the square of the nutation's frequency [rad²/s²] about a steady motion; negative where unstable."""
         by_theta, by_w2, by_w3 = jax.grad(self.tilt_acceleration, argnums=(0, 1, 2))(theta, w2, w3)
         d2, d3 = self.transport(theta, w2, w3)
         return -(by_theta + by_w2 * d2 + by_w3 * d3)
 
-    def energy(self, theta: Array, w1: Array, w2: Array, w3: Array) -> Array:
+    def energy(self, theta: Operand, w1: Operand, w2: Operand, w3: Operand) -> Result:
         """Return kinetic and potential energy [J], above that of the disk lying flat."""
         m, a, b, A, C = self._constants
         speed = (b * w2 - a * w3) ** 2 + (a * a + b * b) * w1 * w1
         return 0.5 * (A * (w1 * w1 + w2 * w2) + C * w3 * w3 + m * speed) + self.potential_energy(theta)
 
-    def potential_energy(self, theta: Array) -> Array:
+    def potential_energy(self, theta: Operand) -> Result:
         """Return V [J], zero for the disk lying flat."""
         height = self.radius * jnp.sin(theta) - 2.0 * self.half_thickness * jnp.sin(0.5 * theta) ** 2
         return self.mass * self.gravity * height
 
     @jax.jit
-    def normal_force(self, theta: Array, w1: Array, w2: Array, w3: Array) -> Array:
+    def normal_force(self, theta: Operand, w1: Operand, w2: Operand, w3: Operand) -> Result:
         """Return N = m [g + (ac − bs) θ̈ − (as + bc) θ̇²] [N], with which the plane pushes."""
         a, b = self.radius, self.half_thickness
         s, c = jnp.sin(theta), jnp.cos(theta)
@@ -92,21 +94,21 @@ class RollingMechanics(eqx.Module):
         return self.mass * (self.gravity + lift)
 
     @jax.jit
-    def precession_at_rest(self, theta: Array) -> Array:
+    def precession_at_rest(self, theta: Operand) -> Result:
         """Return φ̇² [rad²/s²] of the steady motion whose centre is at rest: mga/(A sin θ) of a thin disk."""
         m, a, b, A, C = self._constants
         s, c = jnp.sin(theta), jnp.cos(theta)
         return m * self.gravity * (a * c - b * s) / (A * s * c - C * s * s * b / a)
 
     @jax.jit
-    def steady_spin(self, theta: Array, precession: Array) -> Array:
+    def steady_spin(self, theta: Operand, precession: Operand) -> Result:
         """Return ω3 [rad/s] of steady motion at φ̇; not finite where nothing precesses."""
         m, a, b, A, C = self._constants
         s, c = jnp.sin(theta), jnp.cos(theta)
         forced = ((A + m * b * b) * c + m * a * b * s) * s * precession**2 - m * self.gravity * (a * c - b * s)
         return forced / (((C + m * a * a) * s + m * a * b * c) * precession)
 
-    def steady_precessions(self, theta: Array, w3: Array) -> tuple[Array, Array]:
+    def steady_precessions(self, theta: Operand, w3: Operand) -> tuple[Result, Result]:
         """Return both φ̇ [rad/s] of steady motion with the spin ω3; NaN where there is none.
 
         Thin: A φ̇² c − (C+ma²) φ̇ ω3 = mga c/s.

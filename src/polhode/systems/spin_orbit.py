@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import jax.numpy as jnp
 
@@ -13,8 +13,8 @@ from polhode.errors import InvalidInput, shown
 from polhode.motion.layout import Quantity, StateLayout, StatePart
 from polhode.systems.base import AbstractSystem, Balance, as_finite_state
 from polhode.systems.kepler_orbit import KeplerOrbit, checked_number
+from polhode.types import Array, ArrayLike, Float64, Real
 
-Array = Any
 LAYOUT = StateLayout((
     StatePart("angle", 1, "rad", "angle of the long axis from the direction of the periapsis"),
     StatePart("rate", 1, "rad s-1", "rate of that angle"),
@@ -45,7 +45,7 @@ class SpinOrbit(AbstractSystem):
     """
 
     title: ClassVar[str] = "Spin on an orbit"
-    asphericity: Array
+    asphericity: Float64[Array, ""]
     orbit: KeplerOrbit
 
     @known_numbers_only
@@ -65,21 +65,21 @@ class SpinOrbit(AbstractSystem):
         """Return the system of a body on an orbit, its axis of largest moment along the orbit's normal."""
         least, middle, largest = (float(moment) for moment in body.principal_moments)
         asphericity = math.sqrt(3.0 * (middle - least) / largest)
-        return cls(
-            asphericity, float(orbit.eccentricity), float(orbit.mean_motion), float(orbit.mean_anomaly_at_start)
-        )
+        return cls(asphericity, float(orbit.eccentricity), float(orbit.mean_motion), float(orbit.mean_anomaly_at_start))
 
     @property
-    def eccentricity(self) -> Array:
+    def eccentricity(self) -> Float64[Array, ""]:
         """Eccentricity e of the orbit."""
         return self.orbit.eccentricity
 
     @property
-    def mean_motion(self) -> Array:
+    def mean_motion(self) -> Float64[Array, ""]:
         """Mean motion n of the orbit [rad/s]."""
         return self.orbit.mean_motion
 
-    def vector_field(self, t: Array, state: Array) -> Array:
+    def vector_field(
+        self, t: Real[ArrayLike, "*#batch"], state: Float64[Array, "*#batch 2"]
+    ) -> Float64[Array, "*batch 2"]:
         angle, rate = state[..., 0], state[..., 1]
         phase = 2.0 * (angle - self.orbit.true_anomaly(t))
         return jnp.stack([rate, -0.5 * self._strength(t) * jnp.sin(phase)], axis=-1)
@@ -87,11 +87,11 @@ class SpinOrbit(AbstractSystem):
     def _strength(self, t: Array) -> Array:
         return (self.mean_motion * self.asphericity) ** 2 / self.orbit.distance_ratio(t) ** 3
 
-    def invariants(self, state: Array) -> dict[str, Array]:
+    def invariants(self, state: Float64[Array, "*batch 2"]) -> dict[str, Float64[Array, "*batch"]]:
         """Return none; the energy stands among the balances."""
         return {}
 
-    def balances(self, t: Array, state: Array) -> dict[str, Balance]:
+    def balances(self, t: Real[ArrayLike, "*#batch"], state: Float64[Array, "*#batch 2"]) -> dict[str, Balance]:
         """Return the energy per moment C [rad²/s²], which changes by ∂H/∂t along the orbit.
 
         With ḟ = n √(1−e²) (a/r)² and ṙ/a = n e sin f/√(1−e²).
@@ -105,7 +105,7 @@ class SpinOrbit(AbstractSystem):
         return {"energy_per_moment": Balance(energy, growth)}
 
     @known_numbers_only
-    def check_state(self, state: Array) -> Array:
+    def check_state(self, state: Real[ArrayLike, "*shape"]) -> Float64[Array, "*shape"]:
         """Return states as an array.
 
         Raises:
@@ -117,9 +117,9 @@ class SpinOrbit(AbstractSystem):
     def quantities(self) -> dict[str, Quantity]:
         return {"energy_per_moment": Quantity("rad2 s-2", "energy per moment about the spin's axis")}
 
-    def layout(self, state: Array) -> StateLayout:
+    def layout(self, state: Float64[Array, "*batch 2"]) -> StateLayout:
         return LAYOUT
 
-    def scales(self, state: Array) -> Array:
+    def scales(self, state: Float64[Array, "*batch 2"]) -> Float64[Array, "2"]:
         """Return one radian, and one radian in the time 1/n."""
         return jnp.stack([jnp.ones(()), self.mean_motion])

@@ -6,20 +6,19 @@ No others have one on every orbit that is algebraic (Husson 1906), or single-val
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
 
 import jax.numpy as jnp
 
 from polhode.bodies.pivot import EQUAL, axis_of_symmetry
+from polhode.types import Array, Float64
 
-Array = Any
-Integral = Callable[[Array], Array]
+Integral = Callable[[Float64[Array, "*batch 6"]], Float64[Array, "*batch"]]
 ON_LEAF = 1e-12  # of |Π| |Γ|: Π·Γ below it is zero but for rounding
 
 INTEGRAL_UNITS = {"Euler": "kg2 m4 s-2", "Lagrange": "kg m2 s-1", "Kovalevskaya": "s-4", "Goryachev-Chaplygin": "s-3"}
 
 
-def integrable_case(moments: Array, mgl: float, axis: Array) -> tuple[str, int] | None:
+def integrable_case(moments: Float64[Array, "3"], mgl: float, axis: Float64[Array, "3"]) -> tuple[str, int] | None:
     """Return the case by name and the index of the axis of symmetry, or None for a top that is not integrable."""
     if mgl == 0.0:
         return "Euler", 0
@@ -37,7 +36,9 @@ def integrable_case(moments: Array, mgl: float, axis: Array) -> tuple[str, int] 
     return None
 
 
-def leaf_integral(case: tuple[str, int], moments: Array, mgl: Array, axis: Array) -> tuple[str, Integral, bool]:
+def leaf_integral(
+    case: tuple[str, int], moments: Float64[Array, "3"], mgl: Float64[Array, ""], axis: Float64[Array, "3"]
+) -> tuple[str, Integral, bool]:
     """Return the third integral's name, the integral, and whether it holds on Π·Γ = 0 alone.
 
     With k the axis of symmetry, I3 its moment, μ = mgl/I3, and χ across it:

@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from polhode.arrays import known_numbers_only
 from polhode.systems.free_rigid_body import checked_moments
 from polhode.systems.mounts import AbstractMount
 from polhode.systems.rigid_body import AbstractRigidBody
 from polhode.systems.torques import AbstractTorque, checked_torques
-
-Array = Any
+from polhode.types import Array, ArrayLike, Float64, Real
 
 
 class TorquedBody(AbstractRigidBody):
@@ -35,11 +34,11 @@ class TorquedBody(AbstractRigidBody):
     """
 
     title: ClassVar[str] = "Body under torques"
-    moments: Array
+    moments: Float64[Array, "3"]
     mounts: tuple[AbstractMount, ...]
     torques: tuple[AbstractTorque, ...]
 
     @known_numbers_only
-    def __init__(self, moments: Array, torques: Sequence[AbstractTorque]) -> None:
+    def __init__(self, moments: Real[ArrayLike, "3"], torques: Sequence[AbstractTorque]) -> None:
         self.moments, self.mounts = checked_moments(moments), ()
         self.torques = checked_torques(torques, self.moments)

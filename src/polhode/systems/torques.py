@@ -14,11 +14,14 @@ from polhode import rotation
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
 from polhode.motion.layout import StatePart
-from polhode.systems.attachments import AbstractAttachment, checked_attachments
+from polhode.systems.attachments import AbstractAttachment, Attitude, Own, Time, Velocity, checked_attachments
 from polhode.systems.free_rigid_body import checked_moments
 from polhode.systems.kepler_orbit import KeplerOrbit, checked_number
+from polhode.types import Array, ArrayLike, Float64, Real
 
-Array = Any
+Command = Callable[
+    [Float64[Array, "*batch"], Float64[Array, "*batch 4"], Float64[Array, "*batch 3"]], Float64[Array, "*batch 3"]
+]
 
 
 class AbstractTorque(AbstractAttachment):
@@ -27,19 +30,21 @@ class AbstractTorque(AbstractAttachment):
     Its power τ·Ω enters the balance of the energy.
     """
 
-    def state_rate(self, t: Array, attitude: Array | None, angular_velocity: Array, actuator: Array) -> Array:
+    def state_rate(
+        self, t: Time, attitude: Attitude, angular_velocity: Velocity, actuator: Own
+    ) -> Float64[Array, "*batch {self.state_size}"]:  # fmt: skip
         """Return how fast its own state changes, (…, n); not at all by default."""
         return jnp.zeros_like(actuator)
 
     @property
-    def rate(self) -> Array:
+    def rate(self) -> Float64[Array, ""]:
         """The angular velocity [rad/s] of the motion that it causes from rest; zero if it causes none."""
         return jnp.zeros(())
 
     @abc.abstractmethod
     def torque(
-        self, t: Array, attitude: Array | None, angular_velocity: Array, actuator: Array | None = None
-    ) -> Array:
+        self, t: Time, attitude: Attitude, angular_velocity: Velocity, actuator: Own | None = None
+    ) -> Float64[Array, "*batch 3"]:  # fmt: skip
         """Return τ (…, 3) [N m, body axes].
 
         Args:
@@ -57,10 +62,10 @@ class LinearDrag(AbstractTorque):
         coefficient: c [N m s], one for all axes or one for each (3,), not negative.
     """
 
-    coefficient: Array
+    coefficient: Float64[Array, "*components"]
 
     @known_numbers_only
-    def __init__(self, coefficient: Array) -> None:
+    def __init__(self, coefficient: Real[ArrayLike, "*components"]) -> None:
         refuse_single_precision(coefficient=coefficient)
         values = np.asarray(coefficient, dtype=float)
         if values.shape not in ((), (3,)) or not (np.isfinite(values).all() and (values >= 0).all()):
@@ -71,8 +76,8 @@ class LinearDrag(AbstractTorque):
         self.coefficient = jnp.asarray(values)
 
     def torque(
-        self, t: Array, attitude: Array | None, angular_velocity: Array, actuator: Array | None = None
-    ) -> Array:
+        self, t: Time, attitude: Attitude, angular_velocity: Velocity, actuator: Own | None = None
+    ) -> Float64[Array, "*batch 3"]:  # fmt: skip
         return -self.coefficient * angular_velocity
 
 
@@ -83,15 +88,15 @@ class QuadraticDrag(AbstractTorque):
         coefficient: k [N m s²], not negative.
     """
 
-    coefficient: Array
+    coefficient: Float64[Array, ""]
 
     @known_numbers_only
     def __init__(self, coefficient: float) -> None:
         self.coefficient = checked_number("coefficient", coefficient, least=0.0, unit="N m s²")
 
     def torque(
-        self, t: Array, attitude: Array | None, angular_velocity: Array, actuator: Array | None = None
-    ) -> Array:
+        self, t: Time, attitude: Attitude, angular_velocity: Velocity, actuator: Own | None = None
+    ) -> Float64[Array, "*batch 3"]:  # fmt: skip
         return -self.coefficient * jnp.linalg.norm(angular_velocity, axis=-1, keepdims=True) * angular_velocity
 
 
@@ -109,11 +114,11 @@ class LaggedTorque(AbstractTorque):
         InvalidInput: for a command that is not a function, or a time constant that is not positive.
     """
 
-    command: Callable[[Array, Array, Array], Array]
-    time_constant: Array
+    command: Command
+    time_constant: Float64[Array, ""]
 
     @known_numbers_only
-    def __init__(self, command: Callable[[Array, Array, Array], Array], time_constant: float) -> None:
+    def __init__(self, command: Command, time_constant: float) -> None:
         if not callable(command):
             raise InvalidInput(
                 f"`command` must be a function (t, attitude, angular_velocity) that gives a torque (…, 3) [N m]; "
@@ -129,12 +134,14 @@ class LaggedTorque(AbstractTorque):
     def needs_attitude(self) -> bool:
         return True
 
-    def state_rate(self, t: Array, attitude: Array | None, angular_velocity: Array, actuator: Array) -> Array:
+    def state_rate(
+        self, t: Time, attitude: Attitude, angular_velocity: Velocity, actuator: Own
+    ) -> Float64[Array, "*batch {self.state_size}"]:  # fmt: skip
         return (self.command(t, attitude, angular_velocity) - actuator) / self.time_constant
 
     def torque(
-        self, t: Array, attitude: Array | None, angular_velocity: Array, actuator: Array | None = None
-    ) -> Array:
+        self, t: Time, attitude: Attitude, angular_velocity: Velocity, actuator: Own | None = None
+    ) -> Float64[Array, "*batch 3"]:  # fmt: skip
         return actuator
 
 
@@ -151,11 +158,11 @@ class GravityGradient(AbstractTorque):
     """
 
     orbit: KeplerOrbit
-    moments: Array
+    moments: Float64[Array, "3"]
     circular: bool = eqx.field(static=True)
 
     @known_numbers_only
-    def __init__(self, orbit: KeplerOrbit, moments: Array) -> None:
+    def __init__(self, orbit: KeplerOrbit, moments: Real[ArrayLike, "3"]) -> None:
         if not isinstance(orbit, KeplerOrbit):
             raise InvalidInput(f"`orbit` must be a polhode.systems.KeplerOrbit; got {shown(orbit)}.")
         self.orbit, self.moments = orbit, checked_moments(moments)
@@ -166,21 +173,26 @@ class GravityGradient(AbstractTorque):
         return True
 
     @property
-    def rate(self) -> Array:
+    def rate(self) -> Float64[Array, ""]:
         return self.orbit.mean_motion
 
     def torque(
-        self, t: Array, attitude: Array | None, angular_velocity: Array, actuator: Array | None = None
-    ) -> Array:
+        self, t: Time, attitude: Attitude, angular_velocity: Velocity, actuator: Own | None = None
+    ) -> Float64[Array, "*batch 3"]:  # fmt: skip
         strength = (self.orbit.mean_motion**2 / self.orbit.distance_ratio(t) ** 3)[..., None]
         centre = _in_body(attitude, self.orbit.direction(t))  # its sign cancels
         return 3.0 * strength * jnp.cross(centre, self.moments * centre)
 
-    def relative_velocity(self, attitude: Array, angular_velocity: Array) -> Array:
+    def relative_velocity(
+        self, attitude: Float64[Array, "*#batch 4"], angular_velocity: Float64[Array, "*#batch 3"]
+    ) -> Float64[Array, "*batch 3"]:
         """Return the angular velocity (…, 3) against the frame that turns with mean motion [rad/s, body axes]."""
         return angular_velocity - self.orbit.mean_motion * _in_body(attitude, jnp.array([0.0, 0.0, 1.0]))
 
-    def jacobi_integral(self, t: Array, attitude: Array, angular_velocity: Array) -> Array:
+    def jacobi_integral(
+        self, t: Real[ArrayLike, "*#batch"], attitude: Float64[Array, "*#batch 4"],
+        angular_velocity: Float64[Array, "*#batch 3"],
+    ) -> Float64[Array, "*batch"]:  # fmt: skip
         """Return ½ w·Iw + (3/2) n² R̂·IR̂ − ½ n² ẑ·Iẑ (…) [J], which a circular orbit conserves.
 
         It is H − n π_z of the inertial motion; w is the velocity relative to the orbit's frame and ẑ its normal.
@@ -195,7 +207,7 @@ class GravityGradient(AbstractTorque):
         return 0.5 * jnp.sum(self.moments * squares, axis=-1)
 
 
-def checked_torques(torques: Any, moments: Array) -> tuple[AbstractTorque, ...]:
+def checked_torques(torques: Any, moments: Float64[Array, "3"]) -> tuple[AbstractTorque, ...]:
     """Return a list of torques on a body of these moments.
 
     Raises:

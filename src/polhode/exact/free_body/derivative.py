@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from polhode import rotation
 from polhode.arrays import first_order_only, namespace
 from polhode.exact.free_body.preparation import Prepared, prepare
 from polhode.exact.free_body.reduction import Reduction, as_sorted, from_sorted
 from polhode.exact.free_body.tangent import momentum_tangent
+from polhode.types import Array, Float64
 
-Array = Any
+State = tuple[Float64[Array, "*batch 4"], Float64[Array, "*batch 3"]]
+Values = tuple[
+    Float64[Array, "*batch 3"], Float64[Array, "*batch 3"], Float64[Array, "*batch 4"], Float64[Array, "*batch"]
+]
 
 
-def state_tangent(
-    values: tuple[Array, ...], state: tuple[Array, Array], changes: tuple[Array, ...]
-) -> tuple[Array, Array]:
+def state_tangent(values: Values, state: State, changes: Values) -> State:
     """Return the changes of attitude (…, 4) and momentum (…, 3).
 
     With ξ the turn in body axes, δR = R hat(ξ), and D = R0ᵀR:

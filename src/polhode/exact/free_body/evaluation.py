@@ -15,17 +15,15 @@ from polhode.arrays import (
     stack_last,
     stop_gradient,
 )
-from polhode.exact.blocks import columns_in_blocks, state_in_blocks
+from polhode.exact.blocks import Columns, Vectors, columns_in_blocks, state_in_blocks
 from polhode.exact.free_body import geometry
 from polhode.exact.free_body.derivative import state_tangent
 from polhode.exact.free_body.preparation import prepare
 from polhode.exact.free_body.spinor import evaluate
-
-Array = Any
-Arguments = tuple[Array, ...]
+from polhode.types import Array, Float64
 
 
-def motion_columns(arguments: Arguments) -> tuple[Array, ...]:
+def motion_columns(arguments: Vectors) -> Columns:
     """Return the constants of motion of moments (…, 3), momentum (…, 3), attitude (…, 4) as columns."""
     return columns_in_blocks(_columns_of_bodies, arguments)
 
@@ -34,7 +32,9 @@ def _columns_of_bodies(moments: Array, momentum: Array, attitude: Array) -> tupl
     return prepare(moments, momentum, attitude).motion
 
 
-def characteristics(moments: Array, momentum: Array) -> geometry.Characteristics:
+def characteristics(
+    moments: Float64[Array, "*#batch 3"], momentum: Float64[Array, "*#batch 3"]
+) -> geometry.Characteristics:
     """Return the numbers of the motion for arrays (…, 3)."""
     if is_jax(moments, momentum):
         return compiled(_differentiable_characteristics, moments)(moments, momentum)
@@ -51,22 +51,22 @@ def _differentiable_characteristics(moments: Array, momentum: Array) -> geometry
     return geometry.Characteristics(*codes, *numbers)
 
 
-def state(columns: tuple[Array, ...], arguments: Arguments, elapsed: Array, rest: Array) -> tuple[Array, Array]:
+def state(
+    columns: Columns, arguments: Vectors, elapsed: Float64[Array, "..."], rest: Float64[Array, "..."]
+) -> tuple[Float64[Array, "*batch 4"], Float64[Array, "*batch 3"]]:
     """Return attitude (…, 4) and momentum (…, 3) at the elapsed times, which broadcast against the columns."""
     if is_jax(elapsed, *columns):
         return compiled(_differentiable_state, elapsed)(columns, arguments, elapsed, rest)
     return state_in_blocks(evaluate, columns, elapsed, rest)
 
 
-def _differentiable_state(
-    columns: tuple[Array, ...], arguments: Arguments, elapsed: Array, rest: Array
-) -> tuple[Array, Array]:
+def _differentiable_state(columns: Columns, arguments: Vectors, elapsed: Array, rest: Array) -> tuple[Array, Array]:
     flow = custom_derivative(_stacked, _stacked_rule)
     return flow(*arguments, elapsed, rest, stop_gradient(columns))
 
 
 def _stacked(
-    moments: Array, momentum: Array, attitude: Array, elapsed: Array, rest: Array, columns: tuple[Array, ...]
+    moments: Array, momentum: Array, attitude: Array, elapsed: Array, rest: Array, columns: Columns
 ) -> tuple[Array, Array]:
     parts = evaluate(columns, elapsed, rest)
     return stack_last(parts[:4]), stack_last(parts[4:])

@@ -8,15 +8,16 @@ third-kind AGM; the choice of starting value keeps its convergence quadratic in 
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from polhode.arrays import namespace
 from polhode.exact.free_body.reduction import Reduction
 from polhode.special import doubledouble as dd
 from polhode.special.agm import third_kind_agm
 from polhode.special.doubledouble import DoubleDouble
+from polhode.types import Array, Bool
 
-Array = Any
+Flag = Bool[Array, "*batch"]
 
 
 class Frequencies(NamedTuple):
@@ -26,8 +27,8 @@ class Frequencies(NamedTuple):
     mean: DoubleDouble  # agm(√(BQ), √(−CS)) = π λ / 2K; meaningless on the separatrix
     precession: DoubleDouble  # ω_p
     G: DoubleDouble  # |L|
-    constant: Array  # permanent rotation, sphere or rest: L stays
-    separatrix: Array
+    constant: Flag  # permanent rotation, sphere or rest: L stays
+    separatrix: Flag
 
 
 def canonical_frequencies(body: Reduction) -> Frequencies:

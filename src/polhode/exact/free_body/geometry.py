@@ -10,27 +10,30 @@ from polhode.exact.free_body.frequencies import Frequencies, canonical_frequenci
 from polhode.exact.free_body.reduction import Reduction, canonical_reduction
 from polhode.special import doubledouble as dd
 from polhode.special.doubledouble import DoubleDouble
-
-Array = Any
+from polhode.types import Array, Float64, Integer
 
 REGIMES = ("rest", "spherical", "permanent", "symmetric", "short-axis", "long-axis", "separatrix")
 REST, SPHERICAL, PERMANENT, SYMMETRIC, SHORT_AXIS, LONG_AXIS, SEPARATRIX = range(7)
 SMALL_CAP = 1e-14  # below it the leading term of the cap's area is as exact as the difference it replaces
 
 
+Number = Float64[Array, "*batch"]
+Code = Integer[Array, "*batch"]
+
+
 class Characteristics(NamedTuple):
     """Numbers of the motion, one per body; inf or NaN where there is none."""
 
-    regime: Array  # code, index into REGIMES
-    encircled_axis: Array  # index of the given principal axis that the polhode encircles; −1 where none
-    modulus: Array
-    period: Array
-    precession_rate: Array
-    precession_per_period: Array
-    solid_angle: Array
+    regime: Code  # code, index into REGIMES
+    encircled_axis: Code  # index of the given principal axis that the polhode encircles; −1 where none
+    modulus: Number
+    period: Number
+    precession_rate: Number
+    precession_per_period: Number
+    solid_angle: Number
 
 
-def characteristics(moments: Array, momentum: Array) -> Characteristics:
+def characteristics(moments: Float64[Array, "*batch 3"], momentum: Float64[Array, "*batch 3"]) -> Characteristics:
     """Return the characteristics of bodies with moments and momentum (…, 3) along the principal axes.
 
     With ω_p the canonical precession rate, T the period and 2E the canonical energy, the solid angle of the cap that

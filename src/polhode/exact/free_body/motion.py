@@ -16,8 +16,9 @@ from polhode.motion.base import AbstractMotion
 from polhode.motion.inputs import cached_unless_traced, named_code, plain_answer, spin_of
 from polhode.motion.invariants import drift, norm
 from polhode.motion.layout import ENERGY, MOMENTUM_NORM, MOMENTUM_SPACE, Quantity
+from polhode.types import Array, ArrayLike, Float64, Real
 
-Array = Any
+Spin = Real[ArrayLike, "*#batch 3"] | None
 
 
 @dataclass(frozen=True, eq=False, init=False)
@@ -63,8 +64,9 @@ class FreeMotion(AbstractMotion):
     title: ClassVar[str] = "Free motion"
 
     def __init__(
-        self, moments: Array, momentum: Array | None = None, attitude: Array = (1.0, 0.0, 0.0, 0.0),
-        epoch: Array = 0.0, *, angular_velocity: Array | None = None, **attributes: Array,
+        self, moments: Real[ArrayLike, "*#batch 3"], momentum: Spin = None,
+        attitude: Real[ArrayLike, "*#batch 4"] = (1.0, 0.0, 0.0, 0.0), epoch: Real[ArrayLike, "*#batch"] = 0.0, *,
+        angular_velocity: Spin = None, **attributes: ArrayLike,
     ) -> None:  # fmt: skip
         super().__init__(moments, {}, momentum, attitude, epoch, angular_velocity, attributes)
 
@@ -72,10 +74,10 @@ class FreeMotion(AbstractMotion):
     def from_body(
         cls,
         body: Body,
-        angular_velocity: Array | None = None,
-        momentum: Array | None = None,
-        attitude: Array = (1.0, 0.0, 0.0, 0.0),
-        epoch: Array = 0.0,
+        angular_velocity: Spin = None,
+        momentum: Spin = None,
+        attitude: Real[ArrayLike, "*#batch 4"] = (1.0, 0.0, 0.0, 0.0),
+        epoch: Real[ArrayLike, "*#batch"] = 0.0,
     ) -> FreeMotion:
         """Return the motion of a body, with vectors and attitude along the body's given axes, in and out.
 
@@ -112,7 +114,7 @@ class FreeMotion(AbstractMotion):
         return xp.max(xp.abs(self._principal[0] / self.moments), axis=-1)
 
     @property
-    def free_moments(self) -> Array:
+    def free_moments(self) -> Float64[Array, "*batch 3"]:
         return self.moments
 
     @property

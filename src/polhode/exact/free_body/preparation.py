@@ -10,6 +10,7 @@ import math
 from typing import Any, NamedTuple
 
 from polhode.arrays import choose, compiled, namespace, split_halves
+from polhode.exact.blocks import Columns
 from polhode.exact.free_body.frequencies import Frequencies, canonical_frequencies
 from polhode.exact.free_body.reduction import Reduction, canonical_reduction
 from polhode.exact.free_body.spinor import Motion, flatten, start_spinor
@@ -18,8 +19,8 @@ from polhode.special import doubledouble as dd
 from polhode.special.circular import split_rate
 from polhode.special.doubledouble import DoubleDouble
 from polhode.special.elliptic import nome_per_parameter
+from polhode.types import Array, Float64
 
-Array = Any
 HUGE = 2.0**-400, 2.0**-200  # a hyperbolic sine above the inverse of the first is scaled by the second
 LOG_OF_SCALE: DoubleDouble = (138.62943611198907, -3.3555121496085278e-15)  # 200 ln 2
 
@@ -27,21 +28,21 @@ LOG_OF_SCALE: DoubleDouble = (138.62943611198907, -3.3555121496085278e-15)  # 20
 class Prepared(NamedTuple):
     """The flattened ``Motion`` for evaluation, with the reduction and frequencies it came from."""
 
-    motion: tuple[Array, ...]
+    motion: Columns
     body: Reduction
     frequencies: Frequencies
 
 
-def prepare(moments: Array, momentum: Array, attitude: Array) -> Prepared:
+def prepare(
+    moments: Float64[Array, "*batch 3"], momentum: Float64[Array, "*batch 3"], attitude: Float64[Array, "*batch 4"]
+) -> Prepared:
     """Return the constants of motion of bodies with arrays (…, 3), (…, 3) and (…, 4) of one batch shape."""
     body = canonical_reduction(moments, momentum)
     rates = compiled(canonical_frequencies, moments)(body)
     return Prepared(compiled(_motion, moments)(body, rates, moments, momentum, attitude), body, rates)
 
 
-def _motion(
-    body: Reduction, rates: Frequencies, moments: Array, momentum: Array, attitude: Array
-) -> tuple[Array, ...]:
+def _motion(body: Reduction, rates: Frequencies, moments: Array, momentum: Array, attitude: Array) -> Columns:
     """Return the flattened ``Motion``."""
     xp = namespace(moments, momentum, attitude)
     constant, separatrix = rates.constant, rates.separatrix
@@ -195,9 +196,7 @@ def _matrices(
         columns.append(product_of_parts(start, (scalar, *vector)))
     size = rates.G[0] * body.momentum_scale
     to_momentum = tuple(
-        tuple(
-            xp.where(constant, momentum[..., i] if j == 2 else zero, size * body.axes[i][j] + zero) for j in range(3)
-        )
+        tuple(xp.where(constant, momentum[..., i] if j == 2 else zero, size * body.axes[i][j] + zero) for j in range(3))
         for i in range(3)
     )
     return tuple(tuple(columns[k][i] for k in range(4)) for i in range(4)), to_momentum

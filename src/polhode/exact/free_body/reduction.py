@@ -12,12 +12,14 @@ from typing import Any, NamedTuple
 from polhode.arrays import choose, compiled, namespace
 from polhode.special import doubledouble as dd
 from polhode.special.doubledouble import DoubleDouble
+from polhode.types import Array, Bool, Float64
 
-Array = Any
 TINY_RATIO = 2.0**-900  # of components of L, below which numbers with it are scaled up by LIFT binary places
 LIFT = 100
 SHARP = 1e-280  # products of double-doubles above it have all their digits
-Triple = tuple[Array, Array, Array]
+Number = Float64[Array, "*batch"]
+Flag = Bool[Array, "*batch"]
+Triple = tuple[Number, Number, Number]
 
 
 class Reduction(NamedTuple):
@@ -37,16 +39,16 @@ class Reduction(NamedTuple):
     Q: DoubleDouble
     S: DoubleDouble
     root_S: DoubleDouble  # √−S, accurate where S itself underflows
-    root_P: Array  # √P, likewise
+    root_P: Number  # √P, likewise
     V: DoubleDouble
     G2: DoubleDouble  # |L|²
-    long_axis: Array  # whether the mirror was applied
-    axes: tuple[tuple[Array, ...], ...]  # given components = axes · canonical components, signed permutation by rows
-    momentum_scale: Array  # powers of two taken out
-    rate_scale: Array
+    long_axis: Flag  # whether the mirror was applied
+    axes: tuple[Triple, ...]  # given components = axes · canonical components, signed permutation by rows
+    momentum_scale: Number  # powers of two taken out
+    rate_scale: Number
 
 
-def canonical_reduction(moments: Array, momentum: Array) -> Reduction:
+def canonical_reduction(moments: Float64[Array, "*batch 3"], momentum: Float64[Array, "*batch 3"]) -> Reduction:
     """Return the canonical form of bodies with moments and momentum (…, 3), any order, any scale.
 
     On JAX each stage is compiled by itself: as one kernel XLA would compute S again for everything that uses it.
@@ -129,14 +131,14 @@ def _root_of_sum(value: Array, C: Array, x: Array, B: Array, y: Array) -> Array:
     return xp.where(value > SHARP, xp.sqrt(value), xp.sqrt(C * x * x + B * y * y) * down)
 
 
-def half_turn_sign(body: Reduction) -> Array:
+def half_turn_sign(body: Reduction) -> Number:
     """Return −1 where the half turn about the second axis was applied, else 1."""
     xp = namespace(body.long_axis)
     third = xp.where(body.long_axis, body.momentum[0], body.momentum[2])
     return xp.where(third < 0, -1.0, 1.0)
 
 
-def as_sorted(body: Reduction, vector: Array) -> Triple:
+def as_sorted(body: Reduction, vector: Float64[Array, "*batch 3"]) -> Triple:
     """Return the components (…, 3) in the given axes along the sorted ones, as a proper rotation turns them."""
     canonical = [sum(body.axes[i][j] * vector[..., i] for i in range(3)) for j in range(3)]
     return _between(body, canonical)

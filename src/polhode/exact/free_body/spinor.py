@@ -8,46 +8,54 @@ the smaller of the two nomes: the full form (m ≤ ½) is trigonometric in the p
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from polhode.arrays import choose, namespace, split_halves
+from polhode.exact.blocks import Columns
 from polhode.exact.decay import exponential_decay
 from polhode.special.circular import SplitRate, reduced_phase, sine_cosine_turns
 from polhode.special.doubledouble import fast_two_sum, two_sum
+from polhode.types import Array, ArrayOrFloat, Bool, Float64
 
-Array = Any
-Spinor = tuple[Array, Array, Array, Array]
+Number = Float64[Array, "*batch"]
+Flag = Bool[Array, "*batch"]
+Part = Float64[ArrayOrFloat, "*shape"]
+Spinor = tuple[Part, Part, Part, Part]
 
 
 class Motion(NamedTuple):
     """All that evaluation needs, one entry per body. ``full`` says which form the body takes."""
 
-    full: Array
+    full: Flag
     first: SplitRate  # full: rate of the phase of A; complementary: half the precession rate [turns per time]
     second: SplitRate  # full: rate of the phase of B; complementary: rate of u/2K
-    start: tuple[Array, Array]  # full: (z0/4π, 0); complementary: u0/2K, double-double
-    series: tuple[Array, ...]  # full: coefficients of A and B; complementary: cos and sin of (2n+1)(y/2 − π/4)
-    nome: tuple[Array, Array, Array, Array, Array]  # complementary: √q1, πK/K' in halves, y/2π, 0 on the separatrix
-    parity: Array  # complementary: half turns of u at the start
-    to_attitude: tuple[tuple[Array, ...], ...]  # quaternion = matrix · spinor / norm, (4, 4)
-    to_momentum: tuple[tuple[Array, ...], ...]  # momentum = matrix · (n1, n2, n3), (3, 3)
+    start: tuple[Number, Number]  # full: (z0/4π, 0); complementary: u0/2K, double-double
+    series: tuple[Number, ...]  # full: coefficients of A and B; complementary: cos and sin of (2n+1)(y/2 − π/4)
+    nome: tuple[
+        Number, Number, Number, Number, Number
+    ]  # complementary: √q1, πK/K' in halves, y/2π, 0 on the separatrix
+    parity: Number  # complementary: half turns of u at the start
+    to_attitude: tuple[tuple[Number, ...], ...]  # quaternion = matrix · spinor / norm, (4, 4)
+    to_momentum: tuple[tuple[Number, ...], ...]  # momentum = matrix · (n1, n2, n3), (3, 3)
 
 
-def flatten(motion: Motion) -> tuple[Array, ...]:
+def flatten(motion: Motion) -> Columns:
     """Return the entries as one flat tuple of arrays, ``full`` first."""
     matrices = (*(x for row in motion.to_attitude for x in row), *(x for row in motion.to_momentum for x in row))
     return (motion.full, *motion.first, *motion.second, *motion.start, *motion.series, *motion.nome, motion.parity,
             *matrices)  # fmt: skip
 
 
-def unflatten(flat: tuple[Array, ...]) -> Motion:
+def unflatten(flat: Columns) -> Motion:
     """Return the inverse of ``flatten``."""
     to_attitude = tuple(flat[25 + 4 * i : 29 + 4 * i] for i in range(4))
     to_momentum = tuple(flat[41 + 3 * i : 44 + 3 * i] for i in range(3))
     return Motion(flat[0], flat[1:4], flat[4:7], flat[7:9], flat[9:19], flat[19:24], flat[24], to_attitude, to_momentum)
 
 
-def evaluate(flat: tuple[Array, ...], time: Array, time_rest: Array | None = None) -> tuple[Array, ...]:
+def evaluate(
+    flat: Columns, time: Float64[ArrayOrFloat, "*times"], time_rest: Float64[ArrayOrFloat, "*times"] | None = None
+) -> tuple[Float64[Array, "*shape"], ...]:
     """Return the four quaternion and three momentum components at the times, elementwise with broadcasting.
 
     Args:
@@ -110,7 +118,7 @@ def _complementary_of(*columns: Array) -> Spinor:
 
 
 def _complementary_spinor(
-    series: tuple[Array, ...], nome: tuple[Array, ...], u: tuple[Array, Array], turns: Array, count: Array
+    series: tuple[Number, ...], nome: tuple[Array, ...], u: tuple[Array, Array], turns: Array, count: Array
 ) -> Spinor:
     """Sum A and B in the growing powers of R = √q1 e^|x| and the decaying ones of E = e^−|x|, x = πu/2K'."""
     xp = namespace(turns)

@@ -16,40 +16,42 @@ from polhode.exact.free_body.preparation import Prepared
 from polhode.exact.free_body.reduction import half_turn_sign
 from polhode.exact.free_body.tangent_kernel import Kernel, elliptic_kernel
 from polhode.special import doubledouble as dd
+from polhode.types import Array, Bool, Float64
 
-Array = Any
 LEAST_KAPPA = 1e-306
 FARTHEST = 340.0
-Vector = tuple[Array, Array, Array]
-Changes = tuple[Array, ...]  # of A, B, C, P, Q, b, κ, and of the momentum at the epoch
+Number = Float64[Array, "*batch"]
+Flag = Bool[Array, "*batch"]
+Vector = tuple[Number, Number, Number]
+Changes = tuple[Number, ...]  # of A, B, C, P, Q, b, κ, and of the momentum at the epoch
 
 
 class Canonical(NamedTuple):
     """The motion's invariants in textbook form, sorted and mirrored, in the reduction's scaled units."""
 
-    A: Array
-    B: Array
-    C: Array
-    P: Array
-    Q: Array
-    S: Array
-    b: Array
-    g: Array
-    kappa: Array
-    full: Array
-    mirrored: Array
+    A: Number
+    B: Number
+    C: Number
+    P: Number
+    Q: Number
+    S: Number
+    b: Number
+    g: Number
+    kappa: Number
+    full: Flag
+    mirrored: Flag
 
 
 class Passage(NamedTuple):
     """What the perturbations multiply: kernel, vectors at both ends, and whether the midpoint form is used."""
 
     kernel: Kernel
-    middle: Array
+    middle: Flag
     signs: Vector
     start: Vector
     end: Vector
-    rho: Array
-    sigma: Array
+    rho: Number
+    sigma: Number
 
 
 class Tangent(NamedTuple):
@@ -65,12 +67,10 @@ class Tangent(NamedTuple):
     change: Vector
     flow: Vector
     present: Vector
-    work: Array
+    work: Number
 
 
-def momentum_tangent(
-    prepared: Prepared, time: Array, d_moments: Vector, d_momentum: Vector
-) -> Tangent:
+def momentum_tangent(prepared: Prepared, time: Number, d_moments: Vector, d_momentum: Vector) -> Tangent:
     """Return the parts of the derivative along the sorted axes, in scaled units.
 
     Args:
@@ -241,7 +241,7 @@ class Middle(NamedTuple):
     """The midpoint form: the static change now, the shift of the epoch's phase, and L̇ now."""
 
     static: Vector
-    shift: Array
+    shift: Number
     rate: Vector
 
 
@@ -289,7 +289,7 @@ def _squares(form: Canonical, passage: Passage, time: Array) -> Vector:
     safe_d = xp.where(d > 0, d, 1.0)
     far = l1 * (l1 * c - B * l2 * l3 * s * d) / divisor * s / safe_d
     P_, Q_, l3_ = (xp.where(use, x, 1.0) for x in (P, Q, l3))
-    near = (xp.sqrt(P_ / safe_C) * c * xp.sqrt(P_) * xp.sqrt(Q_) * s / (xp.sqrt(Q_ / safe_C) * safe_d) - l1 * l2 / l3_)
+    near = xp.sqrt(P_ / safe_C) * c * xp.sqrt(P_) * xp.sqrt(Q_) * s / (xp.sqrt(Q_ / safe_C) * safe_d) - l1 * l2 / l3_
     J1 = P * (S / safe_C) * passage.sigma + xp.where(use, near / safe_C, far)
     J3 = (A * J1 + (S / safe_C) * time) / safe_B
     return xp.where(form.full, l1 * l1 * time + B * share, J1), J2, xp.where(form.full, l3 * l3 * time + A * share, J3)
@@ -308,5 +308,3 @@ def _rate(form: Canonical, v: Vector) -> Vector:
 
 def _dot(x: Any, y: Any) -> Array:
     return x[0] * y[0] + x[1] * y[1] + x[2] * y[2]
-
-

@@ -7,28 +7,38 @@ Taylor series where u is small and those cancel. Sources: Whittaker & Watson, ch
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from polhode.arrays import namespace
 from polhode.special.elliptic import jacobi_at_reduced_phase, nome, sd_squared_over_half_period
+from polhode.types import Array, ArrayOrFloat, Float64
 
-Array = Any
 SMALL = 0.5  # |u| below which the series in u² are used
 TERMS = 14  # the first term left out is below 1e-17 there
+
+
+Number = Float64[Array, "*batch"]
+Operand = Float64[ArrayOrFloat, "*#shape"]
 
 
 class Kernel(NamedTuple):
     """s, c, d, ρ, σ as the module's head defines them."""
 
-    s: Array
-    c: Array
-    d: Array
-    rho: Array
-    sigma: Array
+    s: Number
+    c: Number
+    d: Number
+    rho: Number
+    sigma: Number
 
 
 def elliptic_kernel(
-    time: Array, b: Array, g: Array, kappa: Array, turns: Array, rest: tuple[Array, Array], to_quarter: Array
+    time: Operand,
+    b: Operand,
+    g: Operand,
+    kappa: Operand,
+    turns: Operand,
+    rest: tuple[Operand, Operand],
+    to_quarter: Operand,
 ) -> Kernel:
     """Return the kernel at √b t = 2K turns + rest, |rest| ≤ K, with K − |rest| given without cancellation.
 

@@ -7,19 +7,18 @@ from typing import Any
 import numpy as np
 
 from polhode.arrays import compiled, custom_derivative, is_jax, namespace, stack_last, stop_gradient
-from polhode.exact.blocks import columns_in_blocks, state_in_blocks
+from polhode.exact.blocks import Columns, Vectors, columns_in_blocks, state_in_blocks
 from polhode.exact.lagrange_top import geometry
 from polhode.exact.lagrange_top.geometry_tangent import changed_numbers
 from polhode.exact.lagrange_top.preparation import prepare
 from polhode.exact.lagrange_top.series import ENTRIES, evaluate
 from polhode.exact.lagrange_top.tangent import TangentData, state_tangent, tangent_data
+from polhode.types import Array, Float64
 
-Array = Any
-Arguments = tuple[Array, ...]
 NUMBERS = ENTRIES + len(TangentData._fields)  # where they begin among the columns
 
 
-def motion_columns(arguments: Arguments) -> tuple[Array, ...]:
+def motion_columns(arguments: Vectors) -> Columns:
     """Return the constants of motion of moments (…, 3), mgl (…, 1), momentum (…, 3), attitude (…, 4) as columns.
 
     On JAX what the derivative needs follows what evaluation needs, and then the numbers of the motion.
@@ -34,7 +33,7 @@ def _columns_of_tops(*arguments: Array) -> tuple[Array, ...]:
     return (*prepared.motion, *tangent_data(prepared), *geometry.characteristics_of(*prepared[1:]))
 
 
-def characteristics(columns: tuple[Array, ...], arguments: Arguments) -> geometry.Characteristics:
+def characteristics(columns: Columns, arguments: Vectors) -> geometry.Characteristics:
     """Return the numbers of the motion."""
     xp = namespace(*arguments)
     shape = np.broadcast_shapes(*(v.shape[:-1] for v in arguments))
@@ -56,28 +55,28 @@ def _numbers_rule(primals: tuple[Any, ...], tangents: tuple[Any, ...]) -> tuple[
     return values, changed_numbers(data, values, tangents[2:])
 
 
-def state(columns: tuple[Array, ...], arguments: Arguments, elapsed: Array, rest: Array) -> tuple[Array, Array]:
+def state(
+    columns: Columns, arguments: Vectors, elapsed: Float64[Array, "..."], rest: Float64[Array, "..."]
+) -> tuple[Float64[Array, "*batch 4"], Float64[Array, "*batch 3"]]:
     """Return attitude (…, 4) and momentum (…, 3) at the elapsed times, which broadcast against the columns."""
     if is_jax(elapsed, *columns):
         return compiled(_differentiable_state, elapsed)(columns, arguments, elapsed, rest)
     return state_in_blocks(evaluate, columns, elapsed, rest)
 
 
-def _differentiable_state(
-    columns: tuple[Array, ...], arguments: Arguments, elapsed: Array, rest: Array
-) -> tuple[Array, Array]:
+def _differentiable_state(columns: Columns, arguments: Vectors, elapsed: Array, rest: Array) -> tuple[Array, Array]:
     flow = custom_derivative(_stacked, _stacked_rule)
     return flow(*arguments, elapsed, rest, stop_gradient(_with_derivative(columns, arguments)))
 
 
-def _with_derivative(columns: tuple[Array, ...], arguments: Arguments) -> tuple[Array, ...]:
+def _with_derivative(columns: Columns, arguments: Vectors) -> tuple[Array, ...]:
     """Return the columns as they are on JAX; those of a motion made on NumPy lack what the derivative needs."""
     return columns if len(columns) > ENTRIES else motion_columns(arguments)
 
 
 def _stacked(
     moments: Array, mgl: Array, momentum: Array, attitude: Array, elapsed: Array, rest: Array,
-    columns: tuple[Array, ...],
+    columns: Columns,
 ) -> tuple[Array, Array]:  # fmt: skip
     parts = evaluate(columns[:ENTRIES], elapsed, rest)
     return stack_last(parts[:4]), stack_last(parts[4:])

@@ -10,16 +10,17 @@ from __future__ import annotations
 from typing import Any
 
 from polhode.arrays import iterate, namespace, stop_gradient
+from polhode.types import Array, ArrayOrFloat, Float64
 
-Array = Any
 ORDER = 24
 STEP = 0.75  # rate times length of a step; what is left out is below 1e-17
 MOST_STEPS = 4000  # of one flow; a top on the separatrix is upright long before
 SMALL_TILT = 0.5  # largest 1 − cos θ for which only β is stepped
-Start = tuple[Array, ...]  # Re and Im of α, β and w, then G and a
+Number = Float64[ArrayOrFloat, "..."]
+Start = tuple[Number, ...]  # Re and Im of α, β and w, then G and a
 
 
-def slopes(start: Start) -> tuple[Array, ...]:
+def slopes(start: Start) -> tuple[Number, ...]:
     """Return α', β' and w', real and imaginary parts."""
     ar, ai, br, bi, wr, wi, G, a = start
     return (
@@ -29,7 +30,7 @@ def slopes(start: Start) -> tuple[Array, ...]:
     )  # fmt: skip
 
 
-def flow(start: Start, tau: Array, D: Array, tilt: Array) -> tuple[Array, ...]:
+def flow(start: Start, tau: Number, D: Number, tilt: Number) -> tuple[Number, ...]:
     """Return α, β, w after ``tau``, real and imaginary parts.
 
     Args:

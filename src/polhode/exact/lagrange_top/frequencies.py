@@ -15,8 +15,10 @@ from polhode.exact.lagrange_top.roots import TurningPoints
 from polhode.special import doubledouble as dd
 from polhode.special.agm import third_kind_agm
 from polhode.special.doubledouble import DoubleDouble
+from polhode.types import Array, Bool, Float64
 
-Array = Any
+Number = Float64[Array, "*batch"]
+Flag = Bool[Array, "*batch"]
 
 
 class Frequencies(NamedTuple):
@@ -26,12 +28,12 @@ class Frequencies(NamedTuple):
     nutation: DoubleDouble  # ϖ = ½ agm(√A, √B) = πW/2K, zero on the separatrix
     alpha: DoubleDouble  # linear rates of the phases of α and β apart from their theta quotients
     beta: DoubleDouble
-    sign_alpha: Array  # sgn c' and sgn c, +1 for zero
-    sign_beta: Array
+    sign_alpha: Number  # sgn c' and sgn c, +1 for zero
+    sign_beta: Number
     spin: DoubleDouble  # ν I1, the spin that I3 ≠ I1 adds, by τ
-    permanent: Array  # the momentum stays: sleeping, hanging, rest
-    separatrix: Array
-    steady: Array  # the tilt stays
+    permanent: Flag  # the momentum stays: sleeping, hanging, rest
+    separatrix: Flag
+    steady: Flag  # the tilt stays
 
 
 def top_frequencies(top: Reduction, points: TurningPoints) -> Frequencies:
@@ -73,9 +75,7 @@ def _starts(top: Reduction, points: TurningPoints) -> tuple[Any, ...]:
     """Return p² at the start of either sum, and whether either takes the form that starts from Z."""
     first_alpha = points.Z_plus[0] <= 2.0 * points.A[0]
     first_beta = dd.multiply(top.G, points.s2)[0] <= points.Z_minus[0]
-    square_alpha = dd.where(
-        first_alpha, points.Z_plus, dd.divide(dd.multiply(points.A, points.t2), points.t1)
-    )
+    square_alpha = dd.where(first_alpha, points.Z_plus, dd.divide(dd.multiply(points.A, points.t2), points.t1))
     square_beta = dd.where(first_beta, points.Z_minus, dd.divide(dd.multiply(points.s1, points.B), points.s2))
     # c = 0 through the upper pole: the factor of the sum vanishes, and p² must only not be zero
     idle = first_beta & (top.c[0] == 0)

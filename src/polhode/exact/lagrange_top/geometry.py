@@ -11,8 +11,7 @@ from polhode.exact.lagrange_top.reduction import Reduction, reduce_top
 from polhode.exact.lagrange_top.roots import TurningPoints, turning_points
 from polhode.special import doubledouble as dd
 from polhode.special.doubledouble import DoubleDouble
-
-Array = Any
+from polhode.types import Array, Float64, Integer
 
 REGIMES = (
     "rest", "sleeping", "hanging", "steady", "free", "planar", "undulating", "cusp", "loop", "separatrix",
@@ -20,20 +19,29 @@ REGIMES = (
 REST, SLEEPING, HANGING, STEADY, FREE, PLANAR, UNDULATING, CUSP, LOOP, SEPARATRIX = range(10)
 
 
+Number = Float64[Array, "*batch"]
+Code = Integer[Array, "*batch"]
+
+
 class Characteristics(NamedTuple):
     """Numbers of the motion, one per top; inf or NaN where there is none."""
 
-    regime: Array  # code, index into REGIMES
-    lowest: Array  # of cos θ
-    highest: Array
-    period: Array
-    precession_per_period: Array
-    spin_per_period: Array
-    precession_rate: Array
-    spin_rate: Array
+    regime: Code  # code, index into REGIMES
+    lowest: Number  # of cos θ
+    highest: Number
+    period: Number
+    precession_per_period: Number
+    spin_per_period: Number
+    precession_rate: Number
+    spin_rate: Number
 
 
-def characteristics(moments: Array, mgl: Array, momentum: Array, attitude: Array) -> Characteristics:
+def characteristics(
+    moments: Float64[Array, "*batch 3"],
+    mgl: Float64[Array, "*batch 1"],
+    momentum: Float64[Array, "*batch 3"],
+    attitude: Float64[Array, "*batch 4"],
+) -> Characteristics:
     """Return the characteristics of tops with arrays (…, 3), (…, 1), (…, 3) and (…, 4) of one batch shape."""
     top = compiled(reduce_top, moments)(moments, mgl, momentum, attitude)
     points = compiled(turning_points, moments)(top)

@@ -25,8 +25,9 @@ from polhode.motion.inputs import (
 )
 from polhode.motion.invariants import drift, norm
 from polhode.motion.layout import ENERGY, Quantity
+from polhode.types import Array, ArrayLike, Float64, Real
 
-Array = Any
+Spin = Real[ArrayLike, "*#batch 3"] | None
 
 
 @dataclass(frozen=True, eq=False, init=False)
@@ -73,11 +74,12 @@ class LagrangeMotion(AbstractMotion):
     title: ClassVar[str] = "Lagrange top"
     has_vertical: ClassVar[bool] = True
     body_numbers: ClassVar[tuple[str, ...]] = ("mgl",)
-    mgl: Array
+    mgl: Float64[Array, "*batch"]
 
     def __init__(
-        self, moments: Array, mgl: Array, momentum: Array | None = None, attitude: Array = (1.0, 0.0, 0.0, 0.0),
-        epoch: Array = 0.0, *, angular_velocity: Array | None = None, **attributes: Array,
+        self, moments: Real[ArrayLike, "*#batch 3"], mgl: Real[ArrayLike, "*#batch"], momentum: Spin = None,
+        attitude: Real[ArrayLike, "*#batch 4"] = (1.0, 0.0, 0.0, 0.0), epoch: Real[ArrayLike, "*#batch"] = 0.0, *,
+        angular_velocity: Spin = None, **attributes: ArrayLike,
     ) -> None:  # fmt: skip
         super().__init__(moments, {"mgl": mgl}, momentum, attitude, epoch, angular_velocity, attributes)
 
@@ -85,11 +87,11 @@ class LagrangeMotion(AbstractMotion):
     def from_body(
         cls,
         body: Body,
-        pivot: Array,
-        angular_velocity: Array | None = None,
-        momentum: Array | None = None,
-        attitude: Array = (1.0, 0.0, 0.0, 0.0),
-        epoch: Array = 0.0,
+        pivot: Real[ArrayLike, "3"],
+        angular_velocity: Spin = None,
+        momentum: Spin = None,
+        attitude: Real[ArrayLike, "*#batch 4"] = (1.0, 0.0, 0.0, 0.0),
+        epoch: Real[ArrayLike, "*#batch"] = 0.0,
         *,
         gravity: float = STANDARD_GRAVITY,
     ) -> LagrangeMotion:

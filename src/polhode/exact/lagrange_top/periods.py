@@ -10,39 +10,43 @@ Source: Arnold, *Mathematical Methods of Classical Mechanics*, §50, for action 
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from polhode.arrays import namespace
 from polhode.special.carlson import carlson_rd
+from polhode.types import Array, Complex128, Float64
 
-Array = Any
 SMALL_PARAMETER = 0.1  # up to which (D − B)/m is summed as a series
 TERMS = 18  # of it: 0.1^18
+
+
+Number = Float64[Array, "*batch"]
+Complex = Complex128[Array, "*batch"]
 
 
 class Nutation(NamedTuple):
     """A top's invariants and turning points, one plain array each, each as accurate as possible."""
 
-    G: Array
-    a: Array
-    c: Array  # p_φ − L3
-    energy: Array  # ε
-    s2: Array  # 1 − u2
-    d: Array  # u2 − u1
-    A: Array  # G (u3 − u1)
-    B: Array  # G (u3 − u2)
+    G: Number
+    a: Number
+    c: Number  # p_φ − L3
+    energy: Number  # ε
+    s2: Number  # 1 − u2
+    d: Number  # u2 − u1
+    A: Number  # G (u3 − u1)
+    B: Number  # G (u3 − u2)
 
 
 class Invariants(NamedTuple):
     """Changes of ε, c, a and G."""
 
-    energy: Array
-    c: Array
-    a: Array
-    G: Array
+    energy: Number
+    c: Number
+    a: Number
+    G: Number
 
 
-def moments_of_nutation(top: Nutation) -> tuple[tuple[Array, ...], Array]:
+def moments_of_nutation(top: Nutation) -> tuple[tuple[Number, Number, Number, Number], Number]:
     """Return I_0 … I_3 and the period T by τ."""
     xp = namespace(top.A)
     m, m1 = top.G * top.d / top.A, top.B / top.A
@@ -75,10 +79,10 @@ def _gap(m: Array) -> Array:
 class NutationChange(NamedTuple):
     """A nutation's period by τ and what changes of the invariants change."""
 
-    period: Array  # T
-    period_change: Array
-    twist: Array  # ½(δJ_a − T δa): δθ_α = ½ a δT − twist
-    turn: Array  # −δJ_c = δ(θ_α + θ_β)
+    period: Number  # T
+    period_change: Number
+    twist: Number  # ½(δJ_a − T δa): δθ_α = ½ a δT − twist
+    turn: Number  # −δJ_c = δ(θ_α + θ_β)
 
 
 def change_of_nutation(top: Nutation, change: Invariants) -> NutationChange:
@@ -95,8 +99,8 @@ def change_of_nutation(top: Nutation, change: Invariants) -> NutationChange:
 
 
 def added_by_nutation(
-    top: Nutation, start: tuple[Array, Array, Array], change: Invariants
-) -> tuple[Array, Array, Array]:
+    top: Nutation, start: tuple[Complex, Complex, Complex], change: Invariants
+) -> tuple[Complex, Complex, Complex]:
     """Return what one nutation adds to the changes of α, β and w, after its phases are turned back.
 
     That is −ẏ δT and the turns by δθ_α and δθ_β, with a δT taken out of each where it cancels.

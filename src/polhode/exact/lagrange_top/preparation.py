@@ -6,6 +6,7 @@ import math
 from typing import Any, NamedTuple
 
 from polhode.arrays import barrier, choose, compiled, namespace, split_halves
+from polhode.exact.blocks import Columns
 from polhode.exact.lagrange_top.frequencies import Frequencies, top_frequencies
 from polhode.exact.lagrange_top.reduction import Reduction, reduce_top
 from polhode.exact.lagrange_top.roots import TurningPoints, turning_points
@@ -15,14 +16,13 @@ from polhode.special.circular import split_rate
 from polhode.special.doubledouble import DoubleDouble
 from polhode.special.elliptic import nome_per_parameter
 from polhode.special.first_kind import first_kind
-
-Array = Any
+from polhode.types import Array, Float64
 
 
 class Prepared(NamedTuple):
     """The flattened ``Motion`` for evaluation, with what it came from."""
 
-    motion: tuple[Array, ...]
+    motion: Columns
     top: Reduction
     points: TurningPoints
     rates: Frequencies
@@ -41,7 +41,12 @@ class _Arguments(NamedTuple):
     x0: DoubleDouble
 
 
-def prepare(moments: Array, mgl: Array, momentum: Array, attitude: Array) -> Prepared:
+def prepare(
+    moments: Float64[Array, "*batch 3"],
+    mgl: Float64[Array, "*batch 1"],
+    momentum: Float64[Array, "*batch 3"],
+    attitude: Float64[Array, "*batch 4"],
+) -> Prepared:
     """Return the constants of motion of tops with arrays (…, 3), (…, 1), (…, 3) and (…, 4) of one batch shape."""
     top = barrier(compiled(reduce_top, moments)(moments, mgl, momentum, attitude))
     points = barrier(compiled(turning_points, moments)(top))
@@ -123,9 +128,7 @@ def _motion(
     K = dd.divide(dd.multiply(rates.half_root, pi), dd.scale(rates.nutation, 2.0))
     fraction = dd.scale(dd.divide(at.x0, K), 0.5)
     start = dd.where(full, dd.scale(fraction, 0.5), dd.where(separatrix, at.x0, fraction))
-    third, start = (
-        dd.where(permanent, value, v) for value, v in (((zero, zero), third), ((0.25 + zero, zero), start))
-    )
+    third, start = (dd.where(permanent, value, v) for value, v in (((zero, zero), third), ((0.25 + zero, zero), start)))
     shrink = 2.0 * (q + q**4 + q**9)
     period = dd.scale(K, 2.0)
     period = dd.add(period, (-period[0] * (shrink * (2.0 + shrink) / (theta3 * theta3)), zero))
@@ -174,9 +177,7 @@ def _linear_rates(rates: Frequencies, at: _Arguments) -> tuple[Array, Array]:
     return out[0], out[1]
 
 
-def _series_columns(
-    top: Reduction, points: TurningPoints, rates: Frequencies, at: _Arguments
-) -> tuple[Array, ...]:
+def _series_columns(top: Reduction, points: TurningPoints, rates: Frequencies, at: _Arguments) -> tuple[Array, ...]:
     xp = namespace(at.full)
     root_t, root_s = (xp.sqrt(0.5 * v[0]) for v in (points.t2, points.s1))
     # a permanent top has one of α, β, or at rest both, as it started: A = |α| sin z and B = i |β| sin z at z = π/2

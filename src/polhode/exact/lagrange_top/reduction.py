@@ -14,8 +14,10 @@ from typing import Any, NamedTuple
 from polhode.arrays import namespace
 from polhode.special import doubledouble as dd
 from polhode.special.doubledouble import DoubleDouble
+from polhode.types import Array, Bool, Float64
 
-Array = Any
+Number = Float64[Array, "*batch"]
+Flag = Bool[Array, "*batch"]
 
 
 class Reduction(NamedTuple):
@@ -24,9 +26,9 @@ class Reduction(NamedTuple):
     u = cos θ, s = 1 − u, t = 1 + u, index 0 at the epoch; dots are derivatives by τ.
     """
 
-    moments: tuple[Array, Array]  # I1, I3
-    momentum: tuple[Array, Array, Array]
-    quaternion: tuple[Array, Array, Array, Array]  # as given, not normalised
+    moments: tuple[Number, Number]  # I1, I3
+    momentum: tuple[Number, Number, Number]
+    quaternion: tuple[Number, Number, Number, Number]  # as given, not normalised
     size: DoubleDouble  # its |q|²
     G: DoubleDouble
     s0: DoubleDouble
@@ -40,12 +42,17 @@ class Reduction(NamedTuple):
     D: DoubleDouble  # 2G − a² − |w|² + G s
     w2: DoubleDouble  # |w|² at the epoch
     lean: DoubleDouble  # a (|w|² − G s) − G c: its sign against a's tells loops from waves
-    reversed: Array  # whether the axis was turned round
-    momentum_scale: Array  # powers of two taken out
-    rate_scale: Array
+    reversed: Flag  # whether the axis was turned round
+    momentum_scale: Number  # powers of two taken out
+    rate_scale: Number
 
 
-def reduce_top(moments: Array, mgl: Array, momentum: Array, attitude: Array) -> Reduction:
+def reduce_top(
+    moments: Float64[Array, "*batch 3"],
+    mgl: Float64[Array, "*batch 1"],
+    momentum: Float64[Array, "*batch 3"],
+    attitude: Float64[Array, "*batch 4"],
+) -> Reduction:
     """Return the reduction of tops with moments (…, 3), mgl (…, 1), momentum (…, 3) and attitude (…, 4)."""
     xp = namespace(moments, mgl, momentum, attitude)
     turned = mgl[..., 0] < 0

@@ -13,8 +13,8 @@ from polhode.arrays import iterate, namespace
 from polhode.exact.lagrange_top.reduction import Reduction
 from polhode.special import doubledouble as dd
 from polhode.special.doubledouble import DoubleDouble
+from polhode.types import Array
 
-Array = Any
 NEWTON_STEPS = 5  # from the float64 root; three do, two more where float64 was poor
 
 

@@ -7,38 +7,43 @@ Kreisels*, ch. VI). The full form (m ≤ ½) is trigonometric in z, the compleme
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from polhode.arrays import choose, namespace, split_halves
+from polhode.exact.blocks import Columns
 from polhode.exact.decay import exponential_decay
 from polhode.special.circular import SplitRate, reduced_phase, sine_cosine_turns
 from polhode.special.doubledouble import fast_two_sum, two_sum
+from polhode.types import Array, ArrayOrFloat, Bool, Float64
 
-Array = Any
 ENTRIES = 45  # of a flattened motion
-Numerators = tuple[Array, ...]  # A, B and their derivatives by z or x', real and imaginary parts, phases in turns
+Number = Float64[Array, "*batch"]
+Flag = Bool[Array, "*batch"]
+Numerators = tuple[
+    Float64[ArrayOrFloat, "*shape"], ...
+]  # A, B and their derivatives by z or x', real and imaginary parts, phases in turns
 TERMS = 4  # of each series: q^16 is below 1e-21
 
 
 class Motion(NamedTuple):
     """All that evaluation needs, one entry per top. ``full`` says which form it takes."""
 
-    full: Array
+    full: Flag
     first: SplitRate  # of the phase of α [turns per time]
     second: SplitRate  # of the phase of β
     third: SplitRate  # full: of z/2π; complementary: of x/2K
-    start: tuple[Array, Array]  # the same at the epoch, double-double
-    series: tuple[Array, ...]  # full: sums and differences of e^{±ikz} in A and B; complementary: sin, cos of ky, 2ny
-    constant: Array  # complementary: the constant term of B
-    nome: tuple[Array, ...]  # complementary: q, πK/K' halves, y_a/π, y_b/π, whether periodic
-    signs: tuple[Array, Array]  # of c' and c
-    rates: tuple[Array, Array]  # of w: twice dz/dt or dx'/dt, twice the sum of the linear rates [momentum]
-    phases: tuple[Array, Array, Array, Array]  # cos, sin of the constant phases of α and β
-    axial: Array  # L3
-    reversed: Array  # −1 where the axis was turned round
+    start: tuple[Number, Number]  # the same at the epoch, double-double
+    series: tuple[Number, ...]  # full: sums and differences of e^{±ikz} in A and B; complementary: sin, cos of ky, 2ny
+    constant: Number  # complementary: the constant term of B
+    nome: tuple[Number, ...]  # complementary: q, πK/K' halves, y_a/π, y_b/π, whether periodic
+    signs: tuple[Number, Number]  # of c' and c
+    rates: tuple[Number, Number]  # of w: twice dz/dt or dx'/dt, twice the sum of the linear rates [momentum]
+    phases: tuple[Number, Number, Number, Number]  # cos, sin of the constant phases of α and β
+    axial: Number  # L3
+    reversed: Number  # −1 where the axis was turned round
 
 
-def flatten(motion: Motion) -> tuple[Array, ...]:
+def flatten(motion: Motion) -> Columns:
     """Return the entries as one flat tuple of arrays, ``full`` first."""
     out: list[Array] = []
     for part in motion:
@@ -46,7 +51,7 @@ def flatten(motion: Motion) -> tuple[Array, ...]:
     return tuple(out)
 
 
-def unflatten(flat: tuple[Array, ...]) -> Motion:
+def unflatten(flat: Columns) -> Motion:
     """Return the inverse of ``flatten``."""
     return Motion(
         flat[0], flat[1:4], flat[4:7], flat[7:10], flat[10:12], flat[12:28], flat[28], flat[29:35], flat[35:37],
@@ -54,7 +59,9 @@ def unflatten(flat: tuple[Array, ...]) -> Motion:
     )  # fmt: skip
 
 
-def evaluate(flat: tuple[Array, ...], time: Array, time_rest: Array | None = None) -> tuple[Array, ...]:
+def evaluate(
+    flat: Columns, time: Float64[ArrayOrFloat, "*times"], time_rest: Float64[ArrayOrFloat, "*times"] | None = None
+) -> tuple[Float64[Array, "*shape"], ...]:
     """Return the four quaternion and three momentum components at the times, elementwise with broadcasting.
 
     Args:
@@ -203,4 +210,3 @@ def _phases(constant: tuple[Array, ...], turns_a: Array, turns_b: Array) -> tupl
         s, c = sine_cosine_turns(_wrapped(turns))
         out += [c * c0 - s * s0, s * c0 + c * s0]
     return tuple(out)
-

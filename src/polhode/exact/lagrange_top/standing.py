@@ -7,29 +7,32 @@ rounding goes on like that, its own β falling as e^{−λσ}; what α feels of 
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from polhode.arrays import namespace, split_halves
 from polhode.special import doubledouble as dd
 from polhode.special.circular import reduced_phase, sine_cosine_turns, split_rate
 from polhode.special.doubledouble import DoubleDouble
+from polhode.types import Array, Bool, Complex128, Float64
 
-Array = Any
-Vector = tuple[Array, Array, Array]  # α, β, w or their changes, complex
+Number = Float64[Array, "*batch"]
+Flag = Bool[Array, "*batch"]
+Complex = Complex128[Array, "*batch"]
+Vector = tuple[Complex, Complex, Complex]  # α, β, w or their changes, complex
 FARTHEST = 340.0  # exponent of growth up to which a change is followed: its square and a flow's still fit
 
 
 class Growth(NamedTuple):
     """C and S solve y'' = κ y from (1, 0) and (0, 1) after σ = τ − τ1."""
 
-    elapsed: Array  # σ
-    kappa: Array
-    C: Array
-    S: Array
-    decay: Array  # the exponent that the top's own β falls with, of the sign of σ; zero where β is
+    elapsed: Number  # σ
+    kappa: Number
+    C: Number
+    S: Number
+    decay: Number  # the exponent that the top's own β falls with, of the sign of σ; zero where β is
 
 
-def growth(kappa: DoubleDouble, tau: DoubleDouble, begin: Array, falling: Array) -> Growth:
+def growth(kappa: DoubleDouble, tau: DoubleDouble, begin: Number, falling: Flag) -> Growth:
     """Return the growth over τ − ``begin``.
 
     Args:
@@ -60,7 +63,7 @@ def growth(kappa: DoubleDouble, tau: DoubleDouble, begin: Array, falling: Array)
     return Growth(elapsed[0], kappa[0], C, xp.where(some, S, elapsed[0]), decay)
 
 
-def upright_change(a: Array, now: Vector, change: Vector, of: tuple[Array, Array], by: Growth) -> Vector:
+def upright_change(a: Number, now: Vector, change: Vector, of: tuple[Number, Number], by: Growth) -> Vector:
     """Return the changes of α, β, w at σ near a top that stands or goes upright, α's own phase ½aσ taken off.
 
     Args:
@@ -93,7 +96,7 @@ def upright_change(a: Array, now: Vector, change: Vector, of: tuple[Array, Array
     return d_alpha, changed, d_w
 
 
-def resting_change(start: Vector, change: Vector, of: tuple[Array, Array], tau: Array) -> Vector:
+def resting_change(start: Vector, change: Vector, of: tuple[Number, Number], tau: Number) -> Vector:
     """Return the changes at τ of a top at rest without weight, by changes of G and a among ``of``."""
     conj = namespace(tau).conj
     alpha, beta, _ = start
@@ -107,14 +110,14 @@ def resting_change(start: Vector, change: Vector, of: tuple[Array, Array], tau: 
     )
 
 
-def reversed_axis(hanging: Array, vector: Vector) -> Vector:
+def reversed_axis(hanging: Flag, vector: Vector) -> Vector:
     """Return α, β, w of the top seen with its axis reversed, (−β, α, w̄), where it hangs."""
     xp = namespace(hanging)
     alpha, beta, w = vector
     return xp.where(hanging, -beta, alpha), xp.where(hanging, alpha, beta), xp.where(hanging, xp.conj(w), w)
 
 
-def given_axis(hanging: Array, vector: Vector) -> Vector:
+def given_axis(hanging: Flag, vector: Vector) -> Vector:
     """Return the inverse of ``reversed_axis``."""
     xp = namespace(hanging)
     alpha, beta, w = vector

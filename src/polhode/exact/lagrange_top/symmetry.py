@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from polhode import rotation
 from polhode.bodies.pivot import EQUAL, PivotedBody, axis_of_symmetry
 from polhode.errors import InvalidInput
+from polhode.types import Array, Float64
 
-Array = Any
 
-
-def third_axis_to_centre(body: PivotedBody) -> tuple[Array, Array]:
+def third_axis_to_centre(body: PivotedBody) -> tuple[Float64[Array, "3"], Float64[Array, "3 3"]]:
     """Return moments (I1, I1, I3) and right-handed axes (3, 3) by columns whose third points to the centre of mass.
 
     Of a body whose centre of mass is its fixed point the third is an axis of symmetry.

@@ -12,6 +12,7 @@ import math
 from typing import Any, NamedTuple
 
 from polhode.arrays import derivative_columns, first_order_only, namespace, split_halves
+from polhode.exact.blocks import Vectors
 from polhode.exact.lagrange_top import standing
 from polhode.exact.lagrange_top.flow import flow, slopes
 from polhode.exact.lagrange_top.periods import Invariants, Nutation, added_by_nutation
@@ -19,53 +20,56 @@ from polhode.exact.lagrange_top.preparation import Prepared
 from polhode.special import doubledouble as dd
 from polhode.special.circular import reduced_phase, split_rate
 from polhode.special.doubledouble import DoubleDouble
+from polhode.types import Array, Bool, Complex128, Float64
 
-Array = Any
-Vector = tuple[Array, Array, Array]  # α, β, w or their changes, complex
+Number = Float64[Array, "*batch"]
+Flag = Bool[Array, "*batch"]
+Complex = Complex128[Array, "*batch"]
+Vector = tuple[Complex, Complex, Complex]  # α, β, w or their changes, complex
 UPRIGHT = 13.0  # λ times the time from the lowest point at which a top on the separatrix stands: |β|² is 1e-11 there
 
 
 class TangentData(NamedTuple):
     """What the derivative needs of a prepared top, one plain array each; ``…`` and ``…_rest`` are one number."""
 
-    I1: Array
-    I3: Array
-    L1: Array
-    L2: Array
-    L3: Array
-    w: Array
-    x: Array
-    y: Array
-    z: Array
-    size: Array
-    G: Array
-    G_rest: Array
-    D: Array
-    D_rest: Array
-    c: Array
-    energy: Array
-    s2: Array
-    d: Array
-    A: Array
-    B: Array
-    tilt: Array  # largest 1 − cos θ
-    place: Array  # of the epoch in the nutation, in periods from the lowest point; on the separatrix λτ
-    nutation: Array
-    nutation_rest: Array
-    alpha: Array
-    alpha_rest: Array
-    beta: Array
-    beta_rest: Array
-    spin: Array
-    spin_rest: Array
-    sign_alpha: Array
-    sign_beta: Array
-    permanent: Array
-    separatrix: Array
-    hanging: Array
-    reversed: Array
-    momentum_scale: Array
-    rate_scale: Array
+    I1: Number
+    I3: Number
+    L1: Number
+    L2: Number
+    L3: Number
+    w: Number
+    x: Number
+    y: Number
+    z: Number
+    size: Number
+    G: Number
+    G_rest: Number
+    D: Number
+    D_rest: Number
+    c: Number
+    energy: Number
+    s2: Number
+    d: Number
+    A: Number
+    B: Number
+    tilt: Number  # largest 1 − cos θ
+    place: Number  # of the epoch in the nutation, in periods from the lowest point; on the separatrix λτ
+    nutation: Number
+    nutation_rest: Number
+    alpha: Number
+    alpha_rest: Number
+    beta: Number
+    beta_rest: Number
+    spin: Number
+    spin_rest: Number
+    sign_alpha: Number
+    sign_beta: Number
+    permanent: Flag
+    separatrix: Flag
+    hanging: Flag
+    reversed: Flag
+    momentum_scale: Number
+    rate_scale: Number
 
     @property
     def whole_nutation(self) -> Nutation:
@@ -75,10 +79,10 @@ class TangentData(NamedTuple):
 class _Course(NamedTuple):
     """How the motion is cut up: whole nutations, one flow, and standing."""
 
-    count: Array
-    rest: Array  # τ of the flow
+    count: Number
+    rest: Number  # τ of the flow
     tau: DoubleDouble
-    phases: tuple[Array, Array]  # of α and β, apart from the flow's, in turns
+    phases: tuple[Number, Number]  # of α and β, apart from the flow's, in turns
 
 
 def tangent_data(prepared: Prepared) -> TangentData:
@@ -104,8 +108,11 @@ def tangent_data(prepared: Prepared) -> TangentData:
 
 
 def state_tangent(
-    top: TangentData, time: Array, state: tuple[Array, Array], changes: tuple[Array, ...]
-) -> tuple[Array, Array]:
+    top: TangentData,
+    time: Number,
+    state: tuple[Float64[Array, "*batch 4"], Float64[Array, "*batch 3"]],
+    changes: Vectors,
+) -> tuple[Float64[Array, "*batch 4"], Float64[Array, "*batch 3"]]:
     """Return the changes of attitude (…, 4) and momentum (…, 3).
 
     I1 = I2 is one quantity: its change is the mean of the first two moments' changes.
@@ -138,7 +145,7 @@ def state_tangent(
     return _assembled(xp, top, now, (moved, added), da, times, course.phases)
 
 
-def scaled_changes(xp: Any, top: TangentData, changes: tuple[Array, ...]) -> tuple[Vector, Vector, tuple[Array, ...]]:
+def scaled_changes(xp: Any, top: TangentData, changes: Vectors) -> tuple[Vector, Vector, tuple[Number, ...]]:
     """Return (α, β, w), its change, and those of G, a, I1 and I3, in the units of the reduction."""
     d_moments, d_mgl, d_momentum, d_attitude = changes[:4]
     sense = xp.where(top.reversed, -1.0, 1.0)
@@ -158,7 +165,7 @@ def scaled_changes(xp: Any, top: TangentData, changes: tuple[Array, ...]) -> tup
     return start, (dq[0] + 1j * dq[3], dq[1] + 1j * dq[2], dL1 + 1j * dL2), (dG, dL3, dI1, dI3)
 
 
-def changed_invariants(xp: Any, top: TangentData, start: Vector, change: Vector, dG: Array, da: Array) -> Invariants:
+def changed_invariants(xp: Any, top: TangentData, start: Vector, change: Vector, dG: Number, da: Number) -> Invariants:
     """Return the changes of ε = |w|² − G s, c = 2 Im β̄αw − a s, a and G."""
     alpha, beta, w = start
     d_alpha, d_beta, d_w = change
@@ -257,9 +264,7 @@ def _stood(
     found = (found[0] * back, found[1], found[2] * xp.conj(back))
     idle = standing.resting_change(values[0], changes[0], (by.G, by.a), course.tau[0])
     resting = (top.G == 0) & (top.L3 == 0)
-    return tuple(
-        xp.where(resting, x, y) for x, y in zip(idle, standing.given_axis(hanging, found), strict=True)
-    )
+    return tuple(xp.where(resting, x, y) for x, y in zip(idle, standing.given_axis(hanging, found), strict=True))
 
 
 def _spherical(xp: Any, top: TangentData, attitude: Array, momentum: Array) -> Vector:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import diffrax
 import numpy as np
@@ -25,8 +25,8 @@ from polhode.systems.double_bracket import DoubleBracket
 from polhode.systems.kepler_orbit import KeplerOrbit
 from polhode.systems.torqued_body import TorquedBody
 from polhode.systems.torques import AbstractTorque, GravityGradient, LinearDrag, QuadraticDrag
+from polhode.types import Array, Float64
 
-Array = Any
 SETTLED = 12.0  # time constants in which what is left of an angle is 6e-6 of it
 DECAYS = 5.0  # time constants of drag followed where no end is given
 MOST_TURNS = 2000.0  # of the start, followed where no end is given
@@ -61,18 +61,18 @@ class DampedBodyReport(AbstractReport):
         return self.table.damping is not None
 
     @property
-    def energy(self) -> Array:
+    def energy(self) -> Float64[Array, "time"]:
         """(T,) of rotation [J]."""
         name = "energy" if self.inside else "kinetic_energy"
         return np.asarray(self.trajectory.balances[name])
 
     @property
-    def momentum_norm(self) -> Array:
+    def momentum_norm(self) -> Float64[Array, "time"]:
         """(T,) |L| [kg m²/s]."""
         return np.linalg.norm(np.asarray(self.trajectory.momentum), axis=-1)
 
     @property
-    def angle_to_major_axis(self) -> Array:
+    def angle_to_major_axis(self) -> Float64[Array, "time"]:
         """(T,) angle from L to the nearest line of largest moment [rad]."""
         momentum, moments = np.asarray(self.trajectory.momentum), self.body.principal_moments
         major = moments == moments[2]
@@ -213,9 +213,7 @@ def _time_constant(found: Stability) -> float | None:
     return 1.0 / abs(found.rate) if found.rate else None
 
 
-def _end(
-    table: DampedBodyTable, moments: Array, momentum: Array, axes: tuple[Stability, ...]
-) -> tuple[float, bool]:
+def _end(table: DampedBodyTable, moments: Array, momentum: Array, axes: tuple[Stability, ...]) -> tuple[float, bool]:
     """Return a time by which the motion has settled, and whether it is cut short."""
     if not axes:
         return table.orbital_period or 1.0, False

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from itertools import pairwise
-from typing import Any
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -12,8 +11,8 @@ from polhode.figures import style
 from polhode.figures.energy_levels import default_frame, draw_levels, label_axes, legend_of, mark_verdict
 from polhode.figures.sphere import draw_curve, mark_point, sphere_axes
 from polhode.kinds.damped_body.answers import DampedBodyReport
+from polhode.types import Array
 
-Array = Any
 FINEST = 0.05  # rad between points of a curve that is drawn as one
 COARSEST = 0.6  # rad between samples up to which they are joined; beyond, lines would show what is not there
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from typing import Any
 
 import diffrax
 import jax.numpy as jnp
@@ -30,8 +29,8 @@ from polhode.motion.trajectory import Trajectory
 from polhode.reports.length import ADAPTIVE, check_length
 from polhode.simulation import simulate
 from polhode.systems.euler_disk import LAYOUT, EulerDisk
+from polhode.types import Array
 
-Array = Any
 PERIODS = 10
 TURNS = 12  # of the contact, sampled densely
 TURN_SAMPLES = 125

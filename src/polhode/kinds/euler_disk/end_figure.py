@@ -12,8 +12,8 @@ from polhode.analysis.power_law import PowerLaw
 from polhode.analysis.spin_down import ASYMPTOTIC_FIT, SpinDown
 from polhode.figures import style
 from polhode.kinds.euler_disk.report import EulerDiskReport
+from polhode.types import Array
 
-Array = Any
 COLOURS = {"end of asymptotic regime": style.GREEN}  # of events; all others end the motion
 BELOW = 3.0  # factor by which a panel reaches beyond what comes before the fall
 

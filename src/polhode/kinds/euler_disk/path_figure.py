@@ -12,8 +12,8 @@ from matplotlib.figure import Figure
 
 from polhode.figures import style
 from polhode.kinds.euler_disk.report import EulerDiskReport
+from polhode.types import Array
 
-Array = Any
 MILLI, MICRO = 1e3, 1e6
 MAGNIFIED = 8.0  # a centre whose path is smaller than the contact's by more than this is drawn once more by itself
 STILL = 1e-9  # radii, below which it is at rest but for rounding

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from typing import Any, ClassVar, NamedTuple
+from typing import ClassVar, NamedTuple
 
 import numpy as np
 
@@ -20,8 +20,8 @@ from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import AbstractReport
 from polhode.reports.wording import rate
 from polhode.systems.euler_disk import LAYOUT, EulerDisk
+from polhode.types import Array, Float64
 
-Array = Any
 PURE = 0.9  # of the power, from which on one law is said to dominate
 
 
@@ -34,7 +34,7 @@ class Steady(NamedTuple):
         nutation: frequency of small nutation [rad/s], None where unstable.
     """
 
-    state: Array
+    state: Float64[Array, "8"]
     verdict: Stability
     nutation: float | None
 
@@ -66,16 +66,16 @@ class Path(NamedTuple):
         outcome: how it ends.
     """
 
-    times: Array
-    states: Array
+    times: Float64[Array, "time"]
+    states: Float64[Array, "time 8"]
     outcome: Outcome
 
-    def part(self, name: str) -> Array:
+    def part(self, name: str) -> Float64[Array, "time"]:
         """Return a part of the states by name (T,)."""
         return LAYOUT.part(self.states, name)
 
     @property
-    def contact(self) -> Array:
+    def contact(self) -> Float64[Array, "time 2"]:
         """The point of contact (T, 2) [m]."""
         return np.stack([self.part("contact_x"), self.part("contact_y")], axis=-1)
 

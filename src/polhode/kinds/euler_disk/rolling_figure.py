@@ -14,8 +14,8 @@ from polhode.figures.scene import Scene, circle_about
 from polhode.figures.sphere import view_frame
 from polhode.kinds.euler_disk.report import EulerDiskReport, Path
 from polhode.systems.euler_disk import LAYOUT
+from polhode.types import Array
 
-Array = Any
 VIEW = (0.0, -0.88, 0.48)
 EYE = 9.0  # distance of the eye, in halves of what is seen
 STEEL, PLANE = "#b9c4d0", "#f3f1ec"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import numpy as np
 
@@ -22,8 +22,8 @@ from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import about_body, accuracy, stability_values, verdicts
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import AbstractReport
+from polhode.types import ArrayLike, Real
 
-Array = Any
 SAMPLES = 2000
 PERIODS = 10
 EXACT_TURNS = 2.0**50
@@ -122,7 +122,11 @@ def report_of(spec: Spec) -> FreeBodyReport:
 
 
 def free_body_report(
-    body: Body, momentum: Array, attitude: Array, times: Array | None = None, samples: int = SAMPLES
+    body: Body,
+    momentum: Real[ArrayLike, "3"],
+    attitude: Real[ArrayLike, "4"],
+    times: Real[ArrayLike, "time"] | None = None,
+    samples: int = SAMPLES,
 ) -> FreeBodyReport:
     """Return the report on a body's free motion.
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import numpy as np
 
@@ -19,8 +19,7 @@ from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import AbstractReport
 from polhode.reports.wording import distinct, vector
 from polhode.systems.gyrostat import Gyrostat, TorquedGyrostat
-
-Array = Any
+from polhode.types import Array, Float64
 
 
 @dataclass(frozen=True)
@@ -39,9 +38,9 @@ class GyrostatReport(AbstractReport):
     kind: ClassVar[str] = "gyrostat"
     spec: Spec
     table: GyrostatTable
-    moments: Array
-    axes: Array
-    rotor: Array
+    moments: Float64[Array, "3"]
+    axes: Float64[Array, "3 3"]
+    rotor: Float64[Array, "3"]
     trajectory: Trajectory
     equilibria: list[SteadyRotation]
     nutation_rate: float | None
@@ -61,32 +60,32 @@ class GyrostatReport(AbstractReport):
         return self.table.motor_torque is not None
 
     @property
-    def axis(self) -> Array:
+    def axis(self) -> Float64[Array, "3"]:
         """(3,) unit vector of the rotor's axis along those of the motion."""
         return cleaned(self.axes.T @ unit(self.table.rotor_axis))
 
     @property
-    def rotor_momentum(self) -> Array:
+    def rotor_momentum(self) -> Float64[Array, "time"]:
         """(T,) along its axis [kg m²/s], relative to the body or, of a free one, whole."""
         if self.motor:
             return np.asarray(self.trajectory.part("rotor_momentum"))
         return np.full(len(self.trajectory.times), float(self.rotor @ self.axis))
 
     @property
-    def rotor_rate(self) -> Array:
+    def rotor_rate(self) -> Float64[Array, "time"]:
         """(T,) relative to the body [rad/s]."""
         along = np.asarray(self.trajectory.angular_velocity) @ self.axis if self.free else 0.0
         return self.rotor_momentum / self.table.rotor_moment - along
 
     @property
-    def axis_to_momentum(self) -> Array:
+    def axis_to_momentum(self) -> Float64[Array, "time"]:
         """(T,) angle from the rotor's axis to L [rad]; zeros without momentum."""
         momentum = np.asarray(self.trajectory.momentum)
         across = np.linalg.norm(np.cross(momentum, self.axis), axis=-1)
         return np.arctan2(across, momentum @ self.axis)
 
     @property
-    def energy(self) -> Array:
+    def energy(self) -> Float64[Array, "time"]:
         """(T,) ½ Ω·IΩ with the moments of the motion [J]."""
         return 0.5 * np.sum(self.moments * np.asarray(self.trajectory.angular_velocity) ** 2, axis=-1)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -18,8 +18,8 @@ from polhode.reports.length import ADAPTIVE, SPLITTING, TURNING, check_length, e
 from polhode.reports.wording import vector
 from polhode.simulation import simulate
 from polhode.systems.gyrostat import Gyrostat, TorquedGyrostat
+from polhode.types import Array, ArrayLike, Float64, Real
 
-Array = Any
 TURNS = 10
 STEP_ANGLE = 0.05  # rad by which the faster of body and momentum turns in a step
 ORDER = 6
@@ -38,13 +38,13 @@ class Built(NamedTuple):
         attitude: (4,) unit quaternion, these axes → space.
     """
 
-    moments: Array
-    axes: Array
-    along: Array
+    moments: Float64[Array, "3"]
+    axes: Float64[Array, "3 3"]
+    along: Float64[Array, "3"]
     momentum: float
-    velocity: Array
-    total: Array
-    attitude: Array
+    velocity: Float64[Array, "3"]
+    total: Float64[Array, "3"]
+    attitude: Float64[Array, "4"]
 
 
 def built(spec: Spec) -> Built:
@@ -91,7 +91,7 @@ def sampled(spec: Spec, made: Built) -> Trajectory:
     return simulate(system, np.append(state, made.momentum), times, step=table.step, progress=shown)
 
 
-def unit(values: Array) -> Array:
+def unit(values: Real[ArrayLike, "3"]) -> Float64[Array, "3"]:
     """Return a vector's direction, however long it is."""
     array = np.asarray(values, dtype=float)
     array = array / np.abs(array).max()  # so that squares neither vanish nor overflow

@@ -11,8 +11,7 @@ from polhode.figures import style
 from polhode.figures.energy_levels import default_frame, draw_levels, label_axes, legend_of, mark_verdict
 from polhode.figures.sphere import draw_curve, mark_point, sphere_axes
 from polhode.kinds.gyrostat.answers import GyrostatReport
-
-Array = Any
+from polhode.types import Array
 
 
 def draw_gyrostat_sphere(report: GyrostatReport) -> Figure | None:

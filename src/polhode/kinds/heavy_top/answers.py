@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import warnings
 from dataclasses import dataclass, replace
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import numpy as np
 
@@ -17,7 +17,6 @@ from polhode.reports.length import check_length, equal_steps, splitting_step
 from polhode.reports.top import TopReport, frame_of, leaned, natural_period, rest_verdicts, top_of
 from polhode.simulation import fastest_rate, simulate
 
-Array = Any
 PERIODS = 10
 NAMES = {"|P|²": "|Γ|²", "Π·P": "vertical_momentum"}  # the Casimirs of se(3)*, called by what they are here
 QUANTITIES = {

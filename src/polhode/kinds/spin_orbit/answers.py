@@ -6,7 +6,7 @@ import itertools
 import math
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import numpy as np
 
@@ -25,8 +25,8 @@ from polhode.reports.wording import number
 from polhode.simulation import simulate
 from polhode.systems.kepler_orbit import KeplerOrbit
 from polhode.systems.spin_orbit import SpinOrbit
+from polhode.types import Array, Float64
 
-Array = Any
 PERIODS = 30
 DAY = 86400.0
 LISTED = (3.0, 10.0)  # orders up to which resonances are listed: at least, and at most where spin or orbit are faster
@@ -56,7 +56,7 @@ class SpinOrbitReport(AbstractReport):
     section_orbits: int
 
     @property
-    def start(self) -> Array:
+    def start(self) -> Float64[Array, "2"]:
         """(2,) angle [rad] and rate [rad/s] at the first periapsis."""
         return np.asarray(self.trajectory.states)[0]
 

@@ -11,8 +11,8 @@ from polhode.analysis.spin_motion import steps_for
 from polhode.analysis.spin_orbit import poincare_section
 from polhode.figures import style
 from polhode.kinds.spin_orbit.answers import SpinOrbitReport, ratio
+from polhode.types import Array
 
-Array = Any
 WIDE, WHOLE = 0.25, (-0.2, 3.2)  # half-width of a zone from which all of them are shown, and these rates
 FEEBLE = 0.05  # of the widest zone: narrower ones do not set what is shown
 CROWDED = 0.04  # of the height: names closer to each other than that would overlap
