@@ -36,7 +36,8 @@ MAX_SECONDS_OF_A_SWEEP = 3000
 
 
 def pytest_configure(config):
-    """Name a new folder for compiled functions before workers start, so that every run starts cold."""
+    """Name a new folder for compiled functions before workers start, so that every run starts cold; keep no reports."""
+    os.environ["POLHODE_REPORTS_CACHE"] = ""
     if not hasattr(config, "workerinput") and COMPILED not in os.environ:
         os.environ[COMPILED] = config.compiled_here = tempfile.mkdtemp(prefix="polhode-tests-")
         os.environ["JAX_PERSISTENT_CACHE_MIN_COMPILE_TIME_SECS"] = "0.2"

@@ -2,6 +2,7 @@
 
 import json
 import math
+import pickle
 import re
 import subprocess
 import sys
@@ -163,3 +164,10 @@ def test_the_pendulum_s_own_rule(tmp_path):
     (tmp_path / "still.toml").write_text('[system]\nkind = "spherical-pendulum"\nlength = "1 m"\n', "utf-8")
     with pytest.raises(InvalidInput, match=r"system: needs lean, like"):
         read_spec(tmp_path / "still.toml")
+
+
+def test_it_can_be_kept(report):
+    """As commands keep it for the next."""
+    again = pickle.loads(pickle.dumps(report))
+    assert again.as_json_dict() == report.as_json_dict() and again.summary == report.summary
+    assert np.array_equal(again.trajectory.states, report.trajectory.states)

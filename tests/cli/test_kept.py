@@ -1,0 +1,174 @@
+"""Reports that commands keep: taken while they are still true, and never after."""
+
+import dataclasses
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from polhode.cli import kept
+from polhode.formats.labels import AttitudeLabels
+from polhode.kinds.base import Spec
+from polhode.kinds.reading import read_spec
+from polhode.kinds.registry import find_kind
+
+SPEC = """
+name = "a body"
+[body]
+mesh = "box.obj"
+mesh_unit = "m"
+mass = "1 kg"
+[spin]
+rate = "60 rpm"
+about = 2
+tilt = "1 deg"
+[time]
+until = "3 s"
+samples = 20
+"""
+BOX = """v 0 0 0\nv 1 0 0\nv 0 2 0\nv 1 2 0\nv 0 0 3\nv 1 0 3\nv 0 2 3\nv 1 2 3
+f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n"""
+
+
+@pytest.fixture
+def case(tmp_path, monkeypatch):
+    monkeypatch.setenv(kept.FOLDER, str(tmp_path / "kept"))
+    (tmp_path / "box.obj").write_text(BOX)
+    (tmp_path / "case.toml").write_text(SPEC)
+    return tmp_path
+
+
+def computed(spec, monkeypatch):
+    """Return the report, and whether it was computed."""
+    calls = []
+    original = Spec.report
+    with monkeypatch.context() as patch:
+        patch.setattr(Spec, "report", lambda self: calls.append(1) or original(self))
+        return kept.kept_report(spec), bool(calls)
+
+
+def files(case):
+    return sorted((case / "kept").glob("*"))
+
+
+def test_a_report_is_computed_once(case, monkeypatch):
+    path = case / "case.toml"
+    first, new = computed(read_spec(path), monkeypatch)
+    again, anew = computed(read_spec(path), monkeypatch)
+    assert new and not anew and len(files(case)) == 1
+    assert again.as_json_dict() == first.as_json_dict() and again.summary == first.summary
+    assert np.array_equal(again.trajectory.states, first.trajectory.states)
+
+
+@pytest.mark.parametrize(("file", "old", "new"), [
+    ("case.toml", "60 rpm", "60.000000000000007 rpm"), ("case.toml", "about = 2", "about = 1"),
+    ("case.toml", "samples = 20", "samples = 21"), ("case.toml", "3 s", "4 s"), ("case.toml", "1 kg", "2 kg"),
+    ("case.toml", "a body", "another"), ("box.obj", "v 1 2 3", "v 1 2 3.0000000000000004"),
+    ("case.toml", "[time]", "[export]\nobject_id = 'X'\n[time]"), ("case.toml", '"m"', '"mm"'),
+])  # fmt: skip
+def test_whatever_changes_is_computed_again(case, monkeypatch, file, old, new):
+    computed(read_spec(case / "case.toml"), monkeypatch)
+    text = (case / file).read_text()
+    assert text.count(old) == 1
+    (case / file).write_text(text.replace(old, new))
+    spec = read_spec(case / "case.toml")
+    found, again = computed(spec, monkeypatch)
+    assert again and found.as_json_dict() == spec.report().as_json_dict()
+
+
+def test_every_field_of_a_spec_counts(case):
+    spec = read_spec(case / "case.toml")
+    others = {"name": "b", "system": 1, "body": None, "spin": None, "until": 3.5, "samples": 7, "labels": AttitudeLabels("b"),
+              "source": None, "folder": Path("elsewhere"), "kind": find_kind("gyrostat")}  # fmt: skip
+    assert others.keys() == {field.name for field in dataclasses.fields(Spec)}
+    digests = {kept._digest(dataclasses.replace(spec, **{name: value})) for name, value in others.items()}
+    assert len(digests | {kept._digest(spec)}) == len(others) + 1
+
+
+def test_another_program_computes_again(case, monkeypatch):
+    spec = read_spec(case / "case.toml")
+    computed(spec, monkeypatch)
+    program = kept._program()
+    for name in ("answers.py", "numpy", kept.polhode.__version__):
+        assert name.encode() in program
+    monkeypatch.setattr(kept, "_program", lambda: program + b"1")
+    assert computed(spec, monkeypatch)[1]
+
+
+@pytest.mark.parametrize("damaged", [b"", b"\x80\x05", b"\x80\x04N.\x80\x04N.", b"not a pickle"])
+def test_what_is_damaged_is_computed_again(case, monkeypatch, damaged):
+    spec = read_spec(case / "case.toml")
+    first, _ = computed(spec, monkeypatch)
+    files(case)[0].write_bytes(damaged)
+    found, again = computed(spec, monkeypatch)
+    assert again and found.as_json_dict() == first.as_json_dict()
+    assert not computed(spec, monkeypatch)[1]
+
+
+def test_a_folder_that_cannot_be_written_changes_nothing(case, monkeypatch):
+    (case / "file").write_text("")
+    monkeypatch.setenv(kept.FOLDER, str(case / "file"))
+    assert computed(read_spec(case / "case.toml"), monkeypatch)[1]
+
+
+def test_the_oldest_go(case, monkeypatch):
+    monkeypatch.setattr(kept, "MOST", 3)
+    spec = read_spec(case / "case.toml")
+    for k in range(4):
+        changed = dataclasses.replace(spec, samples=20 + k)
+        kept.kept_report(changed)
+        newest = max(files(case), key=lambda path: path.stat().st_mtime)
+        os.utime(newest, (1e9 + k, 1e9 + k))
+        if k == 2:  # used again, it is no longer the oldest
+            kept.kept_report(spec)
+    assert len(files(case)) == 3
+    assert not computed(spec, monkeypatch)[1]
+    assert computed(dataclasses.replace(spec, samples=21), monkeypatch)[1]
+
+
+def test_large_ones_are_not_kept(case, monkeypatch):
+    monkeypatch.setattr(kept, "LARGEST", 1000)
+    spec = read_spec(case / "case.toml")
+    assert computed(spec, monkeypatch)[1] and computed(spec, monkeypatch)[1] and not files(case)
+
+
+def test_kinds_of_others_and_unknown_values_are_computed(case, monkeypatch):
+    spec = read_spec(case / "case.toml")
+    part = lambda self, name: spec.kind._part(name)  # noqa: E731
+    foreign = type("Foreign", (type(spec.kind),), {"__module__": "elsewhere", "_part": part})
+    for odd in (dataclasses.replace(spec, kind=foreign()), dataclasses.replace(spec, system={1, 2})):
+        assert computed(odd, monkeypatch)[1] and not files(case)
+
+
+def test_the_library_keeps_nothing(tmp_path):
+    code = "import os, sys, polhode as ph; ph.report(sys.argv[1]); assert 'POLHODE_REPORTS_CACHE' not in os.environ"
+    (tmp_path / "case.toml").write_text(SPEC)
+    (tmp_path / "box.obj").write_text(BOX)
+    environment = {k: v for k, v in os.environ.items() if k != kept.FOLDER} | {"XDG_CACHE_HOME": str(tmp_path / "c")}
+    subprocess.run([sys.executable, "-c", code, str(tmp_path / "case.toml")], env=environment, check=True, timeout=120)
+    assert not (tmp_path / "c").exists()
+
+
+def test_commands_take_what_another_computed(case, tmp_path):
+    """In processes of their own; arrays of JAX keep their 64 bits."""
+    (case / "disk.toml").write_text(find_kind("spin-orbit").example)
+    environment = os.environ | {"XDG_CACHE_HOME": str(tmp_path / "c")}
+
+    def run(*arguments):
+        command = [sys.executable, "-c", "from polhode.cli.main import main; main()", *arguments]
+        done = subprocess.run(command, cwd=case, env=environment, stdout=subprocess.PIPE, timeout=300, check=True)
+        return done.stdout
+
+    first = json.loads(run("report", "disk.toml", "--json"))
+    before = {path: path.stat().st_mtime_ns for path in files(case)}
+    assert json.loads(run("report", "disk.toml", "--json")) == first
+    run("view", "disk.toml", "--no-open")
+    run("export", "disk.toml", "--to", "csv")
+    after = {path: path.stat().st_mtime_ns for path in files(case)}
+    assert before.keys() == after.keys() and before != after
+    state = kept._load(files(case)[0]).trajectory
+    assert state.states.dtype == np.float64
