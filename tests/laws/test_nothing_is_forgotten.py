@@ -19,7 +19,7 @@ INNER = {
     "arrays": None,
     "algebra": {"polynomial", "precision"},
     "analysis": {"conserved", "conserved_function", "equilibrium_data", "mechanics", "periapsis_map", "power_law",
-                 "second_variation"},
+                 "reasons", "second_variation"},
     "bodies": {"mesh_crossing", "mesh_gate", "pivot", "turned"},
     "exact": {"blocks", "decay", "free_body.derivative", "free_body.evaluation", "free_body.frequencies",
               "free_body.geometry", "free_body.preparation", "free_body.reduction", "free_body.spinor",

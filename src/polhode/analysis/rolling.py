@@ -21,12 +21,14 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode.analysis.energy_casimir import Stability, energy_casimir
+from polhode.analysis.reasons import Restriction
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput
 from polhode.systems.euler_disk import EulerDisk
 from polhode.systems.rolling_mechanics import RollingMechanics
 
 Array = Any
+RESTRICTED = Restriction(within=("tilt", "rates"), without=("heading", "place"))
 AT_REST = 1e-8  # of the terms of θ̈, relative: a steady motion found by a solver or typed in
 
 
@@ -59,11 +61,8 @@ def rolling_stability(disk: EulerDisk, state: Array) -> Stability:
             "Make one by `disk.rolling_state`."
         )
     found = energy_casimir(flow, slope, curvature, dJ, ddJ, ["J2", "J3"], is_equilibrium=True, tolerance=1e-12)
-    where = "; J2, J3 are ω2, ω3 carried to this tilt by their linear equations"
-    restriction = "in tilt and rates, not in heading and place" if found.verdict == "stable" else None
-    return replace(
-        found, certificate=found.certificate + (where if "J" in found.certificate else ""), restriction=restriction
-    )
+    legend = "J2, J3 are ω2, ω3 carried to this tilt by their linear equations" if "J" in str(found.reason) else ""
+    return replace(found, legend=legend, restricted=RESTRICTED if found.verdict == "stable" else None)
 
 
 @known_numbers_only
