@@ -32,13 +32,18 @@ TOP, DISK = systems.HeavyTop(THREE, 1.0), systems.EulerDisk(1.0, 0.1)
 ROTOR, LOSING = systems.Gyrostat(THREE, THREE), systems.DoubleBracket(THREE, 0.1)
 SPIN, ROLLING = systems.SpinOrbit(0.3, 0.1), systems.EulerDisk(1.0, 0.1).rolling_state(0.3)
 SOLID, TIMES, TURNS = ph.Body.from_moments(1.0, 2.0, 2.5), np.arange(12.0), np.tile(FOUR, (12, 1))
-OF_MOTIONS = ("polhode", "herpolhode", "herpolhode_curve", "body_precession", "space_precession", "racket_twist")
+OF_MOTIONS = ("polhode", "herpolhode", "herpolhode_curve", "body_precession", "space_precession", "racket_twist",
+              "HeavyTop.from_motion", "keeps_its_tilt", "steady_precession_of")  # fmt: skip
 """Making a motion compiles for half a minute, within another traced function not at all."""
 HISTORY = comparison.AttitudeHistory("b", TIMES, TURNS)
 
 
 def moving(moments):
     return ph.FreeMotion(moments, (0.3, 1.8, 1.5))
+
+
+def swinging(momentum):
+    return ph.LagrangeMotion((1.0, 1.0, 0.5), 1.0, momentum)
 
 
 def scaled(system, factor):
@@ -96,6 +101,14 @@ REFUSED = {
     "steady_rotations": (1.0, lambda x: analysis.steady_rotations(ROTOR, x)),
     "damped_axis_stability": (1.0, lambda x: analysis.damped_axis_stability(LOSING, x)),
     "top_stability": (1.0, lambda x: analysis.top_stability(TOP, x)),
+    "HeavyTop.leaning": (0.3, TOP.leaning),
+    "HeavyTop.from_motion": (THREE, lambda x: systems.HeavyTop.from_motion(swinging(x))),
+    "axis_in_space": (FOUR, lambda x: analysis.axis_in_space(TOP, x)),
+    "axis_tilt": (FOUR, lambda x: analysis.axis_tilt(TOP, x)),
+    "axial_spin": (THREE, lambda x: analysis.axial_spin(TOP, x)),
+    "top_period": (THREE, lambda x: analysis.top_period(TOP, x)),
+    "keeps_its_tilt": (THREE, lambda x: analysis.keeps_its_tilt(swinging(x))),
+    "steady_precession_of": (THREE, lambda x: analysis.steady_precession_of(swinging(x))),
     "axis_stability": (THREE, lambda x: free_axes.axis_stability(x, 1.0)),
     "polhode_family": (THREE, polhodes.polhode_family),
     "separatrix": (THREE, polhodes.separatrix),

@@ -45,6 +45,8 @@ LEFT_OUT = {
     "EulerDisk.pack": "refuses traced numbers, see test_refused_when_traced",
     "EulerDisk.linear_integrals": "of thin disks only, by Legendre functions of a table",
     "HeavyTop.from_body": "takes a body, whose numbers are known",
+    "HeavyTop.from_motion": "refuses traced numbers, see test_refused_when_traced",
+    "HeavyTop.leaning": "refuses traced numbers, see test_refused_when_traced",
     "layout": "says what numbers mean, and returns none",
     "part": "takes the name of a part of a state",
     "parts": "takes a state apart, and is called by the others",

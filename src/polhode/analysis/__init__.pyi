@@ -96,6 +96,12 @@ from .spin_orbit import (
     tangent_map as tangent_map,
 )
 from .stability import stability as stability
+from .top_motion import axial_spin as axial_spin
+from .top_motion import axis_in_space as axis_in_space
+from .top_motion import axis_tilt as axis_tilt
+from .top_motion import keeps_its_tilt as keeps_its_tilt
+from .top_motion import steady_precession_of as steady_precession_of
+from .top_motion import top_period as top_period
 from .top_rests import TopRests as TopRests
 from .top_rests import top_stability as top_stability
 from .twist import racket_twist as racket_twist
