@@ -90,3 +90,15 @@ def test_no_chaos_where_there_is_none():
 def test_orbits_are_counted():
     with pytest.raises(InvalidInput, match="`orbits` must be a positive integer; got 0"):
         spin_motion(SpinOrbit(0.1, 0.1), [0.0, 1.0], 0)
+
+
+def test_times_of_chaos_are_those_of_its_exponent():
+    """Neighbours that part as exp(λt) are e times as far after 1/λ, and a radian from 1e-12 after 12 ln 10/λ."""
+    found = spin_motion(SpinOrbit(0.89, 0.1), [np.pi / 2, 1.0], 2000)
+    assert found.verdict == "chaotic" and found.lyapunov_time is not None
+    assert found.exponent == found.exponents[-1] == pytest.approx(1.0 / found.lyapunov_time)
+    assert found.predictable_time(1e-12) == pytest.approx(12.0 * np.log(10.0) * found.lyapunov_time, rel=1e-14)
+    calm = spin_motion(SpinOrbit(0.1, 0.05), [0.2, 1.0], 300)
+    assert calm.lyapunov_time is None and calm.predictable_time(1e-12) is None
+    span = 600 * mpmath.pi
+    assert calm.exponent < calm.regular_exponent(1.0) == pytest.approx(float(mpmath.log(span) / span), rel=1e-14)

@@ -1,7 +1,9 @@
 """Sections, exponents and resonances of the spin-orbit problem, against other methods and published numbers."""
 
+import itertools
 import math
 
+import jax
 import mpmath
 import numpy as np
 import pytest
@@ -9,6 +11,7 @@ import pytest
 import polhode as ph
 from polhode.analysis.spin_orbit import (
     lyapunov_exponent,
+    overlap_of,
     overlap_threshold,
     poincare_section,
     resonance_strength,
@@ -16,7 +19,7 @@ from polhode.analysis.spin_orbit import (
     tangent_map,
 )
 from polhode.errors import InvalidInput
-from polhode.systems import SpinOrbit
+from polhode.systems import KeplerOrbit, SpinOrbit
 from sweeping import first
 
 AGREEMENT = 1e-9  # rad, of the composition and Dopri8 over ten orbits of regular motion
@@ -174,3 +177,22 @@ def test_resonances_say_where_the_spin_librates():
 def test_bad_input(call, words):
     with pytest.raises(InvalidInput, match=words):
         call()
+
+
+def test_zones_touch_at_the_overlap():
+    """There the half-widths of two neighbours add up to their distance, and of no others to more."""
+    least = overlap_of(resonances(SpinOrbit(0.1, 0.1), 3.0))
+    assert least is not None
+    at = resonances(SpinOrbit(least, 0.1), 3.0)
+    gaps = [b.rate - a.rate - a.half_width - b.half_width for a, b in itertools.pairwise(at)]
+    assert min(gaps) == pytest.approx(0.0, abs=1e-14)
+    assert overlap_of(resonances(SpinOrbit(0.1, 0.0), 3.0)) is None
+    # near a circle it is Wisdom's threshold, to first order in √e
+    small = overlap_of(resonances(SpinOrbit(0.1, 1e-4), 3.0))
+    assert small == pytest.approx(float(overlap_threshold(1e-4)), rel=1e-3)
+
+
+def test_the_orbit_is_fastest_at_periapsis():
+    orbit = KeplerOrbit(0.7, 0.4)
+    slope = float(jax.grad(orbit.true_anomaly)(0.0))
+    assert float(orbit.rate_at_periapsis) == pytest.approx(slope, rel=1e-14)

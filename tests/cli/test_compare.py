@@ -10,6 +10,8 @@ import spiceypy as spice
 
 from polhode import FreeMotion, rotation
 from polhode.cli.main import main
+from polhode.cli.sources import Kernels, source_of
+from polhode.errors import InvalidInput
 from polhode.formats.aem import write_aem
 from polhode.formats.aem_reading import read_aem
 from polhode.formats.csv_table import write_csv
@@ -19,6 +21,7 @@ from polhode.formats.given_axes import along_given_axes
 from polhode.formats.labels import AttitudeLabels
 from polhode.formats.spice import write_ck
 from polhode.formats.spice_reading import read_ck
+from polhode.kinds.base import AbstractKind
 from polhode.kinds.reading import read_spec
 from polhode.kinds.registry import find_kind
 from sweeping import first
@@ -346,3 +349,14 @@ def test_what_is_not_what_it_claims_is_one_error(files, capsys, arguments, words
     (files / "wheel.toml").write_text(BOX + GYROSTAT)  # compiled above already
     code, _, err = run(arguments, capsys)
     assert code == 2 and words in err and "Traceback" not in err
+
+
+def test_a_spec_without_attitudes_is_refused_before_it_moves(tmp_path, monkeypatch):
+    def moved(self, spec):
+        raise AssertionError("computed")
+
+    (tmp_path / "spin.toml").write_text(find_kind("spin-orbit").example)
+    monkeypatch.setattr(AbstractKind, "motion", moved)
+    monkeypatch.setattr(AbstractKind, "report", moved)
+    with pytest.raises(InvalidInput, match=r"spin\.toml: holds no attitudes"):
+        source_of(tmp_path / "spin.toml", Kernels())

@@ -6,6 +6,7 @@ import pickle
 import re
 import subprocess
 import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -117,6 +118,36 @@ def test_its_page(kind, spec, report, tmp_path):
     made = set(re.findall(r"polhodePanels \?\?= \{\}\)\.(\w+) =", page))
     assert types and types <= ANY_BODY | made
     assert data["name"] == spec.name and data["summary"]
+
+
+def test_its_motion_is_that_of_its_report(kind, spec, report):
+    moved = spec.motion()
+    assert np.array_equal(moved.trajectory.states, report.trajectory.states)
+    assert (moved.trajectory.attitude is None) == (not kind.has_attitude)
+    assert (moved.mechanics is None) == (report.mechanics is None)
+    if moved.mechanics is not None:
+        assert np.array_equal(moved.mechanics.inertia, report.mechanics.inertia)
+    frames = moved.trajectory.frame, report.trajectory.frame
+    assert frames == (None, None) or np.array_equal(frames[0].moments, frames[1].moments)
+
+
+def test_no_kind_is_named_outside_its_folder():
+    """Nothing else in the package knows one: a third party's is as good as any."""
+    home = Path(registry.__file__).parents[1]
+    for name in OWN:
+        own = home / "kinds" / name.replace("-", "_")
+        named = re.compile(rf"""["']{name}["']""")
+        others = [path for path in home.rglob("*.py") if not path.is_relative_to(own)]
+        assert not [str(path) for path in others if named.search(path.read_text("utf-8"))], name
+
+
+def test_remedies_name_a_kind_that_is_there(monkeypatch):
+    assert registry.other_kind("top", in_closed_form=True).in_closed_form
+    assert registry.other_kind("", in_closed_form=True) is None
+    assert registry.other_kind("moon", in_closed_form=False) is None
+    assert [find_kind(name).is_default for name in OWN].count(True) == 1
+    monkeypatch.setattr(registry, "kind_names", lambda: [])
+    assert registry.other_kind("top", in_closed_form=True) is None
 
 
 def test_importing_the_registry_imports_no_kind():

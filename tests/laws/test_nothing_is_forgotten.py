@@ -19,7 +19,7 @@ INNER = {
     "arrays": None,
     "algebra": {"polynomial", "precision"},
     "analysis": {"conserved", "conserved_function", "equilibrium_data", "mechanics", "periapsis_map", "power_law",
-                 "second_variation"},
+                 "reasons", "second_variation"},
     "bodies": {"mesh_crossing", "mesh_gate", "pivot", "turned"},
     "exact": {"blocks", "decay", "free_body.derivative", "free_body.evaluation", "free_body.frequencies",
               "free_body.geometry", "free_body.preparation", "free_body.reduction", "free_body.spinor",
@@ -101,13 +101,16 @@ NO_ARRAYS = {
     "from_scipy", "testing.algebras.check_algebra", "testing.systems.check_system",
     "Comparison", "SpinDown", "Resonance", "AttitudeHistory",
     "Surface.along", "Surface.coarsened", "surface.joined",
-    "combine",
+    "combine", "overlap_of", "rotor_misfit", "damped_motion.time_constant", "predicted_exponents",
+    "SpinMotion.predictable_time", "SpinMotion.regular_exponent", "DiskPath.part",
+    "disk_turns.first_turns", "disk_turns.last_turns", "disk_turns.filled_to_its_end",
 }  # fmt: skip
 """Functions of objects, words and whole numbers, and records of known answers."""
 CALLED_BY_OTHERS = {
     "algebra.base.HashableModule", "algebra.constants.checked_constants", "algebra.matrix.adjoint",
     "algebra.matrix.traceless", "algebra.matrix.pfaffian", "algebra.so3.half_angle_factors", "algebra.so3.scaled_norm",
-    "analysis.gyrostat_rotations.cleaned", "analysis.gyrostat_rotations.symmetry_axis",
+    "analysis.gyrostat_rotations.symmetry_axis", "systems.body_with_rotor.cleaned",
+    "systems.euler_disk.rolling_parts",
     "analysis.energy_casimir.Stability", "analysis.energy_casimir.energy_casimir", "analysis.spin_motion.steps_for",
     "analysis.spin_orbit.table_of", "analysis.spin_orbit.scaled_start", "analysis.spin_orbit.counted",
     "analysis.stability.scaled_field", "bodies.atoms.atomic_masses", "bodies.body.point_inertia",

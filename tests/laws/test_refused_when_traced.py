@@ -18,12 +18,13 @@ from polhode.analysis import (
     rolling,
     spin_orbit,
 )
-from polhode.analysis.precession import body_precession, space_precession
+from polhode.analysis.precession import body_precession, fastest_rate, space_precession
 from polhode.analysis.twist import racket_twist
 from polhode.bodies import surface
 from polhode.errors import InvalidInput
 from polhode.exact.lagrange_top import steady_precession as tops
 from polhode.motion import frame
+from polhode.systems import body_with_rotor
 
 THREE, FOUR, EYE = np.array([1.0, 2.0, 2.5]), np.array([1.0, 0.0, 0.0, 0.0]), np.eye(3)
 SIX, AXIS = np.array([1.0, 2.0, 3.0, 2.0, 3.0, 5.0]), np.array([0.0, 1.0, 0.0])
@@ -32,13 +33,19 @@ TOP, DISK = systems.HeavyTop(THREE, 1.0), systems.EulerDisk(1.0, 0.1)
 ROTOR, LOSING = systems.Gyrostat(THREE, THREE), systems.DoubleBracket(THREE, 0.1)
 SPIN, ROLLING = systems.SpinOrbit(0.3, 0.1), systems.EulerDisk(1.0, 0.1).rolling_state(0.3)
 SOLID, TIMES, TURNS = ph.Body.from_moments(1.0, 2.0, 2.5), np.arange(12.0), np.tile(FOUR, (12, 1))
-OF_MOTIONS = ("polhode", "herpolhode", "herpolhode_curve", "body_precession", "space_precession", "racket_twist")
+OF_MOTIONS = ("polhode", "herpolhode", "herpolhode_curve", "body_precession", "space_precession", "racket_twist",
+              "rotation_period", "turn_per_flip", "precession.fastest_rate", "HeavyTop.from_motion",
+              "keeps_its_tilt", "steady_precession_of")  # fmt: skip
 """Making a motion compiles for half a minute, within another traced function not at all."""
 HISTORY = comparison.AttitudeHistory("b", TIMES, TURNS)
 
 
 def moving(moments):
     return ph.FreeMotion(moments, (0.3, 1.8, 1.5))
+
+
+def swinging(momentum):
+    return ph.LagrangeMotion((1.0, 1.0, 0.5), 1.0, momentum)
 
 
 def scaled(system, factor):
@@ -96,6 +103,30 @@ REFUSED = {
     "steady_rotations": (1.0, lambda x: analysis.steady_rotations(ROTOR, x)),
     "damped_axis_stability": (1.0, lambda x: analysis.damped_axis_stability(LOSING, x)),
     "top_stability": (1.0, lambda x: analysis.top_stability(TOP, x)),
+    "HeavyTop.leaning": (0.3, TOP.leaning),
+    "HeavyTop.from_motion": (THREE, lambda x: systems.HeavyTop.from_motion(swinging(x))),
+    "axis_in_space": (FOUR, lambda x: analysis.axis_in_space(TOP, x)),
+    "axis_tilt": (FOUR, lambda x: analysis.axis_tilt(TOP, x)),
+    "axial_spin": (THREE, lambda x: analysis.axial_spin(TOP, x)),
+    "top_period": (THREE, lambda x: analysis.top_period(TOP, x)),
+    "keeps_its_tilt": (THREE, lambda x: analysis.keeps_its_tilt(swinging(x))),
+    "steady_precession_of": (THREE, lambda x: analysis.steady_precession_of(swinging(x))),
+    "EulerDisk.state": (0.3, lambda x: DISK.state(x, 0.0, 1.0, 1.0)),
+    "steady_rolling": (0.3, lambda x: analysis.steady_rolling(DISK, x)),
+    "fastest_rolling_rate": (ROLLING, lambda x: analysis.fastest_rolling_rate(DISK, x)),
+    "rolling_period": (ROLLING, lambda x: analysis.rolling_period(DISK, x)),
+    "rolling_path": (ROLLING, lambda x: analysis.rolling_path(DISK, x, 0.1, 5)),
+    "rotor_in_body": (0.3, lambda x: systems.rotor_in_body(SOLID, AXIS, x, 1.0, THREE)),
+    "direction_of": (THREE, body_with_rotor.direction_of),
+    "symmetric_rates": (THREE, lambda x: analysis.symmetric_rates(ROTOR, x)),
+    "angle_from_axis": (THREE, lambda x: analysis.angle_from_axis(x, AXIS)),
+    "angle_to_major_axis": (THREE, lambda x: analysis.angle_to_major_axis(x, THREE)),
+    "angle_to_axis": (THREE, lambda x: analysis.angle_to_axis(x, 0)),
+    "drag_time_constant": (0.3, lambda x: analysis.drag_time_constant(1.0, 1.0, x)),
+    "settling_time": (THREE, lambda x: analysis.settling_time([], x, THREE)),
+    "rotation_period": (THREE, lambda x: analysis.rotation_period(moving(x))),
+    "turn_per_flip": (THREE, lambda x: analysis.turn_per_flip(moving(x))),
+    "precession.fastest_rate": (THREE, lambda x: fastest_rate(moving(x))),
     "axis_stability": (THREE, lambda x: free_axes.axis_stability(x, 1.0)),
     "polhode_family": (THREE, polhodes.polhode_family),
     "separatrix": (THREE, polhodes.separatrix),

@@ -15,7 +15,6 @@ from hypothesis import strategies as st
 from polhode.cli.render import as_json, print_report
 from polhode.errors import PolhodeError
 from polhode.kinds.reading import read_spec
-from polhode.kinds.registry import FREE_BODY
 from polhode.reports.about import about_body
 from polhode.reports.answer import values_of
 from polhode.reports.base import plain
@@ -75,7 +74,7 @@ def check(text, folder):
             assert spec.name.isprintable()
             if spec.body is not None:
                 as_json(plain(values_of([about_body(spec.body)])))
-            if spec.kind.name == FREE_BODY and spec.samples <= FEW_SAMPLES:
+            if spec.kind.is_default and spec.samples <= FEW_SAMPLES:
                 words, _ = printed_report(spec)
                 assert not re.search(r"\b(nan|inf)\b", words, re.IGNORECASE), words
         except PolhodeError as error:

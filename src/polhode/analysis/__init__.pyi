@@ -5,11 +5,34 @@ from .comparison import Comparison as Comparison
 from .comparison import compare as compare
 from .conserved_function import ConservedFunction as ConservedFunction
 from .damped_axes import damped_axis_stability as damped_axis_stability
+from .damped_motion import angle_to_axis as angle_to_axis
+from .damped_motion import angle_to_major_axis as angle_to_major_axis
+from .damped_motion import drag_time_constant as drag_time_constant
+from .damped_motion import settling_time as settling_time
+from .damped_motion import time_constant as time_constant
+from .disk_turns import (
+    DiskPath as DiskPath,
+)
+from .disk_turns import (
+    filled_to_its_end as filled_to_its_end,
+)
+from .disk_turns import (
+    first_turns as first_turns,
+)
+from .disk_turns import (
+    last_turns as last_turns,
+)
+from .disk_turns import (
+    rolling_path as rolling_path,
+)
 from .energy_casimir import Stability as Stability
 from .equilibria import find_equilibria as find_equilibria
 from .free_axes import axis_stability as axis_stability
 from .gyrostat_rotations import SteadyRotation as SteadyRotation
+from .gyrostat_rotations import SymmetricRates as SymmetricRates
+from .gyrostat_rotations import angle_from_axis as angle_from_axis
 from .gyrostat_rotations import steady_rotations as steady_rotations
+from .gyrostat_rotations import symmetric_rates as symmetric_rates
 from .mechanics import Mechanics as Mechanics
 from .mechanics import invariants_along as invariants_along
 from .poinsot import (
@@ -46,7 +69,16 @@ from .precession import (
     body_precession as body_precession,
 )
 from .precession import (
+    rotation_period as rotation_period,
+)
+from .precession import (
     space_precession as space_precession,
+)
+from .precession import (
+    turn_per_flip as turn_per_flip,
+)
+from .rolling import (
+    SteadyRolling as SteadyRolling,
 )
 from .rolling import (
     critical_rolling_speed as critical_rolling_speed,
@@ -55,10 +87,19 @@ from .rolling import (
     critical_spin_rate as critical_spin_rate,
 )
 from .rolling import (
+    fastest_rolling_rate as fastest_rolling_rate,
+)
+from .rolling import (
     nutation as nutation,
 )
 from .rolling import (
+    rolling_period as rolling_period,
+)
+from .rolling import (
     rolling_stability as rolling_stability,
+)
+from .rolling import (
+    steady_rolling as steady_rolling,
 )
 from .spin_down import (
     SpinDown as SpinDown,
@@ -70,6 +111,9 @@ from .spin_down import (
     adiabaticity as adiabaticity,
 )
 from .spin_down import (
+    predicted_exponents as predicted_exponents,
+)
+from .spin_down import (
     spin_down as spin_down,
 )
 from .spin_motion import SpinMotion as SpinMotion
@@ -79,6 +123,9 @@ from .spin_orbit import (
 )
 from .spin_orbit import (
     lyapunov_exponent as lyapunov_exponent,
+)
+from .spin_orbit import (
+    overlap_of as overlap_of,
 )
 from .spin_orbit import (
     overlap_threshold as overlap_threshold,
@@ -96,6 +143,12 @@ from .spin_orbit import (
     tangent_map as tangent_map,
 )
 from .stability import stability as stability
+from .top_motion import axial_spin as axial_spin
+from .top_motion import axis_in_space as axis_in_space
+from .top_motion import axis_tilt as axis_tilt
+from .top_motion import keeps_its_tilt as keeps_its_tilt
+from .top_motion import steady_precession_of as steady_precession_of
+from .top_motion import top_period as top_period
 from .top_rests import TopRests as TopRests
 from .top_rests import top_stability as top_stability
 from .twist import racket_twist as racket_twist

@@ -24,6 +24,7 @@ from polhode.algebra.casimirs import polynomial_casimirs
 from polhode.algebra.constants import ConstantsAlgebra
 from polhode.algebra.polynomial import Polynomial
 from polhode.algebra.properties import index
+from polhode.analysis.reasons import MissingCasimirs
 from polhode.errors import InvalidInput
 from polhode.systems.agreement import moves_by_generator
 from polhode.systems.base import AbstractLiePoissonSystem, Function, checked_functions
@@ -96,11 +97,11 @@ class Polynomials(Source):
 
 
 class Casimirs(NamedTuple):
-    """Casimirs as one source, their names, and what is said where some are missing."""
+    """Casimirs as one source, their names, and which are missing, None if none."""
 
     source: Source
     names: list[str]
-    missing: str
+    missing: MissingCasimirs | None
 
 
 def casimirs_of(algebra: AbstractLieAlgebra, given: Sequence[Function] | None) -> Casimirs:
@@ -112,7 +113,7 @@ def casimirs_of(algebra: AbstractLieAlgebra, given: Sequence[Function] | None) -
     wanted = index(algebra)
     names = list(algebra.casimir_names)
     if len(names) >= wanted:
-        return Casimirs(Own(algebra), names, "")
+        return Casimirs(Own(algebra), names, None)
     constants = np.ascontiguousarray(algebra.structure_constants())
     try:
         found = _polynomials(constants.tobytes(), len(constants))
@@ -122,10 +123,8 @@ def casimirs_of(algebra: AbstractLieAlgebra, given: Sequence[Function] | None) -
     return Casimirs(Polynomials(found), texts, _missing(len(found), wanted, f"of degree ≤ {HIGHEST_DEGREE} exist"))
 
 
-def _missing(count: int, wanted: int, how: str) -> str:
-    if count >= wanted:
-        return ""
-    return f"only {count} of {wanted} Casimirs {how.rstrip('.)')}{')' if '(' in how else ''}: give them by `casimirs=`"
+def _missing(count: int, wanted: int, how: str) -> MissingCasimirs | None:
+    return None if count >= wanted else MissingCasimirs(count, wanted, how)
 
 
 @lru_cache(maxsize=16)

@@ -11,6 +11,7 @@ import numpy as np
 
 from polhode.analysis.energy_casimir import Stability
 from polhode.analysis.first_method import first_method
+from polhode.analysis.reasons import SettlesOnCircle, SphereOfRests
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.systems.double_bracket import DoubleBracket
@@ -72,9 +73,8 @@ def _along_family(found: Stability, moments: Array, k: int) -> Stability:
     """
     alike = int((moments == moments[k]).sum())
     if alike == 3:
-        return replace(found, verdict="stable", certificate="every axis of a sphere is a rest of L")
+        return replace(found, verdict="stable", reason=SphereOfRests())
     rest = float(np.min(found.spectrum.real))
     if alike == 2 and rest < 0 and np.min(np.abs(found.spectrum)) < abs(rest) * 1e-6:
-        text = f"neighbours settle on the circle of axes of equal moment, as near as they start: {rest:.6g}/s across it"
-        return replace(found, verdict="stable", rate=rest, certificate=text)
+        return replace(found, verdict="stable", rate=rest, reason=SettlesOnCircle(rest))
     return found

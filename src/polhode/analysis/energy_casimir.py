@@ -15,18 +15,29 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from polhode.analysis.conserved_function import ConservedFunction
+from polhode.analysis.reasons import (
+    AbstractReason,
+    DefiniteVariation,
+    EquilibriaWithoutShear,
+    ExponentialGrowth,
+    LeafOfEquilibria,
+    MissingCasimirs,
+    NoCombination,
+    OpenVariation,
+    Restriction,
+    SteadyDrift,
+)
 from polhode.analysis.second_variation import Leaf, definite_combination, null_space, scaled_leaf
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, Complex128, Float64, Real
 
 EQUILIBRIUM_TOLERANCE = 1e-8  # what may be left of dH + Σ λ dC relative to its terms: a solver's, not rounding
-SHOWN = 1e-12  # components of a unit direction below it are rounding errors
 NO_ENERGY = 1e-12  # weight of H, among weights of order one, that counts as none in a function of conserved quantities
 
 
@@ -36,28 +47,43 @@ class Stability:
 
     "stable" is Lyapunov's: motions that start near enough, in any direction, on this leaf or on others, stay near for
     all times. Where less is proved, ``restriction`` says what. "unstable" means that some motions leave however near
-    they start. "undecided" is all else, also where stability is proved on the leaf alone; the certificate says which.
+    they start. "undecided" is all else, also where stability is proved on the leaf alone; the reason says which.
 
     Attributes:
         verdict: "stable", "unstable" or "undecided".
         rate: largest real part of an exponent of the linearised flow on the leaf [1/s].
         growth: "exponential", "linear", or None for a verdict that is not "unstable".
         direction: (n,) unit direction in which neighbours leave, or None.
-        certificate: the function that proves stability, the growth that disproves it, or why neither is known.
+        reason: the function that proves stability, the growth that disproves it, or why neither is known, as data.
         spectrum: exponents of the linearised flow on the null space of the dC [1/s], complex; those that vanish
             everywhere across regular leaves are left out.
-        restriction: what "stable" is restricted to, such as "up to the flow of J1"; None for all small perturbations.
+        restricted: what "stable" is restricted to; None for all small perturbations.
         function: of conserved quantities by which the verdict was reached, or tried to be; None where there is none.
+        missing: Casimirs that might have helped an undecided verdict; None where all are known.
+        legend: what names in the reason stand for, where they are not usual ones.
     """
 
     verdict: str
     rate: float
     growth: str | None
     direction: Float64[Array, "n"] | None
-    certificate: str
+    reason: AbstractReason
     spectrum: Complex128[Array, "d"]
-    restriction: str | None = None
+    restricted: Restriction | None = None
     function: ConservedFunction | None = None
+    missing: MissingCasimirs | None = None
+    legend: str = ""
+
+    @property
+    def certificate(self) -> str:
+        """The reason as a sentence."""
+        flows = self.restricted if self.restricted is not None and self.restricted.flows else None
+        return "; ".join(str(part) for part in (self.reason, self.legend, flows, self.missing) if part)
+
+    @property
+    def restriction(self) -> str | None:
+        """What "stable" is restricted to in words, such as "up to the flow of J1"; None for no restriction."""
+        return None if self.restricted is None else str(self.restricted)
 
 
 @known_numbers_only
@@ -128,18 +154,14 @@ def energy_casimir(
     positive, flat, negative = function.signature
     if not flat and not (positive and negative):
         return _stable(leaf, weights, second, function)
-    spectrum, rate, direction = _growth(leaf)
-    if direction is not None:
-        return replace(_unstable(spectrum, rate, direction), function=function)
+    growth = _growth(leaf)
+    if growth.direction is not None:
+        return replace(_unstable(growth, growth.direction), function=function)
     indefinite = bool(positive and negative)
     if on_equilibria and not indefinite:
-        return replace(_on_equilibria(leaf, second, leaf.zero(weights), function, spectrum), function=function)
-    why, balance = ("indefinite", " a gyroscopic balance;") if indefinite else ("degenerate", "")
-    text = (
-        f"the second variation of {function} on the leaf is {why} and no exponent has a real part that is surely "
-        f"positive:{balance} terms of higher order decide"
-    )
-    return Stability("undecided", 0.0, None, None, text, spectrum, function=function)
+        return replace(_on_equilibria(leaf, second, leaf.zero(weights), function, growth.spectrum), function=function)
+    reason = OpenVariation(function, indefinite, growth.real_part, growth.sure_from)
+    return Stability("undecided", 0.0, None, None, reason, growth.spectrum, function=function)
 
 
 def _function(
@@ -166,12 +188,7 @@ def _stable(leaf: Leaf, weights: Array, second: Array, function: ConservedFuncti
     sign = sign * (np.sign(weights[0]) or 1.0)
     squares, lengths = leaf.squares(weights)
     function = replace(function, squares=sign * squares / abs(weights[0] or 1.0), lengths=lengths)
-    text = f"the second variation of {function} is {'positive' if sign > 0 else 'negative'} definite"
-    if sizes.size:
-        text += f", on the leaf by {function.margin:.3g} of its largest term"
-    if function.has_squares:
-        text += "; Δ is the difference from the value at the equilibrium"
-    return Stability("stable", 0.0, None, None, text, spectrum, function=function)
+    return Stability("stable", 0.0, None, None, DefiniteVariation(function, int(sign)), spectrum, function=function)
 
 
 def _on_equilibria(leaf: Leaf, second: Array, zero: float, function: ConservedFunction, spectrum: Array) -> Stability:
@@ -188,12 +205,10 @@ def _on_equilibria(leaf: Leaf, second: Array, zero: float, function: ConservedFu
     across = leaf.flow - flat @ (flat.T @ leaf.flow)
     drivers = null_space(across, leaf.noise * leaf.flow_size)
     _, shear, rows = np.linalg.svd(leaf.flow @ drivers)
-    if shear[0] <= leaf.noise * leaf.flow_size:
-        text = (
-            f"the second variation of {function} on the leaf is degenerate, along equilibria without shear: "
-            "neighbours drift along them, if at all, at a rate of second order in the distance"
-        )
-        return Stability("undecided", 0.0, None, None, text, spectrum)
+    sure_from = leaf.noise * leaf.flow_size
+    if shear[0] <= sure_from:
+        reason = EquilibriaWithoutShear(function, leaf.unit * float(shear[0]), leaf.unit * sure_from)
+        return Stability("undecided", 0.0, None, None, reason, spectrum)
     driver = drivers @ rows[0]
     return _shear(leaf.out(leaf.flow @ driver), leaf.out(driver), leaf.unit, spectrum)
 
@@ -201,19 +216,16 @@ def _on_equilibria(leaf: Leaf, second: Array, zero: float, function: ConservedFu
 def _all_at_rest(leaf: Leaf, function: ConservedFunction, spectrum: Array) -> Stability:
     """Judge a leaf of equilibria: its neighbours may hold none, and then drift past at a rate of their distance."""
     _, sizes, rows = np.linalg.svd(leaf.full)
-    if sizes[0] > leaf.noise * leaf.flow_size:
+    sure_from = leaf.noise * leaf.flow_size
+    if sizes[0] > sure_from:
         return _shear(leaf.scale * (leaf.full @ rows[0]), leaf.scale * rows[0], leaf.unit, spectrum)
-    text = (
-        f"every neighbour on the leaf is an equilibrium, as {function} is constant there; "
-        "on neighbouring leaves motions drift, if at all, at a rate of second order in the distance"
-    )
-    return Stability("undecided", 0.0, None, None, text, spectrum)
+    reason = LeafOfEquilibria(function, leaf.unit * float(sizes[0]), leaf.unit * sure_from)
+    return Stability("undecided", 0.0, None, None, reason, spectrum)
 
 
 def _shear(moved: Array, displaced: Array, unit: float, spectrum: Array) -> Stability:
     rate, direction = float(unit * np.linalg.norm(moved) / np.linalg.norm(displaced)), _unit(moved)
-    text = f"neighbours leave at a steady rate along ({_shown(direction)}), {rate:.6g}/s times their distance"
-    return Stability("unstable", 0.0, "linear", direction, text, spectrum)
+    return Stability("unstable", 0.0, "linear", direction, SteadyDrift(rate, direction), spectrum)
 
 
 def _weights(leaf: Leaf) -> Array:
@@ -235,28 +247,37 @@ def _weights(leaf: Leaf) -> Array:
     return sum((c / size) * direction for c, size, direction in zip(found, sizes, directions, strict=True))
 
 
-def _growth(leaf: Leaf) -> tuple[Array, float, Array | None]:
+class _Growth(NamedTuple):
+    """Exponents on the leaf [1/s], the largest real part and that from which it is sure; the direction if it is."""
+
+    spectrum: Array
+    real_part: float
+    sure_from: float
+    direction: Array | None
+
+
+def _growth(leaf: Leaf) -> _Growth:
     """Return exponents on the leaf, and rate and direction of the fastest growth unless it is an artefact of errors.
 
     An exponent of a defective block is split by an error e to a distance √e, where its condition 1/|yᴴx| is as large
     as 1/√e: only a real part beyond what errors of the matrix can do to this very exponent is a proof.
     """
     if not leaf.basis.shape[1]:
-        return np.zeros(0, complex), 0.0, None
+        return _Growth(np.zeros(0, complex), 0.0, 0.0, None)
     from scipy.linalg import eig
 
     found: Any = eig(leaf.flow, left=True, right=True)
     spectrum, left, right = found
     k = int(np.argmax(spectrum.real))
     alignment = max(abs(np.vdot(left[:, k], right[:, k])), np.finfo(float).tiny)
-    if spectrum[k].real <= leaf.noise * leaf.flow_size / alignment:
-        return leaf.unit * spectrum, 0.0, None
-    return leaf.unit * spectrum, leaf.unit * float(spectrum[k].real), _unit(leaf.out(_largest_real_part(right[:, k])))
+    real_part, sure_from = float(spectrum[k].real), leaf.noise * leaf.flow_size / alignment
+    direction = None if real_part <= sure_from else _unit(leaf.out(_largest_real_part(right[:, k])))
+    return _Growth(leaf.unit * spectrum, leaf.unit * real_part, leaf.unit * float(sure_from), direction)
 
 
-def _unstable(spectrum: Array, rate: float, direction: Array) -> Stability:
-    text = f"the linearised flow on the leaf grows as exp({rate:.6g}/s · t) along ({_shown(direction)})"
-    return Stability("unstable", rate, "exponential", direction, text, spectrum)
+def _unstable(growth: _Growth, direction: Array) -> Stability:
+    reason = ExponentialGrowth(growth.real_part, direction)
+    return Stability("unstable", growth.real_part, "exponential", direction, reason, growth.spectrum)
 
 
 def _on_singular_leaf(leaf: Leaf, is_equilibrium: bool) -> Stability:
@@ -268,15 +289,12 @@ def _on_singular_leaf(leaf: Leaf, is_equilibrium: bool) -> Stability:
             "is missing or the leaf is singular: say `is_equilibrium=True`."
         )
     leaf.check_conservation(None)
-    leaf = leaf._replace(residual=0.0)
-    spectrum, rate, direction = _growth(leaf)
-    if direction is not None:
-        return _unstable(spectrum, rate, direction)
-    text = (
-        "dH is not a combination of the dC here, as on a singular leaf, and no exponent has a real part that is surely "
-        "positive: another function must decide"
-    )
-    return Stability("undecided", 0.0, None, None, text, spectrum)
+    residual = float(leaf.residual)
+    growth = _growth(leaf._replace(residual=0.0))
+    if growth.direction is not None:
+        return _unstable(growth, growth.direction)
+    reason = NoCombination(residual, EQUILIBRIUM_TOLERANCE, growth.real_part, growth.sure_from)
+    return Stability("undecided", 0.0, None, None, reason, growth.spectrum)
 
 
 def _check(A: Array, g: Array, H: Array, dC: Array, ddC: Array, names: Sequence[str], tolerance: float) -> None:
@@ -301,7 +319,3 @@ def _unit(vector: Array) -> Array:
     vector = vector / np.abs(vector).max()
     largest = vector[np.argmax(np.abs(vector))]
     return vector / (np.linalg.norm(vector) * np.sign(largest)) + 0.0
-
-
-def _shown(vector: Array) -> str:
-    return ", ".join(f"{x:.4g}" for x in np.where(np.abs(vector) > SHOWN, vector, 0.0))

@@ -8,6 +8,7 @@ import numpy as np
 from scipy.linalg import eig
 
 from polhode.analysis.energy_casimir import Stability
+from polhode.analysis.reasons import Exponents, LeafIsPoint
 from polhode.arrays import known_numbers_only
 from polhode.types import ArrayLike, Real
 
@@ -32,20 +33,18 @@ def first_method(
     basis = np.eye(len(A)) if basis is None else np.asarray(basis)
     inner = basis.T @ A @ basis
     if not inner.size:
-        return Stability("stable", 0.0, None, None, "the leaf is a point", np.zeros(0, complex))
+        return Stability("stable", 0.0, None, None, LeafIsPoint(), np.zeros(0, complex))
     found: Any = eig(inner, left=True, right=True)
     spectrum, left, right = found
     alignment = np.abs(np.einsum("ik,ik->k", left.conj(), right))
     unsure = tolerance * np.abs(inner).max() / np.maximum(alignment, np.finfo(float).tiny)
     k = int(np.argmax(spectrum.real))
     rate = float(spectrum[k].real)
+    reason = Exponents(rate, float(unsure[k]), bool((spectrum.real < -unsure).all()))
     if rate > unsure[k]:
         mode = right[:, k] * np.exp(-1j * np.angle(right[np.argmax(np.abs(right[:, k])), k]))
         direction = basis @ mode.real
-        text = f"an exponent has the real part {rate:.6g}/s: neighbours grow as exp({rate:.6g}/s · t)"
-        return Stability("unstable", rate, "exponential", direction / np.linalg.norm(direction), text, spectrum)
-    if (spectrum.real < -unsure).all():
-        text = f"every exponent has a negative real part, {rate:.6g}/s at most: neighbours return"
-        return Stability("stable", rate, None, None, text, spectrum)
-    text = "no exponent has a real part that is surely positive, but not all surely negative ones: "
-    return Stability("undecided", 0.0, None, None, text + "terms of higher order decide", spectrum)
+        return Stability("unstable", rate, "exponential", direction / np.linalg.norm(direction), reason, spectrum)
+    if reason.all_negative:
+        return Stability("stable", rate, None, None, reason, spectrum)
+    return Stability("undecided", 0.0, None, None, reason, spectrum)

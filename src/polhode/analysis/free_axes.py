@@ -8,6 +8,7 @@ import numpy as np
 
 from polhode.analysis.conserved_function import ConservedFunction
 from polhode.analysis.energy_casimir import Stability, energy_casimir
+from polhode.analysis.reasons import AxisOfFreeBody
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, Real
@@ -59,28 +60,13 @@ def _about(I: Array, norm: float, i: int) -> Stability:  # noqa: E741
     )
     bends = np.array([curvature[j, j], curvature[k, k]])
     used = ConservedFunction(("|L|²",), np.array([1.0, -0.5 / I[i]]), bends / (np.abs(bends).max() or 1.0), 0.0)
-    found, function = replace(found, function=used), f"H − |L|²/(2·{I[i]:.6g})"
-    terms = _quadratic_form({f"δL{n + 1}²": curvature[n, n] / I[i] for n in (j, k)})
+    terms = {n + 1: float(curvature[n, n] / I[i]) for n in (j, k)}
+    found = replace(
+        found, function=used, reason=AxisOfFreeBody(float(I[i]), terms, found.rate * rate, found.growth, norm == 0.0)
+    )
     if norm == 0.0:
-        text = "the body is at rest: |L| = 0 is kept"
-        return replace(found, verdict="stable", rate=0.0, growth=None, direction=None, certificate=text,
-                       spectrum=0.0 * found.spectrum, function=None)  # fmt: skip
-    text = {
-        "exponential": f"neighbours grow as exp({found.rate * rate:.6g}/s · t): {function} has the saddle {terms}",
-        "linear": f"neighbours drift away in proportion to time: every axis of the equator is at rest, {terms}",
-        None: f"{function} has an extremum on the sphere: {terms}",
-    }[found.growth]
+        return replace(found, verdict="stable", rate=0.0, growth=None, direction=None, spectrum=0.0 * found.spectrum,
+                       function=None, reason=AxisOfFreeBody(float(I[i]), terms, 0.0, None, True))  # fmt: skip
     if not curvature.any():
-        text = f"every L of a sphere is at rest: {function} is zero everywhere"
-        return replace(found, verdict="stable", certificate=text)
-    return replace(found, rate=found.rate * rate, spectrum=found.spectrum * rate, certificate=text)
-
-
-def _quadratic_form(coefficients: dict[str, float]) -> str:
-    """Return ½ Σ c x² in words, without the terms that vanish."""
-    terms = [(value, name) for name, value in coefficients.items() if value]
-    if not terms:
-        return "0"
-    first, *rest = (f"{'−' if value < 0 else '+'} {abs(value):.6g} {name}" for value, name in terms)
-    first = first.removeprefix("+ ").replace("− ", "−")
-    return f"½ ({' '.join([first, *rest])})"
+        return replace(found, verdict="stable")
+    return replace(found, rate=found.rate * rate, spectrum=found.spectrum * rate)

@@ -12,10 +12,10 @@ from polhode.analysis.equilibria import find_equilibria
 from polhode.analysis.stability import stability
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
+from polhode.systems.body_with_rotor import cleaned
 from polhode.systems.gyrostat import Gyrostat
-from polhode.types import Array, Float64
+from polhode.types import Array, ArrayLike, Float64, Real
 
-CLEAN = 1e-14  # components of a unit vector below it are rounding of the frame's
 FLAT = 1e-9  # curvatures of the energy below it, relative to the largest, vanish
 
 
@@ -109,6 +109,43 @@ def _extremum(moments: Array, along: Array, multiplier: float) -> str:
     return "maximum" if bends[0] < 0 else "minimum"
 
 
+class SymmetricRates(NamedTuple):
+    """Rates [rad/s] at which L goes round the axis of symmetry in the body, and that axis round L in space."""
+
+    nutation: float
+    precession: float
+
+
+@known_numbers_only
+def symmetric_rates(gyrostat: Gyrostat, angular_velocity: Real[ArrayLike, "3"]) -> SymmetricRates | None:
+    """Return ((I3 − I1) Ω3 + h)/I1 and |L|/I1 of a carrier of revolution with its rotor along its axis; None of others.
+
+    Args:
+        gyrostat: the body and its rotor.
+        angular_velocity: (3,) Ω [rad/s, principal axes].
+
+    Source: Hughes, *Spacecraft Attitude Dynamics*, §6.4.
+
+    >>> symmetric_rates(Gyrostat((2.0, 2.0, 3.0), (0.0, 0.0, 0.5)), (0.0, 0.0, 1.0))
+    SymmetricRates(nutation=0.75, precession=1.75)
+    """
+    moments, rotor = np.asarray(gyrostat.moments), np.asarray(gyrostat.rotor)
+    velocity = np.asarray(angular_velocity, dtype=float)
+    k = symmetry_axis(moments, rotor)
+    if k is None:
+        return None
+    across = moments[k - 1]
+    nutation = float(((moments[k] - across) * velocity[k] + rotor[k]) / across)
+    return SymmetricRates(nutation, float(np.linalg.norm(moments * velocity + rotor) / across))
+
+
+@known_numbers_only
+def angle_from_axis(vectors: Real[ArrayLike, "*times 3"], axis: Real[ArrayLike, "3"]) -> Float64[Array, "*times"]:
+    """Return the angle from a unit axis (3,) to each of (…, 3) vectors [rad], 0 to π; zero to one of no length."""
+    along, found = np.asarray(axis, dtype=float), np.asarray(vectors, dtype=float)
+    return np.asarray(np.arctan2(np.linalg.norm(np.cross(found, along), axis=-1), found @ along))
+
+
 def symmetry_axis(moments: Float64[Array, "3"], rotor: Float64[Array, "3"] | None = None) -> int | None:
     """Return the axis about which the other two moments are equal, and the rotor's momentum nothing; else None."""
     for k in (2, 0, 1):
@@ -116,8 +153,3 @@ def symmetry_axis(moments: Float64[Array, "3"], rotor: Float64[Array, "3"] | Non
         if moments[i] == moments[j] and (rotor is None or not (rotor[i] or rotor[j])):
             return k
     return None
-
-
-def cleaned(direction: Float64[Array, "3"]) -> Float64[Array, "3"]:
-    """Return a unit vector whose components that are rounding are zero."""
-    return np.where(np.abs(direction) < CLEAN, 0.0, direction)

@@ -36,6 +36,27 @@ def body_precession(motion: FreeMotion) -> Precession | None:
 
 
 @known_numbers_only
+def rotation_period(motion: FreeMotion) -> float | None:
+    """Return the time of a turn [s] of one body that turns steadily about an axis fixed in it; None of others."""
+    rate = float(np.linalg.norm(np.asarray(motion.momentum_at_epoch) / np.asarray(motion.moments)))
+    return 2.0 * math.pi / rate if rate and motion.regime in ("permanent", "spherical") else None
+
+
+@known_numbers_only
+def turn_per_flip(motion: FreeMotion) -> float | None:
+    """Return the mean turn [rad] of one body about L from one flip to the next; None where it does not flip again."""
+    turn = finite(motion.precession_per_period)
+    return None if turn is None or motion.flip_interval is None else 0.5 * turn
+
+
+@known_numbers_only
+def fastest_rate(motion: FreeMotion) -> float:
+    """Return the fastest mean rate of one body's motion [rad/s]: about L, along the polhode, or of a steady turn."""
+    periods = (finite(motion.period), rotation_period(motion))
+    return max(motion.precession_rate or 0.0, *(2.0 * math.pi / (period or math.inf) for period in periods))
+
+
+@known_numbers_only
 def space_precession(motion: FreeMotion) -> Precession | None:
     """Return how the encircled axis turns about L in space; always along L. For a symmetric body the rate is |L|/I1."""
     if motion.precession_rate is None or motion.encircled_axis is None:

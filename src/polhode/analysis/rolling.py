@@ -14,18 +14,21 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from typing import NamedTuple
 
 import jax
 import jax.numpy as jnp
 import numpy as np
 
 from polhode.analysis.energy_casimir import Stability, energy_casimir
+from polhode.analysis.reasons import Restriction
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput
-from polhode.systems.euler_disk import EulerDisk
+from polhode.systems.euler_disk import EulerDisk, rolling_parts
 from polhode.systems.rolling_mechanics import RollingMechanics
 from polhode.types import Array, ArrayLike, Real
 
+RESTRICTED = Restriction(within=("tilt", "rates"), without=("heading", "place"))
 AT_REST = 1e-8  # of the terms of θ̈, relative: a steady motion found by a solver or typed in
 
 
@@ -49,7 +52,7 @@ def rolling_stability(disk: EulerDisk, state: Real[ArrayLike, "8"]) -> Stability
     state = disk.check_state(state)
     if jnp.ndim(state) != 1:
         raise InvalidInput(f"`state` must be one state (8,); got shape {jnp.shape(state)}.")
-    mechanics, x = disk.mechanics, np.asarray(state)[[0, 5, 6, 7]]
+    mechanics, x = disk.mechanics, np.stack([np.asarray(part) for part in rolling_parts(state)])
     flow, slope, curvature, dJ, ddJ, field = (np.asarray(v) for v in _matrices(mechanics, x))
     size = float(mechanics.gravity / mechanics.radius) + float(np.sum(np.asarray(x[1:]) ** 2))
     if abs(field[0]) > AT_REST * math.sqrt(size) or abs(field[1]) > AT_REST * size:
@@ -58,11 +61,8 @@ def rolling_stability(disk: EulerDisk, state: Real[ArrayLike, "8"]) -> Stability
             "Make one by `disk.rolling_state`."
         )
     found = energy_casimir(flow, slope, curvature, dJ, ddJ, ["J2", "J3"], is_equilibrium=True, tolerance=1e-12)
-    where = "; J2, J3 are ω2, ω3 carried to this tilt by their linear equations"
-    restriction = "in tilt and rates, not in heading and place" if found.verdict == "stable" else None
-    return replace(
-        found, certificate=found.certificate + (where if "J" in found.certificate else ""), restriction=restriction
-    )
+    legend = "J2, J3 are ω2, ω3 carried to this tilt by their linear equations" if "J" in str(found.reason) else ""
+    return replace(found, legend=legend, restricted=RESTRICTED if found.verdict == "stable" else None)
 
 
 @known_numbers_only
@@ -70,6 +70,74 @@ def nutation(disk: EulerDisk, state: Real[ArrayLike, "8"]) -> float | None:
     """Return the frequency [rad/s] of small nutation about a steady motion, None where it is not stable."""
     square = float(_nutation_squared(disk.mechanics, state))
     return math.sqrt(square) if square > 0.0 else None
+
+
+class SteadyRolling(NamedTuple):
+    """A steady motion of a disk without dissipation.
+
+    Attributes:
+        state: (8,).
+        verdict: on it.
+        nutation: frequency of small nutation [rad/s], None where unstable.
+    """
+
+    state: Float64[Array, "8"]
+    verdict: Stability
+    nutation: float | None
+
+
+@known_numbers_only
+def steady_rolling(
+    disk: EulerDisk, tilt: float, precession: float | None = None, spin: float | None = None, heading: float = 0.0
+) -> SteadyRolling | None:
+    """Return the steady motion with these rates or, where they are not steady, with this precession; None without one.
+
+    Args:
+        disk: without dissipation.
+        tilt: θ [rad].
+        precession: φ̇ [rad/s]; by default that at which the centre is at rest.
+        spin: ω3 [rad/s]; follows from the precession.
+        heading: φ [rad].
+
+    Raises:
+        InvalidInput: for a disk with dissipation, which has no steady motion.
+
+    >>> disk = EulerDisk(mass=0.4, radius=0.04)
+    >>> found = steady_rolling(disk, 0.1)
+    >>> found.verdict.verdict, round(found.nutation / float(disk.precession(found.state)), 3)
+    ('stable', 0.776)
+    """
+    if disk.dissipation:
+        raise InvalidInput("`disk` must be without `dissipation`: with it no motion is steady. Judge the disk without.")
+    for asked in (spin, None):
+        try:
+            state = disk.rolling_state(tilt, precession, asked, heading)
+            return SteadyRolling(state, rolling_stability(disk, state), nutation(disk, state))
+        except InvalidInput:
+            continue
+    return None
+
+
+@known_numbers_only
+def fastest_rolling_rate(disk: EulerDisk, state: Real[ArrayLike, "8"]) -> float:
+    """Return the faster of |φ̇|, at which the contact goes round, and |ω| [rad/s], of one state (8,)."""
+    rates = [float(rate) for rate in rolling_parts(state)[1:]]
+    return max(abs(float(disk.precession(state))), float(np.linalg.norm(rates)))
+
+
+@known_numbers_only
+def rolling_period(disk: EulerDisk, state: Real[ArrayLike, "8"], steady: SteadyRolling | None = None) -> float:
+    """Return the time [s] in which one state changes: that of a turn, or of √(a/g) radians where hardly anything turns.
+
+    Args:
+        disk: any.
+        state: (8,).
+        steady: a motion near by; where it is stable, its small nutation's period is the answer.
+    """
+    if steady is not None and steady.nutation:
+        return 2.0 * math.pi / steady.nutation
+    swinging = math.sqrt(float(disk.mechanics.gravity / disk.mechanics.radius))
+    return 2.0 * math.pi / max(fastest_rolling_rate(disk, state), swinging)
 
 
 @known_numbers_only
@@ -98,7 +166,8 @@ def critical_spin_rate(disk: EulerDisk) -> float:
 
 @jax.jit
 def _nutation_squared(mechanics: RollingMechanics, state: Array) -> Array:
-    return mechanics.nutation_squared(state[0], state[6], state[7])
+    theta, _, w2, w3 = rolling_parts(state)
+    return mechanics.nutation_squared(theta, w2, w3)
 
 
 @jax.jit

@@ -27,8 +27,8 @@ from polhode.integrators.adaptive import TOLERANCE, EventBisection, solve_adapti
 from polhode.motion.outcome import Ending, Outcome
 from polhode.motion.trajectory import Trajectory
 from polhode.simulation import trajectory_of
-from polhode.systems.euler_disk import EulerDisk
-from polhode.types import Array, ArrayLike, Float64, Real
+from polhode.systems.euler_disk import LAYOUT, EulerDisk, rolling_parts
+from polhode.systems.rolling_dissipation import RollingDissipation
 
 ASYMPTOTIC_END = 0.3  # |θ̇|/(θ|φ̇|), beyond which the tilt falls as fast as the disk goes round
 ASYMPTOTIC_FIT = 0.02  # the same, up to which exponents are fitted
@@ -38,6 +38,11 @@ FALL_SAMPLES = 32
 FEWEST = 8  # samples to fit
 LEG_STEPS = 100_000  # of one sample to the next: then nothing is lost any more
 STEPS_PER_RADIAN = 4.0  # of precession, of Dopri8 at its tolerance: measured
+TILT = LAYOUT.place("tilt")
+ANGLES, CONTACT, RATES = (
+    slice(LAYOUT.place(first).start, LAYOUT.place(last).stop)
+    for first, last in (("heading", "face"), ("contact_x", "contact_y"), ("tilt_rate", "spin"))
+)
 
 
 @dataclass(frozen=True)
@@ -53,6 +58,7 @@ class SpinDown:
         tilt: fit of α ∝ (t0 − t)^n over the samples with an adiabaticity below 0.02; without a finite t0 of α ∝ t^n.
         precession: the same of Ω, −n/2 in theory.
         precession_by_tilt: fit of Ω ∝ α^k, −1/2 in theory.
+        fitted: the samples that were fitted, one after the other.
         events: name → time [s from the start], in order: "end of asymptotic regime", "flat", "lift-off", "on edge".
             Empty if the tilt fell by as much, or took as many steps, as was asked for before any of them.
         energy_balance: largest |E(t) + dissipated − E(0)| / E(0).
@@ -66,8 +72,14 @@ class SpinDown:
     tilt: PowerLaw
     precession: PowerLaw
     precession_by_tilt: PowerLaw
+    fitted: slice
     events: dict[str, float]
     energy_balance: float
+
+    @property
+    def late(self) -> slice:
+        """The second half of the samples fitted, whose exponents are given."""
+        return slice(self.fitted.start + self.tilt.samples // 2, self.fitted.start + self.tilt.samples)
 
     @property
     def first_event(self) -> str | None:
@@ -139,15 +151,36 @@ def spin_down(
         tilt=found.law,
         precession=power_law(distance[fitted], rate[fitted]),
         precession_by_tilt=power_law(tilt[fitted], rate[fitted]),
+        fitted=fitted,
         events=events,
         energy_balance=float(trajectory.drift["energy"]),
     )
 
 
+class SpinDownExponents(NamedTuple):
+    """Exponents of tilt and precession by the time that is left, and of the precession by the tilt."""
+
+    tilt: float
+    precession: float
+    precession_by_tilt: float
+
+
+def predicted_exponents(law: RollingDissipation) -> SpinDownExponents:
+    """Return the exponents of a thin disk that one law alone slows down: n, −n/2 and −1/2, as Ω ∝ α^(−1/2).
+
+    Source: Leine, Arch. Appl. Mech. 79 (2009) 1063, §4.
+
+    >>> from polhode.systems import ViscousContourFriction
+    >>> predicted_exponents(ViscousContourFriction(2e-7))
+    SpinDownExponents(tilt=0.5, precession=-0.25, precession_by_tilt=-0.5)
+    """
+    return SpinDownExponents(law.exponent, -0.5 * law.exponent, -0.5)
+
+
 def adiabaticity(disk: EulerDisk, state: Float64[Array, "*batch 8"]) -> Float64[Array, "*batch"]:
     """Return |θ̇|/(θ|φ̇|) of states (…, 8): by how much of itself the tilt falls in a radian of precession."""
-    theta = jnp.minimum(state[..., 0], jnp.pi - state[..., 0])
-    return jnp.abs(state[..., 5]) / (theta * jnp.abs(disk.precession(state)))
+    tilt, tilt_rate, *_ = rolling_parts(state)
+    return jnp.abs(tilt_rate) / (jnp.minimum(tilt, jnp.pi - tilt) * jnp.abs(disk.precession(state)))
 
 
 @known_numbers_only
@@ -231,7 +264,7 @@ def _leg(disk: EulerDisk, state: Array, length: Array) -> tuple[_Leg, Array, Arr
         now = _unscaled(disk, y.state)
         field, slowness = disk.vector_field(t, now), _tick(disk, now)
         change = jax.jvp(lambda x: _scaled(disk, x), (now,), (field,))[1]
-        lost = 1.5 * disk.mechanics.potential_energy(now[0])
+        lost = 1.5 * disk.mechanics.potential_energy(LAYOUT.part(now, "tilt"))
         return _Leg(slowness * change, slowness / clock, lost / first_energy)
 
     margin = jax.jit(lambda now: _margin(disk, _unscaled(disk, now)))
@@ -261,7 +294,7 @@ def _turn(disk: EulerDisk, state: Array, length: Array) -> Array:
 
 def _tick(disk: EulerDisk, state: Array) -> Array:
     """Return the time [s] in which dissipation takes as much energy as goes with the tilt."""
-    return 1.5 * disk.mechanics.potential_energy(state[0]) / disk.power(state)
+    return 1.5 * disk.mechanics.potential_energy(LAYOUT.part(state, "tilt")) / disk.power(state)
 
 
 def _margin(disk: EulerDisk, state: Array) -> Array:
@@ -278,15 +311,15 @@ def _ended_by(disk: EulerDisk, state: Array) -> str:
 
 def _scaled(disk: EulerDisk, state: Array) -> Array:
     """Return log θ, angles, contact in radii, and rates over √(gθ/a): of order one however small the tilt."""
-    unit = jnp.sqrt(disk.mechanics.gravity * state[0] / disk.mechanics.radius)
-    place = state[3:5] / disk.mechanics.radius
-    return jnp.concatenate([jnp.log(state[:1]), state[1:3], place, state[5:] / unit])
+    unit = jnp.sqrt(disk.mechanics.gravity * LAYOUT.part(state, "tilt") / disk.mechanics.radius)
+    place = state[CONTACT] / disk.mechanics.radius
+    return jnp.concatenate([jnp.log(state[TILT]), state[ANGLES], place, state[RATES] / unit])
 
 
 def _unscaled(disk: EulerDisk, scaled: Array) -> Array:
-    theta = jnp.exp(scaled[:1])
+    theta = jnp.exp(scaled[TILT])
     unit = jnp.sqrt(disk.mechanics.gravity * theta / disk.mechanics.radius)
-    return jnp.concatenate([theta, scaled[1:3], scaled[3:5] * disk.mechanics.radius, scaled[5:] * unit])
+    return jnp.concatenate([theta, scaled[ANGLES], scaled[CONTACT] * disk.mechanics.radius, scaled[RATES] * unit])
 
 
 def _fall(disk: EulerDisk, run: _Run) -> str | None:

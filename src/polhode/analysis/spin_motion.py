@@ -55,6 +55,25 @@ class SpinMotion(NamedTuple):
     mean_rate: float
     libration: Libration | None
 
+    @property
+    def exponent(self) -> float:
+        """The last and best estimate of the largest Lyapunov exponent [1/s]."""
+        return float(self.exponents[-1])
+
+    @property
+    def lyapunov_time(self) -> float | None:
+        """1/λ of a chaotic motion [s], in which neighbours part by a factor of e; None of others."""
+        return 1.0 / self.exponent if self.verdict == "chaotic" else None
+
+    def predictable_time(self, error: float) -> float | None:
+        """Return the time [s] in which neighbours of a chaotic motion part from an error [rad] to one radian."""
+        return math.log(1.0 / error) / self.exponent if self.verdict == "chaotic" else None
+
+    def regular_exponent(self, mean_motion: float) -> float:
+        """Return ln(nt)/t [1/s], about what the exponent of a regular motion is after as many orbits."""
+        span = self.orbits * (TURN / mean_motion)
+        return math.log(mean_motion * span) / span
+
 
 @known_numbers_only
 def spin_motion(system: SpinOrbit, state: Real[ArrayLike, "2"], orbits: int | None = None) -> SpinMotion:

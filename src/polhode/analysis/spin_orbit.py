@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import itertools
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import jax.numpy as jnp
@@ -162,6 +164,19 @@ def resonance_strength(order: float, eccentricity: float) -> float:
     strength = math.fsum(values) / count
     # what is left of a sum that vanishes, as those of a circular orbit do, is rounding
     return 0.0 if abs(strength) < 4e-16 * float(np.abs(values).max()) else strength
+
+
+def overlap_of(found: Sequence[Resonance]) -> float | None:
+    """Return the least asphericity ω0 = √(3(B − A)/C) at which two neighbours of these resonances touch.
+
+    Half-widths add up to the distance, ω0 (√|H(p)| + √|H(p + ½)|) = ½, by Chirikov's criterion. None where no two
+    neighbours have any strength, as on a circular orbit.
+
+    Source: Chirikov, Phys. Rep. 52 (1979) 263; Wisdom, Peale & Mignard, Icarus 58 (1984) 137.
+    """
+    roots = [math.sqrt(abs(resonance.strength)) for resonance in found]
+    pairs = [a + b for a, b in itertools.pairwise(roots) if a and b]
+    return 0.5 / max(pairs) if pairs else None
 
 
 @known_numbers_only

@@ -23,6 +23,14 @@ from polhode.analysis.conserved import Casimirs, Energy, Source, casimirs_of, ch
 from polhode.analysis.energy_casimir import Stability, energy_casimir
 from polhode.analysis.equilibrium_data import Problem, problem
 from polhode.analysis.first_method import first_method
+from polhode.analysis.reasons import (
+    DefiniteOnLeaf,
+    ExponentialGrowth,
+    FieldVanishes,
+    MissingCasimirs,
+    Restriction,
+    SteadyDrift,
+)
 from polhode.analysis.rolling import rolling_stability
 from polhode.analysis.second_variation import null_space
 from polhode.arrays import known_numbers_only
@@ -124,9 +132,7 @@ def _judged(p: Problem) -> Stability:
     if relative.verdict == "undecided" and found is not None:
         return found
     if relative.verdict == "stable":
-        flows = ", ".join(p.names[n - 1] for n in p.free)
-        words = f"up to the flow{'s' if len(p.free) > 1 else ''} of {flows}"
-        relative = replace(relative, certificate=f"{relative.certificate}; {words}", restriction=words)
+        relative = replace(relative, restricted=Restriction(flows=tuple(p.names[n - 1] for n in p.free)))
     return relative
 
 
@@ -139,8 +145,7 @@ def _judge(p: Problem, weights: Array, divided: Sequence[int] = ()) -> Stability
         divided: integrals whose flows are divided out, all of whose levels are kept.
     """
     if p.still and not len(divided):
-        text = "the field vanishes at all points: every neighbour is an equilibrium"
-        return Stability("stable", 0.0, None, None, text, np.zeros(0, complex))
+        return Stability("stable", 0.0, None, None, FieldVanishes(), np.zeros(0, complex))
     slope, curvature = weights @ p.g, np.tensordot(weights, p.H, 1)
     flow = p.tensor @ curvature + np.einsum("jik,i->jk", p.constants, slope)
     sizes = p.sizes(weights)
@@ -157,7 +162,7 @@ def _judge(p: Problem, weights: Array, divided: Sequence[int] = ()) -> Stability
             is_equilibrium=True, tolerance=min(error, 0.5), unit=p.unit,
             sizes=((0.0 if leafwise else 1.0) * sizes[0] @ inside, p.unit * inside.T @ sizes[1] @ inside), **options,
         )  # fmt: skip
-        return found if found.direction is None else replace(found, direction=basis @ found.direction)
+        return _turned(found, basis)
 
     family = not len(divided) and _on_equilibria(p, flow, p.g[rows], float(sizes[1].max()))
     found = judged(across, curvature, kept, p.error, casimir_names=[p.names[n - 1] for n in kept],
@@ -170,23 +175,27 @@ def _judge(p: Problem, weights: Array, divided: Sequence[int] = ()) -> Stability
     return _leafwise(p, found, leafwise, tangent.shape[1], "H + Σ ω J" if len(divided) else "H")
 
 
+def _turned(found: Stability, basis: Array) -> Stability:
+    """Return a verdict whose direction is told by components along a basis (n, d) with it along the coordinates."""
+    if found.direction is None:
+        return found
+    direction, reason = basis @ found.direction, found.reason
+    if isinstance(reason, ExponentialGrowth | SteadyDrift):
+        reason = replace(reason, direction=direction)
+    return replace(found, direction=direction, reason=reason)
+
+
 def _leafwise(p: Problem, found: Stability, leafwise: Stability, dimension: int, function: str) -> Stability:
     """Return what an extremum on the leaf says about all neighbours."""
     if leafwise.verdict != "stable":
         return found
-    sign = "negative" if leafwise.function is not None and leafwise.function.signature[2] else "positive"
-    text = f"the second variation of {function} on the leaf, of dimension {dimension}, is {sign} definite"
+    sign = -1 if leafwise.function is not None and leafwise.function.signature[2] else 1
+    reason = DefiniteOnLeaf(function, dimension, sign, "alike")
     if dimension == p.y.size - index(p.system.algebra):
-        text += "; the point is regular, so that leaves nearby have such extrema too"
-        return replace(leafwise, certificate=text, function=None)
+        return replace(leafwise, reason=reason, function=None)
     if is_compact(p.system.algebra):
-        text += "; the leaf is singular, but the group compact, so that leaves nearby stay near it"
-        return replace(leafwise, certificate=text, function=None)
-    text = (
-        f"on its own leaf the equilibrium is stable: {text}; but the leaf is singular, leaves nearby are larger, "
-        "and motions on these are not confined by it"
-    )
-    return replace(found, certificate=text)
+        return replace(leafwise, reason=replace(reason, leaves_nearby="near"), function=None)
+    return replace(found, reason=replace(reason, leaves_nearby="larger"))
 
 
 def _on_tangent(p: Problem, flow: Array, flow_sizes: Array) -> tuple[Array, Array, float]:
@@ -218,11 +227,9 @@ def _check_at_rest(field: Array, size: float, relative: bool) -> None:
         )
 
 
-def _noted(found: Stability, missing: str) -> Stability:
+def _noted(found: Stability, missing: MissingCasimirs | None) -> Stability:
     """Return an undecided verdict with the Casimirs that might have helped."""
-    if found.verdict != "undecided" or not missing:
-        return found
-    return replace(found, certificate=f"{found.certificate}; {missing}")
+    return replace(found, missing=missing) if found.verdict == "undecided" else found
 
 
 def _at(found: Stability, point: Array) -> Stability:

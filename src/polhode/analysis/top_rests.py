@@ -14,6 +14,9 @@ from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.systems.heavy_top import HeavyTop
 
+NAMES = {"|P|²": "|Γ|²", "Π·P": "Π·Γ"}  # the Casimirs of se(3)*, called by what they are here
+SHORT = {"Lagrange's Π·χ": "Π·χ"}  # in sentences
+
 
 class TopRests(NamedTuple):
     """Verdicts on both vertical positions of a top's axis."""
@@ -51,6 +54,5 @@ def top_stability(top: HeavyTop, spin: float = 0.0) -> TopRests:
 
 def _in_a_tops_words(found: Stability) -> Stability:
     """Return a verdict with the Casimirs of se(3)* and Lagrange's integral called by what they are here."""
-    function = None if found.function is None else found.function.renamed({"|P|²": "|Γ|²", "Π·P": "Π·Γ"})
-    text = found.certificate.replace("|P|²", "|Γ|²").replace("Π·P", "Π·Γ").replace("Lagrange's ", "")
-    return replace(found, certificate=text, function=function)
+    function = None if found.function is None else found.function.renamed(NAMES)
+    return replace(found, reason=found.reason.renamed(NAMES | SHORT), function=function)

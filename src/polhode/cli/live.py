@@ -13,7 +13,6 @@ from polhode.bodies.surface import Surface
 from polhode.cli.stopping import Stopped
 from polhode.errors import InvalidInput
 from polhode.kinds.reading import read_spec
-from polhode.kinds.registry import FREE_BODY
 from polhode.viewer.live import LiveApp
 from polhode.viewer.live_motion import Setting
 
@@ -43,7 +42,7 @@ def _start(path: Path | None) -> tuple[Setting, Surface | None, str]:
     if path is None:
         return Setting.of(np.array(MOMENTS), np.array(VELOCITY)), None, "a body"
     spec = read_spec(path)
-    if spec.kind.name != FREE_BODY or spec.body is None:
+    if not spec.kind.is_default or spec.body is None:
         raise InvalidInput(f"{path}: the live view shows free bodies. Leave out [system], or see it by `polhode view`.")
     frame = spec.body.frame
     momentum, _ = spec.start(frame.moments, frame.axes)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import contextlib
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -169,32 +171,49 @@ def body_of(path: Path) -> SpecBody:
     if (kind := kind_of(path)) != "spec":
         why = f"is {KINDS_IN_WORDS[kind]}, and --spec wants a spec, whose [body] has the moments"
         raise InvalidInput(f"{path}: {why}. Give a TOML file like those of `polhode report`.")
-    report = report_of(path, read_spec(path))
-    return SpecBody(report.kind, report.trajectory.frame, report.mechanics)
+    spec = read_spec(path)
+    with _naming(path):
+        motion = spec.motion()
+    return SpecBody(spec.kind.name, motion.trajectory.frame, motion.mechanics)
 
 
 def report_of(path: Path, spec: Spec) -> AbstractReport:
     """Return the report on a spec; what it refuses names the file."""
-    try:
+    with _naming(path):
         return kept_report(spec)
+
+
+@contextlib.contextmanager
+def _naming(path: Path) -> Iterator[None]:
+    """Name the file in what is refused."""
+    try:
+        yield
     except (InvalidInput, NotConverged) as error:
         raise type(error)(f"{path}: {error}") from None
 
 
 def _from_spec(path: Path) -> Source:
     spec = read_spec(path)
-    report, labels = report_of(path, spec), _told(spec.labels)
-    trajectory = along_given_axes(report.trajectory)
-    history = replace(_history(path, trajectory), mechanics=report.mechanics)
+    if not spec.kind.has_attitude:
+        raise _without_attitudes(path)
+    with _naming(path):
+        moved = spec.motion()
+    trajectory = along_given_axes(moved.trajectory)
+    history = replace(_history(path, trajectory), mechanics=moved.mechanics)
 
-    if report.trajectory.motion is not None:
+    if moved.trajectory.motion is not None:
 
         def exact(times: Any) -> tuple[Any, Any]:
-            found = along_given_axes(report.trajectory.resampled(times))
+            found = along_given_axes(moved.trajectory.resampled(times))
             return found.attitude, found.angular_velocity
 
         history = replace(history, exact=exact)
-    return Source("spec", trajectory, history, labels, report.kind)
+    return Source("spec", trajectory, history, _told(spec.labels), spec.kind.name)
+
+
+def _without_attitudes(path: Path) -> InvalidInput:
+    why = "holds no attitudes, only how a state changes, and a comparison is of attitudes"
+    return InvalidInput(f"{path}: {why}. Choose the motion of a body that turns in space.")
 
 
 def _told(labels: AttitudeLabels | None) -> AttitudeLabels | None:
@@ -206,8 +225,7 @@ def _told(labels: AttitudeLabels | None) -> AttitudeLabels | None:
 
 def _history(path: Path, trajectory: Trajectory) -> AttitudeHistory:
     if trajectory.attitude is None:
-        why = "holds no attitudes, only how a state changes, and a comparison is of attitudes"
-        raise InvalidInput(f"{path}: {why}. Choose the motion of a body that turns in space.")
+        raise _without_attitudes(path)
     try:
         attitude = single_attitude(trajectory, "A comparison")
     except InvalidInput as error:

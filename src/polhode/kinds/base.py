@@ -7,10 +7,11 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from importlib import import_module, resources
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
 import numpy as np
 
+from polhode.analysis.mechanics import Mechanics
 from polhode.bodies.body import Body
 from polhode.bodies.surface import Surface
 from polhode.errors import InvalidInput, shown
@@ -30,6 +31,18 @@ if TYPE_CHECKING:
     from polhode.viewer.samples import Samples
 
 
+class SpecMotion(NamedTuple):
+    """What a spec moves, without the answers about it.
+
+    Attributes:
+        trajectory: its samples.
+        mechanics: what energy and momentum of this body are made of; None where that is not known.
+    """
+
+    trajectory: Trajectory
+    mechanics: Mechanics | None
+
+
 class AbstractKind:
     """A kind of motion that a spec can name as ``[system] kind``.
 
@@ -42,12 +55,20 @@ class AbstractKind:
         table: the model of the table [system].
         figure_names: of the files of ``figures``, which a later report may remove.
         sources: the classes, as ``module.name``, of systems and motions whose pages show the kind's own pictures.
+        subject: what moves, in a word, where other kinds may move the same in another way.
+        in_closed_form: whether the motion is known exactly at any time, without steps.
+        has_attitude: whether the motion is that of a body that turns in space.
+        is_default: whether a spec without [system] means this kind; of the kinds here one does.
     """
 
     name: ClassVar[str]
     table: ClassVar[type[SystemTable]]
     figure_names: ClassVar[tuple[str, ...]] = ()
     sources: ClassVar[tuple[str, ...]] = ()
+    subject: ClassVar[str] = ""
+    in_closed_form: ClassVar[bool] = False
+    has_attitude: ClassVar[bool] = True
+    is_default: ClassVar[bool] = False
 
     @property
     def example(self) -> str:
@@ -62,6 +83,18 @@ class AbstractKind:
             NotConverged: where a motion could not be followed.
         """
         return self._part("answers").report_of(spec)
+
+    def motion(self, spec: Spec) -> SpecMotion:
+        """Return the motion alone, by ``answers.motion_of`` where a kind has one: much may not be needed for it.
+
+        Raises:
+            InvalidInput, NotConverged: as ``report`` does.
+        """
+        answers = self._part("answers")
+        if hasattr(answers, "motion_of"):
+            return answers.motion_of(spec)
+        report = answers.report_of(spec)
+        return SpecMotion(report.trajectory, report.mechanics)
 
     def rules(self, tables: dict[str, Any]) -> Iterator[Mistake]:
         """Yield what the raw tables of a file break beyond what each field says, and where."""
@@ -163,3 +196,7 @@ class Spec:
     def report(self) -> AbstractReport:
         """Return the answers; see ``AbstractKind.report``."""
         return self.kind.report(self)
+
+    def motion(self) -> SpecMotion:
+        """Return the motion without the answers; see ``AbstractKind.motion``."""
+        return self.kind.motion(self)

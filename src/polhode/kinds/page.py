@@ -83,12 +83,9 @@ def page_of_report(report: AbstractReport, path: str | Path, *, name: str, surfa
     Raises:
         InvalidInput: as ``write_page`` does.
     """
-    trajectory, notes = report.shown, list(report.notes)
-    if trajectory is not report.trajectory and trajectory.outcome.event is not None:
-        notes.append(f"Shown: the last turns, until the disk is {trajectory.outcome.event}.")
     return write_page(
-        trajectory, path, name=name, summary=with_powers(report.summary), surface=surface,
-        notes=[with_powers(note) for note in notes],
+        report.shown, path, name=name, summary=with_powers(report.summary), surface=surface,
+        notes=[with_powers(note) for note in [*report.notes, *filter(None, [report.shown_part])]],
     )  # fmt: skip
 
 

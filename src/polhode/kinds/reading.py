@@ -11,7 +11,7 @@ from pydantic import ValidationError
 from polhode.bodies.body import Body
 from polhode.errors import FormatError, InvalidInput, NotConverged, printable, shown
 from polhode.kinds.base import AbstractKind, Spec
-from polhode.kinds.registry import FREE_BODY, find_kind, kind_names
+from polhode.kinds.registry import default_kind, find_kind, kind_names
 from polhode.reports.base import AbstractReport
 from polhode.spec.building import build_body, build_part
 from polhode.spec.export import labels_of
@@ -30,7 +30,7 @@ def read_spec(path: str | Path) -> Spec:
     """
     path = Path(path)
     table = read_tables(path)
-    raw = table.pop("system", FREE_BODY)
+    raw = table.pop("system") if "system" in table else default_kind().name
     raw = {"kind": raw} if isinstance(raw, str) else raw
     kind, mistakes, model = None, [], None
     if isinstance(raw, dict):

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import contextlib
 import pkgutil
+import sys
+from collections.abc import Iterator
 from functools import cache
 from importlib import import_module
 from importlib.metadata import EntryPoint, entry_points
@@ -15,7 +17,6 @@ from polhode.kinds.base import AbstractKind
 
 GROUP = "polhode.kinds"
 HOME = Path(__file__).parent
-FREE_BODY = "free-body"  # of a spec without [system]
 
 
 @cache
@@ -57,22 +58,38 @@ def find_kind(name: str) -> AbstractKind | None:
     return found
 
 
+@cache
+def default_kind() -> AbstractKind:
+    """Return the kind that a spec without [system] means, one of this package's own."""
+    return next(kind for name in sorted(_folders()) if (kind := find_kind(name)) is not None and kind.is_default)
+
+
+def other_kind(subject: str, in_closed_form: bool) -> AbstractKind | None:
+    """Return the first kind that moves the same, in closed form or by steps, for a remedy to name; None without any."""
+    alike = (kind for kind in _importable() if kind.subject == subject != "")
+    return next((kind for kind in alike if kind.in_closed_form == in_closed_form), None)
+
+
 def known_figures() -> set[str]:
     """Return what the figures of all kinds are called that can be imported."""
-    found: set[str] = set()
-    for name in kind_names():
-        with contextlib.suppress(PolhodeError):
-            kind = find_kind(name)
-            found |= set(() if kind is None else kind.figure_names)
-    return found
+    return {name for kind in _importable() for name in kind.figure_names}
 
 
 def kind_of_source(source: Any) -> AbstractKind | None:
     """Return the kind whose pictures show what a trajectory came from; None where no kind has any of its own."""
-    wanted = f"{type(source).__module__}.{type(source).__qualname__}"
+    return next((kind for kind in _importable() if any(_is_made_by(source, name) for name in kind.sources)), None)
+
+
+def _is_made_by(source: Any, name: str) -> bool:
+    """Whether a source is of a class ``module.name``, whose module must be loaded then."""
+    module, _, own = name.rpartition(".")
+    return module in sys.modules and type(source) is getattr(sys.modules[module], own)
+
+
+def _importable() -> Iterator[AbstractKind]:
+    """Yield all kinds but those of other packages that cannot be imported."""
     for name in kind_names():
         with contextlib.suppress(PolhodeError):
             kind = find_kind(name)
-            if kind is not None and wanted in kind.sources:
-                return kind
-    return None
+            if kind is not None:
+                yield kind

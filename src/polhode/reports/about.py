@@ -63,6 +63,9 @@ def stability_values(found: Stability) -> dict[str, Any]:
         "direction": found.direction,
         "exponents": [[float(x.real), float(x.imag)] for x in found.spectrum],
         "certificate": found.certificate,
+        "reason": found.reason.values,
+        "restriction": found.restriction,
+        "missing_casimirs": None if found.missing is None else vars(found.missing),
         "function": None if found.function is None else _function_values(found.function),
     }
 

@@ -40,6 +40,11 @@ class AbstractReport(abc.ABC):
         return self.trajectory
 
     @property
+    def shown_part(self) -> str:
+        """Which part of the motion that is, as a sentence; empty for all of it, or where it goes without saying."""
+        return ""
+
+    @property
     def mechanics(self) -> Mechanics | None:
         """What energy and momentum of an attitude history of this body are made of; None where it tells no energy."""
         return None

@@ -2,6 +2,7 @@
 
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem, Balance
 from polhode.systems.body_in_potential import BodyInPotential
+from polhode.systems.body_with_rotor import RotorInBody, rotor_in_body
 from polhode.systems.brun_body import BrunBody
 from polhode.systems.double_bracket import DoubleBracket
 from polhode.systems.euler_disk import EulerDisk
@@ -59,9 +60,11 @@ __all__ = [
     "RollingCouple",
     "RollingDissipation",
     "Rotor",
+    "RotorInBody",
     "SphericalSlug",
     "SpinOrbit",
     "TorquedBody",
     "TorquedGyrostat",
     "ViscousContourFriction",
+    "rotor_in_body",
 ]

@@ -126,16 +126,15 @@ class EulerDisk(AbstractSystem):
 
     def vector_field(self, t: Real[ArrayLike, "..."], state: States) -> States:
         disk = self.mechanics
-        a, phi = disk.radius, state[..., 1]
-        theta, w1, w2, w3 = self._moving(state)
+        a, phi = disk.radius, LAYOUT.part(state, "heading")
+        theta, w1, w2, w3 = rolling_parts(state)
         s, c = jnp.sin(theta), jnp.cos(theta)
         precession = w2 / s
         along_rim = w3 - precession * c
-        face = w3 + 2.0 * precession * jnp.sin(0.5 * theta) ** 2
         push2, push3 = disk.accelerations(*couples(disk, self.dissipation, theta, w2, w3))
         d2, d3 = disk.transport(theta, w2, w3)
         rates = (
-            w1, precession, face, -a * along_rim * jnp.cos(phi), -a * along_rim * jnp.sin(phi),
+            w1, precession, self.face_rate(state), -a * along_rim * jnp.cos(phi), -a * along_rim * jnp.sin(phi),
             disk.tilt_acceleration(theta, w2, w3), d2 * w1 + push2, d3 * w1 + push3,
         )  # fmt: skip
         return jnp.stack(rates, axis=-1)
@@ -144,43 +143,59 @@ class EulerDisk(AbstractSystem):
 
     def energy(self, state: States) -> Float64[Array, "*batch"]:
         """Return kinetic and potential energy [J], above that of the disk lying flat."""
-        return self.mechanics.energy(*self._moving(state))
+        return self.mechanics.energy(*rolling_parts(state))
 
     def power(self, state: States) -> Float64[Array, "*batch"]:
         """Return the rate [W] at which the laws of dissipation take energy away."""
-        theta, _, w2, w3 = self._moving(state)
+        theta, _, w2, w3 = rolling_parts(state)
         tau2, tau3 = couples(self.mechanics, self.dissipation, theta, w2, w3)
         return -(tau2 * w2 + tau3 * w3)
 
     def precession(self, state: States) -> Float64[Array, "*batch"]:
         """Return φ̇ [rad/s], at which the horizontal diameter and the contact point go round."""
-        return state[..., 6] / jnp.sin(state[..., 0])
+        return LAYOUT.part(state, "rise_rate") / jnp.sin(LAYOUT.part(state, "tilt"))
+
+    def face_rate(self, state: States) -> Float64[Array, "*batch"]:
+        """Return χ̇ = ω3 + φ̇ (1 − cos θ) [rad/s], at which what is printed on the face turns."""
+        slant = jnp.sin(0.5 * LAYOUT.part(state, "tilt"))
+        return LAYOUT.part(state, "spin") + 2.0 * self.precession(state) * slant**2
+
+    def powers(self, state: States) -> Float64[Array, "*batch laws"]:
+        """Return the power of each law (…, laws) [W] at the tilt towards the table and the rate of precession.
+
+        Their sum is ``power`` unless the couple of a law is capped, see ``couples``.
+        """
+        tilt = LAYOUT.part(jnp.asarray(state), "tilt")
+        tilt, rate = jnp.minimum(tilt, jnp.pi - tilt), jnp.abs(self.precession(state))
+        found = [jnp.broadcast_to(law.power(self.mechanics, tilt, rate), tilt.shape) for law in self.dissipation]
+        return jnp.stack(found, axis=-1) if found else jnp.zeros((*tilt.shape, 0))
 
     def normal_force(self, state: States) -> Float64[Array, "*batch"]:
         """Return the force [N] with which the plane pushes upwards."""
-        return self.mechanics.normal_force(*self._moving(state))
+        return self.mechanics.normal_force(*rolling_parts(state))
 
     def center(self, state: States) -> Float64[Array, "*batch 3"]:
         """Return the centre of mass (…, 3) [m, space]."""
         _, e2, e3 = _frame(state)
-        zero = jnp.zeros_like(state[..., 0])
-        contact = jnp.stack([state[..., 3], state[..., 4], zero], axis=-1)
+        x, y = LAYOUT.part(state, "contact_x"), LAYOUT.part(state, "contact_y")
+        contact = jnp.stack([x, y, jnp.zeros_like(x)], axis=-1)
         return contact + self.mechanics.radius * e2 + self.mechanics.half_thickness * e3
 
     def center_velocity(self, state: States) -> Float64[Array, "*batch 3"]:
         """Return the velocity (…, 3) [m/s, space] at which the centre moves if the disk rolls."""
         e1, e2, e3 = _frame(state)
         a, b = self.mechanics.radius, self.mechanics.half_thickness
-        w1, w2, w3 = (state[..., k, None] for k in (5, 6, 7))
+        w1, w2, w3 = (rate[..., None] for rate in rolling_parts(state)[1:])
         return (b * w2 - a * w3) * e1 - b * w1 * e2 + a * w1 * e3
 
     def vectors(self, state: States) -> Vectors:
         state = jnp.asarray(state)
-        theta, phi, face = state[..., 0], state[..., 1], state[..., 2]
+        theta, w1, w2, w3 = rolling_parts(state)
+        phi, face = LAYOUT.part(state, "heading"), LAYOUT.part(state, "face")
         s, c = jnp.sin(0.5 * theta), jnp.cos(0.5 * theta)
         half, other = 0.5 * face, phi - 0.5 * face
         parts = (c * jnp.cos(half), s * jnp.cos(other), s * jnp.sin(other), c * jnp.sin(half))
-        psi, w1, w2, w3 = face - phi, state[..., 5], state[..., 6], state[..., 7]
+        psi = face - phi
         x, y = jnp.cos(psi) * w1 + jnp.sin(psi) * w2, jnp.cos(psi) * w2 - jnp.sin(psi) * w1
         A, C = self.mechanics.diametral_moment, self.mechanics.axial_moment
         momentum = jnp.stack([A * x, A * y, C * w3], axis=-1)
@@ -203,7 +218,7 @@ class EulerDisk(AbstractSystem):
         """
         if self.legendre is None:
             raise InvalidInput("linear integrals are Legendre functions of a thin disk only: `thickness` must be 0.")
-        theta, w2, w3 = state[..., 0], state[..., 6], state[..., 7]
+        theta, _, w2, w3 = rolling_parts(state)
         (p, dp), (q, dq) = self.legendre.values(theta), self.legendre.values(jnp.pi - theta)
         mr = self.mechanics.mass * self.mechanics.radius**2
         slope = mr * w2 / (self.mechanics.axial_moment + mr)
@@ -219,10 +234,10 @@ class EulerDisk(AbstractSystem):
         """The disk lies flat, leaves the plane or, if thick, stands on its edge along a line."""
         weight = self.mechanics.mass * self.mechanics.gravity
         ends = {
-            "flat": lambda t, state: jnp.sin(state[0]) - FLAT,
+            "flat": lambda t, state: jnp.sin(LAYOUT.part(state, "tilt")) - FLAT,
             "lift-off": lambda t, state: self.normal_force(state) / weight,
         }
-        return ends if self.is_thin else ends | {"on edge": lambda t, state: jnp.cos(state[0])}
+        return ends if self.is_thin else ends | {"on edge": lambda t, state: jnp.cos(LAYOUT.part(state, "tilt"))}
 
     def layout(self, state: States) -> StateLayout:
         return LAYOUT
@@ -242,7 +257,7 @@ class EulerDisk(AbstractSystem):
                 f"`state` of EulerDisk must have shape (…, 8): θ, φ, χ, X, Y, ω1, ω2, ω3; got {jnp.shape(state)}. "
                 "Make it by `state` or `rolling_state`."
             )
-        self._check_tilt(np.asarray(state[..., 0]))
+        self._check_tilt(np.asarray(LAYOUT.part(state, "tilt")))
         return state
 
     def scales(self, state: States) -> Float64[Array, "8"]:
@@ -283,6 +298,20 @@ class EulerDisk(AbstractSystem):
         if center_velocity is not None:
             self._check_rolling(state, np.asarray(as_finite_state(center_velocity, float)))
         return state
+
+    @known_numbers_only
+    def state(
+        self, tilt: float, tilt_rate: float, precession: float, spin: float, heading: float = 0.0, face: float = 0.0,
+        contact: Real[ArrayLike, "2"] = (0.0, 0.0),
+    ) -> Float64[Array, "8"]:
+        """Return the state (8,) of a disk that rolls with any rates, steady or not: θ̇, φ̇ and ω3 [rad/s].
+
+        Args as of ``rolling_state``.
+
+        Raises:
+            InvalidInput: for tilts at which the disk does not touch with one point of its rim.
+        """  # fmt: skip
+        return self.check_state([tilt, heading, face, *contact, tilt_rate, precession * math.sin(tilt), spin])
 
     @known_numbers_only
     def rolling_state(
@@ -369,15 +398,19 @@ class EulerDisk(AbstractSystem):
                 f"angular velocity takes the centre along at {wanted} m/s; got {came}."
             )
 
-    def _moving(self, state: Array) -> tuple[Array, Array, Array, Array]:
-        """Return θ, ω1, ω2, ω3, on which all that is dynamic depends."""
-        return state[..., 0], state[..., 5], state[..., 6], state[..., 7]
+
+def rolling_parts(
+    state: States,
+) -> tuple[Float64[Array, "*batch"], Float64[Array, "*batch"], Float64[Array, "*batch"], Float64[Array, "*batch"]]:
+    """Return θ, ω1, ω2, ω3 (…) of states (…, 8), on which all that is dynamic depends."""
+    theta, w1, w2, w3 = (LAYOUT.part(state, name) for name in ("tilt", "tilt_rate", "rise_rate", "spin"))
+    return theta, w1, w2, w3
 
 
 @jax.jit
 def _frame(state: Array) -> tuple[Array, Array, Array]:
     """Return e1, e2, e3 (…, 3) in space."""
-    theta, phi = state[..., 0], state[..., 1]
+    theta, phi = LAYOUT.part(state, "tilt"), LAYOUT.part(state, "heading")
     s, c, p, q = jnp.sin(theta), jnp.cos(theta), jnp.sin(phi), jnp.cos(phi)
     rows = ((q, p, jnp.zeros_like(s)), (-c * p, c * q, s), (s * p, -s * q, c))
     e1, e2, e3 = (jnp.stack(row, axis=-1) for row in rows)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import ClassVar
 
 import equinox as eqx
@@ -15,6 +16,7 @@ from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.bodies.body import Body
 from polhode.bodies.pivot import STANDARD_GRAVITY, about_pivot
 from polhode.errors import InvalidInput, shown
+from polhode.exact.lagrange_top import LagrangeMotion
 from polhode.motion.layout import Quantity
 from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow
 from polhode.systems.free_flow import free_flow
@@ -90,6 +92,45 @@ class HeavyTop(AbstractLiePoissonSystem):
         """
         pivoted = about_pivot(body, pivot, gravity)
         return cls(pivoted.moments, pivoted.mgl, pivoted.arm if pivoted.mgl else (0.0, 0.0, 1.0), pivoted.axes)
+
+    @classmethod
+    @known_numbers_only
+    def from_motion(cls, motion: LagrangeMotion) -> HeavyTop:
+        """Return the same top as one exact motion's, to be simulated or judged; its third axis is that of the motion.
+
+        Raises:
+            InvalidInput: for a batch.
+        """
+        if np.ndim(motion.moments) != 1 or np.ndim(motion.mgl):
+            raise InvalidInput(f"`motion` must be of one top; got a batch of shape {motion.batch_shape}. Take one.")
+        axes = None if motion.axes is None else np.asarray(motion.axes)
+        return cls(np.asarray(motion.moments), float(motion.mgl), (0.0, 0.0, 1.0), axes)
+
+    @property
+    def weight(self) -> Float64[Array, ""]:
+        """mgl χ (3,): weight times the centre of mass from the fixed point [N m, given axes]."""
+        return self.mgl * (self.axes @ self.axis)
+
+    @known_numbers_only
+    def leaning(self, angle: float) -> Float64[Array, "4"]:
+        """Return the attitude (4,), principal axes → space, in which the axis leans towards −y from upright.
+
+        Upright is reached from the given axes by the shortest turn; quarter turns are exact.
+
+        Args:
+            angle: from the upward vertical [rad], 0 to π.
+
+        Raises:
+            InvalidInput: for a top whose centre of mass is its fixed point, or an angle that is not finite.
+        """
+        if float(self.mgl) == 0.0:
+            raise InvalidInput("the top must have a centre of mass apart from the fixed point to lean; it has mgl = 0.")
+        if not math.isfinite(angle):
+            raise InvalidInput(f"`angle` must be finite; got {shown(angle)}. Give it in rad.")
+        axes = np.asarray(self.axes)
+        upright = rotation.shortest_between(axes @ np.asarray(self.axis), (0.0, 0.0, 1.0))
+        turn = rotation.multiply(np.array([*_half_turn(angle), 0.0, 0.0]), upright)
+        return rotation.multiply(turn, rotation.from_matrix(axes))
 
     def pack(
         self,
@@ -192,3 +233,10 @@ class HeavyTop(AbstractLiePoissonSystem):
         a, b, c = (time * self.mgl * self.axis[k] for k in range(3))
         still = jnp.zeros_like(x)
         return (*[still] * (len(state) - 6), y * c - z * b, z * a - x * c, x * b - y * a, still, still, still)
+
+
+def _half_turn(angle: float) -> tuple[float, float]:
+    """Return cosine and sine of half an angle from 0 to π, exact at its ends and alike at π/2."""
+    if abs(angle - 0.5 * math.pi) < 1e-15:
+        return math.sqrt(0.5), math.sqrt(0.5)
+    return (0.0, 1.0) if abs(angle - math.pi) < 1e-15 else (math.cos(0.5 * angle), math.sin(0.5 * angle))

@@ -72,6 +72,12 @@ class KeplerOrbit(eqx.Module):
         return cls(float(jnp.sqrt(gm / a) / a), eccentricity, mean_anomaly)
 
     @property
+    def rate_at_periapsis(self) -> Float64[Array, ""]:
+        """ḟ [rad/s] where it is fastest, n √(1 + e)/(1 − e)^(3/2), Kepler's second law."""
+        e = self.eccentricity
+        return self.mean_motion * jnp.sqrt(1.0 + e) / ((1.0 - e) * jnp.sqrt(1.0 - e))
+
+    @property
     def period(self) -> Float64[Array, ""]:
         """2π/n [s]."""
         return TURN / self.mean_motion

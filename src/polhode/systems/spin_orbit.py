@@ -80,7 +80,7 @@ class SpinOrbit(AbstractSystem):
     def vector_field(
         self, t: Real[ArrayLike, "*#batch"], state: Float64[Array, "*#batch 2"]
     ) -> Float64[Array, "*batch 2"]:
-        angle, rate = state[..., 0], state[..., 1]
+        angle, rate = LAYOUT.part(state, "angle"), LAYOUT.part(state, "rate")
         phase = 2.0 * (angle - self.orbit.true_anomaly(t))
         return jnp.stack([rate, -0.5 * self._strength(t) * jnp.sin(phase)], axis=-1)
 
@@ -96,7 +96,7 @@ class SpinOrbit(AbstractSystem):
 
         With ḟ = n √(1−e²) (a/r)² and ṙ/a = n e sin f/√(1−e²).
         """
-        angle, rate = state[..., 0], state[..., 1]
+        angle, rate = LAYOUT.part(state, "angle"), LAYOUT.part(state, "rate")
         n, e, ratio, f = self.mean_motion, self.eccentricity, self.orbit.distance_ratio(t), self.orbit.true_anomaly(t)
         root, phase, depth = jnp.sqrt((1.0 - e) * (1.0 + e)), 2.0 * (angle - f), 0.25 * self._strength(t)
         outward, around = n * e * jnp.sin(f) / root, n * root / ratio**2

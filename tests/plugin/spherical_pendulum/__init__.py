@@ -16,6 +16,7 @@ class SphericalPendulumKind(AbstractKind):
 
     name: ClassVar[str] = "spherical-pendulum"
     table: ClassVar[type[SystemTable]] = PendulumTable
+    has_attitude: ClassVar[bool] = False
     figure_names: ClassVar[tuple[str, ...]] = ("path",)
     sources: ClassVar[tuple[str, ...]] = ("spherical_pendulum.system.SphericalPendulum",)
 

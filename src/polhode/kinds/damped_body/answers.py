@@ -10,10 +10,18 @@ import diffrax
 import numpy as np
 
 from polhode.analysis.damped_axes import damped_axis_stability
+from polhode.analysis.damped_motion import (
+    ON_AXIS,
+    angle_to_axis,
+    angle_to_major_axis,
+    drag_time_constant,
+    settling_time,
+    time_constant,
+)
 from polhode.analysis.energy_casimir import Stability
 from polhode.bodies.body import Body
 from polhode.errors import InvalidInput
-from polhode.kinds.base import Spec
+from polhode.kinds.base import Spec, SpecMotion
 from polhode.kinds.damped_body.table import DampedBodyTable
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import about_body, accuracy, stability_values, verdicts
@@ -27,10 +35,8 @@ from polhode.systems.torqued_body import TorquedBody
 from polhode.systems.torques import AbstractTorque, GravityGradient, LinearDrag, QuadraticDrag
 from polhode.types import Array, Float64
 
-SETTLED = 12.0  # time constants in which what is left of an angle is 6e-6 of it
 DECAYS = 5.0  # time constants of drag followed where no end is given
 MOST_TURNS = 2000.0  # of the start, followed where no end is given
-ON_AXIS = 1e-9  # angle [rad] below which a start counts as being on an axis
 
 
 @dataclass(frozen=True)
@@ -74,17 +80,15 @@ class DampedBodyReport(AbstractReport):
     @property
     def angle_to_major_axis(self) -> Float64[Array, "time"]:
         """(T,) angle from L to the nearest line of largest moment [rad]."""
-        momentum, moments = np.asarray(self.trajectory.momentum), self.body.principal_moments
-        major = moments == moments[2]
-        return np.arctan2(np.linalg.norm(momentum[:, ~major], axis=-1), np.linalg.norm(momentum[:, major], axis=-1))
+        return angle_to_major_axis(self.trajectory.momentum, self.body.principal_moments)
 
     @property
     def time_constant(self) -> float | None:
         """Of the last approach to the major axis, or of the spin about it that drag brakes, at the start [s]."""
         if self.inside or not self.axes:
-            return _time_constant(self.axes[2]) if self.axes else None
-        moment, spin = self.body.principal_moments[2], self.momentum_norm[0] / self.body.principal_moments[2]
-        return float(moment / ((self.table.linear_drag or 0.0) + (self.table.quadratic_drag or 0.0) * spin))
+            return time_constant(self.axes[2]) if self.axes else None
+        moment = float(self.body.principal_moments[2])
+        return _drag_time(self.table, moment, float(self.momentum_norm[0]) / moment)
 
     @property
     def summary(self) -> str:
@@ -104,7 +108,7 @@ class DampedBodyReport(AbstractReport):
     def notes(self) -> list[str]:
         notes = []
         if self.inside and self.axes and self.angle_to_major_axis[-1] > math.radians(1.0):
-            at = [k for k in (0, 1) if _off(np.asarray(self.trajectory.momentum)[0], k) <= ON_AXIS]
+            at = [k for k in (0, 1) if angle_to_axis(np.asarray(self.trajectory.momentum)[0], k) <= ON_AXIS]
             why = f"it starts exactly on axis {at[0] + 1}, where nothing pushes it off" if at else "it has not settled"
             notes.append(f"{why}; " + ("give spin.tilt." if at else "give a later time.until."))
         elif self.cut:
@@ -123,7 +127,7 @@ class DampedBodyReport(AbstractReport):
             Answer("eccentricity", self.table.eccentricity or 0.0 if orbiting else None, "", "eccentricity"),
         ])  # fmt: skip
         rows = [
-            {"axis": k + 1, "moment": self.body.principal_moments[k], "time_constant": _time_constant(found),
+            {"axis": k + 1, "moment": self.body.principal_moments[k], "time_constant": time_constant(found),
              **stability_values(found)} for k, found in enumerate(self.axes)
         ]  # fmt: skip
         title = "L along each principal axis, with the losses, at the |L| of the start"
@@ -162,6 +166,21 @@ def report_of(spec: Spec) -> DampedBodyReport:
     Raises:
         InvalidInput: for a body with a vanishing moment.
     """
+    trajectory, axes, cut = _moved(spec, judged=True)
+    return DampedBodyReport(spec, spec.system, trajectory, axes, cut)
+
+
+def motion_of(spec: Spec) -> SpecMotion:
+    """Return the motion alone.
+
+    Raises:
+        InvalidInput: for a body with a vanishing moment.
+    """
+    return SpecMotion(_moved(spec, judged=False)[0], None)
+
+
+def _moved(spec: Spec, judged: bool) -> tuple[Trajectory, tuple[Stability, ...], bool]:
+    """Return the motion, the verdicts if they are asked for or tell when it ends, and whether it is cut short."""
     table, times = spec.system, spec.times
     assert isinstance(table, DampedBodyTable) and spec.body is not None
     moments = spec.body.principal_moments
@@ -173,7 +192,7 @@ def report_of(spec: Spec) -> DampedBodyReport:
     momentum, attitude = spec.start(moments, spec.body.principal_axes)
     norm = float(np.linalg.norm(momentum))
     system = _system(table, moments, norm)
-    axes = damped_axis_stability(system, norm) if norm else ()
+    axes = damped_axis_stability(system, norm) if norm and (judged or times is None) else ()
     cut = False
     if times is None:
         end, cut = _end(table, moments, momentum, axes)
@@ -183,7 +202,7 @@ def report_of(spec: Spec) -> DampedBodyReport:
     shown = check_length(spec.until, times, steps, ADAPTIVE)
     # adaptive steps, as they integrate the energy's balance together with the motion
     trajectory = simulate(system, state, times, method=diffrax.Dopri8(), progress=shown)
-    return DampedBodyReport(spec, table, replace(trajectory, frame=spec.body.frame), axes, cut)
+    return replace(trajectory, frame=spec.body.frame), axes, cut
 
 
 def _fewest_steps(table: DampedBodyTable, moments: Array, norm: float, span: float) -> float:
@@ -209,8 +228,8 @@ def _system(table: DampedBodyTable, moments: Array, norm: float) -> DoubleBracke
     return TorquedBody(moments, torques)
 
 
-def _time_constant(found: Stability) -> float | None:
-    return 1.0 / abs(found.rate) if found.rate else None
+def _drag_time(table: DampedBodyTable, moment: float, spin: float) -> float:
+    return drag_time_constant(moment, spin, table.linear_drag or 0.0, table.quadratic_drag or 0.0)
 
 
 def _end(table: DampedBodyTable, moments: Array, momentum: Array, axes: tuple[Stability, ...]) -> tuple[float, bool]:
@@ -219,17 +238,7 @@ def _end(table: DampedBodyTable, moments: Array, momentum: Array, axes: tuple[St
         return table.orbital_period or 1.0, False
     norm, turn = float(np.linalg.norm(momentum)), 2.0 * math.pi / float(np.linalg.norm(momentum / moments))
     if table.damping is None:
-        spin = norm / float(moments[2])
-        wanted = DECAYS * float(moments[2]) / ((table.linear_drag or 0.0) + (table.quadratic_drag or 0.0) * spin)
+        wanted = DECAYS * _drag_time(table, float(moments[2]), norm / float(moments[2]))
     else:
-        wanted = SETTLED * (_time_constant(axes[2]) or turn)
-        for k in (0, 1):
-            off = _off(momentum, k)
-            if axes[k].verdict == "unstable" and ON_AXIS < off < 1.0:
-                wanted += math.log(1.0 / off) / axes[k].rate
+        wanted = settling_time(axes, momentum, moments)
     return min(wanted, MOST_TURNS * turn), wanted > MOST_TURNS * turn
-
-
-def _off(momentum: Array, k: int) -> float:
-    """Return the angle between a momentum and axis k, either end [rad]."""
-    return math.atan2(float(np.linalg.norm(np.delete(momentum, k))), abs(float(momentum[k])))

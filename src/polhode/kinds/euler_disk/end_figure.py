@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import FormatStrFormatter, LogLocator, NullFormatter
 
 from polhode.analysis.power_law import PowerLaw
-from polhode.analysis.spin_down import ASYMPTOTIC_FIT, SpinDown
+from polhode.analysis.spin_down import SpinDown
 from polhode.figures import style
 from polhode.kinds.euler_disk.report import EulerDiskReport
 from polhode.types import Array
@@ -54,8 +54,7 @@ def _towards_the_end(panels: Any, found: SpinDown, values: tuple[Array, Array]) 
     """Draw against t0 − t, which falls to the right."""
     left = np.asarray(found.remaining)
     ahead = left > 0.0
-    first = int(np.flatnonzero(found.adiabaticity < ASYMPTOTIC_FIT)[0])
-    fitted = slice(first + found.tilt.samples // 2, first + found.tilt.samples)
+    fitted = found.late
     for axes, y, fit in zip(panels, values, (found.tilt, found.precession), strict=True):
         axes.loglog(left[ahead], y[ahead], color=style.BLUE, lw=1.2, label="motion")
         x, line = _fit(left[fitted], y[fitted], fit, left[ahead].min())

@@ -8,35 +8,20 @@ from typing import ClassVar, NamedTuple
 
 import numpy as np
 
-from polhode.analysis.energy_casimir import Stability
+from polhode.analysis.disk_turns import DiskPath
 from polhode.analysis.power_law import PowerLaw
-from polhode.analysis.spin_down import ASYMPTOTIC_FIT, SpinDown
+from polhode.analysis.rolling import SteadyRolling
+from polhode.analysis.spin_down import ASYMPTOTIC_FIT, SpinDown, predicted_exponents
 from polhode.kinds.euler_disk.laws import LAWS
 from polhode.kinds.euler_disk.table import EulerDiskTable
-from polhode.motion.outcome import Outcome
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import about_stability, accuracy, stability_values, verdicts
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import AbstractReport
 from polhode.reports.wording import rate
 from polhode.systems.euler_disk import LAYOUT, EulerDisk
-from polhode.types import Array, Float64
 
 PURE = 0.9  # of the power, from which on one law is said to dominate
-
-
-class Steady(NamedTuple):
-    """The steady motion of the disk without dissipation, at the tilt it starts with.
-
-    Attributes:
-        state: (8,).
-        verdict: on it.
-        nutation: frequency of small nutation [rad/s], None where unstable.
-    """
-
-    state: Float64[Array, "8"]
-    verdict: Stability
-    nutation: float | None
 
 
 class LawShare(NamedTuple):
@@ -55,29 +40,6 @@ class LawShare(NamedTuple):
     power: float
     share: float
     share_late: float | None
-
-
-class Path(NamedTuple):
-    """Part of a motion, sampled densely.
-
-    Attributes:
-        times: (T,) [s].
-        states: (T, 8).
-        outcome: how it ends.
-    """
-
-    times: Float64[Array, "time"]
-    states: Float64[Array, "time 8"]
-    outcome: Outcome
-
-    def part(self, name: str) -> Float64[Array, "time"]:
-        """Return a part of the states by name (T,)."""
-        return LAYOUT.part(self.states, name)
-
-    @property
-    def contact(self) -> Float64[Array, "time 2"]:
-        """The point of contact (T, 2) [m]."""
-        return np.stack([self.part("contact_x"), self.part("contact_y")], axis=-1)
 
 
 @dataclass(frozen=True)
@@ -100,12 +62,12 @@ class EulerDiskReport(AbstractReport):
     table: EulerDiskTable
     disk: EulerDisk
     trajectory: Trajectory
-    steady: Steady | None
+    steady: SteadyRolling | None
     laws: list[LawShare]
     spin_down: SpinDown | None
     end_by_energy: float | None
-    path: Path
-    opening: Path | None
+    path: DiskPath
+    opening: DiskPath | None
     thresholds: tuple[float, float] | None
 
     @property
@@ -117,6 +79,11 @@ class EulerDiskReport(AbstractReport):
             momentum=np.asarray(found.momentum), angular_velocity=np.asarray(found.angular_velocity), invariants={},
             balances={"energy": energy}, received={}, outcome=self.path.outcome,
         )  # fmt: skip
+
+    @property
+    def shown_part(self) -> str:
+        event = self.path.outcome.event
+        return "" if event is None else f"Shown: the last turns, until the disk is {event}."
 
     @property
     def dominant(self) -> LawShare | None:
@@ -191,7 +158,6 @@ class EulerDiskReport(AbstractReport):
         start = {part.name: float(LAYOUT.part(state, part.name)) for part in LAYOUT.parts}
         rates = [start["tilt_rate"], start["rise_rate"], start["spin"]]
         precession = float(self.disk.precession(state))
-        face_rate = start["spin"] + 2.0 * precession * math.sin(0.5 * start["tilt"]) ** 2
         rolling, spinning = self.thresholds or (None, None)
         nutation = None if self.steady is None else self.steady.nutation
         ratio = nutation / abs(precession or math.inf) if nutation else None
@@ -200,8 +166,7 @@ class EulerDiskReport(AbstractReport):
             Answer("start.tilt", start["tilt"], "rad", "tilt from the plane"),
             Answer("start.heading", start["heading"], "rad"),
             Answer("start.precession", precession, "rad/s", "precession Ω of the contact"),
-            Answer("start.face_rate", face_rate, "rad/s",
-                   "turning of what is printed on it"),
+            Answer("start.face_rate", float(self.disk.face_rate(state)), "rad/s", "turning of what is printed on it"),
             Answer("start.spin", start["spin"], "rad/s", "spin about the axis"),
             Answer("start.tilt_rate", start["tilt_rate"], "rad/s", "rate of the tilt"),
             Answer("start.angular_velocity", math.hypot(*rates), "rad/s", "", "magnitude"),
@@ -261,11 +226,13 @@ class EulerDiskReport(AbstractReport):
 
     def _fits(self, found: SpinDown) -> dict[str, dict[str, float | None]]:
         """Return the exponents as fitted and as predicted by the dominant law."""
-        n = None if self.dominant is None else self.dominant.exponent
+        law = None if self.dominant is None else self.disk.dissipation[self.laws.index(self.dominant)]
+        wanted = (None, None, None) if law is None else predicted_exponents(law)
+        tilt, precession, by_tilt = wanted
         return {
-            "tilt_exponent": _exponent(found.tilt, n),
-            "precession_exponent": _exponent(found.precession, None if n is None else -0.5 * n),
-            "precession_by_tilt_exponent": _exponent(found.precession_by_tilt, -0.5),
+            "tilt_exponent": _exponent(found.tilt, tilt),
+            "precession_exponent": _exponent(found.precession, precession),
+            "precession_by_tilt_exponent": _exponent(found.precession_by_tilt, by_tilt),
         }
 
     def _end(self, found: SpinDown) -> Group:

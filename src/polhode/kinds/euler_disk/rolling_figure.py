@@ -8,11 +8,12 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from polhode import rotation
+from polhode.analysis.disk_turns import DiskPath
 from polhode.bodies.surface import Surface
 from polhode.figures import style
 from polhode.figures.scene import Scene, circle_about
 from polhode.figures.sphere import view_frame
-from polhode.kinds.euler_disk.report import EulerDiskReport, Path
+from polhode.kinds.euler_disk.report import EulerDiskReport
 from polhode.systems.euler_disk import LAYOUT
 from polhode.types import Array
 
@@ -56,7 +57,7 @@ def draw_rolling_disk(report: EulerDiskReport) -> Figure:
         handles.append(axes.plot([], [], color=style.GREY, lw=0.9, ls=(0, (4, 2)), label="contact, first turn")[0])
     scene.line(placing(_flat(last)), style.BLUE, 1.2, dim=0.45, over=2.6)
     scene.line(placing(centers), style.VERMILION, 1.2, dim=0.8, over=2.7)
-    x, y, _ = scene.project(placing(_flat(Path(times, states, report.path.outcome).contact[-1:])))
+    x, y, _ = scene.project(placing(_flat(DiskPath(times, states, report.path.outcome).contact[-1:])))
     axes.plot(x, y, "o", ms=4, color=style.BLUE, mec="white", mew=0.6, zorder=6)
     x, y, _ = scene.project(placing(np.asarray(report.disk.center(states[-1:]))))
     axes.plot(x, y, "o", ms=4, color=style.VERMILION, mec="white", mew=0.6, zorder=6)

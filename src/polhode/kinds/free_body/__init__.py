@@ -14,6 +14,8 @@ class FreeBody(AbstractKind):
 
     name: ClassVar[str] = "free-body"
     table: ClassVar[type[SystemTable]] = FreeBodyTable
+    in_closed_form: ClassVar[bool] = True
+    is_default: ClassVar[bool] = True
     figure_names: ClassVar[tuple[str, ...]] = ("momentum_sphere", "inertia_ellipsoid", "components", "herpolhode")
 
 

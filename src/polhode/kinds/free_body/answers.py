@@ -12,7 +12,14 @@ from polhode.analysis.energy_casimir import Stability
 from polhode.analysis.free_axes import axis_stability
 from polhode.analysis.mechanics import Mechanics
 from polhode.analysis.poinsot import Herpolhode, herpolhode
-from polhode.analysis.precession import Precession, body_precession, space_precession
+from polhode.analysis.precession import (
+    Precession,
+    body_precession,
+    fastest_rate,
+    rotation_period,
+    space_precession,
+    turn_per_flip,
+)
 from polhode.bodies.body import Body
 from polhode.errors import InvalidInput
 from polhode.exact.free_body import FreeMotion
@@ -101,9 +108,8 @@ class FreeBodyReport(AbstractReport):
 
     @property
     def notes(self) -> list[str]:
-        fastest = max(self.motion.precession_rate or 0.0, 2.0 * math.pi / (finite(self.motion.period) or math.inf),
-                      2.0 * math.pi / (self.rotation_period or math.inf))  # fmt: skip
-        turns = float(np.abs(np.asarray(self.trajectory.times)).max()) * fastest / (2.0 * math.pi)
+        farthest = float(np.abs(np.asarray(self.trajectory.times)).max())
+        turns = farthest * fastest_rate(self.motion) / (2.0 * math.pi)
         if turns <= EXACT_TURNS:
             return []
         note = f"the times reach {turns:.1e} turns; beyond 2⁵⁰ the error of the attitude grows with them, and the spin "
@@ -157,7 +163,6 @@ def free_body_report(
     if times is None:
         span = finite(motion.period) or turn or 0.1
         times = np.linspace(0.0, PERIODS * span, samples)
-    twist = finite(motion.precession_per_period)
     return FreeBodyReport(
         body=body,
         motion=motion,
@@ -166,8 +171,8 @@ def free_body_report(
         herpolhode=herpolhode(motion),
         precession_body=body_precession(motion),
         precession_space=space_precession(motion),
-        rotation_period=turn if motion.regime in ("permanent", "spherical") else None,
-        twist_per_flip=None if twist is None or motion.flip_interval is None else 0.5 * twist,
+        rotation_period=rotation_period(motion),
+        twist_per_flip=turn_per_flip(motion),
     )
 
 

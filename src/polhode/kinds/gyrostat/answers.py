@@ -7,10 +7,16 @@ from typing import ClassVar
 
 import numpy as np
 
-from polhode.analysis.gyrostat_rotations import SteadyRotation, cleaned, steady_rotations, symmetry_axis
+from polhode.analysis.gyrostat_rotations import (
+    SteadyRotation,
+    SymmetricRates,
+    angle_from_axis,
+    steady_rotations,
+    symmetric_rates,
+)
 from polhode.bodies.body import Body
-from polhode.kinds.base import Spec
-from polhode.kinds.gyrostat.build import Built, built, sampled, unit
+from polhode.kinds.base import Spec, SpecMotion
+from polhode.kinds.gyrostat.build import built, sampled
 from polhode.kinds.gyrostat.table import GyrostatTable
 from polhode.motion.frame import BodyFrame
 from polhode.motion.trajectory import Trajectory
@@ -18,8 +24,8 @@ from polhode.reports.about import GIVEN, about_axes, about_body, accuracy, stabi
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import AbstractReport
 from polhode.reports.wording import distinct, vector
-from polhode.systems.gyrostat import Gyrostat, TorquedGyrostat
-from polhode.types import Array, Float64
+from polhode.systems.body_with_rotor import RotorInBody, direction_of
+from polhode.systems.gyrostat import Gyrostat
 
 
 @dataclass(frozen=True)
@@ -30,9 +36,10 @@ class GyrostatReport(AbstractReport):
         table: the rotor as it stands in the spec.
         moments: (3,) of the motion: rotor locked, or of a free rotor less its axial moment [kg m²].
         axes: (3, 3) their axes by columns in the given ones.
-        rotor: (3,) its momentum at the start along these axes, relative to the body or, of a free one, whole.
+        along: (3,) unit vector of the rotor's axis along these axes.
+        rotor: its momentum at the start [kg m²/s], relative to the body or, of a free one, whole.
         equilibria: on the momentum sphere, lowest energy first; with a motor as the rotor is at the end.
-        nutation_rate: of L about the axis of a symmetric carrier, in the body [rad/s]; None for others.
+        rates: of L about the axis of a symmetric carrier; None for others, and with a motor.
     """
 
     kind: ClassVar[str] = "gyrostat"
@@ -40,10 +47,11 @@ class GyrostatReport(AbstractReport):
     table: GyrostatTable
     moments: Float64[Array, "3"]
     axes: Float64[Array, "3 3"]
-    rotor: Float64[Array, "3"]
+    along: Float64[Array, "3"]
+    rotor: float
     trajectory: Trajectory
     equilibria: list[SteadyRotation]
-    nutation_rate: float | None
+    rates: SymmetricRates | None
 
     @property
     def body(self) -> Body:
@@ -53,36 +61,29 @@ class GyrostatReport(AbstractReport):
     @property
     def free(self) -> bool:
         """Whether nothing, or a motor of given torque, turns the rotor."""
-        return isinstance(self.trajectory.source, TorquedGyrostat) or self.table.rotor_drive == "free"
+        return self.motor or self.table.rotor_drive == "free"
 
     @property
     def motor(self) -> bool:
         return self.table.motor_torque is not None
 
     @property
-    def axis(self) -> Float64[Array, "3"]:
-        """(3,) unit vector of the rotor's axis along those of the motion."""
-        return cleaned(self.axes.T @ unit(self.table.rotor_axis))
-
-    @property
     def rotor_momentum(self) -> Float64[Array, "time"]:
         """(T,) along its axis [kg m²/s], relative to the body or, of a free one, whole."""
         if self.motor:
             return np.asarray(self.trajectory.part("rotor_momentum"))
-        return np.full(len(self.trajectory.times), float(self.rotor @ self.axis))
+        return np.full(len(self.trajectory.times), self.rotor)
 
     @property
     def rotor_rate(self) -> Float64[Array, "time"]:
         """(T,) relative to the body [rad/s]."""
-        along = np.asarray(self.trajectory.angular_velocity) @ self.axis if self.free else 0.0
+        along = np.asarray(self.trajectory.angular_velocity) @ self.along if self.free else 0.0
         return self.rotor_momentum / self.table.rotor_moment - along
 
     @property
     def axis_to_momentum(self) -> Float64[Array, "time"]:
         """(T,) angle from the rotor's axis to L [rad]; zeros without momentum."""
-        momentum = np.asarray(self.trajectory.momentum)
-        across = np.linalg.norm(np.cross(momentum, self.axis), axis=-1)
-        return np.arctan2(across, momentum @ self.axis)
+        return angle_from_axis(self.trajectory.momentum, self.along)
 
     @property
     def energy(self) -> Float64[Array, "time"]:
@@ -120,7 +121,7 @@ class GyrostatReport(AbstractReport):
         return [about_body(self.body, "rotor locked"), self._about_rotor(), self._steady_rotations(), self._motion()]
 
     def _about_rotor(self) -> Group:
-        axis, torque = unit(self.table.rotor_axis), self.table.motor_torque
+        axis, torque = direction_of(self.table.rotor_axis), self.table.motor_torque
         drive = "free" if self.free else "constant-rate"
         meaning = "whole" if self.free else "relative to the body"
         less = "less the rotor's axial one" if self.free else "rotor locked"
@@ -151,8 +152,7 @@ class GyrostatReport(AbstractReport):
     def _motion(self) -> Group:
         momentum, velocity = np.asarray(self.trajectory.momentum), np.asarray(self.trajectory.angular_velocity)
         norm, lean = float(np.linalg.norm(momentum[0])), self.axis_to_momentum
-        axis = None if self.nutation_rate is None else symmetry_axis(self.moments)
-        around = None if axis is None else norm / self.moments[axis - 1]
+        nutation, around = self.rates or (None, None)
         leans = [Answer("rotor_axis_to_momentum", None)] if not norm else [
             Answer("rotor_axis_to_momentum.smallest", lean.min(), "rad", "smallest angle, rotor's axis to L"),
             Answer("rotor_axis_to_momentum.largest", lean.max(), "rad", "largest"),
@@ -163,7 +163,7 @@ class GyrostatReport(AbstractReport):
             Answer("energy", float(self.energy[0]), "J", "energy of the carrier", "of the carrier"),
             Answer("angular_velocity", velocity[0], "rad/s", "Ω at the start"),
             *leans,
-            Answer("nutation_rate", self.nutation_rate, "rad/s", "nutation in the body", "in the body"),
+            Answer("nutation_rate", nutation, "rad/s", "nutation in the body", "in the body"),
             Answer("precession_rate", around, "rad/s", "precession in space", "in space"),
             Answer("final.time", float(np.asarray(self.trajectory.times)[-1]), "s"),
             Answer("final.angular_velocity", velocity[-1], "rad/s", "Ω at the end"),
@@ -185,21 +185,26 @@ def report_of(spec: Spec) -> GyrostatReport:
     """
     assert isinstance(spec.system, GyrostatTable)
     made = built(spec)
-    assert spec.body is not None
-    frame = BodyFrame(made.moments, made.axes, spec.body.center_of_mass, spec.body.mass)
-    trajectory = replace(sampled(spec, made), frame=frame)
+    trajectory = _moved(spec, made)
     motor = spec.system.motor_torque is not None
     last = float(trajectory.part("rotor_momentum")[-1]) if motor else made.momentum
     found = steady_rotations(Gyrostat(made.moments, last * made.along), float(np.linalg.norm(made.total)))
-    nutation = None if motor else _nutation(made)
-    rotor = made.momentum * made.along
-    return GyrostatReport(spec, spec.system, made.moments, made.axes, rotor, trajectory, found, nutation)
+    rates = None if motor else symmetric_rates(made.gyrostat, made.velocity)
+    return GyrostatReport(
+        spec, spec.system, made.moments, made.axes, made.along, made.momentum, trajectory, found, rates
+    )
 
 
-def _nutation(made: Built) -> float | None:
-    """Return the rate of L about the axis of a carrier of revolution whose rotor is along it [rad/s]."""
-    k = symmetry_axis(made.moments, made.along)
-    if k is None:
-        return None
-    across = made.moments[k - 1]
-    return float(((made.moments[k] - across) * made.velocity[k] + made.momentum * made.along[k]) / across)
+def motion_of(spec: Spec) -> SpecMotion:
+    """Return the motion alone.
+
+    Raises:
+        InvalidInput: for a rotor that does not fit into the body.
+    """
+    return SpecMotion(_moved(spec, built(spec)), None)
+
+
+def _moved(spec: Spec, made: RotorInBody) -> Trajectory:
+    assert spec.body is not None
+    frame = BodyFrame(made.moments, made.axes, spec.body.center_of_mass, spec.body.mass)
+    return replace(sampled(spec, made), frame=frame)

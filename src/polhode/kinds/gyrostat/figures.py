@@ -20,7 +20,7 @@ def draw_gyrostat_sphere(report: GyrostatReport) -> Figure | None:
     norm = float(np.linalg.norm(momentum[0]))
     if not report.equilibria:
         return None
-    rotor = report.rotor_momentum[-1] * report.axis
+    rotor = report.rotor_momentum[-1] * report.along
 
     def energy(unit: Array) -> Array:
         return 0.5 * np.sum((norm * unit - rotor) ** 2 / report.moments, axis=-1)

@@ -4,20 +4,29 @@ from __future__ import annotations
 
 import warnings
 from dataclasses import dataclass, replace
-from typing import ClassVar
+from typing import ClassVar, NamedTuple
 
 import numpy as np
 
 from polhode import rotation
-from polhode.kinds.base import Spec
+from polhode.kinds.base import Spec, SpecMotion
 from polhode.kinds.heavy_top.table import HeavyTopTable
+from polhode.kinds.registry import other_kind
 from polhode.motion.layout import Quantity
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.length import check_length, equal_steps, splitting_step
-from polhode.reports.top import TopReport, frame_of, leaned, natural_period, rest_verdicts, top_of
+from polhode.reports.top import (
+    TopReport,
+    attitude_of,
+    frame_of,
+    mechanics_of,
+    rest_verdicts,
+    top_of,
+    usual_times,
+)
 from polhode.simulation import fastest_rate, simulate
+from polhode.systems.heavy_top import HeavyTop
 
-PERIODS = 10
 NAMES = {"|P|²": "|Γ|²", "Π·P": "vertical_momentum"}  # the Casimirs of se(3)*, called by what they are here
 QUANTITIES = {
     "|Γ|²": Quantity("1", "squared length of the upward direction"),
@@ -38,26 +47,57 @@ def report_of(spec: Spec) -> HeavyTopReport:
     Raises:
         InvalidInput: for a body without mass.
     """
+    moved = _moved(spec)
+    assert spec.body is not None
+    verdicts = rest_verdicts(moved.top, moved.momentum)
+    return HeavyTopReport(spec.body, spec.surface, moved.top, moved.trajectory, verdicts, moved.warned)
+
+
+def motion_of(spec: Spec) -> SpecMotion:
+    """Return the motion alone.
+
+    Raises:
+        InvalidInput: for a body without mass.
+    """
+    moved = _moved(spec)
+    assert moved.trajectory.frame is not None
+    return SpecMotion(moved.trajectory, mechanics_of(moved.top, moved.trajectory.frame))
+
+
+class _Moved(NamedTuple):
+    """The top, its momentum (3,) at the start along the principal axes, its motion, and what there was to say."""
+
+    top: HeavyTop
+    momentum: Float64[Array, "3"]
+    trajectory: Trajectory
+    warned: tuple[str, ...]
+
+
+def _moved(spec: Spec) -> _Moved:
     table, body, times = spec.system, spec.body, spec.times
     assert isinstance(table, HeavyTopTable) and body is not None
-    top, free = top_of(body, table.pivot, table.gravity)
+    top = top_of(body, table.pivot, table.gravity)
     momentum, attitude = spec.start(np.asarray(top.moments), np.asarray(top.axes))
-    attitude = leaned(top, attitude, table.lean)
+    attitude = attitude_of(top, attitude, table.lean)
     state = top.pack(rotation.multiply(attitude, rotation.conjugate(rotation.from_matrix(np.asarray(top.axes)))),
                       momentum=np.asarray(top.axes) @ momentum)  # fmt: skip
     if times is None:
-        times = np.linspace(0.0, PERIODS * natural_period(top, momentum), spec.samples)
+        times = usual_times(None, top, momentum, spec.samples)
     rate, span = fastest_rate(top, state), float(np.ptp(times))
     check_length(spec.until, times, equal_steps(span, rate, table.step, table.order), splitting_step(table.order),
-                 'A longer `system.step` takes less, and kind = "lagrange-top" none, if it is one.')  # fmt: skip
+                 _remedy(spec))  # fmt: skip
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", UserWarning)
         trajectory = _called(simulate(top, state, times, step=table.step, order=table.order))
     trajectory = replace(trajectory, frame=frame_of(top, body, table.pivot))
-    warned = tuple(str(warning.message) for warning in caught)
-    return HeavyTopReport(
-        body, spec.surface, top, np.asarray(table.pivot), trajectory, rest_verdicts(top, momentum), free, warned
-    )
+    return _Moved(top, momentum, trajectory, tuple(str(warning.message) for warning in caught))
+
+
+def _remedy(spec: Spec) -> str:
+    """Return what helps against a long run: longer steps, or a kind of top that takes none."""
+    exact = other_kind(spec.kind.subject, in_closed_form=True)
+    none = "" if exact is None else f', and kind = "{exact.name}" none, if it is one'
+    return f"A longer `system.step` takes less{none}."
 
 
 def _called(trajectory: Trajectory) -> Trajectory:

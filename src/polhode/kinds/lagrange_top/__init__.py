@@ -16,6 +16,8 @@ class LagrangeTopKind(AbstractKind):
 
     name: ClassVar[str] = "lagrange-top"
     table: ClassVar[type[SystemTable]] = LagrangeTopTable
+    subject: ClassVar[str] = "top"
+    in_closed_form: ClassVar[bool] = True
     figure_names: ClassVar[tuple[str, ...]] = ("spinning_top", "axis_locus", "motion")
 
     def rules(self, tables: dict[str, Any]) -> Iterator[Mistake]:

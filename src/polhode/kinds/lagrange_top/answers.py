@@ -9,20 +9,28 @@ from typing import ClassVar
 
 import numpy as np
 
-from polhode import rotation
+from polhode.analysis.top_motion import steady_precession_of
 from polhode.bodies.body import Body
 from polhode.errors import InvalidInput
 from polhode.exact.lagrange_top import LagrangeMotion
-from polhode.exact.lagrange_top.steady_precession import SteadyPrecession, sleeping_threshold, steady_precession
-from polhode.kinds.base import Spec
+from polhode.exact.lagrange_top.steady_precession import SteadyPrecession, sleeping_threshold
+from polhode.kinds.base import Spec, SpecMotion
 from polhode.kinds.lagrange_top.table import LagrangeTopTable
+from polhode.kinds.registry import other_kind
 from polhode.motion.inputs import finite
+from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import accuracy
 from polhode.reports.answer import Answer, Group
-from polhode.reports.top import TopReport, frame_of, leaned, natural_period, rest_verdicts, top_of
+from polhode.reports.top import (
+    TopReport,
+    attitude_of,
+    frame_of,
+    mechanics_of,
+    rest_verdicts,
+    top_of,
+    usual_times,
+)
 from polhode.systems.heavy_top import HeavyTop
-
-PERIODS = 10
 
 
 @dataclass(frozen=True)
@@ -39,13 +47,14 @@ class LagrangeTopReport(TopReport):
     threshold: float = field(kw_only=True)
 
     @property
-    def _exact(self) -> LagrangeMotion:
-        assert self.exact is not None
-        return self.exact
+    def exact(self) -> LagrangeMotion:
+        found = self.trajectory.motion
+        assert isinstance(found, LagrangeMotion)
+        return found
 
     @property
     def summary(self) -> str:
-        exact, period = self._exact, finite(self._exact.nutation_period)
+        exact, period = self.exact, finite(self.exact.nutation_period)
         if self.constant_tilt and exact.precession_rate is not None:
             return f"The top precesses steadily at constant tilt, at {exact.precession_rate:.6g} rad/s."
         words = _REGIMES[exact.regime]
@@ -60,15 +69,14 @@ class LagrangeTopReport(TopReport):
     @property
     def spin(self) -> float:
         """About its own axis, at the start [rad/s]."""
-        return float(self._exact.momentum_at_epoch[2] / self._exact.moments[2])
+        return float(self.exact.momentum_at_epoch[2] / self.exact.moments[2])
 
     def motion(self) -> Group:
-        exact, planar = self._exact, self._exact.regime == "planar"
+        exact, planar = self.exact, self.exact.regime == "planar"
         low, high = exact.nutation_limits
         limits = None if low is None else f"{math.degrees(math.acos(low)):.8g}°, constant" if self.constant_tilt else (
             f"{math.degrees(math.acos(high)):.8g}° to {math.degrees(math.acos(low)):.8g}°"
         )  # fmt: skip
-        start = math.acos(max(-1.0, min(1.0, float(self.axis_in_space[0, 2]))))
         varying = lambda label: "" if self.constant_tilt else label  # noqa: E731
         steady = None if self.steady is None else self.steady._asdict()
         rates = ", ".join(f"{name} {x:.8g} rad/s" for name, x in (steady or {}).items() if x is not None)
@@ -76,7 +84,7 @@ class LagrangeTopReport(TopReport):
             Answer("regime", exact.regime, "", "regime", "", "steady" if self.constant_tilt else exact.regime),
             Answer("spin", self.spin, "rad/s", "spin about the axis"),
             Answer("sleeping_threshold", self.threshold, "rad/s", "spin from which it sleeps"),
-            Answer("start_tilt", start, "rad"),
+            Answer("start_tilt", float(self.tilt[0]), "rad"),
             Answer("nutation_limits", exact.nutation_limits, "", "tilt", "cos of the tilt", limits),
             Answer("nutation_period", exact.nutation_period, "s", varying("nutation period T")),
             Answer("precession_per_period", exact.precession_per_period, "rad", varying("precession per period Δφ")),
@@ -113,30 +121,40 @@ def report_of(spec: Spec) -> LagrangeTopReport:
     Raises:
         InvalidInput: for a body without mass, or one not symmetric about the line to its centre of mass.
     """
-    table, body, times = spec.system, spec.body, spec.times
-    assert isinstance(table, LagrangeTopTable) and body is not None
-    free = top_of(body, table.pivot, table.gravity)[1]  # refuses what no top has
-    standing = _standing(body, table)
-    moments, axes, mgl = standing.moments, np.asarray(standing.axes), float(standing.mgl)
-    top = HeavyTop(moments, mgl, (0.0, 0.0, 1.0), axes)
-    momentum, attitude = spec.start(moments, axes)
-    exact = LagrangeMotion(moments, mgl, momentum, leaned(top, attitude, table.lean))
-    if times is None:
-        span = finite(exact.nutation_period) or natural_period(top, momentum)
-        times = np.linspace(0.0, PERIODS * span, spec.samples)
-    sizes = (float(moments[0]), float(moments[1]), float(moments[2]))
-    axis = rotation.rotate(exact.state(0.0)[0], np.array([0.0, 0.0, 1.0]))
-    tilt = math.acos(max(-1.0, min(1.0, float(axis[2]))))
-    spin = float(momentum[2]) / sizes[2]
-    steady = steady_precession(sizes, mgl, tilt, spin) if 1e-12 < tilt < math.pi - 1e-12 else None
-    trajectory = replace(exact.sample(times), frame=frame_of(top, body, table.pivot))
+    assert spec.body is not None
+    top, exact, trajectory = _moved(spec)
+    I1, _, I3 = (float(x) for x in exact.moments)
     return LagrangeTopReport(
-        body, spec.surface, top, np.asarray(table.pivot), trajectory, rest_verdicts(top, momentum), free,
-        steady=steady, threshold=sleeping_threshold(sizes, mgl),
+        spec.body, spec.surface, top, trajectory, rest_verdicts(top, exact.momentum_at_epoch),
+        steady=steady_precession_of(exact), threshold=sleeping_threshold((I1, I1, I3), float(exact.mgl)),
     )  # fmt: skip
 
 
-def _standing(body: Body, table: LagrangeTopTable) -> LagrangeMotion:
+def motion_of(spec: Spec) -> SpecMotion:
+    """Return the motion alone.
+
+    Raises:
+        InvalidInput: as ``report_of`` does.
+    """
+    top, _, trajectory = _moved(spec)
+    assert trajectory.frame is not None
+    return SpecMotion(trajectory, mechanics_of(top, trajectory.frame))
+
+
+def _moved(spec: Spec) -> tuple[HeavyTop, LagrangeMotion, Trajectory]:
+    table, body, times = spec.system, spec.body, spec.times
+    assert isinstance(table, LagrangeTopTable) and body is not None
+    top_of(body, table.pivot, table.gravity)  # refuses what no top has
+    standing = _standing(body, table, spec.kind.subject)
+    top = HeavyTop.from_motion(standing)
+    momentum, attitude = spec.start(standing.moments, np.asarray(standing.axes))
+    exact = LagrangeMotion(standing.moments, standing.mgl, momentum, attitude_of(top, attitude, table.lean))
+    if times is None:
+        times = usual_times(finite(exact.nutation_period), top, momentum, spec.samples)
+    return top, exact, replace(exact.sample(times), frame=frame_of(top, body, table.pivot))
+
+
+def _standing(body: Body, table: LagrangeTopTable, subject: str) -> LagrangeMotion:
     """Return the top at rest, which has its moments, axes and mgl.
 
     Raises:
@@ -147,4 +165,6 @@ def _standing(body: Body, table: LagrangeTopTable) -> LagrangeMotion:
         try:
             return LagrangeMotion.from_body(body, table.pivot, momentum=np.zeros(3), gravity=table.gravity)
         except InvalidInput as error:
-            raise InvalidInput(f'{error} In a spec ask for kind = "heavy-top".') from None
+            other = other_kind(subject, in_closed_form=False)
+            remedy = "" if other is None else f' In a spec ask for kind = "{other.name}".'
+            raise InvalidInput(f"{error}{remedy}") from None

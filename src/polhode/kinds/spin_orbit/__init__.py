@@ -16,6 +16,7 @@ class SpinOrbitKind(AbstractKind):
 
     name: ClassVar[str] = "spin-orbit"
     table: ClassVar[type[SystemTable]] = SpinOrbitTable
+    has_attitude: ClassVar[bool] = False
     figure_names: ClassVar[tuple[str, ...]] = ("section", "motion")
     sources: ClassVar[tuple[str, ...]] = ("polhode.systems.spin_orbit.SpinOrbit",)
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 import math
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -11,7 +10,7 @@ from typing import ClassVar
 import numpy as np
 
 from polhode.analysis.spin_motion import SpinMotion, spin_motion
-from polhode.analysis.spin_orbit import Resonance, overlap_threshold, resonances
+from polhode.analysis.spin_orbit import Resonance, overlap_of, overlap_threshold, resonances
 from polhode.bodies.body import Body
 from polhode.errors import InvalidInput
 from polhode.kinds.base import Spec
@@ -63,9 +62,7 @@ class SpinOrbitReport(AbstractReport):
     @property
     def threshold(self) -> float | None:
         """Asphericity from which two neighbouring zones touch; None on a circular orbit, which has one zone alone."""
-        roots = [math.sqrt(abs(r.strength)) for r in self.resonances]
-        pairs = [a + b for a, b in itertools.pairwise(roots) if a and b]
-        return 0.5 / max(pairs) if pairs else None
+        return overlap_of(self.resonances)
 
     @property
     def chaos_expected(self) -> bool:
@@ -75,8 +72,7 @@ class SpinOrbitReport(AbstractReport):
     @property
     def predictable_time(self) -> float | None:
         """Time in which a chaotic motion's neighbours part from the samples' tolerance to one radian [s]."""
-        rate = float(self.motion.exponents[-1])
-        return math.log(1.0 / TOLERANCE) / rate if self.motion.verdict == "chaotic" else None
+        return self.motion.predictable_time(TOLERANCE)
 
     def answers(self) -> list[Group | Table]:
         body = [] if self.body is None else [about_body(self.body)]
@@ -122,9 +118,10 @@ class SpinOrbitReport(AbstractReport):
 
     def _motion(self) -> Group:
         motion, n, held = self.motion, float(self.system.mean_motion), self.motion.libration
-        angle, spin_ratio = float(self.start[0]), float(self.start[1] / n)
-        rate, span = float(motion.exponents[-1]), motion.orbits * float(self.system.orbit.period)
-        level, chaotic = math.log(n * span) / span, motion.verdict == "chaotic"
+        angle, start_rate = (float(self.trajectory.part(name)[0]) for name in ("angle", "rate"))
+        spin_ratio = start_rate / n
+        rate, chaotic = motion.exponent, motion.verdict == "chaotic"
+        level = motion.regular_exponent(n)
         exponent = f"{rate:.4g} /s = {rate / n:.4g} n"
         if not chaotic:
             exponent += f"; a regular motion shows about {level:.4g} /s by then, falling as ln t/t"
@@ -133,12 +130,12 @@ class SpinOrbitReport(AbstractReport):
             f"±{_cleaned(math.degrees(held.amplitude)):.5g}° at periapsis"
         )  # fmt: skip
         # the weighted mean of a quasi-periodic motion has many digits, that of chaos as few as the square root says
-        digits, lasting = 4 if chaotic else 8, 1.0 / rate if chaotic else None
+        digits, lasting = 4 if chaotic else 8, motion.lyapunov_time
         mean, mean_ratio = motion.mean_rate, motion.mean_rate / n
         return Group("Motion", [
             Answer("start.angle", angle, "rad", "start, at periapsis", "long axis from the direction of the periapsis",
                    f"{math.degrees(angle):.6g}°, {spin_ratio:.6g} n"),
-            Answer("start.rate", float(self.start[1]), "rad/s"),
+            Answer("start.rate", start_rate, "rad/s"),
             Answer("start.spin_ratio", spin_ratio, "", "", "turns per orbit"),
             Answer("orbits", motion.orbits),
             Answer("verdict", motion.verdict, "", "verdict", "", f"{motion.verdict} over {motion.orbits} orbits"),
@@ -171,7 +168,7 @@ class SpinOrbitReport(AbstractReport):
     def summary(self) -> str:
         motion, n = self.motion, float(self.system.mean_motion)
         if motion.verdict == "chaotic":
-            tenfold = math.log(10.0) / float(motion.exponents[-1]) / float(self.system.orbit.period)
+            tenfold = math.log(10.0) / motion.exponent / float(self.system.orbit.period)
             return f"Chaotic: neighbouring spins part tenfold every {tenfold:.3g} orbits."
         sure = "Regular" if motion.verdict == "regular" else f"Undecided after {motion.orbits} orbits"
         if motion.libration is not None:
@@ -201,8 +198,7 @@ def report_of(spec: Spec) -> SpinOrbitReport:
         times = np.linspace(0.0, PERIODS * float(system.orbit.period), spec.samples)
     state = np.array([table.angle, table.spin_ratio * n])
     # strengths are largest near the orbit's own rate at periapsis
-    e = table.eccentricity
-    fastest = max(abs(table.spin_ratio), math.sqrt(1.0 + e) / (1.0 - e) ** 1.5)
+    fastest = max(abs(table.spin_ratio), float(system.orbit.rate_at_periapsis) / n)
     highest = min(max(LISTED[0], 0.5 * math.ceil(2.0 * fastest)), LISTED[1])
     steps = ORBITING * float(np.ptp(times)) * n * max(1.0, abs(table.spin_ratio))
     shown = check_length(spec.until, times, steps, ADAPTIVE)

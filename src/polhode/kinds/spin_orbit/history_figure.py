@@ -18,7 +18,7 @@ def draw_spin_history(report: SpinOrbitReport) -> Figure:
     period = float(system.orbit.period)
     turns = np.asarray(report.trajectory.times) / period
     words = "" if len(turns) <= MOST else f", first {MOST} samples"
-    angle, rate = np.asarray(report.trajectory.states)[:MOST].T
+    angle, rate = (np.asarray(report.trajectory.part(name))[:MOST] for name in ("angle", "rate"))
     turns, order = turns[:MOST], _order(report)
     fastest = max(1.0, float(np.abs(rate).max()) / n)
     form = "-" if (turns[1] - turns[0]) * fastest < 1.0 / COARSE else "."

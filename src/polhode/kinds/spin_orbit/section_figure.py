@@ -22,7 +22,7 @@ STARTS = 22  # rates of the family, at the long axis along and across the periap
 def draw_spin_section(report: SpinOrbitReport) -> Figure:
     """Return θ̇/n against θ at periapsis, with bars at the side for the resonances' zones."""
     system, n = report.system, float(report.system.mean_motion)
-    steps = steps_for(system, report.start[1] / n)
+    steps = steps_for(system, float(report.trajectory.part("rate")[0]) / n)
     own = _folded(poincare_section(system, report.start, report.section_orbits, steps), n)
     low, high = _window(report, own[:, 1])
     rates = np.linspace(low, high, STARTS + 2)[1:-1] * n

@@ -1,0 +1,83 @@
+"""How a body that loses energy settles: the angle to its major axis, and the times in which it gets there."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from polhode.analysis.energy_casimir import Stability
+from polhode.arrays import known_numbers_only
+from polhode.errors import InvalidInput, shown
+from polhode.types import Array, ArrayLike, Float64, Real
+
+SETTLED = 12.0  # time constants in which what is left of an angle is 6e-6 of it
+ON_AXIS = 1e-9  # angle [rad] below which a start counts as being on an axis
+
+
+@known_numbers_only
+def angle_to_major_axis(
+    momentum: Real[ArrayLike, "*times 3"], moments: Real[ArrayLike, "3"]
+) -> Float64[Array, "*times"]:
+    """Return the angle from L to the nearest line of largest moment [rad], 0 to π/2.
+
+    Args:
+        momentum: (…, 3) [kg m²/s, principal axes].
+        moments: (3,) principal moments [kg m²]; where the largest stands twice or three times, so do its axes.
+    """
+    L, I = np.asarray(momentum, dtype=float), np.asarray(moments, dtype=float)  # noqa: E741
+    major = I == I.max()
+    return np.asarray(np.arctan2(np.linalg.norm(L[..., ~major], axis=-1), np.linalg.norm(L[..., major], axis=-1)))
+
+
+@known_numbers_only
+def angle_to_axis(momentum: Real[ArrayLike, "3"], axis: int) -> float:
+    """Return the angle between L and a principal axis 0, 1 or 2, either end [rad]."""
+    L = np.asarray(momentum, dtype=float)
+    return math.atan2(float(np.linalg.norm(np.delete(L, axis))), abs(float(L[axis])))
+
+
+def time_constant(found: Stability) -> float | None:
+    """Return the time [s] in which neighbours of an equilibrium leave or return by a factor of e; None if never."""
+    return 1.0 / abs(found.rate) if found.rate else None
+
+
+@known_numbers_only
+def drag_time_constant(moment: float, spin: float, linear: float = 0.0, quadratic: float = 0.0) -> float:
+    """Return I/(c + k|Ω|) [s], in which drag −(c + k|Ω|) Ω at its first strength leaves 1/e of an axis' spin.
+
+    Args:
+        moment: about the axis [kg m²].
+        spin: |Ω| [rad/s].
+        linear: c [N m s].
+        quadratic: k [N m s²].
+
+    Raises:
+        InvalidInput: where nothing brakes.
+    """
+    brake = linear + quadratic * abs(spin)
+    if not 0.0 < brake < math.inf:
+        raise InvalidInput(f"drag must brake; got {shown(linear)} N m s and {shown(quadratic)} N m s².")
+    return moment / brake
+
+
+@known_numbers_only
+def settling_time(axes: Sequence[Stability], momentum: Real[ArrayLike, "3"], moments: Real[ArrayLike, "3"]) -> float:
+    """Return the time [s] by which a body that loses energy inside has settled about its major axis.
+
+    Twelve time constants of the approach, or turns of the start where there is none, and the time in which a start
+    near an axis that is unstable leaves it.
+
+    Args:
+        axes: verdicts on the principal axes in the order of ascending moments, as of ``damped_axis_stability``.
+        momentum: (3,) at the start [kg m²/s, principal axes], not zero.
+        moments: (3,) principal moments [kg m²], ascending.
+    """
+    L, I = np.asarray(momentum, dtype=float), np.asarray(moments, dtype=float)  # noqa: E741
+    wanted = SETTLED * (time_constant(axes[2]) or 2.0 * math.pi / float(np.linalg.norm(L / I)))
+    for k in (0, 1):
+        off = angle_to_axis(L, k)
+        if axes[k].verdict == "unstable" and ON_AXIS < off < 1.0:
+            wanted += math.log(1.0 / off) / axes[k].rate
+    return wanted

@@ -1,0 +1,151 @@
+"""A rotor inside a body: along which axes the two move, with which moments, and how they start."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from polhode import rotation
+from polhode.arrays import known_numbers_only
+from polhode.bodies.body import Body, principal_axes
+from polhode.errors import InvalidInput, shown
+from polhode.systems.gyrostat import Gyrostat
+from polhode.types import Array, ArrayLike, Float64, Real
+
+CLEAN = 1e-14  # components of a unit vector below it are rounding of the frame's
+
+
+class RotorInBody(NamedTuple):
+    """A body with its rotor, as they start to move.
+
+    Attributes:
+        moments: (3,) of the motion: rotor locked, or of a free rotor less its axial moment [kg m²].
+        axes: (3, 3) their axes by columns in the given ones; the vectors below are along them.
+        along: (3,) unit vector of the rotor's axis.
+        momentum: of the rotor along its axis, relative to the body or, of a free one, whole [kg m²/s].
+        velocity: (3,) Ω [rad/s].
+        total: (3,) L of body and rotor [kg m²/s].
+        attitude: (4,) unit quaternion, these axes → space.
+    """
+
+    moments: Float64[Array, "3"]
+    axes: Float64[Array, "3 3"]
+    along: Float64[Array, "3"]
+    momentum: float
+    velocity: Float64[Array, "3"]
+    total: Float64[Array, "3"]
+    attitude: Float64[Array, "4"]
+
+    @property
+    def rotor(self) -> Float64[Array, "3"]:
+        """The rotor's momentum h [kg m²/s], as of ``Gyrostat``."""
+        return self.momentum * self.along
+
+    @property
+    def gyrostat(self) -> Gyrostat:
+        """What moves while nothing turns the rotor, or it is held at its rate."""
+        return Gyrostat(self.moments, self.rotor)
+
+    @property
+    def fastest_rate(self) -> float:
+        """How fast body or momentum turn at most [rad/s]: with a fast rotor L goes round a body that hardly turns."""
+        length = float(np.linalg.norm(self.total))
+        return max(float(np.linalg.norm(self.velocity)), length / float(np.min(self.moments)))
+
+    @property
+    def usual_rate(self) -> float:
+        """How fast body or momentum turn at least [rad/s]; zero where neither does."""
+        length = float(np.linalg.norm(self.total))
+        return max(float(np.linalg.norm(self.velocity)), length / float(np.max(self.moments)))
+
+
+@known_numbers_only
+def rotor_in_body(
+    body: Body,
+    rotor_axis: Real[ArrayLike, "3"],
+    rotor_moment: float,
+    rotor_rate: float,
+    angular_velocity: Real[ArrayLike, "3"],
+    attitude: Real[ArrayLike, "4"] = (1.0, 0.0, 0.0, 0.0),
+    *,
+    free: bool = False,
+) -> RotorInBody:
+    """Return a body with a rotor in it, along the principal axes of its motion.
+
+    Args:
+        body: whose inertia includes the rotor's.
+        rotor_axis: (3,) of any length [given axes].
+        rotor_moment: about that axis [kg m²].
+        rotor_rate: relative to the body [rad/s].
+        angular_velocity: (3,) Ω of the body [rad/s, given axes].
+        attitude: (4,) unit quaternion wxyz, given axes → space.
+        free: whether the rotor turns freely, or by a motor of given torque, and not at a constant rate; its axial
+            moment does not move with the body then.
+
+    Raises:
+        InvalidInput: for a rotor whose inertia, at least that of a thin disk, leaves none that a carrier could have.
+
+    >>> import polhode as ph
+    >>> made = rotor_in_body(ph.Body.from_moments(2.0, 3.0, 4.0), (0, 0, 1), 0.5, 10.0, (0, 0, 1.0), free=True)
+    >>> made.moments.tolist(), made.momentum, made.total.tolist()
+    ([2.0, 3.0, 3.5], 5.5, [0.0, 0.0, 9.0])
+
+    Source: Hughes, *Spacecraft Attitude Dynamics*, §3.4.
+    """  # fmt: skip
+    axis = direction_of(rotor_axis)
+    if why := rotor_misfit(body, axis, rotor_moment):
+        raise InvalidInput(f"`rotor_moment` {why}")
+    moments, axes = body.principal_moments, body.principal_axes
+    if free:
+        moments, axes = principal_axes(body.inertia - rotor_moment * np.outer(axis, axis))
+    along, velocity = cleaned(axes.T @ axis), axes.T @ np.asarray(angular_velocity, dtype=float)
+    turned = rotation.multiply(np.asarray(attitude, dtype=float), rotation.from_matrix(axes))
+    momentum = rotor_moment * (rotor_rate + (float(along @ velocity) if free else 0.0))
+    return RotorInBody(moments, axes, along, momentum, velocity, moments * velocity + momentum * along, turned)
+
+
+@known_numbers_only
+def direction_of(vector: Real[ArrayLike, "3"]) -> Float64[Array, "3"]:
+    """Return the direction of a vector (3,), however long it is.
+
+    Raises:
+        InvalidInput: for a vector without direction.
+    """
+    array = np.asarray(vector, dtype=float)
+    largest = np.abs(array).max() if array.shape == (3,) else np.nan
+    if not 0.0 < largest < np.inf:
+        raise InvalidInput(f"an axis must be three finite numbers, not all zero; got {shown(vector)}.")
+    array = array / largest  # so that squares neither vanish nor overflow
+    return array / np.linalg.norm(array)
+
+
+def rotor_misfit(body: Body, rotor_axis: Real[ArrayLike, "3"], rotor_moment: float) -> str | None:
+    """Return why a body cannot have a rotor in it, as a sentence about its moment; None where it can.
+
+    Its inertia, at least that of a thin disk, must leave some that a carrier could have.
+
+    Args:
+        body: whose inertia includes the rotor's.
+        rotor_axis: (3,) of any length [given axes].
+        rotor_moment: about that axis [kg m²].
+    """
+    axis = direction_of(rotor_axis)
+    inertia = body.inertia - 0.5 * rotor_moment * (np.eye(3) + np.outer(axis, axis))
+    try:
+        fits = bool(Body(None, (0.0, 0.0, 0.0), inertia).principal_moments[0] > 0)
+    except InvalidInput:
+        fits = False
+    if fits and axis @ body.inertia @ axis > rotor_moment:
+        return None
+    left = ", ".join(f"{x:.6g}" for x in principal_axes(inertia)[0])
+    return (
+        f"must be that of a part of the body; got {rotor_moment:.6g} kg m², without which the body would be left with "
+        f"moments of at most ({left}) kg m². No body has these; check rotor_moment and rotor_axis, and that the body "
+        "has the rotor in it."
+    )
+
+
+def cleaned(direction: Float64[Array, "3"]) -> Float64[Array, "3"]:
+    """Return a unit vector whose components that are rounding are zero."""
+    return np.where(np.abs(direction) < CLEAN, 0.0, direction)
