@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from polhode.bodies.surface import Surface, box_of_same_inertia
+from polhode.bodies.surface import Surface, box_of_same_inertia, joined
+from polhode.bodies.turned import tube
 from polhode.types import Array, ArrayLike, Real
 
 MOST_FACES = 8000  # about 0.15 MB
@@ -55,12 +56,13 @@ def top_shape(
         return body_shape(moments, None)
     h, (a, b) = np.sqrt(height) * np.sign(np.asarray(axis)[k]), np.sqrt(across)
     size = max(abs(h), a, b)
-    parts = (_cylinder(a, b, h, 0.06 * size), _cylinder(0.035 * size, 0.035 * size, 0.5 * h, abs(h)))
-    vertices = np.concatenate([part.vertices for part in parts]) / size
-    faces = np.concatenate([parts[0].faces, parts[1].faces + len(parts[0].vertices)])
+    disk, stem = tube(1.0, 0.06 * size, sections=RIM), tube(0.035 * size, abs(h), sections=RIM)
+    middle = np.array([0.0, 0.0, h])
+    made = joined([Surface(disk.vertices * [a, b, 1.0] + middle, disk.faces),
+                   Surface(stem.vertices + 0.5 * middle, stem.faces)])  # fmt: skip
     order = np.empty(3, dtype=int)
     order[[i, j, k]] = 0, 1, 2
-    return Surface(vertices[:, order], faces), "disk on a stem, of the same inertia about the pivot"
+    return Surface(made.vertices[:, order] / size, made.faces), "disk on a stem, of the same inertia about the pivot"
 
 
 def lightened(surface: Surface) -> Surface:
@@ -85,16 +87,3 @@ def _merged(vertices: Array, faces: Array, keys: Array) -> Surface:
     corners = owner[faces]
     solid = (corners[:, 0] != corners[:, 1]) & (corners[:, 1] != corners[:, 2]) & (corners[:, 2] != corners[:, 0])
     return Surface(means, corners[solid])
-
-
-def _cylinder(a: float, b: float, middle: float, height: float) -> Surface:
-    """Return an elliptic cylinder along the third axis."""
-    turn = 2.0 * np.pi * np.arange(RIM) / RIM
-    rim = np.stack([a * np.cos(turn), b * np.sin(turn)], axis=-1)
-    low, high = middle - 0.5 * height, middle + 0.5 * height
-    rings = [np.column_stack([rim, np.full(RIM, z)]) for z in (low, high)]
-    vertices = np.concatenate([*rings, [[0.0, 0.0, low], [0.0, 0.0, high]]])
-    k, n = np.arange(RIM), (np.arange(RIM) + 1) % RIM
-    below, above = np.full(RIM, 2 * RIM), np.full(RIM, 2 * RIM + 1)
-    sides = ((k, n, n + RIM), (k, n + RIM, k + RIM), (n, k, below), (k + RIM, n + RIM, above))
-    return Surface(vertices, np.concatenate([np.stack(corners, axis=-1) for corners in sides]))
