@@ -228,6 +228,13 @@ def test_uneven_times_and_backwards():
     assert np.abs(back.end_state - START).max() < 1e-5
 
 
+@pytest.mark.parametrize("size", [1e-170, 1e170])
+def test_times_whose_squares_leave_the_numbers(size):
+    """They were said not to advance."""
+    found = ph.solve(BODY, START / size, size * np.array([0.0, 0.5, 1.0]), MuntheKaas, step=size * STEP)
+    assert np.abs(size * found.saved - ph.solve(BODY, START, [0.0, 0.5, 1.0], MuntheKaas, step=STEP).saved).max() < SAME
+
+
 def test_traced_numbers_that_make_no_sense_give_none():
     found = jax.jit(lambda h: ph.solve(BODY, START, TIMES, step=h).saved[-1])(-0.1)
     assert not np.isfinite(found).any()

@@ -80,6 +80,11 @@ def product_with_vector(q: Sequence[Part], vector: Sequence[Part]) -> tuple[Part
     return -((x * a + y * b) + z * c), (w * a + y * c) - z * b, (w * b - x * c) + z * a, (w * c + x * b) - y * a
 
 
+def cross_of_parts(a: Sequence[Part], b: Sequence[Part]) -> tuple[Part, Part, Part]:
+    """Return the three components of a × b from those of a and b, where they are kept apart."""
+    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
+
+
 def conjugate(quaternion: Real[ArrayLike, "*batch 4"]) -> Float64[Array, "*batch 4"]:
     """Return the conjugate (w, −x, −y, −z), the inverse of a unit quaternion."""
     xp, (q,) = _arrays(quaternion=quaternion)
@@ -123,15 +128,10 @@ def rotate(
     """
     xp, (q, v) = _arrays(quaternion=quaternion, vector=vector)
     _refuse_not_unit(q)
-    w, x, y, z = _parts(q)
-    a, b, c = _parts(v)
-    t1, t2, t3 = 2.0 * (y * c - z * b), 2.0 * (z * a - x * c), 2.0 * (x * b - y * a)
-    parts = (
-        a + w * t1 + (y * t3 - z * t2),
-        b + w * t2 + (z * t1 - x * t3),
-        c + w * t3 + (x * t2 - y * t1),
-    )
-    return xp.stack(parts, axis=-1)
+    (w, *u), given = _parts(q), _parts(v)
+    across = [2.0 * x for x in cross_of_parts(u, given)]
+    turned = zip(given, across, cross_of_parts(u, across), strict=True)
+    return xp.stack([x + w * t + further for x, t, further in turned], axis=-1)
 
 
 def as_matrix(quaternion: Real[ArrayLike, "*batch 4"]) -> Float64[Array, "*batch 3 3"]:
@@ -315,8 +315,7 @@ def _unit(xp: Any, vector: Array, name: str) -> Array:
 
 
 def _cross(xp: Any, a: Array, b: Array) -> Array:
-    (x, y, z), (u, v, w) = _parts(a), _parts(b)
-    return xp.stack([y * w - z * v, z * u - x * w, x * v - y * u], axis=-1)
+    return xp.stack(cross_of_parts(_parts(a), _parts(b)), axis=-1)
 
 
 def as_scipy(quaternion: Real[ArrayLike, "*batch 4"]) -> Rotation:

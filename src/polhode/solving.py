@@ -151,7 +151,7 @@ def _checked(system: AbstractSystem, state: Array, times: Array) -> tuple[Array,
         raise InvalidInput(f"`times` must be at least two times (T,); got shape {times.shape}.")
     if not is_traced(times):
         gaps = np.diff(times)
-        if not (np.isfinite(gaps).all() and (gaps * gaps[0] > 0.0).all()):
+        if not (np.isfinite(gaps).all() and (gaps * np.sign(gaps[0]) > 0.0).all()):
             raise InvalidInput("`times` must be finite and advance in one direction, without repetitions.")
     return state, times
 

@@ -7,6 +7,7 @@ import pytest
 import trimesh
 
 import polhode as ph
+from bodies.meshes import box, inside_out, joined
 from polhode.bodies.mesh import volume_moments
 from polhode.errors import InvalidInput
 
@@ -15,20 +16,6 @@ EXACT = 1e-14
 MANY = 1e-13
 """The same for thousands of triangles, and for trimesh's own integration, whose sums are taken from the origin."""
 TETRAHEDRON = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
-
-
-def box(at=(0.0, 0.0, 0.0), size=(1.0, 2.0, 3.0)):
-    mesh = trimesh.creation.box(size)
-    return np.array(mesh.vertices) + np.asarray(at), np.array(mesh.faces)
-
-
-def joined(*meshes):
-    offsets = np.cumsum([0] + [len(v) for v, _ in meshes[:-1]])
-    return np.vstack([v for v, _ in meshes]), np.vstack([f + o for (_, f), o in zip(meshes, offsets, strict=True)])
-
-
-def inside_out(mesh):
-    return mesh[0], mesh[1][:, ::-1]
 
 
 def lumpy():

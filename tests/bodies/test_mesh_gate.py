@@ -5,6 +5,7 @@ import pytest
 import trimesh
 
 import polhode as ph
+from bodies.meshes import box, inside_out, joined
 from polhode.bodies.mesh_crossing import crossing_faces
 from polhode.errors import InvalidInput
 
@@ -12,11 +13,6 @@ EXACT = 1e-13
 """Roundings of sums over some hundred triangles, relative."""
 SINGLE = 1e-6
 """What corners in single precision leave."""
-
-
-def box(at=(0.0, 0.0, 0.0), size=(1.0, 2.0, 3.0)):
-    mesh = trimesh.creation.box(size)
-    return np.array(mesh.vertices) + np.asarray(at), np.array(mesh.faces)
 
 
 def cylinder(at=0.0, sections=64, radius=1.0):
@@ -27,15 +23,6 @@ def cylinder(at=0.0, sections=64, radius=1.0):
 def ball(radius=1.0, at=(0.0, 0.0, 0.0), subdivisions=2):
     mesh = trimesh.creation.icosphere(subdivisions=subdivisions, radius=radius)
     return np.array(mesh.vertices) + np.asarray(at), np.array(mesh.faces)
-
-
-def joined(*meshes):
-    offsets = np.cumsum([0] + [len(v) for v, _ in meshes[:-1]])
-    return np.vstack([v for v, _ in meshes]), np.vstack([f + o for (_, f), o in zip(meshes, offsets, strict=True)])
-
-
-def inside_out(mesh):
-    return mesh[0], mesh[1][:, ::-1]
 
 
 def welded(*meshes):

@@ -6,19 +6,10 @@ import sys
 
 import pytest
 
+from cli.specs import SPEC
 from polhode.cli.main import main
 
 WAIT = 120  # s, of a command in a process of its own
-SPEC = """
-[body]
-moments = ["1 kg*m^2", "2 kg*m^2", "3 kg*m^2"]
-[spin]
-rate = "60 rpm"
-about = 2
-tilt = "1 deg"
-[time]
-samples = 20
-"""
 HUGE = "9" * 400
 
 

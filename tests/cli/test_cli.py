@@ -7,18 +7,8 @@ import sys
 import numpy as np
 import pytest
 
+from cli.specs import SPEC
 from polhode.cli.main import main
-
-GOOD = """
-[body]
-moments = ["1 kg*m^2", "2 kg*m^2", "3 kg*m^2"]
-[spin]
-rate = "60 rpm"
-about = 2
-tilt = "1 deg"
-[time]
-samples = 20
-"""
 
 
 def run(arguments, capsys):
@@ -32,7 +22,7 @@ def run(arguments, capsys):
 def spec(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
 
-    def write(text=GOOD, old="", new=""):
+    def write(text=SPEC, old="", new=""):
         path = tmp_path / "case.toml"
         path.write_text(text.replace(old, new) if old else text)
         return str(path)
@@ -64,7 +54,7 @@ def test_report_and_body_for_people(spec, capsys):
 
 
 def test_rest_is_a_valid_report(spec, capsys):
-    code, out, _ = run(["report", spec(GOOD.replace('tilt = "1 deg"', ""), '"60 rpm"', '"0 rpm"'), "--json"], capsys)
+    code, out, _ = run(["report", spec(SPEC.replace('tilt = "1 deg"', ""), '"60 rpm"', '"0 rpm"'), "--json"], capsys)
     values = json.loads(out)
     assert code == 0 and values["regime"] == "rest" and values["polhode_period"] is None
 
@@ -97,7 +87,7 @@ def test_bad_specs(spec, capsys, tmp_path, old, new, words):
 
 
 def test_all_unknown_keys_at_once(spec, capsys):
-    text = GOOD.replace("tilt", "tilted").replace("samples", "sample") + "\n[colour]\nred = 1\n"
+    text = SPEC.replace("tilt", "tilted").replace("samples", "sample") + "\n[colour]\nred = 1\n"
     code, _, err = run(["report", spec(text)], capsys)
     assert code == 2
     for words in ("spin.tilted: unknown key; did you mean tilt?", "time.sample: unknown", "colour: unknown key"):

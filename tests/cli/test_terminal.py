@@ -8,22 +8,13 @@ import sys
 
 import pytest
 
+from cli.specs import SPEC
 from polhode.cli.main import main
 from polhode.cli.terminal import in_ascii
 from sweeping import first
 
 WAIT = 120  # s, of a command in a process of its own
-SPEC = """
-name = "[red]b[/red] [link=file:///x]c[/link] :bomb: \\u001b]0;owned\\u0007 \\u202e Ω人"
-[body]
-moments = ["1 kg*m^2", "2 kg*m^2", "3 kg*m^2"]
-[spin]
-rate = "60 rpm"
-about = 2
-tilt = "1 deg"
-[time]
-samples = 20
-"""
+NAMED = f'name = "[red]b[/red] [link=file:///x]c[/link] :bomb: \\u001b]0;owned\\u0007 \\u202e Ω人"{SPEC}'
 PRINTED = "[red]b[/red] [link=file:///x]c[/link] :bomb: \\x1b]0;owned\\x07 \\u202e "
 ENCODINGS = ["ascii", "latin-1:strict", "cp1252", "utf-8", "cp437"]
 
@@ -31,7 +22,7 @@ ENCODINGS = ["ascii", "latin-1:strict", "cp1252", "utf-8", "cp437"]
 @pytest.fixture
 def spec(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    (tmp_path / "case.toml").write_text(SPEC, "utf-8")
+    (tmp_path / "case.toml").write_text(NAMED, "utf-8")
     return "case.toml"
 
 
@@ -94,7 +85,7 @@ def test_json_is_ascii_in_every_encoding(spec):
 def test_names_of_files_that_are_not_utf8(spec, tmp_path, capfd):
     name = os.fsdecode(b"a\xff\x1b.toml")
     (tmp_path / "case.toml").rename(tmp_path / name)
-    (tmp_path / name).write_text(SPEC.replace("name =", "#"), "utf-8")
+    (tmp_path / name).write_text(NAMED.replace("name =", "#"), "utf-8")
     code, out, err = run(["export", name, "--to", "csv"], capfd)
     assert (code, err) == (0, "") and out.startswith("a\\udcff\\x1b.csv: ")
     assert (tmp_path / os.fsdecode(b"a\xff\x1b.csv")).is_file()

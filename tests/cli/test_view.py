@@ -7,25 +7,16 @@ import webbrowser
 
 import pytest
 
+from cli.specs import SPEC
 from polhode.cli.main import main
 
-SPEC = """
-name = "</script> a body"
-[body]
-moments = ["1 kg*m^2", "2 kg*m^2", "3 kg*m^2"]
-[spin]
-rate = "60 rpm"
-about = 2
-tilt = "1 deg"
-[time]
-samples = 20
-"""
+NAMED = f'name = "</script> a body"{SPEC}'
 
 
 @pytest.fixture
 def run(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
-    (tmp_path / "case.toml").write_text(SPEC)
+    (tmp_path / "case.toml").write_text(NAMED)
 
     def run(*arguments):
         with pytest.raises(SystemExit) as stopped:

@@ -115,7 +115,7 @@ CALLED_BY_OTHERS = {
     "analysis.spin_orbit.table_of", "analysis.spin_orbit.scaled_start", "analysis.spin_orbit.counted",
     "analysis.stability.scaled_field", "bodies.atoms.atomic_masses", "bodies.body.point_inertia",
     "bodies.body.check_is_body", "bodies.body.check_moments", "bodies.body.principal_axes",
-    "bodies.mesh.volume_moments", "bodies.surface.cuboid",
+    "bodies.mesh.volume_moments", "bodies.surface.cuboid", "bodies.surface.places", "bodies.surface.welded",
     "integrators.base.explicit", "integrators.base.step_count", "poisson.brackets.as_points",
     "simulation.fastest_rate", "simulation.trajectory_of", "solving.adaptive_solver", "solving.checked_every",
     "solving.goes_along_orbit", "solving.is_adaptive", "solving.orbit_solver", "solving.step_angle",

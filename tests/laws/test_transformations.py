@@ -17,6 +17,7 @@ ROOMS = ("rotation", "special.carlson", "special.elliptic", "special.theta")
 LEFT_OUT = {
     "rotation.product_of_parts": "takes columns, and is called by multiply",
     "rotation.product_with_vector": "takes columns, and is called by quaternion_rate",
+    "rotation.cross_of_parts": "takes columns, and is called by shortest_between",
     "rotation.as_scipy": "gives an object of SciPy, which no tracer can be in",
     "rotation.from_scipy": "takes an object of SciPy",
     "special.elliptic.jacobi_at_reduced_phase": "inner part of jacobi, with flags",

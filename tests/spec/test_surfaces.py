@@ -8,6 +8,7 @@ import pytest
 import polhode as ph
 from polhode.errors import InvalidInput
 from polhode.kinds.reading import read_spec
+from polhode.spec.surfaces import surface_of_atoms
 
 DRAWN = 0.02
 """Round shapes are drawn with 64 flat faces to the turn, and flat ones 2 % thick."""
@@ -98,6 +99,12 @@ def test_a_molecule_is_balls_and_bars():
     sizes = [np.ptp(ball, axis=0).max() for ball in balls]
     assert sorted(sizes) == pytest.approx([covalent_radii[k] * 1e-10 for k in (1, 1, 8)], rel=DRAWN)
     assert balls[np.argmax(sizes)].mean(axis=0) == pytest.approx([0.0, 0.0, 0.0], abs=1e-20)
+
+
+def test_atoms_in_one_place_have_no_bar_between_them():
+    """It had no direction, and its corners were NaN."""
+    surface = surface_of_atoms(["H", "H", "O"], np.array([[0.0, 0, 0], [0, 0, 0], [1e-10, 0, 0]]))
+    assert np.isfinite(surface.vertices).all()
 
 
 def test_a_rolling_disk_is_drawn_by_its_own_sizes():

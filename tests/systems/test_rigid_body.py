@@ -27,6 +27,7 @@ from polhode.systems import (
     SphericalSlug,
     TorquedGyrostat,
 )
+from systems.balances import worst_balance
 from systems.multibody import Hub, Wheel
 
 MOMENTS = np.array([1.0, 2.0, 2.6])
@@ -217,17 +218,6 @@ EVERYTHING = RigidBody(
 
 def start_of_everything():
     return EVERYTHING.pack(ATTITUDE, VELOCITY, rates=[*RATES, None, (0.1, -0.2, 0.3), None])
-
-
-def worst_balance(system, t, state):
-    """How far the balances' rates are from the derivatives of their values along the motion, relative."""
-    t = jnp.asarray(t)
-    values, slopes = jax.jvp(
-        lambda t, y: {name: balance.value for name, balance in system.balances(t, y).items()},
-        (t, state), (jnp.ones_like(t), system.vector_field(t, state)),
-    )  # fmt: skip
-    rates = {name: balance.rate for name, balance in system.balances(t, state).items()}
-    return {name: float(jnp.max(jnp.abs(slopes[name] - rates[name]) / jnp.abs(values[name]))) for name in values}
 
 
 def test_with_everything_on_at_once_energy_changes_by_the_sum_of_powers():

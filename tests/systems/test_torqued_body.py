@@ -11,6 +11,7 @@ from polhode import rotation
 from polhode.errors import InvalidInput
 from polhode.systems import AbstractTorque, GravityGradient, KeplerOrbit, LinearDrag, QuadraticDrag, TorquedBody
 from sweeping import first
+from systems.balances import worst_balance
 
 MOMENTS = (1.0, 2.0, 2.6)
 TILTED = rotation.normalize(np.array([0.9, 0.1, -0.2, 0.3]))
@@ -75,17 +76,6 @@ def test_a_torque_of_ones_own_adds_up_in_space():
     dataset = ph.as_dataset(found)
     assert dataset["momentum"].shape == (17, 3) and dataset["kinetic_energy"].attrs["drift"] < MOTION
     assert (dataset["kinetic_energy_received"].values == found.received["kinetic_energy"]).all()
-
-
-def worst_balance(system, t, state):
-    """How far the balances' rates are from the derivatives of their values along the motion, relative."""
-    t, state = jnp.asarray(t), jnp.asarray(state)
-    values, slopes = jax.jvp(
-        lambda t, y: {name: balance.value for name, balance in system.balances(t, y).items()},
-        (t, state), (jnp.ones_like(t), system.vector_field(t, state)),
-    )  # fmt: skip
-    rates = {name: balance.rate for name, balance in system.balances(t, state).items()}
-    return {name: float(jnp.max(jnp.abs(slopes[name] - rates[name]) / jnp.abs(values[name]))) for name in values}
 
 
 class BentGravity(GravityGradient):

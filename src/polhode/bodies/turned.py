@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from polhode import rotation
 from polhode.bodies.surface import Surface
 from polhode.types import ArrayLike, Real
 
@@ -72,8 +73,5 @@ def bar(start: Real[ArrayLike, "3"], end: Real[ArrayLike, "3"], radius: float, s
     """Return a round bar from one point (3,) to another [m]."""
     start, end = np.asarray(start, dtype=float), np.asarray(end, dtype=float)
     straight = tube(radius, float(np.linalg.norm(end - start)), sections=sections)
-    along = (end - start) / np.linalg.norm(end - start)
-    across = np.cross(along, np.eye(3)[np.abs(along).argmin()])
-    across /= np.linalg.norm(across)
-    axes = np.column_stack([across, np.cross(along, across), along])
-    return Surface(straight.vertices @ axes.T + 0.5 * (start + end), straight.faces)
+    turn = rotation.shortest_between((0.0, 0.0, 1.0), end - start)
+    return Surface(rotation.rotate(turn, straight.vertices) + 0.5 * (start + end), straight.faces)

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from polhode import rotation
-from polhode.bodies.surface import Surface
+from polhode.bodies.surface import Surface, places
 from polhode.figures import style
 from polhode.types import Array, ArrayLike, Bool, Float64, Integer, Real
 
@@ -233,7 +233,7 @@ def corner_normals(vertices: Float64[Array, "n 3"], faces: Integer[Array, "m 3"]
     a, b, c = (vertices[faces[:, k]] for k in range(3))
     areas = np.cross(b - a, c - a)
     flat = areas / np.maximum(np.linalg.norm(areas, axis=-1, keepdims=True), 1e-300)
-    place = _places(vertices)[faces]
+    place = places(vertices)[faces]
     normals = np.repeat(flat[:, None, :], 3, axis=1)
     order = np.argsort(place, axis=None, kind="stable")
     starts = np.flatnonzero(np.diff(place.reshape(-1)[order], prepend=-1))
@@ -246,7 +246,7 @@ def corner_normals(vertices: Float64[Array, "n 3"], faces: Integer[Array, "m 3"]
 
 def _is_closed(vertices: Array, faces: Array) -> bool:
     """Return whether triangles bound a volume, outside out: every edge is used once each way."""
-    place = _places(vertices)[faces]
+    place = places(vertices)[faces]
     edges = place[:, ((0, 1), (1, 2), (2, 0))].reshape(-1, 2)
     edges = edges[edges[:, 0] != edges[:, 1]]  # at a pole of a ball, corners of a triangle may meet
     count = int(place.max()) + 1
@@ -255,12 +255,6 @@ def _is_closed(vertices: Array, faces: Array) -> bool:
         return False
     a, b, c = ((vertices - vertices.mean(axis=0))[faces[:, k]] for k in range(3))
     return bool(np.sum(a * np.cross(b, c)) > 0.0)
-
-
-def _places(vertices: Array) -> Array:
-    """Return numbers (n,) of corners, the same where they are in the same place."""
-    grid = np.round((vertices - vertices.min(axis=0)) / (np.ptp(vertices, axis=0).max() or 1.0), 6)
-    return np.unique(grid, axis=0, return_inverse=True)[1].reshape(-1)
 
 
 def circle_about(

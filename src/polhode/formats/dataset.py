@@ -55,9 +55,29 @@ def _described(trajectory: Trajectory, attributes: dict[str, str] | None) -> tup
     batch = [f"batch_{k}" for k in range(len(trajectory.batch_shape))]
     clock = ("time", times, {"units": "s", "long_name": "time"})
     coordinates: Named = {"time": clock, "axis": ("axis", [1, 2, 3])}
-    variables: Named = {}
     if trajectory.attitude is not None:
         coordinates["quaternion"] = ("quaternion", ["w", "x", "y", "z"])
+    if "momentum_space" in trajectory.invariants | trajectory.balances:
+        coordinates["space_axis"] = ("space_axis", ["x", "y", "z"])
+    variables = _state_variables(trajectory, batch) | _balance_variables(trajectory, batch)
+    if trajectory.error_estimate is not None and np.isfinite(trajectory.error_estimate).all():
+        meaning = "estimated largest error of the states, relative to the size of attitude and momentum"
+        note = {"units": "1", "long_name": meaning, "role": "error estimate"}
+        variables["error_estimate"] = (batch, np.asarray(trajectory.error_estimate, dtype=float), note)
+    if frame is not None:
+        variables |= _frame_variables(frame)
+        coordinates["given_axis"] = ("given_axis", ["x", "y", "z"])
+        for name in ("attitude", *_VECTORS):
+            if name in variables:
+                variables[name][2]["comment"] = "body axes are the principal ones; principal_axes has them"
+    header = {"Conventions": "CF-1.11", "source": "polhode", **_outcome_attributes(trajectory.outcome)}
+    return variables, coordinates, header | label_attributes(labels_of(trajectory)) | (attributes or {})
+
+
+def _state_variables(trajectory: Trajectory, batch: list[str]) -> Named:
+    """Return attitude, vectors and what else the states hold, along these axes of the batch."""
+    variables: Named = {}
+    if trajectory.attitude is not None:
         note = {"units": "1", "long_name": "attitude quaternion, scalar first, body to space"}
         variables["attitude"] = ([*batch, "time", "quaternion"], np.asarray(trajectory.attitude), note)
     for name, (units, meaning) in _VECTORS.items():
@@ -72,6 +92,12 @@ def _described(trajectory: Trajectory, attributes: dict[str, str] | None) -> tup
     if trajectory.momentum is None and trajectory.attitude is None and not layout.scalars:
         dims = [*batch, "time", *(f"component_{k}" for k in range(layout.axes))]
         variables["state"] = (dims, np.asarray(trajectory.states), {"long_name": "point of the dual"})
+    return variables
+
+
+def _balance_variables(trajectory: Trajectory, batch: list[str]) -> Named:
+    """Return what is conserved or balanced, and what was received, along these axes of the batch."""
+    variables: Named = {}
     for name, values in trajectory.received.items():
         units, meaning = trajectory.quantity(name).unit, f"{name.replace('_', ' ')} received"
         note = {"units": units, "long_name": meaning, "role": "received"}
@@ -83,26 +109,13 @@ def _described(trajectory: Trajectory, attributes: dict[str, str] | None) -> tup
         if of_copies:
             count = np.shape(values)[-1]
             components = "copy" if lengths.setdefault("copy", count) == count else f"copy_{count}"
-        if components == "space_axis":
-            coordinates["space_axis"] = ("space_axis", ["x", "y", "z"])
         dims = [*batch, "time", components][: np.ndim(values)]
         role = "invariant" if name in trajectory.invariants else "balance"
         note: dict[str, Any] = {"units": units, "long_name": meaning, "role": role}
         if name in trajectory.drift and not batch:
             note["drift"] = float(np.max(trajectory.drift[name]))
         variables[name] = (dims, np.asarray(values), note)
-    if trajectory.error_estimate is not None and np.isfinite(trajectory.error_estimate).all():
-        meaning = "estimated largest error of the states, relative to the size of attitude and momentum"
-        note = {"units": "1", "long_name": meaning, "role": "error estimate"}
-        variables["error_estimate"] = (batch, np.asarray(trajectory.error_estimate, dtype=float), note)
-    if frame is not None:
-        variables |= _frame_variables(frame)
-        coordinates["given_axis"] = ("given_axis", ["x", "y", "z"])
-        for name in ("attitude", *_VECTORS):
-            if name in variables:
-                variables[name][2]["comment"] = "body axes are the principal ones; principal_axes has them"
-    header = {"Conventions": "CF-1.11", "source": "polhode", **_outcome_attributes(trajectory.outcome)}
-    return variables, coordinates, header | label_attributes(labels_of(trajectory)) | (attributes or {})
+    return variables
 
 
 def _outcome_attributes(outcome: Outcome) -> dict[str, str]:

@@ -20,7 +20,8 @@ TIME_SYSTEMS = ("UTC", "TAI", "TT", "TDB", "TCB", "TCG", "GPS")
 PICO = 10**12
 _FORM = re.compile(r"(\d{4})-(?:(\d\d)-(\d\d)|(\d{3}))T(\d\d):(\d\d):(\d\d)(?:\.(\d+))?Z?", re.ASCII)
 _ORIGIN = date(1970, 1, 1)
-# days that begin after a leap second, IERS Bulletin C; none has been announced since that of 2016-12-31
+# days that begin after a leap second, IERS Bulletin C; none has been announced since that of 2016-12-31; pyerfa has the
+# same 27 days, for 4 MB and 15 ms at import
 AFTER_LEAPS = [
     (date(year, month, 1) - _ORIGIN).days
     for month, years in ((7, (1972, 1981, 1982, 1983, 1985, 1992, 1993, 1994, 1997, 2012, 2015)),

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from polhode.bodies.surface import Surface, cuboid, joined
-from polhode.bodies.turned import ball, bar, cone, torus, tube
+from polhode.bodies.turned import SECTIONS, ball, bar, cone, torus, tube
 from polhode.formats.mesh import read_mesh
 from polhode.formats.molecule import ANGSTROM, read_molecule
 from polhode.spec.building import TURNS
@@ -40,9 +40,9 @@ def surface_of_body(table: BodyTable, folder: Path) -> Surface | None:
     return None
 
 
-def surface_of_disk(radius: float, thickness: float) -> Surface:
+def surface_of_disk(radius: float, thickness: float, sections: int = SECTIONS) -> Surface:
     """Return a disk, its axis along z; one without thickness is given some, to be seen."""
-    return tube(radius, thickness or THIN * radius)
+    return tube(radius, thickness or THIN * radius, sections=sections)
 
 
 def surface_of_part(table: PartTable) -> Surface:
@@ -91,6 +91,6 @@ def surface_of_atoms(symbols: Sequence[str], positions: Float64[Array, "n 3"]) -
     vertices, faces = ball(24 if len(radii) <= MANY_ATOMS else 12)
     shown = [Surface(vertices * (BALL * r) + at, faces) for r, at in zip(radii, positions, strict=True)]
     for i, j in KDTree(positions).query_pairs(2.0 * BONDED * radii.max(), output_type="ndarray"):
-        if np.linalg.norm(positions[i] - positions[j]) <= BONDED * (radii[i] + radii[j]):
+        if 0.0 < np.linalg.norm(positions[i] - positions[j]) <= BONDED * (radii[i] + radii[j]):
             shown.append(bar(positions[i], positions[j], BAR))
     return joined(shown)

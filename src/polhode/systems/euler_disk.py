@@ -12,6 +12,7 @@ import numpy as np
 
 from polhode import rotation
 from polhode.arrays import known_numbers_only, refuse_single_precision
+from polhode.bodies.pivot import STANDARD_GRAVITY
 from polhode.errors import InvalidInput, shown
 from polhode.motion.layout import StateLayout, StatePart
 from polhode.special.legendre import LegendreFunction, legendre_function
@@ -21,7 +22,6 @@ from polhode.systems.rolling_mechanics import RollingMechanics
 from polhode.types import Array, ArrayLike, Float64, Real
 
 States = Float64[Array, "*batch 8"]
-STANDARD_GRAVITY = 9.80665  # m/s²
 FLAT = 1e-6  # rad: the rim of a coin is then lifted by tens of nanometres, less than any table is rough
 ROLLING_TOLERANCE = 1e-6  # of the speeds: a given velocity that misses the rolling one by more is a mistake
 STEADY_TOLERANCE = 1e-9

@@ -10,7 +10,7 @@ from __future__ import annotations
 import jax
 import jax.numpy as jnp
 
-from polhode.rotation import product_of_parts, product_with_vector
+from polhode.rotation import cross_of_parts, product_of_parts, product_with_vector
 from polhode.systems.base import Components, attitude_length
 from polhode.systems.forward_only import forward_only
 from polhode.types import Array, ArrayOrFloat, Float64
@@ -71,8 +71,8 @@ def turned_back(turn: Components, vector: Components) -> Components:
     w, x, y, z = turn
     excess = _excess(turn)
     u, v = (x, y, z), vector
-    across = _cross(v, u)
-    twice = _cross(across, u)
+    across = cross_of_parts(v, u)
+    twice = cross_of_parts(across, u)
     scale = 2.0 / (1.0 + excess)
     return tuple(scale * ((1.0 + w) * a + b) for a, b in zip(across, twice, strict=True))
 
@@ -98,7 +98,7 @@ def _series(inverse: Components, time: Array, momentum: Components) -> Component
     velocity = [tuple(time * i * x for i, x in zip(inverse, momentum, strict=True))]
     for k in range(ORDER):
         if k + 1 < ORDER:
-            terms = [_cross(L[j], velocity[k - j]) for j in range(k + 1)]
+            terms = [cross_of_parts(L[j], velocity[k - j]) for j in range(k + 1)]
             L.append(tuple(sum(t[n] for t in terms) * (1.0 / (k + 1)) for n in range(3)))
             velocity.append(tuple(time * i * x for i, x in zip(inverse, L[-1], strict=True)))
         terms = [product_with_vector(turn[j], velocity[k - j]) for j in range(k + 1)]
@@ -111,7 +111,3 @@ def _excess(turn: Components) -> Array:
     """Return |p|² − 1."""
     w, x, y, z = turn
     return 2.0 * w + ((w * w + x * x) + (y * y + z * z))
-
-
-def _cross(a: Components, b: Components) -> Components:
-    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]

@@ -229,10 +229,9 @@ class HeavyTop(AbstractLiePoissonSystem):
         return {"weight": self._kick, "free body": lambda time, state: free_flow(self.moments, time, state)}
 
     def _kick(self, time: Array, state: Components) -> Components:
-        x, y, z = state[-3:]
-        a, b, c = (time * self.mgl * self.axis[k] for k in range(3))
-        still = jnp.zeros_like(x)
-        return (*[still] * (len(state) - 6), y * c - z * b, z * a - x * c, x * b - y * a, still, still, still)
+        turn = rotation.cross_of_parts(state[-3:], [time * self.mgl * self.axis[k] for k in range(3)])
+        still = jnp.zeros_like(state[-1])
+        return (*[still] * (len(state) - 6), *turn, still, still, still)
 
 
 def _half_turn(angle: float) -> tuple[float, float]:

@@ -107,17 +107,3 @@ class RollingMechanics(eqx.Module):
         s, c = jnp.sin(theta), jnp.cos(theta)
         forced = ((A + m * b * b) * c + m * a * b * s) * s * precession**2 - m * self.gravity * (a * c - b * s)
         return forced / (((C + m * a * a) * s + m * a * b * c) * precession)
-
-    def steady_precessions(self, theta: Operand, w3: Operand) -> tuple[Result, Result]:
-        """Return both φ̇ [rad/s] of steady motion with the spin ω3; NaN where there is none.
-
-        Thin: A φ̇² c − (C+ma²) φ̇ ω3 = mga c/s.
-        """
-        m, a, b, A, C = self._constants
-        s, c = jnp.sin(theta), jnp.cos(theta)
-        p = ((A + m * b * b) * c + m * a * b * s) * s
-        q = ((C + m * a * a) * s + m * a * b * c) * w3
-        r = m * self.gravity * (a * c - b * s)
-        # the larger root without cancellation, the other by the product of both
-        larger = 0.5 * (q + jnp.where(q < 0, -1.0, 1.0) * jnp.sqrt(q * q + 4.0 * p * r))
-        return larger / p, -r / larger

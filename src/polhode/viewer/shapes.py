@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from polhode.bodies.surface import Surface, box_of_same_inertia
-from polhode.types import Array, ArrayLike, Real
+from polhode.bodies.surface import Surface, box_of_same_inertia, joined, welded
+from polhode.bodies.turned import tube
+from polhode.types import ArrayLike, Real
 
 MOST_FACES = 8000  # about 0.15 MB
-FINEST_GRID = 256  # cells along the longest side when corners are merged
 LEANING = 0.05  # rad from a principal axis to the centre of mass up to which a stem along that axis looks right
-EQUAL = 1e-6  # of the size: corners nearer to each other are one
 RIM = 48  # corners of a disk's rim
 
 
@@ -22,8 +21,9 @@ def body_shape(moments: Real[ArrayLike, "3"] | None, surface: Surface | None) ->
         surface: of the body, if known.
     """
     if surface is not None:
-        small = lightened(surface)
-        return small, "" if small is surface or len(small.faces) >= len(surface.faces) else "its mesh, coarsened"
+        whole = welded(surface)
+        small = whole.coarsened(MOST_FACES)
+        return small, "" if small is whole else "its mesh, coarsened"
     if moments is None:
         return None, "axes only, as nothing is known of the body's shape"
     box = box_of_same_inertia(moments)
@@ -55,46 +55,10 @@ def top_shape(
         return body_shape(moments, None)
     h, (a, b) = np.sqrt(height) * np.sign(np.asarray(axis)[k]), np.sqrt(across)
     size = max(abs(h), a, b)
-    parts = (_cylinder(a, b, h, 0.06 * size), _cylinder(0.035 * size, 0.035 * size, 0.5 * h, abs(h)))
-    vertices = np.concatenate([part.vertices for part in parts]) / size
-    faces = np.concatenate([parts[0].faces, parts[1].faces + len(parts[0].vertices)])
+    disk, stem = tube(1.0, 0.06 * size, sections=RIM), tube(0.035 * size, abs(h), sections=RIM)
+    middle = np.array([0.0, 0.0, h])
+    made = joined([Surface(disk.vertices * [a, b, 1.0] + middle, disk.faces),
+                   Surface(stem.vertices + 0.5 * middle, stem.faces)])  # fmt: skip
     order = np.empty(3, dtype=int)
     order[[i, j, k]] = 0, 1, 2
-    return Surface(vertices[:, order], faces), "disk on a stem, of the same inertia about the pivot"
-
-
-def lightened(surface: Surface) -> Surface:
-    """Return a surface of few enough triangles: equal corners merged, then, if need be, near ones."""
-    vertices, faces = np.asarray(surface.vertices, dtype=float), np.asarray(surface.faces)
-    size = float(np.ptp(vertices, axis=0).max()) or 1.0
-    small = whole = _merged(vertices, faces, np.round(vertices / (EQUAL * size)))
-    cells = FINEST_GRID
-    while len(small.faces) > MOST_FACES:
-        small = _merged(whole.vertices, whole.faces, np.round(whole.vertices * cells / size))
-        # there are about as many triangles as cells that the surface passes through
-        cells = int(0.95 * cells * min(1.0, np.sqrt(MOST_FACES / len(small.faces))))
-    return small
-
-
-def _merged(vertices: Array, faces: Array, keys: Array) -> Surface:
-    """Return a mesh whose corners with equal keys are one, at their mean; triangles without area are dropped."""
-    _, owner = np.unique(keys, axis=0, return_inverse=True)
-    owner = owner.reshape(-1)
-    counts = np.bincount(owner)
-    means = np.stack([np.bincount(owner, vertices[:, k]) / counts for k in range(3)], axis=-1)
-    corners = owner[faces]
-    solid = (corners[:, 0] != corners[:, 1]) & (corners[:, 1] != corners[:, 2]) & (corners[:, 2] != corners[:, 0])
-    return Surface(means, corners[solid])
-
-
-def _cylinder(a: float, b: float, middle: float, height: float) -> Surface:
-    """Return an elliptic cylinder along the third axis."""
-    turn = 2.0 * np.pi * np.arange(RIM) / RIM
-    rim = np.stack([a * np.cos(turn), b * np.sin(turn)], axis=-1)
-    low, high = middle - 0.5 * height, middle + 0.5 * height
-    rings = [np.column_stack([rim, np.full(RIM, z)]) for z in (low, high)]
-    vertices = np.concatenate([*rings, [[0.0, 0.0, low], [0.0, 0.0, high]]])
-    k, n = np.arange(RIM), (np.arange(RIM) + 1) % RIM
-    below, above = np.full(RIM, 2 * RIM), np.full(RIM, 2 * RIM + 1)
-    sides = ((k, n, n + RIM), (k, n + RIM, k + RIM), (n, k, below), (k + RIM, n + RIM, above))
-    return Surface(vertices, np.concatenate([np.stack(corners, axis=-1) for corners in sides]))
+    return Surface(made.vertices[:, order] / size, made.faces), "disk on a stem, of the same inertia about the pivot"

@@ -6,8 +6,8 @@ from typing import ClassVar
 
 from pydantic import Field
 
+from polhode.bodies.pivot import STANDARD_GRAVITY
 from polhode.spec.fields import Acceleration, Lean, Length, Rate
-from polhode.spec.gravity import STANDARD_GRAVITY
 from polhode.spec.models import SystemTable
 
 

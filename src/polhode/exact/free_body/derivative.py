@@ -7,6 +7,7 @@ from polhode.arrays import first_order_only, namespace
 from polhode.exact.free_body.preparation import Prepared, prepare
 from polhode.exact.free_body.reduction import Reduction, as_sorted, from_sorted
 from polhode.exact.free_body.tangent import momentum_tangent
+from polhode.rotation import cross_of_parts
 from polhode.types import Array, Float64
 
 State = tuple[Float64[Array, "*batch 4"], Float64[Array, "*batch 3"]]
@@ -45,7 +46,7 @@ def state_tangent(values: Values, state: State, changes: Values) -> State:
     carried = as_sorted(body, rotation.rotate(rotation.conjugate(relative), d_momentum))
     seen = tuple(x / scale - y for x, y in zip(carried, change, strict=True))
     size = xp.where(resting, 1.0, body.G2[0])
-    turn = tuple((c + x * work) / size for c, x in zip(_cross(now, seen), now, strict=True))
+    turn = tuple((c + x * work) / size for c, x in zip(cross_of_parts(now, seen), now, strict=True))
     velocity = tuple(x / i for x, i in zip(present, body.moments, strict=True))
     at_rest = tuple(time * rate * e / i for e, i in zip(start_change, body.moments, strict=True))
     turn = tuple(xp.where(resting, r, x) + v * (rate * d_time) for r, x, v in zip(at_rest, turn, velocity, strict=True))
@@ -61,7 +62,3 @@ def _sorted_sizes(body: Reduction, sizes: Array) -> tuple[Array, ...]:
     columns = [sum(xp.abs(body.axes[i][j]) * sizes[..., i] for i in range(3)) for j in range(3)]
     first, third = (xp.where(body.long_axis, columns[2 - j], columns[j]) for j in (0, 2))
     return first, columns[1], third
-
-
-def _cross(x: tuple[Array, ...], y: tuple[Array, ...]) -> tuple[Array, ...]:
-    return x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]

@@ -43,7 +43,6 @@ class TangentData(NamedTuple):
     z: Number
     size: Number
     G: Number
-    G_rest: Number
     D: Number
     D_rest: Number
     c: Number
@@ -99,7 +98,7 @@ def tangent_data(prepared: Prepared) -> TangentData:
     D = dd.where(hanging, dd.negate(dd.add(dd.scale(top.G, 2.0), square)), top.D)
     place = xp.where(motion[0], 2.0 * motion[10], motion[10])
     return TangentData(
-        *top.moments, *top.momentum, *top.quaternion, top.size[0], *top.G, *D, top.c[0],
+        *top.moments, *top.momentum, *top.quaternion, top.size[0], top.G[0], *D, top.c[0],
         dd.add(top.F, dd.multiply(a, top.c))[0], safe(points.s2, 0.0), safe(points.d, 0.0), safe(points.A, 1.0),
         safe(points.B, 1.0), xp.where(permanent, top.s0[0], points.s1[0]), place, *rates.nutation, *rates.alpha,
         *rates.beta, *rates.spin, rates.sign_alpha, rates.sign_beta, permanent, separatrix, hanging, top.reversed,

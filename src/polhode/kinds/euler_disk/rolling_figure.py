@@ -14,6 +14,7 @@ from polhode.figures import style
 from polhode.figures.scene import Scene, circle_about
 from polhode.figures.sphere import view_frame
 from polhode.kinds.euler_disk.report import EulerDiskReport
+from polhode.spec.surfaces import surface_of_disk
 from polhode.systems.euler_disk import LAYOUT
 from polhode.types import Array
 
@@ -22,7 +23,7 @@ EYE = 9.0  # distance of the eye, in halves of what is seen
 STEEL, PLANE = "#b9c4d0", "#f3f1ec"
 FALLING, GOING_ROUND = 5, 8  # positions
 FAINTEST = 0.35
-RIM, THIN = 96, 0.02  # pieces of the rim; thickness of a thin disk, in radii
+RIM = 96  # pieces of the rim
 MILLI = 1e3
 
 
@@ -105,15 +106,7 @@ def _paths(report: EulerDiskReport) -> tuple[Array | None, Array]:
 
 def _disk(report: EulerDiskReport, state: Array) -> Surface:
     """Return the disk's surface in space [m]."""
-    a, h = report.table.radius, report.table.thickness or THIN * report.table.radius
-    turn = 2.0 * np.pi * np.arange(RIM) / RIM
-    ring = np.stack([a * np.cos(turn), a * np.sin(turn), np.zeros(RIM)], axis=-1)
-    lift = np.array([0.0, 0.0, 0.5 * h])
-    vertices = np.vstack([ring - lift, ring + lift, [-lift, lift]])
-    k, after = np.arange(RIM), (np.arange(RIM) + 1) % RIM
-    low, high = np.full(RIM, 2 * RIM), np.full(RIM, 2 * RIM + 1)
-    sides = [[k, after, after + RIM], [k, after + RIM, k + RIM], [low, after, k], [high, k + RIM, after + RIM]]
-    faces = np.concatenate([np.stack(side, axis=-1) for side in sides])
+    vertices, faces = surface_of_disk(report.table.radius, report.table.thickness, RIM)
     attitude = np.asarray(report.disk.vectors(state).attitude)
     return Surface(rotation.rotate(attitude, vertices) + np.asarray(report.disk.center(state)), faces)
 

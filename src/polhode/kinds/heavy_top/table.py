@@ -6,8 +6,8 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
+from polhode.bodies.pivot import STANDARD_GRAVITY
 from polhode.spec.fields import Acceleration, Duration, Lean, Position, one_of
-from polhode.spec.gravity import STANDARD_GRAVITY
 from polhode.spec.models import SystemTable
 
 Order = Annotated[Literal[2, 4, 6, 8], one_of(2, 4, 6, 8)]

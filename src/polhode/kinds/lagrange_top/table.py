@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from pydantic import Field
 
+from polhode.bodies.pivot import STANDARD_GRAVITY
 from polhode.spec.fields import Acceleration, Lean, Position
-from polhode.spec.gravity import STANDARD_GRAVITY
 from polhode.spec.models import SystemTable
 
 
