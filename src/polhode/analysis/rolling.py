@@ -26,7 +26,7 @@ from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput
 from polhode.systems.euler_disk import EulerDisk, rolling_parts
 from polhode.systems.rolling_mechanics import RollingMechanics
-from polhode.types import Array, ArrayLike, Real
+from polhode.types import Array, ArrayLike, Float64, Real
 
 RESTRICTED = Restriction(within=("tilt", "rates"), without=("heading", "place"))
 AT_REST = 1e-8  # of the terms of θ̈, relative: a steady motion found by a solver or typed in

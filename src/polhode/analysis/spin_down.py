@@ -29,6 +29,7 @@ from polhode.motion.trajectory import Trajectory
 from polhode.simulation import trajectory_of
 from polhode.systems.euler_disk import LAYOUT, EulerDisk, rolling_parts
 from polhode.systems.rolling_dissipation import RollingDissipation
+from polhode.types import Array, ArrayLike, Float64, Real
 
 ASYMPTOTIC_END = 0.3  # |θ̇|/(θ|φ̇|), beyond which the tilt falls as fast as the disk goes round
 ASYMPTOTIC_FIT = 0.02  # the same, up to which exponents are fitted

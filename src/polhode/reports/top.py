@@ -22,6 +22,7 @@ from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import AbstractReport
 from polhode.reports.wording import distinct, unit_in_words, vector
 from polhode.systems.heavy_top import HeavyTop
+from polhode.types import Array, ArrayLike, Float64, Real
 
 PERIODS = 10
 AT_REST = 0.1  # s, of a body that nothing moves

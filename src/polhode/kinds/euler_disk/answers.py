@@ -25,6 +25,7 @@ from polhode.motion.trajectory import Trajectory
 from polhode.reports.length import ADAPTIVE, check_length
 from polhode.simulation import simulate
 from polhode.systems.euler_disk import EulerDisk
+from polhode.types import Array
 
 PERIODS = 10
 TURNS = 12  # of the contact, sampled densely

@@ -26,6 +26,7 @@ from polhode.reports.base import AbstractReport
 from polhode.reports.wording import distinct, vector
 from polhode.systems.body_with_rotor import RotorInBody, direction_of
 from polhode.systems.gyrostat import Gyrostat
+from polhode.types import Array, Float64
 
 
 @dataclass(frozen=True)

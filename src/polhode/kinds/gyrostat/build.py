@@ -15,6 +15,7 @@ from polhode.reports.length import ADAPTIVE, SPLITTING, TURNING, check_length, e
 from polhode.simulation import simulate
 from polhode.systems.body_with_rotor import RotorInBody, direction_of, rotor_in_body, rotor_misfit
 from polhode.systems.gyrostat import TorquedGyrostat
+from polhode.types import Array
 
 TURNS = 10
 STEP_ANGLE = 0.05  # rad by which the faster of body and momentum turns in a step

@@ -26,6 +26,7 @@ from polhode.reports.top import (
 )
 from polhode.simulation import fastest_rate, simulate
 from polhode.systems.heavy_top import HeavyTop
+from polhode.types import Array, Float64
 
 NAMES = {"|P|²": "|Γ|²", "Π·P": "vertical_momentum"}  # the Casimirs of se(3)*, called by what they are here
 QUANTITIES = {
