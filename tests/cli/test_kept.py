@@ -1,7 +1,6 @@
 """Reports that commands keep: taken while they are still true, and never after."""
 
 import dataclasses
-import json
 import os
 import subprocess
 import sys
@@ -156,7 +155,7 @@ def test_the_library_keeps_nothing(tmp_path):
 
 def test_commands_take_what_another_computed(case, tmp_path):
     """In processes of their own; arrays of JAX keep their 64 bits."""
-    (case / "disk.toml").write_text(find_kind("spin-orbit").example)
+    (case / "moon.toml").write_text(find_kind("spin-orbit").example)
     environment = os.environ | {"XDG_CACHE_HOME": str(tmp_path / "c")}
 
     def run(*arguments):
@@ -164,11 +163,9 @@ def test_commands_take_what_another_computed(case, tmp_path):
         done = subprocess.run(command, cwd=case, env=environment, stdout=subprocess.PIPE, timeout=300, check=True)
         return done.stdout
 
-    first = json.loads(run("report", "disk.toml", "--json"))
+    run("report", "moon.toml", "--json")
     before = {path: path.stat().st_mtime_ns for path in files(case)}
-    assert json.loads(run("report", "disk.toml", "--json")) == first
-    run("view", "disk.toml", "--no-open")
-    run("export", "disk.toml", "--to", "csv")
+    run("view", "moon.toml", "--no-open")
     after = {path: path.stat().st_mtime_ns for path in files(case)}
     assert before.keys() == after.keys() and before != after
     state = kept._load(files(case)[0]).trajectory

@@ -37,7 +37,8 @@ SPECIMENS = [
     systems.TorquedGyrostat(MOMENTS, (1.0, 2.0, 3.0), 0.3, 0.1),
 ]  # fmt: skip
 NOT_MOVING = {systems.AbstractLiePoissonSystem, systems.AbstractSystem, systems.AbstractTorque, systems.AbstractMount,
-              systems.AbstractRigidBody, systems.RollingDissipation, systems.Balance}  # fmt: skip
+              systems.AbstractRigidBody, systems.RollingDissipation, systems.Balance, systems.RotorInBody,
+              systems.rotor_in_body}  # fmt: skip
 LEFT_OUT = {
     "check_state": "refuses traced numbers, see test_refused_when_traced",
     "upright": "refuses traced numbers, see test_refused_when_traced",
