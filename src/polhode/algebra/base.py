@@ -127,8 +127,8 @@ class AbstractLieAlgebra(HashableModule):
 
     @cached_property
     def _structure_constants(self) -> np.ndarray:
-        with jax.ensure_compile_time_eval():  # asked for inside a jitted function too
-            constants = np.array(jax.jit(self._brackets_of_basis)())
+        # compiled beforehand, as it may be asked for inside a jitted function
+        constants = np.array(jax.jit(self._brackets_of_basis).lower().compile()())
         constants.flags.writeable = False
         return constants
 

@@ -131,14 +131,13 @@ def spin_down(
         last = _fall(disk, run)
         if last is not None:
             events[last] = math.fsum(run.spans)
-    states = jnp.stack(run.states)
-    received = {"energy": -jnp.cumsum(jnp.asarray(run.lost))}
+    states = jnp.asarray(np.stack([np.asarray(state) for state in run.states]))
+    received = {"energy": -np.cumsum(run.lost)}
     last = next(reversed(events), None)
     outcome = Outcome(Ending.COMPLETED) if last is None else Outcome(Ending.EVENT, last)
     trajectory = trajectory_of(disk, np.cumsum(run.spans), states, outcome, {"steps": run.steps}, received)
-    ratio = np.asarray(adiabaticity(disk, states))
-    fitted = _fitted(ratio[:regular])
-    tilt, rate = np.asarray(trajectory.part("tilt")), np.abs(np.asarray(disk.precession(states)))
+    ratio, rate = (np.asarray(x) for x in _pace(disk, states))
+    fitted, tilt = _fitted(ratio[:regular]), np.asarray(trajectory.part("tilt"))
     spans = np.asarray(run.spans)
     found = fit_singularity(spans[fitted][1:], tilt[fitted])
     distance = _distances(spans, fitted, found)
@@ -304,6 +303,18 @@ def _margin(disk: EulerDisk, state: Array) -> Array:
     return jnp.min(jnp.stack([*ends, ASYMPTOTIC_END - adiabaticity(disk, state)]))
 
 
+@eqx.filter_jit
+def _pace(disk: EulerDisk, states: Array) -> tuple[Array, Array]:
+    """Return adiabaticity and the rate of precession [rad/s] of states (…, 8)."""
+    return adiabaticity(disk, states), jnp.abs(disk.precession(states))
+
+
+@eqx.filter_jit
+def _outlook(disk: EulerDisk, state: Array) -> tuple[Array, Array, Array]:
+    """Return adiabaticity, what is left until the first event, and the power that dissipation takes [W]."""
+    return adiabaticity(disk, state), _margin(disk, state), disk.power(state)
+
+
 def _ended_by(disk: EulerDisk, state: Array) -> str:
     margins = {name: float(event(jnp.zeros(()), state)) for name, event in disk.events.items()}
     margins[END_OF_REGIME] = ASYMPTOTIC_END - float(adiabaticity(disk, state))
@@ -368,8 +379,8 @@ def _checked_start(disk: EulerDisk, state: Real[ArrayLike, "8"], decades: float,
     start = disk.check_state(state)
     if jnp.ndim(start) != 1:
         raise InvalidInput(f"`state` must be one state (8,); got shape {jnp.shape(start)}.")
-    ratio = float(adiabaticity(disk, start))
-    if not (float(_margin(disk, start)) > 0.0 and float(disk.power(start)) > 0.0):
+    ratio, margin, power = (float(x) for x in _outlook(disk, start))
+    if not (margin > 0.0 and power > 0.0):
         raise InvalidInput(
             f"`state` is not in the asymptotic regime: |θ̇|/(θ|φ̇|) is {ratio:.3g}, at most {ASYMPTOTIC_END} is, with "
             "contact and dissipation. Take `disk.rolling_state(tilt)`, or `simulate` until it gets there."

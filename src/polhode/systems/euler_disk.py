@@ -6,6 +6,7 @@ import math
 from collections.abc import Sequence
 from typing import ClassVar
 
+import equinox as eqx
 import jax
 import jax.numpy as jnp
 import numpy as np
@@ -346,14 +347,14 @@ class EulerDisk(AbstractSystem):
                 )
             precession = math.sqrt(square)
             if spin is None:
-                spin = precession * math.sin(tilt) * float(disk.half_thickness / disk.radius)
+                spin = precession * math.sin(tilt) * float(disk.half_thickness) / float(disk.radius)
         if spin is None:
             spin = float(disk.steady_spin(theta, jnp.asarray(np.float64(precession))))
             if not math.isfinite(spin):
                 raise InvalidInput("`spin` must be given where nothing precesses, as in straight rolling.")
         w2 = precession * math.sin(tilt)
         left = float(disk.tilt_acceleration(theta, jnp.asarray(w2), jnp.asarray(spin)))
-        if not abs(left) <= STEADY_TOLERANCE * (float(disk.gravity / disk.radius) + w2 * w2 + spin * spin):
+        if not abs(left) <= STEADY_TOLERANCE * (float(disk.gravity) / float(disk.radius) + w2 * w2 + spin * spin):
             raise InvalidInput(
                 f"tilt {shown(tilt)} rad, `precession` {shown(precession)} and `spin` {shown(spin)} rad/s are not "
                 "steady: the tilt "
@@ -364,16 +365,12 @@ class EulerDisk(AbstractSystem):
 
     def _slow_tilt_rate(self, tilt: float, w2: float, w3: float) -> float:
         """Return the θ̇ with which the couples carry a steady motion to steady ones: d(θ̈)/dt = 0, to first order."""
-        here = jnp.asarray(tilt), jnp.asarray(w2), jnp.asarray(w3)
-        disk = self.mechanics
-        square = float(disk.nutation_squared(*here))
+        push, square = (float(x) for x in _slow_push(self, *(jnp.asarray(x) for x in (tilt, w2, w3))))
         if not square > 0.0:
             raise InvalidInput(
                 f"the steady motion at tilt {shown(tilt)} rad is unstable: no slow manifold to start on."
             )
-        _, by_w2, by_w3 = jax.grad(disk.tilt_acceleration, argnums=(0, 1, 2))(*here)
-        push2, push3 = disk.accelerations(*couples(disk, self.dissipation, *here))
-        return float(by_w2 * push2 + by_w3 * push3) / square
+        return push / square
 
     def _check_tilt(self, theta: np.ndarray) -> None:
         came = shown(np.asarray(theta).tolist())
@@ -405,6 +402,15 @@ def rolling_parts(
     """Return θ, ω1, ω2, ω3 (…) of states (…, 8), on which all that is dynamic depends."""
     theta, w1, w2, w3 = (LAYOUT.part(state, name) for name in ("tilt", "tilt_rate", "rise_rate", "spin"))
     return theta, w1, w2, w3
+
+
+@eqx.filter_jit
+def _slow_push(disk: EulerDisk, theta: Array, w2: Array, w3: Array) -> tuple[Array, Array]:
+    """Return the rate at which the couples change θ̈, and the square of the nutation's frequency."""
+    mechanics = disk.mechanics
+    _, by_w2, by_w3 = jax.grad(mechanics.tilt_acceleration, argnums=(0, 1, 2))(theta, w2, w3)
+    push2, push3 = mechanics.accelerations(*couples(mechanics, disk.dissipation, theta, w2, w3))
+    return by_w2 * push2 + by_w3 * push3, mechanics.nutation_squared(theta, w2, w3)
 
 
 @jax.jit

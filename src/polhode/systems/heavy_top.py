@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import equinox as eqx
 import jax.numpy as jnp
@@ -12,7 +12,7 @@ import numpy as np
 from polhode import rotation
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.se3 import SE3
-from polhode.arrays import known_numbers_only, refuse_single_precision
+from polhode.arrays import is_traced, known_numbers_only, refuse_single_precision
 from polhode.bodies.body import Body
 from polhode.bodies.pivot import STANDARD_GRAVITY, about_pivot
 from polhode.errors import InvalidInput, shown
@@ -151,15 +151,18 @@ class HeavyTop(AbstractLiePoissonSystem):
         if angular_velocity is not None and momentum is not None:
             raise InvalidInput("give `angular_velocity` or `momentum`, not both.")
         refuse_single_precision(attitude=attitude, angular_velocity=angular_velocity, momentum=momentum)
-        given = rotation.normalize(jnp.asarray(attitude, dtype=float))
-        turned = rotation.multiply(given, rotation.from_matrix(self.axes))
         vector = angular_velocity if momentum is None else momentum
-        spin = jnp.zeros(3) if vector is None else jnp.asarray(vector, dtype=float) @ self.axes
-        spin = spin if momentum is not None else spin * self.moments
-        up = rotation.rotate(rotation.conjugate(turned), jnp.array([0.0, 0.0, 1.0]))
+        # known numbers by NumPy, as JAX would compile every operation by itself
+        xp: Any = jnp if is_traced(self.axes, self.moments, attitude, vector) else np
+        axes = xp.asarray(self.axes)
+        given = rotation.normalize(xp.asarray(attitude, dtype=float))
+        turned = rotation.multiply(given, rotation.from_matrix(axes))
+        spin = xp.zeros(3) if vector is None else xp.asarray(vector, dtype=float) @ axes
+        spin = spin if momentum is not None else spin * xp.asarray(self.moments)
+        up = rotation.rotate(rotation.conjugate(turned), xp.asarray([0.0, 0.0, 1.0]))
         shape = np.broadcast_shapes(turned.shape[:-1], spin.shape[:-1])
-        parts = (jnp.broadcast_to(x, (*shape, x.shape[-1])) for x in (turned, spin, up))
-        return jnp.concatenate(list(parts), axis=-1)
+        parts = (xp.broadcast_to(x, (*shape, x.shape[-1])) for x in (turned, spin, up))
+        return jnp.asarray(xp.concatenate(list(parts), axis=-1))
 
     @known_numbers_only
     def upright(self, spin: float = 0.0, hanging: bool = False) -> Float64[Array, "6"]:
@@ -172,21 +175,22 @@ class HeavyTop(AbstractLiePoissonSystem):
         Raises:
             InvalidInput: for a spin about a line that is not a principal axis.
         """
-        momentum = self.moments * spin * self.axis
-        if bool(jnp.linalg.norm(jnp.cross(momentum, self.axis)) > ALONG * jnp.linalg.norm(momentum)):
+        axis = np.asarray(self.axis)
+        momentum = np.asarray(self.moments) * spin * axis
+        if np.linalg.norm(np.cross(momentum, axis)) > ALONG * np.linalg.norm(momentum):
             raise InvalidInput(
-                f"`spin` must be zero: the line to the centre of mass, {np.asarray(self.axis).tolist()}, is not a "
-                "principal axis, and the body does not stand spinning about it."
+                f"`spin` must be zero: the line to the centre of mass, {axis.tolist()}, is not a principal axis, and "
+                "the body does not stand spinning about it."
             )
-        return jnp.concatenate([momentum, -self.axis if hanging else self.axis])
+        return jnp.asarray(np.concatenate([momentum, -axis if hanging else axis]))
 
     @known_numbers_only
     def check_state(self, state: Real[ArrayLike, "*shape"]) -> Float64[Array, "*shape"]:
         state = super().check_state(state)
-        attitude, point = self.parts(state)
+        attitude, point = self.parts(np.asarray(state))
         if attitude is not None:
-            up = rotation.rotate(rotation.conjugate(attitude), jnp.array([0.0, 0.0, 1.0]))
-            if not bool(jnp.all(jnp.abs(up - point[..., 3:]) < UPRIGHT)):
+            up = rotation.rotate(rotation.conjugate(attitude), np.array([0.0, 0.0, 1.0]))
+            if not np.all(np.abs(up - point[..., 3:]) < UPRIGHT):
                 raise InvalidInput(
                     "`state` must end with Γ, the upward direction along the body's axes as its attitude has it, "
                     "Rᵀe_z. Make it by `top.pack(attitude, angular_velocity)`."
