@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from polhode.types import Array, Float64
+from polhode.types import Array, Double, Float64
 
 
 @dataclass(frozen=True)
@@ -37,7 +37,7 @@ class ConservedFunction:
     squares: Float64[Array, "k"] | None = None
     lengths: Float64[Array, "k"] | None = None
     unit: float = 1.0
-    point: Float64[Array, "..."] | None = None
+    point: Double[Array, "..."] | None = None
 
     @property
     def signature(self) -> tuple[int, int, int]:

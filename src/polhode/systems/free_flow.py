@@ -90,7 +90,7 @@ def composed(first: Components, second: Components) -> Components:
     return tuple(a + b + c for a, b, c in zip(first, second, product_of_parts(first, second), strict=True))
 
 
-def _series(inverse: Components, time: Array, momentum: Components) -> Components:
+def _series(inverse: tuple[Array, ...], time: Array, momentum: Components) -> Components:
     """Return Σ_{k ≥ 1} of the quaternion's Taylor terms: q' = ½ q Ω, L' = L × Ω."""
     zero = jnp.zeros_like(momentum[0])
     L: list[Components] = [momentum]
