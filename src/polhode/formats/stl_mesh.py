@@ -29,7 +29,8 @@ def read_stl(path: Path, content: bytes) -> tuple[Float64[Array, "n 3"], Integer
     """
     count = int.from_bytes(content[HEAD - 4 : HEAD], "little")
     if len(content) >= HEAD and len(content) == HEAD + TRIANGLE.itemsize * count:
-        corners = np.frombuffer(content, TRIANGLE, offset=HEAD)["corners"].reshape(-1, 3).astype(float)
+        with np.errstate(invalid="ignore"):  # bytes that are a NaN of the signalling kind
+            corners = np.frombuffer(content, TRIANGLE, offset=HEAD)["corners"].reshape(-1, 3).astype(float)
     elif b"\0" in content or content.lstrip()[:5].lower() != b"solid":
         held = max(0, len(content) - HEAD) / TRIANGLE.itemsize
         _refuse(path, f"it claims {count} triangles, and has bytes for {held:.6g}")
