@@ -400,6 +400,11 @@ def test_other_units_are_refused(netcdf, name, unit, written):
     refused(rewritten(netcdf, attribute(name, units=unit)), f"must be in {written}; got {unit!r}".replace("^", r"\^"))
 
 
+def test_units_that_are_numbers_are_refused(netcdf):
+    """As damaged files have them."""
+    refused(rewritten(netcdf, attribute("momentum", units=np.array([1, 2]))), "momentum must be in kg m2 s-1; got ")
+
+
 def test_a_quantity_without_its_unit_is_in_the_usual_one(netcdf):
     rewritten(netcdf, lambda dataset: dataset["momentum"].attrs.pop("units") and None)
     assert np.array_equal(formats.read_dataset(netcdf).momentum, MOTION.momentum(TIMES))

@@ -94,7 +94,7 @@ def _check_along_time(path: Path, name: str, variable: Any, along: tuple[str, ..
 def _check_unit(path: Path, name: str, variable: Any) -> None:
     """Refuse a quantity in another unit than polhode writes; one without a unit is taken to be in it."""
     unit = variable.attrs.get("units", UNITS.get(name))
-    if name in UNITS and unit != UNITS[name]:
+    if name in UNITS and not (isinstance(unit, str) and unit == UNITS[name]):
         _refuse(path, f"{name.replace('_', ' ')} must be in {UNITS[name]}; got {shown(str(unit))}")
 
 
