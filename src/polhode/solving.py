@@ -18,9 +18,10 @@ from polhode.algebra.power import Power
 from polhode.algebra.so3 import SO3
 from polhode.arrays import in_jax_numpy, is_traced, refuse_single_precision
 from polhode.errors import InvalidInput, shown
-from polhode.integrators.adaptive import TOLERANCE, Observe, Sampled, as_floats, sampled_by_either_mode
+from polhode.integrators.adaptive import TOLERANCE
 from polhode.integrators.base import AbstractOrbitSolver, step_count
 from polhode.integrators.lie_midpoint import LieMidpoint
+from polhode.integrators.sampled import Observe, Sampled, as_floats, sampled_by_either_mode
 from polhode.integrators.spherical_midpoint import SphericalMidpoint
 from polhode.integrators.splitting import Splitting
 from polhode.motion.outcome import Status
@@ -321,7 +322,7 @@ def adaptive_solver(system: AbstractSystem, method: Any, order: int | None) -> d
     """Return diffrax's solver to use.
 
     Raises:
-        InvalidInput: for a method of ours, which the system cannot be moved by, or an order.
+        InvalidInput: for a method of ours, which cannot move the system, one without adaptive steps, or an order.
     """
     if method is not None and not is_adaptive(method):
         raise InvalidInput(
@@ -330,7 +331,14 @@ def adaptive_solver(system: AbstractSystem, method: Any, order: int | None) -> d
         )
     if order is not None:
         raise InvalidInput("`order` goes with a class of methods; the solver given has its own.")
-    return diffrax.Dopri8() if method is None else method
+    method = diffrax.Dopri8() if method is None else method
+    whole = method.term_structure in (diffrax.AbstractTerm, diffrax.ODETerm)
+    if not (whole and isinstance(method, diffrax.AbstractAdaptiveSolver)):
+        raise InvalidInput(
+            f"`method` must estimate the error of its steps and take the rates of change as one; diffrax's "
+            f"{type(method).__name__} does not. Take diffrax.Dopri8(), or diffrax.Kvaerno5() for stiff systems."
+        )
+    return method
 
 
 def orbit_solver(system: AbstractLiePoissonSystem, method: Any, order: int | None) -> Any:

@@ -99,6 +99,12 @@ def test_an_event_ends_the_motion_however_late_the_last_time_is(last):
     assert found.error_estimate is None  # nothing but the start could be compared
 
 
+def test_implicit_methods_go_the_same_way():
+    times = np.linspace(0.0, 2.0, 3)
+    found = ph.simulate(Driven(), [1.0, 0.0], times, diffrax.Kvaerno5(), tolerance=1e-7)
+    assert np.abs(found.states[:, 0] - exact(times, 1.0, 0.0)).max() < 1e-5
+
+
 def test_what_runs_away_says_so():
     with pytest.raises(NotConverged, match="singularity"):
         ph.simulate(Falling(explosive=True), [1.0, 1.0], [0.0, 1.0])
@@ -114,6 +120,8 @@ def test_what_runs_away_says_so():
         (lambda: ph.simulate(Falling(), [np.inf, 1.0], [0.0, 1.0]), "finite"),
         (lambda: ph.simulate(Falling(), [1.0, 1.0], [0.0, 1.0], order=4), "`order`"),
         (lambda: ph.simulate(Falling(), [1.0, 1.0], [0.0, 1.0], ph.integrators.Splitting), "not a Lie–Poisson system"),
+        (lambda: ph.simulate(Falling(), [1.0, 1.0], [0.0, 1.0], diffrax.Euler()), "estimate the error.*Euler does not"),
+        (lambda: ph.simulate(Falling(), [1.0, 1.0], [0.0, 1.0], diffrax.KenCarp4()), "as one.*Kvaerno5"),
     ],
 )
 @pytest.mark.usefixtures("any_type")

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import diffrax
 import equinox as eqx
@@ -23,8 +23,9 @@ import numpy as np
 from polhode.analysis.power_law import PowerLaw, Singularity, fit_singularity, power_law
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, NotConverged, shown
-from polhode.integrators.adaptive import TOLERANCE, EventBisection, solve_adaptively
-from polhode.motion.outcome import Ending, Outcome
+from polhode.integrators import embedded
+from polhode.integrators.adaptive import TOLERANCE, solve_adaptively
+from polhode.motion.outcome import Ending, Outcome, Status
 from polhode.motion.trajectory import Trajectory
 from polhode.simulation import trajectory_of
 from polhode.systems.euler_disk import LAYOUT, EulerDisk, rolling_parts
@@ -259,31 +260,26 @@ def _leg(disk: EulerDisk, state: Array, length: Array) -> tuple[_Leg, Array, Arr
     """Return state, duration and loss of a leg, whether an event ended it, success and number of steps."""
     clock, first_energy = _tick(disk, state), disk.energy(state)
 
-    @jax.jit  # so that it is traced once, however often diffrax asks for it
-    def rates(t: Array, y: _Leg, args: Any) -> _Leg:
+    @jax.jit  # so that it is traced once
+    def rates(t: Array, y: _Leg) -> _Leg:
         now = _unscaled(disk, y.state)
         field, slowness = disk.vector_field(t, now), _tick(disk, now)
         change = jax.jvp(lambda x: _scaled(disk, x), (now,), (field,))[1]
         lost = 1.5 * disk.mechanics.potential_energy(LAYOUT.part(now, "tilt"))
         return _Leg(slowness * change, slowness / clock, lost / first_energy)
 
-    margin = jax.jit(lambda now: _margin(disk, _unscaled(disk, now)))
-
-    def lowest(t: Array, y: _Leg, args: Any, **more: Any) -> Array:
-        return margin(y.state)
+    def margin(t: Array, y: _Leg) -> Array:
+        return _margin(disk, _unscaled(disk, y.state))
 
     zero = jnp.zeros(())
-    solution = diffrax.diffeqsolve(
-        diffrax.ODETerm(rates), diffrax.Dopri8(), zero, length, None, _Leg(_scaled(disk, state), zero, zero),
-        stepsize_controller=diffrax.PIDController(rtol=TOLERANCE, atol=TOLERANCE),
-        event=diffrax.Event(lowest, EventBisection(), direction=False),
-        max_steps=LEG_STEPS, adjoint=diffrax.ForwardMode(), throw=False,
-    )  # fmt: skip
-    results: Any = diffrax.RESULTS
-    ended = solution.result == results.event_occurred
-    last: Any = jax.tree.map(lambda x: x[-1], solution.ys)
+    times, tolerance = jnp.stack([zero, length]), jnp.asarray(TOLERANCE)
+    problem = embedded.Problem(rates, margin, lambda t, y: t)
+    run = embedded.begin(_Leg(_scaled(disk, state), zero, zero), times, times[:1], problem.seen)
+    run = embedded.advance(run, diffrax.Dopri8(), problem, times, times[:1], None, tolerance, LEG_STEPS)
+    last = run.end_state
     leg = _Leg(_unscaled(disk, last.state), last.time * clock, last.lost * first_energy)
-    return leg, ended, ended | (solution.result == results.successful), solution.stats["num_steps"]
+    ended = run.status == Status.EVENT
+    return leg, ended, ended | (run.status == Status.COMPLETED), run.steps
 
 
 @eqx.filter_jit

@@ -130,6 +130,7 @@ def true_from_eccentric(
 
 
 @jax.custom_jvp
+@jax.jit  # so that it is traced once for all that asks for it
 def solve_kepler(
     mean_anomaly: Float64[ArrayOrFloat, "*#shape"], eccentricity: Float64[ArrayOrFloat, "*#shape"]
 ) -> Float64[Array, "*shape"]:
@@ -143,10 +144,13 @@ def solve_kepler(
     cubic = jnp.cbrt(math.pi**2 * M / jnp.where(e > 0, e, 1.0))
     E = jnp.minimum(jnp.minimum(M + e, M / (1.0 - e)), jnp.where(e > 0, cubic, jnp.inf))
     E = jnp.minimum(E, math.pi)
-    for _ in range(NEWTON_STEPS):
+
+    def improved(k: Array, E: Array) -> Array:
         sine = jnp.sin(0.5 * E)
         slope = (1.0 - e) + 2.0 * e * sine * sine
-        E = E - (((1.0 - e) * E - M) + e * _less_sine(E)) / slope
+        return E - (((1.0 - e) * E - M) + e * _less_sine(E)) / slope
+
+    E = jax.lax.fori_loop(0, NEWTON_STEPS, improved, E)
     return jnp.copysign(jnp.clip(E, 0.0, math.pi), mean_anomaly)
 
 
