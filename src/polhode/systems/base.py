@@ -325,11 +325,6 @@ def components(state: Double[Array, "*shape n"]) -> Components:
     return tuple(state[..., k] for k in range(state.shape[-1]))
 
 
-def attitude_length(state: Components) -> int:
-    """Return 4 where a quaternion stands in front of vectors of three components, 0 where it does not."""
-    return 4 if len(state) % 3 == 1 else 0
-
-
 def joined(attitude: Float64[Array, "... 4"] | None, point: Double[Array, "..."]) -> Double[Array, "..."]:
     """Return the packed state, or change of one, of attitude and point."""
     return point if attitude is None else jnp.concatenate([attitude, point], axis=-1)

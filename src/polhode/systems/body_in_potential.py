@@ -66,7 +66,7 @@ class BodyInPotential(AbstractLiePoissonSystem):
         return (*[still] * (len(state) - 6), *components(kick), still, still, still)
 
     def _free(self, time: Array, state: Components) -> Components:
-        return free_flow(self.moments, time, state)
+        return free_flow(self.moments, time, state, vectors=2)
 
     def _over_batch(self, function: Callable[[Array], Array]) -> Callable[[Array], Array]:
         def values(direction: Array) -> Array:

@@ -69,7 +69,7 @@ class BrunBody(AbstractLiePoissonSystem):
 
     @property
     def flows(self) -> dict[str, Flow]:
-        return {"field": self._kick, "free body": lambda time, state: free_flow(self.moments, time, state)}
+        return {"field": self._kick, "free body": lambda time, state: free_flow(self.moments, time, state, vectors=2)}
 
     def _kick(self, time: Array, state: Components) -> Components:
         x, y, z = state[-3:]

@@ -11,7 +11,7 @@ import jax
 import jax.numpy as jnp
 
 from polhode.rotation import cross_of_parts, product_of_parts, product_with_vector
-from polhode.systems.base import Components, attitude_length
+from polhode.systems.base import Components
 from polhode.systems.forward_only import forward_only
 from polhode.types import Array, ArrayOrFloat, Float64
 
@@ -20,15 +20,18 @@ ANGLE = 0.02  # rad of the fastest rotation in a piece: (0.02/1.57)⁹ is below 
 MOST_PIECES = 1_000_000
 
 
-def free_flow(moments: Float64[Array, "3"], time: Float64[ArrayOrFloat, ""], state: Components) -> Components:
+def free_flow(
+    moments: Float64[Array, "3"], time: Float64[ArrayOrFloat, ""], state: Components, vectors: int
+) -> Components:
     """Return the changes of attitude, if there in front, and of momentum and direction, or momentum alone.
 
     Args:
         moments: (3,) [kg m²].
         time: () [s].
         state: the components of packed states; vectors after the momentum are fixed in space.
+        vectors: how many of three components a point has; a quaternion may stand in front of them.
     """
-    start = attitude_length(state)
+    start = len(state) - 3 * vectors
     turn = free_turn(moments, time, state[start : start + 3])
     changes = turned_attitude(turn, state[:4]) if start else ()
     for k in range(start, len(state), 3):

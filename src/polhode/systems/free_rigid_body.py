@@ -11,7 +11,7 @@ from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.so3 import SO3
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
-from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, attitude_length
+from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow
 from polhode.types import Array, ArrayLike, ArrayOrFloat, Float64, Real
 
 
@@ -44,18 +44,24 @@ class FreeRigidBody(AbstractLiePoissonSystem):
 
     @property
     def flows(self) -> dict[str, Flow]:
-        return {f"rotation about axis {k + 1}": axis_flow(self.moments, k) for k in range(3)}
+        return {f"rotation about axis {k + 1}": axis_flow(self.moments, k, vectors=1) for k in range(3)}
 
 
-def axis_flow(moments: Float64[Array, "3"], axis: int, offset: Float64[ArrayOrFloat, ""] = 0.0) -> Flow:
+def axis_flow(
+    moments: Float64[Array, "3"], axis: int, vectors: int, offset: Float64[ArrayOrFloat, ""] = 0.0
+) -> Flow:
     """Return the flow of (L_i − h)²/2I_i: vectors turn about axis i by −t(L_i − h)/I_i, the attitude by the inverse.
 
-    Components are those of one or more vectors, the first the momentum, with a quaternion in front or without.
+    Args:
+        moments: (3,) [kg m²].
+        axis: i, from 0.
+        vectors: how many of three components a point has, the first the momentum; a quaternion may stand in front.
+        offset: h [kg m²/s].
     """
     i, j, k = axis, (axis + 1) % 3, (axis + 2) % 3
 
     def flow(time: Array, state: Components) -> Components:
-        start = attitude_length(state)
+        start = len(state) - 3 * vectors
         # from a quarter of the angle, so that neither cosine less one cancels, without a branch
         quarter = (0.25 * time / moments[i]) * (state[start + i] - offset)
         s, c = jnp.sin(quarter), jnp.cos(quarter)

@@ -54,7 +54,7 @@ class Gyrostat(AbstractLiePoissonSystem):
 
     @property
     def flows(self) -> dict[str, Flow]:
-        return {f"rotation about axis {k + 1}": axis_flow(self.moments, k, self.rotor[k]) for k in range(3)}
+        return {f"rotation about axis {k + 1}": axis_flow(self.moments, k, 1, self.rotor[k]) for k in range(3)}
 
 
 class TorquedGyrostat(AbstractRigidBody):

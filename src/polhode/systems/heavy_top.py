@@ -230,7 +230,7 @@ class HeavyTop(AbstractLiePoissonSystem):
 
     @property
     def flows(self) -> dict[str, Flow]:
-        return {"weight": self._kick, "free body": lambda time, state: free_flow(self.moments, time, state)}
+        return {"weight": self._kick, "free body": lambda time, state: free_flow(self.moments, time, state, vectors=2)}
 
     def _kick(self, time: Array, state: Components) -> Components:
         turn = rotation.cross_of_parts(state[-3:], [time * self.mgl * self.axis[k] for k in range(3)])

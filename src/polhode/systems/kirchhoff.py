@@ -62,7 +62,8 @@ class Kirchhoff(AbstractLiePoissonSystem):
     def flows(self) -> dict[str, Flow]:
         if not self.diagonal:
             return {}
-        return {f"rotation about axis {k + 1}": axis_flow(self.moments, k) for k in range(3)} | {"drift": self._drift}
+        turns = {f"rotation about axis {k + 1}": axis_flow(self.moments, k, vectors=2) for k in range(3)}
+        return turns | {"drift": self._drift}
 
     def _drift(self, time: Array, state: Components) -> Components:
         linear = jnp.stack(state[-3:], axis=-1)
