@@ -104,3 +104,15 @@ def test_of_a_circle_and_a_sphere_of_rests():
     sphere = analysis.damped_axis_stability(systems.DoubleBracket((2.0, 2.0, 2.0), alpha), norm)[0]
     assert isinstance(sphere.reason, reasons.SphereOfRests)
     assert isinstance(first_method(np.zeros((0, 0))).reason, reasons.LeafIsPoint)
+
+
+def test_words_for_people_have_no_formula_and_say_which_extremum():
+    least, middle, largest = (found.words for found in analysis.axis_stability((1.0, 2.0, 3.0), 2.5))
+    assert "energy is at its greatest" in least and "internal loss" in least
+    assert "neither" in middle and "leave exponentially" in middle
+    assert largest == "the energy is at its least for this |L|"
+    hanging = ph.stability(systems.HeavyTop((1.0, 1.0, 2.0), 1.0), [0.0, 0.0, 0.0, 0.0, 0.0, -1.0])
+    assert hanging.verdict == "stable" and hanging.words.startswith("the energy is at its least among motions with the")
+    for system, point, options, _ in UNDECIDED.values():
+        words = ph.stability(system, point, **options).words
+        assert len(words) > 20 and not any(mark in words for mark in "½δ=Σ∂")

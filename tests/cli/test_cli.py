@@ -46,7 +46,9 @@ def test_json_is_one_object_with_every_key(spec, capsys, tmp_path):
 def test_report_and_body_for_people(spec, capsys):
     code, out, _ = run(["report", spec()], capsys)
     assert code == 0
-    assert "short-axis" in out and "unstable" in out
+    assert "Flipping" in out and "unstable" in out and "the energy" in out and "δL" not in out
+    code, out, _ = run(["report", spec(), "--certificates"], capsys)
+    assert code == 0 and "the energy" in out and "δL" in out
     code, out, _ = run(["body", spec()], capsys)
     assert code == 0 and "principal moments" in out
     code, out, _ = run(["body", spec(), "--json"], capsys)

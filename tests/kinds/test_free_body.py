@@ -49,6 +49,45 @@ def test_every_regime_is_reported_and_drawn(regime, tmp_path):
         assert picture.shape[0] > 500 and picture[..., :3].std() > 0.02
 
 
+SEEN = {
+    "rest": ("rest", "at rest"),
+    "spherical": ("steady", "Steady spin: all moments are equal"),
+    "permanent": ("steady", "Steady spin about axis 2 (intermediate moment)"),
+    "symmetric": ("coning", "cones (nutates): it leans 4.2"),
+    "long-axis": ("coning", "Spin about axis 1 (least moment), which cones (nutates)"),
+    "separatrix": ("flipping", "once from one end of the intermediate axis to the other"),
+}
+
+
+@pytest.mark.parametrize("regime", SEEN)
+def test_the_headline_says_what_a_person_would_see(regime):
+    form, words = SEEN[regime]
+    report = report_on(regime)
+    assert report.as_json_dict()["form"] == form and words in report.summary
+    assert "reverses" not in report.summary and (form == "flipping") == ("intermediate axis" in report.summary)
+
+
+def test_a_racket_flips_an_asteroid_tumbles_and_a_cone_is_a_cone():
+    """Half-angles by hand: I = (1, 2, 2.9), L = (0, 2, 2) has tan² = P/Q = B L2² / (C L3²) … at the start, L1 = 0."""
+    said = {}
+    for momentum in ((0.01, 2.0, 0.01), (1.0, 1.0, 1.3), (0.1, 0.2, 3.0)):
+        report = free_body_report(ph.Body.from_moments(1.0, 2.0, 2.9), momentum, IDENTITY)
+        said[report.as_json_dict()["form"]] = report
+    assert set(said) == {"flipping", "tumbling", "coning"}
+    flip, cone = said["flipping"], said["coning"]
+    assert f"every {flip.motion.flip_interval:.6g} s" in flip.summary
+    # at the start of the third L stands at atan(√(0.1² + 0.2²)/3) = 4.264°, between the ends of its cone
+    ends = [float(x.strip("°")) for x in cone.summary.split("leans ")[1].split(" from L")[0].split(" to ")]
+    assert ends[0] < 4.264 < ends[1] < 6.0
+
+
+def test_spin_about_the_least_moment_is_warned_of():
+    warned = report_on("long-axis")
+    assert any("Explorer 1" in note for note in warned.notes)
+    assert any("internal loss" in axis["because"] for axis in warned.as_json_dict()["axes"])
+    assert not report_on("symmetric").notes and not report_on("rest").notes
+
+
 def test_figures_say_what_they_show():
     report = report_on("long-axis")
     upper, lower = draw_components(report.trajectory).axes

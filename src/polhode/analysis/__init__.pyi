@@ -1,5 +1,9 @@
 from .alignment import Alignment as Alignment
 from .alignment import fit_alignment as fit_alignment
+from .axis_angles import axis_angles as axis_angles
+from .axis_angles import cone_angles as cone_angles
+from .axis_angles import rotation_form as rotation_form
+from .axis_angles import velocity_angles as velocity_angles
 from .comparison import AttitudeHistory as AttitudeHistory
 from .comparison import Comparison as Comparison
 from .comparison import compare as compare

@@ -81,6 +81,12 @@ class Stability:
         return "; ".join(str(part) for part in (self.reason, self.legend, flows, self.missing) if part)
 
     @property
+    def words(self) -> str:
+        """What the reason means, without formulas."""
+        flows = self.restricted if self.restricted is not None and self.restricted.flows else None
+        return "; ".join(str(part) for part in (self.reason.words, flows) if part)
+
+    @property
     def restriction(self) -> str | None:
         """What "stable" is restricted to in words, such as "up to the flow of J1"; None for no restriction."""
         return None if self.restricted is None else str(self.restricted)

@@ -32,6 +32,11 @@ class AbstractReason(abc.ABC):
     def __str__(self) -> str: ...
 
     @property
+    def words(self) -> str:
+        """What it means, without formulas; the whole sentence where it has none."""
+        return str(self)
+
+    @property
     def values(self) -> dict[str, Any]:
         """What was found, by name; the function of conserved quantities, where there is one, is left out."""
         own = {field.name: getattr(self, field.name) for field in fields(self)}
@@ -59,6 +64,13 @@ class DefiniteVariation(AbstractReason):
             text += f", on the leaf by {self.function.margin:.3g} of its largest term"
         return text + ("; Δ is the difference from the value at the equilibrium" if self.function.has_squares else "")
 
+    @property
+    def words(self) -> str:
+        extreme, names = _extreme(self.sign), _listed(self.function.names)
+        if not self.function.weights[0]:
+            return f"a combination of {names} is at its {extreme}: neighbours cannot leave"
+        return f"the energy is at its {extreme} among motions with the same {names}"
+
 
 @dataclass(frozen=True)
 class OpenVariation(AbstractReason):
@@ -84,6 +96,11 @@ class OpenVariation(AbstractReason):
             f"surely positive:{balance} terms of higher order decide"
         )
 
+    @property
+    def words(self) -> str:
+        why = "a gyroscopic balance" if self.signs_differ else "no sure growth"
+        return f"{why}: no conserved quantity that is known holds neighbours, and terms of higher order decide"
+
 
 @dataclass(frozen=True)
 class EquilibriaWithoutShear(AbstractReason):
@@ -106,6 +123,10 @@ class EquilibriaWithoutShear(AbstractReason):
             "neighbours drift along them, if at all, at a rate of second order in the distance"
         )
 
+    @property
+    def words(self) -> str:
+        return "one of a family of equilibria: neighbours drift along it, if at all, the slower the nearer they are"
+
 
 @dataclass(frozen=True)
 class LeafOfEquilibria(AbstractReason):
@@ -122,6 +143,10 @@ class LeafOfEquilibria(AbstractReason):
             "on neighbouring leaves motions drift, if at all, at a rate of second order in the distance"
         )
 
+    @property
+    def words(self) -> str:
+        return "all neighbours alike are equilibria: others drift, if at all, the slower the nearer they are"
+
 
 @dataclass(frozen=True)
 class SteadyDrift(AbstractReason):
@@ -135,6 +160,10 @@ class SteadyDrift(AbstractReason):
         where = f"({_shown(self.direction)}), {self.drift_rate:.6g}/s times their distance"
         return f"neighbours leave at a steady rate along {where}"
 
+    @property
+    def words(self) -> str:
+        return f"neighbours leave at a steady rate, {self.drift_rate:.6g}/s times their distance"
+
 
 @dataclass(frozen=True)
 class ExponentialGrowth(AbstractReason):
@@ -146,6 +175,10 @@ class ExponentialGrowth(AbstractReason):
 
     def __str__(self) -> str:
         return f"the linearised flow on the leaf grows as exp({self.rate:.6g}/s · t) along ({_shown(self.direction)})"
+
+    @property
+    def words(self) -> str:
+        return "neighbours leave exponentially"
 
 
 @dataclass(frozen=True)
@@ -169,6 +202,10 @@ class NoCombination(AbstractReason):
             "dH is not a combination of the dC here, as on a singular leaf, and no exponent has a real part that is "
             "surely positive: another function must decide"
         )
+
+    @property
+    def words(self) -> str:
+        return "no conserved quantity that is known has an extremum here, and no growth is sure"
 
 
 @dataclass(frozen=True)
@@ -213,6 +250,13 @@ class DefiniteOnLeaf(AbstractReason):
             "and motions on these are not confined by it"
         )
 
+    @property
+    def words(self) -> str:
+        here = f"{self.function} is at its {_extreme(self.sign)} among motions with the same Casimirs"
+        if self.leaves_nearby == "larger":
+            return f"{here}; motions with other Casimirs are not held by it"
+        return f"{here}: neighbours cannot leave"
+
 
 @dataclass(frozen=True)
 class LeafIsPoint(AbstractReason):
@@ -248,6 +292,14 @@ class Exponents(AbstractReason):
         why = "no exponent has a real part that is surely positive, but not all surely negative ones"
         return f"{why}: terms of higher order decide"
 
+    @property
+    def words(self) -> str:
+        if self.real_part > self.sure_from:
+            return "neighbours leave exponentially"
+        if self.all_negative:
+            return "neighbours return exponentially"
+        return "no sure growth, nor a sure return: terms of higher order decide"
+
 
 @dataclass(frozen=True)
 class AxisOfFreeBody(AbstractReason):
@@ -280,6 +332,18 @@ class AxisOfFreeBody(AbstractReason):
         if self.growth == "linear":
             return f"neighbours drift away in proportion to time: every axis of the equator is at rest, {terms}"
         return f"{function} has an extremum on the sphere: {terms}"
+
+    @property
+    def words(self) -> str:
+        if self.at_rest or not any(self.curvatures.values()):
+            return "the body is at rest" if self.at_rest else "every axis keeps its direction, as all moments are equal"
+        if self.growth == "exponential":
+            return "the energy is neither at its greatest nor at its least for this |L|: neighbours leave exponentially"
+        if self.growth == "linear":
+            return "every axis of this equator keeps its direction: neighbours drift along it, in proportion to time"
+        if max(self.curvatures.values()) > 0.0:
+            return "the energy is at its least for this |L|"
+        return "the energy is at its greatest for this |L|; any internal loss of energy makes the spin leave this axis"
 
 
 @dataclass(frozen=True)
@@ -345,6 +409,14 @@ class MissingCasimirs:
 
 def _sign(sign: int) -> str:
     return "positive" if sign > 0 else "negative"
+
+
+def _listed(names: tuple[str, ...]) -> str:
+    return " and ".join(filter(None, (", ".join(names[:-1]), *names[-1:])))
+
+
+def _extreme(sign: int) -> str:
+    return "least" if sign > 0 else "greatest"
 
 
 def _shown(vector: Array) -> str:

@@ -61,6 +61,9 @@ def report(
         typer.Option("--figures", metavar="FORM", help="png, svg, pdf, or several with commas (default: png)."),
     ] = None,
     html: Annotated[bool, typer.Option("--html", help="Also write the page of the motion, page.html.")] = False,
+    certificates: Annotated[
+        bool, typer.Option("--certificates", help="Also print the formula that each verdict rests on.")
+    ] = False,
 ) -> None:
     """Say how the body rotates; write figures and a NetCDF dataset.
 
@@ -68,7 +71,7 @@ def report(
     """
     from polhode.cli.report import run_report
 
-    run_report(spec, json, out, figures or [], html)
+    run_report(spec, json, out, figures or [], html, certificates)
 
 
 @app.command(cls=StrictCommand)

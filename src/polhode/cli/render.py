@@ -27,14 +27,16 @@ def as_json(values: dict[str, Any]) -> str:
 
 def print_report(
     name: str, summary: str, groups: Iterable[Group | Table], notes: Sequence[str], files: Sequence[str],
-    removed: Sequence[str] = (),
+    removed: Sequence[str] = (), certificates: bool = False,
 ) -> None:  # fmt: skip
-    """Print a report; parts that are empty are left out."""
+    """Print a report, with the functions that verdicts rest on if asked for; parts that are empty are left out."""
     console = Console()
     console.print(_text(name, "bold"))
     if summary:
         console.print(_text(summary))
     for group in groups:
+        if isinstance(group, Table) and certificates:
+            group = group.with_proofs()
         grid = _lines(group) if isinstance(group, Group) else _table(group)
         if grid.row_count:
             console.print(grid)

@@ -28,7 +28,9 @@ def figure_forms(named: list[str]) -> list[str]:
     return list(dict.fromkeys(forms)) or ["png"]
 
 
-def run_report(path: Path, json: bool, out: Path | None, figures: list[str], html: bool = False) -> None:
+def run_report(
+    path: Path, json: bool, out: Path | None, figures: list[str], html: bool = False, certificates: bool = False
+) -> None:
     """Read the spec, compute, write figures, dataset and, if asked for, the page, and print the answers."""
     forms = figure_forms(figures)
     spec = read_spec(path)
@@ -49,7 +51,7 @@ def run_report(path: Path, json: bool, out: Path | None, figures: list[str], htm
     if json:
         print(as_json({"name": spec.name, **report.as_json_dict(), "files": names, "removed": removed}))
     else:
-        print_report(spec.name, report.summary, report.answers(), report.notes, names, removed)
+        print_report(spec.name, report.summary, report.answers(), report.notes, names, removed, certificates)
 
 
 def _remove_outdated(folder: Path, written: list[str]) -> list[str]:

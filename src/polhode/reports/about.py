@@ -32,8 +32,19 @@ def about_body(body: Body, of_moments: str = "") -> Group:
         Answer("mass", body.mass, "kg", "mass"),
         Answer("center_of_mass", center, "m", "centre of mass", "given axes", vector(center, "m", size)),
         Answer("principal_moments", moments, "kg m²", "principal moments", of_moments, distinct(moments, "kg m²")),
+        *_about_inertia(body),
         *about_axes("principal_axes", body.principal_axes, of_moments),
     ])  # fmt: skip
+
+
+def _about_inertia(body: Body) -> list[Answer]:
+    """Return the inertia about the centre of mass along the given axes; lines only where it is not diagonal."""
+    whole = Answer("inertia", body.inertia, "kg m²", "", "about the centre of mass, given axes")
+    if not (np.asarray(body.inertia) - np.diag(np.diag(body.inertia))).any():
+        return [whole]
+    size = float(np.abs(body.inertia).max())
+    rows = {f"inertia, row {x}": vector(row, "kg m²", size) + GIVEN for x, row in zip("xyz", body.inertia, strict=True)}
+    return [whole, *(Answer("", None, "", label, "", words) for label, words in rows.items())]
 
 
 def about_axes(name: str, axes: Float64[Array, "3 3"], explanation: str = "") -> list[Answer]:
@@ -62,6 +73,7 @@ def stability_values(found: Stability) -> dict[str, Any]:
         "growth": found.growth,
         "direction": found.direction,
         "exponents": [[float(x.real), float(x.imag)] for x in found.spectrum],
+        "because": found.words,
         "certificate": found.certificate,
         "reason": found.reason.values,
         "restriction": found.restriction,
@@ -98,7 +110,7 @@ def about_stability(name: str, found: Stability) -> list[Answer]:
 
 def verdicts(
     name: str, title: str, head: str, cell: Callable[[dict[str, Any]], str], rows: Sequence[dict[str, Any]],
-    units: dict[str, str] | None = None, key: str = "",
+    units: dict[str, str] | None = None, key: str = "", more: dict[str, Callable[[dict[str, Any]], str]] | None = None,
 ) -> Table:  # fmt: skip
     """Return verdicts by what they are on.
 
@@ -110,9 +122,11 @@ def verdicts(
         rows: the values, those of ``stability_values`` among them.
         units: of the values, that of the rate apart.
         key: value by which the JSON has the rows; empty for a list.
+        more: columns next to the first, as ``Table`` has them.
     """
-    columns = {head: cell, "verdict": _verdict, "rate": _rate, "because": lambda row: row["certificate"]}
-    return Table(name, title, columns, rows, {"rate": "1/s", **(units or {})}, key)
+    columns = {head: cell, **(more or {}), "verdict": _verdict, "rate": _rate, "because": lambda row: row["because"]}
+    proof = {"certificate": lambda row: row["certificate"]}
+    return Table(name, title, columns, rows, {"rate": "1/s", **(units or {})}, key, proofs=proof)
 
 
 def _verdict(row: dict[str, Any]) -> str:

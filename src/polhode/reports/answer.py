@@ -57,6 +57,7 @@ class Table(NamedTuple):
         units: name of a value → its unit.
         key: value by which the JSON has the rows, as an object; empty for a list of rows.
         shown: whether a row stands in the text, from its values.
+        proofs: columns like ``columns`` that stand in the text only where proofs are asked for.
     """
 
     name: str
@@ -66,11 +67,16 @@ class Table(NamedTuple):
     units: dict[str, str] = {}  # noqa: RUF012
     key: str = ""
     shown: Callable[[dict[str, Any]], bool] = lambda row: True
+    proofs: dict[str, Callable[[dict[str, Any]], str]] = {}  # noqa: RUF012
 
     @property
     def cells(self) -> list[list[str]]:
         """The rows of the text."""
         return [[cell(row) for cell in self.columns.values()] for row in self.rows if self.shown(row)]
+
+    def with_proofs(self) -> Table:
+        """Return the table with the columns of its proofs."""
+        return self._replace(columns={**self.columns, **self.proofs})
 
 
 def values_of(groups: Iterable[Group | Table]) -> dict[str, Any]:

@@ -9,6 +9,14 @@ from typing import Any
 
 import numpy as np
 
+MINUTE, HOUR, DAY, YEAR = 60.0, 3600.0, 86400.0, 365.25 * 86400.0
+LONG = ((2.0 * YEAR, YEAR, "a"), (2.0 * DAY, DAY, "d"), (2.0 * HOUR, HOUR, "h"), (2.0 * MINUTE, MINUTE, "min"))
+"""From which time on [s] a unit is read, the unit [s], and its name; a year is Julian."""
+SHORT = 1e-2  # s; shorter times are read in ms, µs …
+PREFIXES = {1e-3: "m", 1e-6: "µ", 1e-9: "n", 1e-12: "p", 1e-15: "f"}
+LARGE_PREFIXES = {1e15: "P", 1e12: "T", 1e9: "G", 1e6: "M", 1e3: "k"}
+ARCSECONDS = math.radians(0.01)  # angles below it are read in them
+SLOW, FAST = 1e-4, 1e5  # rad/s; slower ones are read in degrees a day, faster ones in turns a second
 RAISED = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
@@ -23,13 +31,75 @@ def counted(count: int, thing: str) -> str:
 
 
 def angle(value: float | None) -> str | None:
-    """Return an angle [rad] in radians and degrees."""
-    return _unless_infinite(value, lambda x: f"{x:.8g} rad = {math.degrees(x):.6g}°")
+    """Return an angle [rad] in radians and degrees, or arcseconds.
+
+    >>> angle(0.5), angle(-1e-8)
+    ('0.5 rad = 28.6479°', '-1e-08 rad = -0.00206265″')
+    """
+    return _unless_infinite(value, lambda x: f"{x:.8g} rad = {degrees(x)}")
+
+
+def angles(values: Any) -> str:
+    """Return the range of an angle [rad] from its smallest and largest value, one number where both read the same.
+
+    >>> angles((0.5, 0.75)), angles((0.5, 0.5))
+    ('28.6479° to 42.9718°', '28.6479°')
+    """
+    first, last = (degrees(float(x)) for x in values)
+    return first if first == last else f"{first} to {last}"
+
+
+def degrees(value: float) -> str:
+    """Return an angle [rad] in degrees, a small one in arcseconds."""
+    turned = math.degrees(value)
+    return f"{3600.0 * turned:.6g}″" if 0.0 < abs(value) < ARCSECONDS else f"{turned:.6g}°"
 
 
 def rate(value: float | None) -> str | None:
-    """Return a rate [rad/s], with turns per minute."""
-    return _unless_infinite(value, lambda x: f"{x:.8g} rad/s = {x * 30.0 / math.pi:.6g} rpm")
+    """Return a rate [rad/s], with turns per minute, degrees per day or turns per second, by its size.
+
+    >>> rate(7.292115e-5), rate(2.0), rate(3e12)
+    ('7.292115e-05 rad/s = 360.986°/d', '2 rad/s = 19.0986 rpm', '3e+12 rad/s = 0.477465 THz')
+    """
+    return _unless_infinite(value, lambda x: f"{x:.8g} rad/s = {turning(x)}")
+
+
+def turning(value: float) -> str:
+    """Return a rate [rad/s] in the unit that it is read by."""
+    size = abs(value)
+    if 0.0 < size < SLOW:
+        return f"{math.degrees(value) * DAY:.6g}°/d"
+    if size < FAST:
+        return f"{value * 30.0 / math.pi:.6g} rpm"
+    turns = value / (2.0 * math.pi)
+    unit = next((unit for unit in LARGE_PREFIXES if abs(turns) >= 0.1 * unit), 1.0)
+    return f"{turns / unit:.6g} {LARGE_PREFIXES.get(unit, '')}Hz"
+
+
+def duration(value: float | None) -> str | None:
+    """Return a time [s], with the unit that it is read by where that is another.
+
+    >>> duration(2.5), duration(952564.67), duration(3.09e-12)
+    ('2.5 s', '952564.67 s = 11.0251 d', '3.09e-12 s = 3.09 ps')
+    """
+
+    def words(x: float) -> str:
+        read = in_its_unit(x)
+        return f"{x:.8g} s" if read.endswith(" s") else f"{x:.8g} s = {read}"
+
+    return _unless_infinite(value, words)
+
+
+def in_its_unit(value: float) -> str:
+    """Return a time [s] in the unit that it is read by: "3.09 ps", "2.5 s", "11.025 d"."""
+    size = abs(value)
+    for least, unit, name in LONG:
+        if size >= least:
+            return f"{value / unit:.6g} {name}"
+    if not 0.0 < size < SHORT:
+        return f"{value:.6g} s"
+    unit = next((unit for unit in PREFIXES if size >= unit), 1e-15)
+    return f"{value / unit:.6g} {PREFIXES[unit]}s"
 
 
 def worded(value: Any, unit: str = "") -> str | None:
@@ -44,7 +114,7 @@ def worded(value: Any, unit: str = "") -> str | None:
         return "yes" if value else "no"
     if np.ndim(value):
         return vector(value, unit)
-    words = {"rad": angle, "rad/s": rate}.get(unit)
+    words = {"rad": angle, "rad/s": rate, "s": duration}.get(unit)
     return words(float(value)) if words else number(float(value), unit)
 
 

@@ -8,6 +8,7 @@ from typing import ClassVar
 
 import numpy as np
 
+from polhode.analysis.axis_angles import CONING, axis_angles, rotation_form, velocity_angles
 from polhode.analysis.energy_casimir import Stability
 from polhode.analysis.free_axes import axis_stability
 from polhode.analysis.mechanics import Mechanics
@@ -24,11 +25,13 @@ from polhode.bodies.body import Body
 from polhode.errors import InvalidInput
 from polhode.exact.free_body import FreeMotion
 from polhode.kinds.base import Spec
+from polhode.kinds.free_body.headline import headline
 from polhode.motion.inputs import finite
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import about_body, accuracy, stability_values, verdicts
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import AbstractReport
+from polhode.reports.wording import FAST, angles, rate, vector
 from polhode.types import ArrayLike, Real
 
 SAMPLES = 2000
@@ -58,19 +61,29 @@ class FreeBodyReport(AbstractReport):
 
     def answers(self) -> list[Group | Table]:
         title = "Rotation about each principal axis, at this |L|"
+        leaning = axis_angles(self.motion)
         axes = [
-            {"axis": k + 1, "moment": self.motion.moments[k], **stability_values(found)}
+            {"axis": k + 1, "moment": self.motion.moments[k],
+             "angle_to_momentum": None if leaning is None else leaning[k], **stability_values(found)}
             for k, found in enumerate(self.stability)
-        ]
-        table = verdicts("axes", title, "axis", lambda row: str(row["axis"]), axes, {"moment": "kg m²"})
+        ]  # fmt: skip
+        units = {"moment": "kg m²", "angle_to_momentum": "rad, smallest and largest over all time"}
+        more = {} if leaning is None else {"from L": lambda row: angles(row["angle_to_momentum"])}
+        table = verdicts("axes", title, "axis", lambda row: str(row["axis"]), axes, units, more=more)
         return [about_body(self.body), self._start(), table, self._motion()]
 
     def _start(self) -> Group:
         motion, principal = self.motion, "principal axes"
         velocity = motion.momentum_at_epoch / motion.moments
+        speed, lean = float(np.linalg.norm(velocity)), velocity_angles(motion)
+        words = f"{rate(speed)} = {math.degrees(speed):.6g}°/s" if speed < FAST else rate(speed)
         return Group("Start", [
-            Answer("angular_velocity", velocity, "rad/s", explanation=principal),
-            Answer("momentum", motion.momentum_at_epoch, "kg m²/s", explanation=principal),
+            Answer("angular_velocity", velocity, "rad/s", "Ω", principal, f"{vector(velocity)} rad/s  ({principal})"),
+            Answer("angular_speed", speed, "rad/s", "|Ω|", "", words),
+            Answer("momentum", motion.momentum_at_epoch, "kg m²/s", "L", principal,
+                   f"{vector(motion.momentum_at_epoch)} kg m²/s  ({principal})"),
+            Answer("angle_of_velocity_to_momentum", lean, "rad", "Ω from L", "smallest and largest over all time",
+                   None if lean is None else angles(lean)),
         ])  # fmt: skip
 
     def _motion(self) -> Group:
@@ -84,6 +97,7 @@ class FreeBodyReport(AbstractReport):
             f"from the centre, {unit}"
         )  # fmt: skip
         return Group("Motion", [
+            Answer("form", rotation_form(motion)),
             Answer("regime", motion.regime, "", "regime"),
             Answer("encircled_axis", encircled),
             Answer("modulus", motion.modulus),
@@ -108,16 +122,32 @@ class FreeBodyReport(AbstractReport):
 
     @property
     def notes(self) -> list[str]:
+        found = []
+        if self._spins_about_least():
+            found.append(
+                "this is spin about the axis of least moment: any internal loss of energy makes the body leave it, as "
+                "Explorer 1 did in 1958, and end in a flat spin about the axis of largest moment. A spec with losses "
+                "tells how long that takes."
+            )
         farthest = float(np.abs(np.asarray(self.trajectory.times)).max())
         turns = farthest * fastest_rate(self.motion) / (2.0 * math.pi)
-        if turns <= EXACT_TURNS:
-            return []
-        note = f"the times reach {turns:.1e} turns; beyond 2⁵⁰ the error of the attitude grows with them, and the spin "
-        return [note + "itself, known to 16 digits, no longer says how the body lies."]
+        if turns > EXACT_TURNS:
+            note = f"the times reach {turns:.1e} turns; beyond 2⁵⁰ the error of the attitude grows with them, and the "
+            found.append(note + "spin itself, known to 16 digits, no longer says how the body lies.")
+        return found
+
+    def _spins_about_least(self) -> bool:
+        """Whether the body spins, steadily or coning, about an axis whose moment is less than the others."""
+        moments, leaning = np.asarray(self.motion.moments), axis_angles(self.motion)
+        least = int(moments.argmin())
+        if leaning is None or (moments == moments[least]).sum() > 1:
+            return False
+        nearest = min(leaning[least, 1], math.pi - leaning[least, 0])
+        return bool(nearest < CONING)
 
     @property
     def summary(self) -> str:
-        return _SENTENCES[self.motion.regime](self.motion)
+        return headline(self.motion)
 
 
 def report_of(spec: Spec) -> FreeBodyReport:
@@ -185,27 +215,3 @@ def _precession(place: str, value: Precession | None) -> list[Answer]:
         Answer(f"{name}.rate", value.rate, "rad/s", label, "", f"{value.rate:.8g} rad/s {value.sense}"),
         Answer(f"{name}.sense", value.sense),
     ]
-
-
-def _mode(motion: FreeMotion) -> str:
-    axis = motion.encircled_axis + 1
-    return (
-        f"L circles axis {axis} in the body every {motion.period:.6g} s and reverses along the intermediate axis every "
-        f"{motion.flip_interval:.6g} s; meanwhile axis {axis} turns about L every {motion.tumbling_periods[0]:.6g} s."
-    )
-
-
-_SENTENCES = {
-    "rest": lambda m: "The body is at rest.",
-    "spherical": lambda m: "All moments are equal: the body turns steadily about a fixed axis.",
-    "permanent": lambda m: "The body turns steadily about an axis fixed in it and in space.",
-    "symmetric": lambda m: (
-        f"Two moments are equal: the axis of symmetry turns about L every {m.tumbling_periods[0]:.6g} s, "
-        f"and L about it in the body every {m.period:.6g} s."
-    ),
-    "short-axis": lambda m: "Short-axis mode: " + _mode(m),
-    "long-axis": lambda m: "Long-axis mode: " + _mode(m),
-    "separatrix": lambda m: (
-        "Exactly on the separatrix: in all of time L goes once from one end of the intermediate axis to the other."
-    ),
-}

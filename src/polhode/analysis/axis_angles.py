@@ -1,0 +1,126 @@
+"""How far the principal axes and the angular velocity of a free body lean from its angular momentum.
+
+Along the polhode L/|L| runs between two points, at which one of its smaller components vanishes. With the invariants
+P, Q, S of the motion these are (√(P/C), 0, √(Q/C))/|L| and (0, √(P/B), √(|S|/B))/|L|, of which the last component is
+along the encircled axis, so that each angle is an arctangent of two of √P, √Q, √|S|, without any difference of squares.
+Source: Whittaker, *Analytical Dynamics*, ch. VI; the invariants are those of ``exact/free_body/reduction``.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from polhode.analysis.poinsot import herpolhode
+from polhode.arrays import known_numbers_only
+from polhode.exact.free_body import FreeMotion
+from polhode.exact.free_body.reduction import canonical_reduction
+from polhode.types import Float64
+
+RIGHT = 0.5 * math.pi
+CONING = math.radians(45.0)  # the widest cone that is seen as a spin about an axis which nutates
+FLIPPING = math.radians(60.0)  # the middle axis comes within 30° of L on either side, …
+SWINGING = math.radians(20.0)  # … and the cone opens and closes by this much, …
+DWELLING = 0.995  # … or L dwells at the middle axis, by the modulus
+
+
+@known_numbers_only
+def axis_angles(motion: FreeMotion) -> Float64[np.ndarray, "3 2"] | None:
+    """Return the smallest and largest angle [rad] between each principal axis and L over all time, None at rest.
+
+    Angles lie in [0, π], as axes have a direction: one that L circles at the far end has angles near π.
+
+    Args:
+        motion: of one body.
+
+    >>> coning = FreeMotion(moments=(2.0, 2.0, 3.0), momentum=(1.0, 0.0, 1.0))
+    >>> np.degrees(axis_angles(coning)).round(6).tolist()
+    [[45.0, 135.0], [45.0, 135.0], [45.0, 45.0]]
+    """
+    momentum = np.asarray(motion.along_principal_axes().momentum_at_epoch)
+    if not motion.momentum_norm:
+        return None
+    if motion.encircled_axis is None or motion.regime in ("permanent", "spherical", "separatrix"):
+        return _angles_without_period(motion, momentum)
+    nearest, farthest = _cone(motion, momentum)
+    axis = motion.encircled_axis
+    found = np.empty((3, 2))
+    found[axis] = (nearest, farthest) if momentum[axis] > 0.0 else (math.pi - farthest, math.pi - nearest)
+    others = [k for k in range(3) if k != axis]
+    middle = int(np.argsort(motion.moments, kind="stable")[1])
+    for k in others:
+        # of a symmetric body both run as far, and of others the middle one comes closer to L
+        least = RIGHT - (farthest if k == middle else nearest)
+        found[k] = least, math.pi - least
+    return found
+
+
+@known_numbers_only
+def cone_angles(motion: FreeMotion) -> tuple[float, float] | None:
+    """Return the smallest and largest angle [rad] between L and the encircled axis, taken as a line; None without one.
+
+    These are the half-angles between which the cone of a nutating body opens and closes.
+    """
+    momentum = np.asarray(motion.along_principal_axes().momentum_at_epoch)
+    if not motion.momentum_norm or motion.encircled_axis is None or motion.regime == "spherical":
+        return None
+    return _cone(motion, momentum)
+
+
+@known_numbers_only
+def velocity_angles(motion: FreeMotion) -> tuple[float, float] | None:
+    """Return the smallest and largest angle [rad] between the angular velocity and L over all time; None at rest."""
+    found = herpolhode(motion)
+    if found is None:
+        return None
+    # the contact point of Poinsot's picture stands along the angular velocity, and the plane across L
+    inner, outer = (math.atan2(r, found.plane_distance) for r in (found.inner_radius, found.outer_radius))
+    return min(inner, outer), max(inner, outer)
+
+
+@known_numbers_only
+def rotation_form(motion: FreeMotion) -> str:
+    """Return what a person would see one body do, by the range of its cone's half-angle.
+
+    "rest"; "steady": L is fixed in the body; "coning": the encircled axis stays within 45° of L; "flipping": the middle
+    axis comes within 30° of L at either end, by a cone that swings by 20° and more, or with rests in between;
+    "tumbling": all else.
+    """
+    if motion.regime in ("rest", "separatrix"):
+        return "rest" if motion.regime == "rest" else "flipping"
+    cone = None if motion.regime in ("permanent", "spherical") else cone_angles(motion)
+    if cone is None:
+        return "steady"
+    nearest, farthest = cone
+    if farthest < CONING:
+        return "coning"
+    if farthest >= FLIPPING and (farthest - nearest >= SWINGING or motion.modulus > DWELLING):
+        return "flipping"
+    return "tumbling"
+
+
+def _cone(motion: FreeMotion, momentum: Float64[np.ndarray, "3"]) -> tuple[float, float]:
+    body = canonical_reduction(np.asarray(motion.moments), momentum)
+    P, Q, S = (math.sqrt(abs(float(x[0] / body.V[0]))) for x in (body.P, body.Q, body.S))
+    one, other = math.atan2(P, Q), math.atan2(P, S)
+    return min(one, other), max(one, other)
+
+
+def _angles_without_period(
+    motion: FreeMotion, momentum: Float64[np.ndarray, "3"]
+) -> Float64[np.ndarray, "3 2"]:
+    """Return the angles where L stands still in the body, or goes once from one end of the middle axis to the other."""
+    scaled = momentum / np.abs(momentum).max()
+    still = np.array([math.atan2(math.hypot(*np.delete(scaled, k)), scaled[k]) for k in range(3)])
+    found = np.stack([still, still], axis=1)
+    if motion.regime == "separatrix":
+        moments = np.asarray(motion.moments)
+        low, middle, high = np.argsort(moments, kind="stable")
+        a, b, c = (1.0 / moments[k] for k in (low, middle, high))
+        # half-way the great circle of the separatrix stands at this angle from the axis of largest moment
+        tilt = math.atan2(math.sqrt(b - c), math.sqrt(a - b))
+        for k, least in ((low, RIGHT - tilt), (high, tilt)):
+            found[k] = (least, RIGHT) if momentum[k] > 0.0 else (RIGHT, math.pi - least)
+        found[middle] = 0.0, math.pi
+    return found

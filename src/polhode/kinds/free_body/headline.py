@@ -1,0 +1,78 @@
+"""What a free body does, in one sentence, as a person would see it."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from polhode.analysis.axis_angles import axis_angles, cone_angles, rotation_form
+from polhode.exact.free_body import FreeMotion
+from polhode.reports.wording import angles, in_its_unit
+
+ALONG = 1e-12  # rad; an axis as near to L counts as the one that the body spins about
+
+
+def headline(motion: FreeMotion) -> str:
+    """Return the sentence, by the form of the rotation."""
+    if motion.regime == "separatrix":
+        return (
+            "Exactly on the separatrix: in all of time L goes once from one end of the intermediate axis to the other."
+        )
+    return {
+        "rest": lambda motion: "The body is at rest.", "steady": _steady, "coning": _coning, "tumbling": _tumbling,
+        "flipping": _flipping,
+    }[rotation_form(motion)](motion)  # fmt: skip
+
+
+def _steady(motion: FreeMotion) -> str:
+    turn = in_its_unit(2.0 * math.pi / float(np.linalg.norm(motion.momentum_at_epoch / motion.moments)))
+    if motion.regime == "spherical":
+        return f"Steady spin: all moments are equal, and the body turns about a fixed axis, once in {turn}."
+    leaning = axis_angles(motion)
+    near = [k for k in range(3) if min(leaning[k, 1], math.pi - leaning[k, 0]) < ALONG]
+    about = f"axis {near[0] + 1}{_rank(motion, near[0])}" if near else "an axis of the plane of equal moments"
+    return f"Steady spin about {about}, fixed in the body and in space, once in {turn}."
+
+
+def _coning(motion: FreeMotion) -> str:
+    axis = motion.encircled_axis
+    return (
+        f"Spin about axis {axis + 1}{_rank(motion, axis)}, which cones (nutates): it leans {_cone(motion)} from L and "
+        f"goes round it every {in_its_unit(motion.tumbling_periods[0])}; in the body L goes round it every "
+        f"{in_its_unit(motion.period)}."
+    )
+
+
+def _tumbling(motion: FreeMotion) -> str:
+    axis = motion.encircled_axis
+    return (
+        f"Tumbling: axis {axis + 1}{_rank(motion, axis)} leans {_cone(motion)} from L and goes round it every "
+        f"{in_its_unit(motion.tumbling_periods[0])}, while the body rolls about that axis: L is back in the body every "
+        f"{in_its_unit(motion.period)}."
+    )
+
+
+def _flipping(motion: FreeMotion) -> str:
+    moments = np.asarray(motion.moments)
+    middle, axis = int(np.argsort(moments, kind="stable")[1]), motion.encircled_axis
+    turns = 0.5 * motion.precession_per_period / (2.0 * math.pi)
+    return (
+        f"Flipping: the body turns over along axis {middle + 1}, its intermediate one, every "
+        f"{in_its_unit(motion.flip_interval)}, {turns:.3g} turns about L; axis {axis + 1}{_rank(motion, axis)} leans "
+        f"{_cone(motion)} from L."
+    )
+
+
+def _cone(motion: FreeMotion) -> str:
+    found = cone_angles(motion)
+    assert found is not None
+    return angles(found)
+
+
+def _rank(motion: FreeMotion, axis: int) -> str:
+    """Return which moment an axis has, among three that differ or two of which do."""
+    moments = np.asarray(motion.moments)
+    if (moments == moments[axis]).sum() > 1:
+        return ""
+    return (" (least moment)", " (intermediate moment)", " (largest moment)")[int((moments < moments[axis]).sum())]
