@@ -30,6 +30,7 @@ def _steady(motion: FreeMotion) -> str:
     if motion.regime == "spherical":
         return f"Steady spin: all moments are equal, and the body turns about a fixed axis, once in {turn}."
     leaning = axis_angles(motion)
+    assert leaning is not None
     near = [k for k in range(3) if min(leaning[k, 1], math.pi - leaning[k, 0]) < ALONG]
     about = f"axis {near[0] + 1}{_rank(motion, near[0])}" if near else "an axis of the plane of equal moments"
     return f"Steady spin about {about}, fixed in the body and in space, once in {turn}."
