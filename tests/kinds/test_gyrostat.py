@@ -7,7 +7,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import polhode as ph
-from polhode.analysis import steady_rotations
+from polhode.analysis import mean_winding_rate, steady_rotations
 from polhode.cli.main import main
 from polhode.errors import InvalidInput
 from polhode.figures.drawing import draw_all
@@ -130,6 +130,40 @@ def test_symmetric_carriers_nutate_at_the_rate_known_by_hand(spec):
     assert free["moments"] == [2.0, 2.0, 2.5] and free["rotor"]["momentum"] == pytest.approx(0.5 * 1.8, rel=1e-14)
     assert free["nutation_rate"] == pytest.approx(((2.5 - 2) * 0.4 + 0.9) / 2, rel=1e-14)
     assert free["momentum_norm"] == pytest.approx(values["momentum_norm"], rel=1e-14)
+
+
+@pytest.mark.parametrize("gap", [0.0, 0.01, 0.4])
+def test_every_steady_rotation_has_its_nutation_symmetric_or_not(gap):
+    """Against the linearised equations on the tangent plane, by their eigenvalues, and by a motion close to each."""
+    gyrostat = Gyrostat((2.0 - gap, 2.0, 3.0), (0.0, 0.0, 0.5))
+    moments, rotor = np.asarray(gyrostat.moments), np.asarray(gyrostat.rotor)
+    for found in steady_rotations(gyrostat, 2.0):
+        point = 2.0 * found.along
+        velocity = (point - rotor) / moments
+        hat = lambda v: np.cross(np.eye(3), v).T  # noqa: E731
+        rates = np.linalg.eigvals(hat(point) @ np.diag(1.0 / moments) - hat(velocity))
+        turning = np.abs(rates.imag).max()
+        if found.nutation is not None:
+            assert found.nutation == pytest.approx(turning, rel=1e-9)
+            start = point + 1e-4 * np.cross(found.along, [0.3, 0.5, 0.4])
+            times = np.linspace(0.0, 20.0 * 2.0 * np.pi / turning, 1001)
+            motion = ph.simulate(gyrostat, start * 2.0 / np.linalg.norm(start), times)
+            mean = mean_winding_rate(times, motion.states, found.along)
+            assert abs(mean) == pytest.approx(found.nutation, rel=2e-3)
+        else:
+            assert found.extremum == "saddle" or found.circle
+            assert turning < 1e-7
+    assert len(steady_rotations(gyrostat, 2.0)) == (3 if gap == 0.0 else 6)
+
+
+def test_a_report_has_the_mean_rates_of_its_motion_where_two_moments_nearly_agree(spec):
+    nearly = 'moments = ["1.99 kg*m^2", "2 kg*m^2", "3 kg*m^2"]'
+    turning = 'angular_velocity = ["0.01 rad/s", "0 rad/s", "0.4 rad/s"]'
+    values = read_spec(spec(nearly, ALONG_3, turning, 'until = "100 s"\nsamples = 2001')).report().as_json_dict()
+    small = next(row["nutation"] for row in values["equilibria"] if row["along"][2] == 1.0)
+    assert values["nutation_rate"] is None and values["mean_nutation_rate"] == pytest.approx(small, rel=1e-2)
+    momentum = np.hypot(0.01 * 1.99, 3 * 0.4 + 0.7)
+    assert values["mean_precession_rate"] == pytest.approx(momentum / 1.995, rel=1e-2)
 
 
 def by_polynomial(moments, rotor, norm):

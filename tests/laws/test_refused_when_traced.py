@@ -13,10 +13,12 @@ from polhode.analysis import (
     comparison,
     first_method,
     free_axes,
+    gyrostat_rotations,
     poinsot,
     polhodes,
     rolling,
     spin_orbit,
+    top_rates,
 )
 from polhode.analysis.axis_angles import axis_angles, cone_angles, rotation_form, velocity_angles
 from polhode.analysis.precession import body_precession, fastest_rate, space_precession
@@ -171,6 +173,10 @@ REFUSED = {
     "herpolhode": (THREE, lambda x: poinsot.herpolhode(moving(x))),
     "herpolhode_curve": (THREE, lambda x: poinsot.herpolhode_curve(moving(x), 4)),
     "body_precession": (THREE, lambda x: body_precession(moving(x))),
+    "mean_winding_rate": (TURNS, lambda x: gyrostat_rotations.mean_winding_rate(TIMES, x[:, :3], AXIS)),
+    "mean_top_rates": (TURNS, lambda x: top_rates.mean_top_rates(TIMES, x[:, :3])),
+    "steady_top_rates": (1.0, lambda x: top_rates.steady_top_rates(TOP, x, 0.3)),
+    "gyroscopic_rates": (1.0, lambda x: top_rates.gyroscopic_rates(TOP, x)),
     "axis_angles": (THREE, lambda x: axis_angles(moving(x))),
     "cone_angles": (THREE, lambda x: cone_angles(moving(x))),
     "velocity_angles": (THREE, lambda x: velocity_angles(moving(x))),

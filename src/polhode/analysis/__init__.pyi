@@ -35,6 +35,7 @@ from .free_axes import axis_stability as axis_stability
 from .gyrostat_rotations import SteadyRotation as SteadyRotation
 from .gyrostat_rotations import SymmetricRates as SymmetricRates
 from .gyrostat_rotations import angle_from_axis as angle_from_axis
+from .gyrostat_rotations import mean_winding_rate as mean_winding_rate
 from .gyrostat_rotations import steady_rotations as steady_rotations
 from .gyrostat_rotations import symmetric_rates as symmetric_rates
 from .mechanics import Mechanics as Mechanics
@@ -153,6 +154,10 @@ from .top_motion import axis_tilt as axis_tilt
 from .top_motion import keeps_its_tilt as keeps_its_tilt
 from .top_motion import steady_precession_of as steady_precession_of
 from .top_motion import top_period as top_period
+from .top_rates import TopRates as TopRates
+from .top_rates import gyroscopic_rates as gyroscopic_rates
+from .top_rates import mean_top_rates as mean_top_rates
+from .top_rates import steady_top_rates as steady_top_rates
 from .top_rests import TopRests as TopRests
 from .top_rests import top_stability as top_stability
 from .twist import racket_twist as racket_twist

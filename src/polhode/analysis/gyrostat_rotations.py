@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from polhode import rotation
 from polhode.analysis.energy_casimir import Stability
 from polhode.analysis.equilibria import find_equilibria
 from polhode.analysis.stability import stability
@@ -16,6 +17,8 @@ from polhode.systems.body_with_rotor import cleaned
 from polhode.systems.gyrostat import Gyrostat
 from polhode.types import Array, ArrayLike, Float64, Real
 
+ALONG = 1e-9  # sine of an angle from an axis that counts as none
+FOLLOWED = 2.5  # rad; angles that change more from sample to sample may have gone the other way round
 FLAT = 1e-9  # curvatures of the energy below it, relative to the largest, vanish
 
 
@@ -28,6 +31,7 @@ class SteadyRotation(NamedTuple):
         energy: of the carrier [J].
         extremum: "minimum", "maximum", "saddle" or "flat" of the energy on the sphere.
         circle: whether it stands for a circle of them, or for the whole sphere.
+        nutation: rate at which L goes round it in the body when disturbed a little [rad/s]; None where it does not.
         verdict: on it.
     """
 
@@ -36,6 +40,7 @@ class SteadyRotation(NamedTuple):
     energy: float
     extremum: str
     circle: bool
+    nutation: float | None
     verdict: Stability
 
 
@@ -58,6 +63,8 @@ def steady_rotations(gyrostat: Gyrostat, momentum_norm: float) -> list[SteadyRot
     >>> found = steady_rotations(Gyrostat((1.0, 2.0, 3.0), (0.0, 0.0, 0.5)), 2.0)
     >>> [(rotation.extremum, rotation.verdict.verdict) for rotation in found[::2]]
     [('minimum', 'stable'), ('saddle', 'unstable'), ('maximum', 'stable')]
+    >>> [rotation.nutation and round(rotation.nutation, 6) for rotation in found[::2]]
+    [0.866025, None, 1.145644]
     """
     if not isinstance(gyrostat, Gyrostat):
         raise InvalidInput(f"`gyrostat` must be a Gyrostat; got {shown(gyrostat)}. Make one from moments and a rotor.")
@@ -72,9 +79,13 @@ def steady_rotations(gyrostat: Gyrostat, momentum_norm: float) -> list[SteadyRot
         velocity = (point - rotor) / moments
         multiplier = float(velocity @ point) / norm**2
         along = cleaned(point / norm)
-        energy, extremum = float(gyrostat.energy(point)), _extremum(moments, along, multiplier)
+        energy, bends = float(gyrostat.energy(point)), _curvatures(moments, along, multiplier)
+        # the linearised flow on the sphere turns at |L| times the geometric mean of the curvatures
+        nutation = norm * math.sqrt(abs(bends[0])) * math.sqrt(abs(bends[1])) if bends[0] * bends[1] > 0.0 else None
         verdict = stability(gyrostat, point)
-        found.append(SteadyRotation(along, multiplier * norm, energy, extremum, circle, verdict))
+        found.append(
+            SteadyRotation(along, multiplier * norm, energy, _extremum(bends), circle, nutation, verdict)
+        )
     return sorted(found, key=lambda rotation: rotation.energy)
 
 
@@ -97,11 +108,15 @@ def _points(gyrostat: Gyrostat, moments: Array, rotor: Array, norm: float) -> li
     return points
 
 
-def _extremum(moments: Array, along: Array, multiplier: float) -> str:
-    """Return what the energy has on the sphere: the curvature is that of ½ Σ (1/I − λ) δΠ² on the tangent plane."""
+def _curvatures(moments: Array, along: Array, multiplier: float) -> Float64[np.ndarray, "2"]:
+    """Return the energy's curvatures on the sphere: those of ½ Σ (1/I − λ) δΠ² on the tangent plane, flat ones zero."""
     across = np.linalg.svd(along[None])[2][1:]
     bends = np.linalg.eigvalsh(across @ np.diag(1.0 / moments - multiplier) @ across.T)
-    bends = np.where(np.abs(bends) < FLAT * np.max(1.0 / moments), 0.0, bends)
+    return np.where(np.abs(bends) < FLAT * np.max(1.0 / moments), 0.0, bends)
+
+
+def _extremum(bends: Float64[np.ndarray, "2"]) -> str:
+    """Return what the energy has on the sphere, by its curvatures, the smaller one first."""
     if (bends == 0).all():
         return "flat"
     if bends[0] < 0 < bends[1]:
@@ -137,6 +152,35 @@ def symmetric_rates(gyrostat: Gyrostat, angular_velocity: Real[ArrayLike, "3"]) 
     across = moments[k - 1]
     nutation = float(((moments[k] - across) * velocity[k] + rotor[k]) / across)
     return SymmetricRates(nutation, float(np.linalg.norm(moments * velocity + rotor) / across))
+
+
+@known_numbers_only
+def mean_winding_rate(
+    times: Real[ArrayLike, "time"], vectors: Real[ArrayLike, "time 3"], axis: Real[ArrayLike, "3"]
+) -> float | None:
+    """Return the mean rate [rad/s] at which samples of a vector go round an axis, by the right hand's rule.
+
+    It is the slope of the straight line through the unwrapped angles by least squares; None where samples lie too far
+    apart to be followed, or the vector stands along the axis.
+
+    Args:
+        times: (T,) [s].
+        vectors: (T, 3).
+        axis: (3,) of any length.
+
+    >>> t = np.linspace(0.0, 20.0, 201)
+    >>> round(mean_winding_rate(t, np.stack([np.cos(2 * t), np.sin(2 * t), t], axis=-1), (0.0, 0.0, 3.0)), 12)
+    2.0
+    """
+    t, v, n = (np.asarray(x, dtype=float) for x in (times, vectors, axis))
+    first = rotation.perpendicular(n / np.linalg.norm(n))
+    across = np.stack([v @ first, v @ np.cross(n / np.linalg.norm(n), first)])
+    if len(t) < 2 or np.hypot(*across).min() <= ALONG * np.linalg.norm(v, axis=-1).max():
+        return None
+    angle = np.unwrap(np.arctan2(across[1], across[0]))
+    if np.abs(np.diff(angle)).max() > FOLLOWED:
+        return None
+    return float(np.polyfit(t - t.mean(), angle - angle.mean(), 1)[0])
 
 
 @known_numbers_only

@@ -10,6 +10,7 @@ import numpy as np
 from polhode.analysis.energy_casimir import Stability
 from polhode.analysis.mechanics import Mechanics
 from polhode.analysis.top_motion import axial_spin, axis_in_space, axis_tilt, keeps_its_tilt, top_period
+from polhode.analysis.top_rates import TopRates, gyroscopic_rates, mean_top_rates, steady_top_rates
 from polhode.analysis.top_rests import top_stability
 from polhode.bodies.body import Body
 from polhode.bodies.surface import Surface
@@ -115,7 +116,37 @@ class TopReport(AbstractReport):
         rows = [{"position": name, **stability_values(found)} for name, found in self.verdicts.items()]
         title = "Axis to the centre of mass at rest"
         standing = verdicts("equilibria", title, "position", lambda row: row["position"], rows, key="position")
-        return [body, standing, self.motion()]
+        return [body, standing, *self._rates(), self.motion()]
+
+    @property
+    def mean_rates(self) -> TopRates:
+        """Of the motion."""
+        return mean_top_rates(self.trajectory.times, self.axis_in_space)
+
+    def _rates(self) -> list[Table]:
+        """Return precession and nutation of the motion, beside those of steady precession and of a fast gyroscope."""
+        if self.free:
+            return []
+        momentum, middle = self.axial_momentum, 0.5 * float(self.tilt.min() + self.tilt.max())
+        found = {
+            "motion": ("the motion, on average", self.mean_rates),
+            "steady": ("small nutation about steady precession, at the middle tilt",
+                       steady_top_rates(self.top, momentum, middle)),
+            "gyroscopic": ("gyroscope: mgl/I₃ω, I₃ω/I₁", gyroscopic_rates(self.top, momentum)),
+        }  # fmt: skip
+        rows = [
+            {"by": name, "words": words, **(rates or TopRates(None, None))._asdict()}
+            for name, (words, rates) in found.items()
+        ]
+        said = lambda what: lambda row: "–" if row[what] is None else f"{row[what]:.6g} rad/s"  # noqa: E731
+        columns = {"": lambda row: row["words"], "precession": said("precession"), "nutation": said("nutation")}
+        units = {"precession": "rad/s", "nutation": "rad/s"}
+        return [Table("rates", "Precession and nutation", columns, rows, units, key="by")]
+
+    @property
+    def axial_momentum(self) -> float:
+        """Along the line to the centre of mass, the mean of the samples [kg m²/s]."""
+        return float(np.mean(np.asarray(self.trajectory.momentum) @ np.asarray(self.top.axis)))
 
     def kept(self) -> list[Answer]:
         """Return the invariants at the start, and the tilt of the samples."""

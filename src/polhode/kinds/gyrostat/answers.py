@@ -7,10 +7,12 @@ from typing import ClassVar
 
 import numpy as np
 
+from polhode import rotation
 from polhode.analysis.gyrostat_rotations import (
     SteadyRotation,
     SymmetricRates,
     angle_from_axis,
+    mean_winding_rate,
     steady_rotations,
     symmetric_rates,
 )
@@ -144,11 +146,14 @@ class GyrostatReport(AbstractReport):
         when = ", as the rotor turns at the end" if self.motor else ""
         rows = [
             {"along": e.along, "spin": e.spin, "energy": e.energy, "extremum": e.extremum, "circle": e.circle,
-             **stability_values(e.verdict)} for e in self.equilibria
+             "nutation": e.nutation, **stability_values(e.verdict)} for e in self.equilibria
         ]  # fmt: skip
-        units = {"along": "direction of L", "spin": "rad/s, positive along L", "energy": "J"}
+        units = {"along": "direction of L", "spin": "rad/s, positive along L", "energy": "J",
+                 "nutation": "rad/s, of L in the body"}
         cell = lambda row: f"{vector(row['along'])} {row['spin']:+.5g} rad/s, energy {row['extremum']}"  # noqa: E731
-        return verdicts("equilibria", f"Steady rotations at this |L|{when}", "L along, Ω", cell, rows, units)
+        more = {"nutation": lambda row: "–" if row["nutation"] is None else f"{row['nutation']:.5g} rad/s"}
+        title = f"Steady rotations at this |L|{when}"
+        return verdicts("equilibria", title, "L along, Ω", cell, rows, units, more=more)
 
     def _motion(self) -> Group:
         momentum, velocity = np.asarray(self.trajectory.momentum), np.asarray(self.trajectory.angular_velocity)
@@ -166,6 +171,7 @@ class GyrostatReport(AbstractReport):
             *leans,
             Answer("nutation_rate", nutation, "rad/s", "nutation in the body", "in the body"),
             Answer("precession_rate", around, "rad/s", "precession in space", "in space"),
+            *self._mean_rates(),
             Answer("final.time", float(np.asarray(self.trajectory.times)[-1]), "s"),
             Answer("final.angular_velocity", velocity[-1], "rad/s", "Ω at the end"),
             Answer("final.rotor_rate", float(self.rotor_rate[-1]), "rad/s", "rotor against the body at the end",
@@ -176,6 +182,22 @@ class GyrostatReport(AbstractReport):
             Answer("final.motor_work", self.motor_work, "J", "work of the motor"),
             *accuracy(self.trajectory),
         ])  # fmt: skip
+
+
+    def _mean_rates(self) -> list[Answer]:
+        """Return the mean rates of L round the nearest stable rotation in the body, and of the rotor's axis round L."""
+        stable = [e.along for e in self.equilibria if e.verdict.verdict == "stable" and not e.circle]
+        if self.motor or not stable:
+            return []
+        momentum = np.asarray(self.trajectory.momentum)
+        nearest = max(stable, key=lambda along: float(momentum.mean(axis=0) @ along))
+        times, attitude = self.trajectory.times, np.asarray(self.trajectory.attitude)
+        axis, L = rotation.rotate(attitude, self.along), rotation.rotate(attitude[0], momentum[0])
+        nutation, around = mean_winding_rate(times, momentum, nearest), mean_winding_rate(times, axis, L)
+        return [
+            Answer("mean_nutation_rate", nutation, "rad/s", "mean nutation", "of L round the nearest stable rotation"),
+            Answer("mean_precession_rate", around, "rad/s", "mean precession", "of the rotor's axis round L, in space"),
+        ]
 
 
 def report_of(spec: Spec) -> GyrostatReport:

@@ -10,6 +10,7 @@ from typing import ClassVar
 import numpy as np
 
 from polhode.analysis.top_motion import steady_precession_of
+from polhode.analysis.top_rates import TopRates
 from polhode.bodies.body import Body
 from polhode.errors import InvalidInput
 from polhode.exact.lagrange_top import LagrangeMotion
@@ -70,6 +71,13 @@ class LagrangeTopReport(TopReport):
     def spin(self) -> float:
         """About its own axis, at the start [rad/s]."""
         return float(self.exact.momentum_at_epoch[2] / self.exact.moments[2])
+
+    @property
+    def mean_rates(self) -> TopRates:
+        """Of the motion, in closed form."""
+        period = None if self.constant_tilt else finite(self.exact.nutation_period)
+        precession = None if self.exact.regime == "planar" else finite(self.exact.precession_rate)
+        return TopRates(precession, None if period is None else 2.0 * math.pi / period)
 
     def motion(self) -> Group:
         exact, planar = self.exact, self.exact.regime == "planar"
