@@ -1,6 +1,5 @@
 """Molecules against the textbook's formula for a bent triatomic and published constants."""
 
-import sys
 
 import mpmath
 import numpy as np
@@ -75,10 +74,3 @@ def test_the_axes_of_water_lie_in_its_symmetry():
 def test_bad_input(make, words):
     with pytest.raises(InvalidInput, match=words):
         make()
-
-
-def test_without_ase_the_remedy_is_said(monkeypatch):
-    monkeypatch.setitem(sys.modules, "ase.data", None)
-    with pytest.raises(InvalidInput, match=r'which is not installed\. Run `pip install "ase>=3'):
-        water()
-    assert water(masses=np.array([16.0, 1.0, 1.0])).mass == 18.0

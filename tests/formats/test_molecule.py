@@ -74,8 +74,26 @@ def test_missing_file(tmp_path):
         read_molecule(tmp_path / "none.xyz")
 
 
+def test_plain_xyz_and_masses_need_no_ase_and_are_as_with_it(tmp_path, monkeypatch):
+    from ase.data import atomic_masses, chemical_symbols
+
+    symbols, positions, _ = read_molecule(written(tmp_path, PLAIN))
+    read = ase.io.read(io.StringIO(PLAIN), format="extxyz")
+    assert symbols == read.get_chemical_symbols() and np.array_equal(positions, 1e-10 * read.get_positions())
+    for name in ("ase", "ase.io", "ase.data"):
+        monkeypatch.setitem(sys.modules, name, None)
+    lower = written(tmp_path, PLAIN.replace("O 0", "o 0").replace("0.586 0", "0.586 0 0.41 charge"))
+    body = ph.from_atoms(*read_molecule(lower))
+    assert body.mass == pytest.approx((15.999 + 2 * 1.008) * ATOMIC_MASS_UNIT, rel=1e-14, abs=0.0)
+    for symbol, weight in list(zip(chemical_symbols, atomic_masses, strict=True))[1:]:
+        two = ph.from_atoms([symbol, symbol], [(0.0, 0.0, 0.0), (0.0, 0.0, 1e-10)])
+        assert two.mass == 2.0 * (weight * ATOMIC_MASS_UNIT)
+    with pytest.raises(FormatError, match=r"line 4: .*a symbol and three numbers in ångström; got 'H 0\.757 0\.586'"):
+        read_molecule(written(tmp_path, PLAIN.replace("H 0.757 0.586 0", "H 0.757 0.586")))
+
+
 def test_without_ase_the_remedy_is_said(tmp_path, monkeypatch):
-    path = written(tmp_path, PLAIN)
+    path = written(tmp_path, ISOTOPES)
     monkeypatch.setitem(sys.modules, "ase.io", None)
     with pytest.raises(InvalidInput, match=r'which is not installed\. Run `pip install "ase>=3'):
         read_molecule(path)

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Sequence
+from importlib.resources import files
 
 import numpy as np
 
 from polhode.arrays import known_numbers_only
 from polhode.bodies.body import Body
 from polhode.bodies.points import from_points
-from polhode.errors import InvalidInput, not_installed, shown
+from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, Float64, Real
 
 ATOMIC_MASS_UNIT = 1.66053906892e-27  # kg, CODATA 2022
@@ -21,16 +23,16 @@ def from_atoms(
 ) -> Body:
     """Return a molecule as a rigid body of point masses, which is where its rotational constants come from.
 
-    Masses are the standard atomic weights of ASE's tables, averaged over isotopes; a spectroscopist gives the isotopes'
-    masses instead. The rotational constants of an equilibrium geometry are not those of the vibrational ground state.
+    Masses are standard atomic weights, averaged over isotopes; a spectroscopist gives the isotopes' masses instead.
+    The rotational constants of an equilibrium geometry are not those of the vibrational ground state.
 
     Args:
         symbols: (n,) chemical symbols.
         positions: (n, 3) [m].
-        masses: (n,) [kg], or None for the tables'; multiples of ``ATOMIC_MASS_UNIT`` for isotopes.
+        masses: (n,) [kg], or None for the table's; multiples of ``ATOMIC_MASS_UNIT`` for isotopes.
 
     Raises:
-        InvalidInput: for unknown symbols, or if ASE is needed and missing.
+        InvalidInput: for unknown symbols, atoms at one place, or arrays that do not match.
     """
     symbols = list(symbols)
     try:
@@ -47,16 +49,29 @@ def from_atoms(
 
 
 def atomic_masses(symbols: Sequence[str]) -> Float64[Array, "n"]:
-    """Return standard atomic weights [kg] of chemical symbols."""
-    try:
-        from ase.data import atomic_masses as table
-        from ase.data import atomic_numbers as numbers
-    except ImportError:
-        raise not_installed("atomic masses", "ASE", "molecules", "Or give `masses`.") from None
-    unknown = [symbol for symbol in symbols if symbol not in numbers or symbol == "X"]
+    """Return standard atomic weights [kg] of chemical symbols; the mass number's stands in for elements without one.
+
+    Raises:
+        InvalidInput: for what is not a chemical element.
+
+    Source: Meija et al., Pure Appl. Chem. 88 (2016) 265, as in ASE's tables.
+    """
+    table = _atomic_weights()
+    unknown = [symbol for symbol in symbols if symbol not in table]
     if unknown:
         raise InvalidInput(
             f"`symbols` must be chemical elements; got {shown(unknown[0])}. "
             "Give `masses` for other atoms."
         )
-    return np.array([table[numbers[symbol]] for symbol in symbols]) * ATOMIC_MASS_UNIT
+    return np.array([table[symbol] for symbol in symbols]) * ATOMIC_MASS_UNIT
+
+
+def is_element(symbol: str) -> bool:
+    """Return whether a word is a chemical symbol."""
+    return symbol in _atomic_weights()
+
+
+@functools.cache
+def _atomic_weights() -> dict[str, float]:
+    lines = files("polhode.bodies").joinpath("atomic_weights.csv").read_text("ascii").splitlines()[1:]
+    return {symbol: float(weight) for symbol, weight in (line.split(",") for line in lines)}

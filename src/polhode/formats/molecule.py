@@ -1,4 +1,4 @@
-"""Molecules from files, read by ASE from text that has been looked through."""
+"""Molecules from files: plain xyz by ourselves, all else by ASE, from text that has been looked through."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from polhode.bodies.atoms import ATOMIC_MASS_UNIT
+from polhode.bodies.atoms import ATOMIC_MASS_UNIT, is_element
 from polhode.errors import FormatError, not_installed, shown
 from polhode.formats.numerals import is_misread
 from polhode.formats.opening import MB, read_text
@@ -19,6 +19,8 @@ from polhode.types import Array, Float64
 FORMS = {"xyz": "extxyz", "extxyz": "extxyz", "pdb": "proteindatabank", "mol": "mol", "sdf": "sdf"}
 """ASE's names of the formats, by ending. ASE guesses among a hundred otherwise, some of which unpack or open others."""
 TITLE_LINES = {"extxyz": 2, "mol": 3, "sdf": 3}
+_EXTENDED = re.compile(r"(Properties|Lattice|pbc)\s*=", re.IGNORECASE)
+"""What the comment of an extended xyz holds; in a plain one each atom is a symbol and three numbers, in ångström."""
 _COLUMNS = re.compile(r"Properties\S*:\d{3}", re.IGNORECASE | re.ASCII)
 LARGEST_EXTENT = 1.0  # m, more than any molecule
 ANGSTROM = 1e-10  # m
@@ -32,7 +34,7 @@ def read_molecule(path: str | Path) -> tuple[list[str], Float64[Array, "n 3"], F
     are the arguments of ``from_atoms``.
 
     Raises:
-        InvalidInput: if the file is missing, or ASE is.
+        InvalidInput: if the file is missing, or ASE is, which all but plain .xyz needs.
         FormatError: if it cannot be read, holds no atoms or several structures, or is a periodic crystal.
     """
     path = Path(path)
@@ -42,35 +44,70 @@ def read_molecule(path: str | Path) -> tuple[list[str], Float64[Array, "n 3"], F
         known = ", ".join(FORMS)
         why = f"a molecule file must end in one of {known}; got {shown(path.suffix)}"
         raise FormatError(f"{path}: {why}. Save it as .xyz.")
-    try:
-        import ase.io
-    except ImportError:
-        raise not_installed("molecule files", "ASE", "molecules") from None
     if form == "extxyz":
         check_frame(path, text)
     elif (count := _structures(text, form)) > 1:
         raise FormatError(_several(path, count))
     _check_words(path, text, form)
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            atoms: Any = ase.io.read(io.StringIO(text), format=form)
-        symbols, positions = atoms.get_chemical_symbols(), atoms.get_positions() * ANGSTROM
-        masses = atoms.get_masses() * ATOMIC_MASS_UNIT if atoms.has("masses") else None
-    except KeyError as error:
-        why = f"{path}: {error} is not a chemical element. Isotopes go as masses into an extended xyz, not as symbols."
-        raise FormatError(why) from None
-    except Exception:  # ASE raises whatever its many readers raise
-        why = f"{path}: cannot be read as a molecule: it is broken, cut short, or not what its ending says."
-        raise FormatError(why) from None
+    plain = path.suffix.lower() == ".xyz" and not _is_extended(text)
+    symbols, positions, masses, periodic = _read_plain(path, text) if plain else _read_by_ase(path, text, form)
     if not symbols:
         raise FormatError(f"{path}: holds no atoms.")
-    if atoms.pbc.any():
+    if periodic:
         raise FormatError(f"{path}: is periodic; its cell may cut the molecule apart. Save it without a cell.")
     if not (np.abs(positions) <= LARGEST_EXTENT).all():
         k = int(np.argwhere(~(np.abs(positions) <= LARGEST_EXTENT))[0, 0])
         raise FormatError(f"{path}: atom {k + 1} is not at a place within {LARGEST_EXTENT:g} m. Check the file.")
     return symbols, positions, masses
+
+
+def _is_extended(text: str) -> bool:
+    lines = text.splitlines()
+    return bool(_EXTENDED.search(lines[1])) or any(line.startswith("VEC") for line in lines)
+
+
+def _read_plain(path: Path, text: str) -> tuple[list[str], Array, None, bool]:
+    """Return symbols and positions (n, 3) [m], no masses, and that it is not periodic."""
+    count, _, *lines = text.splitlines()
+    symbols, positions = [], []
+    for number, line in enumerate(lines[: int(count)], 3):
+        symbol, *words = line.split() or [""]
+        try:
+            place = [float(word) for word in words[:3]]
+        except ValueError:
+            place = []
+        if len(place) < 3:
+            why = "cannot be read as a molecule: an atom is a symbol and three numbers in ångström"
+            raise FormatError(f"{path}, line {number}: {why}; got {shown(line.strip())}.")
+        if not is_element(symbol.capitalize()):
+            raise FormatError(_not_an_element(path, shown(symbol)))
+        symbols.append(symbol.capitalize())
+        positions.append(place)
+    return symbols, np.reshape(positions, (-1, 3)) * ANGSTROM, None, False
+
+
+def _read_by_ase(path: Path, text: str, form: str) -> tuple[list[str], Array, Array | None, bool]:
+    """Return symbols, positions (n, 3) [m], masses (n,) [kg] or None, and whether it is periodic."""
+    try:
+        import ase.io
+    except ImportError:
+        otherwise = "Or save it as plain .xyz: a symbol and three numbers in ångström for each atom."
+        raise not_installed(f"molecule files like {path.name}", "ASE", "molecules", otherwise) from None
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            atoms: Any = ase.io.read(io.StringIO(text), format=form)
+        masses = atoms.get_masses() * ATOMIC_MASS_UNIT if atoms.has("masses") else None
+        return atoms.get_chemical_symbols(), atoms.get_positions() * ANGSTROM, masses, bool(atoms.pbc.any())
+    except KeyError as error:
+        raise FormatError(_not_an_element(path, str(error))) from None
+    except Exception:  # ASE raises whatever its many readers raise
+        why = f"{path}: cannot be read as a molecule: it is broken, cut short, or not what its ending says."
+        raise FormatError(why) from None
+
+
+def _not_an_element(path: Path, symbol: str) -> str:
+    return f"{path}: {symbol} is not a chemical element. Isotopes go as masses into an extended xyz, not as symbols."
 
 
 def check_frame(path: Path, text: str) -> None:
