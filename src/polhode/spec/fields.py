@@ -7,10 +7,13 @@ import sys
 from collections.abc import Callable
 from typing import Annotated, Any
 
+import numpy as np
 from pydantic import AfterValidator, BeforeValidator, Field, StrictBool, StrictInt
 
+from polhode import rotation
 from polhode.errors import shown
 from polhode.spec.units import EXAMPLES, parse_quantity
+from polhode.types import Float64
 
 LARGEST = sys.float_info.max
 
@@ -64,11 +67,49 @@ def is_number(value: Any) -> bool:
     return type(value) in (int, float) and -LARGEST <= value <= LARGEST
 
 
-def _quaternion(value: Any) -> tuple[float, ...]:
+def _attitude(value: Any) -> tuple[float, ...]:
+    """Return the quaternion (4,) of an attitude in any of its three forms."""
+    if isinstance(value, dict):
+        forms = {("angles", "sequence"): _by_euler_angles, ("angle", "axis"): _by_axis_and_angle}
+        form = forms.get(tuple(sorted(value)))
+        if form is None:
+            raise ValueError(
+                'must be a quaternion [w, x, y, z], { sequence = "ZXZ", angles = ["10 deg", "20 deg", "30 deg"] } or '
+                f'{{ axis = [0, 0, 1], angle = "30 deg" }}; got a table with {", ".join(sorted(value)) or "nothing"}'
+            )
+        return form(value)
     plain = isinstance(value, list) and len(value) == 4 and all(map(is_number, value))
     if not plain or not any(value):
         raise ValueError(f"must be a quaternion [w, x, y, z] of four plain numbers, not all zero; got {shown(value)}")
     return tuple(float(x) for x in value)
+
+
+def _by_euler_angles(table: dict[str, Any]) -> tuple[float, ...]:
+    """Return the turns about the body's own axes, one after the other (capitals), or about those of space."""
+    sequence, angles = table["sequence"], table["angles"]
+    letters = sequence.lower() if isinstance(sequence, str) and sequence in (sequence.lower(), sequence.upper()) else ""
+    if len(letters) != 3 or set(letters) - set("xyz") or letters[0] == letters[1] or letters[1] == letters[2]:
+        raise ValueError(
+            'sequence must be three of x, y, z, no two alike next to each other: capitals, like "ZXZ", turn about the '
+            f'body\'s own axes one after the other, small letters about the axes of space; got {shown(sequence)}'
+        )
+    if not isinstance(angles, list) or len(angles) != 3:
+        raise ValueError(f'angles must be three, like ["10 deg", "20 deg", "30 deg"]; got {shown(angles)}')
+    sizes = [parse_quantity(angle, "rad") for angle in angles]
+    turns = [_turn("xyz".index(letter), size) for letter, size in zip(letters, sizes, strict=True)]
+    first, second, third = turns if sequence.isupper() else turns[::-1]
+    return tuple(rotation.multiply(rotation.multiply(first, second), third).tolist())
+
+
+def _turn(axis: int, angle: float) -> Float64[np.ndarray, "4"]:
+    return rotation.from_rotation_vector(angle * np.eye(3)[axis])
+
+
+def _by_axis_and_angle(table: dict[str, Any]) -> tuple[float, ...]:
+    axis = np.array(_direction(table["axis"]))
+    axis = axis / np.abs(axis).max()  # squares of extreme lengths overflow
+    angle = parse_quantity(table["angle"], "rad")
+    return tuple(rotation.from_rotation_vector(angle * axis / np.linalg.norm(axis)).tolist())
 
 
 def _direction(value: Any) -> tuple[float, ...]:
@@ -150,7 +191,7 @@ Inertia = Annotated[tuple[InertiaRow, InertiaRow, InertiaRow], BeforeValidator(_
 Momentum = Annotated[tuple[MomentumComponent, MomentumComponent, MomentumComponent], _three("kg*m^2/s")]
 Rates = Annotated[tuple[Rate, Rate, Rate], _three("rad/s")]
 MeshUnit = Annotated[float, BeforeValidator(_mesh_unit)]
-Quaternion = Annotated[tuple[float, float, float, float], BeforeValidator(_quaternion)]
+Attitude = Annotated[tuple[float, float, float, float], BeforeValidator(_attitude)]
 Flag = StrictBool
 Direction = Annotated[tuple[float, float, float], BeforeValidator(_direction)]
 Acceleration = Annotated[float, _reader("m/s^2", positive=True)]

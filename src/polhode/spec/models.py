@@ -9,6 +9,7 @@ from pydantic import BaseModel, ConfigDict, Field
 from polhode.spec.export import ExportTable
 from polhode.spec.fields import (
     Angle,
+    Attitude,
     Density,
     Duration,
     Flag,
@@ -20,7 +21,6 @@ from polhode.spec.fields import (
     Moments,
     Momentum,
     Position,
-    Quaternion,
     Rate,
     Rates,
     Samples,
@@ -92,7 +92,7 @@ class SpinTable(Strict):
     rate: Rate | None = None
     about: Axis | None = None
     tilt: Angle = 0.0
-    attitude: Quaternion = (1.0, 0.0, 0.0, 0.0)
+    attitude: Attitude = (1.0, 0.0, 0.0, 0.0)
 
 
 class TimeTable(Strict):
