@@ -73,7 +73,7 @@ def steady_top_rates(top: HeavyTop, axial_momentum: float, tilt: float) -> TopRa
 
     >>> rates = steady_top_rates(HeavyTop((1.0, 1.0, 0.5), 1.0), 2.5, math.pi / 3)
     >>> round(rates.precession, 12), round(rates.nutation, 6)
-    (0.438447187191, 2.096314)
+    (0.438447187191, 2.096229)
     """
     moments = _symmetric(top)
     if moments is None or not 0.0 < tilt < math.pi:

@@ -75,6 +75,21 @@ def report(
 
 
 @app.command(cls=StrictCommand)
+def new(
+    example: Annotated[
+        str | None, typer.Argument(metavar="[EXAMPLE]", help="Which one to copy; without one, all are listed.")
+    ] = None,
+    out: Annotated[
+        Path | None, typer.Option("--out", metavar="DIR", help="Folder to copy it to (default: the present one).")
+    ] = None,
+) -> None:
+    """Copy a commented spec to begin with, or list those that there are."""
+    from polhode.cli.new import run_new
+
+    run_new(example, out)
+
+
+@app.command(cls=StrictCommand)
 def view(
     spec: SpecPath,
     out: Annotated[

@@ -27,9 +27,12 @@ def as_json(values: dict[str, Any]) -> str:
 
 def print_report(
     name: str, summary: str, groups: Iterable[Group | Table], notes: Sequence[str], files: Sequence[str],
-    removed: Sequence[str] = (), certificates: bool = False,
+    removed: Sequence[str] = (), certificates: bool = False, following: str = "",
 ) -> None:  # fmt: skip
-    """Print a report, with the functions that verdicts rest on if asked for; parts that are empty are left out."""
+    """Print a report, with the functions that verdicts rest on if asked for, and the command to try next.
+
+    Parts that are empty are left out.
+    """
     console = Console()
     console.print(_text(name, "bold"))
     if summary:
@@ -46,6 +49,8 @@ def print_report(
         console.print(_text(f"Written: {', '.join(map(one_line, files))}", "dim"))
     if removed:
         console.print(_text(f"Removed, of an earlier report: {', '.join(map(one_line, removed))}", "dim"))
+    if following:
+        console.print(_text(f"Next: {following}", "dim"))
 
 
 def _text(text: str, style: str = "") -> Text:

@@ -6,6 +6,7 @@ from pathlib import Path
 
 from polhode.cli.render import as_json, print_report
 from polhode.cli.sources import report_of
+from polhode.cli.terminal import as_typed
 from polhode.errors import InvalidInput, shown
 from polhode.formats.paths import written_together
 from polhode.kinds.reading import read_spec
@@ -51,7 +52,10 @@ def run_report(
     if json:
         print(as_json({"name": spec.name, **report.as_json_dict(), "files": names, "removed": removed}))
     else:
-        print_report(spec.name, report.summary, report.answers(), report.notes, names, removed, certificates)
+        following = as_typed("view", str(path)) + " shows the motion"
+        print_report(
+            spec.name, report.summary, report.answers(), report.notes, names, removed, certificates, following
+        )
 
 
 def _remove_outdated(folder: Path, written: list[str]) -> list[str]:

@@ -5,9 +5,12 @@ from __future__ import annotations
 import codecs
 import contextlib
 import io
+import shlex
+import shutil
 import sys
 import unicodedata
 from collections.abc import Iterator
+from pathlib import Path
 
 HANDLER = "polhode-readable"
 IN_ASCII = {
@@ -17,8 +20,17 @@ IN_ASCII = {
     "Γ": "Gamma", "δ": "delta", "Δ": "Delta", "ε": "epsilon", "ζ": "zeta", "θ": "theta", "κ": "kappa",
     "λ": "lambda", "μ": "u", "µ": "u", "ν": "nu", "ξ": "xi", "π": "pi", "ρ": "rho", "σ": "sigma", "τ": "tau",
     "φ": "phi", "χ": "chi", "ψ": "psi", "ω": "omega", "Ω": "Omega", "¹": "^1", "²": "^2", "³": "^3", "⁴": "^4",
-    "⁵": "^5", "⁶": "^6", "⁻": "^-", "½": "1/2", "¼": "1/4",
+    "⁵": "^5", "⁶": "^6", "⁻": "^-", "½": "1/2", "¼": "1/4", "″": " arcsec",
 }  # fmt: skip
+
+
+def as_typed(*arguments: str) -> str:
+    """Return a command that works where this one was given: as ``.venv/bin/polhode`` where the search path has none."""
+    program = sys.argv[0]
+    found = shutil.which("polhode")
+    on_path = found is not None and Path(program).exists() and Path(found).samefile(program)
+    called = "polhode" if on_path or Path(program).stem != "polhode" else program
+    return shlex.join([called, *arguments])
 
 
 def in_ascii(text: str) -> str:
