@@ -5,12 +5,14 @@ import sys
 from typing import Any
 
 import diffrax
+import equinox as eqx
 import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
 
 import polhode as ph
+from polhode.errors import InvalidInput
 from polhode.integrators import embedded
 from polhode.integrators.sampled import sampled
 from polhode.motion.outcome import Status
@@ -135,6 +137,64 @@ def test_what_has_no_motion_up_to_the_end_says_so(rates):
     run = embedded.begin(jnp.ones(2), times, times, problem.seen)
     run = embedded.advance(run, diffrax.Dopri8(), problem, times, times, None, TOLERANCE, 100_000)
     assert run.status == Status.NOT_CONVERGED and run.steps < 5000 and run.time < 2.0 + 1e-9
+
+
+class Decaying(AbstractSystem):
+    """ẏ = −y, or anything else, up to an event."""
+
+    rates: Any = eqx.field(static=True, default=None)
+    event: Any = eqx.field(static=True, default=None)
+
+    def vector_field(self, t: Any, state: Any) -> Any:
+        return -state if self.rates is None else self.rates(t, state)
+
+    def invariants(self, state: Any) -> dict[str, Any]:
+        return {}
+
+    @property
+    def events(self) -> dict[str, Any]:
+        return {} if self.event is None else {"end": self.event}
+
+
+@pytest.mark.parametrize("start", [1e6, 1e9, 1e12])
+def test_far_from_time_zero_the_state_keeps_to_the_times_as_they_are_rounded(start):
+    times = start + np.linspace(0.0, 5.0, 6)
+    found = ph.simulate(Decaying(), [1.0], times)
+    assert np.abs(found.states[:, 0] - np.exp(start - times)).max() < 1e-13
+    assert found.error_estimate < 1e-12
+
+
+@pytest.mark.parametrize("backward", [False, True])
+def test_an_event_at_time_zero_of_a_run_from_elsewhere_is_found(backward):
+    sign = -1.0 if backward else 1.0
+    system = Decaying(lambda t, y: jnp.ones_like(y), lambda t, y: -sign * t)
+    found = ph.simulate(system, [-2.0], np.array([-2.0, 3.0]) * sign)
+    assert found.outcome.event == "end" and abs(found.times[-1]) < 1e-15
+
+
+def test_a_start_past_its_event_ends_at_once():
+    found = ph.solve(Decaying(event=lambda t, y: y[0] - 0.5), jnp.asarray([0.4]), jnp.asarray([0.0, 1.0, 2.0]))
+    assert found.status == Status.EVENT and found.end == 0.0 and found.end_state[0] == 0.4
+    assert np.isinf(found.saved[1:]).all()
+
+
+def test_an_event_that_ceases_to_be_a_number_ends_the_motion_there():
+    found = ph.simulate(Decaying(lambda t, y: jnp.ones_like(y), lambda t, y: jnp.sqrt(2.0 - t)), [0.0], [0.0, 5.0])
+    assert found.outcome.event == "end" and abs(found.times[-1] - 2.0) < 1e-14
+
+
+@pytest.mark.parametrize(
+    ("rates", "event", "words"),
+    [
+        (lambda t, y: y[:1], None, r"in its shape; got shape \(1,\) for \(2,\)"),
+        (lambda t, y: y[0], None, r"in its shape; got shape \(\)"),
+        (lambda t, y: 1j * y, None, "complex rates of change of a real state"),
+        (None, lambda t, y: y[:1], r"one number at a time and a state; end has shape \(1,\)"),
+    ],
+)
+def test_rates_and_events_of_a_wrong_form_are_refused(rates, event, words):
+    with pytest.raises(InvalidInput, match=words):
+        ph.simulate(Decaying(rates, event), [1.0, 2.0], [0.0, 1.0])
 
 
 def test_an_interrupt_ends_a_long_adaptive_run_soon():

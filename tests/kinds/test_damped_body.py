@@ -140,7 +140,7 @@ def test_figures_show_the_path_or_samples_alone(report, tmp_path):
 @pytest.mark.parametrize(
     ("system", "words"),
     [
-        ("", ["system: needs damping, like 0.01, or linear_drag, like", "or quadratic_drag; got none"]),
+        ("", ["system: needs damping, like 0.01,", "or linear_drag, like", "or quadratic_drag; got none"]),
         ('orbital_period = "90 min"', ["needs damping, like 0.01", "or quadratic_drag; got orbital_period"]),
         ('damping = 0.1\nlinear_drag = "1 N*m*s"\norbital_period = "90 min"',
          ["1 mistake", "system.damping: is for losses inside", "goes without linear_drag and orbital_period"]),
@@ -148,6 +148,8 @@ def test_figures_show_the_path_or_samples_alone(report, tmp_path):
         ('linear_drag = "1 N*m"\nquadratic_drag = "-1 N*m*s^2"\norbital_period = "90 min"\neccentricity = 1.0',
          ["3 mistakes", "linear_drag: has the wrong unit", "quadratic_drag: must be positive",
           "eccentricity: must be within 0 to 0.99"]),
+        ('damping = 0.1\nloss_rate = "2 mW"', ["1 mistake", "system.loss_rate: goes without damping"]),
+        ('damping_time = "0 s"\nloss_rate = "2 m"', ["damping_time: must be positive", "loss_rate: has the wrong"]),
         ('damping = "0.1"', ["system.damping: must be a plain finite number"]),
         ("damping = -0.1\nextra = 1", ["system.damping: must be positive; got -0.1", "system.extra: unknown key"]),
     ],
@@ -160,6 +162,19 @@ def test_bad_specs_are_refused_with_code_2(tmp_path, capsys, system, words):
     assert stopped.value.code == 2
     said = " ".join(capsys.readouterr().err.split())
     assert not [word for word in words if word not in said], said
+
+
+def test_losses_may_be_given_by_time_or_power(report):
+    spin = 'rate = "3 rad/s"\nabout = 1\ntilt = "5 deg"'
+    by_time = report(TRIAXIAL, 'damping_time = "40 s"', spin, "samples = 400").as_json_dict()
+    assert by_time["time_constant"] == pytest.approx(40.0, rel=1e-6) and by_time["damping_time"] == 40.0
+    times = by_time["flat_spin_time"]
+    assert times["motion"] == pytest.approx(times["energy_sink"], rel=0.05) and times["motion"] > 40.0
+    time = 'until = "20 s"\nsamples = 400'
+    by_power = report(TRIAXIAL, 'loss_rate = "20 µW"', spin, time)
+    assert (by_power.energy[0] - by_power.energy[-1]) / 20.0 == pytest.approx(2e-5, rel=0.1)
+    same = report(TRIAXIAL, f"damping = {by_power.damping!r}", spin, time)
+    assert same.energy == pytest.approx(by_power.energy, rel=1e-9)
 
 
 def test_a_thin_rod_is_refused(report):

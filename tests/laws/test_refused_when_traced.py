@@ -11,6 +11,7 @@ from polhode import algebra, analysis, poisson, systems
 from polhode.analysis import (
     alignment,
     comparison,
+    energy_sink,
     first_method,
     free_axes,
     gyrostat_rotations,
@@ -173,6 +174,9 @@ REFUSED = {
     "herpolhode": (THREE, lambda x: poinsot.herpolhode(moving(x))),
     "herpolhode_curve": (THREE, lambda x: poinsot.herpolhode_curve(moving(x), 4)),
     "body_precession": (THREE, lambda x: body_precession(moving(x))),
+    "flat_spin_time": (THREE, lambda x: energy_sink.flat_spin_time(THREE, x, 0.1)),
+    "sink_rate_by_loss": (THREE, lambda x: energy_sink.sink_rate_by_loss(THREE, x, 0.1)),
+    "sink_rate_by_time": (1.0, lambda x: energy_sink.sink_rate_by_time(THREE, x, 0.1)),
     "mean_winding_rate": (TURNS, lambda x: gyrostat_rotations.mean_winding_rate(TIMES, x[:, :3], AXIS)),
     "mean_top_rates": (TURNS, lambda x: top_rates.mean_top_rates(TIMES, x[:, :3])),
     "steady_top_rates": (1.0, lambda x: top_rates.steady_top_rates(TOP, x, 0.3)),

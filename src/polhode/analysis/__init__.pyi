@@ -30,6 +30,9 @@ from .disk_turns import (
     rolling_path as rolling_path,
 )
 from .energy_casimir import Stability as Stability
+from .energy_sink import flat_spin_time as flat_spin_time
+from .energy_sink import sink_rate_by_loss as sink_rate_by_loss
+from .energy_sink import sink_rate_by_time as sink_rate_by_time
 from .equilibria import find_equilibria as find_equilibria
 from .free_axes import axis_stability as axis_stability
 from .gyrostat_rotations import SteadyRotation as SteadyRotation

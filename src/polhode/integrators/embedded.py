@@ -142,12 +142,13 @@ def advance(
         seeking, probing = run.high != 0.0, (run.step == 0.0) & (run.high == 0.0)
         clipped = ~probing & ~seeking & (jnp.abs(run.step) >= jnp.abs(goal - run.time))
         middle = run.low + 0.5 * (run.high - run.low)
-        h = jnp.where(seeking, middle, jnp.where(clipped, goal - run.time, run.step))
+        time = jnp.where(clipped, goal, run.time + jnp.where(seeking, middle, run.step))
+        h = time - run.time  # of the times as they are rounded, or far from zero the state would run ahead of them
         later, error, slope = _stepped(method, rates, run.time, run.state, h, run.slope)
-        time = jnp.where(clipped, goal, run.time + h)
         size = _size(error, run.state, later, tolerance)
         fine = size < 1.0
-        past = (margin(time, later) <= 0.0) & (fine | seeking) if margin else jnp.asarray(False)
+        # what is not a number any more is past as well: the margin ends there
+        past = ~(margin(time, later) > 0.0) & (fine | seeking) if margin else jnp.asarray(False)
         advances = fine & ~past & ~seeking
         reached = advances & clipped
         place = jnp.minimum(run.place, kept.shape[0] - 1)
@@ -163,11 +164,13 @@ def advance(
         if largest is not None:
             step = forth * jnp.minimum(jnp.abs(step), largest)
         stuck = ~fine & ~seeking & ~(jnp.abs(step) >= shortest)
+        stuck |= ~probing & ~seeking & (h == 0.0)  # times too coarse for the step
         # the event lies between two offsets, of which every trial replaces one
         low = jnp.where(seeking & ~past, h, run.low)
         high = jnp.where(past, h, run.high)
         width = EVENT_TOLERANCE * jnp.maximum(jnp.abs(run.time + low), jnp.abs(run.time + high))
-        found = (high != 0.0) & (jnp.abs(high - low) <= width)
+        split = (h == run.low) | (h == run.high)  # no time is left between the two
+        found = (high != 0.0) & ((jnp.abs(high - low) <= width) | (seeking & split)) | (past & probing)
         status = jnp.where(reached & (run.index == count - 1), Status.COMPLETED, run.status)
         status = jnp.where(found, Status.EVENT, jnp.where(stuck, Status.NOT_CONVERGED, status))
         saved = _saved(run.saved, place, seen(time, later), saves)

@@ -19,6 +19,7 @@ from polhode.analysis.damped_motion import (
     time_constant,
 )
 from polhode.analysis.energy_casimir import Stability
+from polhode.analysis.energy_sink import FLAT, flat_spin_time, sink_rate_by_loss, sink_rate_by_time
 from polhode.bodies.body import Body
 from polhode.errors import InvalidInput
 from polhode.kinds.base import Spec, SpecMotion
@@ -64,7 +65,7 @@ class DampedBodyReport(AbstractReport):
     @property
     def inside(self) -> bool:
         """Whether the losses are inside the body, which keeps L."""
-        return self.table.damping is not None
+        return self.table.inside
 
     @property
     def energy(self) -> Float64[Array, "time"]:
@@ -120,7 +121,9 @@ class DampedBodyReport(AbstractReport):
     def answers(self) -> list[Group | Table]:
         orbiting = self.table.orbital_period is not None
         losses = Group("Losses", [
-            Answer("damping", self.table.damping, "", "inside, α |L|", "α |L|"),
+            Answer("damping", self.damping, "", "inside, α |L|", "α |L|"),
+            Answer("damping_time", self.table.damping_time, "s", "given by the damping time"),
+            Answer("loss_rate", self.table.loss_rate, "W", "given by the loss at the start"),
             Answer("linear_drag", self.table.linear_drag, "N m s", "linear drag"),
             Answer("quadratic_drag", self.table.quadratic_drag, "N m s²", "quadratic drag"),
             Answer("orbital_period", self.table.orbital_period, "s", "orbital period"),
@@ -150,8 +153,32 @@ class DampedBodyReport(AbstractReport):
                                 "principal axes"),
             *self._at_both_ends("angle_to_major_axis", self.angle_to_major_axis, "rad", "L to the major axis"),
             Answer("time_constant", self.time_constant, "s", f"time constant {which}"),
+            *self._flat_spin(),
             *accuracy(self.trajectory, "drift of what is kept or balanced"),
         ])  # fmt: skip
+
+    @property
+    def damping(self) -> float | None:
+        """α |L| of losses inside; None of others."""
+        norm = float(self.momentum_norm[0])
+        moments, start = self.body.principal_moments, np.asarray(self.trajectory.momentum)[0]
+        return norm * _sink_rate(self.table, moments, start) if self.inside and norm else self.table.damping
+
+    def _flat_spin(self) -> list[Answer]:
+        """Return when L comes to stay within 5° of the major axis, by the energy-sink method and in the motion."""
+        if not self.inside or self.damping is None or not self.momentum_norm[0]:
+            return []
+        moments, start = self.body.principal_moments, np.asarray(self.trajectory.momentum)[0]
+        away = np.flatnonzero(self.angle_to_major_axis > FLAT)
+        seen = None if len(away) and away[-1] == len(self.angle_to_major_axis) - 1 else 0.0
+        if seen is not None and len(away):
+            seen = float(self.trajectory.times[away[-1] + 1] - self.trajectory.times[0])
+        expected = flat_spin_time(moments, start, self.damping / float(self.momentum_norm[0]))
+        within = "L to stay within 5° of the major axis"
+        return [
+            Answer("flat_spin_time.energy_sink", expected, "s", "to a flat spin, by mean losses", within),
+            Answer("flat_spin_time.motion", seen, "s", "to a flat spin, in the motion", f"{within}, at a sample"),
+        ]
 
     def _at_both_ends(self, name: str, values: Array, unit: str, label: str, explanation: str = "") -> list[Answer]:
         return [
@@ -191,7 +218,7 @@ def _moved(spec: Spec, judged: bool) -> tuple[Trajectory, tuple[Stability, ...],
         )
     momentum, attitude = spec.start(moments, spec.body.principal_axes)
     norm = float(np.linalg.norm(momentum))
-    system = _system(table, moments, norm)
+    system = _system(table, moments, momentum)
     axes = damped_axis_stability(system, norm) if norm and (judged or times is None) else ()
     cut = False
     if times is None:
@@ -211,12 +238,25 @@ def _fewest_steps(table: DampedBodyTable, moments: Array, norm: float, span: flo
     Drag takes |L| itself, and leaves what follows the orbit.
     """
     around = 0.0 if table.orbital_period is None else ORBITING * 2.0 * math.pi / table.orbital_period
-    return span * (TURNING * norm / float(np.max(moments)) if table.damping is not None else around)
+    return span * (TURNING * norm / float(np.max(moments)) if table.inside else around)
 
 
-def _system(table: DampedBodyTable, moments: Array, norm: float) -> DoubleBracket | TorquedBody:
-    if table.damping is not None:
-        return DoubleBracket(moments, table.damping / norm if norm else 0.0)
+def _sink_rate(table: DampedBodyTable, moments: Array, momentum: Array) -> float:
+    """Return α of the losses inside, zero at rest."""
+    norm = float(np.linalg.norm(momentum))
+    if not norm:
+        return 0.0
+    if table.damping_time is not None:
+        return sink_rate_by_time(moments, norm, table.damping_time)
+    if table.loss_rate is not None:
+        return sink_rate_by_loss(moments, momentum, table.loss_rate)
+    assert table.damping is not None
+    return table.damping / norm
+
+
+def _system(table: DampedBodyTable, moments: Array, momentum: Array) -> DoubleBracket | TorquedBody:
+    if table.inside:
+        return DoubleBracket(moments, _sink_rate(table, moments, momentum))
     torques: list[AbstractTorque] = []
     if table.linear_drag is not None:
         torques.append(LinearDrag(table.linear_drag))
@@ -237,7 +277,7 @@ def _end(table: DampedBodyTable, moments: Array, momentum: Array, axes: tuple[St
     if not axes:
         return table.orbital_period or 1.0, False
     norm, turn = float(np.linalg.norm(momentum)), 2.0 * math.pi / float(np.linalg.norm(momentum / moments))
-    if table.damping is None:
+    if not table.inside:
         wanted = DECAYS * _drag_time(table, float(moments[2]), norm / float(moments[2]))
     else:
         wanted = settling_time(axes, momentum, moments)

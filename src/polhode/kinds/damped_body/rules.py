@@ -11,11 +11,18 @@ from polhode.spec.rules import Mistake, listed
 def damped_rules(system: dict[str, Any]) -> Iterator[Mistake]:
     """Yield where a raw table [system] breaks a rule, and how it is said."""
     outer = [key for key in ("linear_drag", "quadratic_drag", "orbital_period", "eccentricity") if key in system]
-    if "damping" in system and outer:
+    inside = [key for key in ("damping", "damping_time", "loss_rate") if key in system]
+    if len(inside) > 1:
+        text = f"goes without {inside[0]}, as either says how strong the losses are; leave out one"
+        yield ("system", inside[1]), text
+    elif inside and outer:
         text = f"is for losses inside, which keep L, and goes without {listed(outer)}; leave out one or the other"
-        yield ("system", "damping"), text
-    elif not {"damping", "linear_drag", "quadratic_drag"} & set(system):
-        text = 'needs damping, like 0.01, or linear_drag, like "0.01 N*m*s", or quadratic_drag'
+        yield ("system", inside[0]), text
+    elif not inside and not {"linear_drag", "quadratic_drag"} & set(system):
+        text = (
+            'needs damping, like 0.01, damping_time, like "30 min", or loss_rate, like "2 mW"; or linear_drag, like '
+            '"0.01 N*m*s", or quadratic_drag'
+        )
         yield ("system",), f"{text}; got {listed(outer)}"
     elif "eccentricity" in system and "orbital_period" not in system:
         yield ("system", "eccentricity"), 'goes with orbital_period; give it like "90 min", or leave eccentricity out'

@@ -2,7 +2,14 @@
 
 from __future__ import annotations
 
-from polhode.spec.fields import Duration, Eccentricity, LinearDragCoefficient, PositivePlain, QuadraticDragCoefficient
+from polhode.spec.fields import (
+    Duration,
+    Eccentricity,
+    LinearDragCoefficient,
+    PositivePlain,
+    Power,
+    QuadraticDragCoefficient,
+)
 from polhode.spec.models import SystemTable
 
 
@@ -10,11 +17,20 @@ class DampedBodyTable(SystemTable):
     """A body that loses energy, inside or by drag.
 
     Attributes:
-        damping: α |L| of the double bracket.
+        damping: α |L| of the double bracket; or α is given by one of the next two.
+        damping_time: in which the last approach to the major axis falls to 1/e [s].
+        loss_rate: mean power lost on the polhode of the start [W].
     """
 
     damping: PositivePlain | None = None
+    damping_time: Duration | None = None
+    loss_rate: Power | None = None
     linear_drag: LinearDragCoefficient | None = None
     quadratic_drag: QuadraticDragCoefficient | None = None
     orbital_period: Duration | None = None
     eccentricity: Eccentricity | None = None
+
+    @property
+    def inside(self) -> bool:
+        """Whether the losses are inside the body."""
+        return self.damping is not None or self.damping_time is not None or self.loss_rate is not None
