@@ -31,6 +31,28 @@ def disturbed(body, space, rate, times=TIMES):
     return AttitudeHistory("disturbed", times, rotation.multiply(turned, rotation.from_rotation_vector(body)))
 
 
+def test_motions_and_trajectories_are_compared_as_they_are():
+    motion = FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5))
+    other = FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5 + 1e-6))
+    times = np.linspace(0.0, 5.0, 101)
+    assert compare(motion, motion.sample(times)).largest < 1e-14
+    assert compare(motion.sample(times), motion).largest < 1e-14
+    found = compare(motion.sample(times), other)
+    wanted = rotation.angle_between(motion.attitude(times), other.attitude(times))
+    assert found.angle == pytest.approx(wanted, abs=1e-14) and found.largest > 1e-7
+    late = FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5), epoch=-2.0)
+    assert compare(late.sample(times - 2.0), motion, offset=-2.0).largest < 1e-13
+    with pytest.raises(InvalidInput, match="both motions in closed form"):
+        compare(motion, other)
+
+
+@pytest.mark.usefixtures("any_type")
+def test_what_has_no_attitude_is_not_compared():
+    samples = FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5)).sample(np.linspace(0.0, 5.0, 101))
+    with pytest.raises(InvalidInput, match="`b` must be an AttitudeHistory, a Trajectory"):
+        compare(samples, "motion.nc")
+
+
 @pytest.mark.parametrize(
     ("body", "space", "rate"),
     [

@@ -21,7 +21,7 @@ from polhode.analysis import (
     spin_orbit,
     top_rates,
 )
-from polhode.analysis.axis_angles import axis_angles, cone_angles, rotation_form, velocity_angles
+from polhode.analysis.cone import axis_angles, cone_angles, rotation_form, velocity_angles
 from polhode.analysis.precession import body_precession, fastest_rate, space_precession
 from polhode.analysis.twist import racket_twist
 from polhode.bodies import surface

@@ -1,12 +1,12 @@
 from .alignment import Alignment as Alignment
 from .alignment import fit_alignment as fit_alignment
-from .axis_angles import axis_angles as axis_angles
-from .axis_angles import cone_angles as cone_angles
-from .axis_angles import rotation_form as rotation_form
-from .axis_angles import velocity_angles as velocity_angles
 from .comparison import AttitudeHistory as AttitudeHistory
 from .comparison import Comparison as Comparison
 from .comparison import compare as compare
+from .cone import axis_angles as axis_angles
+from .cone import cone_angles as cone_angles
+from .cone import rotation_form as rotation_form
+from .cone import velocity_angles as velocity_angles
 from .conserved_function import ConservedFunction as ConservedFunction
 from .damped_axes import damped_axis_stability as damped_axis_stability
 from .damped_motion import angle_to_axis as angle_to_axis

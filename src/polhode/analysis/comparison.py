@@ -12,7 +12,9 @@ from polhode import rotation
 from polhode.analysis.alignment import Alignment, fit_alignment
 from polhode.analysis.mechanics import Mechanics, invariants_along
 from polhode.arrays import is_traced
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, shown
+from polhode.motion.base import AbstractMotion
+from polhode.motion.trajectory import Trajectory
 from polhode.types import Array, Float64
 
 SAME_TIME = 1e-9  # of a step: two samples that near are at the same time, written with other digits
@@ -121,27 +123,41 @@ class Comparison:
         return self.alignment is not None and self.alignment.rms < EXPLAINED * self.rms
 
 
-def compare(a: AttitudeHistory, b: AttitudeHistory, *, offset: float = 0.0) -> Comparison:
+Source = AttitudeHistory | Trajectory | AbstractMotion
+
+
+def compare(a: Source, b: Source, *, offset: float = 0.0) -> Comparison:
     """Compare two attitude histories along the same body axes.
 
     Where one is known exactly it is evaluated at the other's samples; where both are, at A's; of two sampled ones B is
     interpolated at A's samples by a spline of rotations, unless both have samples there.
 
     Args:
-        a: the one that times are counted by.
-        b: the other.
+        a: the one that times are counted by: a history, a trajectory with attitudes, or a motion in closed form.
+        b: the other; one of the two must have samples.
         offset: A's time at B's time zero [s].
 
     Raises:
-        InvalidInput: for histories that have no time in common.
+        InvalidInput: for histories that have no time in common, two motions without samples, or anything else.
 
     >>> from polhode import FreeMotion
     >>> motion = FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5))
     >>> samples = motion.sample(np.linspace(0.0, 5.0, 100))
+    >>> compare(motion, samples).largest < 1e-14
+    True
     >>> history = AttitudeHistory("samples", samples.times, samples.attitude)
     >>> compare(history, AttitudeHistory("late", samples.times - 1.0, samples.attitude), offset=1.0).largest < 1e-15
     True
     """
+    one, other = _sampled(a, "a"), _sampled(b, "b")
+    if one is not None:
+        return _compared(one, other or _evaluated(b, one.times - offset, "b"), offset)
+    if other is not None:
+        return _compared(_evaluated(a, other.times + offset, "a"), other, offset)
+    raise InvalidInput("`a` and `b` are both motions in closed form, without samples; give a.sample(times) for one.")
+
+
+def _compared(a: AttitudeHistory, b: AttitudeHistory, offset: float) -> Comparison:
     slack = _digits(a, b, offset)
     times = _common_times(a, b, offset, slack)
     at_a, _, _ = _attitude_at(a, times, 0.0, slack)
@@ -155,6 +171,26 @@ def compare(a: AttitudeHistory, b: AttitudeHistory, *, offset: float = 0.0) -> C
     alignment = fit_alignment(times, at_a, at_b) if len(times) > 1 and angle.max() > rounding else None
     invariants = _invariants(a, times, 0.0, slack), _invariants(b, times, offset, slack)
     return Comparison((a.name, b.name), times, angle, growth, alignment, invariants, method, missed, rounding)
+
+
+def _sampled(source: Any, name: str) -> AttitudeHistory | None:
+    """Return a history of what has samples, None of a motion in closed form."""
+    if isinstance(source, AttitudeHistory):
+        return source
+    if isinstance(source, Trajectory) and source.attitude is not None:
+        velocity = None if source.angular_velocity is None else np.asarray(source.angular_velocity)
+        return AttitudeHistory(name, np.asarray(source.times), np.asarray(source.attitude), velocity)
+    if isinstance(source, AbstractMotion):
+        return None
+    got = "a trajectory without attitudes" if isinstance(source, Trajectory) else shown(source)
+    raise InvalidInput(f"`{name}` must be an AttitudeHistory, a Trajectory with attitudes, or a motion; got {got}.")
+
+
+def _evaluated(motion: Any, times: Array, name: str) -> AttitudeHistory:
+    def exact(t: Array) -> tuple[Array, Array]:
+        return np.asarray(motion.attitude(t)), np.asarray(motion.angular_velocity(t))
+
+    return AttitudeHistory(name, times, *exact(times), exact)
 
 
 def _common_times(a: AttitudeHistory, b: AttitudeHistory, offset: float, slack: float) -> Array:

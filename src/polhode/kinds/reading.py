@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -69,6 +70,11 @@ def report(spec: Spec | str | Path) -> AbstractReport:
     """
     if isinstance(spec, Spec):
         return spec.report()
+    if not isinstance(spec, str | os.PathLike):
+        raise InvalidInput(
+            f"`spec` must be a Spec, as `read_spec` returns it, or the path of a file; got {shown(spec)}. "
+            "What a report says of motions and trajectories is in `polhode.analysis`."
+        )
     read = read_spec(spec)
     try:
         return read.report()

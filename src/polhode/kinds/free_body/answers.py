@@ -8,7 +8,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from polhode.analysis.axis_angles import CONING, axis_angles, rotation_form, velocity_angles
+from polhode.analysis.cone import CONING, axis_angles, rotation_form, velocity_angles
 from polhode.analysis.energy_casimir import Stability
 from polhode.analysis.free_axes import axis_stability
 from polhode.analysis.mechanics import Mechanics

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from polhode.analysis.axis_angles import axis_angles, cone_angles, rotation_form
+from polhode.analysis.cone import axis_angles, cone_angles, rotation_form
 from polhode.exact.free_body import FreeMotion
 from polhode.reports.wording import angles, in_its_unit
 
