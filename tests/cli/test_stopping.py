@@ -29,8 +29,12 @@ def test_the_exit_code_is_the_shell_s(monkeypatch, capsys, number):
         pytest.fail("the signal was lost")
 
     monkeypatch.setattr(entry, "_run", run)
-    with pytest.raises(SystemExit) as ended:
-        entry.main(["report"])
+    before = signal.signal(number, signal.SIG_DFL)  # tests under nohup inherit an ignored SIGHUP, which stays ignored
+    try:
+        with pytest.raises(SystemExit) as ended:
+            entry.main(["report"])
+    finally:
+        signal.signal(number, before)
     out, err = capsys.readouterr()
     assert ended.value.code == CODES[number] and out == "" and err == f"polhode: stopped by {number.name}.\n"
 

@@ -5,7 +5,7 @@ import pytest
 
 from polhode import FreeMotion, rotation
 from polhode.analysis.comparison import AttitudeHistory, Mechanics, compare
-from polhode.figures.comparison import LEAST, draw_comparison
+from polhode.figures.comparison_figure import LEAST, comparison
 
 MOTION = FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5))
 BODY = Mechanics(np.diag([1.0, 2.0, 3.0]))
@@ -20,7 +20,7 @@ def history(times, turn=0.0, mechanics=BODY):
 @pytest.mark.parametrize("turn", [0.0, 1e-9, 2.0])
 def test_every_curve_lies_within_its_axes(count, turn):
     times = np.linspace(0.0, 30.0, count)
-    figure = draw_comparison(compare(history(times), history(times, turn)))
+    figure = comparison(compare(history(times), history(times, turn)))
     figure.canvas.draw()
     assert [axes.get_ylabel() for axes in figure.axes] == ["angle  [rad]", "change, relative"]
     assert figure.axes[-1].get_xlabel() == "time of A  [s]"
@@ -36,7 +36,7 @@ def test_no_error_hides_between_the_points_drawn():
     times = np.linspace(0.0, 30.0, 5000)
     other = history(times)
     other.attitude[3210] = rotation.multiply(rotation.from_rotation_vector((0.1, 0.0, 0.0)), other.attitude[3210])
-    figure = draw_comparison(compare(history(times), other))
+    figure = comparison(compare(history(times), other))
     angle = next(line for line in figure.axes[0].get_lines() if line.get_label().startswith("angle between"))
     assert angle.get_label() == "angle between them, largest of each stretch"
     assert np.max(angle.get_ydata()) == pytest.approx(0.1) and len(angle.get_ydata()) < 1000
@@ -45,7 +45,7 @@ def test_no_error_hides_between_the_points_drawn():
 def test_zero_is_drawn_as_zero_and_without_moments_there_is_one_picture():
     times = np.linspace(0.0, 30.0, 50)
     identical = AttitudeHistory("identity", times, np.tile([1.0, 0.0, 0.0, 0.0], (50, 1)))
-    figure = draw_comparison(compare(identical, identical))
+    figure = comparison(compare(identical, identical))
     (axes,) = figure.axes
     assert np.all(axes.get_lines()[0].get_ydata() == LEAST)
     figure.canvas.draw()
@@ -57,7 +57,7 @@ def test_zeros_stand_next_below_what_is_not_zero(largest):
     times = np.linspace(0.0, 30.0, 50)
     turns = rotation.from_rotation_vector(np.linspace(0.0, largest, 50)[:, None] * np.array([0.0, 0.0, 1.0]))
     still = AttitudeHistory("still", times, np.tile([1.0, 0.0, 0.0, 0.0], (50, 1)))
-    figure = draw_comparison(compare(AttitudeHistory("$turning", times, turns), still))
+    figure = comparison(compare(AttitudeHistory("$turning", times, turns), still))
     figure.canvas.draw()
     (axes,) = figure.axes
     low, high = axes.get_ylim()
@@ -68,5 +68,5 @@ def test_zeros_stand_next_below_what_is_not_zero(largest):
 
 
 def test_one_sample_has_its_time_on_the_axis():
-    figure = draw_comparison(compare(history(np.array([7.0])), history(np.array([7.0]), 1e-3)))
+    figure = comparison(compare(history(np.array([7.0])), history(np.array([7.0]), 1e-3)))
     assert np.array_equal(figure.axes[-1].get_xticks(), [7.0])

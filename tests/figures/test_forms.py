@@ -111,7 +111,7 @@ def test_small_curves_are_enlarged_by_powers_of_ten():
 
 @pytest.mark.parametrize("name", ["momentum_sphere", "inertia_ellipsoid", "components", "herpolhode"])
 def test_a_motion_is_drawn_without_a_spec(name):
-    draw = getattr(ph.figures, f"draw_{name}")
+    draw = getattr(ph.figures, name)
     motion = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5), epoch=2.0)
     lines = [line for axes in draw(motion).axes for line in axes.lines]
     assert lines

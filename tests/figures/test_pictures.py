@@ -12,12 +12,13 @@ from polhode.bodies.surface import Surface, cuboid
 from polhode.bodies.turned import ball
 from polhode.exact.free_body import FreeMotion
 from polhode.figures import style
-from polhode.figures.axis_locus import draw_axis_locus, followed
-from polhode.figures.inertia_ellipsoid import draw_inertia_ellipsoid
+from polhode.figures.axis_figure import axis_locus
+from polhode.figures.ellipsoid_figure import inertia_ellipsoid
 from polhode.figures.scene import Scene, circle_about, convex_outline, corner_normals
 from polhode.figures.sphere import view_frame
-from polhode.figures.spinning_top import draw_spinning_top
-from polhode.figures.top_motion import draw_top_motion
+from polhode.figures.tilt_figure import top_motion
+from polhode.figures.top_figure import spinning_top
+from polhode.figures.top_shown import followed, top_shown
 from polhode.kinds.euler_disk.rolling_figure import _disk, _moments_shown, draw_rolling_disk
 from polhode.kinds.free_body.answers import free_body_report
 from polhode.kinds.reading import read_spec
@@ -127,7 +128,7 @@ def test_the_point_that_touches():
 
 def test_the_ellipsoid_that_is_drawn_has_the_motions_polhode_on_it():
     report = read_spec(EXAMPLES / "t_handle.toml").report()
-    figure = draw_inertia_ellipsoid(report.trajectory)
+    figure = inertia_ellipsoid(report.trajectory)
     frame = view_frame(np.array([0.80, 0.46, 0.38]))
     motion = report.motion
     velocity = motion.angular_velocity(np.linspace(0.0, motion.period, 4000)) / np.sqrt(2.0 * motion.energy)
@@ -145,7 +146,7 @@ def test_the_ellipsoid_that_is_drawn_has_the_motions_polhode_on_it():
 @pytest.mark.parametrize("momentum", first(1, [[0.5, 0.1, 0.5], [0.0, 0.0, 1.0]]))
 def test_any_body_and_spin_can_be_drawn(moments, momentum):
     report = free_body_report(Body.from_moments(*moments), np.array(momentum), np.array([1.0, 0.0, 0.0, 0.0]))
-    assert draw_inertia_ellipsoid(report.trajectory) is not None
+    assert inertia_ellipsoid(report.trajectory) is not None
 
 
 # ---------------------------------------------------------------------- the top
@@ -158,12 +159,12 @@ def precessing():
 
 def test_the_cones_of_steady_precession(precessing):
     """By hand: Ω = p e_z + (w3 − p cos θ) e3, on both cones at all times, the angles adding up to the tilt."""
-    path, tilt, spin, p = followed(precessing), np.radians(30.0), 37.0, precessing.steady.slow
+    path, tilt, spin, p = followed(top_shown(precessing.trajectory)), np.radians(30.0), 37.0, precessing.steady.slow
     unit = path.velocity / np.linalg.norm(path.velocity, axis=-1, keepdims=True)
     in_space, in_body = np.arccos(unit[:, 2]), np.arccos(np.sum(unit * path.axis, axis=-1))
     body = np.arctan2(p * np.sin(tilt), spin)
     assert in_body == pytest.approx(body, abs=1e-9) and in_space == pytest.approx(tilt - body, abs=1e-9)
-    figure = draw_spinning_top(precessing)
+    figure = spinning_top(precessing.trajectory, surface=precessing.surface)
     words = [text.get_text() for text in figure.axes[0].get_legend().get_texts()]
     assert "space cone of Ω" in words and "body cone of Ω" in words
     # the rims as drawn touch
@@ -176,10 +177,10 @@ def test_a_tilt_constant_to_rounding_is_steady_in_words_and_pictures(precessing)
     assert values["regime"] == "undulating" and precessing.constant_tilt
     assert "precesses steadily" in precessing.summary and "nutates" not in precessing.summary
     assert f"{values['precession_rate']:.6g} rad/s" in precessing.summary
-    figure = draw_axis_locus(precessing)
+    figure = axis_locus(precessing.trajectory)
     assert "steady" in figure.axes[0].get_title()
     assert not any(to_hex(line.get_color()).upper() == style.VERMILION for line in figure.axes[0].lines)
-    figure = draw_top_motion(precessing)
+    figure = top_motion(precessing.trajectory)
     figure.canvas.draw()
     low, high = figure.axes[0].get_ylim()
     assert low == pytest.approx(29.5) and high == pytest.approx(30.5)
@@ -190,7 +191,7 @@ def test_a_tilt_constant_to_rounding_is_steady_in_words_and_pictures(precessing)
 
 def test_a_nodding_top_stays_between_two_cones():
     report = read_spec(EXAMPLES / "top.toml").report()
-    figure = draw_spinning_top(report)
+    figure = spinning_top(report.trajectory, surface=report.surface)
     words = [text.get_text() for text in figure.axes[0].get_legend().get_texts()]
     assert words == ["tip of the axis", "cones at its least and largest tilt"]
     assert {text.get_text() for text in figure.axes[0].texts} >= {"L", "Ω", "mg"}
@@ -201,7 +202,7 @@ def test_tops_without_a_shape_or_a_weight(tmp_path):
     free = tmp_path / "free.toml"
     free.write_text(text.replace('pivot = ["0 m", "0 m", "0 m"]', 'pivot = ["0 m", "0 m", "0.0315625 m"]').replace(
         'lean = "20 deg"', ""))  # fmt: skip
-    assert draw_spinning_top(read_spec(free).report()) is None
+    assert spinning_top(read_spec(free).report().trajectory) is None
     given = tmp_path / "given.toml"
     given.write_text("""
 [body]
@@ -215,7 +216,7 @@ lean = "20 deg"
 rate = "1500 rpm"
 about = "z"
 """)
-    assert draw_spinning_top(read_spec(given).report()) is not None  # as the box of the same inertia
+    assert spinning_top(read_spec(given).report().trajectory) is not None  # as the box of the same inertia
 
 
 # ---------------------------------------------------------------------- the disk

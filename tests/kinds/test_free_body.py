@@ -9,9 +9,9 @@ import xarray as xr
 
 import polhode as ph
 from polhode.errors import InvalidInput
-from polhode.figures.components import draw_components
+from polhode.figures.components_figure import components
 from polhode.figures.drawing import draw_all
-from polhode.figures.momentum_sphere import draw_momentum_sphere
+from polhode.figures.sphere_figure import momentum_sphere
 from polhode.formats.dataset import as_dataset, write_dataset
 from polhode.kinds.free_body.answers import free_body_report
 from polhode.kinds.free_body.figures import FIGURES
@@ -90,11 +90,11 @@ def test_spin_about_the_least_moment_is_warned_of():
 
 def test_figures_say_what_they_show():
     report = report_on("long-axis")
-    upper, lower = draw_components(report.trajectory).axes
+    upper, lower = components(report.trajectory).axes
     assert "[rad/s]" in upper.get_ylabel() and "kg m²/s" in lower.get_ylabel() and "[s]" in lower.get_xlabel()
     shown = upper.lines[0].get_ydata()
     assert shown == pytest.approx(report.motion.angular_velocity(upper.lines[0].get_xdata())[:, 0])
-    sphere = draw_momentum_sphere(report.trajectory)
+    sphere = momentum_sphere(report.trajectory)
     curves = [line.get_xydata() for line in sphere.axes[0].lines if len(line.get_xdata()) > 100]
     radii = np.concatenate([np.hypot(*curve.T) for curve in curves])
     assert radii[np.isfinite(radii)].max() < 1.0 + 1e-9
@@ -135,13 +135,13 @@ def test_dataset_that_cannot_be_written(tmp_path):
 
 def test_the_herpolhode_is_drawn_turn_by_turn():
     """With three samples a turn in the report, chords of the curve would be far off it."""
-    from polhode.figures.herpolhode import draw_herpolhode
+    from polhode.figures.herpolhode_figure import herpolhode
     from polhode.kinds.free_body.answers import free_body_report
 
     body = ph.Body.from_moments(1.0, 1.1, 1.2)
     times = np.linspace(0.0, 400.0, 200)
     report = free_body_report(body, np.array([0.1, 0.3, 1.0]), np.array([1.0, 0, 0, 0]), times)
-    curve = np.stack(draw_herpolhode(report.trajectory).axes[0].lines[2].get_data(), axis=-1)
+    curve = np.stack(herpolhode(report.trajectory).axes[0].lines[2].get_data(), axis=-1)
     turns = np.diff(np.unwrap(np.arctan2(curve[:, 1], curve[:, 0])))
     assert np.abs(turns).max() < 0.2
 

@@ -18,6 +18,7 @@ from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.exact.free_body import FreeMotion
 from polhode.motion.inputs import finite
+from polhode.motion.trajectory import Trajectory
 from polhode.types import Array
 
 TURN = 2.0 * math.pi
@@ -31,13 +32,13 @@ NODES, NODE_WEIGHTS = np.polynomial.legendre.leggauss(12)
 
 
 @known_numbers_only
-def racket_twist(motion: FreeMotion, handle: int = 0) -> float:
+def racket_twist(motion: FreeMotion | Trajectory, handle: int = 0) -> float:
     """Return the twist [rad] about the handle while its azimuth about L turns once, the tennis-racket experiment.
 
     The experiment is often said to give half a turn, and does so only for some throws.
 
     Args:
-        motion: one body.
+        motion: one body's, or samples of it.
         handle: index 0, 1, 2 of the principal axis that is the handle.
 
     Raises:
@@ -50,7 +51,14 @@ def racket_twist(motion: FreeMotion, handle: int = 0) -> float:
     >>> round(math.degrees(racket_twist(racket)), 1)
     166.3
     """
-    motion = motion.along_principal_axes()
+    free = motion.motion if isinstance(motion, Trajectory) else motion
+    if not isinstance(free, FreeMotion):
+        made = f" of a {type(motion.source).__name__}" if isinstance(motion, Trajectory) else ""
+        raise InvalidInput(f"`motion` must be a FreeMotion or samples of one; got a {type(motion).__name__}{made}.")
+    return _twist(free.along_principal_axes(), handle)
+
+
+def _twist(motion: FreeMotion, handle: int) -> float:
     start = np.asarray(motion.momentum_at_epoch)
     if start.ndim != 1 or np.ndim(motion.epoch):
         raise InvalidInput(f"`motion` must be of one body; got momentum of shape {start.shape}. Take one at a time.")

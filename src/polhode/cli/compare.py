@@ -83,8 +83,8 @@ def _names(a: Source, b: Source) -> list[str]:
 
 def _drawn(report: ComparisonReport, folder: Path) -> Path:
     from polhode.figures import style
-    from polhode.figures.comparison import draw_comparison
+    from polhode.figures.comparison_figure import comparison
 
     with written_together(folder) as draft:
-        style.save(draw_comparison(report.comparison), draft / "comparison.png")
+        style.save(comparison(report.comparison), draft / "comparison.png")
     return folder / "comparison.png"

@@ -1,6 +1,10 @@
-from .comparison import draw_comparison as draw_comparison
-from .components import draw_components as draw_components
-from .herpolhode import draw_herpolhode as draw_herpolhode
-from .inertia_ellipsoid import draw_inertia_ellipsoid as draw_inertia_ellipsoid
-from .momentum_sphere import draw_momentum_sphere as draw_momentum_sphere
+from .axis_figure import axis_locus as axis_locus
+from .comparison_figure import comparison as comparison
+from .components_figure import components as components
+from .ellipsoid_figure import inertia_ellipsoid as inertia_ellipsoid
+from .herpolhode_figure import herpolhode as herpolhode
+from .parts_figure import parts as parts
+from .sphere_figure import momentum_sphere as momentum_sphere
 from .style import save as save
+from .tilt_figure import top_motion as top_motion
+from .top_figure import spinning_top as spinning_top

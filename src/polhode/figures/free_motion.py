@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from polhode.errors import InvalidInput
+from polhode.errors import shown as in_words
 from polhode.exact.free_body import FreeMotion
 from polhode.formats.given_axes import along_principal_axes
 from polhode.motion.inputs import finite
@@ -22,8 +23,9 @@ def free_motion_of(shown: Trajectory | FreeMotion) -> tuple[FreeMotion, Trajecto
     Raises:
         InvalidInput: for a trajectory of anything else, a batch, or one without samples.
     """
-    trajectory = _sampled(shown) if isinstance(shown, FreeMotion) else shown
-    samples = along_principal_axes(trajectory)
+    if not isinstance(shown, FreeMotion | Trajectory):
+        raise InvalidInput(f"the figure is of a FreeMotion, or of samples of one; got {in_words(shown)}.")
+    samples = along_principal_axes(_sampled(shown) if isinstance(shown, FreeMotion) else shown)
     motion = samples.motion
     if not isinstance(motion, FreeMotion):
         made = "a file" if samples.source is None else type(samples.source).__name__

@@ -5,15 +5,13 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from matplotlib.figure import Figure
 
 from polhode.figures import style
 from polhode.types import Array, ArrayLike, Float64, Real
 
 
-def sphere_axes(figure: Figure) -> Any:
-    """Return axes with the sphere's disk."""
-    axes = figure.add_subplot()
+def draw_disk(axes: Any) -> None:
+    """Draw the disk of the sphere, and give the axes their window."""
     circle = np.linspace(0.0, 2.0 * np.pi, 400)
     axes.fill(np.cos(circle), np.sin(circle), color="#f4f4f4", zorder=-5)
     axes.plot(np.cos(circle), np.sin(circle), color=style.LIGHT, lw=0.8)
@@ -21,7 +19,6 @@ def sphere_axes(figure: Figure) -> Any:
     axes.set_xlim(-1.36, 1.36)
     axes.set_ylim(-1.06, 1.36)
     axes.axis("off")
-    return axes
 
 
 def view_frame(view: Real[ArrayLike, "3"]) -> Float64[Array, "3 3"]:

@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from io import BytesIO
 from pathlib import Path
 from typing import Any
 
 import matplotlib
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.ticker import ScalarFormatter
+
+from polhode.errors import InvalidInput, shown
 
 COLUMN = 3.6  # inches, a journal's column
 DOTS_PER_INCH = 200
@@ -37,11 +41,58 @@ METADATA: dict[str, dict[str, Any]] = {
 _MARKS = {"png": b"Software\0polhode", "svg": b"<dc:title>polhode</dc:title>", "pdf": b"/Creator (polhode)"}
 
 
+class Picture(Figure):
+    """A figure that notebooks show whether or not pyplot was imported."""
+
+    def _repr_png_(self) -> bytes:
+        drawn = BytesIO()
+        self.savefig(drawn, format="png", dpi=DOTS_PER_INCH, facecolor="white")
+        return drawn.getvalue()
+
+
 def new_figure(width: float = COLUMN, height: float = COLUMN) -> Figure:
     """Return an empty figure with its own canvas."""
-    figure = Figure(figsize=(width, height), dpi=DOTS_PER_INCH, layout="constrained")
+    figure = Picture(figsize=(width, height), dpi=DOTS_PER_INCH, layout="constrained")
     FigureCanvasAgg(figure)
     return figure
+
+
+def axes_for(axes: Any, rows: int = 1, height: float = COLUMN) -> tuple[Any, list[Any]]:
+    """Return figure and axes to draw on: the axes given, or as many one above the other in a figure of its own.
+
+    Args:
+        axes: of matplotlib; one, or a sequence of as many as the figure has rows. None for a new figure.
+        rows: how many the figure needs.
+        height: of a new figure [inches].
+
+    Raises:
+        InvalidInput: for anything else, or another number of axes.
+    """
+    if axes is None:
+        figure = new_figure(height=height)
+        return figure, list(np.atleast_1d(figure.subplots(rows, 1, sharex=True)))
+    found = [axes] if isinstance(axes, Axes) else list(axes) if isinstance(axes, list | tuple | np.ndarray) else []
+    if len(found) != rows or not all(isinstance(each, Axes) for each in found):
+        wanted = "one matplotlib Axes" if rows == 1 else f"a sequence of {rows} matplotlib Axes"
+        raise InvalidInput(f"`axes` must be {wanted}; got {shown(axes)}. Leave it out for a new figure.")
+    return found[0].figure.figure, found  # of a part of a figure, the whole
+
+
+def label_time(panels: Sequence[Any], words: str) -> None:
+    """Write what the time axis is below the last panel, and below those that do not share it."""
+    for panel in panels[:-1]:
+        if not panel.get_shared_x_axes().joined(panel, panels[-1]):
+            panel.set_xlabel(words)
+    panels[-1].set_xlabel(words)
+
+
+def legend_above(axes: Any, given: Any, handles: Any, labels: Any) -> None:
+    """Draw a legend above the uppermost axes: outside of them in a figure of its own, at their edge on given ones."""
+    settings: Any = {"ncols": 3, "fontsize": FONT - 1, "frameon": False, "handlelength": 2.2}
+    if given is None:
+        axes.figure.legend(handles, labels, loc="outside upper center", **settings)
+    else:
+        axes.legend(handles, labels, loc="lower center", bbox_to_anchor=(0.5, 1.0), borderaxespad=0.2, **settings)
 
 
 def height_of(window: tuple[float, float, float, float], around: float = 0.6) -> float:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from importlib import import_module, resources
@@ -54,7 +54,8 @@ class AbstractKind:
         name: as specs write it; the folder's name has underscores for its hyphens.
         table: the model of the table [system].
         figure_names: of the files of ``figures``, which a later report may remove.
-        sources: the classes, as ``module.name``, of systems and motions whose pages show the kind's own pictures.
+        sources: the classes, as ``module.name``, of systems and motions that are of this kind, so that their pages
+            and ``plot`` show its own pictures.
         subject: what moves, in a word, where other kinds may move the same in another way.
         in_closed_form: whether the motion is known exactly at any time, without steps.
         has_attitude: whether the motion is that of a body that turns in space.
@@ -104,6 +105,13 @@ class AbstractKind:
         """Return ``figures.FIGURES``: what draws each figure of a report, or None, by the name of its file."""
         return self._part("figures").FIGURES if self.figure_names else {}
 
+    def overview(self) -> Sequence[tuple[Callable[..., Figure | None], int]]:
+        """Return ``figures.OVERVIEW``: what ``motion.plot()`` draws side by side, and how many axes each needs.
+
+        Each takes what is shown and ``axes``; without any, a trajectory is drawn part by part of its state.
+        """
+        return getattr(self._part("figures"), "OVERVIEW", ()) if self.figure_names else ()
+
     def draw(self, report: AbstractReport, name: str) -> Figure | None:
         """Return one figure of a report of this kind, by the name of its file; None where there is nothing to see.
 
@@ -125,7 +133,7 @@ class AbstractKind:
             samples: of it, as the page shows them, along the principal axes.
             surface: of the body, along the axes of the samples.
         """
-        if not self.sources:
+        if not (resources.files(type(self).__module__) / "panel.py").is_file():
             return None
         from polhode.viewer.panels import Content
 

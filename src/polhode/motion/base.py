@@ -22,6 +22,7 @@ from polhode.motion.inputs import (
     spin_of,
 )
 from polhode.motion.layout import ATTITUDE, MOMENTUM, Quantity, StateLayout
+from polhode.motion.plotting import Plotted
 from polhode.special.doubledouble import two_sum
 from polhode.types import Array, ArrayLike, Float64, Real
 
@@ -32,7 +33,7 @@ Motion = TypeVar("Motion", bound="AbstractMotion")
 
 
 @dataclass(frozen=True, eq=False, init=False)
-class AbstractMotion(abc.ABC):
+class AbstractMotion(Plotted, abc.ABC):
     """A motion of rigid bodies in closed form, at any time: no step, no drift.
 
     Subclasses are final, frozen, and pytrees of JAX where their arrays are JAX's. All vectors are along the body's axes

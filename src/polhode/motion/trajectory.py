@@ -12,6 +12,7 @@ from polhode.motion.base import AbstractMotion
 from polhode.motion.frame import BodyFrame
 from polhode.motion.layout import Quantity, StateLayout
 from polhode.motion.outcome import Ends, Outcome
+from polhode.motion.plotting import Plotted
 from polhode.types import Array, ArrayLike, ArrayOrFloat, Double, Float64, Integer
 
 _SAMPLED = ("states", "attitude", "momentum", "angular_velocity")
@@ -19,7 +20,7 @@ _BY_NAME = ("invariants", "balances", "received")
 
 
 @dataclass(frozen=True, repr=False)
-class Trajectory:
+class Trajectory(Plotted):
     """Sampled motion of one body or system, or a batch of them; plain arrays, SI units.
 
     Attributes:

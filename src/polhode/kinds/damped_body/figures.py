@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 
 from polhode.figures import style
 from polhode.figures.energy_levels import default_frame, draw_levels, label_axes, legend_of, mark_verdict
-from polhode.figures.sphere import draw_curve, mark_point, sphere_axes
+from polhode.figures.sphere import draw_curve, draw_disk, mark_point
 from polhode.kinds.damped_body.answers import DampedBodyReport
 from polhode.types import Array
 
@@ -25,8 +25,9 @@ def draw_damped_sphere(report: DampedBodyReport) -> Figure | None:
     norm = report.momentum_norm
     unit = momentum[norm > 0] / norm[norm > 0, None]
     moments = report.body.principal_moments
-    figure = style.new_figure()
-    axes, frame = sphere_axes(figure), default_frame()
+    figure, (axes,) = style.axes_for(None)
+    frame = default_frame()
+    draw_disk(axes)
     draw_levels(axes, frame, lambda u: np.sum(u * u / moments, axis=-1), None, style.LIGHT, 0.5)
     joined = np.linalg.norm(np.diff(unit, axis=0), axis=-1).max(initial=0.0) < COARSEST
     if joined:

@@ -15,6 +15,7 @@ class FreeBody(AbstractKind):
     name: ClassVar[str] = "free-body"
     table: ClassVar[type[SystemTable]] = FreeBodyTable
     in_closed_form: ClassVar[bool] = True
+    sources: ClassVar[tuple[str, ...]] = ("polhode.exact.free_body.FreeMotion",)
     is_default: ClassVar[bool] = True
     figure_names: ClassVar[tuple[str, ...]] = ("momentum_sphere", "inertia_ellipsoid", "components", "herpolhode")
 

@@ -1,13 +1,15 @@
 """The figures of a free body."""
 
-from polhode.figures.components import draw_components
-from polhode.figures.herpolhode import draw_herpolhode
-from polhode.figures.inertia_ellipsoid import draw_inertia_ellipsoid
-from polhode.figures.momentum_sphere import draw_momentum_sphere
+from polhode.figures.components_figure import components
+from polhode.figures.ellipsoid_figure import inertia_ellipsoid
+from polhode.figures.herpolhode_figure import herpolhode
+from polhode.figures.sphere_figure import momentum_sphere
 
 FIGURES = {
-    "momentum_sphere": lambda report: draw_momentum_sphere(report.trajectory),
-    "inertia_ellipsoid": lambda report: draw_inertia_ellipsoid(report.trajectory),
-    "components": lambda report: draw_components(report.trajectory),
-    "herpolhode": lambda report: draw_herpolhode(report.trajectory),
+    "momentum_sphere": lambda report: momentum_sphere(report.trajectory),
+    "inertia_ellipsoid": lambda report: inertia_ellipsoid(report.trajectory),
+    "components": lambda report: components(report.trajectory),
+    "herpolhode": lambda report: herpolhode(report.trajectory),
 }
+
+OVERVIEW = ((momentum_sphere, 1), (components, 2))

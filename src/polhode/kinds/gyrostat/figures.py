@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 
 from polhode.figures import style
 from polhode.figures.energy_levels import default_frame, draw_levels, label_axes, legend_of, mark_verdict
-from polhode.figures.sphere import draw_curve, mark_point, sphere_axes
+from polhode.figures.sphere import draw_curve, draw_disk, mark_point
 from polhode.kinds.gyrostat.answers import GyrostatReport
 from polhode.types import Array
 
@@ -25,8 +25,9 @@ def draw_gyrostat_sphere(report: GyrostatReport) -> Figure | None:
     def energy(unit: Array) -> Array:
         return 0.5 * np.sum((norm * unit - rotor) ** 2 / report.moments, axis=-1)
 
-    figure = style.new_figure()
-    axes, frame = sphere_axes(figure), default_frame()
+    figure, (axes,) = style.axes_for(None)
+    frame = default_frame()
+    draw_disk(axes)
     draw_levels(axes, frame, energy, None, style.GREY, 0.5)
     saddles = [e.energy for e in report.equilibria if e.extremum == "saddle"]
     draw_levels(axes, frame, energy, saddles, style.VERMILION, 0.9)

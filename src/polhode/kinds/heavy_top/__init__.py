@@ -17,6 +17,7 @@ class HeavyTopKind(AbstractKind):
     name: ClassVar[str] = "heavy-top"
     table: ClassVar[type[SystemTable]] = HeavyTopTable
     subject: ClassVar[str] = "top"
+    sources: ClassVar[tuple[str, ...]] = ("polhode.systems.heavy_top.HeavyTop",)
     figure_names: ClassVar[tuple[str, ...]] = ("spinning_top", "axis_locus", "motion")
 
     def rules(self, tables: dict[str, Any]) -> Iterator[Mistake]:

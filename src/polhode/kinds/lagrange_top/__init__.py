@@ -17,6 +17,7 @@ class LagrangeTopKind(AbstractKind):
     name: ClassVar[str] = "lagrange-top"
     table: ClassVar[type[SystemTable]] = LagrangeTopTable
     subject: ClassVar[str] = "top"
+    sources: ClassVar[tuple[str, ...]] = ("polhode.exact.lagrange_top.LagrangeMotion",)
     in_closed_form: ClassVar[bool] = True
     figure_names: ClassVar[tuple[str, ...]] = ("spinning_top", "axis_locus", "motion")
 

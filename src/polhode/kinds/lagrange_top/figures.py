@@ -1,5 +1,5 @@
 """The figures of a Lagrange top, which are those of any top."""
 
-from polhode.figures.top import FIGURES
+from polhode.figures.top import FIGURES, OVERVIEW
 
-__all__ = ["FIGURES"]
+__all__ = ["FIGURES", "OVERVIEW"]

@@ -28,8 +28,16 @@ BODY = "#eef0f3"
 APART = 0.55  # of the longest semi-axis, heads of arrows on the motion's own polhode
 
 
-def draw_inertia_ellipsoid(shown: FreeMotion | Trajectory) -> Figure | None:
-    """Return the ellipsoid seen obliquely, its longest semi-axis as 1, far side dimmed. None at rest."""
+def inertia_ellipsoid(shown: FreeMotion | Trajectory, *, axes: Any = None) -> Figure | None:
+    """Return the ellipsoid seen obliquely, its longest semi-axis as 1, far side dimmed. None at rest.
+
+    Args:
+        shown: a free body's motion, or samples of one.
+        axes: matplotlib axes to draw on; a new figure without them.
+
+    Raises:
+        InvalidInput: for the motion of anything else, or of several bodies.
+    """
     motion, samples = free_motion_of(shown)
     if not motion.momentum_norm:
         return None
@@ -43,8 +51,8 @@ def draw_inertia_ellipsoid(shown: FreeMotion | Trajectory) -> Figure | None:
     ends = frame[:2] @ np.diag(shape + 0.30)
     reach = np.maximum([right, up], np.abs(ends).max(axis=-1)) + 0.10
     window = (-reach[0], reach[0], -up - 0.10, max(up, ends[1].max()) + 0.10)
-    figure = style.new_figure(height=style.height_of(window, 1.0))
-    scene = Scene(figure.add_subplot(), frame, window)
+    figure, (axes,) = style.axes_for(axes, height=style.height_of(window, 1.0))
+    scene = Scene(axes, frame, window)
     scene.solid(Surface(ball(96).vertices * shape, ball(96).faces), BODY, ambient=0.82)
     scene.finish(order=0.0)
     family = polhode_family(moments)

@@ -8,6 +8,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from polhode.analysis.comparison import Comparison, Invariants
+from polhode.errors import InvalidInput, shown
 from polhode.figures import style
 from polhode.types import Array
 
@@ -16,8 +17,17 @@ LONGEST = 60  # characters of a name that fit into the figure's width
 STRETCHES = 240  # a curve of more samples is the largest of each stretch: noise would fill the picture
 
 
-def draw_comparison(found: Comparison) -> Figure:
-    """Return the angle over time, and the relative change of energy and momentum of each below, on logarithmic axes."""
+def comparison(found: Comparison) -> Figure:
+    """Return the angle over time, and the relative change of energy and momentum of each below, on logarithmic axes.
+
+    Args:
+        found: as ``polhode.compare`` returns it.
+
+    Raises:
+        InvalidInput: for anything else.
+    """
+    if not isinstance(found, Comparison):
+        raise InvalidInput(f"`found` must be a Comparison, as polhode.compare(a, b) returns it; got {shown(found)}.")
     known = [(side, kept) for side, kept in zip("AB", found.invariants, strict=True) if kept is not None]
     figure = style.new_figure(height=4.1 if known else 2.7)
     upper, *rest = np.atleast_1d(figure.subplots(2 if known else 1, 1, sharex=True))

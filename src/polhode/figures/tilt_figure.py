@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from matplotlib.figure import Figure
 
+from polhode.exact.lagrange_top import LagrangeMotion
 from polhode.figures import style
+from polhode.figures.top_shown import TopShown, top_shown
 from polhode.motion.inputs import finite
-from polhode.reports.top import TopReport
+from polhode.motion.trajectory import Trajectory
 
 LOST = 0.1  # of the largest rate: curves smaller than this are enlarged, their fast swings being a band else
 EVEN = 0.5  # degrees on either side of a tilt that is constant
@@ -15,11 +19,18 @@ TURNS = 30  # of the body about its axis shown at most, so that each swing of Ω
 PERIODS, MANY = 6, 12  # nutations shown at most; swings of any top beyond which not all are shown
 
 
-def draw_top_motion(report: TopReport) -> Figure:
-    """Return tilt and components of Ω along the principal axes against time."""
-    times, tilt, velocity, words = _series(report)
-    figure = style.new_figure(height=3.4)
-    upper, lower = figure.subplots(2, 1, sharex=True)
+def top_motion(shown: LagrangeMotion | Trajectory, *, axes: Any = None) -> Figure:
+    """Return a top's tilt and the components of its Ω along the principal axes against time.
+
+    Args:
+        shown: a Lagrange top's motion, or samples of a top's motion.
+        axes: two of matplotlib's, for tilt and Ω; a new figure without them.
+
+    Raises:
+        InvalidInput: for the motion of anything else, or of several tops.
+    """
+    times, tilt, velocity, words = _series(top_shown(shown))
+    figure, (upper, lower) = style.axes_for(axes, 2, height=3.4)
     slow = style.power_of_ten((times[0], times[-1]))
     upper.plot(times / 10.0**slow, np.degrees(tilt), color=style.DARK, lw=1.1)
     style.show_constant(upper, np.degrees(tilt), EVEN)
@@ -30,18 +41,17 @@ def draw_top_motion(report: TopReport) -> Figure:
         lower.plot(times / 10.0**slow, velocity[:, k] * 10.0 ** (larger[k] - power), color=style.AXIS_COLOURS[k],
                    lw=1.0, ls=("-", "--", "-.")[k], label=style.magnified(f"axis {k + 1}", larger[k]))  # fmt: skip
     lower.set_ylabel(f"Ω  [{style.factor(power)}rad/s]")
-    lower.set_xlabel(f"time{words}  [{style.factor(slow)}s]")
-    for axes in (upper, lower):
-        axes.set_xlim(times[0] / 10.0**slow, times[-1] / 10.0**slow)
-        style.tidy(axes)
-    figure.legend(*lower.get_legend_handles_labels(), loc="outside upper center", ncols=3, fontsize=style.FONT - 1,
-                  frameon=False, handlelength=2.2)  # fmt: skip
+    style.label_time((upper, lower), f"time{words}  [{style.factor(slow)}s]")
+    for panel in (upper, lower):
+        panel.set_xlim(times[0] / 10.0**slow, times[-1] / 10.0**slow)
+        style.tidy(panel)
+    style.legend_above(upper, axes, *lower.get_legend_handles_labels())
     return figure
 
 
-def _series(report: TopReport) -> tuple[np.ndarray, np.ndarray, np.ndarray, str]:
-    times = np.asarray(report.trajectory.times)
-    exact = report.exact
+def _series(top: TopShown) -> tuple[np.ndarray, np.ndarray, np.ndarray, str]:
+    times = np.asarray(top.trajectory.times)
+    exact = top.exact
     if exact is not None:
         period = finite(exact.nutation_period)
         end, words = times[-1], ""
@@ -50,13 +60,13 @@ def _series(report: TopReport) -> tuple[np.ndarray, np.ndarray, np.ndarray, str]
         if period is not None and times[-1] - times[0] > count * period:
             end = times[0] + count * period
             nutations = f"first {count} nutations" if count > 1 else "first nutation"
-            words = f", first {end - times[0]:.3g} s" if report.constant_tilt else f", {nutations}"
+            words = f", first {end - times[0]:.3g} s" if top.constant_tilt else f", {nutations}"
         times = np.linspace(times[0], end, 2000)
         attitude, momentum = exact.state(times)
         w, x, y, z = (attitude[:, k] for k in range(4))
         return times, 2.0 * np.arctan2(np.hypot(x, y), np.hypot(w, z)), momentum / exact.moments, words
-    axis = report.axis_in_space
+    axis = top.axis_in_space
     tilt = np.arctan2(np.hypot(axis[:, 0], axis[:, 1]), axis[:, 2])
     highest = np.flatnonzero((tilt[1:-1] > tilt[:-2]) & (tilt[1:-1] >= tilt[2:])) + 1
     end, words = (len(times), "") if len(highest) <= MANY else (int(highest[PERIODS]) + 1, f", first {PERIODS} swings")
-    return times[:end], tilt[:end], np.asarray(report.trajectory.angular_velocity)[:end], words
+    return times[:end], tilt[:end], np.asarray(top.trajectory.angular_velocity)[:end], words

@@ -9,11 +9,13 @@ from matplotlib.figure import Figure
 
 from polhode import rotation
 from polhode.bodies.surface import Surface, box_in_place
+from polhode.bodies.turned import turned
+from polhode.exact.lagrange_top import LagrangeMotion
 from polhode.figures import style
-from polhode.figures.axis_locus import Followed, followed
 from polhode.figures.scene import Scene, circle_about, draw_cone
 from polhode.figures.sphere import view_frame
-from polhode.reports.top import TopReport
+from polhode.figures.top_shown import Followed, TopShown, followed, top_shown
+from polhode.motion.trajectory import Trajectory
 from polhode.types import Array
 
 ELEVATION = np.radians(20.0)
@@ -22,28 +24,43 @@ BEYOND = 1.22  # length of the axis drawn, in the body's reach
 L_LONG, OMEGA_LONG = 1.5, 1.38  # arrows, in the body's reach
 STEADY = np.radians(1.0)  # nutation below which the cones of Ω are those of steady precession
 SLANT = 0.95  # of these cones
+TOY = ((0.0, 0.0), (0.08, 0.1), (0.5, 0.52), (0.5, 0.62), (0.07, 0.7), (0.06, 1.0), (0.0, 1.0))  # radius, height
+TOY_CENTER = 0.52
 WOOD, STAND = "#d9c9a8", "#b4b4b4"
 
 
-def draw_spinning_top(report: TopReport) -> Figure | None:
+def spinning_top(
+    shown: LagrangeMotion | Trajectory, *, surface: Surface | None = None, axes: Any = None
+) -> Figure | None:
     """Return the top where it leans most, with the cone its axis describes; in steady precession with the cones of Ω.
 
-    None for tops whose shape is unknown, and for bodies without weight.
+    None for bodies without weight.
+
+    Args:
+        shown: a Lagrange top's motion, or samples of a top's motion.
+        surface: what the top looks like, in the given axes of a trajectory that has a frame, else along the principal
+            axes about the fixed point [m]. Without it the box of the same inertia is drawn; where the frame or the
+            mass for it is missing, a top as toyshops have it, which the title says.
+        axes: matplotlib axes to draw on; a new figure without them.
+
+    Raises:
+        InvalidInput: for the motion of anything else, or of several tops.
     """
-    surface = report.surface or box_in_place(report.frame)
-    if surface is None or report.free:
+    top = top_shown(shown)
+    if top.weightless:
         return None
-    path = followed(report)
+    solid, arm, words = _solid(top, surface)
+    path = followed(top)
     k = int(np.argmin(path.axis[:, 2]))
-    placed = _placed(surface.along(report.frame), path.attitude[k])
+    placed = _placed(solid, path.attitude[k])
     reach = float(np.linalg.norm(placed.vertices, axis=-1).max())
     placed = Surface(placed.vertices / reach, placed.faces)
     axis = path.axis[k]
     ground = min(0.0, float(placed.vertices[:, 2].min()) - 0.04)
     frame = _view(axis)
     window = _window(frame, path, k, ground, placed)
-    figure = style.new_figure(height=style.height_of(window))
-    scene = Scene(figure.add_subplot(), frame, window)
+    figure, (axes,) = style.axes_for(axes, height=style.height_of(window))
+    scene = Scene(axes, frame, window)
     _ground(scene, ground)
     scene.solid(placed, WOOD)
     scene.finish(order=1.5)
@@ -53,15 +70,26 @@ def draw_spinning_top(report: TopReport) -> Figure | None:
     scene.line(np.linspace([0.0, 0.0, 0.0], [0.0, 0.0, BEYOND], 80), style.GREY, 0.7, form=(0, (6, 2, 1, 2)), dim=0.4)
     scene.line(np.linspace(0.0 * axis, BEYOND * axis, 80), style.DARK, 0.9, form=(0, (6, 2, 1, 2)), dim=0.5)
     scene.line(BEYOND * path.axis, style.BLUE, 1.1, over=3.5)
-    arm = np.linalg.norm(np.asarray(report.frame.center_of_mass) - report.frame.origin) / reach
-    _arrows(scene, path, k, arm * axis)
+    _arrows(scene, path, k, arm / reach * axis)
     handles.insert(0, scene.axes.plot([], [], color=style.BLUE, lw=1.1, label="tip of the axis")[0])
     scene.axes.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0.0), ncols=2, frameon=False,
                       fontsize=style.FONT - 1, handlelength=1.6, columnspacing=1.4)  # fmt: skip
     lean = np.degrees(np.arccos(np.clip(axis[2], -1.0, 1.0)))
-    words = ", precessing steadily" if _is_steady(path) else path.words
-    scene.axes.set_title(f"Top leaning by {lean:.3g}°{words}", fontsize=style.FONT, color=style.DARK)
+    part = ", precessing steadily" if _is_steady(path) else path.words
+    scene.axes.set_title(f"Top leaning by {lean:.3g}°{part}{words}", fontsize=style.FONT, color=style.DARK)
     return figure
+
+
+def _solid(top: TopShown, surface: Surface | None) -> tuple[Surface, float, str]:
+    """Return what is drawn along the principal axes, the distance of its centre of mass, and words for the title."""
+    frame = top.trajectory.frame
+    if frame is not None and (found := surface or box_in_place(frame)) is not None:
+        return found.along(frame), float(np.linalg.norm(np.asarray(frame.center_of_mass) - frame.origin)), ""
+    if surface is not None:
+        return surface, 0.5 * float(np.linalg.norm(np.asarray(surface.vertices), axis=-1).max()), ""
+    toy = turned(TOY)
+    upright = rotation.shortest_between(np.array([0.0, 0.0, 1.0]), top.axis)
+    return Surface(rotation.rotate(upright, toy.vertices), toy.faces), TOY_CENTER, "; its shape is not known"
 
 
 def _placed(surface: Surface, attitude: Array) -> Surface:

@@ -11,7 +11,7 @@ from polhode.analysis.polhodes import polhode_family, separatrix
 from polhode.exact.free_body import FreeMotion
 from polhode.figures import style
 from polhode.figures.free_motion import free_motion_of
-from polhode.figures.sphere import draw_curve, mark_point, sphere_axes, view_frame
+from polhode.figures.sphere import draw_curve, draw_disk, mark_point, view_frame
 from polhode.motion.inputs import finite
 from polhode.motion.trajectory import Trajectory
 from polhode.types import Array
@@ -19,14 +19,26 @@ from polhode.types import Array
 VIEW = (0.80, 0.46, 0.38)
 
 
-def draw_momentum_sphere(shown: FreeMotion | Trajectory) -> Figure | None:
-    """Return the sphere |L| = const seen obliquely, far side dimmed; axes are the principal ones. None at rest."""
+def momentum_sphere(shown: FreeMotion | Trajectory, *, axes: Any = None) -> Figure | None:
+    """Return the sphere |L| = const seen obliquely, far side dimmed; axes are the principal ones. None at rest.
+
+    Args:
+        shown: a free body's motion, or samples of one.
+        axes: matplotlib axes to draw on; a new figure without them.
+
+    Raises:
+        InvalidInput: for the motion of anything else, or of several bodies.
+
+    >>> from polhode import FreeMotion
+    >>> momentum_sphere(FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5))).axes[0].get_title()
+    'Momentum sphere, body axes'
+    """
     motion, samples = free_motion_of(shown)
     norm = motion.momentum_norm
     if not norm:
         return None
-    figure = style.new_figure()
-    axes = sphere_axes(figure)
+    figure, (axes,) = style.axes_for(axes)
+    draw_disk(axes)
     moments = np.asarray(motion.moments)
     frame = view_frame(VIEW)
     family = polhode_family(moments)

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from matplotlib.figure import Figure
 
-from polhode.analysis.poinsot import herpolhode, herpolhode_curve
+from polhode.analysis import poinsot
 from polhode.exact.free_body import FreeMotion
 from polhode.figures import style
 from polhode.figures.free_motion import free_motion_of
@@ -18,17 +20,25 @@ SAMPLES_PER_TURN = 120
 SAME = 2e-3  # of the outer radius: circles closer than this are one line in print
 
 
-def draw_herpolhode(shown: FreeMotion | Trajectory) -> Figure | None:
-    """Return the herpolhode between its two circles; None where the contact point stays or there is no motion."""
+def herpolhode(shown: FreeMotion | Trajectory, *, axes: Any = None) -> Figure | None:
+    """Return the herpolhode between its two circles; None where the contact point stays or there is no motion.
+
+    Args:
+        shown: a free body's motion, or samples of one.
+        axes: matplotlib axes to draw on; a new figure without them.
+
+    Raises:
+        InvalidInput: for the motion of anything else, or of several bodies.
+    """
     motion, samples = free_motion_of(shown)
-    found = herpolhode(motion)
+    found = poinsot.herpolhode(motion)
     if found is None or found.outer_radius <= 1e-12 * found.plane_distance:
         return None
     power = style.power_of_ten(found.outer_radius)
     outer = found.outer_radius / 10.0**power
-    curve = herpolhode_curve(motion, _times(motion, samples)) / 10.0**power
-    figure = style.new_figure(height=3.9)
-    axes = figure.add_subplot()
+    curve = poinsot.herpolhode_curve(motion, _times(motion, samples)) / 10.0**power
+    given = axes
+    figure, (axes,) = style.axes_for(axes, height=3.9)
     circle = np.linspace(0.0, 2.0 * np.pi, 400)
     # where both limits are the curve itself, they would only hide it
     distinct = found.outer_radius - found.inner_radius > SAME * found.outer_radius
@@ -46,8 +56,11 @@ def draw_herpolhode(shown: FreeMotion | Trajectory) -> Figure | None:
     axes.set_ylabel(f"across L, 90° on  {unit}")
     axes.set_title("Herpolhode, L towards the viewer", fontsize=style.FONT, color=style.DARK)
     style.tidy(axes)
-    figure.legend(*axes.get_legend_handles_labels(), loc="outside lower center", ncols=2, fontsize=style.FONT - 1,
-                  frameon=False, handlelength=2.2)  # fmt: skip
+    settings: Any = {"ncols": 2, "fontsize": style.FONT - 1, "frameon": False, "handlelength": 2.2}
+    if given is None:
+        figure.legend(*axes.get_legend_handles_labels(), loc="outside lower center", **settings)
+    else:
+        axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.18), **settings)
     return figure
 
 

@@ -1,0 +1,28 @@
+"""The way from a motion up to its picture, so that ``.plot()`` is found where people look for it."""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+
+class Plotted:
+    """What can be plotted: motions in closed form and trajectories."""
+
+    __slots__ = ()
+
+    def plot(self: Any) -> Figure:
+        """Return the picture that shows most of the motion, a matplotlib figure; notebooks show it at once.
+
+        A free body's is its momentum sphere, with Ω and L over time; a top's is the path of its axis, with tilt and
+        Ω; of other trajectories, every part of the state. ``polhode.figures`` draws each on axes of yours, and
+        ``polhode.figures.save(motion.plot(), "motion.png")`` writes a file.
+
+        Raises:
+            InvalidInput: for a batch of several bodies, or a trajectory without samples.
+        """
+        # by name, since this is the one call against the flow of the rooms: pictures know motions, not motions pictures
+        return import_module("polhode.kinds.plotting").plot(self)

@@ -1,0 +1,83 @@
+"""Pictures from Python: of motions and trajectories, on axes of one's own, in notebooks."""
+
+
+import numpy as np
+import pytest
+from matplotlib.figure import Figure
+
+import polhode as ph
+from polhode.errors import InvalidInput
+from polhode.kinds.plotting import plot
+
+FREE = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5))
+TOP = ph.LagrangeMotion((1.0, 1.0, 2.0), 3.0, (1.0, 0.0, 6.0))
+TIMES = np.linspace(0.0, 3.0, 40)
+
+
+def labels(figure):
+    return [axes.get_ylabel() for axes in figure.axes], [axes.get_title() for axes in figure.axes]
+
+
+@pytest.mark.parametrize("moved", [FREE, TOP, FREE.sample(TIMES), TOP.sample(TIMES)])
+def test_a_motion_plots_what_its_kind_has_for_it(moved):
+    ylabels, titles = labels(moved.plot())
+    assert len(ylabels) == 3
+    free = moved is FREE or getattr(moved, "motion", None) is FREE
+    assert titles[0].startswith("Momentum sphere" if free else "Path of the axis")
+    assert ylabels[1].startswith("Ω" if free else "tilt")
+
+
+def test_what_no_kind_draws_is_drawn_part_by_part():
+    system = ph.systems.FreeRigidBody((1.0, 2.0, 3.0))
+    trajectory = ph.simulate(system, FREE.momentum(0.0), TIMES)
+    figure = trajectory.plot()
+    assert labels(figure)[0] == ["momentum\n[kg m²/s, body]"]
+    drawn = np.array([line.get_ydata() for line in figure.axes[0].lines])
+    assert drawn == pytest.approx(FREE.momentum(TIMES).T, abs=1e-6)
+    assert drawn != pytest.approx(FREE.momentum(TIMES + 0.1).T, abs=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("draw", "moved", "count"),
+    [(ph.figures.momentum_sphere, FREE, 1), (ph.figures.inertia_ellipsoid, FREE, 1), (ph.figures.herpolhode, FREE, 1),
+     (ph.figures.components, FREE, 2), (ph.figures.axis_locus, TOP, 1), (ph.figures.spinning_top, TOP, 1),
+     (ph.figures.top_motion, TOP, 2), (ph.figures.parts, FREE.sample(TIMES), 2)],
+)  # fmt: skip
+def test_every_figure_is_drawn_on_given_axes(draw, moved, count):
+    figure = Figure(figsize=(6, 3))
+    panels = list(figure.subplots(1, 3)[:count])
+    drawn = draw(moved, axes=panels if count > 1 else panels[0])
+    assert drawn is figure and all(axes.has_data() for axes in panels) and not figure.legends
+    empty = [axes for axes in figure.axes if axes not in panels]
+    assert len(empty) == 3 - count and not any(axes.has_data() for axes in empty)
+    with pytest.raises(InvalidInput, match="`axes` must be"):
+        draw(moved, axes=3)
+    with pytest.raises(InvalidInput, match="`axes` must be"):
+        draw(moved, axes=[*panels, panels[0]])
+
+
+def test_a_top_of_unknown_shape_says_so():
+    assert "shape is not known" in ph.figures.spinning_top(TOP).axes[0].get_title()
+    assert ph.figures.spinning_top(ph.LagrangeMotion((1.0, 1.0, 2.0), 0.0, (1.0, 0.0, 6.0))) is None
+
+
+def test_notebooks_show_a_figure_without_pyplot():
+    assert FREE.plot()._repr_png_()[:8] == b"\x89PNG\r\n\x1a\n"
+    assert isinstance(FREE.plot(), Figure)
+
+
+@pytest.mark.usefixtures("any_type")
+def test_what_cannot_be_drawn_is_refused_in_words():
+    several = ph.FreeMotion((1.0, 2.0, 3.0), np.ones((2, 3)))
+    with pytest.raises(InvalidInput, match="of one body"):
+        several.plot()
+    with pytest.raises(InvalidInput, match="batch of shape"):
+        several.sample(TIMES).plot()
+    for draw, moved in ((ph.figures.momentum_sphere, TOP), (ph.figures.axis_locus, FREE), (ph.figures.parts, FREE),
+                        (ph.figures.comparison, FREE), (plot, "motion.nc"),
+                        (ph.figures.axis_locus, FREE.sample(TIMES))):  # fmt: skip
+        with pytest.raises(InvalidInput, match=r"must be|the figure is of"):
+            draw(moved)
+    with pytest.raises(InvalidInput, match="`motion` must be a FreeMotion"):
+        ph.racket_twist(TOP)
+    assert ph.racket_twist(FREE.sample(TIMES)) == ph.racket_twist(FREE)
