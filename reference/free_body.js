@@ -83,12 +83,11 @@ export class FreeMotion {
     const [l1, l2] = body.canonical;
     const rootP = body.rootP;
     const start = Math.atan2(Math.sqrt(B) * l2, Math.sqrt(C) * l1);
-    const backward = body.longAxis ? -1 : 1; // the mirror turned time round
-    const side = l1 < 0 ? -1 : 1;
+    const side = rates.separatrix && l1 < 0 ? -1 : 1;
     return Array.from({ length: count }, (_, k) => {
-      const turn = rates.separatrix ? Math.PI * (k / Math.max(count - 1, 1) - 0.5) : start + (backward * 2 * Math.PI * k) / count;
-      const c = rates.separatrix ? side * Math.cos(turn) : Math.cos(turn);
-      const s = rates.separatrix ? side * backward * Math.sin(turn) : Math.sin(turn);
+      const turn = rates.separatrix ? Math.PI * (k / Math.max(count - 1, 1) - 0.5) : start + (2 * Math.PI * k) / count;
+      const c = side * Math.cos(turn);
+      const s = side * Math.sin(turn);
       const point = [
         (rootP / Math.sqrt(C)) * c,
         (rootP / Math.sqrt(B)) * s,
