@@ -1,0 +1,25 @@
+// Answers cases of reference/polhode.js: JSON in on standard input, JSON out. `argv[2]` is the module's address.
+// Each case: {kind: "free" or "top", given: what the constructor takes, times: [s], numbers: names of attributes}.
+import { readFileSync } from "node:fs";
+
+const polhode = await import(process.argv[2]);
+const KINDS = { free: polhode.FreeMotion, top: polhode.LagrangeMotion };
+const plain = (x) => (x === Infinity ? "inf" : x);
+
+const answers = JSON.parse(readFileSync(0, "utf8")).map(({ kind, given, times, numbers, along }) => {
+  try {
+    const motion = new KINDS[kind](given);
+    return {
+      states: times.map((t) => {
+        const { attitude, momentum } = motion.state(t);
+        return [...attitude, ...momentum];
+      }),
+      numbers: (numbers ?? []).map((name) => [motion[name]].flat().map(plain)),
+      along: along ? motion.along(along) : [],
+    };
+  } catch (error) {
+    if (!(error instanceof RangeError)) throw error;
+    return { refused: error.message };
+  }
+});
+console.log(JSON.stringify(answers));
