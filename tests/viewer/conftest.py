@@ -76,7 +76,7 @@ class Opened:
         return self.tab.evaluate("names => window.polhode.measure(...names)", [panel, *names])
 
     def position(self):
-        return self.tab.evaluate("window.polhode.state().position")
+        return self.tab.evaluate("window.polhode.shown().position")
 
     def count(self):
         return self.tab.evaluate("window.polhode.count")

@@ -36,9 +36,9 @@ def test_time_bar_moves_the_scene(page_of_a_book, opened):
     page.tab.locator("#forth").click()
     page.tab.locator("#back").click()
     assert page.position() == 301
-    page.until("document.querySelector('#now').textContent === document.querySelector('#readouts dd').textContent")
+    page.until("document.querySelector('#now').textContent === window.polhode.shown().time.toFixed(2) + ' s'")
     page.tab.locator("#play").click()
-    page.until("window.polhode.state().position > 303")
+    page.until("window.polhode.shown().position > 303")
     page.tab.locator("#play").click()
     assert page.tab.evaluate("window.polhode.playing") is False
     assert not page.complaints
@@ -71,7 +71,7 @@ def test_keys_alone_do_everything(page_of_a_book, opened):
     assert page.tab.evaluate("window.polhode.playing") is False
     keys.press("Home")  # it played to between two samples
     met = []
-    while "faster" not in met and len(met) < 20:
+    while "faster" not in met and len(met) < 60:
         keys.press("Tab")
         met.append(page.tab.evaluate(name))
         if met[-1] == "CANVAS":
@@ -80,14 +80,14 @@ def test_keys_alone_do_everything(page_of_a_book, opened):
             assert page.tab.evaluate("window.polhode.view.azimuth") != before and page.position() == position
         if met[-1] == "theme":
             keys.press("Enter")
-            assert page.tab.evaluate("window.polhode.state().theme") == "dark"
+            assert page.tab.evaluate("window.polhode.shown().theme") == "dark"
         if met[-1] == "seek":
             position = page.position()
             keys.press("ArrowRight")
             assert page.position() == position + 1
     assert {"theme", "CANVAS", "back", "play", "forth", "seek", "slower", "faster"} <= set(met)
     for control in page.tab.locator("button, input").all():
-        assert control.get_attribute("aria-label")
+        assert control.get_attribute("aria-label") or control.text_content()
     assert not page.complaints
 
 
@@ -96,11 +96,11 @@ def test_space_plays_after_a_click_on_another_button(page_of_a_book, opened):
     speed = page.tab.locator("#speed")
     for name in ("#slower", "#theme", "#forth"):
         page.tab.locator(name).click()
-        shown = speed.text_content(), page.tab.evaluate("window.polhode.state().theme")
+        shown = speed.text_content(), page.tab.evaluate("window.polhode.shown().theme")
         for playing in (True, False):
             page.tab.keyboard.press(" ")
             assert page.tab.evaluate("window.polhode.playing") is playing
-        assert (speed.text_content(), page.tab.evaluate("window.polhode.state().theme")) == shown
+        assert (speed.text_content(), page.tab.evaluate("window.polhode.shown().theme")) == shown
     page.tab.locator("#faster").focus()
     page.tab.keyboard.press(" ")  # reached by key, a button is pressed
     assert speed.text_content() != shown[0] and page.tab.evaluate("window.polhode.playing") is False
@@ -153,7 +153,7 @@ def test_drag_turns_all_views_at_once(page_of_a_book, opened):
 def test_motion_starts_by_itself_unless_less_motion_is_wanted(page_of_a_book, opened):
     assert opened(page_of_a_book).tab.evaluate("window.polhode.playing") is False
     lively = opened(page_of_a_book, reduced_motion="no-preference")
-    lively.until("window.polhode.state().position > 2")
+    lively.until("window.polhode.shown().position > 2")
 
 
 def overlap(a, b):
@@ -167,10 +167,10 @@ def test_phone(example_page, opened, scheme):
     boxes = [panel.bounding_box() for panel in page.tab.locator("figure").all()]
     assert all(box["x"] + box["width"] <= 390 for box in boxes)
     assert all(low["y"] >= high["y"] + high["height"] for high, low in pairwise(boxes))
-    controls = [control.bounding_box() for control in page.tab.locator("button").all()]
+    controls = [control.bounding_box() for control in page.tab.locator("button:visible").all()]
     assert all(min(box["width"], box["height"]) >= FINGER and box["x"] + box["width"] <= 390 for box in controls)
-    assert page.tab.evaluate("window.polhode.state().theme") == scheme
-    parts = [part.bounding_box() for part in page.tab.locator("#timebar button, #timebar output, #seek").all()]
+    assert page.tab.evaluate("window.polhode.shown().theme") == scheme
+    parts = [part.bounding_box() for part in page.tab.locator("#timebar :is(button, output, input):visible").all()]
     assert not any(overlap(a, b) for a, b in combinations(parts, 2))
     assert page.tab.evaluate("[...document.querySelectorAll('output')].every(x => x.scrollWidth <= x.clientWidth)")
     rows = {round(part["y"] + part["height"] / 2.0) for part in parts}
@@ -214,7 +214,7 @@ def test_samples_too_far_apart_are_not_joined(opened, tmp_path):
     assert "it jumps" in page.tab.locator("#notes").text_content()
     page.seek(7)
     page.tab.locator("#play").click()
-    page.until("window.polhode.state().position >= 9")
+    page.until("window.polhode.shown().position >= 9")
     assert float(page.position()).is_integer()
     assert not page.complaints
 

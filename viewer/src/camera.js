@@ -4,6 +4,7 @@ import { PerspectiveCamera, Vector3 } from "three";
 const FIELD = 26; // degrees; narrow, so that shapes look as they are
 const STEP = 0.1; // rad per key
 const HIGHEST = 1.55;
+const [FARTHEST, CLOSEST] = [0.4, 6];
 
 export class View {
   constructor(onChange) {
@@ -20,7 +21,7 @@ export class View {
   }
 
   closer(factor) {
-    this.zoom = Math.min(6, Math.max(0.4, this.zoom * factor));
+    this.zoom = Math.min(CLOSEST, Math.max(FARTHEST, this.zoom * factor));
     this.onChange();
   }
 
@@ -40,25 +41,34 @@ export class View {
     camera.updateMatrixWorld();
   }
 
-  /** Let a panel's picture turn the view, by mouse, finger or key. */
+  /** Let a panel's picture turn the view, by mouse, finger or key, and two fingers or the wheel bring it closer. */
   listen(canvas) {
-    let last = null;
+    const held = new Map();
+    const gap = () => {
+      const [a, b] = [...held.values()];
+      return Math.hypot(a[0] - b[0], a[1] - b[1]);
+    };
     canvas.addEventListener("pointerdown", (event) => {
       if (event.button !== 0) return;
-      last = [event.clientX, event.clientY];
+      held.set(event.pointerId, [event.clientX, event.clientY]);
       canvas.setPointerCapture(event.pointerId);
     });
     canvas.addEventListener("mousedown", (event) => event.preventDefault()); // keys stay with the time bar
     canvas.addEventListener("pointermove", (event) => {
+      const last = held.get(event.pointerId);
       if (!last) return;
-      this.turn((event.clientX - last[0]) * 0.008, (event.clientY - last[1]) * 0.008);
-      last = [event.clientX, event.clientY];
+      const before = held.size === 2 ? gap() : 0;
+      held.set(event.pointerId, [event.clientX, event.clientY]);
+      if (held.size === 2) this.closer(gap() / Math.max(before, 1));
+      else if (held.size === 1) this.turn((event.clientX - last[0]) * 0.008, (event.clientY - last[1]) * 0.008);
     });
-    for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, () => (last = null));
+    for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, (event) => held.delete(event.pointerId));
     canvas.addEventListener("wheel", (event) => {
-      if (!event.ctrlKey && !event.shiftKey) return; // without them the page scrolls
+      // at its closest and farthest the page scrolls on
+      const factor = Math.exp(-0.002 * (event.deltaY || event.deltaX));
+      if ((factor < 1 && this.zoom <= FARTHEST) || (factor > 1 && this.zoom >= CLOSEST)) return;
       event.preventDefault();
-      this.closer(Math.exp(-0.002 * (event.deltaY || event.deltaX)));
+      this.closer(factor);
     }, { passive: false });
   }
 

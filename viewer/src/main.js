@@ -1,12 +1,16 @@
-// From the data in the page to its panels, and from each change of time, view or colours to a new picture.
+// From the data in the page to its panels, and from each change of time, view, colours or setting to a new picture.
 import { View } from "./camera.js";
-import { Motion } from "./motion.js";
+import { addFrame, caption, write } from "./frames.js";
+import { Instrument } from "./instrument.js";
+import { Motion, unpacked } from "./motion.js";
 import { axisPanel } from "./panels/axis.js";
 import { bodyPanel } from "./panels/body.js";
 import { poinsotPanel } from "./panels/poinsot.js";
 import { spherePanel } from "./panels/sphere.js";
+import { Playground } from "./playground.js";
 import { Readouts } from "./readouts.js";
 import { dispose } from "./shapes.js";
+import { SolvedMotion } from "./solved.js";
 import { Stage } from "./stage.js";
 import { THEMES } from "./theme.js";
 import { Timebar } from "./timebar.js";
@@ -16,147 +20,212 @@ import * as tools from "./tools.js";
 const MAKERS = { axis: axisPanel, body: bodyPanel, poinsot: poinsotPanel, sphere: spherePanel, ...globalThis.polhodePanels };
 const element = (id) => document.getElementById(id);
 
-function start() {
-  const data = JSON.parse(element("motion").textContent);
-  const motion = new Motion(data);
-  write(data);
-  const view = new View(() => draw());
-  view.elevation = data.panels[0].elevation ?? view.elevation;
-  const stage = new Stage(view);
-  const canvases = data.panels.map((panel) => addFrame(panel, view));
-  const readouts = new Readouts(element("readouts"), motion, data);
-  const system = window.matchMedia("(prefers-color-scheme: dark)");
-  let theme = system.matches ? THEMES.dark : THEMES.light;
-  let panels = [];
-  let now = motion.at(0);
-  const sizes = () => canvases.map((canvas) => `${canvas.clientWidth} ${canvas.clientHeight}`).join();
-  let shapes = "";
-  let waiting = null;
+class Page {
+  constructor(data) {
+    this.view = new View(() => this.draw());
+    this.stage = new Stage(this.view);
+    this.panels = [];
+    this.canvases = [];
+    this.waiting = null;
+    const system = window.matchMedia("(prefers-color-scheme: dark)");
+    this.theme = system.matches ? THEMES.dark : THEMES.light;
+    system.addEventListener("change", (event) => this.dress(event.matches ? THEMES.dark : THEMES.light));
+    element("theme").addEventListener("click", () => this.dress(this.theme === THEMES.dark ? THEMES.light : THEMES.dark));
+    element("reset").addEventListener("click", () => this.instrument?.reset());
+    element("spec").addEventListener("click", () => this.copySpec());
+    // a button that was pressed by hand gives the keys back to the time bar; one reached by key keeps them
+    for (const button of document.querySelectorAll("button")) button.addEventListener("pointerup", () => button.blur());
+    new ResizeObserver(() => this.sizes() !== this.shapes && this.draw()).observe(element("panels"));
+    this.timebar = new Timebar(element("timebar"), {
+      seek: (position) => this.show(position),
+      beyond: (time) => this.goTo(time),
+    });
+    this.playground = data.presets ? new Playground(data.presets, (preset) => this.open(preset), (tables) => this.instrument?.set(tables)) : null;
+    this.open(data.presets ? data.presets[this.playground.first()] : data, true);
+  }
 
-  function build() {
-    for (const panel of panels) dispose(panel.scene);
-    document.documentElement.dataset.theme = theme.name;
-    panels = data.panels.map((panel) => Object.assign(MAKERS[panel.type](motion, panel, theme, tools), { type: panel.type }));
-    panels.forEach((panel, k) => caption(canvases[k], panel, data));
-    draw();
+  /** Show a motion: its words, its panels, and, where the page can solve it, what can be set. */
+  open(data, restored = false) {
+    this.data = data;
+    write(data);
+    this.view.elevation = data.panels[0].elevation ?? this.view.elevation;
+    this.instrument = null;
+    this.shaped = false;
+    element("instrument").hidden = !data.model;
+    if (data.model) {
+      this.instrument = new Instrument(data.model, (shaped) => this.reset(shaped));
+      this.motion = this.instrument.motion(timesOf(data), data.space);
+    } else this.motion = new Motion(data);
+    element("panels").replaceChildren();
+    this.canvases = data.panels.map((panel) => addFrame(panel, this.view));
+    this.canvases.forEach((canvas, k) => this.listen(canvas, k));
+    this.readouts = new Readouts(element("readouts"), this.motion, data);
+    this.now = this.motion.at(0);
+    this.build();
+    this.timebar.take(this.motion, true);
+    const time = restored ? this.instrument?.restore() : null;
+    if (time !== null && time !== undefined) this.goTo(time);
+  }
+
+  /** Solve and draw anew after the setting has changed, at the same time. */
+  reset(shaped) {
+    const { time } = this.now;
+    this.shaped = shaped;
+    // what Python said is of the motion as it was given
+    element("summary").textContent = this.instrument.isAsGiven ? this.data.summary : "Set on this page.";
+    const fresh = this.instrument.motion();
+    this.motion = fresh.around(time);
+    this.readouts.take(this.motion, this.data, true);
+    this.build();
+    this.timebar.take(this.motion, false, time);
+  }
+
+  build() {
+    for (const panel of this.panels) dispose(panel.scene);
+    document.documentElement.dataset.theme = this.theme.name;
+    this.panels = this.data.panels.map((panel) => {
+      const data = this.shaped && panel.type === "body" ? { ...panel, surface: null, ellipsoid: null, changed: true } : panel;
+      return Object.assign(MAKERS[panel.type](this.motion, data, this.theme, tools), { type: panel.type });
+    });
+    this.panels.forEach((panel, k) => caption(this.canvases[k], panel, this.data));
+    this.draw();
+  }
+
+  dress(theme) {
+    this.theme = theme;
+    this.build();
+  }
+
+  show(position) {
+    this.now = this.motion.at(position);
+    this.draw();
+  }
+
+  /** Go to any time: to another window of a motion that goes on for ever, where it lies outside of this one. */
+  goTo(time) {
+    const found = this.motion.endless ? this.motion.around(time) : this.motion;
+    if (found !== this.motion) {
+      this.motion = found;
+      this.build();
+      this.timebar.take(found, false, time);
+    } else this.timebar.goTo(time);
   }
 
   /** Draw all panels once before the next frame is shown; nothing is drawn while nothing changes. */
-  function draw() {
-    waiting ??= requestAnimationFrame(drawNow);
+  draw() {
+    this.waiting ??= requestAnimationFrame(() => this.drawNow());
   }
 
-  function drawNow() {
-    cancelAnimationFrame(waiting);
-    waiting = null;
-    shapes = sizes();
-    for (const panel of panels) panel.update(now);
-    stage.draw(panels, canvases, theme);
-    readouts.show(now);
+  drawNow() {
+    cancelAnimationFrame(this.waiting);
+    this.waiting = null;
+    this.shapes = this.sizes();
+    for (const panel of this.panels) panel.update(this.now);
+    this.stage.draw(this.panels, this.canvases, this.theme);
+    this.readouts.show(this.now);
     window.polhode.drawn += 1;
     window.polhode.firstPicture ??= performance.now();
   }
 
-  const timebar = new Timebar(element("timebar"), motion, {
-    seek: (position) => {
-      now = motion.at(position);
-      draw();
-    },
-  });
-  const change = () => {
-    theme = theme === THEMES.dark ? THEMES.light : THEMES.dark;
-    build();
-  };
-  element("theme").addEventListener("click", change);
-  // a button that was pressed by hand gives the keys back to the time bar; one reached by key keeps them
-  for (const button of document.querySelectorAll("button")) button.addEventListener("pointerup", () => button.blur());
-  system.addEventListener("change", (event) => {
-    theme = event.matches ? THEMES.dark : THEMES.light;
-    build();
-  });
-  new ResizeObserver(() => sizes() !== shapes && draw()).observe(element("panels"));
-  window.polhode = probe(motion, timebar, view, () => panels, () => ({ theme: theme.name, position: now.position }), drawNow);
-  window.seek = (index) => window.polhode.seek(index);
-  build();
-  timebar.go(0);
-  const calm = window.matchMedia("(prefers-reduced-motion: reduce)").matches;
-  if (!calm && motion.count > 1 && motion.span > 0) requestAnimationFrame(() => timebar.toggle());
-}
+  sizes() {
+    return this.canvases.map((canvas) => `${canvas.clientWidth} ${canvas.clientHeight}`).join();
+  }
 
-/** Put the words of the page in their places, as text and never as markup. */
-function write(data) {
-  element("name").textContent = data.name;
-  element("summary").textContent = data.summary;
-  for (const note of data.notes) {
-    const line = document.createElement("li");
-    line.textContent = note;
-    element("notes").append(line);
+  /** Let the momentum's point be dragged on the sphere: it chooses the polhode that the motion starts on. */
+  listen(canvas, k) {
+    const place = (event) => {
+      const box = canvas.getBoundingClientRect();
+      return [((event.clientX - box.left) / box.width) * 2 - 1, 1 - ((event.clientY - box.top) / box.height) * 2];
+    };
+    canvas.addEventListener("pointerdown", (event) => {
+      const panel = this.panels[k];
+      if (event.button !== 0 || !panel.grasp || !this.instrument?.kind.withDirection) return;
+      if (!panel.grasp(place(event), canvas.clientWidth)) return;
+      event.stopImmediatePropagation();
+      this.timebar.pause();
+      canvas.setPointerCapture(event.pointerId);
+      const move = (moved) => {
+        const unit = this.panels[k].under(place(moved));
+        if (!unit) return;
+        this.now = { ...this.now, time: this.instrument.setting.epoch };
+        this.instrument.point(unit);
+      };
+      const end = () => {
+        canvas.removeEventListener("pointermove", move);
+        for (const name of ["pointerup", "pointercancel"]) canvas.removeEventListener(name, end);
+      };
+      canvas.addEventListener("pointermove", move);
+      for (const name of ["pointerup", "pointercancel"]) canvas.addEventListener(name, end);
+    }, { capture: true });
+  }
+
+  /** Put the spec of what is shown where it can be pasted from. */
+  async copySpec() {
+    const text = this.instrument.toml(this.motion.span);
+    const place = element("copied");
+    try {
+      await navigator.clipboard.writeText(text);
+      this.instrument.say("The spec is copied: paste it into a file, and run polhode report on it.");
+    } catch {
+      // pages inside frames may not reach the clipboard
+    }
+    place.value = text;
+    place.hidden = false;
   }
 }
 
-function addFrame(panel, view) {
-  const frame = document.createElement("figure");
-  frame.className = panel.flat ? "panel flat" : "panel";
-  const canvas = document.createElement("canvas");
-  canvas.setAttribute("role", "img");
-  if (!panel.flat) {
-    canvas.tabIndex = 0;
-    view.listen(canvas);
-    canvas.addEventListener("keydown", (event) => {
-      if (view.key(event.key)) event.preventDefault();
-    });
-  }
-  frame.append(canvas, document.createElement("figcaption"));
-  element("panels").append(frame);
-  return canvas;
-}
+const timesOf = (data) => unpacked(data.times);
 
-function caption(canvas, panel, data) {
-  const place = canvas.nextElementSibling;
-  const title = document.createElement("strong");
-  title.textContent = panel.title;
-  const words = document.createElement("span");
-  words.className = "words";
-  words.textContent = [panel.words, panel.title === "The body in space" && data.up === "L" ? "L points up" : ""].filter(Boolean).join("; ");
-  const legend = document.createElement("span");
-  legend.className = "legend";
-  for (const { color, text } of panel.legend) {
-    const [item, swatch] = [document.createElement("span"), document.createElement("i")];
-    swatch.style.background = color;
-    item.append(swatch, text);
-    legend.append(item);
-  }
-  place.replaceChildren(title, words, legend);
-  const turns = panel.flat ? "." : ". Arrow keys turn the view, page up and down bring it closer.";
-  canvas.setAttribute("aria-label", [panel.title, panel.words].filter(Boolean).join(": ") + turns);
-}
-
-/** What tests and the curious read: where things are in the scenes that are drawn. */
-function probe(motion, timebar, view, panels, state, drawNow) {
+/** What tests and those who embed the page use: set(tables of a spec, in SI), state(time), and where things are drawn. */
+function offered(page) {
   return {
-    count: motion.count,
-    times: motion.times,
     drawn: 0,
     firstPicture: null,
-    view,
-    state,
+    get count() {
+      return page.motion.count;
+    },
+    get times() {
+      return page.motion.times;
+    },
+    view: page.view,
+    shown: () => ({ theme: page.theme.name, position: page.now.position, time: page.now.time }),
     seek(index) {
-      timebar.to(index);
-      drawNow();
+      page.timebar.to(index);
+      page.drawNow();
     },
+    goTo: (time) => page.goTo(time),
     get playing() {
-      return timebar.playing;
+      return page.timebar.playing;
     },
+    /** Change the motion to what tables of a spec say, in SI: set({ spin: { rate: 12, tilt: 0.1 } }). */
+    set: (tables) => page.instrument?.set(tables) ?? false,
+    /** Return the tables of the present setting. */
+    settings: () => page.instrument?.kind.asSpec(page.instrument.setting) ?? null,
+    /** Return attitude (wxyz, body to space) and momentum (body axes) at a time [s]. */
+    state(time) {
+      const found = page.motion.endless ? page.motion.solvedAt(time) : page.motion.at(page.motion.positionOf(time));
+      const { w, x, y, z } = found.attitude ?? {};
+      return { attitude: found.attitude ? [w, x, y, z] : null, momentum: found.momentum?.toArray() ?? null };
+    },
+    spec: () => page.instrument?.toml(page.motion.span) ?? null,
     /** Return what a panel of a type draws, or only the parts of that name. */
     measure(type, ...names) {
-      const found = panels().find((panel) => panel.type === type)?.probe();
+      const found = page.panels.find((panel) => panel.type === type)?.probe();
       return found && names.length ? Object.fromEntries(names.map((name) => [name, found[name]])) : found;
     },
   };
 }
 
 try {
-  start();
+  const data = JSON.parse(element("motion").textContent);
+  window.polhode = { drawn: 0, firstPicture: null };
+  write(data.presets ? data.presets[0] : data);
+  const page = new Page(data);
+  window.polhode = offered(page);
+  window.seek = (index) => window.polhode.seek(index);
+  page.draw();
+  const calm = window.matchMedia("(prefers-reduced-motion: reduce)").matches;
+  if (!calm && page.motion.count > 1 && page.motion.span > 0) requestAnimationFrame(() => page.timebar.toggle());
 } catch (error) {
   const words = element("failure");
   words.hidden = false;

@@ -32,3 +32,6 @@ export function clock(seconds, span) {
 }
 
 const decimals = (span) => Math.max(0, Math.min(4, 4 - Math.ceil(Math.log10(Math.max(span, 1e-9)))));
+
+/** Return a number with all its digits, as specs take it. */
+export const exact = (value) => String(value);

@@ -1,34 +1,39 @@
-// Time, energy, |L| and |Ω| as they are now, and by how much what should be constant drifts over the whole motion.
-import { clock, worded } from "./numbers.js";
+// Energy, |L| and |Ω| as they are now, and by how much what should be constant drifts over the whole motion.
+import { worded } from "./numbers.js";
 
 const NAMES = { momentum_norm: "|L|", momentum_space: "L in space", "|L|²": "|L|²" };
 
 export class Readouts {
   constructor(list, motion, data) {
-    this.motion = motion;
+    this.list = list;
+    this.take(motion, data);
+  }
+
+  /** Show the values of a motion; the drift is of the one that Python wrote, and not of one set on the page. */
+  take(motion, data, changed = false) {
     this.data = data;
     this.rows = {};
+    this.list.replaceChildren();
     for (const [key, name] of [
-      ["time", "time"],
       ...(motion.energies ? [["energy", data.energyName]] : []),
       ...(motion.momenta ? [["momentum", "|L|"]] : []),
       ...(motion.velocities ? [["velocity", "|Ω|"]] : []),
     ]) {
-      this.rows[key] = this.row(list, name);
+      this.rows[key] = this.row(name);
     }
     const drifts = Object.entries(data.drift);
-    if (!drifts.length) return;
+    if (!drifts.length || changed) return;
     const worst = drifts.reduce((a, b) => (b[1] > a[1] ? b : a));
     const words = (NAMES[worst[0]] ?? worst[0]).replaceAll("_", " ");
-    this.row(list, "largest drift").textContent = `${worded(worst[1], 2)} (${words})`;
+    this.row("largest drift").textContent = `${worded(worst[1], 2)} (${words})`;
   }
 
-  row(list, name) {
+  row(name) {
     const [label, value] = [document.createElement("dt"), document.createElement("dd")];
     label.textContent = name;
     const pair = document.createElement("div");
     pair.append(label, value);
-    list.append(pair);
+    this.list.append(pair);
     return value;
   }
 
@@ -36,7 +41,6 @@ export class Readouts {
     const put = (key, text) => {
       if (this.rows[key] && this.rows[key].textContent !== text) this.rows[key].textContent = text;
     };
-    put("time", clock(now.time, this.motion.span));
     if (now.energy !== null) put("energy", `${worded(now.energy)} ${this.data.energyUnit}`);
     if (now.momentum) put("momentum", `${worded(now.momentum.length())} kg m²/s`);
     if (now.velocity) put("velocity", `${worded(now.velocity.length(), 5)} rad/s`);

@@ -1,5 +1,6 @@
 // What the panels are made of: lines of a width in pixels, arrows, dots, surfaces.
 import {
+  BoxGeometry,
   BufferAttribute,
   BufferGeometry,
   Color,
@@ -13,6 +14,7 @@ import {
   Mesh,
   MeshBasicMaterial,
   MeshLambertMaterial,
+  OctahedronGeometry,
   Points,
   PointsMaterial,
   Quaternion,
@@ -118,6 +120,26 @@ export function dot(color, rim, radius) {
   return new Group().add(core, shell);
 }
 
+/** Return the head of an arrow that lies on the unit sphere. */
+export function arrowhead(color, place, direction, size) {
+  const found = new Mesh(new ConeGeometry(0.45 * size, size, 16), new MeshBasicMaterial({ color }));
+  found.position.copy(place).multiplyScalar(1.003);
+  found.quaternion.setFromUnitVectors(UP, direction);
+  return found;
+}
+
+const MARKS = { stable: () => new SphereGeometry(0.045, 20, 14), unstable: () => new OctahedronGeometry(0.06), undecided: () => new BoxGeometry(0.075, 0.075, 0.075) };
+
+/** Return the mark of an equilibrium on the unit sphere: a ball where it is stable, an octahedron where not, else a cube. */
+export function mark(place, verdict, color, rim) {
+  const core = new Mesh(MARKS[verdict](), new MeshBasicMaterial({ color }));
+  const shell = new Mesh(MARKS[verdict](), new MeshBasicMaterial({ color: rim, side: 1 }));
+  shell.scale.setScalar(1.3);
+  const found = new Group().add(core, shell);
+  found.position.copy(place);
+  return found;
+}
+
 /** Return a surface of triangles with its sharp edges drawn. */
 export function surface(vertices, faces, color, edge) {
   const geometry = new BufferGeometry();
@@ -127,6 +149,14 @@ export function surface(vertices, faces, color, edge) {
   const material = new MeshLambertMaterial({ color, side: 2, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
   const edges = new LineSegments(new EdgesGeometry(geometry, 30), new LineBasicMaterial({ color: edge, transparent: true, opacity: 0.6 }));
   return new Group().add(new Mesh(smooth, material), edges);
+}
+
+/** Return a box about the origin with its edges drawn. */
+export function box(edges, color, edge) {
+  const geometry = new BoxGeometry(...edges);
+  const material = new MeshLambertMaterial({ color, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
+  const rims = new LineSegments(new EdgesGeometry(geometry), new LineBasicMaterial({ color: edge, transparent: true, opacity: 0.6 }));
+  return new Group().add(new Mesh(geometry, material), rims);
 }
 
 /** Return an ellipsoid with its three principal circles, which show how it turns. */

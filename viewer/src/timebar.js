@@ -1,52 +1,74 @@
-// Play, pause, seek, step and speed, by button, slider and key.
+// Play, pause, seek, step, loop and speed, by button, slider and key.
 import { clock, worded } from "./numbers.js";
 
 const FASTER = Math.SQRT2;
-const EASY = 0.5; // turns of the body per second of watching, at first
+const [EASY, TOPS] = [0.5, 4]; // turns of the body per second of watching, at first: of a free body, and of a top
+const SWING = 1.5; // s of watching that a period of what it does should take, at first
+const REAL = [0.5, 1.6]; // speeds between these begin in real time
 const [SHORTEST, LONGEST] = [8, 240]; // s that the whole motion takes, at first
 const [QUICKEST, SLOWEST] = [1, 3600]; // s that it takes at the ends of the scale of speeds
 const LEAP = 20; // samples that page-wise steps go
 
 export class Timebar {
-  constructor(root, motion, { seek, closer }) {
-    this.motion = motion;
+  /**
+   * @param root element with the controls
+   * @param seek called with the position in samples
+   * @param beyond called with a time outside of the samples of a motion that goes on for ever
+   */
+  constructor(root, { seek, beyond }) {
+    this.root = root;
     this.seek = seek;
-    this.closer = closer;
+    this.beyond = beyond;
     this.position = 0;
     this.playing = false;
-    this.rate = firstRate(motion);
+    this.looping = false;
     this.slider = root.querySelector("#seek");
-    this.slider.max = String(motion.count - 1);
     this.play = root.querySelector("#play");
+    this.loop = root.querySelector("#loop");
     this.speed = root.querySelector("#speed");
     this.shown = root.querySelector("#now");
-    const single = motion.count < 2 || !(motion.span > 0);
-    for (const control of root.querySelectorAll("button, input")) control.disabled = single;
     const on = (id, act) => root.querySelector(id).addEventListener("click", act);
     on("#play", () => this.toggle());
     on("#back", () => this.step(-1));
     on("#forth", () => this.step(1));
+    on("#loop", () => this.repeat());
     on("#slower", () => this.scale(1 / FASTER));
     on("#faster", () => this.scale(FASTER));
     this.slider.addEventListener("input", () => {
       this.pause();
       this.go(Number(this.slider.value));
     });
-    if (!single) document.addEventListener("keydown", (event) => this.key(event));
-    this.say();
+    document.addEventListener("keydown", (event) => this.key(event));
+  }
+
+  /** Take a motion: a new one from its beginning, or another window of the same at a time. */
+  take(motion, fresh, time = null) {
+    this.motion = motion;
+    this.slider.max = String(motion.count - 1);
+    this.single = motion.count < 2 || !(motion.span > 0);
+    for (const control of this.root.querySelectorAll("button, input")) control.disabled = this.single;
+    this.loop.hidden = Boolean(motion.endless);
+    if (fresh) {
+      this.rate = firstRate(motion);
+      this.pause();
+    }
+    if (time === null) this.go(0);
+    else this.goTo(time);
   }
 
   key(event) {
-    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (this.single || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (event.target !== this.slider && event.target.closest?.("input, select, textarea")) return;
     const onSlider = event.target === this.slider;
     const onButton = event.target.closest?.("button, a, summary");
     if (event.target.closest?.("canvas") && event.key.startsWith("Arrow")) return; // turns the view
     const acts = {
       " ": () => !onButton && this.toggle(),
       k: () => this.toggle(),
+      l: () => this.repeat(),
       ArrowLeft: () => !onSlider && this.step(event.shiftKey ? -LEAP : -1),
       ArrowRight: () => !onSlider && this.step(event.shiftKey ? LEAP : 1),
-      Home: () => !onSlider && this.to(0),
+      Home: () => !onSlider && this.home(),
       End: () => !onSlider && this.to(this.motion.count - 1),
       "+": () => this.scale(FASTER),
       "=": () => this.scale(FASTER),
@@ -58,7 +80,7 @@ export class Timebar {
 
   toggle() {
     if (this.playing) return this.pause();
-    if (this.position >= this.motion.count - 1) this.go(0);
+    if (this.position >= this.motion.count - 1 && !this.motion.endless) this.go(0);
     this.playing = true;
     this.begun = null;
     this.say();
@@ -70,18 +92,32 @@ export class Timebar {
     this.say();
   }
 
+  repeat() {
+    this.looping = !this.looping;
+    this.say();
+  }
+
+  home() {
+    if (!this.motion.endless) return this.to(0);
+    this.pause();
+    this.beyond(this.motion.solver.epoch);
+  }
+
   tick(now) {
     if (!this.playing) return;
     const passed = this.begun === null ? 0 : Math.min((now - this.begun) / 1000, 0.25);
     this.begun = now;
-    const time = this.time + passed * this.rate;
-    const last = this.motion.count - 1;
-    this.time = Math.min(time, this.motion.times[last]);
-    const position = this.motion.positionOf(this.time);
-    this.position = position;
-    if (position >= last) this.pause();
-    this.refresh();
+    this.advance(this.time + passed * this.rate);
     if (this.playing) requestAnimationFrame((next) => this.tick(next));
+  }
+
+  advance(time) {
+    const last = this.motion.times[this.motion.count - 1];
+    if (time <= last) return this.goTo(time);
+    if (this.motion.endless) return this.beyond(time);
+    if (this.looping) return this.goTo(this.motion.times[0] + ((time - last) % this.motion.span));
+    this.goTo(last);
+    this.pause();
   }
 
   step(by) {
@@ -100,9 +136,16 @@ export class Timebar {
     this.refresh();
   }
 
+  /** Go to a time that the samples hold. */
+  goTo(time) {
+    this.time = time;
+    this.position = this.motion.positionOf(time);
+    this.refresh();
+  }
+
   refresh() {
     this.slider.value = String(Math.round(this.position));
-    const text = clock(this.time, this.motion.span);
+    const text = clock(this.time, Math.max(this.motion.span, Math.abs(this.time)));
     this.slider.setAttribute("aria-valuetext", text);
     this.shown.textContent = text;
     this.seek(this.position);
@@ -117,13 +160,21 @@ export class Timebar {
   say() {
     this.play.setAttribute("aria-label", this.playing ? "Pause" : "Play");
     this.play.dataset.playing = String(this.playing);
-    this.speed.textContent = Math.abs(this.rate - 1) < 0.05 ? "real time" : `×${worded(this.rate, 2)}`;
+    this.loop.setAttribute("aria-pressed", String(this.looping));
+    if (this.rate) this.speed.textContent = Math.abs(this.rate - 1) < 0.05 ? "real time" : `×${worded(this.rate, 2)}`;
   }
 }
 
-/** Return seconds of motion per second of watching: turns slow enough to see, the whole not too long or short. */
+/** Return seconds of motion per second of watching: in real time where it can be followed, else a round number. */
 function firstRate(motion) {
   if (!(motion.span > 0)) return 1;
-  const turning = motion.fastest ? (2 * Math.PI * EASY) / motion.fastest : motion.span / 40;
-  return Math.min(motion.span / SHORTEST, Math.max(motion.span / LONGEST, turning));
+  const turns = motion.free || !motion.moments ? EASY : TOPS;
+  const turning = motion.fastest ? (2 * Math.PI * turns) / motion.fastest : motion.span / 40;
+  const period = motion.solver?.nutationPeriod;
+  const swinging = period && Number.isFinite(period) ? period / SWING : Infinity;
+  const wanted = Math.min(motion.span / SHORTEST, Math.max(motion.span / LONGEST, Math.min(turning, swinging)));
+  if (wanted > REAL[0] && wanted < REAL[1]) return 1;
+  const power = 10 ** Math.floor(Math.log10(wanted));
+  const digit = [5, 2, 1].find((value) => value * power <= wanted * 1.0001) ?? 1;
+  return digit * power;
 }

@@ -20,6 +20,8 @@ from polhode.viewer.encoding import as_script_json, packed, with_powers
 from polhode.viewer.panels import Content, content_of, free_moments_of, title_of, up_of
 from polhode.viewer.samples import Samples, samples_of
 
+SOLVED = ("FreeMotion",)  # what the page solves itself, by reference/polhode.js
+
 
 @dataclass(frozen=True)
 class NotebookPage:
@@ -69,10 +71,11 @@ def page_text(
         )
     title = name or title_of(trajectory.source)
     said = [note[:1].upper() + note[1:] for note in (*map(with_powers, samples.notes), *notes)]
+    model = model_of(trajectory)
     data = {
         "name": title, "summary": summary, "notes": said, "panels": shown.panels,
         "drift": {key: float(np.max(value)) for key, value in trajectory.drift.items() if np.size(value)},
-        **_arrays(trajectory.source, samples),
+        "model": model, **_arrays(trajectory.source, samples, solved=model is not None),
     }  # fmt: skip
     return _filled(title, data, shown.scripts).encode("utf-8", "replace").decode("utf-8")
 
@@ -94,15 +97,33 @@ def check_given(trajectory: Any, name: Any, summary: Any, notes: Any) -> None:
         )
 
 
-def _arrays(system: Any, samples: Samples) -> dict[str, Any]:
+def model_of(trajectory: Trajectory) -> dict[str, Any] | None:
+    """Return what the page's own solver needs of an exact motion, along its principal axes; None of any other."""
+    motion = trajectory.motion
+    if motion is None or motion.batch_shape or type(motion).__name__ not in SOLVED:
+        return None
+    along = motion.along_principal_axes()
+    numbers = {name: float(getattr(along, name)) for name in along.body_numbers}
+    return {
+        "solver": type(along).__name__, "moments": np.asarray(along.moments).tolist(), **numbers,
+        "momentum": np.asarray(along.momentum_at_epoch).tolist(),
+        "attitude": np.asarray(along.attitude_at_epoch).tolist(), "epoch": float(along.epoch),
+    }  # fmt: skip
+
+
+def _arrays(system: Any, samples: Samples, solved: bool) -> dict[str, Any]:
+    """Return the samples; of a motion that the page solves itself their times alone."""
     turn, up = up_of(system, samples)
 
     def array(values: Array | None, kind: str = "f8") -> dict[str, Any] | None:
         return None if values is None else packed(values, kind)
 
     return {
-        "times": packed(samples.times), "attitude": array(samples.attitude), "momentum": array(samples.momentum),
-        "velocity": array(samples.angular_velocity, "f4"), "energy": array(samples.energy),
+        "times": packed(samples.times),
+        **({} if solved else {
+            "attitude": array(samples.attitude), "momentum": array(samples.momentum),
+            "velocity": array(samples.angular_velocity, "f4"), "energy": array(samples.energy),
+        }),
         "energyName": samples.energy_name, "energyUnit": samples.energy_unit, "joined": samples.joined,
         "free": free_moments_of(system, samples),
         "space": turn.tolist(), "up": up,

@@ -8,17 +8,14 @@ from typing import Any
 import numpy as np
 
 from polhode import rotation
-from polhode.analysis.poinsot import herpolhode
-from polhode.analysis.polhodes import level_segments, polhode, polhode_family, saddle_energies, separatrix
+from polhode.analysis.polhodes import level_segments, saddle_energies
 from polhode.bodies.surface import Surface
-from polhode.exact.free_body import FreeMotion
 from polhode.types import Array, Float64
 from polhode.viewer.encoding import packed
 from polhode.viewer.samples import Samples
 from polhode.viewer.shapes import body_shape, top_shape
 
 Panel = dict[str, Any]
-PERIOD_POINTS = 2000  # of the drawn polhode, so that its chords miss it by 2e-6 at most
 KEPT = 1e-6  # of |L|: a momentum in space that stays within this is the one that a page's "up" can be
 LOW = 0.4  # cosine of the tilt below which a top of unknown shape would dip into the ground, and stands on a post
 DIPS = 0.02  # of its size by which a top may do so, as the tip of a stem is not a point
@@ -54,13 +51,12 @@ def content_of(source: Any, samples: Samples, surface: Surface | None) -> Conten
     found = body_panels(samples, moments, surface)
     if samples.momentum is None or not np.linalg.norm(samples.momentum, axis=-1).any():
         return Content(found)
-    free = _as_free_motion(source, samples)
-    if free is None:
+    if free_moments_of(source, samples) is None:
         levels = moments if _turns_as_one(samples, moments) else None
         return Content([*found, sphere_of_levels(samples.momentum, levels)])
-    found.append(_sphere_of_polhodes(free))
-    if samples.attitude is not None and free.energy:
-        found.append(_poinsot(free))
+    found.append(_sphere_of_polhodes())
+    if samples.attitude is not None:
+        found.append({"type": "poinsot"})
     return Content(found)
 
 
@@ -169,24 +165,9 @@ def _pivot(attitude: Array, axis: Array, surface: Surface | None) -> str:
 # ---------------------------------------------------------------------- the momentum sphere
 
 
-def _as_free_motion(source: Any, samples: Samples) -> FreeMotion | None:
-    """Return the exact motion through a free body's first sample; None for other systems."""
-    if not is_mechanical(source) or source.free_moments is None or samples.momentum is None:
-        return None
-    attitude = (1.0, 0.0, 0.0, 0.0) if samples.attitude is None else samples.attitude[0]
-    moments = np.asarray(source.free_moments, dtype=float)
-    return FreeMotion(moments, samples.momentum[0], attitude, float(samples.times[0]))
-
-
-def _sphere_of_polhodes(motion: FreeMotion) -> Panel:
-    moments = np.asarray(motion.moments)
-    order = np.argsort(moments, kind="stable")
-    back = np.argsort(order)
-    family = [curve[:, back] for curve in polhode_family(moments[order])]
-    borders = [curve[:, back] for curve in separatrix(moments[order])]
-    own = polhode(motion, PERIOD_POINTS)
-    return {"type": "sphere", "title": "Momentum sphere", "own": None if own is None else packed(own),
-            "family": _pieces(family), "separatrix": _pieces(borders), "legend": "other polhodes",
+def _sphere_of_polhodes() -> Panel:
+    """Return the sphere of a free body, whose curves the page draws itself."""
+    return {"type": "sphere", "title": "Momentum sphere", "legend": "other polhodes",
             "words": "L in body axes runs along its polhode"}  # fmt: skip
 
 
@@ -216,21 +197,3 @@ def sphere_of_levels(
 
     borders = level_segments(energy, saddle_energies(moments, inner, norm))
     return panel | {"family": packed(level_segments(energy), "f4"), "separatrix": packed(borders, "f4")}
-
-
-def _pieces(curves: list[Array]) -> dict[str, Any] | None:
-    """Return curves as pieces (n, 2, 3), of every third of their points."""
-    if not curves:
-        return None
-    curves = [curve[np.linspace(0, len(curve) - 1, len(curve) // 3).round().astype(int)] for curve in curves]
-    return packed(np.concatenate([np.stack([curve[:-1], curve[1:]], axis=1) for curve in curves]), "f4")
-
-
-# ---------------------------------------------------------------------- Poinsot's picture
-
-
-def _poinsot(motion: FreeMotion) -> Panel:
-    found = herpolhode(motion)
-    assert found is not None
-    return {"type": "poinsot", "moments": np.asarray(motion.moments).tolist(), "energy": motion.energy,
-            "distance": found.plane_distance, "inner": found.inner_radius, "outer": found.outer_radius}  # fmt: skip

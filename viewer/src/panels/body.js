@@ -1,7 +1,7 @@
 // The body itself, turning in space, with L, Ω and the trace of one of its axes.
 import { Group, Vector3 } from "three";
 import { unpacked } from "../motion.js";
-import { arrow, circle, drawPieces, ellipsoid, floor, line, specks, surface } from "../shapes.js";
+import { arrow, box, circle, drawPieces, ellipsoid, floor, line, specks, surface } from "../shapes.js";
 import { newPanel } from "../stage.js";
 
 const REACH = 1.32; // how far axes and trace stand off from a body of size one
@@ -10,13 +10,13 @@ const LONGEST = 1.5; // of L and of the largest Ω
 const FINE = 0.06; // rad between points of the trace
 
 export function bodyPanel(motion, data, theme) {
-  const panel = newPanel(theme, { title: "The body in space", words: data.shape, radius: data.pivot === "ground" ? 1.7 : 1.88 });
+  const panel = newPanel(theme, { title: "The body in space", words: data.changed ? "box or ellipsoid of the same inertia" : data.shape, radius: data.pivot === "ground" ? 1.7 : 1.88 });
   if (!data.pivot) panel.target = new Vector3(0, 0, 0.08); // as arrows point up more often than down
   if (data.pivot === "ground") panel.target = new Vector3(0, 0, 0.5);
   const space = new Group();
   space.quaternion.copy(motion.space);
   panel.scene.add(space);
-  const body = shapeOf(data, theme);
+  const body = shapeOf(motion, data, theme);
   space.add(body);
   const tips = [0, 1, 2].map((k) => {
     const tip = new Vector3().setComponent(k, REACH);
@@ -75,8 +75,12 @@ export function bodyPanel(motion, data, theme) {
   return panel;
 }
 
-function shapeOf(data, theme) {
+/** Return what is drawn as the body; one whose moments were changed on the page is the box of the same inertia. */
+function shapeOf(motion, data, theme) {
   const found = new Group();
+  const edges = data.changed && motion.free ? boxOf(motion.free) : null;
+  if (data.changed && !edges && motion.moments) data = { ellipsoid: motion.moments.map((moment) => 1 / Math.sqrt(moment)) };
+  if (edges) return found.add(box(edges, theme.body, theme.edge));
   if (data.surface) {
     const vertices = unpacked(data.surface.vertices);
     let size = 0;
@@ -89,6 +93,14 @@ function shapeOf(data, theme) {
     found.add(ellipsoid(data.ellipsoid.map((x) => x / size), theme.body, theme.edge));
   }
   return found;
+}
+
+/** Return the edges of a homogeneous box with these moments, its half diagonal 1; null where no box has them. */
+function boxOf([a, b, c]) {
+  const squares = [b + c - a, c + a - b, a + b - c];
+  const sum = a + b + c;
+  if (squares.some((square) => square < 1e-9 * sum)) return null;
+  return squares.map((square) => 2 * Math.sqrt(square / sum));
 }
 
 /** Return the path of an axis' end in space: a line with points between the samples, or the samples alone. */

@@ -5,10 +5,15 @@ import { arrow, dot, drawUpTo, ellipsoid, floor, hairline, path } from "../shape
 import { newPanel } from "../stage.js";
 
 export function poinsotPanel(motion, data, theme) {
-  const semiAxes = data.moments.map((moment) => 1 / Math.sqrt(moment));
+  const start = motion.at(0).momentum;
+  const { free: moments } = motion;
+  const energy = 0.5 * start.toArray().reduce((sum, value, k) => sum + (value * value) / moments[k], 0);
+  const semiAxes = moments.map((moment) => 1 / Math.sqrt(moment));
   const unit = 1 / Math.max(...semiAxes);
-  const distance = data.distance * unit;
-  const wide = Math.max(1.25 * data.outer * unit, 0.9);
+  const inertia = { moments, energy };
+  const distance = (unit * Math.sqrt(2 * energy)) / start.length();
+  const contacts = contactPoints(motion, inertia, unit);
+  const wide = Math.max(1.25 * reach(contacts, distance), 0.9);
   const height = 1.3; // of the tip of L
   const middle = 0.5 * (height - distance);
   const panel = newPanel(theme, {
@@ -24,7 +29,6 @@ export function poinsotPanel(motion, data, theme) {
   const plane = floor(wide, -distance, theme);
   panel.scene.add(space, plane);
 
-  const contacts = contactPoints(motion, data, unit);
   const inSpace = turned(motion, contacts);
   const polhode = path(motion, contacts, theme.motion, 3);
   const herpolhode = path(motion, inSpace, theme.border, 2.5);
@@ -47,7 +51,7 @@ export function poinsotPanel(motion, data, theme) {
   panel.update = (now) => {
     const k = Math.floor(now.position * motion.fine);
     body.quaternion.copy(now.attitude);
-    touch.position.copy(contactOf(now.momentum, data, unit)).applyQuaternion(now.attitude);
+    touch.position.copy(contactOf(now.momentum, inertia, unit)).applyQuaternion(now.attitude);
     axis.point(touch.position, touch.position.length());
     drawUpTo(motion, polhode, k);
     drawUpTo(motion, herpolhode, k);
@@ -70,15 +74,22 @@ export function poinsotPanel(motion, data, theme) {
   return panel;
 }
 
-function contactOf(momentum, data, unit) {
-  const size = -unit / Math.sqrt(2 * data.energy);
-  return new Vector3(...momentum.toArray().map((x, k) => (size * x) / data.moments[k]));
+function contactOf(momentum, { moments, energy }, unit) {
+  const size = -unit / Math.sqrt(2 * energy);
+  return new Vector3(...momentum.toArray().map((x, k) => (size * x) / moments[k]));
+}
+
+/** Return how far the contact gets from the foot of the perpendicular. */
+function reach(contacts, distance) {
+  let most = 0;
+  for (let k = 0; k < contacts.length; k += 3) most = Math.max(most, Math.hypot(contacts[k], contacts[k + 1], contacts[k + 2]));
+  return Math.sqrt(Math.max(0, most * most - distance * distance));
 }
 
 /** Return the points of the ellipsoid that touch the plane one after the other, in body axes. */
-function contactPoints(motion, data, unit) {
+function contactPoints(motion, inertia, unit) {
   const found = new Float64Array(3 * motion.states.length);
-  motion.states.forEach(({ momentum }, k) => contactOf(momentum, data, unit).toArray(found, 3 * k));
+  motion.states.forEach(({ momentum }, k) => contactOf(momentum, inertia, unit).toArray(found, 3 * k));
   return found;
 }
 

@@ -1,32 +1,46 @@
 // The momentum sphere, in body axes: levels of the energy, separatrix, this motion, and where it is now.
 import { Vector3 } from "three";
 import { unpacked } from "../motion.js";
-import { dot, drawUpTo, globe, line, path, pieces } from "../shapes.js";
+import { family, polhodeThrough, rests, separatrix } from "../polhodes.js";
+import { arrowhead, dot, drawUpTo, globe, line, mark, path, pieces } from "../shapes.js";
 import { newPanel } from "../stage.js";
+
+const GRASP = 18; // pixels from the point within which a press takes hold of it
+const HEADS = 4; // arrowheads on this motion's polhode
+const COLORS = { stable: "stable", unstable: "border", undecided: "family" };
+const NAMES = { stable: "stable", unstable: "unstable", undecided: "undecided" };
 
 export function spherePanel(motion, data, theme) {
   const panel = newPanel(theme, { title: data.title, words: data.words, radius: 1.36 });
   const { scene } = panel;
   scene.add(globe(theme));
-  const [family, border] = [unpacked(data.family), unpacked(data.separatrix)];
-  if (family?.length) scene.add(pieces(family, theme.family, 1));
-  if (border?.length) scene.add(pieces(border, theme.border, 1.8));
-  const own = unpacked(data.own);
+  // a free body's curves are known in closed form, those of other systems come with the page
+  const start = motion.free ? motion.at(0).momentum.toArray() : null;
+  const [others, border] = start
+    ? [family(motion.free), separatrix(motion.free)]
+    : [unpacked(data.family) ?? [], unpacked(data.separatrix) ?? []];
+  if (others.length) scene.add(pieces(others, theme.family, 1));
+  if (border.length) scene.add(pieces(border, theme.border, 1.8));
+  const own = start && Math.hypot(...start) > 0 ? polhodeThrough(motion.free, start) : null;
   const points = own ?? directions(motion);
   const trail = own ? line(own, theme.motion, 3.2) : path(motion, points, theme.motion, 2);
   scene.add(trail);
+  if (own) for (const head of heads(motion.free, own, theme)) scene.add(head);
   const place = dot(theme.motion, theme.ground, 0.035);
   scene.add(place);
   const stubs = [0, 1, 2].map((k) => {
     const end = new Vector3().setComponent(k, 1.2);
-    const start = new Vector3().setComponent(k, 1);
-    scene.add(line([...start.toArray(), ...end.toArray()], theme.axes[k], 2.5));
+    scene.add(line([...new Vector3().setComponent(k, 1).toArray(), ...end.toArray()], theme.axes[k], 2.5));
     return end;
   });
+  const marks = motion.free ? rests(motion.free) : data.equilibria ?? [];
+  for (const { at, verdict } of marks) scene.add(mark(new Vector3(...at), verdict, theme[COLORS[verdict]], theme.ground));
+  const said = [...new Set(marks.map(({ verdict }) => verdict))];
   panel.legend = [
     { color: theme.motion, text: "this motion" },
-    ...(border?.length ? [{ color: theme.border, text: "separatrix" }] : []),
-    ...(family?.length ? [{ color: theme.family, text: data.legend }] : []),
+    ...(border.length ? [{ color: theme.border, text: "separatrix" }] : []),
+    ...(others.length ? [{ color: theme.family, text: data.legend }] : []),
+    ...said.map((verdict) => ({ color: theme[COLORS[verdict]], text: NAMES[verdict] })),
   ];
   panel.update = (now) => {
     const norm = now.momentum.length();
@@ -36,7 +50,18 @@ export function spherePanel(motion, data, theme) {
   };
   panel.labels = () =>
     stubs.map((end, k) => ({ text: `L${"₁₂₃"[k]}`, color: theme.axes[k], place: end.clone().multiplyScalar(1.08) }));
-  panel.probe = () => ({ point: place.position.toArray(), path: [...points], closed: Boolean(own) });
+  panel.grasp = ([x, y], width) => {
+    const seen = place.position.clone().project(panel.camera);
+    const facing = place.position.dot(panel.camera.position) > 1;
+    return motion.free && facing && Math.hypot(seen.x - x, seen.y - y) * 0.5 * width < GRASP;
+  };
+  panel.under = (at) => onSphere(at, panel.camera);
+  panel.probe = () => ({
+    point: place.position.toArray(),
+    path: [...points],
+    closed: Boolean(own),
+    seen: place.position.clone().project(panel.camera).toArray(),
+  });
   return panel;
 }
 
@@ -45,4 +70,27 @@ function directions(motion) {
   const found = new Float64Array(3 * motion.states.length);
   motion.states.forEach(({ momentum }, k) => momentum.clone().normalize().toArray(found, 3 * k));
   return found;
+}
+
+/** Return arrowheads on a polhode of points [x, y, z, …]: which way L runs, dL/dt = L × I⁻¹L. */
+function heads(moments, points, theme) {
+  const found = [];
+  const count = points.length / 3 - 1;
+  for (let k = 0; k < HEADS; k++) {
+    const unit = new Vector3().fromArray(points, 3 * Math.round(((k + 0.5) / HEADS) * count));
+    const rate = unit.clone().cross(new Vector3(...unit.toArray().map((value, j) => value / moments[j])));
+    if (rate.length() > 0) found.push(arrowhead(theme.motion, unit, rate.normalize(), 0.085));
+  }
+  return found;
+}
+
+/** Return the point of the unit sphere that is seen at a place of the picture, or the nearest on its rim; null for none. */
+function onSphere([x, y], camera) {
+  const eye = camera.position.clone();
+  const ray = new Vector3(x, y, 0.5).unproject(camera).sub(eye).normalize();
+  const along = -eye.dot(ray);
+  const nearest = eye.clone().addScaledVector(ray, along);
+  const gap = nearest.lengthSq();
+  if (gap >= 1) return nearest.lengthSq() > 0 ? nearest.normalize().toArray() : null;
+  return eye.addScaledVector(ray, along - Math.sqrt(1 - gap)).normalize().toArray();
 }

@@ -1,0 +1,106 @@
+// Sliders and number fields for what can be set; values come and go in SI.
+const STEPS = 1000;
+
+export class Controls {
+  /**
+   * @param root element that they are put into
+   * @param onChange called with the key and the new value
+   */
+  constructor(root, onChange) {
+    this.root = root;
+    this.onChange = onChange;
+    this.rows = new Map();
+  }
+
+  /** Show what can be set: new rows where the keys are new, new values everywhere. */
+  show(controls) {
+    const keys = controls.map(({ key }) => key).join();
+    if (keys !== this.keys) {
+      this.keys = keys;
+      this.rows.clear();
+      this.root.replaceChildren(...controls.map((control) => this.row(control)));
+    }
+    for (const control of controls) this.refresh(control);
+  }
+
+  row(control) {
+    const line = document.createElement("div");
+    line.className = "control";
+    const label = document.createElement("label");
+    const id = `set-${control.key.replaceAll(".", "-")}`;
+    label.htmlFor = id;
+    line.append(label);
+    const row = { label };
+    if (control.choices) {
+      row.choice = document.createElement("select");
+      row.choice.id = id;
+      for (const [value, text] of control.choices) row.choice.append(new Option(text, value));
+      row.choice.addEventListener("change", () => this.onChange(control.key, Number(row.choice.value)));
+      line.append(row.choice);
+    } else {
+      row.slider = document.createElement("input");
+      Object.assign(row.slider, { type: "range", min: 0, max: STEPS, step: "any" });
+      row.slider.addEventListener("input", () => this.onChange(control.key, valueAt(row.control, Number(row.slider.value) / STEPS)));
+      // a new range would move under the finger: it is taken when the slider is let go
+      row.slider.addEventListener("change", () => this.settle());
+      row.field = document.createElement("input");
+      Object.assign(row.field, { type: "text", inputMode: "decimal", id, autocomplete: "off" });
+      row.field.addEventListener("change", () => this.typed(row));
+      row.unit = document.createElement("span");
+      line.append(row.slider, row.field, row.unit);
+    }
+    this.rows.set(control.key, row);
+    return line;
+  }
+
+  refresh(control) {
+    const row = this.rows.get(control.key);
+    row.label.textContent = control.label;
+    if (row.choice) {
+      row.choice.value = String(control.value);
+      return;
+    }
+    const held = row.slider === document.activeElement && row.slider.matches(":active");
+    row.control = held ? { ...row.control, value: control.value } : control;
+    row.slider.setAttribute("aria-label", control.label);
+    if (!held) row.slider.value = String(STEPS * partAt(control, control.value));
+    const text = plain(control.value / (control.si ?? 1));
+    row.slider.setAttribute("aria-valuetext", `${text} ${control.unit}`);
+    if (document.activeElement !== row.field) row.field.value = text;
+    row.unit.textContent = control.unit;
+    row.field.setAttribute("aria-label", `${control.label} [${control.unit}]`);
+    row.field.setCustomValidity("");
+  }
+
+  settle() {
+    this.onChange(null);
+  }
+
+  typed(row) {
+    const value = Number(row.field.value.trim().replace(",", ".")) * (row.control.si ?? 1);
+    const { low, high, log, unit, si = 1 } = row.control;
+    const wrong = !row.field.value.trim() || !Number.isFinite(value) ? "A number is needed." : log && !(value > 0) ? "It must be greater than zero." : "";
+    const outside = row.control.key.startsWith("body.moments") && (value < low * 0.999 || value > high * 1.001);
+    const said = wrong || (outside ? `No body has this moment with the two others: ${plain(low / si)} to ${plain(high / si)} ${unit}.` : "");
+    row.field.setCustomValidity(said);
+    if (said) row.field.reportValidity();
+    else this.onChange(row.control.key, value);
+  }
+}
+
+/** Return the value at a part, 0 to 1, of a slider's way. */
+function valueAt({ low, high, log, power = 1 }, part) {
+  return log ? low * (high / low) ** part : low + (high - low) * part ** power;
+}
+
+function partAt({ low, high, log, power = 1 }, value) {
+  const part = log ? Math.log(Math.max(value, Number.MIN_VALUE) / low) / Math.log(high / low) : ((value - low) / (high - low)) ** (1 / power);
+  return Math.min(1, Math.max(0, Number.isFinite(part) ? part : 0));
+}
+
+/** Return a number as a field shows it, which reads it back. */
+function plain(value) {
+  if (value === 0) return "0";
+  const size = Math.abs(value);
+  return size >= 1e-3 && size < 1e6 ? String(Number(value.toPrecision(7))) : value.toExponential(5);
+}

@@ -1,0 +1,60 @@
+// The frames that pictures stand in, with their captions, and the words of the page.
+const element = (id) => document.getElementById(id);
+
+/** Put the words of the page in their places, as text and never as markup. */
+export function write({ name, summary, notes }) {
+  element("name").textContent = name;
+  element("summary").textContent = summary;
+  element("notes").replaceChildren(...notes.map((note) => said("li", note)));
+}
+
+function said(tag, text, className = "") {
+  const found = document.createElement(tag);
+  found.textContent = text;
+  if (className) found.className = className;
+  return found;
+}
+
+/** Add an empty frame and return its canvas. */
+export function addFrame(panel, view) {
+  const frame = document.createElement("figure");
+  frame.className = panel.flat ? "panel flat" : "panel";
+  const canvas = document.createElement("canvas");
+  canvas.setAttribute("role", "img");
+  if (!panel.flat) {
+    canvas.tabIndex = 0;
+    view.listen(canvas);
+    canvas.addEventListener("keydown", (event) => {
+      if (view.key(event.key)) event.preventDefault();
+    });
+  }
+  frame.append(canvas, document.createElement("figcaption"));
+  element("panels").append(frame);
+  return canvas;
+}
+
+/** Write what a picture shows below it. */
+export function caption(canvas, panel, data) {
+  const place = canvas.nextElementSibling;
+  const up = panel.title === "The body in space" && data.up === "L" ? "L points up" : "";
+  const words = said("span", [panel.words, up].filter(Boolean).join("; "), "words");
+  const legend = said("span", "", "legend");
+  for (const { color, text } of panel.legend) {
+    const [item, swatch] = [document.createElement("span"), document.createElement("i")];
+    swatch.style.background = color;
+    item.append(swatch, text);
+    legend.append(item);
+  }
+  place.replaceChildren(said("strong", panel.title), words, legend);
+  const turns = panel.flat ? "." : ". Arrow keys turn the view, page up and down bring it closer.";
+  canvas.setAttribute("aria-label", [panel.title, panel.words].filter(Boolean).join(": ") + turns);
+}
+
+/** Show pairs of a name and a value as a list. */
+export function list(root, pairs) {
+  root.replaceChildren(...pairs.map(([name, value]) => {
+    const pair = document.createElement("div");
+    pair.append(said("dt", name), said("dd", value));
+    return pair;
+  }));
+}

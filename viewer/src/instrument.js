@@ -1,0 +1,102 @@
+// What can be set on a page: the setting, its sliders, its address, and the motion that it makes.
+import { asFragment, fromFragment } from "./address.js";
+import { Controls } from "./controls.js";
+import { list } from "./frames.js";
+import { SETTINGS } from "./settings/index.js";
+import { SolvedMotion } from "./solved.js";
+
+const LATER = 300; // ms after the last change that the address follows
+const element = (id) => document.getElementById(id);
+
+export class Instrument {
+  /**
+   * @param model what Python wrote of the motion: the solver's name and its numbers
+   * @param changed called after each change, with whether the shape of the body has changed too
+   */
+  constructor(model, changed) {
+    this.kind = SETTINGS[model.solver];
+    this.given = model;
+    this.changed = changed;
+    this.setting = this.first = this.kind.from(model);
+    this.solver = this.kind.make(this.setting);
+    this.controls = new Controls(element("controls"), (key, value) => this.move(key, value));
+    this.show();
+  }
+
+  /** Return the motion in a window of the page's own times, or in one that fits. */
+  motion(times = null, space = null) {
+    return new SolvedMotion(this.solver, times, space);
+  }
+
+  show() {
+    this.controls.show(this.kind.controls(this.setting));
+    list(element("facts"), this.kind.facts(this.setting, this.solver));
+  }
+
+  /** Take a setting if a motion can be made of it; else say why not and stay. */
+  take(setting) {
+    try {
+      this.solver = this.kind.make(setting);
+    } catch (error) {
+      this.say(error.message);
+      return false;
+    }
+    this.say("");
+    const shaped = String(setting.moments) !== String(this.first.moments);
+    this.setting = setting;
+    this.show();
+    this.changed(shaped);
+    clearTimeout(this.waiting);
+    this.waiting = setTimeout(() => this.follow(), LATER);
+    return true;
+  }
+
+  move(key, value) {
+    if (key === null) this.show();
+    else this.take(this.kind.changed(this.setting, key, value));
+  }
+
+  /** Set what tables of a spec say, in SI. */
+  set(tables) {
+    return this.take(this.kind.withSpec(this.setting, tables));
+  }
+
+  point(unit) {
+    this.take(this.kind.withDirection(this.setting, unit));
+  }
+
+  get isAsGiven() {
+    return this.setting === this.first;
+  }
+
+  reset() {
+    this.take(this.first);
+  }
+
+  say(text) {
+    element("refused").textContent = text;
+  }
+
+  /** Write the setting into the page's address. */
+  follow(time = null) {
+    const tables = this.kind.asSpec(this.setting);
+    try {
+      window.history.replaceState(null, "", `#${asFragment(time === null ? tables : { ...tables, t: time })}`);
+    } catch {
+      // a page inside a frame has no address of its own
+    }
+  }
+
+  /** Take the setting that the page's address names; return its time, or null. */
+  restore() {
+    const tables = fromFragment(window.location.hash);
+    if (!tables) return null;
+    const { t = null, ...settings } = tables;
+    if (Object.keys(settings).length) this.set(settings);
+    return typeof t === "number" ? t : null;
+  }
+
+  toml(span) {
+    return this.kind.toml(this.setting, span);
+  }
+}

@@ -1,0 +1,4 @@
+// What the page can set and solve itself, by the name of the solver.
+import * as FreeMotion from "./free_body.js";
+
+export const SETTINGS = { FreeMotion };
