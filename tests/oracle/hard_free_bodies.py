@@ -22,7 +22,7 @@ from oracle.hard_motions import (
 )
 
 BODY = (1.0, 2.0, 3.0)
-"""What most families start from; its separatrix has L1 = L3/√3·√1·… as any other's, see ``slope``."""
+"""What many families take; L1 = L3/√3 on its separatrix."""
 Motions = Iterator[HardMotion]
 
 
@@ -51,7 +51,7 @@ def flips() -> Motions:
         for towards, axis in ((0, "first"), (2, "third")):
             spin = [0.0, 12.0 * cos(radians(tilt)), 0.0]
             spin[towards] = 12.0 * sin(radians(tilt))
-            momentum = [rounded(I * w, 8) for I, w in zip(moments, spin, strict=True)]
+            momentum = [rounded(i * w, 8) for i, w in zip(moments, spin, strict=True)]
             yield free(f"flips, {tilt:g} deg to the {axis} axis", "flips", moments, momentum)
 
 
@@ -73,8 +73,8 @@ def near_separatrix() -> Motions:
     """L1 is off the separatrix by 1e-2 to 1e-14 of itself, to either side."""
     moments = (3.0, 4.0, 6.0)  # L1 = L3 on the separatrix
     for off in (1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14):
-        yield free(f"inside the separatrix, {off:g}", "near-separatrix", moments, (1.0 - off, 0.4, 1.0))
-        yield free(f"outside the separatrix, {off:g}", "near-separatrix", moments, (-(1.0 + off), 2.5, 1.0), LEVEL)
+        yield free(f"short-axis side of the separatrix, {off:g}", "near-separatrix", moments, (1.0 - off, 0.4, 1.0))
+        yield free(f"long-axis side of the separatrix, {off:g}", "near-separatrix", moments, (-(1.0 + off), 2.5, 1.0), LEVEL)
 
 
 def separatrix() -> Motions:
@@ -126,7 +126,7 @@ def needles() -> Motions:
     for thin in (1e-2, 1e-4, 1e-6):
         moments = (thin, 1.0, 1.0 + 0.5 * thin)
         spin = (0.7, -0.4, 1.1)
-        along = [rounded(I * w, 12) for I, w in zip(moments, spin, strict=True)]
+        along = [rounded(i * w, 12) for i, w in zip(moments, spin, strict=True)]
         yield free(f"needle {thin:g}, any spin", "needles", moments, along)
         yield free(f"needle {thin:g}, any momentum", "needles", moments, SHARE, LEVEL)
 
@@ -137,7 +137,7 @@ def far_apart() -> Motions:
     for number, moments in enumerate(choices):
         yield free(f"far apart {number + 1}, any momentum", "far-apart", moments, SHARE)
         if number in (0, 3):
-            spun = [rounded(I * w, 12) for I, w in zip(moments, (0.7, -0.4, 1.1), strict=True)]
+            spun = [rounded(i * w, 12) for i, w in zip(moments, (0.7, -0.4, 1.1), strict=True)]
             yield free(f"far apart {number + 1}, any spin", "far-apart", moments, spun)
 
 
@@ -152,7 +152,7 @@ def unordered() -> Motions:
 def scales() -> Motions:
     """Units that are far too large or too small, and spins that are very fast or slow."""
     for mass in (1e-40, 1e-20, 1e12, 1e30):
-        moments = [mass * I for I in (1.0, 2.0, 3.0)]
+        moments = [mass * i for i in (1.0, 2.0, 3.0)]
         yield free(f"moments of {mass:g}", "scales", moments, [mass * x for x in (0.3, 1.8, 1.5)])
     for rate in (1e-20, 1e12):
         yield free(f"rates of {rate:g}", "scales", BODY, [rate * x for x in (0.9, 1.6, 0.3)])
@@ -170,7 +170,7 @@ def steady() -> Motions:
 
 def spun(name: str, moments: tuple[float, ...], spin: tuple[float, ...]) -> HardMotion:
     """A real thing with a given angular velocity."""
-    momentum = [rounded(I * w, 12) for I, w in zip(moments, spin, strict=True)]
+    momentum = [rounded(i * w, 12) for i, w in zip(moments, spin, strict=True)]
     return free(name, "real", moments, momentum)
 
 
@@ -200,4 +200,5 @@ def random() -> Motions:
 
 
 FREE_FAMILIES = (short_axis, long_axis, flips, near_stable_axis, near_unstable_axis, near_separatrix, separatrix,
-                 symmetric, near_symmetric, spheres, flat, needles, far_apart, unordered, scales, steady, real, random)  # fmt: skip
+                 symmetric, near_symmetric, spheres, flat, needles, far_apart, unordered, scales, steady, real,
+                 random)  # fmt: skip

@@ -1,7 +1,7 @@
 """The hard motions of the reference table: what free bodies and tops have in common.
 
-Every number is a double that anybody gets again: written out, or drawn by ``random.Random`` and rounded to a few digits,
-or one square root of such numbers. Times are rounded too, so that a period that is only roughly known does no harm.
+Every number is a double that anybody gets again: written out, or drawn by ``random.Random`` and rounded to a few
+digits. Times are rounded too, so that a period that is only roughly known does no harm.
 """
 
 from __future__ import annotations
@@ -24,6 +24,8 @@ PERIODS = (0.25, 1.0, 3.3, -300.0, 1e4, 1e6)
 """Times in periods of the motion, or in tens of turns where it has none."""
 MODERATE = 1000.0
 """Radians, as a rough bound, that the body turns until a time which a stepping engine reaches."""
+LONGEST = 1e15
+"""Radians, in which a double still counts turns; later times are left out."""
 SHARE = (0.8, -0.5, 0.3)
 """A direction, roughly, that is near no axis."""
 Vector = Sequence[float]
@@ -52,11 +54,11 @@ def rounded(value: float, digits: int = 4) -> float:
 
 
 def times_of(rate: float, period: float) -> tuple[float, ...]:
-    """Times in turns and in periods, none twice, those nearest to the start first."""
+    """Times in turns and in periods, each once, the nearest to the start first."""
     turn = 2.0 * pi / rate
     span = period if isfinite(period) and period > 0.0 else 10.0 * turn
     found = {rounded(share * turn) for share in TURNS} | {rounded(share * span) for share in PERIODS}
-    return tuple(sorted(found, key=lambda t: (abs(t), t)))
+    return tuple(sorted((t for t in found if rate * abs(t) <= LONGEST), key=lambda t: (abs(t), t)))
 
 
 def free(name: str, family: str, moments: Vector, momentum: Vector, attitude: Vector = IDENTITY) -> HardMotion:

@@ -1,4 +1,4 @@
-"""The Lagrange tops of the reference table: generators of one family each; moments are (I1, I1, I3) at the fixed point."""
+"""The Lagrange tops of the reference table: generators of one family each; moments (I1, I1, I3) at the fixed point."""
 
 from __future__ import annotations
 
@@ -113,7 +113,7 @@ def gyroscopes() -> Motions:
 
 
 def separatrix() -> Motions:
-    """Upright in the limit, exactly: L1² + L3² = 2 mgl I1 and L2 = L3 with a level axis; and off it by 1e-3 to 1e-12."""
+    """Upright in the limit, exactly, as L1² + L3² = 2 mgl I1 and L2 = L3 at a level axis; and 1e-3 to 1e-12 off."""
     for x, a, r in ((3.0, 4.0, 5.0), (-4.0, 3.0, 5.0)):
         yield top(f"to upright, {x:g}", "top-separatrix", (1.0, 1.0, 0.6), r * r / 2.0, (x, a, a), LEVEL)
     for off in (1e-3, 1e-8, 1e-12):

@@ -16,7 +16,7 @@ from flint import arb, ctx, fmpq
 
 import polhode
 from oracle.hard_free_bodies import FREE_FAMILIES
-from oracle.hard_motions import FREE, HardMotion
+from oracle.hard_motions import FREE, HardMotion, rounded
 from oracle.hard_tops import TOP_FAMILIES
 from oracle.lagrange import reference_top
 from oracle.reference import exact, reference_state
@@ -50,8 +50,9 @@ CONVENTIONS = {
     "energy = sum L^2/(2 I) + mgl u3.",
     "numbers": "moments, mgl, momentum, attitude and times are doubles, and taken as the exact numbers that these are. "
     "attitudes and momenta are the exact motion of these numbers, correctly rounded to 17 significant digits; entries "
-    "below 1e-40 of the quaternion's length or of |L| are 0.",
-    "moderate": "times marked true are within reach of an engine that takes steps: the body turns by 1000 rad or less.",
+    "below 1e-40 of the quaternion's length or of |L| at the start (of 1 where it is 0) are 0.",
+    "rate": "a rough bound of |W| over the whole motion, in rad/s: steps may be chosen by it.",
+    "moderate": "times marked true are within reach of an engine that takes steps: rate |t| is 1000 rad at most.",
 }
 
 
@@ -65,7 +66,7 @@ def families() -> dict[str, str]:
 
 
 def state_of(motion: HardMotion, t: float, bits: int) -> State:
-    """Attitude, up to its sign, and momentum at a time, from the oracle of the motion's kind, at the working precision."""
+    """Attitude, up to its sign, and momentum at a time, from the oracle of the motion's kind."""
     if motion.kind != FREE:
         found = reference_top(motion.moments, motion.mgl, motion.momentum, motion.attitude, t, bits)
         return found.quaternion, found.momentum
@@ -144,7 +145,8 @@ def motion_text(motion: HardMotion) -> str:
         "name": json.dumps(motion.name, ensure_ascii=False), "family": json.dumps(motion.family),
         "kind": json.dumps(motion.kind), "moments": json.dumps(motion.moments), "mgl": json.dumps(motion.mgl),
         "momentum": json.dumps(motion.momentum), "attitude": json.dumps(motion.attitude),
-        "times": json.dumps(motion.times), "moderate": json.dumps(motion.moderate),
+        "rate": json.dumps(rounded(motion.rate)), "times": json.dumps(motion.times),
+        "moderate": json.dumps(motion.moderate),
         "attitudes": _rows([attitude for attitude, _ in states]), "momenta": _rows([L for _, L in states]),
     }  # fmt: skip
     return "{" + ",\n ".join(f'"{name}": {text}' for name, text in lines.items()) + "}"
