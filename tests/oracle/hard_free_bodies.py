@@ -74,7 +74,8 @@ def near_separatrix() -> Motions:
     moments = (3.0, 4.0, 6.0)  # L1 = L3 on the separatrix
     for off in (1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14):
         yield free(f"short-axis side of the separatrix, {off:g}", "near-separatrix", moments, (1.0 - off, 0.4, 1.0))
-        yield free(f"long-axis side of the separatrix, {off:g}", "near-separatrix", moments, (-(1.0 + off), 2.5, 1.0), LEVEL)
+        momentum = (-(1.0 + off), 2.5, 1.0)
+        yield free(f"long-axis side of the separatrix, {off:g}", "near-separatrix", moments, momentum, LEVEL)
 
 
 def separatrix() -> Motions:
