@@ -99,7 +99,8 @@ def of_classes(kinds):
 NO_ARRAYS = {
     "AbstractLieAlgebra.batch_shape", "AbstractLieAlgebra.structure_constants", "has_cayley", "is_compact",
     "from_scipy", "testing.algebras.check_algebra", "testing.systems.check_system",
-    "Comparison", "SpinDown", "Resonance", "AttitudeHistory",
+    "testing.motion_table.reference_motions", "testing.motion_table.motions_of", "testing.engines.compare_engine",
+    "ReferenceMotion", "MotionErrors", "EngineComparison", "Comparison", "SpinDown", "Resonance", "AttitudeHistory",
     "Surface.along", "Surface.coarsened", "surface.joined",
     "combine", "overlap_of", "rotor_misfit", "damped_motion.time_constant", "predicted_exponents",
     "SpinMotion.predictable_time", "SpinMotion.regular_exponent", "DiskPath.part",

@@ -1,0 +1,9 @@
+from .algebras import check_algebra as check_algebra
+from .engines import EngineComparison as EngineComparison
+from .engines import FamilyErrors as FamilyErrors
+from .engines import MotionErrors as MotionErrors
+from .engines import compare_engine as compare_engine
+from .laws import LawBroken as LawBroken
+from .motion_table import ReferenceMotion as ReferenceMotion
+from .motion_table import reference_motions as reference_motions
+from .systems import check_system as check_system
