@@ -58,3 +58,26 @@ export function nomePerParameter(parameter, k) {
 
 /** Return θ3(0) − 1 for a nome up to e^−π. */
 export const theta3Excess = (q) => 2 * (q + q ** 4 + q ** 9);
+
+const DUPLICATIONS = 20; // nine halve the exponent of the smallest ratio, the rest divide the spread by four
+
+/**
+ * Return R_F(x, y, 1) = ½ ∫₀^∞ dt / √((t+x)(t+y)(t+1)) in double-double, for x, y ≥ 0, not both zero.
+ *
+ * Source: Carlson, Numer. Algorithms 10 (1995) 13, duplication.
+ */
+export function firstKind(x, y) {
+  let [a, b, c] = [x, y, dd.ONE];
+  for (let step = 0; step < DUPLICATIONS; step++) {
+    const [ra, rb, rc] = [dd.sqrt(a), dd.sqrt(b), dd.sqrt(c)];
+    const lambda = dd.add(dd.add(dd.multiply(ra, rb), dd.multiply(rb, rc)), dd.multiply(rc, ra));
+    [a, b, c] = [a, b, c].map((v) => dd.scale(dd.add(v, lambda), 0.25));
+  }
+  const mean = dd.divide(dd.add(dd.add(a, b), c), [3, 0]);
+  const [X, Y] = [a, b].map((v) => dd.subtract(dd.ONE, dd.divide(v, mean))[0]);
+  const Z = -X - Y;
+  const E2 = X * Y - Z * Z;
+  const E3 = X * Y * Z;
+  const closing = -E2 / 10 + E3 / 14 + (E2 * E2) / 24 - (3 * E2 * E3) / 44;
+  return dd.divide(dd.add(dd.ONE, dd.from(closing)), dd.sqrt(mean));
+}

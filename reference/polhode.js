@@ -3,4 +3,5 @@
 import * as quaternion from "./quaternion.js";
 
 export { FreeMotion } from "./free_body.js";
+export { LagrangeMotion } from "./lagrange_top.js";
 export { quaternion };
