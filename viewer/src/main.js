@@ -37,7 +37,7 @@ class Page {
     for (const button of document.querySelectorAll("button")) button.addEventListener("pointerup", () => button.blur());
     new ResizeObserver(() => this.sizes() !== this.shapes && this.draw()).observe(element("panels"));
     this.timebar = new Timebar(element("timebar"), {
-      seek: (position) => this.show(position),
+      seek: (position, time) => this.show(position, time),
       beyond: (time) => this.goTo(time),
     });
     this.playground = data.presets ? new Playground(data.presets, (preset) => this.open(preset), (tables) => this.instrument?.set(tables)) : null;
@@ -96,8 +96,8 @@ class Page {
     this.build();
   }
 
-  show(position) {
-    this.now = this.motion.at(position);
+  show(position, time) {
+    this.now = this.motion.endless ? { position, ...this.motion.solvedAt(time) } : this.motion.at(position);
     this.draw();
   }
 

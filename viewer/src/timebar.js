@@ -2,7 +2,7 @@
 import { clock, worded } from "./numbers.js";
 
 const FASTER = Math.SQRT2;
-const [EASY, TOPS] = [0.5, 4]; // turns of the body per second of watching, at first: of a free body, and of a top
+const [EASY, TOPS] = [0.5, 8]; // turns of the body per second of watching, at first: of a free body, and of a top
 const SWING = 1.5; // s of watching that a period of what it does should take, at first
 const REAL = [0.5, 1.6]; // speeds between these begin in real time
 const [SHORTEST, LONGEST] = [8, 240]; // s that the whole motion takes, at first
@@ -148,7 +148,7 @@ export class Timebar {
     const text = clock(this.time, Math.max(this.motion.span, Math.abs(this.time)));
     this.slider.setAttribute("aria-valuetext", text);
     this.shown.textContent = text;
-    this.seek(this.position);
+    this.seek(this.position, this.time);
   }
 
   scale(factor) {

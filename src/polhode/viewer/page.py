@@ -20,7 +20,7 @@ from polhode.viewer.encoding import as_script_json, packed, with_powers
 from polhode.viewer.panels import Content, content_of, free_moments_of, title_of, up_of
 from polhode.viewer.samples import Samples, samples_of
 
-SOLVED = ("FreeMotion",)  # what the page solves itself, by reference/polhode.js
+SOLVED = ("FreeMotion", "LagrangeMotion")  # what the page solves itself, by reference/polhode.js
 
 
 @dataclass(frozen=True)

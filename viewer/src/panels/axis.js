@@ -8,8 +8,10 @@ export function axisPanel(motion, data, theme) {
   const panel = newPanel(theme, { title: "Path of the axis", words, radius: 1.4, target: new Vector3(0, 0, 0.12) });
   const { scene } = panel;
   const axis = new Vector3(...data.axis);
+  const found = motion.solver?.nutationLimits ?? null;
+  const limits = found ? found.filter((height) => height !== null && Math.abs(height) < 1) : data.limits;
   scene.add(globe(theme), circle(1, 0, theme.family));
-  for (const height of data.limits) {
+  for (const height of limits) {
     scene.add(circle(Math.sqrt(Math.max(0, 1 - height * height)), height, theme.border, 1.5));
   }
   const points = new Float64Array(3 * motion.count);
@@ -24,13 +26,13 @@ export function axisPanel(motion, data, theme) {
   if (faint) scene.add(faint);
   panel.legend = [
     { color: theme.motion, text: "axis" },
-    ...(data.limits.length ? [{ color: theme.border, text: "limits of its tilt" }] : []),
+    ...(limits.length ? [{ color: theme.border, text: "limits of its tilt" }] : []),
   ];
   panel.update = (now) => {
     place.position.copy(axis).applyQuaternion(now.attitude);
     drawUpTo(motion, trail, Math.floor(now.position));
   };
   panel.labels = () => [{ text: "up", color: theme.momentum, place: new Vector3(0, 0, 1.42) }];
-  panel.probe = () => ({ point: place.position.toArray(), path: [...points], limits: data.limits });
+  panel.probe = () => ({ point: place.position.toArray(), path: [...points], limits });
   return panel;
 }

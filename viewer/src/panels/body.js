@@ -6,10 +6,12 @@ import { newPanel } from "../stage.js";
 
 const REACH = 1.32; // how far axes and trace stand off from a body of size one
 const HEIGHTS = { ground: 0, post: -REACH, hook: REACH }; // of the plane that holds the pivot
+const LOW = 0.4; // height of the axis below which a top would dip into the ground
 const LONGEST = 1.5; // of L and of the largest Ω
 const FINE = 0.06; // rad between points of the trace
 
-export function bodyPanel(motion, data, theme) {
+export function bodyPanel(motion, given, theme) {
+  const data = given.pivot && motion.solver ? { ...given, pivot: holding(motion, given.pivot) } : given;
   const panel = newPanel(theme, { title: "The body in space", words: data.changed ? "box or ellipsoid of the same inertia" : data.shape, radius: data.pivot === "ground" ? 1.7 : 1.88 });
   if (!data.pivot) panel.target = new Vector3(0, 0, 0.08); // as arrows point up more often than down
   if (data.pivot === "ground") panel.target = new Vector3(0, 0, 0.5);
@@ -73,6 +75,14 @@ export function bodyPanel(motion, data, theme) {
     };
   };
   return panel;
+}
+
+/** Return what holds the pivot of a motion set on the page: what holds it as given, if the body stays clear of the ground. */
+function holding(motion, pivot) {
+  const heights = [];
+  for (let k = 0; k < motion.count; k++) heights.push(new Vector3(0, 0, 1).applyQuaternion(motion.attitude(k)).z);
+  if (heights.reduce((sum, height) => sum + height, 0) < 0) return "hook";
+  return pivot !== "ground" || Math.min(...heights) < LOW ? "post" : "ground";
 }
 
 /** Return what is drawn as the body; one whose moments were changed on the page is the box of the same inertia. */

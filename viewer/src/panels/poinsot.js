@@ -7,6 +7,7 @@ import { newPanel } from "../stage.js";
 export function poinsotPanel(motion, data, theme) {
   const start = motion.at(0).momentum;
   const { free: moments } = motion;
+  if (!(start.length() > 0)) return newPanel(theme, { title: "Poinsot's ellipsoid", words: "at rest", update: () => {}, legend: [] });
   const energy = 0.5 * start.toArray().reduce((sum, value, k) => sum + (value * value) / moments[k], 0);
   const semiAxes = moments.map((moment) => 1 / Math.sqrt(moment));
   const unit = 1 / Math.max(...semiAxes);

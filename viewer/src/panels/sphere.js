@@ -68,7 +68,7 @@ export function spherePanel(motion, data, theme) {
 /** Return the direction of L at each point of a drawn curve. */
 function directions(motion) {
   const found = new Float64Array(3 * motion.states.length);
-  motion.states.forEach(({ momentum }, k) => momentum.clone().normalize().toArray(found, 3 * k));
+  motion.states.forEach(({ momentum }, k) => momentum.clone().normalize().toArray(found, 3 * k)); // zeros at rest
   return found;
 }
 

@@ -1,0 +1,227 @@
+"""What is set on a page is the motion that Python computes for it; links and specs bring it back."""
+
+import numpy as np
+import pytest
+
+import polhode as ph
+from polhode.kinds.page import write_page
+from polhode.kinds.reading import read_spec
+
+pytestmark = pytest.mark.browser
+SAME = 1e-9
+"""Of states on the page and in Python, at times up to some hundred turns."""
+DRIFT = 1e-12
+"""Of |L| and the energy over ten minutes."""
+MOTION = ph.FreeMotion((1.0, 2.0, 3.0), (0.1, 2.0, 0.1))
+TIMES = np.array([0.0, 0.7, 13.0, 250.0, -40.0])
+BOTH = "times => times.map(t => window.polhode.state(t))"
+
+
+@pytest.fixture(scope="module")
+def book(tmp_path_factory):
+    path = tmp_path_factory.mktemp("book") / "book.html"
+    return write_page(MOTION.sample(np.linspace(0.0, 30.0, 601)), path, name="a book", summary="As it was given.")
+
+
+def drawn(page, times=TIMES):
+    found = page.tab.evaluate(BOTH, list(times))
+    return np.array([one["attitude"] for one in found]), np.array([one["momentum"] for one in found])
+
+
+def computed(settings, times=TIMES):
+    moments = np.array(settings["body"]["moments"])
+    velocity = np.array(settings["spin"]["angular_velocity"])
+    return ph.FreeMotion(moments, moments * velocity, settings["spin"]["attitude"]).state(times)
+
+
+def miss(page, settings):
+    """Return by how much the page's states differ from Python's for these settings."""
+    attitude, momentum = drawn(page)
+    wanted, wanted_momentum = computed(settings)
+    apart = np.minimum(np.abs(attitude - wanted).max(-1), np.abs(attitude + wanted).max(-1)).max()
+    return max(apart, np.abs(momentum - wanted_momentum).max() / np.linalg.norm(wanted_momentum[0]))
+
+
+def settings_of(page):
+    return page.tab.evaluate("window.polhode.settings()")
+
+
+def test_the_motion_that_was_given_is_solved(book, opened):
+    page = opened(book)
+    attitude, momentum = drawn(page)
+    wanted, wanted_momentum = MOTION.state(TIMES)
+    assert attitude == pytest.approx(wanted, abs=SAME) and momentum == pytest.approx(wanted_momentum, abs=SAME)
+    assert attitude != pytest.approx(MOTION.state(TIMES + 1e-6)[0], abs=SAME)
+
+
+@pytest.mark.parametrize("key", ["body-moments-1", "spin-rate", "spin-tilt", "spin-around"])
+def test_a_slider_changes_the_motion_to_what_python_computes(book, opened, key):
+    page = opened(book)
+    before = settings_of(page)
+    page.tab.locator(f".control:has(#set-{key}) input[type=range]").fill("640")
+    after = settings_of(page)
+    assert after != before and miss(page, after) < SAME < miss(page, before)
+    assert page.tab.locator("#summary").text_content() == "Set on this page."
+    page.tab.locator("#reset").click()
+    assert settings_of(page) == before and page.tab.locator("#summary").text_content() == "As it was given."
+    assert not page.complaints
+
+
+def test_numbers_are_typed_in_the_unit_that_stands_beside_them(book, opened):
+    page = opened(book)
+    for key, text, wanted in (("spin-rate", "30", np.pi), ("body-moments-0", "1.5", 1.5)):
+        page.tab.locator(f"#set-{key}").fill(text)
+        page.tab.keyboard.press("Enter")
+        settings = settings_of(page)
+        rate = np.linalg.norm(settings["spin"]["angular_velocity"])
+        got = rate if key == "spin-rate" else settings["body"]["moments"][0]
+        assert got == pytest.approx(wanted, rel=1e-12)
+    for text in ("", "fast", "0.5", "-2", "9"):  # I₁ below |I₃ − I₂|, negative, above I₂ + I₃
+        page.tab.locator("#set-body-moments-0").fill(text)
+        page.tab.keyboard.press("Enter")
+        assert settings_of(page)["body"]["moments"][0] == 1.5
+    assert "1 to 5 kg m²" in page.tab.locator("#set-body-moments-0").evaluate("field => field.validationMessage")
+
+
+def test_tables_of_a_spec_are_taken_and_refused_whole(book, opened):
+    page = opened(book)
+    assert page.tab.evaluate("window.polhode.set({body: {moments: [2, 3, 4]}, spin: {rate: 5, about: 1, tilt: 0.3}})")
+    settings = settings_of(page)
+    assert settings["body"]["moments"] == [2, 3, 4] and miss(page, settings) < SAME
+    assert settings["spin"]["angular_velocity"] == pytest.approx([5 * np.cos(0.3), 5 * np.sin(0.3), 0.0], rel=1e-14)
+    for wrong in ("{body: {moments: [1, -2, 3]}}", "{spin: {angular_velocity: [1, 2]}}", "{spin: {rate: NaN}}"):
+        assert page.tab.evaluate(f"window.polhode.set({wrong})") is False
+        assert settings_of(page) == settings and page.tab.locator("#refused").text_content()
+    assert page.tab.evaluate("window.polhode.set({spin: {momentum: [0, 0, 0]}})")
+    assert "at rest" in page.tab.locator("#facts").text_content() and not page.complaints
+
+
+def test_a_link_brings_the_motion_back(book, opened):
+    page = opened(book)
+    page.tab.evaluate("window.polhode.set({spin: {rate: 4.5, tilt: 0.01}})")
+    page.until("location.hash.includes('angular_velocity')")
+    address = page.tab.evaluate("location.href")
+    assert "#body.moments=1,2,3&spin.angular_velocity=" in address
+    other = opened(book)
+    other.tab.goto("about:blank")
+    other.tab.goto(f"{address}&t=3.5")
+    other.until("window.polhode && window.polhode.firstPicture")
+    assert settings_of(other) == settings_of(page) and drawn(other)[0].tolist() == drawn(page)[0].tolist()
+    assert other.tab.evaluate("window.polhode.shown().time") == 3.5
+    for nonsense in ("#%E0%A4%A", "#body.moments=1,x,3", "#a=b&=&.=&spin.rate=", "#body.moments=-1,2,3"):
+        other.tab.goto("about:blank")
+        other.tab.goto(book.as_uri() + nonsense)
+        other.until("window.polhode && window.polhode.firstPicture")
+        assert settings_of(other)["body"]["moments"] == [1, 2, 3]
+    assert not other.complaints
+
+
+def test_the_spec_of_what_is_set_gives_the_same_motion(book, opened, tmp_path):
+    page = opened(book)
+    page.tab.evaluate("window.polhode.set({body: {moments: [2, 3, 4]}, spin: {rate: 5, about: 1, tilt: 0.3}})")
+    spec = tmp_path / "set.toml"
+    spec.write_text(page.tab.evaluate("window.polhode.spec()"))
+    motion = read_spec(spec).report().trajectory.motion
+    attitude, momentum = drawn(page)
+    assert np.asarray(motion.attitude(TIMES)) == pytest.approx(attitude, abs=SAME)
+    assert np.asarray(motion.momentum(TIMES)) == pytest.approx(momentum, abs=SAME)
+    page.tab.locator("#spec").click()
+    assert page.tab.locator("#copied").input_value() == spec.read_text()
+
+
+def test_play_goes_on_for_ever_without_drift(book, opened):
+    page = opened(book)
+    last = page.tab.evaluate("window.polhode.times[window.polhode.count - 1]")
+    page.tab.evaluate("time => window.polhode.goTo(time)", last - 0.01)
+    page.tab.locator("#play").click()
+    page.until(f"window.polhode.shown().time > {last + 0.5}")
+    page.tab.locator("#play").click()
+    now = page.tab.evaluate("window.polhode.shown().time")
+    assert page.tab.evaluate("window.polhode.times[0]") < now < page.tab.evaluate("window.polhode.times.at(-1)")
+    page.tab.evaluate("window.polhode.goTo(600)")
+    assert page.tab.evaluate("window.polhode.shown().time") == 600.0
+    _, momentum = drawn(page, np.linspace(0.0, 600.0, 301))
+    size, energy = np.linalg.norm(momentum, axis=1), 0.5 * np.sum(momentum**2 / MOTION.moments, axis=1)
+    assert np.ptp(size) < DRIFT * size[0] and np.ptp(energy) < DRIFT * energy[0]
+    page.tab.keyboard.press("Home")
+    assert page.tab.evaluate("window.polhode.shown().time") == 0.0 and not page.complaints
+
+
+def test_the_point_on_the_sphere_is_dragged_to_another_polhode(book, opened):
+    page = opened(book)
+    canvas = page.tab.locator("canvas").nth(1)
+    canvas.scroll_into_view_if_needed()
+    box = canvas.bounding_box()
+    page.tab.evaluate("window.polhode.set({spin: {momentum: [1.2, 1.2, 1.2]}})")
+    page.seek(0)
+    x, y, _ = page.measure("sphere")["seen"]
+    place = box["x"] + 0.5 * (1 + x) * box["width"], box["y"] + 0.5 * (1 - y) * box["height"]
+    azimuth = page.tab.evaluate("window.polhode.view.azimuth")
+    page.tab.mouse.move(*place)
+    page.tab.mouse.down()
+    page.tab.mouse.move(place[0] + 25, place[1] - 40, steps=5)
+    page.tab.mouse.up()
+    settings = settings_of(page)
+    momentum = np.array(settings["body"]["moments"]) * settings["spin"]["angular_velocity"]
+    assert np.linalg.norm(momentum) == pytest.approx(1.2 * np.sqrt(3.0), rel=1e-12)
+    assert np.abs(momentum - 1.2).max() > 0.1 and miss(page, settings) < SAME
+    assert page.tab.evaluate("window.polhode.view.azimuth") == azimuth
+    x, y, _ = page.measure("sphere")["seen"]
+    end = box["x"] + 0.5 * (1 + x) * box["width"], box["y"] + 0.5 * (1 - y) * box["height"]
+    assert np.hypot(end[0] - place[0] - 25, end[1] - place[1] + 40) < 1.5  # pixels
+    assert not page.complaints
+
+
+def top_of(settings, times=TIMES):
+    """Return the Lagrange motion of Euler's angles and rates, by SciPy's own composition of rotations."""
+    from scipy.spatial.transform import Rotation
+
+    system, spin = settings["system"], settings["spin"]
+    attitude = Rotation.from_quat(np.roll(spin["attitude"], -1))
+    phi, lean, _ = attitude.as_euler("ZXZ")
+    assert abs(lean) == pytest.approx(system["lean"], abs=1e-12)
+    node, up = Rotation.from_euler("Z", phi).apply([1.0, 0.0, 0.0]), np.array([0.0, 0.0, 1.0])
+    in_space = spin["precession"] * up + spin["nutation"] * node + spin["spin"] * attitude.apply(up)
+    momentum = np.array(system["moments"]) * attitude.inv().apply(in_space)
+    return ph.LagrangeMotion(system["moments"], system["mgl"], momentum, spin["attitude"]).state(times)
+
+
+@pytest.fixture(scope="module")
+def toy(tmp_path_factory):
+    azimuth, lean = ph.rotation.from_axis_angle((0, 0, 1), 0.3), ph.rotation.from_axis_angle((1, 0, 0), 0.5)
+    motion = ph.LagrangeMotion((1.0, 1.0, 0.5), 2.0, (0.2, 0.3, 2.5), ph.rotation.multiply(azimuth, lean))
+    return write_page(motion.sample(np.linspace(0.0, 20.0, 401)), tmp_path_factory.mktemp("toy") / "toy.html")
+
+
+@pytest.mark.parametrize("key", [None, "mgl", "lean", "spin", "precession", "nutation", "moments-0", "moments-2"])
+def test_tops_are_set_by_lean_spin_and_precession(toy, opened, key):
+    page = opened(toy)
+    before = settings_of(page)
+    if key:
+        page.tab.locator(f".control:has(#set-{key}) input[type=range]").fill("700")
+    settings = settings_of(page)
+    assert (settings != before) == (key is not None)
+    times = TIMES[:3]
+    attitude, momentum = drawn(page, times)
+    wanted, wanted_momentum = top_of(settings, times)
+    assert attitude == pytest.approx(wanted, abs=SAME) and momentum == pytest.approx(wanted_momentum, abs=SAME)
+    assert attitude != pytest.approx(top_of(settings, times + 1e-6)[0], abs=SAME)
+    assert not page.complaints
+
+
+def test_the_spec_of_a_top_gives_the_same_motion(toy, opened, tmp_path):
+    page = opened(toy)
+    tables = "{system: {lean: 0.7, mgl: 1.5}, spin: {spin: 6, precession: 0.4, nutation: 0}}"
+    page.tab.evaluate(f"window.polhode.set({tables})")
+    spec = tmp_path / "set.toml"
+    spec.write_text(page.tab.evaluate("window.polhode.spec()"))
+    motion = read_spec(spec).report().trajectory.motion
+    attitude, momentum = drawn(page, TIMES[:3])
+    assert np.asarray(motion.attitude(TIMES[:3])) == pytest.approx(attitude, abs=SAME)
+    assert np.asarray(motion.momentum(TIMES[:3])) == pytest.approx(momentum, abs=SAME)
+    before = page.measure("axis")["limits"]
+    page.tab.evaluate("window.polhode.set({system: {lean: 1.2}})")
+    limits = sorted(page.measure("axis")["limits"])
+    assert limits != sorted(before) and limits[0] < np.cos(1.2) < limits[1] + 1e-12
+    page.tab.evaluate("window.polhode.set({spin: {precession: 0, spin: 40}, system: {lean: 0}})")
+    assert "stands upright" in page.tab.locator("#facts").text_content() and not page.complaints
