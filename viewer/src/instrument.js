@@ -12,8 +12,10 @@ export class Instrument {
   /**
    * @param model what Python wrote of the motion: the solver's name and its numbers
    * @param changed called after each change, with whether the shape of the body has changed too
+   * @param preset which motion of a playground it is, for the address
    */
-  constructor(model, changed) {
+  constructor(model, changed, preset = null) {
+    this.preset = preset;
     this.kind = SETTINGS[model.solver];
     this.given = model;
     this.changed = changed;
@@ -79,7 +81,7 @@ export class Instrument {
 
   /** Write the setting into the page's address. */
   follow(time = null) {
-    const tables = this.kind.asSpec(this.setting);
+    const tables = { ...(this.preset ? { preset: this.preset } : {}), ...this.kind.asSpec(this.setting) };
     try {
       window.history.replaceState(null, "", `#${asFragment(time === null ? tables : { ...tables, t: time })}`);
     } catch {
@@ -91,7 +93,7 @@ export class Instrument {
   restore() {
     const tables = fromFragment(window.location.hash);
     if (!tables) return null;
-    const { t = null, ...settings } = tables;
+    const { t = null, preset, ...settings } = tables;
     if (Object.keys(settings).length) this.set(settings);
     return typeof t === "number" ? t : null;
   }

@@ -46,6 +46,7 @@ class Page {
 
   /** Show a motion: its words, its panels, and, where the page can solve it, what can be set. */
   open(data, restored = false) {
+    const lively = this.timebar.playing;
     this.data = data;
     write(data);
     this.view.elevation = data.panels[0].elevation ?? this.view.elevation;
@@ -53,7 +54,7 @@ class Page {
     this.shaped = false;
     element("instrument").hidden = !data.model;
     if (data.model) {
-      this.instrument = new Instrument(data.model, (shaped) => this.reset(shaped));
+      this.instrument = new Instrument(data.model, (shaped) => this.reset(shaped), data.key);
       this.motion = this.instrument.motion(timesOf(data), data.space);
     } else this.motion = new Motion(data);
     element("panels").replaceChildren();
@@ -63,6 +64,7 @@ class Page {
     this.now = this.motion.at(0);
     this.build();
     this.timebar.take(this.motion, true);
+    if (lively) this.timebar.toggle();
     const time = restored ? this.instrument?.restore() : null;
     if (time !== null && time !== undefined) this.goTo(time);
   }
@@ -208,6 +210,8 @@ function offered(page) {
       return { attitude: found.attitude ? [w, x, y, z] : null, momentum: found.momentum?.toArray() ?? null };
     },
     spec: () => page.instrument?.toml(page.motion.span) ?? null,
+    /** Return the boxes [left, top, width, height] of the names in each picture, in its pixels. */
+    names: () => page.panels.map((panel) => panel.boxes ?? []),
     /** Return what a panel of a type draws, or only the parts of that name. */
     measure(type, ...names) {
       const found = page.panels.find((panel) => panel.type === type)?.probe();

@@ -3,7 +3,7 @@
 import { AmbientLight, DirectionalLight, Scene, Vector3, WebGLRenderer } from "three";
 import { newCamera, ORIGIN } from "./camera.js";
 
-const APART = 17; // pixels between names
+const APART = 17; // pixels that a name is high
 const MOST_DOTS = 2; // device pixels per pixel drawn at most
 
 export class Stage {
@@ -70,27 +70,39 @@ export class Stage {
     const taken = [];
     for (const { text, place, color } of panel.labels()) {
       const seen = place.clone().project(panel.camera);
-      const [x, y] = free([0.5 * (1 + seen.x) * across, 0.5 * (1 - seen.y) * down], taken, APART * dots);
-      taken.push([x, y]);
+      const size = [paper.measureText(text).width + 4 * dots, APART * dots];
+      const at = [0.5 * (1 + seen.x) * across, 0.5 * (1 - seen.y) * down];
+      const box = free(at, size, taken, [across, down]);
+      taken.push(box);
+      const [x, y] = [box[0] + 0.5 * size[0], box[1] + 0.5 * size[1]];
       paper.lineWidth = 4 * dots;
       paper.strokeStyle = theme.ground;
       paper.strokeText(text, x, y);
       paper.fillStyle = color;
       paper.fillText(text, x, y);
     }
+    panel.boxes = taken.map((box) => box.map((length) => length / dots));
   }
 }
 
-/** Return the place for a name, beside its own where others stand too near. */
-function free([x, y], taken, apart) {
-  const fits = ([right, below]) => taken.every(([u, v]) => Math.hypot(x + right - u, y + below - v) >= 0.99 * apart);
-  for (let ring = 0; ring <= 2; ring++) {
-    for (const [right, below] of [[1, 0], [-1, 0], [0, -1], [0, 1]]) {
-      const step = [ring * apart * right, ring * apart * below];
-      if (fits(step)) return [x + step[0], y + step[1]];
+const AROUND = [[0, 0], [1, 0], [-1, 0], [0, -1], [0, 1], [1, -1], [-1, -1], [1, 1], [-1, 1]];
+const RINGS = 4;
+
+/** Return the box [left, top, width, height] of a name: about its place, or next to it where others stand, in the picture. */
+function free([x, y], [width, height], taken, [across, down]) {
+  const inside = (value, length, most) => Math.min(Math.max(value, 0), Math.max(0, most - length));
+  const clear = ([left, top]) =>
+    taken.every(([l, t, w, h]) => left >= l + w || l >= left + width || top >= t + h || t >= top + height);
+  let first = null;
+  for (let ring = 0; ring <= RINGS; ring++) {
+    for (const [right, below] of ring ? AROUND.slice(1) : AROUND.slice(0, 1)) {
+      const left = inside(x - 0.5 * width + ring * right * 0.55 * width, width, across);
+      const top = inside(y - 0.5 * height + ring * below * 0.55 * height, height, down);
+      first ??= [left, top];
+      if (clear([left, top])) return [left, top, width, height];
     }
   }
-  return [x, y];
+  return [...first, width, height];
 }
 
 const LAMP = new Vector3(-2, 3, 1);

@@ -91,7 +91,9 @@ def new(
 
 @app.command(cls=StrictCommand)
 def view(
-    spec: SpecPath,
+    spec: Annotated[
+        Path | None, typer.Argument(metavar="[SPEC]", help="TOML file; without one, a playground of many motions.")
+    ] = None,
     out: Annotated[
         Path | None,
         typer.Option("--out", metavar="FILE", help="The page (default: named after the spec, in this folder)."),
@@ -100,7 +102,7 @@ def view(
 ) -> None:
     """Write the motion as one HTML page, and open it.
 
-    The page needs nothing else.
+    The page needs nothing else. Free bodies and Lagrange tops can be set there, and go on for ever.
     """
     from polhode.cli.view import run_view
 

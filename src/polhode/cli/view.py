@@ -12,18 +12,28 @@ from polhode.errors import one_line
 from polhode.kinds.reading import read_spec
 
 
-def run_view(path: Path, out: Path | None, open_it: bool) -> None:
-    """Read the spec, compute, write the page and open it."""
-    from polhode.kinds.page import page_of_report
-
-    target = out or Path(f"{path.stem}.html")
-    check_spares(target, path)
-    spec = read_spec(path)
-    report = report_of(path, spec)
-    written = page_of_report(report, target, name=spec.name, surface=spec.surface)
+def run_view(path: Path | None, out: Path | None, open_it: bool) -> None:
+    """Read the spec, compute, write the page and open it; without a spec, the playground."""
+    written = _playground(out) if path is None else _page(path, out)
     typer.echo(one_line(str(written)))
     if open_it:
         import webbrowser
 
         if not webbrowser.open(written.resolve().as_uri()):
             typer.echo("polhode: no browser was found to open it. Open the file yourself.", err=True)
+
+
+def _page(path: Path, out: Path | None) -> Path:
+    from polhode.kinds.page import page_of_report
+
+    target = out or Path(f"{path.stem}.html")
+    check_spares(target, path)
+    spec = read_spec(path)
+    return page_of_report(report_of(path, spec), target, name=spec.name, surface=spec.surface)
+
+
+def _playground(out: Path | None) -> Path:
+    from polhode.cli.new import examples
+    from polhode.kinds.playground import write_playground
+
+    return write_playground(out or Path("playground.html"), examples(), report_of)

@@ -11,7 +11,7 @@ from polhode.kinds.registry import kind_of_source
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.base import AbstractReport
 from polhode.viewer.encoding import with_powers
-from polhode.viewer.page import NotebookPage, page_text
+from polhode.viewer.page import NotebookPage, Page, page_of
 from polhode.viewer.panels import Content
 from polhode.viewer.samples import Samples
 
@@ -47,11 +47,16 @@ def write_page(
     True
     """
     path = Path(path)
-    text = page_text(
+    page = page_of(
         trajectory, name=name, summary=summary, surface=surface, notes=notes, content=_content
     )
+    return write_text_of(page, path)
+
+
+def write_text_of(page: Page, path: Path) -> Path:
+    """Write a page as a file that appears whole or not at all."""
     with written_whole(path) as draft:
-        draft.write_text(text, "utf-8")
+        draft.write_text(page.text, "utf-8")
     return path
 
 
@@ -65,10 +70,10 @@ def show(
     height: int = 600,
 ) -> NotebookPage:
     """Return a motion's page for a notebook to show; arguments as of ``write_page``, height [pixels]."""
-    text = page_text(
+    page = page_of(
         trajectory, name=name, summary=summary, surface=surface, notes=notes, content=_content
     )
-    return NotebookPage(text, height)
+    return NotebookPage(page.text, height)
 
 
 def page_of_report(report: AbstractReport, path: str | Path, *, name: str, surface: Surface | None = None) -> Path:
@@ -83,8 +88,13 @@ def page_of_report(report: AbstractReport, path: str | Path, *, name: str, surfa
     Raises:
         InvalidInput: as ``write_page`` does.
     """
-    return write_page(
-        report.shown, path, name=name, summary=with_powers(report.summary), surface=surface,
+    return write_text_of(page_of_answers(report, name, surface), Path(path))
+
+
+def page_of_answers(report: AbstractReport, name: str, surface: Surface | None) -> Page:
+    """Return what the page of a report's motion is filled with."""
+    return page_of(
+        report.shown, name=name, summary=with_powers(report.summary), surface=surface, content=_content,
         notes=[with_powers(note) for note in [*report.notes, *filter(None, [report.shown_part])]],
     )  # fmt: skip
 

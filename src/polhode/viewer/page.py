@@ -8,7 +8,7 @@ import html
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from importlib import resources
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -42,11 +42,30 @@ class NotebookPage:
         )
 
 
-def page_text(
+class Page(NamedTuple):
+    """What a page is filled with.
+
+    Attributes:
+        title: of the motion.
+        data: what its script reads.
+        scripts: of panels that the page's own script does not know.
+    """
+
+    title: str
+    data: dict[str, Any]
+    scripts: tuple[str, ...]
+
+    @property
+    def text(self) -> str:
+        """The whole HTML; characters that UTF-8 cannot write, as half a pair is, become "?"."""
+        return _filled(self.title, self.data, self.scripts).encode("utf-8", "replace").decode("utf-8")
+
+
+def page_of(
     trajectory: Trajectory, *, name: str | None, summary: str, surface: Surface | None,
     notes: Sequence[str], content: Callable[[Trajectory, Samples, Surface | None], Content | None],
-) -> str:  # fmt: skip
-    """Return the whole page; characters that UTF-8 cannot write, as half a pair is, become "?".
+) -> Page:  # fmt: skip
+    """Return what a page of one motion is filled with.
 
     Args:
         trajectory: of one body.
@@ -77,7 +96,17 @@ def page_text(
         "drift": {key: float(np.max(value)) for key, value in trajectory.drift.items() if np.size(value)},
         "model": model, **_arrays(trajectory.source, samples, solved=model is not None),
     }  # fmt: skip
-    return _filled(title, data, shown.scripts).encode("utf-8", "replace").decode("utf-8")
+    return Page(title, data, shown.scripts)
+
+
+def playground_of(presets: Sequence[tuple[Page, dict[str, Any]]]) -> Page:
+    """Return what a page of many motions is filled with, of which one is shown at a time.
+
+    Args:
+        presets: each motion, with what the page says of it: key, title and story.
+    """
+    scripts = tuple(dict.fromkeys(script for page, _ in presets for script in page.scripts))
+    return Page("polhode: a playground", {"presets": [page.data | words for page, words in presets]}, scripts)
 
 
 def check_given(trajectory: Any, name: Any, summary: Any, notes: Any) -> None:

@@ -1,0 +1,88 @@
+"""The playground: every motion opens on desktop and phone, says what to watch, and its steps do what they say."""
+
+from itertools import combinations
+from pathlib import Path
+
+import pytest
+
+from polhode.kinds import playground
+from polhode.kinds.playground import presets, write_playground
+
+EXAMPLES = {path.stem: path for path in (Path(__file__).parents[2] / "examples").glob("*.toml")}
+LARGEST = 1_600_000
+"""Bytes."""
+PHONE = {"viewport": {"width": 390, "height": 780}, "has_touch": True, "is_mobile": True}
+COMPILED = {"gyroscope", "dual_spin", "euler_disk"}
+"""Examples whose motions take seconds to compile: they are tried in the sweep."""
+
+
+def overlap(a, b):
+    return a[0] < b[0] + b[2] and b[0] < a[0] + a[2] and a[1] < b[1] + b[3] and b[1] < a[1] + a[3]
+
+
+@pytest.fixture(scope="module")
+def short(tmp_path_factory):
+    """The playground without the motions that take long to compile."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(playground, "presets", lambda: [one for one in presets() if one["example"] not in COMPILED])
+        return write_playground(tmp_path_factory.mktemp("short") / "playground.html", EXAMPLES)
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory):
+    return write_playground(tmp_path_factory.mktemp("whole") / "playground.html", EXAMPLES)
+
+
+def check_every_motion(page, words):
+    for k, preset in enumerate(words):
+        page.tab.locator("#presets button").nth(k).click()
+        assert page.tab.locator("#presets button[aria-pressed=true]").text_content() == preset["title"]
+        steps = page.tab.locator("#story li")
+        assert steps.count() == len(preset["story"])
+        for part in (0.0, 0.37, 1.0):
+            page.seek(part * (page.count() - 1))
+            for boxes in page.tab.evaluate("window.polhode.names()"):
+                assert not any(overlap(a, b) for a, b in combinations(boxes, 2)), (preset["title"], part, boxes)
+        for j, step in enumerate(preset["story"]):
+            if "set" in step:
+                before = page.tab.evaluate("window.polhode.settings()")
+                steps.nth(j).locator("button").click()
+                assert page.tab.evaluate("window.polhode.settings()") != before
+                assert page.tab.locator("#refused").text_content() == ""
+    assert page.tab.evaluate("document.documentElement.scrollWidth <= window.innerWidth")
+    assert page.tab.locator("#failure").is_hidden() and not page.complaints
+
+
+@pytest.mark.browser
+@pytest.mark.parametrize("options", [{}, PHONE], ids=["desktop", "phone"])
+def test_every_motion_opens(short, opened, options):
+    check_every_motion(opened(short, **options), [one for one in presets() if one["example"] not in COMPILED])
+
+
+@pytest.mark.browser
+@pytest.mark.sweep
+@pytest.mark.parametrize("options", [{}, PHONE], ids=["desktop", "phone"])
+def test_every_motion_of_the_whole_playground_opens(whole, opened, options):
+    assert whole.stat().st_size < LARGEST
+    check_every_motion(opened(whole, **options), presets())
+
+
+@pytest.mark.browser
+def test_a_link_names_the_motion(short, opened):
+    page = opened(short)
+    page.tab.locator("#presets button").nth(5).click()
+    page.tab.locator("#story button").first.click()
+    page.until("location.hash.includes('preset=top')")
+    address = page.tab.evaluate("location.href")
+    other = opened(short)
+    other.tab.goto("about:blank")
+    other.tab.goto(address)
+    other.until("window.polhode && window.polhode.firstPicture")
+    assert other.tab.locator("h1").text_content() == page.tab.locator("h1").text_content()
+    assert other.tab.evaluate("window.polhode.settings()") == page.tab.evaluate("window.polhode.settings()")
+
+
+def test_stories_are_about_examples_that_there_are():
+    words = presets()
+    assert len({one["title"] for one in words}) == len(words) >= 9
+    assert all(one["example"] in EXAMPLES and one["story"] for one in words)
