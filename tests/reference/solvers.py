@@ -1,0 +1,119 @@
+"""The solvers of `reference/`, run in one process each over many cases, and how far their answers are from polhode's."""
+
+import json
+import shutil
+import subprocess
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+
+import polhode as ph
+from polhode import rotation
+
+ROOT = Path(__file__).parents[2]
+REFERENCE = ROOT / "reference"
+HERE = Path(__file__).parent
+NODE = shutil.which("node")
+COMPILER = shutil.which("cc") or shutil.which("gcc")
+STRICT = ("-O2", "-Wall", "-Wextra", "-Werror", "-pedantic", "-ffp-contract=off")
+LATEST = 1e14  # rad that a body turns at most: near a saddle a million periods are longer than phases have digits for
+
+
+class Given(NamedTuple):
+    """What a motion is made of: moments, momentum, attitude, epoch, and mgl of a top."""
+
+    moments: tuple[float, ...]
+    momentum: tuple[float, ...]
+    attitude: tuple[float, ...] = (1.0, 0.0, 0.0, 0.0)
+    epoch: float = 0.0
+    mgl: float | None = None
+
+    def motion(self):
+        if self.mgl is None:
+            return ph.FreeMotion(self.moments, self.momentum, self.attitude, self.epoch)
+        return ph.LagrangeMotion(self.moments, self.mgl, self.momentum, self.attitude, self.epoch)
+
+
+class Errors(NamedTuple):
+    """Between two answers: angle between attitudes [rad], and |L| relative to the largest there is."""
+
+    attitude: np.ndarray
+    momentum: np.ndarray
+
+    @property
+    def worst(self):
+        return float(max(self.attitude.max(), self.momentum.max()))
+
+
+def in_javascript(givens, times=(), numbers=(), along=0, module=REFERENCE / "polhode.js"):
+    """Return the answers of polhode.js: {states (T, 7), numbers, along} or {refused}."""
+    times = times if len(times) else [[] for _ in givens]
+    cases = [
+        {"kind": "free" if g.mgl is None else "top", "given": {k: v for k, v in g._asdict().items() if v is not None},
+         "times": list(t), "numbers": list(numbers), "along": along}
+        for g, t in zip(givens, times, strict=True)
+    ]  # fmt: skip
+    done = subprocess.run([NODE, HERE / "run_polhode.mjs", module.as_uri()], input=json.dumps(cases), text=True,
+                          capture_output=True, timeout=300, check=False)  # fmt: skip
+    assert not done.returncode, done.stderr
+    return json.loads(done.stdout)
+
+
+def compiled(folder, options=("-std=c99", *STRICT), header=REFERENCE):
+    """Return the program that answers cases by polhode.h."""
+    program = folder / "run_polhode"
+    command = [COMPILER, *options, "-I", header, HERE / "run_polhode.c", "-o", program, "-lm"]
+    subprocess.run(command, check=True, timeout=300)
+    return program
+
+
+def in_c(program, givens, times):
+    """Return the states (N, T, 7) by polhode.h and the errors that it reports, of the body (N,) and the times (N, T)."""
+    lines = []
+    for g, t in zip(givens, times, strict=True):
+        numbers = (*g.moments, *g.momentum, *g.attitude, g.epoch, g.mgl or 0.0, *t)
+        lines.append(f"{int(g.mgl is not None)} {len(t)} " + " ".join(float(x).hex() for x in numbers))
+    done = subprocess.run([program], input="\n".join(lines), text=True, capture_output=True, timeout=300, check=True)
+    rows = [line.split() for line in done.stdout.splitlines()]
+    states = np.array([[float.fromhex(x) if "0x" in x else float(x) for x in row[1:]] for row in rows])
+    states = states.reshape(len(givens), -1, 8)
+    return states[..., 1:], np.array([int(row[0]) for row in rows]), states[..., 0]
+
+
+def by_polhode(givens, times):
+    """Return the states (N, T, 7) by FreeMotion or LagrangeMotion."""
+    moments, momentum, attitude = (np.array([g[k] for g in givens])[:, None] for k in range(3))
+    epoch = np.array([g.epoch for g in givens])[:, None]
+    if givens[0].mgl is None:
+        motion = ph.FreeMotion(moments, momentum, attitude, epoch)
+    else:
+        motion = ph.LagrangeMotion(moments, np.array([g.mgl for g in givens])[:, None], momentum, attitude, epoch)
+    return np.concatenate(motion.state(np.asarray(times)), axis=-1)
+
+
+def errors(found, wanted, givens):
+    """Return the errors (N, T) of states (N, T, 7); a quaternion of the other sign counts as a whole turn."""
+    relative = rotation.multiply(rotation.conjugate(wanted[..., :4]), found[..., :4])
+    angle = 2.0 * np.arctan2(np.linalg.norm(relative[..., 1:], axis=-1), relative[..., 0])
+    scale = np.array([size(g) for g in givens])[:, None]
+    momentum = np.linalg.norm((found[..., 4:] - wanted[..., 4:]) / scale[..., None], axis=-1)
+    return Errors(np.where(np.isnan(angle), np.inf, angle), np.where(np.isnan(momentum), np.inf, momentum))
+
+
+def size(given):
+    """Return the size of a motion's momentum: |L|, of a top also √(mgl I1)."""
+    largest = np.abs(given.momentum).max() or 1.0
+    norm = largest * float(np.linalg.norm(np.array(given.momentum) / largest))
+    return norm if given.mgl is None else max(norm, np.sqrt(abs(given.mgl)) * np.sqrt(given.moments[0]))
+
+
+def a_million_periods(givens):
+    """Return times (N, 2), of about a million periods or, where these are too long, as late as phases can be."""
+    rates = [np.abs(np.array(g.momentum) / g.moments).max() + np.sqrt(abs(g.mgl or 0.0) / g.moments[0]) for g in givens]
+    motions = [g.motion() for g in givens]
+    periods = [(m.period if g.mgl is None else m.nutation_period) or np.inf for m, g in zip(motions, givens, strict=True)]
+    return [
+        [part * min(1e6 * period, LATEST / rate) if rate else part for part in (1.0, -0.7393)]
+        for period, rate in zip(periods, rates, strict=True)
+    ]
