@@ -105,7 +105,9 @@ def size(given):
     """Return the size of a motion's momentum: |L|, of a top also √(mgl I1)."""
     largest = np.abs(given.momentum).max() or 1.0
     norm = largest * float(np.linalg.norm(np.array(given.momentum) / largest))
-    return norm if given.mgl is None else max(norm, np.sqrt(abs(given.mgl)) * np.sqrt(given.moments[0]))
+    if given.mgl is not None:
+        norm = max(norm, np.sqrt(abs(given.mgl)) * np.sqrt(given.moments[0]))
+    return norm or 1.0
 
 
 def a_million_periods(givens):
