@@ -7,7 +7,9 @@ const polhode = await import(process.argv[2]);
 const KINDS = { free: polhode.FreeMotion, top: polhode.LagrangeMotion };
 const plain = (x) => (x === Infinity ? "inf" : x);
 
-const answers = JSON.parse(readFileSync(0, "utf8")).map(({ kind, given, times, numbers, along, name, args }) => {
+const WORDS = { nan: NaN, inf: Infinity };
+const cases = JSON.parse(readFileSync(0, "utf8"), (_, x) => (Object.hasOwn(WORDS, x) ? WORDS[x] : x));
+const answers = cases.map(({ kind, given, times, numbers, along, name, args }) => {
   if (kind === "quaternion") return polhode.quaternion[name](...args);
   try {
     const motion = new KINDS[kind](given);

@@ -54,6 +54,11 @@ def in_javascript(givens, times=(), numbers=(), along=0, module=REFERENCE / "pol
          "times": list(t), "numbers": list(numbers), "along": along}
         for g, t in zip(givens, times, strict=True)
     ]  # fmt: skip
+    return run_javascript(cases, module)
+
+
+def run_javascript(cases, module=REFERENCE / "polhode.js"):
+    """Return what run_polhode.mjs answers to cases as it takes them."""
     done = subprocess.run([NODE, HERE / "run_polhode.mjs", module.as_uri()], input=json.dumps(cases), text=True,
                           capture_output=True, timeout=300, check=False)  # fmt: skip
     assert not done.returncode, done.stderr
