@@ -1,4 +1,4 @@
-"""The solvers of `reference/`, run in one process each over many cases, and how far their answers are from polhode's."""
+"""The solvers of `reference/`, run in one process over many cases, and how far their answers are from polhode's."""
 
 import json
 import shutil
@@ -28,11 +28,6 @@ class Given(NamedTuple):
     attitude: tuple[float, ...] = (1.0, 0.0, 0.0, 0.0)
     epoch: float = 0.0
     mgl: float | None = None
-
-    def motion(self):
-        if self.mgl is None:
-            return ph.FreeMotion(self.moments, self.momentum, self.attitude, self.epoch)
-        return ph.LagrangeMotion(self.moments, self.mgl, self.momentum, self.attitude, self.epoch)
 
 
 class Errors(NamedTuple):
@@ -73,28 +68,41 @@ def compiled(folder, options=("-std=c99", *STRICT), header=REFERENCE):
     return program
 
 
+class CAnswers(NamedTuple):
+    """What the C program answers to N cases, with the error codes of the motions (N,) and of the times (N, T)."""
+
+    states: np.ndarray  # (N, T, 7)
+    of_motion: np.ndarray
+    of_times: np.ndarray
+    regimes: np.ndarray
+    numbers: np.ndarray  # (N, 8), as the program lists them
+
+
 def in_c(program, givens, times):
-    """Return the states (N, T, 7) by polhode.h and the errors that it reports, of the body (N,) and the times (N, T)."""
+    """Return the answers of polhode.h."""
     lines = []
     for g, t in zip(givens, times, strict=True):
         numbers = (*g.moments, *g.momentum, *g.attitude, g.epoch, g.mgl or 0.0, *t)
         lines.append(f"{int(g.mgl is not None)} {len(t)} " + " ".join(float(x).hex() for x in numbers))
     done = subprocess.run([program], input="\n".join(lines), text=True, capture_output=True, timeout=300, check=True)
-    rows = [line.split() for line in done.stdout.splitlines()]
-    states = np.array([[float.fromhex(x) if "0x" in x else float(x) for x in row[1:]] for row in rows])
-    states = states.reshape(len(givens), -1, 8)
-    return states[..., 1:], np.array([int(row[0]) for row in rows]), states[..., 0]
+    rows = np.array([[float.fromhex(x) for x in line.split()] for line in done.stdout.splitlines()])
+    states = rows[:, 10:].reshape(len(givens), -1, 8)
+    return CAnswers(states[..., 1:], rows[:, 0].astype(int), states[..., 0].astype(int), rows[:, 1].astype(int),
+                    rows[:, 2:10])  # fmt: skip
+
+
+def together(givens):
+    """Return the motions (N,) of cases of one kind as one."""
+    moments, momentum, attitude, epoch = (np.array([g[k] for g in givens]) for k in range(4))
+    if givens[0].mgl is None:
+        return ph.FreeMotion(moments, momentum, attitude, epoch)
+    return ph.LagrangeMotion(moments, np.array([g.mgl for g in givens]), momentum, attitude, epoch)
 
 
 def by_polhode(givens, times):
-    """Return the states (N, T, 7) by FreeMotion or LagrangeMotion."""
-    moments, momentum, attitude = (np.array([g[k] for g in givens])[:, None] for k in range(3))
-    epoch = np.array([g.epoch for g in givens])[:, None]
-    if givens[0].mgl is None:
-        motion = ph.FreeMotion(moments, momentum, attitude, epoch)
-    else:
-        motion = ph.LagrangeMotion(moments, np.array([g.mgl for g in givens])[:, None], momentum, attitude, epoch)
-    return np.concatenate(motion.state(np.asarray(times)), axis=-1)
+    """Return the states (N, T, 7) by FreeMotion or LagrangeMotion at times (N, T)."""
+    motion = together(givens)
+    return np.stack([np.concatenate(motion.state(t), axis=-1) for t in np.transpose(times)], axis=1)
 
 
 def errors(found, wanted, givens):
@@ -117,10 +125,9 @@ def size(given):
 
 def a_million_periods(givens):
     """Return times (N, 2), of about a million periods or, where these are too long, as late as phases can be."""
-    rates = [np.abs(np.array(g.momentum) / g.moments).max() + np.sqrt(abs(g.mgl or 0.0) / g.moments[0]) for g in givens]
-    motions = [g.motion() for g in givens]
-    periods = [(m.period if g.mgl is None else m.nutation_period) or np.inf for m, g in zip(motions, givens, strict=True)]
-    return [
-        [part * min(1e6 * period, LATEST / rate) if rate else part for part in (1.0, -0.7393)]
-        for period, rate in zip(periods, rates, strict=True)
-    ]
+    motion, top = together(givens), givens[0].mgl is not None
+    rates = np.abs(motion.momentum_at_epoch / motion.moments).max(axis=-1)
+    rates = rates + np.sqrt(np.abs(motion.mgl) / motion.moments[:, 0]) if top else rates
+    rates = np.where(rates > 0.0, rates, 1.0)
+    late = np.fmin(1e6 * (motion.nutation_period if top else motion.period), LATEST / rates)  # NaN where undefined
+    return np.stack([late, -0.7393 * late], axis=-1)
