@@ -81,7 +81,7 @@ def answers(request):
 
     def states(language, givens, times):
         if language == "javascript":
-            return np.array([answer["states"] for answer in in_javascript(givens, times)])
+            return np.array([answer["states"] for answer in in_javascript(givens, times)], np.float64)
         found = in_c(request.getfixturevalue("program"), givens, times)
         assert not found.of_motion.any() and not found.of_times.any()
         return found.states
@@ -149,7 +149,8 @@ def test_a_broken_solver_is_found_out(tmp_path, specimen):
     if "late" in what:
         times = a_million_periods(givens)
     if language == "javascript":
-        found = np.array([a["states"] for a in in_javascript(givens, times, module=tmp_path / "broken" / "polhode.js")])
+        answers = in_javascript(givens, times, module=tmp_path / "broken" / "polhode.js")
+        found = np.array([answer["states"] for answer in answers], np.float64)
     else:
         found = in_c(compiled(tmp_path, ("-std=c99",), tmp_path / "broken"), givens, times).states
     assert errors(found, by_polhode(givens, times), givens).worst > (LATE if "late" in what else SOON)
