@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from polhode.arrays import as_float64, is_traced, known_false, namespace
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, ArrayOrFloat, Float64, Real
 
 if TYPE_CHECKING:
@@ -236,6 +236,38 @@ def from_axis_angle(
     unit = unit / xp.sqrt(xp.sum(unit * unit, axis=-1, keepdims=True))
     half = 0.5 * angle[..., None]
     return xp.concat([xp.cos(half) + 0.0 * unit[..., :1], xp.sin(half) * unit], axis=-1)
+
+
+def from_euler_angles(angles: Real[ArrayLike, "*batch 3"], sequence: str) -> Float64[Array, "*batch 4"]:
+    """Return the unit quaternion (…, 4), body → space, of three turns [rad] about coordinate axes, in their order.
+
+    Args:
+        angles: (…, 3) of the turns, in the order of the letters [rad].
+        sequence: three of x, y, z, no two alike next to each other. Capitals like "ZYX" turn about the body's own
+            axes, each as the turns before have left it: R = R_Z(a) R_Y(b) R_X(c). Small letters turn about the axes
+            of space: R = R_z(c) R_y(b) R_x(a) for "xyz".
+
+    Raises:
+        InvalidInput: for another sequence, and for angles of another shape.
+
+    >>> from_euler_angles([np.pi / 2, 0.0, np.pi], "ZYX").round(12).tolist()
+    [0.0, 0.707106781187, 0.707106781187, 0.0]
+    """
+    letters = sequence.lower() if isinstance(sequence, str) and sequence in (sequence.lower(), sequence.upper()) else ""
+    if len(letters) != 3 or set(letters) - set("xyz") or letters[0] == letters[1] or letters[1] == letters[2]:
+        raise InvalidInput(
+            'sequence must be three of x, y, z, no two alike next to each other: capitals, like "ZXZ", turn about the '
+            f"body's own axes one after the other, small letters about the axes of space; got {shown(sequence)}"
+        )
+    xp = namespace(angles)
+    angles = as_float64(xp, angles, "angles")
+    if tuple(angles.shape[-1:]) != (3,):
+        raise InvalidInput(f"`angles` must have shape (..., 3); got {tuple(angles.shape)}.")
+    turns = [
+        from_axis_angle(xp.asarray(np.eye(3)["xyz".index(letter)]), angles[..., k]) for k, letter in enumerate(letters)
+    ]
+    first, second, third = turns if sequence.isupper() else turns[::-1]
+    return multiply(multiply(first, second), third)
 
 
 def hat(vector: Real[ArrayLike, "*batch 3"]) -> Float64[Array, "*batch 3 3"]:

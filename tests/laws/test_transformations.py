@@ -19,6 +19,7 @@ LEFT_OUT = {
     "rotation.product_with_vector": "takes columns, and is called by quaternion_rate",
     "rotation.cross_of_parts": "takes columns, and is called by shortest_between",
     "rotation.as_scipy": "gives an object of SciPy, which no tracer can be in",
+    "rotation.from_euler_angles": "takes a word too; a product of three of from_axis_angle",
     "rotation.from_scipy": "takes an object of SciPy",
     "special.elliptic.jacobi_at_reduced_phase": "inner part of jacobi, with flags",
     "special.elliptic.sd_squared_over_half_period": "inner part of the motions' derivatives, with flags",

@@ -36,6 +36,49 @@ SpiceId = Annotated[
 ]  # fmt: skip
 
 
+TimeColumn = Annotated[
+    str | None, typer.Option("--time", metavar="COLUMN", help="Of a table: column of the times, by name or number.")
+]
+TimeUnit = Annotated[
+    str | None,
+    typer.Option("--time-unit", metavar="UNIT", help="s, ms, us, ns or min, unless the column's name says it."),
+]
+QuatColumns = Annotated[
+    str | None, typer.Option("--quat", metavar="C,C,C,C", help="Columns of the attitude quaternion.")
+]
+QuatOrder = Annotated[
+    str | None,
+    typer.Option("--order", metavar="ORDER", help="wxyz or xyzw, unless the columns' names end in these letters."),
+]
+Direction = Annotated[
+    str | None,
+    typer.Option("--direction", metavar="WAY", help="body-to-space (default) or space-to-body, of the attitude."),
+]
+EulerColumns = Annotated[
+    str | None,
+    typer.Option("--euler", metavar="C,C,C", help="Columns of Euler angles, in the order of --sequence."),
+]
+EulerSequence = Annotated[
+    str | None,
+    typer.Option("--sequence", metavar="AXES", help="Like ZYX about the body's own axes, xyz about those of space."),
+]
+GyroColumns = Annotated[
+    str | None,
+    typer.Option("--gyro", metavar="C,C,C", help="Columns of the angular velocity along the body's x, y, z."),
+]
+ColumnUnit = Annotated[
+    str | None,
+    typer.Option("--unit", metavar="UNIT", help="deg/s, rad/s or rpm of --gyro, deg or rad of --euler; or deg,deg/s."),
+]
+Decimal = Annotated[
+    str | None, typer.Option("--decimal", metavar="SIGN", help="point (default) or comma, of the numbers.")
+]
+MappingFile = Annotated[
+    Path | None,
+    typer.Option("--mapping", metavar="FILE", help="TOML file with these words; [a] and [b] for one file each."),
+]
+
+
 @app.callback(invoke_without_command=True)
 def about(
     version: Annotated[bool, typer.Option("--version", help="Print the version and stop.", is_eager=True)] = False,
@@ -157,7 +200,7 @@ def export(
 
 @app.command("import", cls=StrictCommand)
 def import_(
-    file: Annotated[Path, typer.Argument(metavar="FILE", help="CCSDS AEM or SPICE C-kernel.")],
+    file: Annotated[Path, typer.Argument(metavar="FILE", help="CCSDS AEM, SPICE C-kernel, or any table of numbers.")],
     json: AsJson = False,
     out: Annotated[
         Path | None,
@@ -168,20 +211,34 @@ def import_(
     fk: FrameKernel = None,
     lsk: LeapSeconds = None,
     spice_id: SpiceId = None,
+    mapping: MappingFile = None,
+    time: TimeColumn = None,
+    time_unit: TimeUnit = None,
+    quat: QuatColumns = None,
+    order: QuatOrder = None,
+    direction: Direction = None,
+    euler: EulerColumns = None,
+    sequence: EulerSequence = None,
+    gyro: GyroColumns = None,
+    unit: ColumnUnit = None,
+    decimal: Decimal = None,
 ) -> None:
     """Read another tool's attitude history; write it as NetCDF.
 
-    What the history holds is printed.
+    What the history holds is printed. Of a table, such as a CSV file, say which columns are what, like
+    --time t --time-unit s --quat qw,qx,qy,qz --gyro gx,gy,gz --unit deg/s; how it is read is printed.
     """
+    from polhode.cli.columns import ColumnOptions
     from polhode.cli.importing import run_import
     from polhode.cli.sources import Kernels
 
-    run_import(file, json, out, spec, Kernels(sclk, fk, lsk, spice_id))
+    columns = ColumnOptions(mapping, time, time_unit, quat, order, direction, euler, sequence, gyro, unit, decimal)
+    run_import(file, json, out, spec, Kernels(sclk, fk, lsk, spice_id), columns)
 
 
 @app.command(cls=StrictCommand)
 def compare(
-    a: Annotated[Path, typer.Argument(metavar="A", help="Spec, dataset or CSV of polhode's, CCSDS AEM or C-kernel.")],
+    a: Annotated[Path, typer.Argument(metavar="A", help="Spec, dataset or CSV of polhode's, CCSDS AEM, C-kernel or any table.")],
     b: Annotated[Path, typer.Argument(metavar="B", help="The same; times are counted by A.")],
     json: AsJson = False,
     out: Annotated[
@@ -192,12 +249,26 @@ def compare(
     fk: FrameKernel = None,
     lsk: LeapSeconds = None,
     spice_id: SpiceId = None,
+    mapping: MappingFile = None,
+    time: TimeColumn = None,
+    time_unit: TimeUnit = None,
+    quat: QuatColumns = None,
+    order: QuatOrder = None,
+    direction: Direction = None,
+    euler: EulerColumns = None,
+    sequence: EulerSequence = None,
+    gyro: GyroColumns = None,
+    unit: ColumnUnit = None,
+    decimal: Decimal = None,
 ) -> None:
     """Say how two attitude histories differ.
 
-    Printed are the angle over time, misalignments, and the drift of energy and momentum.
+    Printed are the angle over time, misalignments, and the drift of energy and momentum. Options of columns are for
+    each table of another tool among the two; where both differ, a mapping file says it.
     """
+    from polhode.cli.columns import ColumnOptions
     from polhode.cli.compare import run_compare
     from polhode.cli.sources import Kernels
 
-    run_compare(a, b, json, out, spec, Kernels(sclk, fk, lsk, spice_id))
+    columns = ColumnOptions(mapping, time, time_unit, quat, order, direction, euler, sequence, gyro, unit, decimal)
+    run_compare(a, b, json, out, spec, Kernels(sclk, fk, lsk, spice_id), columns)

@@ -7,18 +7,25 @@ from pathlib import Path
 
 from polhode.analysis.comparison import compare
 from polhode.analysis.mechanics import Mechanics
+from polhode.cli.columns import ColumnOptions, Table, about_reading, notes_on_reading, tables_to_compare
 from polhode.cli.render import as_json, print_report
-from polhode.cli.sources import Kernels, Source, body_of, source_of
+from polhode.cli.sources import KINDS_IN_WORDS, Kernels, Source, body_of, source_of
 from polhode.errors import InvalidInput, one_line
 from polhode.formats.labels import plain as same_name
 from polhode.formats.paths import written_together
 from polhode.formats.time_scales import terrestrial_time
+from polhode.reports.answer import Group, values_of
+from polhode.reports.base import plain
 from polhode.reports.comparison import ComparisonReport
 
 
-def run_compare(first: Path, second: Path, json: bool, out: Path | None, spec: Path | None, kernels: Kernels) -> None:
+def run_compare(
+    first: Path, second: Path, json: bool, out: Path | None, spec: Path | None, kernels: Kernels, columns: ColumnOptions
+) -> None:
     """Read both, compare, draw, and print the answers."""
-    a, b = source_of(first, kernels), source_of(second, kernels)
+    tables = tables_to_compare(columns)
+    a, b = (source_of(path, kernels, table) for path, table in zip((first, second), tables, strict=True))
+    _check_used(a, b, tables)
     shared = None if spec is None else body_of(spec).mechanics
     if spec is not None and shared is None:
         raise InvalidInput(f"{spec}: is neither of a free body nor of a top, so what would be kept is not known here.")
@@ -29,14 +36,41 @@ def run_compare(first: Path, second: Path, json: bool, out: Path | None, spec: P
         found = compare(*histories, offset=offset)
     except InvalidInput as error:
         raise InvalidInput(f"{first}, {second}: {error}") from None
-    report = ComparisonReport(found, clocks, (*_kinds(a, b), *_names(a, b)), *_unknown(a, b, known))
+    read, notes = _readings(a, b)
+    report = ComparisonReport(found, clocks, (*notes, *_kinds(a, b), *_names(a, b)), *_unknown(a, b, known))
     folder = out or Path(f"{first.stem}_and_{second.stem}")
     file = str(_drawn(report, folder))
     if json:
-        print(as_json({**report.as_json_dict(), "files": [file]}))
+        print(as_json({**report.as_json_dict(), **plain(values_of(read)), "files": [file]}))
     else:
         title = one_line(f"{first} (A) and {second} (B)")
-        print_report(title, report.summary, report.answers(), report.all_notes(), [file])
+        print_report(title, report.summary, [*read, *report.answers()], report.all_notes(), [file])
+
+
+def _check_used(a: Source, b: Source, tables: tuple[Table | None, Table | None]) -> None:
+    """Refuse options of columns that no file takes.
+
+    Raises:
+        InvalidInput: naming the file.
+    """
+    for side, table in zip((a, b), tables, strict=True):
+        if table is not None and table.only and side.kind != "table":
+            why = f"is {KINDS_IN_WORDS[side.kind]}, and a mapping is for tables"
+            raise InvalidInput(f"{side.history.name}: {why}. Leave its part of the mapping out.")
+    if tables != (None, None) and "table" not in (a.kind, b.kind):
+        raise InvalidInput(f"neither {a.history.name} nor {b.history.name} is a table, and the options of columns are for "
+                           "these. Leave them out.")  # fmt: skip
+
+
+def _readings(a: Source, b: Source) -> tuple[list[Group], list[str]]:
+    """Return how tables among the two are read, and notes on it."""
+    groups, notes = [], []
+    for name, side in (("a", a), ("b", b)):
+        if side.kind == "table":
+            title = f"How {side.history.name} ({name.upper()}) is read"
+            groups.append(about_reading(side.trajectory, title, f"read_as.{name}"))
+            notes += notes_on_reading(side.trajectory, side.history.name)
+    return groups, notes
 
 
 def clocks_of(a: Source, b: Source) -> tuple[float, str]:

@@ -9,52 +9,72 @@ import numpy as np
 
 from polhode import rotation
 from polhode.analysis.mechanics import Mechanics, invariants_along
+from polhode.cli.columns import ColumnOptions, about_reading, notes_on_reading, table_to_import
 from polhode.cli.destinations import check_spares
 from polhode.cli.render import as_json, print_report
 from polhode.cli.sources import KINDS, KINDS_IN_WORDS, Kernels, body_of, read_recorded
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, one_line
 from polhode.formats.labels import AttitudeLabels
 from polhode.motion.frame import BodyFrame
-from polhode.motion.layout import ATTITUDE, MOMENTUM, StateLayout
+from polhode.motion.layout import ANGULAR_VELOCITY, ATTITUDE, MOMENTUM, StateLayout
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.answer import Answer, Group, units_of, values_of
 from polhode.reports.base import plain
 from polhode.reports.wording import counted, drifts, rate
 
 
-def run_import(path: Path, json: bool, out: Path | None, spec: Path | None, kernels: Kernels) -> None:
+def run_import(
+    path: Path, json: bool, out: Path | None, spec: Path | None, kernels: Kernels, columns: ColumnOptions
+) -> None:
     """Read the file, add momentum and energy where the spec tells the moments, and write and print what is there."""
     from polhode.formats.dataset import write_dataset
 
-    kind, trajectory, labels = read_recorded(path, kernels)
+    table = table_to_import(columns)
+    kind, trajectory, labels = read_recorded(path, kernels, table)
+    if table is not None and kind != "table":
+        why = f"is {KINDS_IN_WORDS[kind]}, and the options of columns are for tables"
+        raise InvalidInput(f"{path}: {why}. Leave them out.")
     if kind in ("dataset", "csv"):
         raise InvalidInput(f"{path}: is {KINDS_IN_WORDS[kind]} of polhode's already; there is nothing to import.")
-    assert labels is not None
-    notes, kept = [], "a free body's"
+    notes, groups = [], []
+    if kind == "table":
+        notes = notes_on_reading(trajectory, one_line(path.name))
+        groups = [about_reading(trajectory, "How the table is read", "read_as")]
     if trajectory.outcome.message:
         notes.append(f"{trajectory.outcome.message}.")
+    kept = "a free body's"
     if spec is not None:
-        body = body_of(spec)
-        if body.frame is None:
-            raise InvalidInput(f"{spec}: has no [body], whose moments would be needed. Choose another spec.")
-        trajectory = along_principal_axes(trajectory, body.frame, body.mechanics)
-        if body.mechanics is None:
-            notes.append("momentum and energy are left out: they are known here of free bodies and tops, and "
-                         f"{spec} is of the system {body.kind}.")  # fmt: skip
-        elif trajectory.momentum is None:
-            notes.append("the file has no angular velocity, so that there is neither momentum nor energy.")
-        elif body.mechanics.weight is not None:
-            kept = "a top's"
-    found = about_file(trajectory, labels, kept)
+        trajectory, kept, more = _with_moments(trajectory, spec)
+        notes += more
+    groups.append(about_file(trajectory, labels, kept))
     written = out or Path(f"{path.stem}_imported.nc")  # not the name that a dataset exported to the same folder has
     check_spares(written, path)
-    write_dataset(trajectory, written, {"title": labels.object_name})
+    write_dataset(trajectory, written, {"title": path.name if labels is None else labels.object_name})
     if json:
-        print(as_json(plain({"kind": KINDS[kind], **values_of([found]), "drift": trajectory.drift, "notes": notes,
-                             "units": units_of([found]), "files": [str(written)]})))  # fmt: skip
+        print(as_json(plain({"kind": KINDS[kind], **values_of(groups), "drift": trajectory.drift, "notes": notes,
+                             "units": units_of(groups), "files": [str(written)]})))  # fmt: skip
         return
-    summary = f"{KINDS[kind]} with {counted(len(trajectory.times), 'attitude')}."
-    print_report(str(path), summary, [found], notes, [str(written)])
+    what = "sample" if trajectory.attitude is None else "attitude"
+    name = KINDS[kind]
+    summary = f"{name[0].upper()}{name[1:]} with {counted(len(trajectory.times), what)}."
+    print_report(str(path), summary, groups, notes, [str(written)])
+
+
+def _with_moments(trajectory: Trajectory, spec: Path) -> tuple[Trajectory, str, list[str]]:
+    """Return the trajectory along the principal axes of a spec's body, whose invariants it has, and notes."""
+    body = body_of(spec)
+    if body.frame is None:
+        raise InvalidInput(f"{spec}: has no [body], whose moments would be needed. Choose another spec.")
+    trajectory = along_principal_axes(trajectory, body.frame, body.mechanics)
+    if body.mechanics is None:
+        return trajectory, "", ["momentum and energy are left out: they are known here of free bodies and tops, and "
+                                f"{spec} is of the system {body.kind}."]  # fmt: skip
+    if trajectory.momentum is None:
+        return trajectory, "", ["the file has no angular velocity, so that there is neither momentum nor energy."]
+    if trajectory.attitude is None:
+        missing = "energy and vertical momentum" if body.mechanics.weight is not None else "momentum in space"
+        return trajectory, "a free body's", [f"without attitudes there is no {missing}."]
+    return trajectory, "a free body's" if body.mechanics.weight is None else "a top's", []
 
 
 def along_principal_axes(trajectory: Trajectory, frame: BodyFrame, mechanics: Mechanics | None) -> Trajectory:
@@ -66,38 +86,48 @@ def along_principal_axes(trajectory: Trajectory, frame: BodyFrame, mechanics: Me
         mechanics: of the same body along the given axes; None where momentum is not the moments times the velocity.
     """
     axes = np.asarray(frame.axes)
-    attitude = rotation.multiply(np.asarray(trajectory.attitude), rotation.from_matrix(axes))
-    layout = StateLayout((ATTITUDE,))
-    turned = replace(trajectory, attitude=attitude, states=attitude, layout=layout, frame=frame)
-    if trajectory.angular_velocity is None:
-        return turned
-    velocity = np.asarray(trajectory.angular_velocity) @ axes
-    turned = replace(turned, angular_velocity=velocity)
-    if mechanics is None:
-        return turned
-    momentum = velocity * np.asarray(frame.moments)
-    invariants, drift = invariants_along(trajectory.attitude, np.asarray(trajectory.angular_velocity), mechanics)
-    states = np.concatenate([attitude, momentum], axis=-1)
-    return replace(
-        turned,
-        states=states,
-        layout=StateLayout((ATTITUDE, MOMENTUM)),
-        momentum=momentum,
-        invariants=invariants,
-        drift=drift,
+    parts, attitude = {}, trajectory.attitude
+    if attitude is not None:
+        parts["attitude"] = rotation.multiply(np.asarray(attitude), rotation.from_matrix(axes))
+    if trajectory.angular_velocity is not None:
+        parts["angular_velocity"] = np.asarray(trajectory.angular_velocity) @ axes
+    turned = replace(trajectory, frame=frame, **parts)
+    if mechanics is None or "angular_velocity" not in parts:
+        return _with_states(turned)
+    momentum = parts["angular_velocity"] * np.asarray(frame.moments)
+    turned = _with_states(replace(turned, momentum=momentum))
+    if attitude is None and mechanics.weight is not None:
+        return turned  # the weight's torque is along axes that are not known
+    still = np.tile((1.0, 0.0, 0.0, 0.0), (len(momentum), 1))  # energy and |L| are the same for any attitude
+    invariants, drift = invariants_along(
+        still if attitude is None else attitude, np.asarray(trajectory.angular_velocity), mechanics
     )
+    if attitude is None:
+        del invariants["momentum_space"], drift["momentum_space"]
+    return replace(turned, invariants=invariants, drift=drift)
 
 
-def about_file(trajectory: Trajectory, labels: AttitudeLabels, kept: str) -> Group:
+def _with_states(trajectory: Trajectory) -> Trajectory:
+    """Return the trajectory with the states that its parts make up."""
+    named = [(ATTITUDE, trajectory.attitude), (MOMENTUM, trajectory.momentum)]
+    parts = [(part, np.asarray(value)) for part, value in named if value is not None]
+    parts = parts or [(ANGULAR_VELOCITY, np.asarray(trajectory.angular_velocity))]
+    states = np.concatenate([value for _, value in parts], axis=-1)
+    return replace(trajectory, states=states, layout=StateLayout(tuple(part for part, _ in parts)))
+
+
+def about_file(trajectory: Trajectory, labels: AttitudeLabels | None, kept: str) -> Group:
     """Return what a file holds; ``kept`` says whose invariants the drift is of."""
-    times, attitude = np.asarray(trajectory.times), np.asarray(trajectory.attitude)
+    times = np.asarray(trajectory.times)
     steps, velocity = np.diff(times), trajectory.angular_velocity
-    turns = rotation.angle_between(attitude[1:], attitude[:-1])
-    several = len(times) > 1
+    several, turned = len(times) > 1, None
+    if several and trajectory.attitude is not None:
+        attitude = np.asarray(trajectory.attitude)
+        turned = float(rotation.angle_between(attitude[1:], attitude[:-1]).max())
     gap = float(steps.max()) if several else None
     gap_from = float(times[int(np.argmax(steps))]) if several else None
     fastest = None if velocity is None else float(np.linalg.norm(np.asarray(velocity), axis=-1).max())
-    return Group("Attitude history", [
+    named = [] if labels is None else [
         Answer("object", labels.object_name, "", "object", "",
                ", ".join(filter(None, (labels.object_name, labels.object_id)))),
         Answer("object_id", labels.object_id),
@@ -106,6 +136,9 @@ def about_file(trajectory: Trajectory, labels: AttitudeLabels, kept: str) -> Gro
         Answer("body_frame", labels.body_frame),
         Answer("epoch", labels.epoch, "", "time zero", "", f"{labels.epoch} {labels.time_system}"),
         Answer("time_system", labels.time_system),
+    ]  # fmt: skip
+    return Group("Angular velocity" if trajectory.attitude is None else "Attitude history", [
+        *named,
         Answer("first", float(times[0]), "s", "span", "", f"{times[0]:.9g} to {times[-1]:.9g} s"),
         Answer("last", float(times[-1]), "s"),
         Answer("samples", len(times), "", "samples", "", str(len(times))),
@@ -113,9 +146,9 @@ def about_file(trajectory: Trajectory, labels: AttitudeLabels, kept: str) -> Gro
         Answer("largest_gap", gap, "s", "largest gap", "",
                None if gap is None else f"{gap:.8g} s, from {gap_from:.9g} s on"),
         Answer("gap_from", gap_from, "s"),
-        Answer("largest_turn", float(turns.max()) if several else None, "rad", "largest turn between samples"),
+        Answer("largest_turn", turned, "rad", "largest turn between samples"),
         Answer("has_angular_velocity", velocity is not None),
         Answer("fastest", fastest, "rad/s", "angular velocity", "",
                "none in the file" if fastest is None else f"up to {rate(fastest)}"),
-        Answer("", None, "", f"drift of {kept} invariants", "", drifts(trajectory.drift)),
+        Answer("", None, "", f"drift of {kept} invariants", "", drifts(trajectory.drift) if kept else None),
     ])  # fmt: skip

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -12,11 +13,13 @@ import numpy as np
 
 from polhode import rotation
 from polhode.analysis.comparison import AttitudeHistory, Mechanics
+from polhode.cli.columns import Table, needs_mapping
 from polhode.cli.kept import kept_report
 from polhode.errors import FormatError, InvalidInput, NotConverged, one_line
 from polhode.formats.given_axes import along_given_axes, single_attitude
 from polhode.formats.labels import AttitudeLabels, labels_of
 from polhode.formats.opening import is_folder, open_file
+from polhode.formats.table_form import Line, form_of, is_comment
 from polhode.kinds.base import Spec
 from polhode.kinds.reading import read_spec
 from polhode.motion.frame import BodyFrame
@@ -24,8 +27,11 @@ from polhode.motion.trajectory import Trajectory
 from polhode.reports.base import AbstractReport
 
 HEAD = 65536  # bytes in which a file shows what it is
-KINDS = {"spec": "spec", "dataset": "dataset", "csv": "CSV table", "aem": "AEM", "ck": "C-kernel"}
+KINDS = {"spec": "spec", "dataset": "dataset", "csv": "CSV table", "table": "table", "aem": "AEM", "ck": "C-kernel"}
 KINDS_IN_WORDS = {kind: f"{'an' if name[0] == 'A' else 'a'} {name}" for kind, name in KINDS.items()}
+OWN_TABLE = (b"time [s]", b'"time [s]"')
+OWN_ATTITUDE = (b"time [s],q_w,q_x,q_y,q_z", b'"time [s]","q_w","q_x","q_y","q_z"')
+_OF_TOML = re.compile(r"\s*(\[|[\w.\"'-]+\s*=)")
 SAME_ATTITUDE = 1e-6  # rad; what seven digits of a quaternion leave between two samples of one time
 SAME_MOMENTUM = 1e-9  # of the largest; a rotor whose momentum is less changes no energy that is printed
 PICOSECOND = 1e-12  # s; epochs in an AEM are read to one
@@ -59,8 +65,12 @@ class Source:
     system: str | None = None
 
 
-def kind_of(path: Path) -> str:
+def kind_of(path: Path, table: Table | None = None) -> str:
     """Return which of KINDS a file is, by what it begins with; what is none of the others may be a spec.
+
+    Args:
+        path: of the file.
+        table: what is said of its columns, which makes any text but a spec a table of another tool.
 
     Raises:
         InvalidInput: for what is missing.
@@ -74,7 +84,8 @@ def kind_of(path: Path) -> str:
         return "ck"
     if head.startswith(b"\x89HDF"):
         return "dataset"
-    if head.removeprefix(b"\xef\xbb\xbf").startswith((b"time [s]", b'"time [s]"')):
+    begin = head.removeprefix(b"\xef\xbb\xbf")
+    if begin.startswith(OWN_TABLE) and not (table is not None and (table.only or not begin.startswith(OWN_ATTITUDE))):
         return "csv"
     if b"CCSDS_AEM_VERS" in head:
         return "aem"
@@ -83,16 +94,39 @@ def kind_of(path: Path) -> str:
     if b"\0" in head:
         why = "is not a spec, a dataset of polhode's, an AEM or a C-kernel: it begins like none of them"
         raise FormatError(f"{path}: {why}; it may be broken. Check the file.")
-    return "spec"
+    if path.suffix.lower() == ".toml":
+        return "spec"
+    return "table" if table is not None or _looks_like_table(path, head) else "spec"
 
 
-def read_recorded(path: Path, kernels: Kernels) -> tuple[str, Trajectory, AttitudeLabels | None]:
+def _looks_like_table(path: Path, head: bytes) -> bool:
+    """Whether a file begins like a table of numbers; the lists of a spec in TOML do not, as they have brackets."""
+    lines = head.decode("utf-8", "replace").splitlines()
+    content = [Line(k, text) for k, text in enumerate(lines, 1)]
+    if any(_OF_TOML.match(line.text) for line in content if not is_comment(line.text)):
+        return False
+    try:
+        form_of(path, content)
+    except FormatError:
+        return False
+    return True
+
+
+def read_recorded(
+    path: Path, kernels: Kernels, table: Table | None = None
+) -> tuple[str, Trajectory, AttitudeLabels | None]:
     """Return kind, trajectory and labels of a file that holds samples.
 
     Raises:
-        InvalidInput: for a spec, which holds none, or as the readers do.
+        InvalidInput: for a spec, which holds none, for a table that nothing is said of, or as the readers do.
     """
-    kind = kind_of(path)
+    kind = kind_of(path, table)
+    if kind == "table":
+        from polhode.formats.column_reading import read_columns
+
+        if table is None:
+            raise needs_mapping(path)
+        return kind, read_columns(path, table.mapping), None
     if kind == "aem":
         from polhode.formats.aem_reading import read_aem
 
@@ -112,19 +146,20 @@ def read_recorded(path: Path, kernels: Kernels) -> tuple[str, Trajectory, Attitu
 
         found = read_dataset(path)
         return kind, found, _told(labels_of(found))
-    raise InvalidInput(f"{path}: is no AEM, C-kernel or dataset, as it does not begin like one. Check the file.")
+    raise InvalidInput(f"{path}: is no AEM, C-kernel, table or dataset, as it does not begin like one. Check the "
+                       "file.")
 
 
-def source_of(path: Path, kernels: Kernels) -> Source:
+def source_of(path: Path, kernels: Kernels, table: Table | None = None) -> Source:
     """Return the attitude history of any file.
 
     Raises:
         InvalidInput: for what is missing, has no attitude, or holds several bodies.
         NotConverged: for a spec whose motion could not be followed.
     """
-    if kind_of(path) == "spec":
+    if kind_of(path, table) == "spec":
         return _from_spec(path)
-    kind, found, labels = read_recorded(path, kernels)
+    kind, found, labels = read_recorded(path, kernels, table)
     trajectory = along_given_axes(found)
     history = replace(
         _history(path, trajectory), resolution=0.5 * PICOSECOND if kind == "aem" else 0.0,

@@ -1,5 +1,7 @@
 from .aem import write_aem as write_aem
 from .aem_reading import read_aem as read_aem
+from .column_mapping import ColumnMapping as ColumnMapping
+from .column_reading import read_columns as read_columns
 from .csv_table import read_csv as read_csv
 from .csv_table import write_csv as write_csv
 from .dataset import as_dataset as as_dataset

@@ -73,7 +73,7 @@ def attitudes(
         raw = _scalar_first(columns[:, :4], meaning.scalar_first) / lengths[:, None]
     else:
         width = 3
-        raw = _of_euler_angles(meaning.sequence or "", columns[:, :3])
+        raw = rotation.from_euler_angles(np.radians(columns[:, :3]), meaning.sequence or "")
     attitude = rotation.conjugate(raw) if meaning.backward else raw
     if not rates:
         return attitude, None
@@ -100,11 +100,6 @@ def _about(axis: str, angle: Array) -> Array:
     return rotation.from_axis_angle(np.eye(3)["XYZ".index(axis)], angle)
 
 
-def _of_euler_angles(sequence: str, degrees: Array) -> Array:
-    one, two, three = (_about(axis, np.radians(degrees[:, k])) for k, axis in enumerate(sequence))
-    return rotation.multiply(rotation.multiply(one, two), three)
-
-
 def _of_euler_rates(sequence: str, degrees: Array, rates: Array) -> Array:
     """Return the angular velocity along B: each rate is about its axis as later rotations have left it, seen from B."""
     velocity = np.zeros((len(degrees), 3))
@@ -117,7 +112,8 @@ def _of_euler_rates(sequence: str, degrees: Array, rates: Array) -> Array:
 def _of_spin_axis(nutation: str, columns: Array) -> tuple[Array, Array]:
     """Return what spin data mean: the body turns about its z axis, and that axis about the momentum (annex F5)."""
     right_ascension, declination, phase, spin = columns[:, :4].T
-    attitude = _of_euler_angles("ZXZ", np.stack([right_ascension + 90.0, 90.0 - declination, phase], axis=-1))
+    turns = np.stack([right_ascension + 90.0, 90.0 - declination, phase], axis=-1)
+    attitude = rotation.from_euler_angles(np.radians(turns), "ZXZ")
     velocity = np.zeros((len(columns), 3))
     velocity[:, 2] = np.radians(spin)
     if nutation == "NUTATION":

@@ -75,7 +75,8 @@ def _columns(trajectory: Trajectory, axes: str) -> list[tuple[str, Array]]:
     scalars = trajectory.layout.scalars
     for name, part in scalars.items():
         add(trajectory.part(name), [_named(name, part.unit)])
-    if not scalars and trajectory.momentum is None and trajectory.attitude is None:
+    unnamed = not scalars and "angular_velocity" not in trajectory.layout.names
+    if unnamed and trajectory.momentum is None and trajectory.attitude is None:
         add(trajectory.states, [f"state_{k}" for k in range(int(np.prod(np.shape(trajectory.states)[1:])))])
     for name, values in (trajectory.invariants | trajectory.balances).items():
         count = 1 if np.ndim(values) == 1 else np.shape(values)[1]

@@ -89,7 +89,9 @@ def _state_variables(trajectory: Trajectory, batch: list[str]) -> Named:
     for name, part in layout.scalars.items():
         note = {"units": part.unit, "long_name": part.meaning, "role": "state", "place": layout.place(name).start}
         variables[name] = ([*batch, "time"], np.asarray(layout.part(trajectory.states, name)), note)
-    if trajectory.momentum is None and trajectory.attitude is None and not layout.scalars:
+    if trajectory.momentum is None and trajectory.attitude is None and not layout.scalars and (
+        "angular_velocity" not in layout.names
+    ):
         dims = [*batch, "time", *(f"component_{k}" for k in range(layout.axes))]
         variables["state"] = (dims, np.asarray(trajectory.states), {"long_name": "point of the dual"})
     return variables

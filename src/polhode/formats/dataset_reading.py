@@ -17,7 +17,7 @@ from polhode.formats.labels import AttitudeLabels, Recording
 from polhode.formats.opening import MB, check_is_file, is_folder
 from polhode.formats.zarr_gate import check_store
 from polhode.motion.frame import BodyFrame
-from polhode.motion.layout import ATTITUDE, MOMENTUM, Quantity, StateLayout, StatePart
+from polhode.motion.layout import ANGULAR_VELOCITY, ATTITUDE, MOMENTUM, Quantity, StateLayout, StatePart
 from polhode.motion.outcome import Ending, Outcome
 from polhode.motion.trajectory import Trajectory
 from polhode.types import Array
@@ -134,7 +134,7 @@ def _states(arrays: dict[str, Array], components: dict[str, dict[str, Any]], own
     vectors = [part for part in (ATTITUDE, MOMENTUM) if part.name in arrays]
     if named and min(note["place"] for note in components.values()) == 0:
         vectors = []
-    parts = [*vectors, *named]
+    parts = [*vectors, *named] or [ANGULAR_VELOCITY]
     columns = [arrays[part.name] if part.size > 1 else arrays[part.name][..., None] for part in parts]
     return StateLayout(tuple(parts)), np.concatenate(columns, axis=-1)
 

@@ -13,7 +13,6 @@ from pydantic import AfterValidator, BeforeValidator, Field, StrictBool, StrictI
 from polhode import rotation
 from polhode.errors import shown
 from polhode.spec.units import EXAMPLES, parse_quantity
-from polhode.types import Float64
 
 LARGEST = sys.float_info.max
 
@@ -87,22 +86,10 @@ def _attitude(value: Any) -> tuple[float, ...]:
 def _by_euler_angles(table: dict[str, Any]) -> tuple[float, ...]:
     """Return the turns about the body's own axes, one after the other (capitals), or about those of space."""
     sequence, angles = table["sequence"], table["angles"]
-    letters = sequence.lower() if isinstance(sequence, str) and sequence in (sequence.lower(), sequence.upper()) else ""
-    if len(letters) != 3 or set(letters) - set("xyz") or letters[0] == letters[1] or letters[1] == letters[2]:
-        raise ValueError(
-            'sequence must be three of x, y, z, no two alike next to each other: capitals, like "ZXZ", turn about the '
-            f'body\'s own axes one after the other, small letters about the axes of space; got {shown(sequence)}'
-        )
     if not isinstance(angles, list) or len(angles) != 3:
         raise ValueError(f'angles must be three, like ["10 deg", "20 deg", "30 deg"]; got {shown(angles)}')
     sizes = [parse_quantity(angle, "rad") for angle in angles]
-    turns = [_turn("xyz".index(letter), size) for letter, size in zip(letters, sizes, strict=True)]
-    first, second, third = turns if sequence.isupper() else turns[::-1]
-    return tuple(rotation.multiply(rotation.multiply(first, second), third).tolist())
-
-
-def _turn(axis: int, angle: float) -> Float64[np.ndarray, "4"]:
-    return rotation.from_rotation_vector(angle * np.eye(3)[axis])
+    return tuple(rotation.from_euler_angles(sizes, sequence).tolist())
 
 
 def _by_axis_and_angle(table: dict[str, Any]) -> tuple[float, ...]:

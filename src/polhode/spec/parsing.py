@@ -18,14 +18,14 @@ _QUOTED_DOT = re.compile(r"[\"'][ \t]*\.|\.[ \t]*[\"']")
 REMEDY = "Values with units stand in quotes."
 
 
-def read_tables(path: Path) -> dict[str, Any]:
-    """Return what a TOML file holds.
+def read_tables(path: Path, kind: str = "spec") -> dict[str, Any]:
+    """Return what a TOML file holds; ``kind`` says what it should be, for messages.
 
     Raises:
         InvalidInput: if it is missing, not a regular file, or cannot be read.
         FormatError: if it is not TOML, too large or too deeply nested.
     """
-    text = read_text(path, "spec", LARGEST)
+    text = read_text(path, kind, LARGEST)
     if _longest_key(text) > DOTS:
         raise FormatError(f"{path}: has a key of more than {DOTS} names with dots between. A spec needs three.")
     try:

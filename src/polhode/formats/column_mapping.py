@@ -1,0 +1,202 @@
+"""Which columns of a plain table mean what, in the words of the options of ``polhode import``.
+
+Nothing is assumed that would change the motion: units, the place of a quaternion's scalar and the sequence of Euler
+angles have to be said, here or by the names of the columns.
+"""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, fields
+from typing import Any
+
+import numpy as np
+
+from polhode import rotation
+from polhode.errors import InvalidInput, shown
+from polhode.formats.header_words import ANGLE_UNITS, RATE_UNITS, TIME_UNITS, unit_named
+
+Columns = tuple[str | int, ...]
+ORDERS = ("wxyz", "xyzw")
+DIRECTIONS = ("body-to-space", "space-to-body")
+DECIMALS = ("point", "comma")
+
+
+@dataclass(frozen=True)
+class ColumnMapping:
+    """What the columns of a plain table are; a column is given by its name, or its number from 1.
+
+    Attributes:
+        time: the column of the times.
+        time_unit: "s", "ms", "us", "ns" or "min"; None where the column's name says it, as "t [s]" or "time_ms" do.
+        quat: the four columns of the attitude quaternion, as names or numbers with commas between, or a sequence.
+        order: "wxyz" or "xyzw", what these columns are in their order; None where their names end in w, x, y and z.
+        direction: "body-to-space" where the rotation takes components along the body's axes to those along the axes
+            of space, else "space-to-body"; None is the first.
+        euler: the three columns of Euler angles, in the order of ``sequence``, instead of a quaternion.
+        sequence: of the turns, as ``rotation.from_euler_angles`` takes it: capitals about the body's own axes.
+        gyro: the three columns of the angular velocity along the body's axes x, y and z.
+        unit: of the angles ("deg", "rad"), of the angular velocity ("deg/s", "rad/s", "rpm"), or both with a comma
+            between; None where the names say them.
+        decimal: "point", or "comma" for numbers like 0,5; None is the first.
+
+    Raises:
+        InvalidInput: with a line for each word that is wrong or missing.
+
+    >>> mapping = ColumnMapping("t", time_unit="ms", quat="qw,qx,qy,qz", gyro=(6, 7, 8), unit="deg/s")
+    >>> mapping.quat, mapping.gyro, mapping.rate_unit
+    (('qw', 'qx', 'qy', 'qz'), (6, 7, 8), 'deg/s')
+    """
+
+    time: str | int
+    time_unit: str | None = None
+    quat: str | Sequence[str | int] | None = None
+    order: str | None = None
+    direction: str | None = None
+    euler: str | Sequence[str | int] | None = None
+    sequence: str | None = None
+    gyro: str | Sequence[str | int] | None = None
+    unit: str | Sequence[str] | None = None
+    decimal: str | None = None
+
+    def __post_init__(self) -> None:
+        problems: list[str] = []
+        for name, wanted in (("quat", 4), ("euler", 3), ("gyro", 3)):
+            object.__setattr__(self, name, _columns(getattr(self, name), name, wanted, problems))
+        object.__setattr__(self, "unit", _units(self.unit, problems))
+        problems += [*self._wrong_words(), *self._wrong_together()]
+        if problems:
+            raise InvalidInput(*problems)
+
+    @property
+    def angle_unit(self) -> str | None:
+        """What ``unit`` says of Euler angles."""
+        return next((unit for unit in self.unit or () if unit in ANGLE_UNITS), None)
+
+    @property
+    def rate_unit(self) -> str | None:
+        """What ``unit`` says of the angular velocity."""
+        return next((unit for unit in self.unit or () if unit in RATE_UNITS), None)
+
+    @property
+    def is_backward(self) -> bool:
+        """Whether the attitude is the rotation from space to body."""
+        return self.direction == DIRECTIONS[1]
+
+    @property
+    def attitude(self) -> Columns:
+        """The columns of the attitude, none where there is none."""
+        return tuple(self.quat or self.euler or ())
+
+    def _wrong_words(self) -> Iterator[str]:
+        if not _is_column(self.time):
+            yield f'time must be the name of a column, like "t", or its number from 1; got {shown(self.time)}.'
+        words = {"time_unit": tuple(TIME_UNITS), "order": ORDERS, "direction": DIRECTIONS, "decimal": DECIMALS}
+        for name, choices in words.items():
+            value = getattr(self, name)
+            if value is not None and value not in choices:
+                yield f"{name} must be one of {', '.join(choices)}; got {shown(value)}."
+        if self.sequence is not None:
+            try:
+                rotation.from_euler_angles(np.zeros(3), self.sequence)
+            except InvalidInput as error:
+                yield f"{error}."
+
+    def _wrong_together(self) -> Iterator[str]:
+        """Yield what is missing, or said of what is not there."""
+        if not (self.quat or self.euler or self.gyro):
+            yield "no column is an attitude or an angular velocity. Name them by quat, euler or gyro."
+        if self.quat and self.euler:
+            yield "quat and euler are both given, and both are the attitude. Leave one out."
+        if self.order and not self.quat:
+            yield "order is that of a quaternion, and quat is not given. Give it, or leave order out."
+        if self.euler and not self.sequence:
+            yield 'euler needs sequence, the axes of the turns in the order of the columns, like "ZYX".'
+        if self.sequence and not self.euler:
+            yield "sequence is that of Euler angles, and euler is not given. Give it, or leave sequence out."
+        if self.euler and self.sequence and (doubt := _reversed_names(self.euler, self.sequence)):
+            yield doubt
+        if self.direction and not self.attitude:
+            yield "direction is that of an attitude, and neither quat nor euler is given. Leave it out."
+        for unit, kind, name in ((self.angle_unit, "of angles", "euler"), (self.rate_unit, "of a rate", "gyro")):
+            if unit and not getattr(self, name):
+                yield f"unit {unit} is one {kind}, and {name} is not given. Give it, or leave the unit out."
+
+
+def mapping_of_words(words: Mapping[str, Any]) -> ColumnMapping:
+    """Return the mapping that has these words.
+
+    Raises:
+        InvalidInput: for words that are not those of a mapping, and as the mapping itself does.
+    """
+    known = [field.name for field in fields(ColumnMapping)]
+    problems = []
+    for name in words:
+        if name not in known:
+            near = difflib.get_close_matches(str(name).replace("-", "_"), known, 1)
+            hint = f"did you mean {near[0]}?" if near else f"choose from {', '.join(known)}."
+            problems.append(f"{shown(name)} is not a word of a mapping; {hint}")
+    if problems:
+        raise InvalidInput(*problems)
+    return ColumnMapping(**{"time": None, **words})
+
+
+
+def _is_column(value: Any) -> bool:
+    if isinstance(value, str):
+        return bool(value.strip())
+    return isinstance(value, int) and not isinstance(value, bool) and value >= 1
+
+
+def _columns(given: Any, name: str, wanted: int, problems: list[str]) -> Columns | None:
+    """Return columns as a tuple, and note what is wrong with them."""
+    if given is None:
+        return None
+    example = {"quat": "qw,qx,qy,qz", "euler": "yaw,pitch,roll", "gyro": "gx,gy,gz"}[name]
+    found = tuple(word.strip() for word in given.split(",")) if isinstance(given, str) else given
+    if not isinstance(found, list | tuple) or not all(map(_is_column, found)):
+        problems.append(f'{name} must be columns by name or number, like "{example}"; got {shown(given)}.')
+    elif len(found) != wanted:
+        problems.append(f'{name} must be {wanted} columns, like "{example}"; got {len(found)}, {shown(given)}.')
+    elif len(set(map(str, found))) < wanted:
+        problems.append(f"{name} must be {wanted} different columns; got {shown(given)}.")
+    return tuple(found) if isinstance(found, list | tuple) else ()
+
+
+def _units(given: Any, problems: list[str]) -> tuple[str, ...] | None:
+    """Return the units by the names that we have for them, and note what is wrong with them."""
+    if given is None:
+        return None
+    words = [word.strip() for word in given.split(",")] if isinstance(given, str) else given
+    if not isinstance(words, list | tuple) or not all(isinstance(word, str) for word in words):
+        problems.append(f'unit must be words, like "deg/s" or "deg,deg/s"; got {shown(given)}.')
+        return None
+    found: list[str] = []
+    for word in words:
+        unit = unit_named(word, RATE_UNITS) or unit_named(word, ANGLE_UNITS)
+        if unit is None:
+            choices = ", ".join((*ANGLE_UNITS, *RATE_UNITS))
+            problems.append(f"unit must be one of {choices}; got {shown(word)}.")
+        else:
+            found.append(unit)
+    for table, kind in ((ANGLE_UNITS, "angles"), (RATE_UNITS, "rates")):
+        if sum(unit in table for unit in found) > 1:
+            problems.append(f"unit has two units of {kind}; got {shown(given)}. Give one of each kind at most.")
+    return tuple(found)
+
+
+def _reversed_names(columns: Sequence[str | int], sequence: str) -> str:
+    """Return what to say where columns are named in the opposite order of the turns; "" where nothing is.
+
+    "roll, pitch, yaw" with "ZYX" usually means turns by yaw, pitch and roll, one after the other; taken as it stands
+    roll would be about z.
+    """
+    named = [next((word for word in ("roll", "pitch", "yaw") if word in str(name).lower()), "") for name in columns]
+    if named != ["roll", "pitch", "yaw"] or sequence.lower() != "zyx":
+        return ""
+    turned = ",".join(map(str, reversed(columns)))
+    return (
+        f"euler must have its columns in the order of the turns: {sequence} begins with one about {sequence[0]}, which "
+        f'is rarely roll. Write euler "{turned}", or give the columns by number if they are meant so.'
+    )

@@ -1,0 +1,136 @@
+"""Numbers of a plain table as times, attitudes and rates, checked, and the account of how they were understood."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+
+from polhode import rotation
+from polhode.errors import FormatError
+from polhode.formats.aem_attitudes import FAR_FROM_UNIT
+from polhode.formats.column_mapping import ColumnMapping
+from polhode.formats.header_words import IN_RADIANS
+from polhode.formats.plain_table import PlainTable
+from polhode.types import Array, Float64
+
+CLEAR_TURN = 1.0  # rad between samples; where it is more, differences say little about rates
+
+
+class Understood(NamedTuple):
+    """How a table was understood.
+
+    Attributes:
+        header: where its columns are named.
+        delimiter: what stands between them.
+        time, attitude, angular_velocity: which columns these are, in which unit and direction; None for none.
+        samples: how many lines are read.
+        first, last: times [s].
+        left_out: how many lines have no values.
+        repeated: how many only repeat the one before.
+        largest_deviation: of |q| from 1; None without quaternions.
+        rates_apart: by how much the rates differ from how fast the attitude turns, relative, both as root mean squares;
+            None where one is missing or the samples are too far apart.
+        notes: where the file says something else than the mapping.
+    """
+
+    header: str
+    delimiter: str
+    time: str
+    attitude: str | None
+    angular_velocity: str | None
+    samples: int
+    first: float
+    last: float
+    left_out: int
+    repeated: int
+    largest_deviation: float | None
+    rates_apart: float | None
+    notes: tuple[str, ...]
+
+
+def rising(path: Path, times: Float64[Array, "rows"], table: PlainTable) -> np.ndarray:
+    """Return which rows to keep (n,): those that do not only repeat the one before.
+
+    Raises:
+        FormatError: naming the line of a time that is not after the one before it.
+    """
+    if not np.isfinite(times).all():
+        line = table.lines[int(np.argmin(np.isfinite(times)))]
+        raise FormatError(f"{path}, line {line}: its time is too large for a number of seconds. Check its unit.")
+    steps, same = np.diff(times), np.zeros(len(times), dtype=bool)
+    same[1:] = (table.numbers[1:] == table.numbers[:-1]).all(axis=1)
+    wrong = ~((steps > 0) | same[1:])
+    if wrong.any():
+        row = int(np.argmax(wrong)) + 1
+        now, before = table.lines[row], table.lines[row - 1]
+        how = "the same as" if steps[row - 1] == 0 else "before"
+        raise FormatError(
+            f"{path}, line {now}: its time, {times[row]:.9g} s, is {how} that of line {before}, "
+            f"{times[row - 1]:.9g} s. Times must rise; sort the lines, or delete those that come again."
+        )
+    return ~same
+
+
+def attitude_of(
+    path: Path, table: PlainTable, values: Float64[Array, "rows columns"], mapping: ColumnMapping, letters: str,
+    angle_unit: str,
+) -> tuple[Float64[Array, "rows 4"], float | None]:  # fmt: skip
+    """Return the attitude (n, 4), body → space, and by how much |q| is off 1 at most, None of Euler angles.
+
+    Args:
+        path: for messages.
+        table: for the numbers of lines.
+        values: the columns of the attitude.
+        mapping: what they are.
+        letters: the order of a quaternion's columns.
+        angle_unit: of Euler angles.
+
+    Raises:
+        FormatError: naming the line of what is not a unit quaternion.
+    """
+    deviation = None
+    if mapping.sequence:
+        found = rotation.from_euler_angles(values * IN_RADIANS[angle_unit], mapping.sequence)
+    else:
+        found = values[:, [letters.index(letter) for letter in "wxyz"]]
+        with np.errstate(over="ignore"):  # an infinite length is not one
+            lengths = np.linalg.norm(found, axis=-1)
+        off = np.abs(lengths - 1.0)
+        deviation = float(off.max())
+        if deviation > FAR_FROM_UNIT:
+            row = int(np.argmax(off > FAR_FROM_UNIT))
+            raise FormatError(
+                f"{path}, line {table.lines[row]}: a quaternion must have length 1 to {FAR_FROM_UNIT:g}; got "
+                f"{lengths[row]:.6g} from {values[row].tolist()}. Check which columns it has, or normalise them."
+            )
+        found = found / lengths[:, None]
+    return (rotation.conjugate(found) if mapping.is_backward else found), deviation
+
+
+def agreement(
+    times: Float64[Array, "rows"], attitude: Float64[Array, "rows 4"] | None, velocity: Float64[Array, "rows 3"] | None
+) -> float | None:
+    """Return by how much rates differ from how fast the attitude turns between samples, relative to the larger.
+
+    Of the right order, direction and units it is a little more than noise; of wrong ones it is about one.
+
+    >>> times = np.linspace(0.0, 1.0, 11)
+    >>> attitude = rotation.from_rotation_vector(times[:, None] * np.array([0.0, 0.0, 2.0]))
+    >>> found = [agreement(times, attitude, np.tile([0.0, 0.0, rate], (11, 1))) for rate in (2.0, -2.0)]
+    >>> [round(one, 6) for one in found]
+    [0.0, 2.0]
+    """
+    if attitude is None or velocity is None or len(times) < 2:
+        return None
+    turns = rotation.as_rotation_vector(rotation.multiply(rotation.conjugate(attitude[:-1]), attitude[1:]))
+    clear = np.linalg.norm(turns, axis=-1) < CLEAR_TURN
+    if not clear.any():
+        return None
+    with np.errstate(over="ignore", invalid="ignore"):  # of rates that no body has
+        turning = (turns / np.diff(times)[:, None])[clear]
+        given = 0.5 * (velocity[1:] + velocity[:-1])[clear]
+        size = max(float(np.sqrt(np.mean(x * x))) for x in (turning, given))
+        apart = float(np.sqrt(np.mean((turning - given) ** 2)))
+    return apart / size if 0.0 < size < np.inf and apart < np.inf else None

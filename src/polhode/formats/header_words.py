@@ -1,0 +1,73 @@
+"""What the name of a column says by itself: a unit, or which component it is."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterable, Mapping, Sequence
+
+TIME_UNITS = {
+    "s": ("sec", "secs", "second", "seconds"),
+    "ms": ("msec", "millisecond", "milliseconds"),
+    "us": ("usec", "µs", "μs", "microsecond", "microseconds"),
+    "ns": ("nsec", "nanosecond", "nanoseconds"),
+    "min": ("mins", "minute", "minutes"),
+}
+ANGLE_UNITS = {"deg": ("°", "degs", "degree", "degrees"), "rad": ("rads", "radian", "radians")}
+RATE_UNITS = {
+    "deg/s": ("°/s", "deg/sec", "degree/s", "degrees/s", "degrees/sec", "dps", "deg s-1", "deg s^-1", "deg_s",
+              "deg_per_s", "deg_per_sec"),
+    "rad/s": ("rad/sec", "radian/s", "radians/s", "radians/sec", "rad s-1", "rad s^-1", "rad_s",
+              "rad_per_s", "rad_per_sec"),
+    "rpm": ("rev/min", "r/min"),
+}  # fmt: skip
+"""Units by our name for them, with the other ways to write them; case does not matter."""
+PER_SECOND = {"ms": 1e3, "us": 1e6, "ns": 1e9}  # divided by, which rounds once
+IN_SECONDS = {"s": 1.0, "min": 60.0}
+IN_RADIANS = {"deg": math.pi / 180.0, "rad": 1.0, "deg/s": math.pi / 180.0, "rad/s": 1.0, "rpm": math.pi / 30.0}
+_BRACKETED = re.compile(r"(?P<name>.*?)\s*[\[(](?P<unit>[^\])]*)[\])]\s*")
+
+
+def unit_named(word: str, units: Mapping[str, Iterable[str]]) -> str | None:
+    """Return which of the units a word is, None for none.
+
+    >>> unit_named("Deg/Sec", RATE_UNITS), unit_named("Hz", RATE_UNITS)
+    ('deg/s', None)
+    """
+    word = " ".join(word.lower().split())
+    return next((unit for unit, others in units.items() if word == unit or word in others), None)
+
+
+def bare_name(name: str) -> str:
+    """Return the name of a column without a unit in brackets.
+
+    >>> bare_name("t [s]"), bare_name("Time (s)"), bare_name("time_ms")
+    ('t', 'Time', 'time_ms')
+    """
+    found = _BRACKETED.fullmatch(name)
+    return found["name"] if found and found["name"] else name.strip()
+
+
+def unit_in(name: str, units: Mapping[str, Iterable[str]]) -> str | None:
+    """Return which of the units the name of a column ends in: in brackets, or behind an underscore.
+
+    >>> unit_in("t [s]", TIME_UNITS), unit_in("time_ms", TIME_UNITS), unit_in("wx_rad_s", RATE_UNITS)
+    ('s', 'ms', 'rad/s')
+    >>> unit_in("gyro_x", RATE_UNITS), unit_in("gyros", TIME_UNITS)
+    (None, None)
+    """
+    if found := _BRACKETED.fullmatch(name):
+        return unit_named(found["unit"], units)
+    words = name.strip().lower().split("_")
+    endings = ["_".join(words[-k:]) for k in range(min(4, len(words) - 1), 0, -1)]  # the longest first
+    return next((unit for ending in endings if (unit := unit_named(ending, units))), None)
+
+
+def components_in(names: Sequence[str]) -> str | None:
+    """Return the letters w, x, y and z that four names end in, where each does in another.
+
+    >>> components_in(["q_x", "q_y", "q_z", "q_w"]), components_in(["q0", "q1", "q2", "q3"])
+    ('xyzw', None)
+    """
+    letters = "".join(bare_name(name)[-1:].lower() for name in names)
+    return letters if sorted(letters) == sorted("wxyz") else None

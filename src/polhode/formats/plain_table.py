@@ -1,0 +1,159 @@
+"""Numbers of chosen columns of a plain table, in blocks of lines by NumPy's reader, line by line where that fails."""
+
+from __future__ import annotations
+
+import io
+import re
+import warnings
+from collections.abc import Iterator, Sequence
+from itertools import islice
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+
+from polhode.errors import FormatError, shown
+from polhode.formats.numerals import read_number
+from polhode.formats.opening import MB, open_file
+from polhode.formats.table_form import HEAD, MOST_COMMENTS, Line, TableForm, cells_of, form_of, is_comment
+from polhode.types import Array, Float64, Integer
+
+LARGEST_FILE = 2000 * MB
+LONGEST_LINE = 1_000_000  # characters
+BLOCK = 50_000  # lines that are in memory as text at once
+MISSING = ("", "nan", "na", "n/a", "null", "none", "-")
+"""What stands in a cell without a number, in small letters."""
+_MAY_VANISH = re.compile(r"[eE]-\d{3}", re.ASCII)
+_DECIMAL_COMMA = re.compile(r"[+-]?\d*,\d+(?:[eE][+-]?\d+)?", re.ASCII)
+
+
+class PlainTable(NamedTuple):
+    """Columns of a table.
+
+    Attributes:
+        numbers: (n, k), NaN where a cell is blank or NaN.
+        lines: (n,) the number of the line of each row.
+    """
+
+    numbers: Float64[Array, "rows columns"]
+    lines: Integer[Array, "rows"]
+
+
+def table_form(path: Path) -> TableForm:
+    """Return how a table is laid out.
+
+    Raises:
+        InvalidInput: for what is missing, not a regular file, or cannot be read.
+        FormatError: for what is not text, or not a table.
+    """
+    return form_of(path, list(islice(_lines_of(path), MOST_COMMENTS + HEAD)))
+
+
+def read_cells(path: Path, form: TableForm, columns: Sequence[int], decimal: str) -> PlainTable:
+    """Return the numbers of some columns.
+
+    Args:
+        path: of the table.
+        form: how it is laid out.
+        columns: which, from 0.
+        decimal: "point" or "comma".
+
+    Raises:
+        InvalidInput: as ``table_form`` does.
+        FormatError: naming line and column, for a cell that is neither a number nor blank, and for lines of another
+            number of cells.
+    """
+    numbers, places = [np.zeros((0, len(columns)))], [np.zeros(0, dtype=int)]
+    lines = (line for line in _lines_of(path) if line.number >= form.first and not is_comment(line.text))
+    while block := list(islice(lines, BLOCK)):
+        found = _by_numpy(block, form, columns, decimal)
+        numbers.append(_line_by_line(path, block, form, columns, decimal) if found is None else found)
+        places.append(np.array([line.number for line in block]))
+    return PlainTable(np.concatenate(numbers), np.concatenate(places))
+
+
+def _lines_of(path: Path) -> Iterator[Line]:
+    try:
+        with io.TextIOWrapper(open_file(path, "table", LARGEST_FILE), "utf-8-sig") as file:
+            number = 0
+            while text := file.readline(LONGEST_LINE + 1):
+                number += 1
+                if len(text) > LONGEST_LINE:
+                    raise FormatError(f"{path}, line {number}: has more than {LONGEST_LINE} characters.")
+                if "\0" in text:
+                    raise FormatError(f"{path}, line {number}: has a NUL byte, so it is not a text file. Save it as "
+                                      "UTF-8 text.")  # fmt: skip
+                yield Line(number, text.rstrip("\n"))
+    except UnicodeDecodeError:
+        why = "is not UTF-8 text, so it is not a table that can be read"
+        raise FormatError(f"{path}: {why}. Save it as UTF-8.") from None
+
+
+def _by_numpy(block: Sequence[Line], form: TableForm, columns: Sequence[int], decimal: str) -> Array | None:
+    """Return the numbers of a block, None where a cell or the number of cells needs a closer look."""
+    texts = [line.text for line in block]
+    sign = form.delimiter
+    if sign == " ":
+        regular = all(len(text.split()) == form.width for text in texts)
+    else:
+        regular = all(text.count(sign) == form.width - 1 for text in texts)
+    whole = "\n".join(texts)
+    if not regular or '"' in whole or _MAY_VANISH.search(whole):
+        return None
+    if decimal == "comma":
+        if "." in whole:
+            return None
+        whole = whole.replace(",", ".")
+    # a cell that is blank would end NumPy's reading
+    blank = re.compile(rf"(?m)(^|{re.escape(sign)})[ ]*(?={re.escape(sign)}|$)")
+    for attempt in (lambda: whole, lambda: blank.sub(r"\1nan", whole)):
+        try:
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                table = np.loadtxt(io.StringIO(attempt()), delimiter=None if sign == " " else sign, comments=None,
+                                   usecols=columns, ndmin=2)  # fmt: skip
+        except ValueError:
+            continue
+        if len(table) == len(block) and not np.isinf(table).any():
+            return table
+    return None
+
+
+def _line_by_line(path: Path, block: Sequence[Line], form: TableForm, columns: Sequence[int], decimal: str) -> Array:
+    found = np.empty((len(block), len(columns)))
+    for row, line in zip(found, block, strict=True):
+        try:
+            cells = cells_of(line.text, form.delimiter)
+        except ValueError as error:
+            raise FormatError(f"{path}, line {line.number}: {error}. Check the line.") from None
+        while len(cells) > form.width and not cells[-1]:
+            cells.pop()
+        if len(cells) != form.width:
+            hint = " Is the comma a decimal one? Then save it with semicolons." if form.delimiter == "," else ""
+            raise FormatError(f"{path}, line {line.number}: has {len(cells)} cells, and line {form.first} has "
+                              f"{form.width}. Check the line, or delete it.{hint}")  # fmt: skip
+        for k, column in enumerate(columns):
+            row[k] = _number(path, line.number, form, column, cells[column], decimal)
+    return found
+
+
+def _number(path: Path, line: int, form: TableForm, column: int, cell: str, decimal: str) -> float:
+    if cell.lower() in MISSING:
+        return np.nan
+    where = f"{path}, line {line}, {column_named(form, column)}"
+    if decimal == "comma" and "." in cell:
+        raise FormatError(f"{where}: {shown(cell)} has a point, and decimal commas are announced. Choose one of them.")
+    text = cell.replace(",", ".") if decimal == "comma" and _DECIMAL_COMMA.fullmatch(cell) else cell
+    try:
+        return read_number(text)
+    except ValueError as error:
+        remedy = "Correct it, or leave the cell blank."
+        if decimal == "point" and _DECIMAL_COMMA.fullmatch(cell):
+            remedy = "If its comma is a decimal one, say so by --decimal comma."
+        raise FormatError(f"{where}: {shown(cell)} {error}. {remedy}") from None
+
+
+def column_named(form: TableForm, column: int) -> str:
+    """Return how messages call a column, counted from 0."""
+    name = form.names[column] if form.names else ""
+    return f"column {column + 1} {shown(name)}" if name else f"column {column + 1}"
