@@ -30,6 +30,7 @@ PERIODS = 30
 DAY = 86400.0
 LISTED = (3.0, 10.0)  # orders up to which resonances are listed: at least, and at most where spin or orbit are faster
 LARGEST = 1e100  # of rates in rad/s; their squares stay within the range of numbers
+ABOUT = 2  # digits of exponents, which settle as slowly as ln t/t
 TOLERANCE = 1e-12  # of the samples' adaptive steps
 
 
@@ -122,9 +123,9 @@ class SpinOrbitReport(AbstractReport):
         spin_ratio = start_rate / n
         rate, chaotic = motion.exponent, motion.verdict == "chaotic"
         level = motion.regular_exponent(n)
-        exponent = f"{rate:.4g} /s = {rate / n:.4g} n"
+        exponent = f"{rate:.{ABOUT}g} /s = {rate / n:.{ABOUT}g} n"
         if not chaotic:
-            exponent += f"; a regular motion shows about {level:.4g} /s by then, falling as ln t/t"
+            exponent += f"; a regular motion shows about {level:.{ABOUT}g} /s by then, falling as ln t/t"
         kept = "none" if held is None else (
             f"in {ratio(held.order)}, about {_cleaned(math.degrees(held.angle)):.5g}° by "
             f"±{_cleaned(math.degrees(held.amplitude)):.5g}° at periapsis"
@@ -141,9 +142,9 @@ class SpinOrbitReport(AbstractReport):
             Answer("verdict", motion.verdict, "", "verdict", "", f"{motion.verdict} over {motion.orbits} orbits"),
             Answer("lyapunov_exponent", rate, "1/s", "Lyapunov exponent", "", exponent),
             Answer("regular_level", level, "1/s"),
-            Answer("lyapunov_time", lasting, "s", "its time 1/λ", "", _duration(lasting)),
+            Answer("lyapunov_time", lasting, "s", "its time 1/λ", "", _about(lasting)),
             Answer("predictable_time", self.predictable_time, "s", "predictable for about", "",
-                   _duration(self.predictable_time)),
+                   _about(self.predictable_time)),
             Answer("libration", None if held is None else held._asdict(), "rad", "libration", "at periapsis", kept),
             Answer("mean_rate", mean, "rad/s", "mean rotation", "",
                    f"{mean:.{digits}g} rad/s = {mean_ratio:.{digits}g} n"),
@@ -230,8 +231,12 @@ def _system(spec: Spec, table: SpinOrbitTable) -> SpinOrbit:
     return SpinOrbit.from_body(spec.body, orbit)
 
 
-def _duration(seconds: float | None) -> str | None:
-    return None if seconds is None else f"{seconds:.4g} s = {seconds / DAY:.4g} d"
+def _about(seconds: float | None) -> str | None:
+    """Return a time in words, with as few digits as exponents have."""
+    if seconds is None:
+        return None
+    short = lambda x: f"{float(f'{x:.{ABOUT}g}'):g}"  # noqa: E731
+    return f"{short(seconds)} s = {short(seconds / DAY)} d"
 
 
 def _cleaned(degrees: float) -> float:
