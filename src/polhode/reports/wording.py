@@ -18,6 +18,7 @@ PREFIXES = {1e-3: "m", 1e-6: "µ", 1e-9: "n", 1e-12: "p", 1e-15: "f"}
 LARGE_PREFIXES = {1e15: "P", 1e12: "T", 1e9: "G", 1e6: "M", 1e3: "k"}
 ARCSECONDS = math.radians(0.01)  # angles below it are read in them
 SLOW, FAST = 1e-4, 1e5  # rad/s; slower ones are read in degrees a day, faster ones in turns a second
+KEPT = {"momentum_norm": "|L|", "momentum_space": "L in space"}
 RAISED = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
@@ -194,4 +195,4 @@ def distinct(values: Any, unit: str = "") -> str:
 
 def drifts(values: dict[str, Any]) -> str:
     """Return drifts by name, the largest where each copy has its own."""
-    return ", ".join(f"{name.replace('_', ' ')} {float(np.max(x)):.1e}" for name, x in values.items())
+    return ", ".join(f"{KEPT.get(name, name.replace('_', ' '))} {float(np.max(x)):.1e}" for name, x in values.items())

@@ -162,12 +162,12 @@ class EulerDiskReport(AbstractReport):
         rolling, spinning = self.thresholds or (None, None)
         nutation = None if self.steady is None else self.steady.nutation
         ratio = nutation / abs(precession or math.inf) if nutation else None
-        small = f"{rate(nutation)} = {ratio:.6g} of the precession" if ratio else None
+        small = f"{rate(nutation)} = {ratio:.6g} times the precession" if ratio else None
         return Group("Start", [
             Answer("start.tilt", start["tilt"], "rad", "tilt from the plane"),
             Answer("start.heading", start["heading"], "rad"),
             Answer("start.precession", precession, "rad/s", "precession Ω of the contact"),
-            Answer("start.face_rate", float(self.disk.face_rate(state)), "rad/s", "turning of what is printed on it"),
+            Answer("start.face_rate", float(self.disk.face_rate(state)), "rad/s", "turning of a picture on its face"),
             Answer("start.spin", start["spin"], "rad/s", "spin about the axis"),
             Answer("start.tilt_rate", start["tilt_rate"], "rad/s", "rate of the tilt"),
             Answer("start.angular_velocity", math.hypot(*rates), "rad/s", "", "magnitude"),
@@ -198,7 +198,7 @@ class EulerDiskReport(AbstractReport):
             "law": lambda row: row["law"],
             "power at first": lambda row: f"{row['power']:.4g} W",
             "share": lambda row: f"{row['share']:.4g}",
-            "share late": lambda row: "–" if row["share_late"] is None else f"{row['share_late']:.4g}",
+            "share when fitted": lambda row: "–" if row["share_late"] is None else f"{row['share_late']:.4g}",
             "its exponent n": lambda row: _predicted(row["exponent"]),
         }
         units = {
