@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import sys
 from collections.abc import Callable
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
 import numpy as np
 from pydantic import AfterValidator, BeforeValidator, Field, StrictBool, StrictInt
@@ -16,6 +16,7 @@ from polhode.spec.units import EXAMPLES, parse_quantity
 from polhode.types import Float64
 
 LARGEST = sys.float_info.max
+SPEED_OF_LIGHT = 299792458.0  # m/s, exact by definition
 
 
 def _reader(unit: str, positive: bool = False) -> BeforeValidator:
@@ -95,7 +96,7 @@ def _by_euler_angles(table: dict[str, Any]) -> tuple[float, ...]:
         )
     if not isinstance(angles, list) or len(angles) != 3:
         raise ValueError(f'angles must be three, like ["10 deg", "20 deg", "30 deg"]; got {shown(angles)}')
-    sizes = [parse_quantity(angle, "rad") for angle in angles]
+    sizes = [_within_turns(angle) for angle in angles]
     turns = [_turn("xyz".index(letter), size) for letter, size in zip(letters, sizes, strict=True)]
     first, second, third = turns if sequence.isupper() else turns[::-1]
     return tuple(rotation.multiply(rotation.multiply(first, second), third).tolist())
@@ -105,10 +106,16 @@ def _turn(axis: int, angle: float) -> Float64[np.ndarray, "4"]:
     return rotation.from_rotation_vector(angle * np.eye(3)[axis])
 
 
+def _within_turns(value: Any) -> float:
+    """Return an angle [rad], less whole turns where there are many of them."""
+    angle = parse_quantity(value, "rad")
+    return angle if abs(angle) < 4.0 * math.pi else math.remainder(angle, 2.0 * math.pi)
+
+
 def _by_axis_and_angle(table: dict[str, Any]) -> tuple[float, ...]:
     axis = np.array(_direction(table["axis"]))
     axis = axis / np.abs(axis).max()  # squares of extreme lengths overflow
-    angle = parse_quantity(table["angle"], "rad")
+    angle = _within_turns(table["angle"])
     return tuple(rotation.from_rotation_vector(angle * axis / np.linalg.norm(axis)).tolist())
 
 
@@ -138,6 +145,31 @@ def _within(least: float, most: float, what: str) -> Callable[[float], float]:
         return value
 
     return check
+
+
+def _rotational_constant(value: Any) -> float:
+    """Return a frequency [Hz] of one that is given so, or as a wave number."""
+    try:
+        number = parse_quantity(value, "1/m") * SPEED_OF_LIGHT
+    except ValueError as error:
+        try:
+            number = parse_quantity(value, "Hz")
+        except ValueError:
+            raise ValueError(f'{error} or "{EXAMPLES["Hz"]}"') from None
+    if not number > 0:
+        raise ValueError(f"must be positive; got {shown(value)}. Check number and unit")
+    return number
+
+
+def _precession(value: Any) -> float | str:
+    if isinstance(value, str) and value in ("slow", "fast"):
+        return value
+    if value == "steady":
+        raise ValueError('must say which of the two steady precessions: "slow", the one mostly seen, or "fast"')
+    try:
+        return parse_quantity(value, "rad/s")
+    except ValueError as error:
+        raise ValueError(f'{error}; or "slow" or "fast", for steady precession') from None
 
 
 def _lean(value: float) -> float:
@@ -177,6 +209,7 @@ Mass = Annotated[float, _reader("kg", positive=True)]
 Density = Annotated[float, _reader("kg/m^3", positive=True)]
 Length = Annotated[float, _reader("m", positive=True)]
 Rate = Annotated[float, _reader("rad/s")]
+Precession = Annotated[float | Literal["slow", "fast"], BeforeValidator(_precession)]
 Angle = Annotated[float, _reader("rad")]
 Duration = Annotated[float, _reader("s", positive=True)]
 Coordinate = Annotated[float, _reader("m")]
@@ -188,6 +221,9 @@ Position = Annotated[tuple[Coordinate, Coordinate, Coordinate], _three("m")]
 Moments = Annotated[tuple[NotNegative, NotNegative, NotNegative], _three("kg*m^2")]
 InertiaRow = Annotated[tuple[Moment, Moment, Moment], _three("kg*m^2")]
 Inertia = Annotated[tuple[InertiaRow, InertiaRow, InertiaRow], BeforeValidator(_rows)]
+RotationalConstant = Annotated[float, BeforeValidator(_rotational_constant)]
+RotationalConstants = Annotated[tuple[RotationalConstant, RotationalConstant, RotationalConstant], _three("1/m")]
+Temperature = Annotated[float, _reader("K", positive=True)]
 Momentum = Annotated[tuple[MomentumComponent, MomentumComponent, MomentumComponent], _three("kg*m^2/s")]
 Rates = Annotated[tuple[Rate, Rate, Rate], _three("rad/s")]
 MeshUnit = Annotated[float, BeforeValidator(_mesh_unit)]

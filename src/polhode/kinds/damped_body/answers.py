@@ -102,13 +102,13 @@ class DampedBodyReport(AbstractReport):
         spent, left = (values[-1] / values[0] for values in (self.energy, self.momentum_norm))
         kept = "all" if self.inside else f"{left:.4g}"
         return (
-            f"L goes from {first:.5g}° to {last:.5g}° from the major axis; the body ends with {spent:.4g} of its "
-            f"energy and {kept} of its momentum."
+            f"The angle between the angular momentum L and the major axis goes from {first:.5g}° to {last:.5g}°; the "
+            f"body ends with {spent:.4g} of its energy and {kept} of its momentum."
         )
 
     @property
     def notes(self) -> list[str]:
-        notes = []
+        notes = [*self.spec.remarks]
         if self.inside and self.axes and self.angle_to_major_axis[-1] > math.radians(1.0):
             at = [k for k in (0, 1) if angle_to_axis(np.asarray(self.trajectory.momentum)[0], k) <= ON_AXIS]
             why = f"it starts exactly on axis {at[0] + 1}, where nothing pushes it off" if at else "it has not settled"
@@ -183,8 +183,8 @@ class DampedBodyReport(AbstractReport):
         expected = flat_spin_time(moments, start, self.damping / float(self.momentum_norm[0]))
         within = "L to stay within 5° of the major axis"
         return [
-            Answer("flat_spin_time.energy_sink", expected, "s", "to a flat spin, by mean losses", within),
-            Answer("flat_spin_time.motion", seen, "s", "to a flat spin, in the motion", f"{within}, at a sample",
+            Answer("flat_spin_time.energy_sink", expected, "s", "time to a flat spin, by mean losses", within),
+            Answer("flat_spin_time.motion", seen, "s", "time to a flat spin, in the motion", f"{within}, at a sample",
                    words),
         ]
 

@@ -45,6 +45,7 @@ class SpinOrbitReport(AbstractReport):
         resonances: p = 1/2, 1, … up to 3 or more.
         motion: exponent, verdict, mean rate and libration over thousands of orbits.
         section_orbits: how many the figure shows.
+        remarks: on how the spec was taken.
     """
 
     kind: ClassVar[str] = "spin-orbit"
@@ -54,6 +55,7 @@ class SpinOrbitReport(AbstractReport):
     resonances: list[Resonance]
     motion: SpinMotion
     section_orbits: int
+    remarks: tuple[str, ...] = ()
 
     @property
     def start(self) -> Float64[Array, "2"]:
@@ -163,14 +165,16 @@ class SpinOrbitReport(AbstractReport):
             found.append(
                 f"no more is known than {self.motion.orbits} orbits show; chaos may cling to an island for longer."
             )
-        return found
+        return [*self.remarks, *found]
 
     @property
     def summary(self) -> str:
         motion, n = self.motion, float(self.system.mean_motion)
         if motion.verdict == "chaotic":
             tenfold = math.log(10.0) / motion.exponent / float(self.system.orbit.period)
-            return f"Chaotic: neighbouring spins part tenfold every {tenfold:.3g} orbits."
+            return (
+                f"Chaotic: two spins that start almost alike differ ten times as much {tenfold:.2g} orbits later."
+            )
         sure = "Regular" if motion.verdict == "regular" else f"Undecided after {motion.orbits} orbits"
         if motion.libration is not None:
             held = motion.libration
@@ -207,7 +211,7 @@ def report_of(spec: Spec) -> SpinOrbitReport:
     trajectory = replace(simulate(system, state, times, progress=shown), frame=frame)
     return SpinOrbitReport(
         spec.body, system, trajectory, resonances(system, highest), spin_motion(system, state),
-        table.section_orbits,
+        table.section_orbits, spec.remarks,
     )  # fmt: skip
 
 
