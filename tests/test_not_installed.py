@@ -1,6 +1,9 @@
 """A library that is missing is one message, whose command names the library, for polhode may come from a clone."""
 
+import re
+import shlex
 import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -21,6 +24,9 @@ WAYS = {
 }
 
 
+PYTHON = re.escape(sys.executable)
+
+
 def motion():
     return ph.FreeMotion((1.0, 2.0, 3.0), (0.1, 1.0, 0.1)).sample(np.arange(3.0))
 
@@ -31,12 +37,27 @@ def test_the_library_is_named(name, tmp_path, monkeypatch):
     write_zarr(motion(), tmp_path / "old.zarr")
     monkeypatch.setitem(sys.modules, module, None)
     library = name.split(",")[0]
-    with pytest.raises(InvalidInput, match=rf'need {library}, which is not installed. Run `pip install .*"{library}>='):
+    said = rf'need {library}, which is not installed. Run `{PYTHON} -m pip install .*"{library}>='
+    with pytest.raises(InvalidInput, match=said):
         call(tmp_path)
     assert not (tmp_path / "new.zarr").exists()
 
 
 def test_without_metadata_the_library_alone_is_named():
     assert str(not_installed("Stores", "zarr", "none such", "Or not.")) == (
-        'Stores need zarr, which is not installed. Run `pip install "zarr"`. Or not.'
+        f'Stores need zarr, which is not installed. Run `{sys.executable} -m pip install "zarr"`. Or not.'
     )
+
+
+def test_a_python_in_a_folder_with_spaces_is_quoted(monkeypatch):
+    monkeypatch.setattr(sys, "executable", "/my programs/python")
+    command = str(not_installed("Stores", "zarr", "zarr")).split("`")[1]
+    assert shlex.split(command)[:4] == ["/my programs/python", "-m", "pip", "install"]
+
+
+def test_no_remedy_asks_for_polhode_from_an_index():
+    """Nothing in messages or docs installs polhode by its name, which works from no clone."""
+    root = Path(__file__).parents[1]
+    texts = [*root.glob("src/**/*.py"), *root.glob("docs/*.md"), root / "README.md", root / "CONTRIBUTING.md"]
+    asking = re.compile(r"pip install (-\S+ )*[\"']?polhode")
+    assert len(texts) > 100 and not [path for path in texts if asking.search(path.read_text("utf-8"))]

@@ -1,6 +1,7 @@
 """What can go wrong, in three kinds; every message names the value, the rule and the remedy."""
 
 import reprlib
+import sys
 from importlib import metadata
 from typing import Any
 
@@ -101,7 +102,7 @@ def not_installed(what: str, library: str, extra: str, otherwise: str = "") -> I
     """Return the error for a library that polhode only needs for some things, with the command that installs it.
 
     The command names the library itself with the lowest version that works, so it also helps those who installed
-    polhode from a clone.
+    polhode from a clone; and the Python that runs now, so that the library goes where it is missing.
 
     Args:
         what: needs the library, in the plural.
@@ -114,5 +115,6 @@ def not_installed(what: str, library: str, extra: str, otherwise: str = "") -> I
     except metadata.PackageNotFoundError:
         listed = []
     wanted = [line.split(";")[0].strip() for line in listed if line.endswith((f"== '{extra}'", f'== "{extra}"'))]
-    command = "pip install " + " ".join(f'"{one}"' for one in wanted or [library])
+    python = f'"{sys.executable}"' if " " in sys.executable else sys.executable or "python"
+    command = f"{python} -m pip install " + " ".join(f'"{one}"' for one in wanted or [library])
     return InvalidInput(f"{what} need {library}, which is not installed. Run `{command}`. {otherwise}".rstrip())

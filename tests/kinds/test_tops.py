@@ -134,3 +134,68 @@ def test_moments_that_are_equal_but_for_rounding(read):
     system = '[system]\nkind = "lagrange-top"\npivot = ["0 m", "0 m", "-0.2 m"]\nlean = "30 deg"'
     found = read(body, system, '[spin]\nrate = "9 rad/s"\nabout = "z"\n[time]\nuntil = "1 s"\nsamples = 5').report()
     assert np.ptp(found.exact.moments) == 0.0 and found.exact.moments[0] == pytest.approx(0.9, rel=1e-15)
+
+
+TOLD = '[spin]\nspin = "40 rev/s"\nprecession = "{}"\n[time]\nuntil = "0.2 s"\nsamples = 50'
+
+
+@pytest.mark.parametrize("which", ["slow", "fast"])
+def test_steady_precession_is_steady(read, which):
+    """To rounding of the exact motion, and as well as splitting follows it."""
+    exact = read(CONE, lagrange('lean = "30 deg"'), TOLD.format(which)).report()
+    assert exact.constant_tilt and np.abs(exact.tilt - np.radians(30.0)).max() < 1e-14
+    values = exact.as_json_dict()
+    assert values["spin_rate"] == pytest.approx(80.0 * np.pi, rel=1e-12)
+    assert values["precession_rate"] == pytest.approx(values["steady_precession"][which], rel=1e-12)
+    system = f'[system]\nkind = "heavy-top"\nlean = "30 deg"\n{PIVOT}'
+    split = read(CONE, system, TOLD.format(which).replace("0.2 s", "0.01 s")).report()
+    assert np.abs(split.tilt - np.radians(30.0)).max() < 1e-9
+
+
+def test_a_top_let_go_halts_in_cusps_and_one_that_is_pushed_does_not(read):
+    regimes = {'spin = "30 rev/s"': "cusp", 'spin = "30 rev/s"\nprecession = "-2 rad/s"': "loop"}
+    for spin, regime in regimes.items():
+        assert read(CONE, lagrange('lean = "30 deg"'), f"[spin]\n{spin}").report().values()["regime"] == regime
+
+
+def test_the_start_has_the_rates_that_are_given(read):
+    spin = '[spin]\nspin = "9 rad/s"\nprecession = "0.5 rad/s"\nnutation_rate = "0.2 rad/s"\n'
+    short = '[time]\nuntil = "1e-6 s"\nsamples = 3'
+    report = read(BOX, f'[system]\nkind = "heavy-top"\nlean = "40 deg"\n{PIVOT}', spin + short).report()
+    axis, tilt, times = report.axis_in_space, report.tilt, report.trajectory.times
+    azimuth = np.unwrap(np.arctan2(axis[:, 1], axis[:, 0]))
+    assert np.diff(azimuth[[0, 2]]) / times[2] == pytest.approx(0.5, rel=1e-4)
+    assert np.diff(tilt[[0, 2]]) / times[2] == pytest.approx(0.2, rel=1e-4)
+    along = np.asarray(report.trajectory.angular_velocity)[0] @ np.asarray(report.top.axis)
+    assert along == pytest.approx(9.0 + 0.5 * np.cos(np.radians(40.0)), rel=1e-14)
+
+
+@pytest.mark.parametrize(
+    ("spin", "words"),
+    [
+        ('spin = "1 rev/s"\nprecession = "slow"', "the least spin is"),
+        ('spin = "40 rev/s"\nprecession = "steady"', "which of the two steady precessions"),
+        ('spin = "40 rev/s"\nprecession = "3 kg"', 'or "slow" or "fast"'),
+        ('spin = "40 rev/s"\nprecession = "slow"\nnutation_rate = "1 rpm"', "keeps the tilt"),
+        ('spin = "40 rev/s"\nframe = "given"', "frame goes with the components"),
+        ('spin = "40 rev/s"\nabout = "z"', "about and tilt go with rate, not with spin"),
+        ('spin = "40 rev/s"\nrate = "1 rpm"\nabout = "z"', "or of a top spin, precession and nutation_rate together"),
+        ('spin = "1e200 rad/s"', "must give an energy below"),
+    ],
+)
+def test_spins_of_tops_that_say_it_wrong(read, spin, words):
+    with pytest.raises(InvalidInput, match=words):
+        read(CONE, lagrange('lean = "30 deg"'), f"[spin]\n{spin}").report()
+
+
+def test_a_level_axis_has_one_steady_precession(read):
+    values = read(CONE, lagrange('lean = "90 deg"'), TOLD.format("slow")).report().as_json_dict()
+    mgl, I3 = 0.06 * 9.80665 * 0.03, 0.3 * 0.06 * 9e-4
+    assert values["precession_rate"] == pytest.approx(mgl / (I3 * 80.0 * np.pi), rel=1e-12)
+    with pytest.raises(InvalidInput, match="one steady precession alone"):
+        read(CONE, lagrange('lean = "90 deg"'), TOLD.format("fast")).report()
+
+
+def test_other_bodies_have_no_vertical(read):
+    with pytest.raises(InvalidInput, match="spin tells how a top goes about the vertical, which the system free-body"):
+        read('moments = ["1 kg*m^2", "1 kg*m^2", "1 kg*m^2"]', "", '[spin]\nspin = "1 rpm"')

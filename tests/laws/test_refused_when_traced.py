@@ -34,6 +34,7 @@ THREE, FOUR, EYE = np.array([1.0, 2.0, 2.5]), np.array([1.0, 0.0, 0.0, 0.0]), np
 SIX, AXIS = np.array([1.0, 2.0, 3.0, 2.0, 3.0, 5.0]), np.array([0.0, 1.0, 0.0])
 BODY, SO3 = systems.FreeRigidBody(THREE), algebra.SO3()
 TOP, DISK = systems.HeavyTop(THREE, 1.0), systems.EulerDisk(1.0, 0.1)
+SYMMETRIC_TOP = systems.HeavyTop((1.0, 1.0, 0.5), 1.0)
 ROTOR, LOSING = systems.Gyrostat(THREE, THREE), systems.DoubleBracket(THREE, 0.1)
 SPIN, ROLLING = systems.SpinOrbit(0.3, 0.1), systems.EulerDisk(1.0, 0.1).rolling_state(0.3)
 SOLID, TIMES, TURNS = ph.Body.from_moments(1.0, 2.0, 2.5), np.arange(12.0), np.tile(FOUR, (12, 1))
@@ -115,6 +116,11 @@ REFUSED = {
     "axial_spin": (THREE, lambda x: analysis.axial_spin(TOP, x)),
     "top_period": (THREE, lambda x: analysis.top_period(TOP, x)),
     "keeps_its_tilt": (THREE, lambda x: analysis.keeps_its_tilt(swinging(x))),
+    "top_velocity": (0.3, lambda x: analysis.top_velocity(TOP, FOUR, x)),
+    "steady_precession_at": (0.3, lambda x: analysis.steady_precession_at(SYMMETRIC_TOP, x, 9.0)),
+    "thermal_momentum": (THREE, lambda x: analysis.thermal_momentum(x, 300.0)),
+    "rotational_temperature": (THREE, analysis.rotational_temperature),
+    "Body.from_rotational_constants": (2.0, lambda x: ph.Body.from_rotational_constants(x, 2.0, 1.5)),
     "steady_precession_of": (THREE, lambda x: analysis.steady_precession_of(swinging(x))),
     "EulerDisk.state": (0.3, lambda x: DISK.state(x, 0.0, 1.0, 1.0)),
     "steady_rolling": (0.3, lambda x: analysis.steady_rolling(DISK, x)),
@@ -168,6 +174,7 @@ REFUSED = {
     "mean_quaternion": (TURNS, alignment.mean_quaternion),
     "compare": (TURNS, lambda x: comparison.compare(comparison.AttitudeHistory("a", TIMES, x), HISTORY)),
     "steady_precession": (0.3, lambda x: tops.steady_precession((1.0, 1.0, 0.5), 1.0, x, 5.0)),
+    "least_spin_rate": (0.3, lambda x: tops.least_spin_rate((1.0, 1.0, 0.5), 1.0, x)),
     "sleeping_threshold": (1.0, lambda x: tops.sleeping_threshold((1.0, 1.0, 0.5), x)),
     "polhode": (THREE, lambda x: polhodes.polhode(moving(x), 8)),
     "level_segments": (THREE, lambda x: polhodes.level_segments(x, 1.0, 1.0)),

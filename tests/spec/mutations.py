@@ -6,8 +6,13 @@ import math
 import re
 import tomllib
 from pathlib import Path
+from typing import get_args
 
 from hypothesis import strategies as st
+from pydantic import BaseModel
+
+from polhode.kinds.registry import find_kind, kind_names
+from polhode.spec.models import SpecFile
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 FILES = ("t_handle.stl", "water.xyz")
@@ -37,6 +42,25 @@ parts = [
 rate = "2 rad/s"
 about = "x"
 tilt = "90 deg"
+""",
+    "vibrating": """
+[body]
+rotational_constants = ["27.8806 1/cm", "435.348 GHz", "9.2778 1/cm"]
+allow_vibration = true
+[spin]
+temperature = "26.85 degC"
+""",
+    "precessing": """
+[system]
+kind = "lagrange-top"
+pivot = ["0 m", "0 m", "-1 m"]
+[body]
+moments = ["1 kg*m^2", "1 kg*m^2", "1.5 kg*m^2"]
+mass = "1 kg"
+[spin]
+spin = "20 rad/s"
+precession = "slow"
+attitude = {axis = [0, 0, 1], angle = "20 deg"}
 """,
     "disk": """
 [system]
@@ -71,14 +95,24 @@ UNITS = [
     "blorp", "1", "rad rad/s", "count",
 ]  # fmt: skip
 QUANTITY = re.compile(r"([-+]?[.\d][-+.\deE]*)\s*(.*)", re.DOTALL)
-KEYS = """name body spin time export system kind mesh mesh_unit repair several density mass moments inertia parts
-molecule urdf link angular_velocity momentum frame rate about tilt attitude until samples shape at axis size
-semi_axes radius inner_radius height length pivot gravity lean step order rotor_axis rotor_moment rotor_rate
-rotor_drive motor_torque damping linear_drag quadratic_drag orbital_period eccentricity semi_major_axis
-gravitational_parameter asphericity angle spin_ratio section_orbits thickness axial_moment diametral_moment
-heading precession spin tilt_rate center_velocity dissipation law viscosity coefficient arm epoch
-time_system spice_id body_frame reference_frame object_name""".split()
-KINDS = ["free-body", "heavy-top", "lagrange-top", "gyrostat", "damped-body", "spin-orbit", "euler-disk"]
+KINDS = sorted(name for name in kind_names() if type(find_kind(name)).__module__.startswith("polhode."))
+IN_AN_ATTITUDE = ["sequence", "angles"]
+
+
+def keys_of(model):
+    """Yield the keys of a table, and those of the tables in it."""
+    for name, field in model.model_fields.items():
+        yield name
+        inner = [field.annotation]
+        while inner:
+            one = inner.pop()
+            inner += get_args(one)
+            if isinstance(one, type) and issubclass(one, BaseModel):
+                yield from keys_of(one)
+
+
+OF_KINDS = {key for name in KINDS for key in keys_of(find_kind(name).table)}
+KEYS = sorted({"system", *IN_AN_ATTITUDE, *keys_of(SpecFile), *OF_KINDS})
 STRANGE_KEYS = ["", " ", "a.b", "\x1b[2J", "[red]", "ключ", "k" * 3000, '"', "\u202e", "__class__", "0"]
 VALUES = [
     True, False, 0, 1, -1, 2, 3, 10**400, -(10**30), 0.0, -0.0, 1e308, 5e-324, math.inf, -math.inf, math.nan, 0.5,
@@ -87,7 +121,7 @@ VALUES = [
     "../" * 2000, "a\nb",
     [], [[]], [1], [1, 2, 3], [0, 0, 0], [1e308, 1e308, 1e308], [1e-300, 0, 0], [1, 0, 0, 0],
     [1e-300, 1e-300, 0, 1e-300], ["1 m"] * 3, ["1 kg*m^2"] * 3, ["1e-300 kg*m^2"] * 3, ["1e300 kg*m^2"] * 3,
-    [["1 kg*m^2"] * 3] * 3, [{}], {}, {"a": {}}, {"kind": "euler-disk"},
+    [["1 kg*m^2"] * 3] * 3, "slow", "steady", [{}], {}, {"a": {}}, {"kind": "euler-disk"},
     datetime.date(1, 1, 1), datetime.time(1, 2), datetime.datetime(9999, 12, 31, 23, 59, 59), datetime.datetime(
         1, 1, 1, tzinfo=datetime.timezone(datetime.timedelta(hours=14))), datetime.datetime(
         9999, 12, 31, tzinfo=datetime.timezone(datetime.timedelta(hours=-14))),

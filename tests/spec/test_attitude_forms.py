@@ -41,6 +41,13 @@ def test_axis_and_angle(axis):
     assert np.abs(matrix({"axis": axis, "angle": "40 deg"}) - wanted).max() < 1e-15
 
 
+@pytest.mark.parametrize("turns", [2, -3, 1000])
+def test_whole_turns_change_nothing(turns):
+    plain, more = (matrix({"axis": [1, 2, 2], "angle": f"{angle} deg"}) for angle in (40.0, 40.0 + 360.0 * turns))
+    assert np.abs(plain - more).max() < 2e-12
+    assert np.isfinite(matrix({"sequence": "ZXZ", "angles": ["1e160 deg", "1e300 rad", "-1e99 deg"]})).all()
+
+
 @pytest.mark.parametrize(
     ("value", "words"),
     [

@@ -18,7 +18,7 @@ from polhode.kinds.reading import read_spec
 from polhode.reports.about import about_body
 from polhode.reports.answer import values_of
 from polhode.reports.base import plain
-from spec.mutations import CHANGE, EXAMPLES, FILES, bases, mutated
+from spec.mutations import CHANGE, EXAMPLES, FILES, KEYS, KINDS, bases, mutated
 
 LONGEST_MESSAGE = 2000  # characters
 LONGEST_WAIT = 10  # s of the processor, so that a busy machine changes nothing
@@ -146,6 +146,12 @@ def test_a_case_that_does_not_end_is_noticed(monkeypatch):
     with pytest.raises(TimeoutError), limited():
         while True:
             pass
+
+
+def test_every_key_is_drawn():
+    """Also those of the tables of kinds, in lists and in inner tables."""
+    of_lists = {"shape", "law", "coefficient", "temperature", "precession", "allow_vibration", "damping_time", "epoch"}
+    assert of_lists <= set(KEYS) and "lagrange-top" in KINDS
 
 
 def test_the_bases_are_right_and_many_mutants_are_too(folder):

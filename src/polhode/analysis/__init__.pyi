@@ -151,6 +151,8 @@ from .spin_orbit import (
     tangent_map as tangent_map,
 )
 from .stability import stability as stability
+from .thermal import rotational_temperature as rotational_temperature
+from .thermal import thermal_momentum as thermal_momentum
 from .top_motion import axial_spin as axial_spin
 from .top_motion import axis_in_space as axis_in_space
 from .top_motion import axis_tilt as axis_tilt
@@ -163,4 +165,6 @@ from .top_rates import mean_top_rates as mean_top_rates
 from .top_rates import steady_top_rates as steady_top_rates
 from .top_rests import TopRests as TopRests
 from .top_rests import top_stability as top_stability
+from .top_start import steady_precession_at as steady_precession_at
+from .top_start import top_velocity as top_velocity
 from .twist import racket_twist as racket_twist

@@ -17,6 +17,8 @@ from polhode.rotation import as_matrix, from_matrix, normalize
 from polhode.types import Array, ArrayLike, Float64, Real
 
 ROUNDING = 64 * np.finfo(float).eps  # what the sums behind an inertia matrix may leave, relative to its entries
+MOST_DEFECT = 1.0 / 3.0  # of I3: more than vibration does to any molecule that stays in one shape
+MOMENT_TIMES_CONSTANT = 6.62607015e-34 / (8.0 * math.pi**2)  # h/8π² [kg m² Hz], h exact by definition
 SYMMETRY = 1e-9  # a matrix less symmetric than this was mistyped, not rounded
 LARGEST = 1e150  # SI; beyond it products of two overflow, and no body is near
 TIE = 1e-9  # direction cosines closer than this are equal, so that rounding never decides between two axes
@@ -30,6 +32,8 @@ class Body:
         mass: [kg], or None where only the rotation matters.
         center_of_mass: (3,) [m, given axes].
         inertia: (3, 3) symmetric, about the centre of mass [kg m², given axes]; J = ∫ (|r|² 1 − r rᵀ) dm.
+        effective: whether the moments were measured on a molecule that vibrates, and so need not be those of any rigid
+            body: its rotational constants are averages, and I1 + I2 may fall short of I3 by up to a third of it.
 
     The principal moments must satisfy the triangle inequality, I1 + I2 ≥ I3; flat bodies (equality) and thin rods
     (I1 = 0) are physical limits and accepted. A rod is good as a part of other bodies; ``FreeMotion`` refuses it, as
@@ -48,6 +52,7 @@ class Body:
     mass: float | None
     center_of_mass: Real[ArrayLike, "3"]  # given so; kept as float64 arrays
     inertia: Real[ArrayLike, "3 3"]
+    effective: bool = False
 
     def __post_init__(self) -> None:
         mass = None if self.mass is None else _finite("mass", self.mass, ())
@@ -69,11 +74,13 @@ class Body:
         object.__setattr__(self, "mass", None if mass is None else float(mass))
         object.__setattr__(self, "center_of_mass", center)
         object.__setattr__(self, "inertia", inertia)
-        check_moments(self.principal_moments)
+        check_moments(self.principal_moments, self.effective)
 
     @classmethod
     @known_numbers_only
-    def from_moments(cls, I1: float, I2: float, I3: float, mass: float | None = None) -> Body:
+    def from_moments(
+        cls, I1: float, I2: float, I3: float, mass: float | None = None, *, effective: bool = False
+    ) -> Body:
         """Return the body with inertia diag(I1, I2, I3) about its centre of mass, at the origin [kg m²].
 
         The axes stay as given; ``principal_moments`` is sorted, and ``principal_axes`` says which axis went where.
@@ -81,7 +88,31 @@ class Body:
         >>> Body.from_moments(3.0, 1.0, 2.5).principal_moments
         array([1. , 2.5, 3. ])
         """
-        return cls(mass, (0.0, 0.0, 0.0), np.diag(_finite("moments", (I1, I2, I3), (3,))))
+        return cls(mass, (0.0, 0.0, 0.0), np.diag(_finite("moments", (I1, I2, I3), (3,))), effective)
+
+    @classmethod
+    @known_numbers_only
+    def from_rotational_constants(
+        cls, A: float, B: float, C: float, mass: float | None = None, *, effective: bool = False
+    ) -> Body:
+        """Return the molecule with these rotational constants along its given axes: I = h/(8π² A), and so on.
+
+        Args:
+            A, B, C: as frequencies [Hz]; wave numbers times the speed of light. In any order.
+            mass: [kg], or None.
+            effective: whether they are averages over vibration, which need not be those of any rigid body.
+
+        Raises:
+            InvalidInput: for constants that are not positive, or that no rigid body has unless they are effective.
+
+        >>> water = Body.from_rotational_constants(835.84e9, 435.35e9, 278.14e9, effective=True)
+        >>> print((water.principal_moments / 1.66053906892e-47).round(3), f"{water.inertial_defect:.3g}")
+        [0.605 1.161 1.817] 8.55e-49
+        """
+        constants = _finite("constants", (A, B, C), (3,))
+        if not (constants > 0.0).all():
+            raise InvalidInput(f"rotational constants must be positive; got {constants.tolist()} Hz. Check signs.")
+        return cls(mass, (0.0, 0.0, 0.0), np.diag(MOMENT_TIMES_CONSTANT / constants), effective)
 
     @classmethod
     @known_numbers_only
@@ -116,6 +147,13 @@ class Body:
         moments coincide, the axes nearest to the given ones are taken.
         """
         return self._principal[1]
+
+    @property
+    def inertial_defect(self) -> float:
+        """I3 − I1 − I2 [kg m²]: zero of a flat body, negative of others, positive of effective moments alone."""
+        I1, I2, I3 = (float(x) for x in self.principal_moments)
+        defect = I3 - I1 - I2
+        return 0.0 if abs(defect) <= ROUNDING * I3 else defect
 
     @property
     def frame(self) -> BodyFrame:
@@ -156,7 +194,7 @@ class Body:
             from_matrix(turn)  # refuses reflections and matrices that are not orthogonal
         with np.errstate(over="ignore", invalid="ignore"):  # what overflows is refused
             center = turn @ self.center_of_mass + _finite("translation", translation, (3,))
-            return Body(self.mass, center, turn @ self.inertia @ turn.T)
+            return Body(self.mass, center, turn @ self.inertia @ turn.T, self.effective)
 
     def _known_mass(self, purpose: str) -> float:
         if self.mass is None:
@@ -197,7 +235,7 @@ def combine(bodies: Sequence[Body]) -> Body:
         center = masses @ (centers - centers[0]) / masses.sum() + centers[0]
         shifted = masses[:, None, None] * point_inertia(centers - center)
         inertia = np.sum([body.inertia for body in bodies], axis=0) + shifted.sum(axis=0)
-        return Body(float(masses.sum()), center, inertia)
+        return Body(float(masses.sum()), center, inertia, any(body.effective for body in bodies))
 
 
 def point_inertia(offset: Real[ArrayLike, "*batch 3"]) -> Float64[Array, "*batch 3 3"]:
@@ -207,11 +245,12 @@ def point_inertia(offset: Real[ArrayLike, "*batch 3"]) -> Float64[Array, "*batch
     return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
 
 
-def check_moments(moments: Float64[Array, "3"]) -> None:
-    """Refuse moments (3,) ascending that no rigid body has.
+def check_moments(moments: Float64[Array, "3"], effective: bool = False) -> None:
+    """Refuse moments (3,) ascending that no rigid body has, or effective ones that no molecule has.
 
     Raises:
-        InvalidInput: if one is negative beyond rounding, all vanish, or I1 + I2 < I3 beyond rounding.
+        InvalidInput: if one is negative beyond rounding, all vanish, or I1 + I2 < I3 beyond rounding, of effective ones
+            by more than a third of I3.
     """
     I1, I2, I3 = moments
     shown = ", ".join(f"{x:.6g}" for x in moments)
@@ -222,9 +261,10 @@ def check_moments(moments: Float64[Array, "3"]) -> None:
             f"the principal moments must not be negative; got ({shown}) kg m². "
             "Check signs and sizes of the products of inertia."
         )
-    if I1 + I2 < I3 * (1.0 - ROUNDING):
+    if I1 + I2 < I3 * (1.0 - (MOST_DEFECT if effective else ROUNDING)):
+        rule, bodies = ("I1 + I2 ≥ 2/3 I3", "molecule") if effective else ("I1 + I2 ≥ I3", "rigid body")
         raise InvalidInput(
-            f"the principal moments must satisfy I1 + I2 ≥ I3; got ({shown}) kg m². No rigid body has these; "
+            f"the principal moments must satisfy {rule}; got ({shown}) kg m². No {bodies} has these; "
             "check units and order."
         )
 

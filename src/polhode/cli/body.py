@@ -10,6 +10,7 @@ from polhode.kinds.reading import read_spec
 from polhode.reports.about import about_body
 from polhode.reports.answer import values_of
 from polhode.reports.base import plain
+from polhode.spec.remarks import remarks_on_body
 
 
 def run_body(path: Path, json: bool) -> None:
@@ -20,4 +21,4 @@ def run_body(path: Path, json: bool) -> None:
     if json:
         print(as_json({"name": spec.name, **plain(values_of([about_body(spec.body)]))}))
     else:
-        print_report(spec.name, "", [about_body(spec.body)], [], [])
+        print_report(spec.name, "", [about_body(spec.body)], remarks_on_body(spec.body), [])

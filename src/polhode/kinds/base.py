@@ -20,6 +20,7 @@ from polhode.motion.trajectory import Trajectory
 from polhode.reports.base import AbstractReport
 from polhode.spec.building import build_spin
 from polhode.spec.models import BodyTable, SpinTable, SystemTable
+from polhode.spec.remarks import remarks_on
 from polhode.spec.rules import Mistake
 from polhode.spec.surfaces import surface_of_body
 from polhode.types import Array, Float64
@@ -194,6 +195,11 @@ class Spec:
     def times(self) -> Float64[Array, "time"] | None:
         """(T,) [s] that the spec asks for, None for the kind's own choice."""
         return None if self.until is None else np.linspace(0.0, self.until, self.samples)
+
+    @property
+    def remarks(self) -> tuple[str, ...]:
+        """What a report should say of how the body and its spin were taken, a note each."""
+        return remarks_on(self.body, self.spin)
 
     def start(
         self, moments: Float64[Array, "3"], axes: Float64[Array, "3 3"]

@@ -32,6 +32,7 @@ def about_body(body: Body, of_moments: str = "") -> Group:
         Answer("mass", body.mass, "kg", "mass"),
         Answer("center_of_mass", center, "m", "centre of mass", "given axes", vector(center, "m", size)),
         Answer("principal_moments", moments, "kg m²", "principal moments", of_moments, distinct(moments, "kg m²")),
+        *([Answer("inertial_defect", body.inertial_defect, "kg m²")] if body.inertial_defect > 0.0 else []),
         *_about_inertia(body),
         *about_axes("principal_axes", body.principal_axes, of_moments),
     ])  # fmt: skip

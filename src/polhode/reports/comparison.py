@@ -10,7 +10,7 @@ import numpy as np
 from polhode.analysis.comparison import Comparison, Invariants
 from polhode.reports.answer import Answer, Group, Table, units_of, values_of
 from polhode.reports.base import plain
-from polhode.reports.wording import angle, number, vector
+from polhode.reports.wording import angle, known_digits, number, vector
 
 LEAST = 1e-16  # rad; rounding of a quaternion's components alone makes more
 NAMES = {"energy": "energy", "momentum_norm": "|L|", "momentum_space": "L in space", "vertical_momentum": "L upwards"}
@@ -43,8 +43,8 @@ class ComparisonReport:
                 return f"Both agree to {size} at the only time they have in common; nothing is known of other times."
             return f"Both agree to {size}: to rounding."
         if len(found.times) == 1:
-            return f"They differ by {angle(found.largest)} at the only time they have in common."
-        text = f"They differ by up to {angle(found.largest)}, {angle(found.rms)} rms."
+            return f"They differ by {self._known(found.largest)} at the only time they have in common."
+        text = f"They differ by up to {self._known(found.largest)}, {self._known(found.rms)} rms."
         if found.explained:
             assert found.alignment is not None
             rest = float(found.alignment.remaining.max())
@@ -77,27 +77,42 @@ class ComparisonReport:
     def _angle(self) -> Group:
         found = self.comparison
         sizes = {"largest": found.largest, "rms": found.rms, "first": found.angle[0], "last": found.angle[-1]}
-        growth = None if found.growth is None or found.is_rounding else f"{found.growth:.6g} rad/s"
+        growth = None if found.growth is None or found.is_rounding else f"{found.growth:.{self._digits(6)}g} rad/s"
         said = "" if growth is None else "growth, best line"
         return Group("Angle between them", [
-            *(Answer(f"angle.{name}", x, "rad", name, "", _seen(float(x))) for name, x in sizes.items()),
+            *(Answer(f"angle.{name}", x, "rad", name, "", self._seen(float(x))) for name, x in sizes.items()),
             Answer("growth", found.growth, "rad/s", said, "", growth),
         ])  # fmt: skip
 
     def _fit(self) -> Group:
         fit = self.comparison.alignment
         assert fit is not None
-        largest, turning = float(fit.remaining.max()), vector(fit.rate, "rad/s, space axes")
-        rest = f"{largest:.6g} rad, {fit.rms:.6g} rad rms"
+        largest, turning = float(fit.remaining.max()), vector(fit.rate, "rad/s, space axes", digits=self._digits(6))
+        missed = self.comparison.interpolation_error
+        most, mean = (f"{x:.{known_digits(x, missed, 6)}g} rad" for x in (largest, fit.rms))
+        rest = f"{most}, {mean} rms"
+        axes = {side: vector(getattr(fit, side), "rad", digits=self._digits(6)) for side in ("body", "space")}
         return Group("Best fit, A = turn(rate · t) · space · B · body", [
-            Answer("alignment.body", fit.body, "rad", "body axes misaligned by"),
-            Answer("alignment.space", fit.space, "rad", "space axes misaligned by"),
+            Answer("alignment.body", fit.body, "rad", "body axes misaligned by", "", axes["body"]),
+            Answer("alignment.space", fit.space, "rad", "space axes misaligned by", "", axes["space"]),
             Answer("alignment.rate", fit.rate, "rad/s", "turning at", "space axes", turning),
             Answer("alignment.remaining.largest", largest, "rad", "angle that remains", "", rest),
             Answer("alignment.remaining.rms", fit.rms, "rad"),
             Answer("alignment.determined", fit.determined),
             Answer("alignment.explains", self.comparison.explained, "", "explains it"),
         ])  # fmt: skip
+
+    def _known(self, value: float) -> str | None:
+        """Return an angle [rad] in words, without digits finer than what interpolation may miss."""
+        return angle(value, self.comparison.interpolation_error)
+
+    def _seen(self, value: float) -> str | None:
+        """Return an angle [rad] in words, without digits of those that are less than rounding of a quaternion."""
+        return "0" if value == 0.0 else f"less than {LEAST:.0e} rad" if value < LEAST else self._known(value)
+
+    def _digits(self, most: int) -> int:
+        """Return how many digits are known of what is fitted to the angles."""
+        return known_digits(self.comparison.largest, self.comparison.interpolation_error, most)
 
     def _invariants(self) -> list[Group | Table]:
         both = self.comparison.invariants
@@ -136,11 +151,6 @@ class ComparisonReport:
             "names": self.comparison.names, "summary": self.summary, **values_of(answers),
             "notes": self.all_notes(), "units": units_of(answers),
         })  # fmt: skip
-
-
-def _seen(value: float) -> str | None:
-    """Return an angle [rad] in words, without digits of those that are less than rounding of a quaternion."""
-    return "0" if value == 0.0 else f"less than {LEAST:.0e} rad" if value < LEAST else angle(value)
 
 
 def _first(kept: Invariants, name: str) -> str:

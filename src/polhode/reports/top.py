@@ -12,6 +12,7 @@ from polhode.analysis.mechanics import Mechanics
 from polhode.analysis.top_motion import axial_spin, axis_in_space, axis_tilt, keeps_its_tilt, top_period
 from polhode.analysis.top_rates import TopRates, gyroscopic_rates, mean_top_rates, steady_top_rates
 from polhode.analysis.top_rests import top_stability
+from polhode.analysis.top_start import steady_precession_at, top_velocity
 from polhode.bodies.body import Body
 from polhode.bodies.surface import Surface
 from polhode.errors import InvalidInput
@@ -22,10 +23,13 @@ from polhode.reports.about import GIVEN, about_axes, accuracy, stability_values,
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import AbstractReport
 from polhode.reports.wording import distinct, unit_in_words, vector
+from polhode.spec.building import momentum_of
+from polhode.spec.models import SpinTable
 from polhode.systems.heavy_top import HeavyTop
 from polhode.types import Array, ArrayLike, Float64, Real
 
 PERIODS = 10
+LARGEST = 1e200  # J
 AT_REST = 0.1  # s, of a body that nothing moves
 
 
@@ -40,6 +44,7 @@ class TopReport(AbstractReport):
         trajectory: which knows the principal axes at the pivot.
         verdicts: on the axis upright and hanging, at the spin about it that the motion starts with.
         warned: what the integrator had to say.
+        remarks: on how the spec was taken.
     """
 
     body: Body
@@ -48,6 +53,7 @@ class TopReport(AbstractReport):
     trajectory: Trajectory
     verdicts: dict[str, Stability]
     warned: tuple[str, ...] = ()
+    remarks: tuple[str, ...] = ()
 
     @property
     def free(self) -> bool:
@@ -88,7 +94,7 @@ class TopReport(AbstractReport):
     def notes(self) -> list[str]:
         note = "the fixed point is the centre of mass: the weight has no torque, the body is free."
         found = [note] if self.free else []
-        return found + [str(warning) for warning in self.warned]
+        return [*self.remarks, *found] + [str(warning) for warning in self.warned]
 
     @property
     def summary(self) -> str:
@@ -114,7 +120,7 @@ class TopReport(AbstractReport):
             Answer("integrable_case", case, "", "integrable case", "", case or "none"),
         ])  # fmt: skip
         rows = [{"position": name, **stability_values(found)} for name, found in self.verdicts.items()]
-        title = "Axis to the centre of mass at rest"
+        title = "Axis to the centre of mass, upright and hanging"
         standing = verdicts("equilibria", title, "position", lambda row: row["position"], rows, key="position")
         return [body, standing, *self._rates(), self.motion()]
 
@@ -199,6 +205,50 @@ def attitude_of(top: HeavyTop, attitude: Float64[Array, "4"], lean: float | None
     if float(top.mgl) == 0.0:
         raise InvalidInput("`system.lean` needs a centre of mass apart from the fixed point; leave it out.")
     return top.leaning(lean)
+
+
+def start_of(
+    top: HeavyTop, spin: SpinTable | None, momentum: Float64[Array, "3"], attitude: Float64[Array, "4"],
+    lean: float | None,
+) -> tuple[Float64[Array, "3"], Float64[Array, "4"]]:  # fmt: skip
+    """Return momentum (3,) along, and attitude (4,) of, the principal axes at the start.
+
+    Args:
+        top: that starts.
+        spin: as the spec has it.
+        momentum: (3,) that it gives, unless it tells spin, precession and nutation.
+        attitude: (4,) that it gives, unless the top leans.
+        lean: of the axis from the upward vertical [rad], or None.
+
+    Raises:
+        InvalidInput: for a body without an axis that leans, or a spin at which nothing precesses as it is wanted.
+    """
+    attitude = attitude_of(top, attitude, lean)
+    if spin is None or not spin.is_of_a_top:
+        return _bearable(top, momentum), attitude
+    if float(top.mgl) == 0.0:
+        raise InvalidInput("`spin.spin`, `spin.precession` and `spin.nutation_rate` need a centre of mass apart from "
+                           "the fixed point; give `spin.angular_velocity`.")  # fmt: skip
+    turn, precession = spin.spin or 0.0, spin.precession or 0.0
+    if isinstance(precession, str):
+        tilt = float(axis_tilt(top, attitude)) if lean is None else lean
+        steady = steady_precession_at(top, tilt, turn)
+        wanted = steady.slow if precession == "slow" else steady.fast
+        if wanted is None:
+            raise InvalidInput('there is one steady precession alone at this tilt; write `spin.precession = "slow"`.')
+        precession = wanted
+    velocity = top_velocity(top, attitude, turn, precession, spin.nutation_rate or 0.0)
+    return _bearable(top, momentum_of(np.asarray(top.moments), velocity)), attitude
+
+
+def _bearable(top: HeavyTop, momentum: Float64[Array, "3"]) -> Float64[Array, "3"]:
+    """Return the momentum (3,) of a top, unless squares of it leave the range of numbers."""
+    with np.errstate(over="ignore"):
+        energy = float(np.sum(momentum / np.sqrt(top.moments) * (momentum / np.sqrt(top.moments))))
+    if not energy < LARGEST:
+        raise InvalidInput(f"the spin must give an energy below {LARGEST:g} J; its momentum is {momentum.tolist()} "
+                           "kg m²/s. Check the rate and its unit.")  # fmt: skip
+    return momentum
 
 
 def rest_verdicts(top: HeavyTop, momentum: Float64[Array, "3"]) -> dict[str, Stability]:

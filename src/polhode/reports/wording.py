@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable
+from decimal import Context, Decimal
 from typing import Any
 
 import numpy as np
@@ -17,6 +18,7 @@ PREFIXES = {1e-3: "m", 1e-6: "µ", 1e-9: "n", 1e-12: "p", 1e-15: "f"}
 LARGE_PREFIXES = {1e15: "P", 1e12: "T", 1e9: "G", 1e6: "M", 1e3: "k"}
 ARCSECONDS = math.radians(0.01)  # angles below it are read in them
 SLOW, FAST = 1e-4, 1e5  # rad/s; slower ones are read in degrees a day, faster ones in turns a second
+KEPT = {"momentum_norm": "|L|", "momentum_space": "L in space"}
 RAISED = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
@@ -30,13 +32,52 @@ def counted(count: int, thing: str) -> str:
     return f"{count} {thing}" if count == 1 else f"{count} {thing}s"
 
 
-def angle(value: float | None) -> str | None:
-    """Return an angle [rad] in radians and degrees, or arcseconds.
+def uncertain(value: float, error: float | None, unit: str = "") -> str:
+    """Return a value with its uncertainty, with no digits finer than that; it has one digit, two if the first is a 1.
 
-    >>> angle(0.5), angle(-1e-8)
-    ('0.5 rad = 28.6479°', '-1e-08 rad = -0.00206265″')
+    >>> uncertain(81.39190987, 9.1, "s"), uncertain(-0.14827, 0.0642), uncertain(0.35792, 0.0134)
+    ('81 ± 9 s', '-0.15 ± 0.06', '0.358 ± 0.013')
+    >>> uncertain(1234.5, 90.0, "s"), uncertain(6.143323e-06, 2.2e-11), uncertain(0.3, 4.0), uncertain(0.5, None)
+    ('1230 ± 90 s', '6.14332e-06 ± 2e-11', '0 ± 4', '0.5')
     """
-    return _unless_infinite(value, lambda x: f"{x:.8g} rad = {degrees(x)}")
+    if error is None or not (math.isfinite(error) and error > 0.0 and math.isfinite(value)):
+        return f"{value:.8g} {unit}".rstrip()
+    longer, short = f"{error:.1e}", f"{error:.0e}"
+    if short.startswith("1"):
+        short = longer if longer.startswith("1") else short.replace("e", ".0e")
+    last = int(Decimal(short).as_tuple().exponent)  # the power of ten of the last digit that is known
+    many = Context(prec=700)  # from the largest double down to the smallest
+    rounded = many.add(many.quantize(Decimal(value), Decimal(1).scaleb(last)), Decimal(0))
+    if -4 <= rounded.adjusted() < 6:
+        words, said = f"{rounded:f}", f"{Decimal(short):f}"
+    else:
+        words, said = f"{float(rounded):.{min(max(rounded.adjusted() - last, 0), 16)}e}", short
+    return f"{words} ± {said} {unit}".rstrip()
+
+
+def known_digits(value: float, error: float | None, most: int = 8) -> int:
+    """Return how many digits of a value, at least one, are no finer than its uncertainty.
+
+    >>> known_digits(6.143323e-06, 2.2e-11), known_digits(0.5, 0.01), known_digits(0.5, None)
+    (6, 2, 8)
+    """
+    if error is None or not (math.isfinite(error) and error > 0.0 and value and math.isfinite(value)):
+        return most
+    return min(max(math.floor(math.log10(abs(value))) - math.floor(math.log10(error)) + 1, 1), most)
+
+
+def angle(value: float | None, error: float | None = None) -> str | None:
+    """Return an angle [rad] in radians and degrees, or arcseconds, with no digits finer than its uncertainty.
+
+    >>> angle(0.5), angle(-1e-8), angle(0.123456789, 0.002)
+    ('0.5 rad = 28.6479°', '-1e-08 rad = -0.00206265″', '0.123 rad = 7.07°')
+    """
+
+    def words(x: float) -> str:
+        digits = known_digits(x, error)
+        return f"{x:.{digits}g} rad = {degrees(x, min(digits, 6))}"
+
+    return _unless_infinite(value, words)
 
 
 def angles(values: Any) -> str:
@@ -49,10 +90,11 @@ def angles(values: Any) -> str:
     return first if first == last else f"{first} to {last}"
 
 
-def degrees(value: float) -> str:
+def degrees(value: float, digits: int = 6) -> str:
     """Return an angle [rad] in degrees, a small one in arcseconds."""
     turned = math.degrees(value)
-    return f"{3600.0 * turned:.6g}″" if 0.0 < abs(value) < ARCSECONDS else f"{turned:.6g}°"
+    small = 0.0 < abs(value) < ARCSECONDS
+    return f"{3600.0 * turned:.{digits}g}″" if small else f"{turned:.{digits}g}°"
 
 
 def rate(value: float | None) -> str | None:
@@ -137,11 +179,11 @@ def unit_in_words(unit: str) -> str:
     return " ".join(over) if not under else f"{' '.join(over) or '1'}/{' '.join(under)}"
 
 
-def vector(values: Any, unit: str = "", size: float = 0.0) -> str:
-    """Return components, those zero that are small compared with a size or the largest."""
+def vector(values: Any, unit: str = "", size: float = 0.0, digits: int = 6) -> str:
+    """Return components with so many digits, those zero that are small compared with a size or the largest."""
     largest = max(size, *(abs(x) for x in values))
     cleaned = [0.0 if abs(x) < 1e-15 * largest else x for x in values]
-    return "(" + ", ".join(f"{x:.6g}" for x in cleaned) + f") {unit}".rstrip()
+    return "(" + ", ".join(f"{x:.{digits}g}" for x in cleaned) + f") {unit}".rstrip()
 
 
 def distinct(values: Any, unit: str = "") -> str:
@@ -153,4 +195,4 @@ def distinct(values: Any, unit: str = "") -> str:
 
 def drifts(values: dict[str, Any]) -> str:
     """Return drifts by name, the largest where each copy has its own."""
-    return ", ".join(f"{name.replace('_', ' ')} {float(np.max(x)):.1e}" for name, x in values.items())
+    return ", ".join(f"{KEPT.get(name, name.replace('_', ' '))} {float(np.max(x)):.1e}" for name, x in values.items())

@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from polhode import rotation
+from polhode.analysis.thermal import thermal_momentum
 from polhode.bodies import shapes
 from polhode.bodies.atoms import from_atoms
 from polhode.bodies.body import Body, combine
@@ -40,6 +41,14 @@ def build_body(table: BodyTable, folder: Path) -> Body:
         return Body.from_moments(*table.moments, mass=table.mass)
     if table.inertia is not None:
         return Body(table.mass, (0.0, 0.0, 0.0), table.inertia)
+    if table.rotational_constants is not None:
+        try:
+            return Body.from_rotational_constants(
+                *table.rotational_constants, mass=table.mass, effective=table.allow_vibration
+            )
+        except InvalidInput as error:
+            remedy = " Constants of a flat molecule that vibrates may: set allow_vibration = true to take them."
+            raise InvalidInput(f"{error}{'' if table.allow_vibration else remedy}") from None
     if table.molecule is not None:
         atoms = read_molecule(folder / table.molecule)
         with _of_file("molecule", table.molecule):
@@ -79,21 +88,28 @@ def build_spin(
     """
     given = (1.0, 0.0, 0.0, 0.0) if table is None else table.attitude
     attitude = rotation.multiply(rotation.normalize(given), rotation.from_matrix(axes))
+    if table is not None and table.temperature is not None:
+        return thermal_momentum(moments, table.temperature), attitude
     if table is None or not (table.momentum or table.angular_velocity or table.rate):
         return np.zeros(3), attitude
     if table.momentum is not None or table.angular_velocity is not None:
         vector = np.array(table.momentum if table.momentum is not None else table.angular_velocity)
         vector = vector if table.frame == "principal" else vector @ axes
-        return vector if table.momentum is not None else _momentum(moments, vector), attitude
+        return vector if table.momentum is not None else momentum_of(moments, vector), attitude
     direction = np.zeros(3)
     about = table.about
     index = about - 1 if isinstance(about, int) else "xyz".index(str(about))
     direction[index], direction[(index + 1) % 3] = _cosine_and_sine(table.tilt)
     velocity = (table.rate or 0.0) * (direction if isinstance(about, int) else direction @ axes)
-    return _momentum(moments, velocity), attitude
+    return momentum_of(moments, velocity), attitude
 
 
-def _momentum(moments: Array, velocity: Array) -> Array:
+def momentum_of(moments: Float64[Array, "3"], velocity: Float64[Array, "3"]) -> Float64[Array, "3"]:
+    """Return the momentum (3,) of an angular velocity (3,) along the principal axes.
+
+    Raises:
+        InvalidInput: where it is beyond the range of numbers.
+    """
     with np.errstate(over="ignore", under="ignore"):
         momentum = moments * velocity
     if not np.isfinite(momentum).all():

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import sys
 from collections.abc import Callable
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
 import numpy as np
 from pydantic import AfterValidator, BeforeValidator, Field, StrictBool, StrictInt
@@ -15,6 +15,7 @@ from polhode.errors import shown
 from polhode.spec.units import EXAMPLES, parse_quantity
 
 LARGEST = sys.float_info.max
+SPEED_OF_LIGHT = 299792458.0  # m/s, exact by definition
 
 
 def _reader(unit: str, positive: bool = False) -> BeforeValidator:
@@ -88,14 +89,22 @@ def _by_euler_angles(table: dict[str, Any]) -> tuple[float, ...]:
     sequence, angles = table["sequence"], table["angles"]
     if not isinstance(angles, list) or len(angles) != 3:
         raise ValueError(f'angles must be three, like ["10 deg", "20 deg", "30 deg"]; got {shown(angles)}')
-    sizes = [parse_quantity(angle, "rad") for angle in angles]
+    if not isinstance(sequence, str):
+        raise ValueError(f'sequence must be three of x, y, z in quotes, like "ZXZ"; got {shown(sequence)}')
+    sizes = [_within_turns(angle) for angle in angles]
     return tuple(rotation.from_euler_angles(sizes, sequence).tolist())
+
+
+def _within_turns(value: Any) -> float:
+    """Return an angle [rad], less whole turns where there are many of them."""
+    angle = parse_quantity(value, "rad")
+    return angle if abs(angle) < 4.0 * math.pi else math.remainder(angle, 2.0 * math.pi)
 
 
 def _by_axis_and_angle(table: dict[str, Any]) -> tuple[float, ...]:
     axis = np.array(_direction(table["axis"]))
     axis = axis / np.abs(axis).max()  # squares of extreme lengths overflow
-    angle = parse_quantity(table["angle"], "rad")
+    angle = _within_turns(table["angle"])
     return tuple(rotation.from_rotation_vector(angle * axis / np.linalg.norm(axis)).tolist())
 
 
@@ -125,6 +134,31 @@ def _within(least: float, most: float, what: str) -> Callable[[float], float]:
         return value
 
     return check
+
+
+def _rotational_constant(value: Any) -> float:
+    """Return a frequency [Hz] of one that is given so, or as a wave number."""
+    try:
+        number = parse_quantity(value, "1/m") * SPEED_OF_LIGHT
+    except ValueError as error:
+        try:
+            number = parse_quantity(value, "Hz")
+        except ValueError:
+            raise ValueError(f'{error} or "{EXAMPLES["Hz"]}"') from None
+    if not number > 0:
+        raise ValueError(f"must be positive; got {shown(value)}. Check number and unit")
+    return number
+
+
+def _precession(value: Any) -> float | str:
+    if isinstance(value, str) and value in ("slow", "fast"):
+        return value
+    if value == "steady":
+        raise ValueError('must say which of the two steady precessions: "slow", the one mostly seen, or "fast"')
+    try:
+        return parse_quantity(value, "rad/s")
+    except ValueError as error:
+        raise ValueError(f'{error}; or "slow" or "fast", for steady precession') from None
 
 
 def _lean(value: float) -> float:
@@ -164,6 +198,7 @@ Mass = Annotated[float, _reader("kg", positive=True)]
 Density = Annotated[float, _reader("kg/m^3", positive=True)]
 Length = Annotated[float, _reader("m", positive=True)]
 Rate = Annotated[float, _reader("rad/s")]
+Precession = Annotated[float | Literal["slow", "fast"], BeforeValidator(_precession)]
 Angle = Annotated[float, _reader("rad")]
 Duration = Annotated[float, _reader("s", positive=True)]
 Coordinate = Annotated[float, _reader("m")]
@@ -175,6 +210,9 @@ Position = Annotated[tuple[Coordinate, Coordinate, Coordinate], _three("m")]
 Moments = Annotated[tuple[NotNegative, NotNegative, NotNegative], _three("kg*m^2")]
 InertiaRow = Annotated[tuple[Moment, Moment, Moment], _three("kg*m^2")]
 Inertia = Annotated[tuple[InertiaRow, InertiaRow, InertiaRow], BeforeValidator(_rows)]
+RotationalConstant = Annotated[float, BeforeValidator(_rotational_constant)]
+RotationalConstants = Annotated[tuple[RotationalConstant, RotationalConstant, RotationalConstant], _three("1/m")]
+Temperature = Annotated[float, _reader("K", positive=True)]
 Momentum = Annotated[tuple[MomentumComponent, MomentumComponent, MomentumComponent], _three("kg*m^2/s")]
 Rates = Annotated[tuple[Rate, Rate, Rate], _three("rad/s")]
 MeshUnit = Annotated[float, BeforeValidator(_mesh_unit)]

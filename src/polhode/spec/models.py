@@ -21,9 +21,12 @@ from polhode.spec.fields import (
     Moments,
     Momentum,
     Position,
+    Precession,
     Rate,
     Rates,
+    RotationalConstants,
     Samples,
+    Temperature,
     one_of,
 )
 
@@ -67,7 +70,7 @@ class PartTable(Strict):
 
 
 class BodyTable(Strict):
-    """Where the body comes from: exactly one of mesh, moments, inertia, parts, molecule and urdf."""
+    """Where the body comes from: exactly one of the keys that ``rules.SOURCES`` lists."""
 
     mesh: str | None = None
     mesh_unit: MeshUnit | None = None
@@ -77,6 +80,8 @@ class BodyTable(Strict):
     mass: Mass | None = None
     moments: Moments | None = None
     inertia: Inertia | None = None
+    rotational_constants: RotationalConstants | None = None
+    allow_vibration: Flag = False
     parts: Annotated[list[PartTable], Field(min_length=1)] | None = None
     molecule: str | None = None
     urdf: str | None = None
@@ -84,7 +89,10 @@ class BodyTable(Strict):
 
 
 class SpinTable(Strict):
-    """How the body spins at the start: exactly one of angular_velocity, momentum and rate."""
+    """How the body spins at the start: exactly one of angular_velocity, momentum, rate and temperature.
+
+    Of a top it may be the rates of its Euler angles instead: spin, precession and nutation_rate.
+    """
 
     angular_velocity: Rates | None = None
     momentum: Momentum | None = None
@@ -92,7 +100,16 @@ class SpinTable(Strict):
     rate: Rate | None = None
     about: Axis | None = None
     tilt: Angle = 0.0
+    temperature: Temperature | None = None
+    spin: Rate | None = None
+    precession: Precession | None = None
+    nutation_rate: Rate | None = None
     attitude: Attitude = (1.0, 0.0, 0.0, 0.0)
+
+    @property
+    def is_of_a_top(self) -> bool:
+        """Whether it tells how a top goes about the vertical."""
+        return any(told is not None for told in (self.spin, self.precession, self.nutation_rate))
 
 
 class TimeTable(Strict):
@@ -108,10 +125,12 @@ class SystemTable(Strict):
     Attributes:
         takes: the other tables that go with it.
         needs: those of them that it cannot do without.
+        leans: whether [spin] may tell how an axis goes: by spin, precession and nutation_rate.
     """
 
     takes: ClassVar[tuple[str, ...]] = ("body", "spin", "time")
     needs: ClassVar[tuple[str, ...]] = ("body",)
+    leans: ClassVar[bool] = False
     kind: str
 
 

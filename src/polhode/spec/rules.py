@@ -6,7 +6,7 @@ said at once.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
 from polhode.spec.export import export_rules
@@ -15,9 +15,10 @@ from polhode.spec.units import parse_quantity
 
 Location = tuple[str | int, ...]
 Mistake = tuple[Location, str]
-SOURCES = ("mesh", "moments", "inertia", "parts", "molecule", "urdf")
+SOURCES = ("mesh", "moments", "inertia", "rotational_constants", "parts", "molecule", "urdf")
 NO_BODY = 'is missing; say what rotates, like moments = ["1 kg*m^2", "2 kg*m^2", "2.5 kg*m^2"] under [body]'
-WAYS = ("angular_velocity", "momentum", "rate")
+WAYS = ("angular_velocity", "momentum", "rate", "temperature")
+OF_A_TOP = ("spin", "precession", "nutation_rate")
 
 
 def broken_rules(table: dict[str, Any], of_system: Iterable[Mistake] = ()) -> Iterator[Mistake]:
@@ -46,6 +47,12 @@ def table_rules(table: dict[str, Any], kind: str, model: type[SystemTable] | Non
         kind: that the spec names.
         model: of its table [system]; None for a kind that is not known, which is a mistake of its own.
     """
+    spin = table.get("spin")
+    if model is not None and not model.leans and isinstance(spin, dict):
+        if told := [key for key in OF_A_TOP if key in spin]:
+            verb = "tells" if len(told) == 1 else "tell"
+            yield ("spin",), (f"{listed(told)} {verb} how a top goes about the vertical, which the system {kind} "
+                              f"has not; give {listed(WAYS, 'or')} instead")  # fmt: skip
     model = model or SystemTable
     if "body" in model.needs and "body" not in table:
         yield ("body",), NO_BODY
@@ -57,7 +64,7 @@ def table_rules(table: dict[str, Any], kind: str, model: type[SystemTable] | Non
 def _body_rules(body: dict[str, Any]) -> Iterator[str]:
     sources = [key for key in SOURCES if key in body]
     if len(sources) != 1:
-        yield f"needs exactly one of mesh, moments, inertia, parts, molecule and urdf; got {listed(sources)}"
+        yield f"needs exactly one of {listed(SOURCES)}; got {listed(sources)}"
     if "mesh" in body:
         if "mesh_unit" not in body:
             yield 'needs mesh_unit, like "mm": mesh files carry no units'
@@ -69,6 +76,8 @@ def _body_rules(body: dict[str, Any]) -> Iterator[str]:
             yield f"{listed(extra)} {verb} with a mesh, not with {sources[0]}; leave it out"
         if "mass" in body and sources[0] in ("parts", "molecule", "urdf"):
             yield f"mass follows from the {sources[0]}; leave it out"
+    if "allow_vibration" in body and "rotational_constants" not in body:
+        yield "allow_vibration goes with rotational_constants; leave it out"
     if "link" in body and "urdf" not in body:
         yield "link goes with a urdf; leave it out"
 
@@ -87,17 +96,20 @@ def _part_rules(part: dict[str, Any]) -> Iterator[str]:
 
 
 def _spin_rules(spin: dict[str, Any]) -> Iterator[str]:
-    ways = [key for key in WAYS if key in spin]
+    ways, of_a_top = [key for key in WAYS if key in spin], [key for key in OF_A_TOP if key in spin]
+    ways += of_a_top[:1]
     if len(ways) > 1 or (not ways and {"frame", "about", "tilt"} & set(spin)):
-        yield f"needs exactly one of angular_velocity, momentum and rate; got {listed(ways)}"
+        yield f"needs exactly one of {listed(WAYS)}, or of a top {listed(OF_A_TOP)} together; got {listed(ways)}"
+    if spin.get("precession") in ("slow", "fast") and "nutation_rate" in spin:
+        yield f'precession = "{spin["precession"]}" keeps the tilt; leave nutation_rate out'
     if "rate" in spin:
         if "about" not in spin:
             yield 'rate needs about = 1, 2 or 3 (principal axis) or "x", "y", "z" (given axis)'
-        if "frame" in spin:
-            yield "frame goes with components; about already says which axis"
         if "tilt" in spin and _vanishes(spin["rate"]):
             yield "a spin of zero has no direction to tilt; give a rate, or leave tilt out"
-    elif ways and ("about" in spin or "tilt" in spin):
+    if "frame" in spin and ways and ways[0] not in ("angular_velocity", "momentum"):
+        yield "frame goes with the components of angular_velocity or momentum; leave it out"
+    if "rate" not in spin and ways and ("about" in spin or "tilt" in spin):
         yield f"about and tilt go with rate, not with {ways[0]}"
 
 
@@ -108,6 +120,10 @@ def _vanishes(rate: Any) -> bool:
         return False
 
 
-def listed(keys: list[str]) -> str:
-    """Return keys in words."""
-    return " and ".join(keys) or "none"
+def listed(keys: Sequence[str], last: str = "and") -> str:
+    """Return keys in words.
+
+    >>> listed(["a", "b", "c"]), listed(["a", "b"], "or"), listed([])
+    ('a, b and c', 'a or b', 'none')
+    """
+    return f" {last} ".join(filter(None, (", ".join(keys[:-1]), *keys[-1:]))) or "none"

@@ -16,6 +16,9 @@ EXAMPLES = {
     "m": "12 mm",
     "s": "20 s",
     "rad": "1 deg",
+    "K": "300 K",
+    "1/m": "27.88 1/cm",
+    "Hz": "835.8 GHz",
     "rad/s": "60 rpm",
     "kg*m^2": "1.2 g*cm^2",
     "kg*m^2/s": "0.3 kg*m^2/s",
@@ -102,6 +105,10 @@ def _parsed(value: str, unit: str) -> float:
     names = set(dict(quantity.unit_items()))
     if unit == "rad/s":
         _refuse_cycles(value, names)
+    if unit in ("1/m", "Hz") and _names_angle(names):
+        raise ValueError(f'names an angle: {shown(value)}; write it without, like "{example}"')
+    if unit == "K" and any(name.startswith("delta") for name in names):
+        raise ValueError(f'is a difference of temperatures: {shown(value)}; write it like "{example}" or "27 degC"')
     if unit == "kg*m^2/s" and any("hertz" in name for name in names):
         raise ValueError(f'is ambiguous: {shown(value)} may mean turns or radians; write it like "{example}"')
     if not names:
@@ -136,6 +143,11 @@ def _check_unit(text: str, value: str, unreadable: ValueError) -> None:
         at, was_sign = token.end(), bool(token["sign"])
 
 
+def _names_angle(names: set[str]) -> bool:
+    plane = names - {"steradian"}
+    return any(name in ANGLES or name.endswith(("radian", "degree", "turn", "rev")) for name in plane)
+
+
 def _unknown_unit(names: Any, value: str, example: str) -> str:
     """Say which unit is not known, and which one spelt alike is."""
     name = names if isinstance(names, str) else next(iter(names))
@@ -148,6 +160,5 @@ def _refuse_cycles(value: str, names: set[str]) -> None:
     """An angular rate in Hz or 1/s leaves open whether turns or radians are meant, a factor of 2π."""
     if any("hertz" in name for name in names):
         raise ValueError(f'is ambiguous: {shown(value)} may mean turns or radians; write "rev/s", "rpm" or "rad/s"')
-    plane = names - {"steradian"}
-    if names and not any(name in ANGLES or name.endswith(("radian", "degree", "turn", "rev")) for name in plane):
+    if names and not _names_angle(names):
         raise ValueError(f'is not an angular rate: {shown(value)} names no angle; write "rad/s", "deg/s" or "rpm"')

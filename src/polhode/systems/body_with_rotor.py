@@ -133,7 +133,7 @@ def rotor_misfit(body: Body, rotor_axis: Real[ArrayLike, "3"], rotor_moment: flo
     axis = direction_of(rotor_axis)
     inertia = body.inertia - 0.5 * rotor_moment * (np.eye(3) + np.outer(axis, axis))
     try:
-        fits = bool(Body(None, (0.0, 0.0, 0.0), inertia).principal_moments[0] > 0)
+        fits = bool(Body(None, (0.0, 0.0, 0.0), inertia, body.effective).principal_moments[0] > 0)
     except InvalidInput:
         fits = False
     if fits and axis @ body.inertia @ axis > rotor_moment:

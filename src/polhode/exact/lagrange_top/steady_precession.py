@@ -8,6 +8,8 @@ from typing import NamedTuple
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 
+LEVEL = 1e-16  # cosine of the tilt of a level axis, whose angle π/2 is no double
+
 
 class SteadyPrecession(NamedTuple):
     """Rates of steady precession [rad/s] at one tilt and spin; ``fast`` is None for a level axis."""
@@ -18,35 +20,51 @@ class SteadyPrecession(NamedTuple):
 
 @known_numbers_only
 def steady_precession(
-    moments: tuple[float, float, float], mgl: float, tilt: float, spin: float
+    moments: tuple[float, float, float],
+    mgl: float,
+    tilt: float,
+    spin: float | None = None,
+    *,
+    spin_rate: float | None = None,
 ) -> SteadyPrecession | None:
     """Return the rates at which the axis precesses at constant tilt, None where the spin is too slow for any.
 
-    The roots of I1 cos θ φ̇² − I3 ω3 φ̇ + mgl = 0; the smaller one is mgl over the rest, so that nothing cancels.
+    The roots of I1 cos θ φ̇² − I3 ω3 φ̇ + mgl = 0; with ω3 = ψ̇ + φ̇ cos θ those of (I1 − I3) cos θ φ̇² − I3 ψ̇ φ̇ + mgl = 0.
+    The smaller one is mgl over the rest, so that nothing cancels.
 
     Args:
         moments: (I1, I1, I3) about the pivot [kg m²].
         mgl: weight times the distance from the pivot to the centre of mass, along the axis [N m].
         tilt: θ of the axis from the upward vertical, strictly between 0 and π [rad].
-        spin: ω3, the component of the angular velocity along the axis [rad/s].
+        spin: ω3, the component of the angular velocity along the axis [rad/s]; this or ``spin_rate``.
+        spin_rate: ψ̇, the rate of the body about its axis against the line of nodes [rad/s].
 
     Raises:
-        InvalidInput: for unequal I1, I2, a tilt outside (0, π), or values that are not finite.
+        InvalidInput: for unequal I1, I2, a tilt outside (0, π), values that are not finite, or both spins or none.
 
     Source: Klein & Sommerfeld, *Theorie des Kreisels*, ch. IV; Whittaker, *Analytical Dynamics*, §72.
 
     >>> rates = steady_precession((1.0, 1.0, 0.5), 1.0, math.pi / 3, 5.0)
     >>> round(rates.slow, 12), round(rates.fast, 12)
     (0.438447187191, 4.561552812809)
+    >>> again = steady_precession((1.0, 1.0, 0.5), 1.0, math.pi / 3, spin_rate=5.0 - 0.5 * rates.slow)
+    >>> round(again.slow, 12)
+    0.438447187191
     """
+    if (spin is None) == (spin_rate is None):
+        raise InvalidInput("give either `spin`, the component along the axis, or `spin_rate`, that against the line of "
+                           "nodes.")  # fmt: skip
     I1, I3 = _checked(moments, mgl)
-    if not (0.0 < tilt < math.pi and math.isfinite(spin)):
+    given = spin if spin_rate is None else spin_rate
+    assert given is not None
+    if not (0.0 < tilt < math.pi and math.isfinite(given)):
         raise InvalidInput(
             "`tilt` must lie between 0 and π, and `spin` be finite; "
-            f"got {shown(tilt)} rad, {shown(spin)} rad/s."
+            f"got {shown(tilt)} rad, {shown(given)} rad/s."
         )
-    quadratic, momentum = I1 * math.cos(tilt), I3 * spin
-    if abs(math.cos(tilt)) < 1e-16:
+    moment = I1 if spin_rate is None else I1 - I3
+    quadratic, momentum = moment * math.cos(tilt), I3 * given
+    if moment == 0.0 or abs(math.cos(tilt)) < LEVEL:
         return SteadyPrecession(mgl / momentum, None) if momentum else None
     square = momentum * momentum - 4.0 * quadratic * mgl
     if square < 0.0:
@@ -55,6 +73,30 @@ def steady_precession(
     if larger == 0.0:
         return SteadyPrecession(0.0, 0.0)
     return SteadyPrecession(mgl / larger, larger / quadratic)
+
+
+@known_numbers_only
+def least_spin_rate(moments: tuple[float, float, float], mgl: float, tilt: float) -> float:
+    """Return the |ψ̇| [rad/s] from which a top can precess steadily at a tilt, 2 √((I1 − I3) cos θ mgl)/I3, or zero.
+
+    Zero is where any spin will do; of a level axis any but none.
+
+    Args:
+        moments: (I1, I1, I3) about the pivot [kg m²].
+        mgl: weight times the distance from the pivot to the centre of mass, along the axis [N m].
+        tilt: θ of the axis from the upward vertical [rad].
+
+    Raises:
+        InvalidInput: for unequal I1, I2, or values that are not finite.
+
+    >>> round(least_spin_rate((1.0, 1.0, 0.5), 1.0, math.pi / 3), 12)
+    2.0
+    """
+    I1, I3 = _checked(moments, mgl)
+    if not math.isfinite(tilt):
+        raise InvalidInput(f"`tilt` must be finite; got {shown(tilt)} rad.")
+    height = math.cos(tilt)
+    return 0.0 if abs(height) < LEVEL else 2.0 * math.sqrt(max(0.0, (I1 - I3) * height * mgl)) / I3
 
 
 @known_numbers_only

@@ -29,6 +29,7 @@ from polhode.reports.about import about_body, accuracy, stability_values, verdic
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import AbstractReport
 from polhode.reports.length import ADAPTIVE, ORBITING, TURNING, check_length
+from polhode.reports.wording import angle, uncertain
 from polhode.simulation import simulate
 from polhode.systems.double_bracket import DoubleBracket
 from polhode.systems.kepler_orbit import KeplerOrbit
@@ -101,13 +102,13 @@ class DampedBodyReport(AbstractReport):
         spent, left = (values[-1] / values[0] for values in (self.energy, self.momentum_norm))
         kept = "all" if self.inside else f"{left:.4g}"
         return (
-            f"L goes from {first:.5g}° to {last:.5g}° from the major axis; the body ends with {spent:.4g} of its "
-            f"energy and {kept} of its momentum."
+            f"The angle between the angular momentum L and the major axis goes from {first:.5g}° to {last:.5g}°; the "
+            f"body ends with {spent:.4g} of its energy and {kept} of its momentum."
         )
 
     @property
     def notes(self) -> list[str]:
-        notes = []
+        notes = [*self.spec.remarks]
         if self.inside and self.axes and self.angle_to_major_axis[-1] > math.radians(1.0):
             at = [k for k in (0, 1) if angle_to_axis(np.asarray(self.trajectory.momentum)[0], k) <= ON_AXIS]
             why = f"it starts exactly on axis {at[0] + 1}, where nothing pushes it off" if at else "it has not settled"
@@ -140,6 +141,8 @@ class DampedBodyReport(AbstractReport):
 
     def _motion(self) -> Group:
         energy, norm, moments = self.energy, self.momentum_norm, self.body.principal_moments
+        error = self.trajectory.error_estimate
+        start, end = (float(self.angle_to_major_axis[k]) for k in (0, -1))
         lowest = float(0.5 * norm[0] ** 2 / moments[2]) if self.inside else None
         which = "of the approach to the major axis" if self.inside else "of the spin about the major axis, at first"
         return Group("Motion", [
@@ -151,7 +154,9 @@ class DampedBodyReport(AbstractReport):
             *self._at_both_ends("momentum_norm", norm, "kg m²/s", "|L|"),
             *self._at_both_ends("angular_velocity", np.asarray(self.trajectory.angular_velocity), "rad/s", "Ω",
                                 "principal axes"),
-            *self._at_both_ends("angle_to_major_axis", self.angle_to_major_axis, "rad", "L to the major axis"),
+            Answer("start.angle_to_major_axis", start, "rad", "L to the major axis at the start"),
+            Answer("end.angle_to_major_axis", end, "rad", "L to the major axis at the end", "",
+                   angle(end, None if error is None else float(error))),
             Answer("time_constant", self.time_constant, "s", f"time constant {which}"),
             *self._flat_spin(),
             *accuracy(self.trajectory, "drift of what is kept or balanced"),
@@ -173,11 +178,14 @@ class DampedBodyReport(AbstractReport):
         seen = None if len(away) and away[-1] == len(self.angle_to_major_axis) - 1 else 0.0
         if seen is not None and len(away):
             seen = float(self.trajectory.times[away[-1] + 1] - self.trajectory.times[0])
+        spacing = None if seen is None or not len(away) else float(np.diff(self.trajectory.times)[away[-1]])
+        words = None if seen is None else uncertain(seen, spacing, "s")
         expected = flat_spin_time(moments, start, self.damping / float(self.momentum_norm[0]))
         within = "L to stay within 5° of the major axis"
         return [
-            Answer("flat_spin_time.energy_sink", expected, "s", "to a flat spin, by mean losses", within),
-            Answer("flat_spin_time.motion", seen, "s", "to a flat spin, in the motion", f"{within}, at a sample"),
+            Answer("flat_spin_time.energy_sink", expected, "s", "time to a flat spin, by mean losses", within),
+            Answer("flat_spin_time.motion", seen, "s", "time to a flat spin, in the motion", f"{within}, at a sample",
+                   words),
         ]
 
     def _at_both_ends(self, name: str, values: Array, unit: str, label: str, explanation: str = "") -> list[Answer]:

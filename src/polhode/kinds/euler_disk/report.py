@@ -18,7 +18,7 @@ from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import about_stability, accuracy, stability_values, verdicts
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import AbstractReport
-from polhode.reports.wording import rate
+from polhode.reports.wording import rate, uncertain
 from polhode.systems.euler_disk import LAYOUT, EulerDisk
 
 PURE = 0.9  # of the power, from which on one law is said to dominate
@@ -119,7 +119,8 @@ class EulerDiskReport(AbstractReport):
         if found.first_event is None:
             return f"In {end:.6g} s the disk goes round {self.turns:.4g} times, and its end is not reached."
         events = ", then ".join(f"{name} at {time:.8g} s" for name, time in found.events.items())
-        t0 = "" if found.end is None else f" The tilt would vanish at t0 = {found.end:.8g} s."
+        end_time = "" if found.end is None else uncertain(found.end, found.end_uncertainty, "s")
+        t0 = end_time and f" Extrapolated, the tilt would vanish at t0 = {end_time}."
         return f"The disk goes round {self.turns:.4g} times and ends: {events}.{t0}"
 
     @property
@@ -161,12 +162,12 @@ class EulerDiskReport(AbstractReport):
         rolling, spinning = self.thresholds or (None, None)
         nutation = None if self.steady is None else self.steady.nutation
         ratio = nutation / abs(precession or math.inf) if nutation else None
-        small = f"{rate(nutation)} = {ratio:.6g} of the precession" if ratio else None
+        small = f"{rate(nutation)} = {ratio:.6g} times the precession" if ratio else None
         return Group("Start", [
             Answer("start.tilt", start["tilt"], "rad", "tilt from the plane"),
             Answer("start.heading", start["heading"], "rad"),
             Answer("start.precession", precession, "rad/s", "precession Ω of the contact"),
-            Answer("start.face_rate", float(self.disk.face_rate(state)), "rad/s", "turning of what is printed on it"),
+            Answer("start.face_rate", float(self.disk.face_rate(state)), "rad/s", "turning of a picture on its face"),
             Answer("start.spin", start["spin"], "rad/s", "spin about the axis"),
             Answer("start.tilt_rate", start["tilt_rate"], "rad/s", "rate of the tilt"),
             Answer("start.angular_velocity", math.hypot(*rates), "rad/s", "", "magnitude"),
@@ -197,7 +198,7 @@ class EulerDiskReport(AbstractReport):
             "law": lambda row: row["law"],
             "power at first": lambda row: f"{row['power']:.4g} W",
             "share": lambda row: f"{row['share']:.4g}",
-            "share late": lambda row: "–" if row["share_late"] is None else f"{row['share_late']:.4g}",
+            "share when fitted": lambda row: "–" if row["share_late"] is None else f"{row['share_late']:.4g}",
             "its exponent n": lambda row: _predicted(row["exponent"]),
         }
         units = {
@@ -216,7 +217,7 @@ class EulerDiskReport(AbstractReport):
         rows = [{"name": name, **values} for name, values in self._fits(found).items()]
         columns = {
             "law": lambda row: said[row["name"]][0],
-            "fitted": lambda row: f"{row['fitted']:.5f} ± {row['uncertainty']:.1g}",
+            "fitted": lambda row: uncertain(row["fitted"], row["uncertainty"]),
             "predicted": lambda row: (
                 "–" if row["predicted"] is None else f"{_predicted(row['predicted'])} ({said[row['name']][1]})"
             ),
@@ -237,10 +238,10 @@ class EulerDiskReport(AbstractReport):
 
     def _end(self, found: SpinDown) -> Group:
         dominant, exact = self.dominant, found.end
-        t0 = None if exact is None else f"{exact:.10g} ± {found.end_uncertainty:.1g} s"
+        t0 = None if exact is None else uncertain(exact, found.end_uncertainty, "s")
         by_energy = None if self.end_by_energy is None else f"{self.end_by_energy:.6g} s"
         events = [
-            Answer("", None, "", name, "", f"{time:.10g} s" + ("" if exact is None else f", t0 {time - exact:+.3g} s"))
+            Answer("", None, "", name, "", f"{time:.10g} s{_before(exact, time, found.end_uncertainty)}")
             for name, time in found.events.items()
         ]
         return Group("End", [
@@ -272,6 +273,13 @@ class EulerDiskReport(AbstractReport):
 
 def _exponent(fit: PowerLaw, predicted: float | None) -> dict[str, float | None]:
     return {"fitted": fit.exponent, "uncertainty": fit.uncertainty, "predicted": predicted}
+
+
+def _before(end: float | None, time: float, uncertainty: float | None) -> str:
+    """Return how long before t0 [s] something happens, in words; empty where t0 is not known as well as that."""
+    if end is None or uncertainty is None or not uncertainty < abs(time - end):
+        return ""
+    return f", t0 − {uncertain(end - time, uncertainty, 's')}" if time < end else ", after t0"
 
 
 def _predicted(exponent: float) -> str:

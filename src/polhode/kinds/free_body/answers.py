@@ -42,7 +42,11 @@ LARGEST = 1e200  # of energies and momenta in SI; products of the two stay withi
 
 @dataclass(frozen=True)
 class FreeBodyReport(AbstractReport):
-    """Everything said about one body and its motion; undefined or infinite values are None."""
+    """Everything said about one body and its motion; undefined or infinite values are None.
+
+    Attributes:
+        remarks: on how the spec was taken.
+    """
 
     kind: ClassVar[str] = "free-body"
     body: Body
@@ -54,6 +58,7 @@ class FreeBodyReport(AbstractReport):
     precession_space: Precession | None
     rotation_period: float | None
     twist_per_flip: float | None
+    remarks: tuple[str, ...] = ()
 
     @property
     def mechanics(self) -> Mechanics:
@@ -122,7 +127,7 @@ class FreeBodyReport(AbstractReport):
 
     @property
     def notes(self) -> list[str]:
-        found = []
+        found = [*self.remarks]
         if self._spins_about_least():
             found.append(
                 "this is spin about the axis of least moment: any internal loss of energy makes the body leave it, as "
@@ -154,7 +159,8 @@ def report_of(spec: Spec) -> FreeBodyReport:
     """Return the report on the free motion of a spec's body."""
     assert spec.body is not None
     momentum, attitude = spec.start(spec.body.principal_moments, spec.body.principal_axes)
-    return free_body_report(spec.body, momentum, attitude, spec.times, spec.samples)
+    found = free_body_report(spec.body, momentum, attitude, spec.times, spec.samples)
+    return replace(found, remarks=spec.remarks)
 
 
 def free_body_report(

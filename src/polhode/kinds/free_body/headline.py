@@ -39,18 +39,18 @@ def _steady(motion: FreeMotion) -> str:
 def _coning(motion: FreeMotion) -> str:
     axis = motion.encircled_axis
     return (
-        f"Spin about axis {axis + 1}{_rank(motion, axis)}, which cones (nutates): it leans {_cone(motion)} from L and "
-        f"goes round it every {in_its_unit(motion.tumbling_periods[0])}; in the body L goes round it every "
-        f"{in_its_unit(motion.period)}."
+        f"Spin about axis {axis + 1}{_rank(motion, axis)}, which cones (nutates): it leans {_cone(motion)} from "
+        f"the angular momentum L and goes round it every {in_its_unit(motion.tumbling_periods[0])}; in the body L goes "
+        f"round it every {in_its_unit(motion.period)}."
     )
 
 
 def _tumbling(motion: FreeMotion) -> str:
     axis = motion.encircled_axis
     return (
-        f"Tumbling: axis {axis + 1}{_rank(motion, axis)} leans {_cone(motion)} from L and goes round it every "
-        f"{in_its_unit(motion.tumbling_periods[0])}, while the body rolls about that axis: L is back in the body every "
-        f"{in_its_unit(motion.period)}."
+        f"Tumbling: axis {axis + 1}{_rank(motion, axis)} leans {_cone(motion)} from the angular momentum L and "
+        f"goes round it every {in_its_unit(motion.tumbling_periods[0])}, while the body rolls about that axis: L is "
+        f"back in the body every {in_its_unit(motion.period)}."
     )
 
 
@@ -60,8 +60,8 @@ def _flipping(motion: FreeMotion) -> str:
     turns = 0.5 * motion.precession_per_period / (2.0 * math.pi)
     return (
         f"Flipping: the body turns over along axis {middle + 1}, its intermediate one, every "
-        f"{in_its_unit(motion.flip_interval)}, {turns:.3g} turns about L; axis {axis + 1}{_rank(motion, axis)} leans "
-        f"{_cone(motion)} from L."
+        f"{in_its_unit(motion.flip_interval)}, {turns:.3g} turns about the angular momentum L; axis "
+        f"{axis + 1}{_rank(motion, axis)} leans {_cone(motion)} from L."
     )
 
 

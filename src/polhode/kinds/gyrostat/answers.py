@@ -107,17 +107,17 @@ class GyrostatReport(AbstractReport):
         said = " and ".join(f"{n} {word}" for word, n in count.items() if n)
         end = " as the rotor turns at the end" if self.motor else ""
         return (
-            f"L stays between {low:.5g}° and {high:.5g}° from the rotor's axis. On its momentum sphere there are "
-            f"{said} steady rotations{end}."
+            f"The angular momentum L stays between {low:.5g}° and {high:.5g}° from the rotor's axis. With this |L| "
+            f"there are {said} steady rotations{end}."
         )
 
     @property
     def notes(self) -> list[str]:
-        notes = []
+        notes = [*self.spec.remarks]
         if any(e.circle for e in self.equilibria):
             notes.append("two moments are equal: a row stands for the whole circle of equilibria that it lies on.")
         if any(e.verdict.verdict == "stable" and e.extremum == "maximum" for e in self.equilibria):
-            notes.append("where the energy has a maximum, losses in the carrier make the body leave in the end.")
+            notes.append("losses in the carrier make the body leave a steady rotation where the energy has a maximum.")
         return notes
 
     def answers(self) -> list[Group | Table]:

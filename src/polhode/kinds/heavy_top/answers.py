@@ -17,10 +17,10 @@ from polhode.motion.trajectory import Trajectory
 from polhode.reports.length import check_length, equal_steps, splitting_step
 from polhode.reports.top import (
     TopReport,
-    attitude_of,
     frame_of,
     mechanics_of,
     rest_verdicts,
+    start_of,
     top_of,
     usual_times,
 )
@@ -51,7 +51,7 @@ def report_of(spec: Spec) -> HeavyTopReport:
     moved = _moved(spec)
     assert spec.body is not None
     verdicts = rest_verdicts(moved.top, moved.momentum)
-    return HeavyTopReport(spec.body, spec.surface, moved.top, moved.trajectory, verdicts, moved.warned)
+    return HeavyTopReport(spec.body, spec.surface, moved.top, moved.trajectory, verdicts, moved.warned, spec.remarks)
 
 
 def motion_of(spec: Spec) -> SpecMotion:
@@ -79,7 +79,7 @@ def _moved(spec: Spec) -> _Moved:
     assert isinstance(table, HeavyTopTable) and body is not None
     top = top_of(body, table.pivot, table.gravity)
     momentum, attitude = spec.start(np.asarray(top.moments), np.asarray(top.axes))
-    attitude = attitude_of(top, attitude, table.lean)
+    momentum, attitude = start_of(top, spec.spin, momentum, attitude, table.lean)
     state = top.pack(rotation.multiply(attitude, rotation.conjugate(rotation.from_matrix(np.asarray(top.axes)))),
                       momentum=np.asarray(top.axes) @ momentum)  # fmt: skip
     if times is None:

@@ -24,10 +24,10 @@ from polhode.reports.about import accuracy
 from polhode.reports.answer import Answer, Group
 from polhode.reports.top import (
     TopReport,
-    attitude_of,
     frame_of,
     mechanics_of,
     rest_verdicts,
+    start_of,
     top_of,
     usual_times,
 )
@@ -91,7 +91,7 @@ class LagrangeTopReport(TopReport):
         return Group("Motion", [
             Answer("regime", exact.regime, "", "regime", "", "steady" if self.constant_tilt else exact.regime),
             Answer("spin", self.spin, "rad/s", "spin about the axis"),
-            Answer("sleeping_threshold", self.threshold, "rad/s", "spin from which it sleeps"),
+            Answer("sleeping_threshold", self.threshold, "rad/s", "least spin to sleep, upright"),
             Answer("start_tilt", float(self.tilt[0]), "rad"),
             Answer("nutation_limits", exact.nutation_limits, "", "tilt", "cos of the tilt", limits),
             Answer("nutation_period", exact.nutation_period, "s", varying("nutation period T")),
@@ -133,7 +133,7 @@ def report_of(spec: Spec) -> LagrangeTopReport:
     top, exact, trajectory = _moved(spec)
     I1, _, I3 = (float(x) for x in exact.moments)
     return LagrangeTopReport(
-        spec.body, spec.surface, top, trajectory, rest_verdicts(top, exact.momentum_at_epoch),
+        spec.body, spec.surface, top, trajectory, rest_verdicts(top, exact.momentum_at_epoch), remarks=spec.remarks,
         steady=steady_precession_of(exact), threshold=sleeping_threshold((I1, I1, I3), float(exact.mgl)),
     )  # fmt: skip
 
@@ -156,7 +156,8 @@ def _moved(spec: Spec) -> tuple[HeavyTop, LagrangeMotion, Trajectory]:
     standing = _standing(body, table, spec.kind.subject)
     top = HeavyTop.from_motion(standing)
     momentum, attitude = spec.start(standing.moments, np.asarray(standing.axes))
-    exact = LagrangeMotion(standing.moments, standing.mgl, momentum, attitude_of(top, attitude, table.lean))
+    momentum, attitude = start_of(top, spec.spin, momentum, attitude, table.lean)
+    exact = LagrangeMotion(standing.moments, standing.mgl, momentum, attitude)
     if times is None:
         times = usual_times(finite(exact.nutation_period), top, momentum, spec.samples)
     return top, exact, replace(exact.sample(times), frame=frame_of(top, body, table.pivot))

@@ -30,6 +30,7 @@ PERIODS = 30
 DAY = 86400.0
 LISTED = (3.0, 10.0)  # orders up to which resonances are listed: at least, and at most where spin or orbit are faster
 LARGEST = 1e100  # of rates in rad/s; their squares stay within the range of numbers
+ABOUT = 2  # digits of exponents, which settle as slowly as ln t/t
 TOLERANCE = 1e-12  # of the samples' adaptive steps
 
 
@@ -44,6 +45,7 @@ class SpinOrbitReport(AbstractReport):
         resonances: p = 1/2, 1, … up to 3 or more.
         motion: exponent, verdict, mean rate and libration over thousands of orbits.
         section_orbits: how many the figure shows.
+        remarks: on how the spec was taken.
     """
 
     kind: ClassVar[str] = "spin-orbit"
@@ -53,6 +55,7 @@ class SpinOrbitReport(AbstractReport):
     resonances: list[Resonance]
     motion: SpinMotion
     section_orbits: int
+    remarks: tuple[str, ...] = ()
 
     @property
     def start(self) -> Float64[Array, "2"]:
@@ -122,9 +125,9 @@ class SpinOrbitReport(AbstractReport):
         spin_ratio = start_rate / n
         rate, chaotic = motion.exponent, motion.verdict == "chaotic"
         level = motion.regular_exponent(n)
-        exponent = f"{rate:.4g} /s = {rate / n:.4g} n"
+        exponent = f"{rate:.{ABOUT}g} /s = {rate / n:.{ABOUT}g} n"
         if not chaotic:
-            exponent += f"; a regular motion shows about {level:.4g} /s by then, falling as ln t/t"
+            exponent += f"; a regular motion shows about {level:.{ABOUT}g} /s by then, falling as ln t/t"
         kept = "none" if held is None else (
             f"in {ratio(held.order)}, about {_cleaned(math.degrees(held.angle)):.5g}° by "
             f"±{_cleaned(math.degrees(held.amplitude)):.5g}° at periapsis"
@@ -141,9 +144,9 @@ class SpinOrbitReport(AbstractReport):
             Answer("verdict", motion.verdict, "", "verdict", "", f"{motion.verdict} over {motion.orbits} orbits"),
             Answer("lyapunov_exponent", rate, "1/s", "Lyapunov exponent", "", exponent),
             Answer("regular_level", level, "1/s"),
-            Answer("lyapunov_time", lasting, "s", "its time 1/λ", "", _duration(lasting)),
+            Answer("lyapunov_time", lasting, "s", "its time 1/λ", "", _about(lasting)),
             Answer("predictable_time", self.predictable_time, "s", "predictable for about", "",
-                   _duration(self.predictable_time)),
+                   _about(self.predictable_time)),
             Answer("libration", None if held is None else held._asdict(), "rad", "libration", "at periapsis", kept),
             Answer("mean_rate", mean, "rad/s", "mean rotation", "",
                    f"{mean:.{digits}g} rad/s = {mean_ratio:.{digits}g} n"),
@@ -162,14 +165,16 @@ class SpinOrbitReport(AbstractReport):
             found.append(
                 f"no more is known than {self.motion.orbits} orbits show; chaos may cling to an island for longer."
             )
-        return found
+        return [*self.remarks, *found]
 
     @property
     def summary(self) -> str:
         motion, n = self.motion, float(self.system.mean_motion)
         if motion.verdict == "chaotic":
             tenfold = math.log(10.0) / motion.exponent / float(self.system.orbit.period)
-            return f"Chaotic: neighbouring spins part tenfold every {tenfold:.3g} orbits."
+            return (
+                f"Chaotic: two spins that start almost alike differ ten times as much {tenfold:.2g} orbits later."
+            )
         sure = "Regular" if motion.verdict == "regular" else f"Undecided after {motion.orbits} orbits"
         if motion.libration is not None:
             held = motion.libration
@@ -206,7 +211,7 @@ def report_of(spec: Spec) -> SpinOrbitReport:
     trajectory = replace(simulate(system, state, times, progress=shown), frame=frame)
     return SpinOrbitReport(
         spec.body, system, trajectory, resonances(system, highest), spin_motion(system, state),
-        table.section_orbits,
+        table.section_orbits, spec.remarks,
     )  # fmt: skip
 
 
@@ -230,8 +235,12 @@ def _system(spec: Spec, table: SpinOrbitTable) -> SpinOrbit:
     return SpinOrbit.from_body(spec.body, orbit)
 
 
-def _duration(seconds: float | None) -> str | None:
-    return None if seconds is None else f"{seconds:.4g} s = {seconds / DAY:.4g} d"
+def _about(seconds: float | None) -> str | None:
+    """Return a time in words, with as few digits as exponents have."""
+    if seconds is None:
+        return None
+    short = lambda x: f"{float(f'{x:.{ABOUT}g}'):g}"  # noqa: E731
+    return f"{short(seconds)} s = {short(seconds / DAY)} d"
 
 
 def _cleaned(degrees: float) -> float:

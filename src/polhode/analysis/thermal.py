@@ -1,0 +1,60 @@
+"""How fast a molecule turns at a temperature, by classical equipartition."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from polhode.arrays import known_numbers_only
+from polhode.errors import InvalidInput, shown
+from polhode.types import Array, ArrayLike, Float64, Real
+
+BOLTZMANN = 1.380649e-23  # J/K, exact by definition
+REDUCED_PLANCK = 6.62607015e-34 / (2.0 * np.pi)  # J s, h exact by definition
+
+
+@known_numbers_only
+def thermal_momentum(moments: Real[ArrayLike, "*batch 3"], temperature: float) -> Float64[Array, "*batch 3"]:
+    """Return √(k T I) along each principal axis (…, 3) [kg m²/s], the root mean square at a temperature.
+
+    In classical equilibrium the components of L are independent and normal with variance k T I, so that each axis has
+    ½ k T on average. The momentum with these components has the mean energy, 3/2 k T, exactly. About an axis without
+    moment nothing turns.
+
+    Args:
+        moments: (…, 3) principal moments [kg m²], not negative.
+        temperature: [K], positive.
+
+    Raises:
+        InvalidInput: for another temperature or moments.
+
+    Source: Landau & Lifshitz, *Statistical Physics*, §44.
+
+    >>> L = thermal_momentum((1e-47, 2e-47, 3e-47), 300.0)
+    >>> print(f"{0.5 * np.sum(L**2 / (1e-47, 2e-47, 3e-47)) / (BOLTZMANN * 300.0):.12f}")
+    1.500000000000
+    """
+    I = np.asarray(moments, dtype=float)  # noqa: E741
+    if I.shape[-1:] != (3,) or not (np.isfinite(I).all() and (I >= 0.0).all()):
+        raise InvalidInput(f"`moments` must be three that are finite and not negative [kg m²]; got {shown(moments)}.")
+    if not (np.ndim(temperature) == 0 and np.isfinite(temperature) and temperature > 0.0):
+        raise InvalidInput(f"`temperature` must be positive and finite [K]; got {shown(temperature)}.")
+    return np.sqrt(BOLTZMANN * temperature) * np.sqrt(I)
+
+
+@known_numbers_only
+def rotational_temperature(moments: Real[ArrayLike, "*batch 3"]) -> Float64[Array, "*batch 3"]:
+    """Return ħ²/(2 I k) (…, 3) [K]; rotation is classical at temperatures far above all three.
+
+    Args:
+        moments: (…, 3) principal moments [kg m²], positive.
+
+    Raises:
+        InvalidInput: for other moments.
+
+    >>> rotational_temperature((1.0e-47, 1.9e-47, 2.9e-47)).round(1).tolist()
+    [40.3, 21.2, 13.9]
+    """
+    I = np.asarray(moments, dtype=float)  # noqa: E741
+    if I.shape[-1:] != (3,) or not (np.isfinite(I).all() and (I > 0.0).all()):
+        raise InvalidInput(f"`moments` must be three that are finite and positive [kg m²]; got {shown(moments)}.")
+    return REDUCED_PLANCK / I * (0.5 * REDUCED_PLANCK / BOLTZMANN)
