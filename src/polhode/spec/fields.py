@@ -89,7 +89,7 @@ def _by_euler_angles(table: dict[str, Any]) -> tuple[float, ...]:
     if not isinstance(angles, list) or len(angles) != 3:
         raise ValueError(f'angles must be three, like ["10 deg", "20 deg", "30 deg"]; got {shown(angles)}')
     sizes = [parse_quantity(angle, "rad") for angle in angles]
-    return tuple(rotation.from_euler_angles(sizes, sequence).tolist())
+    return tuple(rotation.from_euler_angles(sizes, str(sequence)).tolist())
 
 
 def _by_axis_and_angle(table: dict[str, Any]) -> tuple[float, ...]:
