@@ -121,6 +121,17 @@ def test_scipy_round_trip(quaternions):
     assert np.abs(np.abs(np.sum(back * quaternions, axis=1)) - 1.0).max() < ROUNDING
 
 
+@pytest.mark.parametrize("sequence", ["ZYX", "XYZ", "YXZ", "ZXZ", "xyz", "zxz", "yzx"])
+def test_euler_angles_agree_with_scipy(sequence):
+    """SciPy too writes turns about the body's own axes in capitals."""
+    angles = np.random.default_rng(3).uniform(-3.0, 3.0, (50, 3))
+    wanted = rotation.from_scipy(Rotation.from_euler(sequence, angles))
+    assert rotation.angle_between(rotation.from_euler_angles(angles, sequence), wanted).max() < ROUNDING
+    with jax.enable_x64(True):
+        traced = jax.jit(lambda a: rotation.from_euler_angles(a, sequence))(jax.numpy.asarray(angles))
+    assert rotation.angle_between(np.asarray(traced), wanted).max() < ROUNDING
+
+
 @pytest.mark.parametrize("function", ["conjugate", "normalize", "as_matrix", "as_rotation_vector"])
 def test_strict_arrays_and_jax_agree_with_numpy(function, quaternions):
     call = getattr(rotation, function)
@@ -152,6 +163,9 @@ def test_strict_arrays_through_the_matrix_and_the_exponential(quaternions):
         (lambda: rotation.from_axis_angle([0.0, 0, 0], 1.0), "direction"),
         (lambda: rotation.shortest_between([0.0, 0, 0], [1.0, 0, 0]), "`start`.*direction"),
         (lambda: rotation.perpendicular([1.0, 0]), "shape"),
+        (lambda: rotation.from_euler_angles([1.0, 0], "ZYX"), "shape"),
+        (lambda: rotation.from_euler_angles([1.0, 0, 0], "ZZX"), "no two alike"),
+        (lambda: rotation.from_euler_angles([1.0, 0, 0], "ZyX"), "capitals"),
     ],
 )
 def test_bad_input(call, words):

@@ -248,6 +248,7 @@ def specimens(folder: Path, names: list[str]) -> dict[str, Specimen]:
     formats.write_urdf_inertial(ph.shapes.box(12.0, (1.0, 2.0, 3.0)), folder / "a.urdf", principal=True)
     formats.write_aem(motion, folder / "a.aem", LABELS, rates="angular velocity")
     formats.write_csv(motion, folder / "a.csv")
+    shutil.copy(folder / "a.csv", folder / "columns.csv")
     motion = replace(motion, frame=frame)
     formats.write_dataset(motion, folder / "a.nc")
     formats.write_zarr(motion, folder / "a.zarr")
@@ -261,11 +262,18 @@ def specimens(folder: Path, names: list[str]) -> dict[str, Specimen]:
         "a.urdf": Specimen(folder / "a.urdf", in_text, read_body),
         "a.aem": Specimen(folder / "a.aem", in_text, read_trajectory(formats.read_aem)),
         "a.csv": Specimen(folder / "a.csv", in_text, read_trajectory(formats.read_csv)),
+        "columns.csv": Specimen(folder / "columns.csv", in_text, read_trajectory(read_table)),
         "a.nc": Specimen(folder / "a.nc", in_hdf5, read_trajectory(formats.read_dataset)),
         "a.zarr": Specimen(folder / "a.zarr", in_store, read_trajectory(formats.read_dataset)),
         "a.bc": Specimen(folder / "a.bc", in_kernels, read_trajectory(formats.read_ck)),
     }  # fmt: skip
     return {name: found[name] for name in names or found}
+
+
+def read_table(path: Path) -> Any:
+    """Return what a mapping makes of a table."""
+    rates = [f"omega_{axis} [rad s-1]" for axis in "123"]
+    return formats.read_columns(path, formats.ColumnMapping("time", quat="q_w,q_x,q_y,q_z", gyro=rates))
 
 
 def embedded(mesh: Any) -> str:

@@ -118,12 +118,16 @@ def test_ascii_stl_of_several_solids_in_any_spelling(saved):
         assert np.array_equal(found[0], expected[0]) and np.array_equal(found[1], expected[1])
 
 
+def plain_table(path):
+    return formats.read_columns(path, formats.ColumnMapping(1, time_unit="s", gyro=(2, 3, 4), unit="rad/s"))
+
+
 def test_binary_garbage_as_text_is_refused_at_once(saved):
     """Its encoding would be guessed, for minutes."""
     noise = np.random.default_rng(0).integers(0, 256, 10**6, dtype=np.uint8).tobytes()
     for name, read in {"a.stl": mesh, "a.obj": mesh, "a.off": mesh, "a.ply": mesh, "a.glb": mesh,
                        "a.xyz": formats.read_molecule, "a.urdf": formats.read_urdf_inertial,
-                       "a.aem": formats.read_aem, "a.csv": formats.read_csv}.items():  # fmt: skip
+                       "a.aem": formats.read_aem, "a.csv": formats.read_csv, "a.txt": plain_table}.items():  # fmt: skip
         refused(read, saved(name, noise))
         refused(read, saved(name, b"solid\n" + noise.replace(b"\0", b"\1")))
 

@@ -23,6 +23,7 @@ READERS = {
     "robot.urdf": formats.read_urdf_inertial,
     "motion.aem": formats.read_aem,
     "motion.csv": formats.read_csv,
+    "motion.txt": lambda path: formats.read_columns(path, formats.ColumnMapping(1, gyro=(2, 3, 4))),
     "motion.nc": formats.read_dataset,
     "motion.bc": lambda path: formats.read_ck(path, sclk=__file__),
     "motion.tsc": lambda path: read_clock(path),

@@ -55,7 +55,8 @@ def table_to_import(options: ColumnOptions) -> Table | None:
     if words is None:
         return None
     if sides := [side for side in SIDES if side in words]:
-        raise InvalidInput(f"{options.mapping}: has a table [{sides[0]}], which is for `polhode compare`. Leave it out.")
+        why = f"has a table [{sides[0]}], which is for `polhode compare`"
+        raise InvalidInput(f"{options.mapping}: {why}. Leave it out.")
     return Table(_mapping(words, _place(options)), True)
 
 
@@ -136,14 +137,14 @@ def about_reading(trajectory: Trajectory, title: str, level: str) -> Group:
         Answer(f"{prefix}attitude", found["attitude"], "", "attitude"),
         Answer(f"{prefix}angular_velocity", found["angular_velocity"], "", "angular velocity"),
         Answer(f"{prefix}samples", found["samples"], "", "samples", "", f"{found['samples']}, {span}"),
-        Answer(f"{prefix}left_out", found["left_out"], "", "lines without values", "",
-               f"{found['left_out']}, left out" if found["left_out"] else None),
-        Answer(f"{prefix}repeated", found["repeated"], "", "lines that repeat", "",
-               f"{found['repeated']}, left out" if found["repeated"] else None),
+        Answer(f"{prefix}left_out", found["left_out"], "", "lines without values" if found["left_out"] else "", "",
+               f"{found['left_out']}, left out"),
+        Answer(f"{prefix}repeated", found["repeated"], "", "lines that repeat" if found["repeated"] else "", "",
+               f"{found['repeated']}, left out"),
         Answer(f"{prefix}largest_deviation", off, "", "largest deviation of |q| from 1", "",
                None if off is None else f"{off:.2g}, normalised"),
         Answer(f"{prefix}rates_apart", apart, "", "rates differ from the attitude's by", "relative, rms",
-               None if apart is None else f"{100.0 * apart:.2g} %"),
+               None if apart is None else f"{100.0 * apart:.3g} %"),
     ])  # fmt: skip
 
 
@@ -153,6 +154,6 @@ def notes_on_reading(trajectory: Trajectory, name: str) -> list[str]:
     found = trajectory.source.attributes
     notes = [f"{name}: {note}" for note in found["notes"]]
     if (found["rates_apart"] or 0.0) > APART:
-        notes.append(f"{name}: the attitude does not turn as the angular velocity says. Check direction, order, sequence "
-                     "and units.")  # fmt: skip
+        notes.append(f"{name}: the attitude does not turn as the angular velocity says. Check direction, order, "
+                     "sequence and units.")  # fmt: skip
     return notes

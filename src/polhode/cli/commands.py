@@ -238,7 +238,9 @@ def import_(
 
 @app.command(cls=StrictCommand)
 def compare(
-    a: Annotated[Path, typer.Argument(metavar="A", help="Spec, dataset or CSV of polhode's, CCSDS AEM, C-kernel or any table.")],
+    a: Annotated[
+        Path, typer.Argument(metavar="A", help="Spec, dataset or CSV of polhode's, CCSDS AEM, C-kernel, any table.")
+    ],
     b: Annotated[Path, typer.Argument(metavar="B", help="The same; times are counted by A.")],
     json: AsJson = False,
     out: Annotated[

@@ -58,8 +58,8 @@ def _check_used(a: Source, b: Source, tables: tuple[Table | None, Table | None])
             why = f"is {KINDS_IN_WORDS[side.kind]}, and a mapping is for tables"
             raise InvalidInput(f"{side.history.name}: {why}. Leave its part of the mapping out.")
     if tables != (None, None) and "table" not in (a.kind, b.kind):
-        raise InvalidInput(f"neither {a.history.name} nor {b.history.name} is a table, and the options of columns are for "
-                           "these. Leave them out.")  # fmt: skip
+        why = "is a table, and the options of columns are for these"
+        raise InvalidInput(f"neither {a.history.name} nor {b.history.name} {why}. Leave them out.")
 
 
 def _readings(a: Source, b: Source) -> tuple[list[Group], list[str]]:

@@ -42,7 +42,7 @@ def run_import(
         groups = [about_reading(trajectory, "How the table is read", "read_as")]
     if trajectory.outcome.message:
         notes.append(f"{trajectory.outcome.message}.")
-    kept = "a free body's"
+    kept = ""
     if spec is not None:
         trajectory, kept, more = _with_moments(trajectory, spec)
         notes += more
@@ -67,8 +67,8 @@ def _with_moments(trajectory: Trajectory, spec: Path) -> tuple[Trajectory, str, 
         raise InvalidInput(f"{spec}: has no [body], whose moments would be needed. Choose another spec.")
     trajectory = along_principal_axes(trajectory, body.frame, body.mechanics)
     if body.mechanics is None:
-        return trajectory, "", ["momentum and energy are left out: they are known here of free bodies and tops, and "
-                                f"{spec} is of the system {body.kind}."]  # fmt: skip
+        known = "they are known here of free bodies and tops"
+        return trajectory, "", [f"momentum and energy are left out: {known}, and {spec} is of the system {body.kind}."]
     if trajectory.momentum is None:
         return trajectory, "", ["the file has no angular velocity, so that there is neither momentum nor energy."]
     if trajectory.attitude is None:

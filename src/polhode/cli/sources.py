@@ -160,6 +160,9 @@ def source_of(path: Path, kernels: Kernels, table: Table | None = None) -> Sourc
     if kind_of(path, table) == "spec":
         return _from_spec(path)
     kind, found, labels = read_recorded(path, kernels, table)
+    if kind == "table" and found.attitude is None:
+        raise InvalidInput(f"{path}: a comparison is of attitudes, and only --gyro is given. Name them by --quat or "
+                           "--euler.")  # fmt: skip
     trajectory = along_given_axes(found)
     history = replace(
         _history(path, trajectory), resolution=0.5 * PICOSECOND if kind == "aem" else 0.0,

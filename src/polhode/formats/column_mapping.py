@@ -9,7 +9,7 @@ from __future__ import annotations
 import difflib
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -18,6 +18,13 @@ from polhode.errors import InvalidInput, shown
 from polhode.formats.header_words import ANGLE_UNITS, RATE_UNITS, TIME_UNITS, unit_named
 
 Columns = tuple[str | int, ...]
+if TYPE_CHECKING:
+    Column = str | int | None
+    Word = str | None
+    Several = str | Sequence[str | int] | None
+else:
+    Column = Word = Several = Any
+    """Words come from files too; what they may be is said in words, by the mapping itself."""
 ORDERS = ("wxyz", "xyzw")
 DIRECTIONS = ("body-to-space", "space-to-body")
 DECIMALS = ("point", "comma")
@@ -49,16 +56,16 @@ class ColumnMapping:
     (('qw', 'qx', 'qy', 'qz'), (6, 7, 8), 'deg/s')
     """
 
-    time: str | int
-    time_unit: str | None = None
-    quat: str | Sequence[str | int] | None = None
-    order: str | None = None
-    direction: str | None = None
-    euler: str | Sequence[str | int] | None = None
-    sequence: str | None = None
-    gyro: str | Sequence[str | int] | None = None
-    unit: str | Sequence[str] | None = None
-    decimal: str | None = None
+    time: Column
+    time_unit: Word = None
+    quat: Several = None
+    order: Word = None
+    direction: Word = None
+    euler: Several = None
+    sequence: Word = None
+    gyro: Several = None
+    unit: Several = None
+    decimal: Word = None
 
     def __post_init__(self) -> None:
         problems: list[str] = []
@@ -90,7 +97,9 @@ class ColumnMapping:
         return tuple(self.quat or self.euler or ())
 
     def _wrong_words(self) -> Iterator[str]:
-        if not _is_column(self.time):
+        if self.time is None:
+            yield "time is missing: which column has the times? Give its name, or its number from 1."
+        elif not _is_column(self.time):
             yield f'time must be the name of a column, like "t", or its number from 1; got {shown(self.time)}.'
         words = {"time_unit": tuple(TIME_UNITS), "order": ORDERS, "direction": DIRECTIONS, "decimal": DECIMALS}
         for name, choices in words.items():
@@ -99,7 +108,7 @@ class ColumnMapping:
                 yield f"{name} must be one of {', '.join(choices)}; got {shown(value)}."
         if self.sequence is not None:
             try:
-                rotation.from_euler_angles(np.zeros(3), self.sequence)
+                rotation.from_euler_angles(np.zeros(3), str(self.sequence))
             except InvalidInput as error:
                 yield f"{error}."
 
@@ -115,7 +124,7 @@ class ColumnMapping:
             yield 'euler needs sequence, the axes of the turns in the order of the columns, like "ZYX".'
         if self.sequence and not self.euler:
             yield "sequence is that of Euler angles, and euler is not given. Give it, or leave sequence out."
-        if self.euler and self.sequence and (doubt := _reversed_names(self.euler, self.sequence)):
+        if self.euler and (doubt := _reversed_names(self.euler, self.sequence)):
             yield doubt
         if self.direction and not self.attitude:
             yield "direction is that of an attitude, and neither quat nor euler is given. Leave it out."
@@ -186,14 +195,14 @@ def _units(given: Any, problems: list[str]) -> tuple[str, ...] | None:
     return tuple(found)
 
 
-def _reversed_names(columns: Sequence[str | int], sequence: str) -> str:
+def _reversed_names(columns: Sequence[str | int], sequence: Word) -> str:
     """Return what to say where columns are named in the opposite order of the turns; "" where nothing is.
 
     "roll, pitch, yaw" with "ZYX" usually means turns by yaw, pitch and roll, one after the other; taken as it stands
     roll would be about z.
     """
     named = [next((word for word in ("roll", "pitch", "yaw") if word in str(name).lower()), "") for name in columns]
-    if named != ["roll", "pitch", "yaw"] or sequence.lower() != "zyx":
+    if named != ["roll", "pitch", "yaw"] or sequence not in ("ZYX", "zyx"):
         return ""
     turned = ",".join(map(str, reversed(columns)))
     return (

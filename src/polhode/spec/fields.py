@@ -89,10 +89,8 @@ def _by_euler_angles(table: dict[str, Any]) -> tuple[float, ...]:
     sequence, angles = table["sequence"], table["angles"]
     if not isinstance(angles, list) or len(angles) != 3:
         raise ValueError(f'angles must be three, like ["10 deg", "20 deg", "30 deg"]; got {shown(angles)}')
-    if not isinstance(sequence, str):
-        raise ValueError(f'sequence must be three of x, y, z in quotes, like "ZXZ"; got {shown(sequence)}')
     sizes = [_within_turns(angle) for angle in angles]
-    return tuple(rotation.from_euler_angles(sizes, sequence).tolist())
+    return tuple(rotation.from_euler_angles(sizes, str(sequence)).tolist())
 
 
 def _within_turns(value: Any) -> float:
