@@ -1,8 +1,10 @@
 """Sphinx: pages in Markdown, those with code cells run at every build, and the reference from docstrings."""
 
 import re
+from pathlib import Path
 
 import polhode
+from polhode.kinds.playground import write_playground
 
 project = "polhode"
 author = "The polhode developers"
@@ -26,5 +28,13 @@ def escape_marks(app, what, name, obj, options, lines):
             lines[n] = re.sub(r"\*(?=element_shape)|(?<=ad)\*|(?<=Ad)\*", r"\\*", line.replace("|", r"\|"))
 
 
+def write_live_pages(app, exception):
+    """The pages that documents show in frames stand next to them."""
+    if exception is None and app.builder.format == "html":
+        examples = {path.stem: path for path in (Path(__file__).parents[1] / "examples").glob("*.toml")}
+        write_playground(Path(app.outdir) / "playground-page.html", examples)
+
+
 def setup(app):
     app.connect("autodoc-process-docstring", escape_marks)
+    app.connect("build-finished", write_live_pages)

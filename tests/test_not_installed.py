@@ -13,10 +13,8 @@ from polhode.errors import InvalidInput, not_installed
 from polhode.formats.dataset import write_zarr
 from polhode.formats.dataset_reading import read_dataset
 from polhode.formats.spice_kernels import spiceypy
-from polhode.viewer.live import _viser
 
 WAYS = {
-    "viser": ("viser", lambda path: _viser()),
     "zarr, written": ("zarr.storage", lambda path: write_zarr(motion(), path / "new.zarr")),
     "zarr, read": ("zarr", lambda path: read_dataset(path / "old.zarr")),
     "spiceypy": ("spiceypy", lambda path: spiceypy()),

@@ -116,14 +116,6 @@ def test_a_command_that_does_not_listen_is_ended_from_beside(tmp_path):
     assert [path.name for path in tmp_path.iterdir()] == ["a"] and (tmp_path / "a").read_text() == "earlier"
 
 
-def test_a_signal_that_is_expected_ends_a_command_well():
-    with stopped_by_signals():
-        try:
-            signal.raise_signal(signal.SIGINT)
-        except Stopped as stop:
-            stop.expected = True
-
-
 HELD = """
 import os, signal, time
 from polhode.cli.stopping import Stopped, stopped_by_signals

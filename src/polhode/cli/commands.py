@@ -153,26 +153,6 @@ def view(
 
 
 @app.command(cls=StrictCommand)
-def live(
-    spec: Annotated[
-        Path | None, typer.Argument(metavar="[SPEC]", help="TOML file to begin with; without one, a T-handle's like.")
-    ] = None,
-    port: Annotated[
-        int, typer.Option("--port", metavar="N", parser=whole_number(0, 65535),
-                          help="Where the browser finds it; 0 for any free one.")
-    ] = 8080,
-    no_open: Annotated[bool, typer.Option("--no-open", help="Serve without opening a browser.")] = False,
-) -> None:
-    """Play with a body: its exact motion as you move the sliders.
-
-    The sliders are its moments and its spin.
-    """
-    from polhode.cli.live import run_live
-
-    run_live(spec, port, not no_open)
-
-
-@app.command(cls=StrictCommand)
 def body(spec: SpecPath, json: AsJson = False) -> None:
     """Print the body's mass properties alone."""
     from polhode.cli.body import run_body

@@ -25,13 +25,11 @@ class Stopped(BaseException):
 
     Attributes:
         number: of the signal.
-        expected: set it where the signal is the way to end a command, which then ends as if nothing had come.
     """
 
     def __init__(self, number: int) -> None:
         super().__init__(number)
         self.number = number
-        self.expected = False
 
 
 class _Watch:
@@ -105,7 +103,7 @@ def stopped_by_signals() -> Iterator[None]:
             raise  # otherwise it is what some library made of the signal
     finally:
         watch.end()
-        if watch.came is not None and not watch.came.expected:
+        if watch.came is not None:
             _remove_drafts()
             raise Stopped(watch.came.number) from None
 

@@ -1,1 +1,1 @@
-"""What a page is made of: samples, pictures that fit any body, the page itself, and the live view."""
+"""What a page is made of: samples, pictures that fit any body, and the page itself."""

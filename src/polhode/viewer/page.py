@@ -89,8 +89,10 @@ def page_of(
             "show. Give the state its attitude, or write a dataset instead."
         )
     title = name or title_of(trajectory.source)
-    said = [note[:1].upper() + note[1:] for note in (*map(with_powers, samples.notes), *notes)]
     model = model_of(trajectory)
+    # how samples were chosen is of no concern where the page solves the motion at any time
+    chosen = samples.notes if model is None else ()
+    said = [note[:1].upper() + note[1:] for note in (*map(with_powers, chosen), *notes)]
     data = {
         "name": title, "summary": summary, "notes": said, "panels": shown.panels,
         "drift": {key: float(np.max(value)) for key, value in trajectory.drift.items() if np.size(value)},
