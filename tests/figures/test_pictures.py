@@ -159,7 +159,8 @@ def precessing():
 
 def test_the_cones_of_steady_precession(precessing):
     """By hand: Ω = p e_z + (w3 − p cos θ) e3, on both cones at all times, the angles adding up to the tilt."""
-    path, tilt, spin, p = followed(top_shown(precessing.trajectory)), np.radians(30.0), 37.0, precessing.steady.slow
+    path, tilt, p = followed(top_shown(precessing.trajectory)), np.radians(30.0), precessing.steady.slow
+    spin = 253.0 * np.pi / 30.0 + p * np.cos(tilt)
     unit = path.velocity / np.linalg.norm(path.velocity, axis=-1, keepdims=True)
     in_space, in_body = np.arccos(unit[:, 2]), np.arccos(np.sum(unit * path.axis, axis=-1))
     body = np.arctan2(p * np.sin(tilt), spin)

@@ -83,7 +83,7 @@ def test_chaos_is_said_with_how_long_it_can_be_followed(report):
     assert values["verdict"] == "chaotic" and values["chaos_expected"] and values["libration"] is None
     assert values["lyapunov_time"] == pytest.approx(1.0 / values["lyapunov_exponent"])
     tenfold = np.log(10) / 0.12 / (2 * np.pi)  # orbits, at λ = 0.12 n
-    assert float(found.summary.split("every ")[1].split()[0]) == pytest.approx(tenfold, rel=0.1)
+    assert float(found.summary.split("as much ")[1].split()[0]) == pytest.approx(tenfold, rel=0.1)
     # from 1e-12 to one
     assert values["predictable_time"] == pytest.approx(12 * tenfold * values["orbital_period"], rel=0.1)
     assert len(found.notes) == 2 and "outlast" in found.notes[1]
