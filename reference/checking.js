@@ -1,4 +1,5 @@
 // What the motions ask of their arguments. A RangeError says which value is wrong, what it must be, and what to do.
+import { twoSum } from "./double_double.js";
 
 const UNIT_TOLERANCE = 1e-6; // a quaternion further from unit length is taken for a mistake, not for rounding
 const MOST_RADIANS = 1e27; // of a phase, which has 104 bits
@@ -39,13 +40,14 @@ export function unitQuaternion(value) {
   );
 }
 
-/** Refuse times that are not finite, or whose phases have hardly a digit left. */
-export function checkedTime(t, fastest) {
+/** Return the time since the epoch and what its float leaves; refuse times whose phases have hardly a digit left. */
+export function elapsedTime(t, epoch, fastest) {
   finite("t", t, "seconds");
-  if (Math.abs(t) * fastest <= MOST_RADIANS) return t;
+  const elapsed = twoSum(t, -epoch);
+  if (Math.abs(elapsed[0]) * fastest <= MOST_RADIANS) return elapsed;
   throw new RangeError(
-    `\`t\` times the rate of rotation must be at most ${MOST_RADIANS} rad, beyond which a phase has hardly a digit left; ` +
-      `got ${t} s. Check times and rates.`,
+    `\`t\` less the epoch, times the rate of rotation, must be at most ${MOST_RADIANS} rad, beyond which a phase has hardly a ` +
+      `digit left; got ${t} s. Check times and rates.`,
   );
 }
 

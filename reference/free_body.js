@@ -1,5 +1,5 @@
 // The free rigid body in closed form, at any time.
-import { checkedRange, checkedTime, finite, positiveMoments, unitQuaternion, vector } from "./checking.js";
+import { checkedRange, elapsedTime, finite, positiveMoments, unitQuaternion, vector } from "./checking.js";
 import * as dd from "./double_double.js";
 import { ratesOf } from "./free_rates.js";
 import { reduced } from "./free_reduction.js";
@@ -53,10 +53,7 @@ export class FreeMotion {
 
   /** Return {attitude: [w, x, y, z], momentum: [x, y, z]} at a time [s]. */
   state(t) {
-    checkedTime(t, this._fastest);
-    const elapsed = t - this.epoch;
-    const back = elapsed - t;
-    const rest = t - (elapsed - back) + (-this.epoch - back);
+    const [elapsed, rest] = elapsedTime(t, this.epoch, this._fastest);
     const high = dd.upper(elapsed);
     return stateOf(this._motion, high, elapsed - high + rest);
   }

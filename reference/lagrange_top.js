@@ -1,5 +1,5 @@
 // The Lagrange top in closed form, at any time.
-import { checkedRange, checkedTime, finite, positiveMoments, unitQuaternion, vector } from "./checking.js";
+import { checkedRange, elapsedTime, finite, positiveMoments, unitQuaternion, vector } from "./checking.js";
 import * as dd from "./double_double.js";
 import { normalize, rotate } from "./quaternion.js";
 import { topRates } from "./top_rates.js";
@@ -64,10 +64,7 @@ export class LagrangeMotion {
 
   /** Return {attitude: [w, x, y, z], momentum: [x, y, z]} at a time [s]. */
   state(t) {
-    checkedTime(t, this._fastest);
-    const elapsed = t - this.epoch;
-    const back = elapsed - t;
-    const rest = t - (elapsed - back) + (-this.epoch - back);
+    const [elapsed, rest] = elapsedTime(t, this.epoch, this._fastest);
     const high = dd.upper(elapsed);
     return topStateOf(this._motion, high, elapsed - high + rest);
   }

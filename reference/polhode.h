@@ -46,7 +46,7 @@ static inline const char *polhode_error(int code)
     case POLHODE_BAD_ATTITUDE: return "attitude must be a unit quaternion, scalar first: divide it by its norm";
     case POLHODE_BAD_EPOCH: return "epoch must be a finite number [s]";
     case POLHODE_BAD_MGL: return "mgl must be a finite number [N m]";
-    case POLHODE_BAD_TIME: return "time must be finite, and times the rate of rotation at most 1e27 rad";
+    case POLHODE_BAD_TIME: return "time must be finite, and since the epoch, times the rate of rotation, at most 1e27 rad";
     case POLHODE_OUT_OF_RANGE: return "moments, momentum or their ratios leave the range of doubles: choose other units";
     case POLHODE_BAD_ARITHMETIC: return "sums and products are fused or reordered: compile with -ffp-contract=off";
     default: return "no such error code";
@@ -798,7 +798,7 @@ static inline int polhode_free_body_state(const polhode_free_body *m, double t, 
     const double high = phd_upper(elapsed.hi);
     double s[4], aa, bb, x, root, n[3];
     int k;
-    if (!(fabs(t) * m->fastest <= 1e27) || !isfinite(high)) return POLHODE_BAD_TIME;
+    if (!(fabs(elapsed.hi) * m->fastest <= 1e27) || !isfinite(high)) return POLHODE_BAD_TIME;
     phd_free_spinor(m, high, (elapsed.hi - high) + elapsed.lo, s);
     aa = s[0] * s[0] + s[1] * s[1];
     bb = s[2] * s[2] + s[3] * s[3];
@@ -1492,7 +1492,7 @@ static inline int polhode_top_state(const polhode_top *m, double t, double attit
     phd_numerators v;
     phd_wave a, b;
     double x, root, ca, sa, cb, sb, ar, ai, br, bi, gain_r, gain_i, wr, wi, cw, sw;
-    if (!(fabs(t) * m->fastest <= 1e27) || !isfinite(high)) return POLHODE_BAD_TIME;
+    if (!(fabs(elapsed.hi) * m->fastest <= 1e27) || !isfinite(high)) return POLHODE_BAD_TIME;
     v = phd_top_numerators(m, high, (elapsed.hi - high) + elapsed.lo);
     a = phd_sine_cosine(v.turns_a);
     b = phd_sine_cosine(v.turns_b);

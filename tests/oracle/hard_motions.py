@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from scipy.special import ellipkm1
 
-FREE, TOP = "free-body", "lagrange-top"
+FREE, TOP = "free body", "Lagrange top"
 IDENTITY = (1.0, 0.0, 0.0, 0.0)
 LEVEL = (0.5, 0.5, 0.5, 0.5)
 STARTS = (IDENTITY, LEVEL, (0.5, -0.5, 0.5, 0.5), (0.1, -0.7, 0.5, 0.5), (-0.3, 0.9, 0.3, -0.1))

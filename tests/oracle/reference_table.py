@@ -43,8 +43,8 @@ CONVENTIONS = {
     "body axes. q and -q are the same attitude; the table has the one whose largest entry is positive. The given "
     "attitude is to be divided by its length, which is 1 to rounding.",
     "start": "momentum and attitude are those at time 0.",
-    "free-body": "dL/dt = L x W. mgl is 0.",
-    "lagrange-top": "a heavy symmetric body on a fixed point: moments (I1, I1, I3) are those at the fixed point; the "
+    "free body": "dL/dt = L x W. mgl is 0.",
+    "Lagrange top": "a heavy symmetric body on a fixed point: moments (I1, I1, I3) are those at the fixed point; the "
     "centre of mass is on the third axis; mgl is weight times its distance from the fixed point, negative where it is "
     "on the other side; space z points up. With u the third row of R, dL/dt = L x W + mgl (u2, -u1, 0); "
     "energy = sum L^2/(2 I) + mgl u3.",

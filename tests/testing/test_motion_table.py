@@ -56,7 +56,7 @@ def worst_in_eps(motions):
             for name in ("moments", "momentum", "attitude", "mgl", "times", "attitudes", "momenta")
         )
         given = moments[:, None], momentum[:, None], attitude[:, None]
-        motion = (ph.FreeMotion(*given) if kind == "free-body"
+        motion = (ph.FreeMotion(*given) if kind == "free body"
                   else ph.LagrangeMotion(given[0], mgl[:, None], *given[1:]))  # fmt: skip
         attitudes, momenta = motion.state(times)
         sign = np.sign(np.sum(attitudes * q, axis=-1, keepdims=True))
@@ -91,7 +91,7 @@ def test_integrated_equations_of_motion_agree(name):
     """By power series, which know nothing of elliptic functions, through a turn or two."""
     motion = next(m for m in reference_motions() if m.name == name)
     for t, q, L in list(zip(motion.times, motion.attitudes, motion.momenta, strict=True))[1:4]:
-        if motion.kind == "lagrange-top":
+        if motion.kind == "Lagrange top":
             state = lagrange_taylor.integrated_top(motion.moments, motion.mgl, motion.momentum, motion.attitude, t)
             turned, momentum = rotation_of(state.quaternion), np.array([float(x) for x in state.momentum])
             found = np.array([[float(x) for x in row] for row in turned])
@@ -132,10 +132,10 @@ def off_in_the_fourteenth_digit(motion):
 
 
 @pytest.mark.parametrize("breaking", [scalar_last, transposed, late, off_in_the_fourteenth_digit])
-@pytest.mark.parametrize("kind", ["free-body", "lagrange-top"])
+@pytest.mark.parametrize("kind", ["free body", "Lagrange top"])
 def test_closed_forms_do_not_agree_with_a_broken_table(kind, breaking):
     table = json.loads(TABLE.read_text(encoding="utf-8"))
-    name = SOME[0] if kind == "free-body" else SOME[2]
+    name = SOME[0] if kind == "free body" else SOME[2]
     table["motions"] = [motion for motion in table["motions"] if motion["name"] == name]
     assert worst_in_eps(motion_table.motions_of(table)) <= WORST
     breaking(table["motions"][0])
@@ -168,15 +168,15 @@ def test_what_a_motion_is():
 
 
 def test_how_fast_a_body_turns_is_bounded():
-    for motion in reference_motions(kind="free-body"):
+    for motion in reference_motions(kind="free body"):
         speeds = np.linalg.norm(motion.momenta / motion.moments, axis=-1)
         assert speeds.max() <= 1.001 * motion.rate
 
 
 def test_motions_are_chosen_by_family_kind_and_turning():
     assert {motion.family for motion in reference_motions("flips")} == {"flips"}
-    tops = reference_motions(kind="lagrange-top")
-    assert len(tops) + len(reference_motions(kind="free-body")) == len(reference_motions()) == len(MOTIONS)
+    tops = reference_motions(kind="Lagrange top")
+    assert len(tops) + len(reference_motions(kind="free body")) == len(reference_motions()) == len(MOTIONS)
     for motion in reference_motions("spheres", up_to=20.0):
         assert motion.times.shape == motion.moderate.shape == motion.attitudes.shape[:1] == motion.momenta.shape[:1]
         assert 3 <= motion.times.size < 8 and (motion.rate * np.abs(motion.times) <= 20.0).all()
@@ -187,8 +187,8 @@ def test_motions_are_chosen_by_family_kind_and_turning():
     ("given", "said"),
     [
         ({"family": "flip"}, r"`family` must be one of short-axis, .*top-random; got 'flip'"),
-        ({"kind": "top"}, r"`kind` must be one of free-body, lagrange-top; got 'top'"),
-        ({"family": "flips", "kind": "lagrange-top"}, r"family 'flips' has no motions of kind 'lagrange-top'"),
+        ({"kind": "top"}, r"`kind` must be one of free body, Lagrange top; got 'top'"),
+        ({"family": "flips", "kind": "Lagrange top"}, r"family 'flips' has no motions of kind 'Lagrange top'"),
         ({"up_to": -1.0}, r"`up_to` must be 0 rad or more; got -1.0"),
         ({"up_to": float("nan")}, r"`up_to` must be 0 rad or more; got nan"),
     ],

@@ -104,7 +104,7 @@ def compare_engine(engine: Engine, motions: Sequence[ReferenceMotion] | None = N
     >>> import polhode as ph
     >>> def engine(motion):
     ...     return ph.FreeMotion(motion.moments, motion.momentum, motion.attitude).state(motion.times)
-    >>> found = compare_engine(engine, reference_motions(kind="free-body"))
+    >>> found = compare_engine(engine, reference_motions(kind="free body"))
     >>> found.worst.motions > 100, max(found.worst[1:]) < 1e-14
     (True, True)
     """
@@ -169,7 +169,7 @@ def _by_rounding(motion: ReferenceMotion, precision: np.dtype) -> np.ndarray:
     if lost or not (np.isfinite(moments).all() and (moments > 0.0).all() and np.isfinite(momentum).all()):
         return np.full(motion.times.shape, np.inf)
     start = normalize(attitude)
-    if motion.kind == "free-body":
+    if motion.kind == "free body":
         moved = FreeMotion(moments, momentum, start)
     else:
         moved = LagrangeMotion(moments, mgl, momentum, start)

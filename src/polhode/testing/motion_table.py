@@ -28,7 +28,7 @@ class ReferenceMotion:
     Attributes:
         name: what it is, different for every motion.
         family: of motions that are hard for the same reason.
-        kind: "free-body" or "lagrange-top".
+        kind: "free body" or "Lagrange top".
         moments: (3,) principal moments, in any order; of a top (I1, I1, I3) at its fixed point [kg m²].
         momentum: (3,) at time 0, along the principal axes [kg m²/s].
         attitude: (4,) at time 0, unit quaternion (w, x, y, z), body → space.
@@ -61,7 +61,7 @@ def reference_motions(
 
     Args:
         family: only those of one family, such as "flips" or "top-cusps".
-        kind: only those of one kind, "free-body" or "lagrange-top".
+        kind: only those of one kind, "free body" or "Lagrange top".
         up_to: only times by which the body has turned by so many radians, as ``rate`` bounds it. An engine that takes
             steps may want ``MODERATE``, 1000; at all times, up to 1e15 rad, only closed forms answer.
 
