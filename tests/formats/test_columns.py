@@ -113,6 +113,13 @@ def test_units_in_names_between_blanks(saved):
     )
 
 
+def test_units_in_a_line_of_their_own(saved):
+    text = "log of a rig\nt,gx,gy,gz,T\n[ms],deg/s,deg/s,deg/s,degC\n0,0,0,180,20\n500,0,0,90,20\n"
+    found = read_columns(saved(text), ColumnMapping("t", gyro="gx,gy,gz"))
+    assert found.times.tolist() == [0.0, 0.5] and found.angular_velocity[:, 2] == pytest.approx([np.pi, np.pi / 2])
+    assert found.source.attributes["time"] == "column 1 't [ms]', in ms"
+
+
 def test_decimal_commas(saved):
     text = "t [s];gx;gy;gz\n0,0;1;2;3\n0,5;4,25;-5;6e-1\n"
     path = saved(text)
