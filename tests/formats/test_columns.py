@@ -160,6 +160,17 @@ def test_rates_tell_whether_the_attitude_is_taken_right(saved, changed, apart):
     assert found.source.attributes["rates_apart"] == pytest.approx(apart, abs=1e-4 if apart == 0.0 else 0.7)
 
 
+@pytest.mark.parametrize("speed", [0.0, 0.05])
+def test_digits_of_a_body_that_hardly_turns_are_no_disagreement(saved, speed):
+    """Six decimals every millisecond are worth a thousandth of a radian per second."""
+    t = np.arange(4000) * 1e-3
+    quaternions = Rotation.from_rotvec(t[:, None] * [0.0, speed, 0.0]).as_quat().round(6)
+    text = table([t, quaternions, np.tile([0.0, speed, 0.0], (len(t), 1))])
+    mapping = ColumnMapping(1, time_unit="s", quat="2,3,4,5", order="xyzw", gyro="6,7,8", unit="rad/s")
+    apart = read_columns(saved(text), mapping).source.attributes["rates_apart"]
+    assert apart is None if speed == 0.0 else apart < 1e-3
+
+
 WRONG_MAPPINGS = [
     ({"time": None}, ["time is missing", "no column is an attitude"]),
     ({"time": 0, "gyro": "a,b,c"}, ["time must be the name"]),
