@@ -113,6 +113,13 @@ def test_units_in_names_between_blanks(saved):
     )
 
 
+def test_units_in_a_line_of_their_own(saved):
+    text = "log of a rig\nt,gx,gy,gz,T\n[ms],deg/s,deg/s,deg/s,degC\n0,0,0,180,20\n500,0,0,90,20\n"
+    found = read_columns(saved(text), ColumnMapping("t", gyro="gx,gy,gz"))
+    assert found.times.tolist() == [0.0, 0.5] and found.angular_velocity[:, 2] == pytest.approx([np.pi, np.pi / 2])
+    assert found.source.attributes["time"] == "column 1 't [ms]', in ms"
+
+
 def test_decimal_commas(saved):
     text = "t [s];gx;gy;gz\n0,0;1;2;3\n0,5;4,25;-5;6e-1\n"
     path = saved(text)
@@ -151,6 +158,17 @@ def test_rates_tell_whether_the_attitude_is_taken_right(saved, changed, apart):
     words = {"time_unit": "s", "quat": "2,3,4,5", "order": "xyzw", "gyro": "6,7,8", "unit": "rad/s"} | changed
     found = read_columns(saved(table([t, turns.as_quat(), rates])), ColumnMapping(1, **words))
     assert found.source.attributes["rates_apart"] == pytest.approx(apart, abs=1e-4 if apart == 0.0 else 0.7)
+
+
+@pytest.mark.parametrize("speed", [0.0, 0.05])
+def test_digits_of_a_body_that_hardly_turns_are_no_disagreement(saved, speed):
+    """Six decimals every millisecond are worth a thousandth of a radian per second."""
+    t = np.arange(4000) * 1e-3
+    quaternions = Rotation.from_rotvec(t[:, None] * [0.0, speed, 0.0]).as_quat().round(6)
+    text = table([t, quaternions, np.tile([0.0, speed, 0.0], (len(t), 1))])
+    mapping = ColumnMapping(1, time_unit="s", quat="2,3,4,5", order="xyzw", gyro="6,7,8", unit="rad/s")
+    apart = read_columns(saved(text), mapping).source.attributes["rates_apart"]
+    assert apart is None if speed == 0.0 else apart < 1e-3
 
 
 WRONG_MAPPINGS = [

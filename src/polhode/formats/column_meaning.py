@@ -15,7 +15,9 @@ from polhode.formats.header_words import IN_RADIANS
 from polhode.formats.plain_table import PlainTable
 from polhode.types import Array, Float64
 
-CLEAR_TURN = 1.0  # rad between samples; where it is more, differences say little about rates
+CLEAR_TURN = 1.0  # rad; where it is more between samples, differences say little about rates
+SEEN_TURN = 0.02  # rad, rms; less may be noise
+FEWEST_TURNS = 4  # that are compared
 
 
 class Understood(NamedTuple):
@@ -112,25 +114,36 @@ def attitude_of(
 def agreement(
     times: Float64[Array, "rows"], attitude: Float64[Array, "rows 4"] | None, velocity: Float64[Array, "rows 3"] | None
 ) -> float | None:
-    """Return by how much rates differ from how fast the attitude turns between samples, relative to the larger.
+    """Return by how much rates differ from how fast the attitude turns, relative; None where neither does.
 
-    Of the right order, direction and units it is a little more than noise; of wrong ones it is about one.
+    Of the right order, direction and units it is a little more than noise; of wrong ones it is about one. As many steps
+    are taken together as it takes to turn visibly, so that the last digits of the attitude do not matter.
 
-    >>> times = np.linspace(0.0, 1.0, 11)
+    >>> times = np.linspace(0.0, 0.5, 11)
     >>> attitude = rotation.from_rotation_vector(times[:, None] * np.array([0.0, 0.0, 2.0]))
     >>> found = [agreement(times, attitude, np.tile([0.0, 0.0, rate], (11, 1))) for rate in (2.0, -2.0)]
     >>> [round(one, 6) for one in found]
     [0.0, 2.0]
     """
-    if attitude is None or velocity is None or len(times) < 2:
-        return None
-    turns = rotation.as_rotation_vector(rotation.multiply(rotation.conjugate(attitude[:-1]), attitude[1:]))
-    clear = np.linalg.norm(turns, axis=-1) < CLEAR_TURN
-    if not clear.any():
+    if attitude is None or velocity is None:
         return None
     with np.errstate(over="ignore", invalid="ignore"):  # of rates that no body has
-        turning = (turns / np.diff(times)[:, None])[clear]
-        given = 0.5 * (velocity[1:] + velocity[:-1])[clear]
-        size = max(float(np.sqrt(np.mean(x * x))) for x in (turning, given))
-        apart = float(np.sqrt(np.mean((turning - given) ** 2)))
-    return apart / size if 0.0 < size < np.inf and apart < np.inf else None
+        steps = 0.5 * (velocity[1:] + velocity[:-1]) * np.diff(times)[:, None]
+        turned = np.concatenate([np.zeros((1, 3)), np.cumsum(steps, axis=0)])
+        stride = 1
+        while FEWEST_TURNS * stride < len(times):
+            rows = np.arange(0, len(times), stride)
+            before, after = attitude[rows[:-1]], attitude[rows[1:]]
+            turns = rotation.as_rotation_vector(rotation.multiply(rotation.conjugate(before), after))
+            given = np.diff(turned[rows], axis=0)
+            small = np.linalg.norm(turns, axis=-1) < CLEAR_TURN
+            size = max(_rms(turns[small]), _rms(given[small])) if small.any() else 0.0
+            if size > SEEN_TURN:
+                apart = _rms((turns - given)[small]) / size
+                return apart if np.isfinite(apart) else None
+            stride *= 2
+    return None
+
+
+def _rms(values: Float64[Array, "rows 3"]) -> float:
+    return float(np.sqrt(np.mean(np.sum(values * values, axis=-1))))

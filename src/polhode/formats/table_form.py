@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from polhode.errors import FormatError, shown
+from polhode.formats.header_words import ANGLE_UNITS, RATE_UNITS, TIME_UNITS, unit_named
 
 COMMENT = ("#", "%")
 DELIMITERS = {";": "semicolons", "\t": "tabs", ",": "commas", " ": "blanks"}
@@ -93,6 +94,8 @@ def form_of(path: Path, lines: Sequence[Line]) -> TableForm:
     row = cells_of(content[begin].text, delimiter)
     comments = [line for line in lines if is_comment(line.text) and line.text.strip()]
     comments = [line for line in comments if line.number < content[0].number][-1:] if begin == 0 else []
+    if begin > 1 and (named := _with_units(content[begin - 2].text, content[begin - 1].text, delimiter, row)):
+        return TableForm(delimiter, len(row), named, content[begin - 2].number, content[begin].number)
     candidates = [content[begin - 1]] if begin else comments
     for line in candidates:
         if names := _names(line.text, delimiter, row):
@@ -135,6 +138,18 @@ def _names(text: str, delimiter: str, row: Sequence[str]) -> tuple[str, ...]:
         names = [*names, ""]  # lines of numbers alone end in a delimiter
     fits = len(names) == len(row) and any(names) and not any(map(_NUMBER.fullmatch, names))
     return tuple(names) if fits else ()
+
+
+def _with_units(text: str, units: str, delimiter: str, row: Sequence[str]) -> tuple[str, ...]:
+    """Return names with the units of the line below them in brackets; none where that line is not one of units."""
+    names, below = _names(text, delimiter, row), [cell.strip("[]()") for cell in _names(units, delimiter, row)]
+    if not (names and any(map(_is_unit, below))) or any(map(_is_unit, names)):
+        return ()
+    return tuple(f"{name} [{unit}]" if unit else name for name, unit in zip(names, below, strict=True))
+
+
+def _is_unit(word: str) -> bool:
+    return any(unit_named(word, units) for units in (TIME_UNITS, ANGLE_UNITS, RATE_UNITS))
 
 
 def _header_cells(text: str, delimiter: str) -> list[str]:
