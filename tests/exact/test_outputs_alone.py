@@ -17,6 +17,7 @@ LONG_ENOUGH = 1500.0
 """Seconds for a group; compiling takes half a minute to two."""
 KINDS = {"FreeMotion": FreeMotion, "LagrangeMotion": LagrangeMotion}
 LEFT_OUT = {
+    "plot": "a picture",
     "batch_shape": "a shape",
     "free_moments": "the moments as given, or None",
     "quantities": "units and names",

@@ -172,6 +172,43 @@ def test_the_point_on_the_sphere_is_dragged_to_another_polhode(book, opened):
     assert not page.complaints
 
 
+SEEN = {"rest": "at rest", "steady": "spins steadily", "coning": "cones", "tumbling": "tumbles",
+        "flipping": "turns over and over"}  # fmt: skip
+
+
+def test_the_page_says_what_a_report_says(book, opened):
+    page, random = opened(book), np.random.default_rng(5)
+    forms = set()
+    for _ in range(40):
+        moments = np.sort(random.uniform(1.0, 3.0, 3))
+        moments[2] = min(moments[2], moments[:2].sum())
+        velocity = random.normal(size=3) * random.choice([0.05, 1.0, 6.0], size=3)
+        moments = random.permutation(moments).tolist()
+        tables = {"body": {"moments": moments}, "spin": {"angular_velocity": velocity.tolist()}}
+        assert page.tab.evaluate("tables => window.polhode.set(tables)", tables)
+        motion = ph.FreeMotion(moments, np.array(moments) * velocity)
+        form = ph.analysis.rotation_form(motion)
+        forms.add(form)
+        assert page.tab.locator("#facts dd").first.text_content().startswith(SEEN[form]), (tables, form)
+    assert forms == {"coning", "tumbling", "flipping"}
+
+
+def test_angles_and_rates_are_plotted_over_time(book, opened):
+    page = opened(book)
+    velocity, angles = page.tab.evaluate("window.polhode.plots()")
+    sampled = MOTION.angular_velocity(np.linspace(0.0, 30.0, 601))
+    assert np.array(velocity["ranges"]) == pytest.approx(np.array([sampled.min(0), sampled.max(0)]).T, abs=1e-3)
+    assert np.array(angles["ranges"]) == pytest.approx(np.degrees(ph.analysis.axis_angles(MOTION)), abs=0.05)
+    box = page.tab.locator("#plots canvas").first.bounding_box()
+    page.tab.mouse.click(box["x"] + 0.5 * (box["width"] + 62 - 12), box["y"] + 50)
+    assert page.tab.evaluate("window.polhode.shown().time") == pytest.approx(15.0, abs=0.1)
+    page.tab.evaluate("window.polhode.set({spin: {rate: 2, about: 3, tilt: 1e-5}})")
+    *_, small = page.tab.evaluate("window.polhode.plots()")
+    wide = ph.analysis.cone_angles(ph.FreeMotion((1.0, 2.0, 3.0), (2e-5, 0.0, 6.0)))
+    assert float(small["across"].removesuffix("″")) == pytest.approx(np.degrees(2.0 * wide[1]) * 3600.0, rel=0.01)
+    assert not page.complaints
+
+
 def top_of(settings, times=TIMES):
     """Return the Lagrange motion of Euler's angles and rates, by SciPy's own composition of rotations."""
     from scipy.spatial.transform import Rotation

@@ -7,6 +7,7 @@ import { axisPanel } from "./panels/axis.js";
 import { bodyPanel } from "./panels/body.js";
 import { poinsotPanel } from "./panels/poinsot.js";
 import { spherePanel } from "./panels/sphere.js";
+import { Plots } from "./plots.js";
 import { Playground } from "./playground.js";
 import { Readouts } from "./readouts.js";
 import { dispose } from "./shapes.js";
@@ -36,6 +37,10 @@ class Page {
     // a button that was pressed by hand gives the keys back to the time bar; one reached by key keeps them
     for (const button of document.querySelectorAll("button")) button.addEventListener("pointerup", () => button.blur());
     new ResizeObserver(() => this.sizes() !== this.shapes && this.draw()).observe(element("panels"));
+    this.plots = new Plots(element("plots"), (time) => {
+      this.timebar.pause();
+      this.goTo(time);
+    });
     this.timebar = new Timebar(element("timebar"), {
       seek: (position, time) => this.show(position, time),
       beyond: (time) => this.goTo(time),
@@ -90,6 +95,7 @@ class Page {
       return Object.assign(MAKERS[panel.type](this.motion, data, this.theme, tools), { type: panel.type });
     });
     this.panels.forEach((panel, k) => caption(this.canvases[k], panel, this.data));
+    this.plots.take(this.motion, this.data, this.theme);
     this.draw();
   }
 
@@ -124,6 +130,7 @@ class Page {
     this.shapes = this.sizes();
     for (const panel of this.panels) panel.update(this.now);
     this.stage.draw(this.panels, this.canvases, this.theme);
+    this.plots.draw(this.now);
     this.readouts.show(this.now);
     window.polhode.drawn += 1;
     window.polhode.firstPicture ??= performance.now();
@@ -210,6 +217,7 @@ function offered(page) {
       return { attitude: found.attitude ? [w, x, y, z] : null, momentum: found.momentum?.toArray() ?? null };
     },
     spec: () => page.instrument?.toml(page.motion.span) ?? null,
+    plots: () => page.plots.probe(),
     /** Return the boxes [left, top, width, height] of the names in each picture, in its pixels. */
     names: () => page.panels.map((panel) => panel.boxes ?? []),
     /** Return what a panel of a type draws, or only the parts of that name. */

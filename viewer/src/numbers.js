@@ -1,5 +1,5 @@
 // Numbers as people read them.
-const SUPERSCRIPTS = { "-": "⁻", 0: "⁰", 1: "¹", 2: "²", 3: "³", 4: "⁴", 5: "⁵", 6: "⁶", 7: "⁷", 8: "⁸", 9: "⁹" };
+export const SUPERSCRIPTS = { "-": "⁻", 0: "⁰", 1: "¹", 2: "²", 3: "³", 4: "⁴", 5: "⁵", 6: "⁶", 7: "⁷", 8: "⁸", 9: "⁹" };
 
 /** Return a number with so many digits, powers of ten as such. */
 export function worded(value, digits = 6) {
@@ -21,14 +21,17 @@ const LONG = [
   [60, "min"],
 ];
 
+const SHORT = [[1, "s"], [1e-3, "ms"], [1e-6, "µs"], [1e-9, "ns"], [1e-12, "ps"]];
+
+/** Return the unit [s] and its name that fit the length of a motion; null below picoseconds. */
+export function unitOf(span) {
+  return LONG.find(([unit]) => span >= 3 * unit) ?? SHORT.find(([unit]) => span >= 0.3 * unit) ?? null;
+}
+
 /** Return a time in the unit that fits the length of the motion. */
 export function clock(seconds, span) {
-  for (const [unit, name] of LONG) if (span >= 3 * unit) return `${(seconds / unit).toFixed(decimals(span / unit))} ${name}`;
-  if (span >= 0.3) return `${seconds.toFixed(decimals(span))} s`;
-  for (const [unit, name] of [[1e-3, "ms"], [1e-6, "µs"], [1e-9, "ns"], [1e-12, "ps"]]) {
-    if (span >= 0.3 * unit) return `${(seconds / unit).toFixed(decimals(span / unit))} ${name}`;
-  }
-  return `${worded(seconds, 4)} s`;
+  const [unit, name] = unitOf(span) ?? [null];
+  return unit ? `${(seconds / unit).toFixed(decimals(span / unit))} ${name}` : `${worded(seconds, 4)} s`;
 }
 
 const decimals = (span) => Math.max(0, Math.min(4, 4 - Math.ceil(Math.log10(Math.max(span, 1e-9)))));

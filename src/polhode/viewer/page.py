@@ -15,6 +15,7 @@ import numpy as np
 from polhode.bodies.surface import Surface
 from polhode.errors import InvalidInput, shown
 from polhode.motion.trajectory import Trajectory
+from polhode.reports.wording import unit_in_words
 from polhode.types import Array
 from polhode.viewer.encoding import as_script_json, packed, with_powers
 from polhode.viewer.panels import Content, content_of, free_moments_of, title_of, up_of
@@ -96,7 +97,8 @@ def page_of(
     data = {
         "name": title, "summary": summary, "notes": said, "panels": shown.panels,
         "drift": {key: float(np.max(value)) for key, value in trajectory.drift.items() if np.size(value)},
-        "model": model, **_arrays(trajectory.source, samples, solved=model is not None),
+        "model": model, "plots": _plots(trajectory, samples),
+        **_arrays(trajectory.source, samples, solved=model is not None),
     }  # fmt: skip
     return Page(title, data, shown.scripts)
 
@@ -129,7 +131,7 @@ def check_given(trajectory: Any, name: Any, summary: Any, notes: Any) -> None:
 
 
 def model_of(trajectory: Trajectory) -> dict[str, Any] | None:
-    """Return what the page's own solver needs of an exact motion, along its principal axes; None of any other."""
+    """Return what the page's own solver needs of an exact motion, along its principal axes; None of others."""
     motion = trajectory.motion
     if motion is None or motion.batch_shape or type(motion).__name__ not in SOLVED:
         return None
@@ -159,6 +161,18 @@ def _arrays(system: Any, samples: Samples, solved: bool) -> dict[str, Any]:
         "free": free_moments_of(system, samples),
         "space": turn.tolist(), "up": up,
     }  # fmt: skip
+
+
+def _plots(trajectory: Trajectory, samples: Samples) -> list[dict[str, Any]]:
+    """Return what a state has of its own to be drawn over time: its angles and rates, where it is not an attitude."""
+    if samples.attitude is not None:
+        return []
+    layout = trajectory.layout
+    return [
+        {"title": name.replace("_", " "), "unit": unit_in_words(part.unit),
+         "values": packed(layout.part(samples.states, name), "f4")}
+        for name, part in layout.scalars.items()
+    ]  # fmt: skip
 
 
 def _filled(title: str, data: dict[str, Any], scripts: tuple[str, ...]) -> str:

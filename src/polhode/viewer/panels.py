@@ -13,7 +13,7 @@ from polhode.bodies.surface import Surface
 from polhode.types import Array, Float64
 from polhode.viewer.encoding import packed
 from polhode.viewer.samples import Samples
-from polhode.viewer.shapes import body_shape, top_shape
+from polhode.viewer.shapes import body_shape, is_celestial, semi_axes_squared, top_shape
 
 Panel = dict[str, Any]
 KEPT = 1e-6  # of |L|: a momentum in space that stays within this is the one that a page's "up" can be
@@ -126,6 +126,8 @@ def _body(samples: Samples, moments: Array | None, surface: Surface | None, word
         wide = len(surface.vertices) > 65535
         panel["surface"] = {"vertices": packed(surface.vertices, "f4"),
                             "faces": packed(surface.faces, "u4" if wide else "u2")}  # fmt: skip
+    elif moments is not None and is_celestial(moments):
+        panel |= {"ellipsoid": np.sqrt(semi_axes_squared(moments)).tolist(), "round": True}
     elif moments is not None:
         panel["ellipsoid"] = (1.0 / np.sqrt(moments)).tolist()
     return panel

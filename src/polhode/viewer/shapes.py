@@ -6,10 +6,11 @@ import numpy as np
 
 from polhode.bodies.surface import Surface, box_of_same_inertia, joined, welded
 from polhode.bodies.turned import tube
-from polhode.types import ArrayLike, Real
+from polhode.types import Array, ArrayLike, Float64, Real
 
 MOST_FACES = 8000  # about 0.15 MB
 LEANING = 0.05  # rad from a principal axis to the centre of mass up to which a stem along that axis looks right
+CELESTIAL = 1e12  # kg m²; the largest spacecraft have 1e8
 RIM = 48  # corners of a disk's rim
 
 
@@ -26,8 +27,21 @@ def body_shape(moments: Real[ArrayLike, "3"] | None, surface: Surface | None) ->
         return small, "" if small is whole else "its mesh, coarsened"
     if moments is None:
         return None, "axes only, as nothing is known of the body's shape"
+    if is_celestial(moments):
+        return None, "ellipsoid of the same inertia"
     box = box_of_same_inertia(moments)
     return box, "inertia ellipsoid, as no solid body has these moments" if box is None else "box of the same inertia"
+
+
+def is_celestial(moments: Real[ArrayLike, "3"]) -> bool:
+    """Whether a body of unknown shape is so large that it is round, and not a box: a planet, a moon, an asteroid."""
+    return bool(np.max(moments) > CELESTIAL and np.all(semi_axes_squared(moments) > 0.0))
+
+
+def semi_axes_squared(moments: Real[ArrayLike, "3"]) -> Float64[Array, "3"]:
+    """Return the squared semi-axes (3,) of the homogeneous ellipsoid with these moments, times 2m/5."""
+    found = np.asarray(moments, dtype=float)
+    return 0.5 * found.sum() - found
 
 
 def top_shape(

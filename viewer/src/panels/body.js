@@ -89,6 +89,7 @@ function holding(motion, pivot) {
 function shapeOf(motion, data, theme) {
   const found = new Group();
   const edges = data.changed && motion.free ? boxOf(motion.free) : null;
+  if (edges && data.round) return found.add(ellipsoid(edges.map((edge) => 0.5 * edge), theme.body, theme.edge));
   if (data.changed && !edges && motion.moments) data = { ellipsoid: motion.moments.map((moment) => 1 / Math.sqrt(moment)) };
   if (edges) return found.add(box(edges, theme.body, theme.edge));
   if (data.surface) {

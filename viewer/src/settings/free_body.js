@@ -5,7 +5,8 @@ import { clock, exact, worded } from "../numbers.js";
 
 const RPM = Math.PI / 30;
 const DEGREE = Math.PI / 180;
-const STEADY = 0.05; // degrees that an axis may lean from L in what looks like a steady spin
+const [CONING, FLIPPING, SWINGING] = [45, 60, 20]; // degrees of the cone's half-angle, and of its swing
+const DWELLING = 0.995; // modulus from which L dwells at the intermediate axis
 
 /** Return the setting of what Python wrote down: moments, momentum and attitude along the principal axes. */
 export function from(model) {
@@ -135,15 +136,23 @@ export function facts({ moments, velocity }, solver) {
   return found;
 }
 
-/** Return what a person would see. */
-function seen(moments, velocity, { regime, period, flipInterval }, order) {
+/** Return what a person would see, by the same limits as polhode's reports. */
+function seen(moments, velocity, { regime, modulus }, order) {
   if (regime === "rest") return "at rest";
-  const [least, most] = leaning(moments, velocity, order);
-  if (regime === "permanent" || regime === "spherical" || most < STEADY) return "spins steadily";
   if (regime === "separatrix") return "runs up to the intermediate axis and stays there";
-  if (Number.isFinite(flipInterval ?? NaN)) return "turns over and over";
-  const half = most - least < 1 ? `${worded(0.5 * (least + most), 3)}°` : `${worded(least, 3)}° to ${worded(most, 3)}°`;
-  return most < 30 ? `cones, its axis ${half} from L` : `tumbles, its axis ${half} from L`;
+  if (regime === "permanent" || regime === "spherical") return "spins steadily";
+  const [least, most] = leaning(moments, velocity, order);
+  const close = Number(least.toPrecision(3)) === Number(most.toPrecision(3));
+  const half = close ? arc(most) : `${arc(least)} to ${arc(most)}`;
+  if (most < CONING) return `cones, its axis ${half} from L`;
+  if (most >= FLIPPING && (most - least >= SWINGING || modulus > DWELLING)) return "turns over and over";
+  return `tumbles, its axis ${half} from L`;
+}
+
+/** Return an angle [degrees] in the unit of its size. */
+function arc(angle) {
+  const [size, name] = [[1, "°"], [1 / 60, "′"], [1 / 3600, "″"], [1e-3 / 3600, " mas"]].find(([unit]) => angle >= unit) ?? [1, "°"];
+  return `${worded(angle / size, 3)}${name}`;
 }
 
 /** Return the least and largest angle [degrees] of the axis that L goes round from L. */
