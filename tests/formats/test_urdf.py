@@ -197,7 +197,7 @@ def test_a_spec_takes_a_link(saved, tmp_path):
         'urdf = "robot.urdf"': "has 2 links with mass; name one as `link`",
         'urdf = "robot.urdf"\nlink = "fore_arm"\nmass = "1 kg"': "mass follows from the urdf; leave it out",
         'link = "fore_arm"\nmoments = ["1 kg*m^2", "2 kg*m^2", "2 kg*m^2"]': "link goes with a urdf; leave it out",
-        'urdf = "robot.urdf"\nmolecule = "a.xyz"': "rotational_constants, parts, molecule and urdf; got molecule and urdf",
+        'urdf = "robot.urdf"\nmolecule = "a.xyz"': "rotational_constants, parts, molecule and urdf; got",
         'urdf = "robot.urdf"\nlink = "fore_arm"\ndensity = "1 kg/m^3"': "density goes with a mesh, not with urdf",
         'urdf = "none.urdf"': "no such URDF file",
     }
