@@ -1,0 +1,149 @@
+// The free rigid body in closed form, at any time.
+import { checkedRange, elapsedTime, finite, positiveMoments, unitQuaternion, vector } from "./checking.js";
+import * as dd from "./double_double.js";
+import { ratesOf } from "./free_rates.js";
+import { reduced } from "./free_reduction.js";
+import { prepared, stateOf } from "./free_series.js";
+import { normalize } from "./quaternion.js";
+
+const SMALL_CAP = 1e-14; // below it the leading term of the cap's area is as exact as the difference it replaces
+
+/**
+ * Torque-free motion of a rigid body: dL/dt = L × Ω, L = IΩ, dR/dt = R hat(Ω).
+ *
+ * The attitude is a quotient of theta functions whose phases are kept in double-double: no step, no drift, the same error
+ * at any time. All components are along the principal axes, in the order of `moments`; everything is in SI units.
+ * Sources: Jacobi 1849; van Zon & Schofield, J. Comput. Phys. 225 (2007) 145.
+ *
+ * - `energy` ½ Σ L²/I [J], `momentumNorm` |L| [kg m²/s]
+ * - `regime` "rest", "spherical", "permanent", "symmetric", "short-axis", "long-axis" or "separatrix"
+ * - `encircledAxis` index of the axis that the polhode goes round, or null
+ * - `period` T [s] after which L is back along the body's axes
+ * - `precessionRate` mean rate [rad/s] at which the encircled axis turns about L; `precessionPerPeriod` that times T [rad]
+ * - `flipInterval` T/2 [s] from one reversal along the intermediate axis to the next; null for a symmetric body
+ * - `solidAngle` [sr] of the cap that the polhode cuts off about the encircled axis
+ *
+ * What is infinite is Infinity, such as the period on the separatrix; what is undefined is null.
+ */
+export class FreeMotion {
+  /**
+   * @param moments three principal moments [kg m²], positive, in any order
+   * @param momentum angular momentum at the epoch [kg m²/s, body axes]
+   * @param attitude unit quaternion w, x, y, z at the epoch, body → space
+   * @param epoch time at which these hold [s]
+   * @throws RangeError for values that cannot be these
+   */
+  constructor({ moments, momentum, attitude = [1, 0, 0, 0], epoch = 0 }) {
+    this.moments = positiveMoments(moments);
+    this.momentumAtEpoch = vector("momentum", momentum, 3, "kg m²/s");
+    this.attitudeAtEpoch = normalize(unitQuaternion(attitude));
+    this.epoch = finite("epoch", epoch, "seconds");
+    const given = { moments: this.moments, momentum: this.momentumAtEpoch, attitude: this.attitudeAtEpoch };
+    const body = reduced(given.moments, given.momentum);
+    const rates = ratesOf(body);
+    this._fastest = Math.max(...given.momentum.map((x, k) => Math.abs(x / given.moments[k])));
+    this._motion = prepared(body, rates, given);
+    const { first, second, toAttitude, toMomentum } = this._motion;
+    checkedRange([this._fastest, ...first, ...second, ...toAttitude, ...toMomentum]);
+    this._curve = { body, rates };
+    this.energy = 0.5 * given.momentum.reduce((sum, x, k) => sum + (x / given.moments[k]) * x, 0);
+    this.momentumNorm = Math.hypot(...given.momentum);
+    Object.assign(this, numbersOf(given, body, rates));
+  }
+
+  /** Return {attitude: [w, x, y, z], momentum: [x, y, z]} at a time [s]. */
+  state(t) {
+    const [elapsed, rest] = elapsedTime(t, this.epoch, this._fastest);
+    const high = dd.upper(elapsed);
+    return stateOf(this._motion, high, elapsed - high + rest);
+  }
+
+  /** Return Ω [rad/s, body axes] at a time [s]. */
+  angularVelocity(t) {
+    const L = this.state(t).momentum;
+    return [L[0] / this.moments[0], L[1] / this.moments[1], L[2] / this.moments[2]];
+  }
+
+  /**
+   * Return `count` momenta [kg m²/s, body axes] along the polhode, from the one at the epoch on in the sense of the motion.
+   *
+   * They are evenly spread in the elliptic amplitude, not in time, so that the curve is smooth near the unstable axis too;
+   * it closes after the last. On the separatrix they go from one end to the other, at rest all are one point.
+   */
+  along(count) {
+    const { body, rates } = this._curve;
+    const L = this.momentumAtEpoch;
+    if (rates.constant) return Array.from({ length: count }, () => [...L]);
+    const [A, B, C, P, Q] = [body.A, body.B, body.C, body.P, body.Q].map((x) => x[0]);
+    const total = B * Q;
+    const [m, m1] = rates.separatrix ? [1, 0] : [(A * P) / total, (-C * body.S[0]) / total];
+    const [l1, l2] = body.canonical;
+    const rootP = body.rootP;
+    const start = Math.atan2(Math.sqrt(B) * l2, Math.sqrt(C) * l1);
+    const side = rates.separatrix && l1 < 0 ? -1 : 1;
+    return Array.from({ length: count }, (_, k) => {
+      const turn = rates.separatrix ? Math.PI * (k / Math.max(count - 1, 1) - 0.5) : start + (2 * Math.PI * k) / count;
+      const c = side * Math.cos(turn);
+      const s = side * Math.sin(turn);
+      const point = [
+        (rootP / Math.sqrt(C)) * c,
+        (rootP / Math.sqrt(B)) * s,
+        Math.sqrt(Q / C) * Math.sqrt(m1 + m * c * c),
+      ];
+      return body.axes.map((row) => body.momentumScale * (row[0] * point[0] + row[1] * point[1] + row[2] * point[2]));
+    });
+  }
+}
+
+/** Return the numbers of the motion; what is undefined is null. */
+function numbersOf(given, body, rates) {
+  const regime = regimeOf(given, body, rates);
+  if (rates.constant) {
+    return {
+      regime, encircledAxis: null, modulus: null, period: null, precessionRate: null, precessionPerPeriod: null,
+      flipInterval: null, solidAngle: null,
+    }; // prettier-ignore
+  }
+  const sense = body.longAxis ? -1 : 1;
+  const precessionRate = sense * dd.scale(dd.divide(rates.precession, body.V), body.rateScale)[0];
+  if (rates.separatrix) {
+    return {
+      regime, encircledAxis: null, modulus: 1, period: Infinity, precessionRate, precessionPerPeriod: Infinity,
+      flipInterval: Infinity, solidAngle: null,
+    }; // prettier-ignore
+  }
+  const scaledPeriod = dd.divide(dd.scale(dd.PI, 2), rates.mean); // T/V
+  const perPeriod = dd.multiply(rates.precession, scaledPeriod);
+  const period = dd.multiply(scaledPeriod, body.V)[0] / body.rateScale;
+  return {
+    regime,
+    encircledAxis: body.axes.findIndex((row) => row[2] !== 0),
+    modulus: Math.sqrt(body.A[0] / body.B[0]) * (body.rootP / Math.sqrt(body.Q[0])),
+    period,
+    precessionRate,
+    precessionPerPeriod: sense * perPeriod[0],
+    flipInterval: regime === "symmetric" ? null : 0.5 * period,
+    solidAngle: solidAngleOf(body, rates, perPeriod, scaledPeriod),
+  };
+}
+
+function regimeOf({ moments, momentum }, body, rates) {
+  const [I1, I2, I3] = body.moments;
+  if (momentum.every((x) => x === 0)) return "rest";
+  if (I1 === I3) return "spherical";
+  if (rates.constant) return "permanent";
+  if (rates.separatrix) return "separatrix";
+  if (I1 === I2 || I2 === I3) return "symmetric";
+  return body.longAxis ? "long-axis" : "short-axis";
+}
+
+/** Return Ω = 2π − (ω_p − 2E/|L|) T, in double-double as small caps cancel. */
+function solidAngleOf(body, rates, perPeriod, scaledPeriod) {
+  const [I1, I2, I3] = body.moments;
+  const small = body.P[0] / (body.B[0] * body.G2[0]);
+  if (small < SMALL_CAP) return (Math.PI * body.P[0]) / (Math.sqrt(body.B[0] * body.C[0]) * body.G2[0]);
+  const third = dd.twoProduct(body.longAxis ? -I3 : I1, I2);
+  const twiceEnergy = dd.add(body.P, dd.multiply(third, body.G2));
+  const dynamic = dd.multiply(dd.divide(twiceEnergy, rates.G), scaledPeriod);
+  return dd.subtract(dd.scale(dd.PI, 2), dd.subtract(perPeriod, dynamic))[0];
+}

@@ -1,0 +1,64 @@
+// The three frequencies of a Lagrange top: nutation, and the mean turns of α and β, by arithmetic–geometric means.
+//
+// α and β turn by c'/2t and c/2s, whose means over a nutation are complete integrals of the third kind. Each has two forms,
+// one for either side of the pole that it looks at, so that nothing cancels. Sources: Carlson, SIAM J. Math. Anal. 8 (1977)
+// 231; Klein & Sommerfeld, Theorie des Kreisels, ch. VI.
+import * as dd from "./double_double.js";
+import { thirdKindMean } from "./elliptic.js";
+
+/**
+ * Return the rates by τ = t/I1 in scaled units, double-double.
+ *
+ * `halfRoot` is W = ½√A, `nutation` ϖ = ½ agm(√A, √B) = πW/2K, `alpha` and `beta` the linear rates of their phases apart
+ * from the theta quotients, `spin` what I3 ≠ I1 adds. `permanent`: the momentum stays; `steady`: the tilt stays.
+ */
+export function topRates(top, points) {
+  const a = top.momentum[2];
+  const upright = top.s0[0] === 0 || top.t0[0] === 0;
+  const permanent = top.w2[0] === 0 && (upright || (top.G[0] === 0 && a === 0));
+  const separatrix = !(points.B[0] > 0) && !permanent;
+  const signAlpha = top.cPlus[0] >= 0 ? 1 : -1;
+  const signBeta = top.c[0] >= 0 ? 1 : -1;
+  const cPlus = dd.scale(top.cPlus, signAlpha);
+  const [I1, I3] = top.moments;
+  const spin = dd.divide(dd.timesFloat(dd.twoSum(I1, -I3), a), dd.from(I3));
+  const rootA = dd.sqrt(points.A);
+  const found = { halfRoot: dd.scale(rootA, 0.5), signAlpha, signBeta, spin, permanent, separatrix, steady: false };
+  if (permanent) return { ...found, nutation: dd.ZERO, alpha: dd.ZERO, beta: dd.ZERO };
+  if (separatrix) return { ...found, nutation: dd.ZERO, alpha: dd.scale(cPlus, 0.25 * signAlpha), beta: dd.ZERO };
+  const drifts = bothDrifts(top, points, rootA, cPlus, dd.scale(top.c, signBeta));
+  return {
+    ...found,
+    nutation: drifts.nutation,
+    alpha: dd.scale(drifts.alpha, signAlpha),
+    beta: dd.scale(drifts.beta, signBeta),
+    steady: !(points.d[0] > 0),
+  };
+}
+
+function bothDrifts(top, points, rootA, cPlus, c) {
+  const { G } = top;
+  const { A, B, s1, s2, t1, t2, d, zMinus, zPlus } = points;
+  const rootB = dd.sqrt(B);
+  const firstAlpha = zPlus[0] <= 2 * A[0];
+  const firstBeta = dd.multiply(G, s2)[0] <= zMinus[0];
+  const squareAlpha = firstAlpha ? zPlus : dd.divide(dd.multiply(A, t2), t1);
+  // c = 0 through the upper pole: the factor of the sum vanishes, and p² must only not be zero
+  const idle = firstBeta && c[0] === 0;
+  const squareBeta = idle ? A : firstBeta ? zMinus : dd.divide(dd.multiply(s1, B), s2);
+  const ofAlpha = thirdKindMean(rootA, rootB, squareAlpha);
+  const ofBeta = thirdKindMean(rootA, rootB, squareBeta);
+  const nutation = dd.scale(ofAlpha.mean, 0.5);
+  const alpha = drift(G, cPlus, zPlus, t1, t2, d, nutation, ofAlpha.total, firstAlpha);
+  const beta = drift(G, c, zMinus, s2, s1, d, nutation, ofBeta.total, firstBeta);
+  return { nutation, alpha, beta: firstBeta ? dd.negate(beta) : beta };
+}
+
+/** Return cG/(4Z) Σ in the first form, |c|/(2 near) [1 − d/(2 far) Σ] − ϖ in the second. */
+function drift(G, c, Z, near, far, d, nutation, total, first) {
+  const idle = c[0] === 0;
+  if (first) return dd.scale(dd.multiply(dd.divide(dd.multiply(c, G), idle ? dd.ONE : Z), total), 0.25);
+  const outer = dd.scale(dd.divide(c, idle ? dd.ONE : near), 0.5);
+  const share = dd.scale(dd.multiply(dd.divide(d, far), total), 0.5);
+  return dd.subtract(dd.multiply(outer, dd.subtract(dd.ONE, share)), nutation);
+}

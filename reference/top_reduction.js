@@ -1,0 +1,90 @@
+// The invariants of a Lagrange top, scaled, and accurate however close to each other the regimes come.
+//
+// With a = L3, w = L1 + i L2, G = 2 mgl I1, τ = t/I1 and the Cayley–Klein parameters α = q0 + i q3, β = q1 + i q2, a top of
+// equal moments obeys 2α' = i a α − w̄ β, 2β' = w α − i a β, w' = G ᾱ β; I3 ≠ I1 only adds the constant spin
+// ν = L3 (I1 − I3)/(I1 I3) about the axis. Source: Klein & Sommerfeld, Theorie des Kreisels, ch. VI.
+import * as dd from "./double_double.js";
+
+/**
+ * Return a top with mgl ≥ 0, scaled by powers of two; pairs are double-double.
+ *
+ * u = cos θ, s = 1 − u, t = 1 + u, index 0 at the epoch; c = p_φ − L3, cPlus = p_φ + L3, twist = p_φ − u L3,
+ * F = |w|² − G s − a c, D = 2G − a² − |w|² + G s, lean = a (|w|² − G s) − G c, and p = u̇ by τ, at the epoch.
+ * A centre of mass below the pivot is one above it on the reversed axis: a half turn about the first body axis.
+ */
+export function reducedTop(moments, mgl, momentum, attitude) {
+  const turned = mgl < 0;
+  const [w, x, y, z] = attitude;
+  const quaternion = turned ? [-x, w, z, -y] : [w, x, y, z];
+  const sign = turned ? -1 : 1;
+  const momentExponent = dd.exponentOf(moments[0]);
+  const momentumExponent = exponentOfMomentum(moments[0], Math.abs(mgl), momentum);
+  const [I1, I3] = [moments[0], moments[2]].map((v) => dd.timesPowerOfTwo(v, -momentExponent));
+  const L = [momentum[0], sign * momentum[1], sign * momentum[2]].map((v) => dd.timesPowerOfTwo(v, -momentumExponent));
+  const lifted = dd.timesPowerOfTwo(Math.abs(mgl), momentExponent - momentumExponent);
+  const weight = dd.timesPowerOfTwo(lifted, -momentumExponent);
+  return {
+    moments: [I1, I3],
+    momentum: L,
+    quaternion,
+    ...invariants(I1, weight, L, quaternion),
+    reversed: turned ? -1 : 1,
+    momentumScale: dd.timesPowerOfTwo(1, momentumExponent),
+    rateScale: dd.timesPowerOfTwo(1, momentumExponent - momentExponent),
+  };
+}
+
+/** Return the exponent of the larger of |L| and √(mgl I1), without forming a product that may overflow. */
+function exponentOfMomentum(I1, weight, momentum) {
+  const largest = Math.max(...momentum.map(Math.abs));
+  const exponent = dd.exponentOf(largest);
+  if (!(weight > 0)) return exponent;
+  const half = Math.floor((dd.exponentOf(I1) + dd.exponentOf(weight) + 1) / 2);
+  return largest > 0 ? Math.max(exponent, half) : half;
+}
+
+/**
+ * Return the invariants: polynomials of the given floats over |q|².
+ *
+ * They are summed as expansions, since near the separatrix c, F and D vanish together and what is left of them decides how
+ * long the top lingers upright; double-double alone would leave nothing.
+ */
+function invariants(I1, weight, [L1, L2, L3], [w, x, y, z]) {
+  const of = dd.twoProduct;
+  const product = dd.expansionTimesExpansion;
+  const short = dd.compress;
+  const negated = (terms) => terms.map((v) => -v);
+  const G = dd.scale(of(weight, I1), 2);
+  const S = short([...of(x, x), ...of(y, y)]);
+  const T = short([...of(w, w), ...of(z, z)]);
+  const size = short([...S, ...T]);
+  const real = short([...of(x, w), ...of(y, z)]); // β̄α
+  const imaginary = short([...of(x, z), ...of(-y, w)]);
+  const inPhase = short([...product(real, [L1]), ...product(imaginary, [-L2])]); // β̄αw
+  const twist = short([...product(real, [L2]), ...product(imaginary, [L1])].map((v) => 2 * v));
+  const c = short([...twist, ...product(S, [-2 * L3])]);
+  const cPlus = short([...twist, ...product(T, [2 * L3])]);
+  const w2 = [...of(L1, L1), ...of(L2, L2)];
+  const energy = short([...product(size, w2), ...product(G.map((g) => -2 * g), S)], 5);
+  const F = short([...energy, ...product(c, [-L3])], 5);
+  const rest = [...G.map((g) => 2 * g), ...of(L3, -L3)];
+  const D = short([...product(size, rest), ...negated(energy)], 5);
+  const lean = short([...product(energy, [L3]), ...product(negated(G), c)], 6);
+  const n = dd.distil(size);
+  const over = (terms) => dd.divide(dd.distil(terms), n);
+  return {
+    size: n, // |q|²
+    G,
+    s0: dd.scale(over(S), 2),
+    t0: dd.scale(over(T), 2),
+    u0: over([...T, ...negated(S)]),
+    p: dd.scale(over(inPhase), -2),
+    c: over(c),
+    cPlus: over(cPlus),
+    twist: over(twist),
+    F: over(F),
+    D: over(D),
+    w2: dd.distil(w2),
+    lean: over(lean),
+  };
+}
