@@ -12,7 +12,7 @@ EXAMPLES = {path.stem: path for path in (Path(__file__).parents[2] / "examples")
 LARGEST = 1_600_000
 """Bytes."""
 PHONE = {"viewport": {"width": 390, "height": 780}, "has_touch": True, "is_mobile": True}
-COMPILED = {"gyroscope", "dual_spin", "euler_disk"}
+COMPILED = {"gyroscope", "dual_spin", "explorer_1", "euler_disk"}
 """Examples whose motions take seconds to compile: they are tried in the sweep."""
 
 

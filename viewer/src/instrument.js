@@ -22,6 +22,7 @@ export class Instrument {
     this.setting = this.first = this.kind.from(model);
     this.solver = this.kind.make(this.setting);
     this.controls = new Controls(element("controls"), (key, value) => this.move(key, value));
+    element("spec").hidden = !this.kind.toml;
     this.show();
   }
 
@@ -99,6 +100,6 @@ export class Instrument {
   }
 
   toml(span) {
-    return this.kind.toml(this.setting, span);
+    return this.kind.toml?.(this.setting, span) ?? null;
   }
 }

@@ -60,8 +60,9 @@ class Page {
     element("instrument").hidden = !data.model;
     if (data.model) {
       this.instrument = new Instrument(data.model, (shaped) => this.reset(shaped), data.key);
-      this.motion = this.instrument.motion(timesOf(data), data.space);
-    } else this.motion = new Motion(data);
+    }
+    // what is stepped on the page begins with Python's samples, which cost no steps
+    this.motion = data.model && !data.attitude ? this.instrument.motion(timesOf(data), data.space) : new Motion(data);
     element("panels").replaceChildren();
     this.canvases = data.panels.map((panel) => addFrame(panel, this.view));
     this.canvases.forEach((canvas, k) => this.listen(canvas, k));
@@ -91,12 +92,19 @@ class Page {
     for (const panel of this.panels) dispose(panel.scene);
     document.documentElement.dataset.theme = this.theme.name;
     this.panels = this.data.panels.map((panel) => {
-      const data = this.shaped && panel.type === "body" ? { ...panel, surface: null, ellipsoid: null, changed: true } : panel;
+      const data = this.changedPanel(panel);
       return Object.assign(MAKERS[panel.type](this.motion, data, this.theme, tools), { type: panel.type });
     });
     this.panels.forEach((panel, k) => caption(this.canvases[k], panel, this.data));
     this.plots.take(this.motion, this.data, this.theme);
     this.draw();
+  }
+
+  /** Return the data of a panel, without what is no longer true of a motion that was changed here. */
+  changedPanel(panel) {
+    if (this.shaped && panel.type === "body") return { ...panel, surface: null, ellipsoid: null, changed: true };
+    const set = this.instrument && !this.instrument.isAsGiven;
+    return set && panel.type === "sphere" ? { ...panel, changed: true, equilibria: null } : panel;
   }
 
   dress(theme) {
@@ -148,7 +156,7 @@ class Page {
     };
     canvas.addEventListener("pointerdown", (event) => {
       const panel = this.panels[k];
-      if (event.button !== 0 || !panel.grasp || !this.instrument?.kind.withDirection) return;
+      if (event.button !== 0 || !panel.grasp || !this.instrument?.kind.dragged) return;
       if (!panel.grasp(place(event), canvas.clientWidth)) return;
       event.stopImmediatePropagation();
       this.timebar.pause();
@@ -212,7 +220,8 @@ function offered(page) {
     settings: () => page.instrument?.kind.asSpec(page.instrument.setting) ?? null,
     /** Return attitude (wxyz, body to space) and momentum (body axes) at a time [s]. */
     state(time) {
-      const found = page.motion.endless ? page.motion.solvedAt(time) : page.motion.at(page.motion.positionOf(time));
+      const solved = page.motion.endless ? page.motion : page.instrument?.motion([time]);
+      const found = solved ? solved.solvedAt(time) : page.motion.at(page.motion.positionOf(time));
       const { w, x, y, z } = found.attitude ?? {};
       return { attitude: found.attitude ? [w, x, y, z] : null, momentum: found.momentum?.toArray() ?? null };
     },

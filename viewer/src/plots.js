@@ -33,7 +33,7 @@ function plotsOf(motion, data, theme, rows) {
 /** Return the angles of the body's axes from L, or of a top's axis from the vertical; null without attitudes. */
 function anglesOf(motion, data, theme, rows) {
   if (!motion.attitudes) return null;
-  if (motion.free && motion.momenta) {
+  if (data.up === "L" && motion.momenta) {
     const lean = (row, k) => {
       const L = motion.momenta.subarray(3 * row, 3 * row + 3);
       return Math.atan2(Math.hypot(L[(k + 1) % 3], L[(k + 2) % 3]), L[k]) * DEGREE;

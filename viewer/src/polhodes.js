@@ -115,6 +115,66 @@ export function separatrix(moments) {
   return found;
 }
 
+const GRID = 64; // cells along the edge of each face of the cube that levels are looked for on
+const LEVELS = 9;
+
+/** Return levels of ½ (L − h)·I⁻¹(L − h) on the sphere of |L|, evenly spread, as separate pieces of unit vectors. */
+export function levels(moments, rotor, size) {
+  if (!(size > 0)) return [];
+  const energy = (u) => u.reduce((sum, value, k) => sum + (size * value - rotor[k]) ** 2 / moments[k], 0);
+  const corners = [];
+  let [low, high] = [Infinity, -Infinity];
+  for (let face = 0; face < 6; face++) {
+    const grid = [];
+    for (let i = 0; i <= GRID; i++) {
+      for (let j = 0; j <= GRID; j++) {
+        const at = [0, 0, 0];
+        at[face % 3] = face < 3 ? 1 : -1;
+        at[(face + 1) % 3] = Math.tan(((2 * i) / GRID - 1) * 0.25 * Math.PI);
+        at[(face + 2) % 3] = Math.tan(((2 * j) / GRID - 1) * 0.25 * Math.PI);
+        const length = Math.hypot(...at);
+        const unit = at.map((value) => value / length);
+        const value = energy(unit);
+        [low, high] = [Math.min(low, value), Math.max(high, value)];
+        grid.push([unit, value]);
+      }
+    }
+    corners.push(grid);
+  }
+  const found = [];
+  if (!(high - low > 1e-12 * Math.abs(high))) return found;
+  for (const grid of corners) {
+    for (let i = 0; i < GRID; i++) {
+      for (let j = 0; j < GRID; j++) {
+        const [a, b, c, d] = [grid[i * (GRID + 1) + j], grid[(i + 1) * (GRID + 1) + j], grid[(i + 1) * (GRID + 1) + j + 1], grid[i * (GRID + 1) + j + 1]];
+        for (const triangle of [[a, b, c], [a, c, d]]) crossings(triangle, low, high, found);
+      }
+    }
+  }
+  return found;
+}
+
+/** Add the pieces in which levels cross a triangle. */
+function crossings(triangle, low, high, found) {
+  const values = triangle.map(([, value]) => value);
+  const step = (high - low) / (LEVELS + 1);
+  const first = Math.max(1, Math.ceil((Math.min(...values) - low) / step));
+  const last = Math.min(LEVELS, Math.floor((Math.max(...values) - low) / step));
+  for (let k = first; k <= last; k++) {
+    const wanted = low + k * step;
+    const ends = [];
+    for (let n = 0; n < 3; n++) {
+      const [[u, p], [v, q]] = [triangle[n], triangle[(n + 1) % 3]];
+      if (p < wanted === q < wanted) continue;
+      const part = (wanted - p) / (q - p);
+      const at = u.map((value, m) => value + part * (v[m] - value));
+      const length = Math.hypot(...at);
+      ends.push(at.map((value) => value / length));
+    }
+    if (ends.length === 2) found.push(...ends[0], ...ends[1]);
+  }
+}
+
 function asPieces(curve) {
   const found = [];
   for (let k = 0; k + 5 < curve.length; k += 3) found.push(...curve.slice(k, k + 6));

@@ -1,5 +1,6 @@
 // A motion that the page solves itself, exactly, at any time: it looks like samples, but goes on for ever.
 import { Quaternion, Vector3 } from "three";
+import { FreeMotion } from "../../reference/polhode.js";
 
 const CLOSE = 0.08; // rad the body turns between points of drawn curves: their lengths then agree to 1e-6
 const TURNS = 8; // of the body in a window, where nothing else says how long it is
@@ -18,10 +19,11 @@ export class SolvedMotion {
   constructor(solver, times = null, space = null) {
     this.solver = solver;
     this.moments = solver.moments;
-    this.free = solver.mgl === undefined ? solver.moments : null; // principal moments of a body without torques
+    this.free = solver instanceof FreeMotion ? solver.moments : null; // principal moments of a body without torques
+    this.hasUp = solver.mgl !== undefined;
     this.endless = true;
     this.joined = true;
-    this.times = times ?? this.window(solver.epoch);
+    this.times = times?.length ? times : this.window(solver.epoch);
     this.count = this.times.length;
     this.space = space ? quaternion(space) : this.upright();
     this.fill();
@@ -38,13 +40,12 @@ export class SolvedMotion {
   }
 
   speedAt(time) {
-    const { momentum } = this.solver.state(time);
-    return Math.hypot(...momentum.map((value, k) => value / this.moments[k]));
+    return Math.hypot(...this.solved(time).velocity);
   }
 
   /** Return the turn of space after which L points up, or z where there is gravity. */
   upright() {
-    if (!this.free) return new Quaternion();
+    if (this.hasUp) return new Quaternion();
     const { attitude, momentum } = this.solver.state(this.solver.epoch);
     const inSpace = new Vector3(...momentum).applyQuaternion(quaternion(attitude));
     return inSpace.length() > 0 ? new Quaternion().setFromUnitVectors(inSpace.normalize(), new Vector3(0, 0, 1)) : new Quaternion();
@@ -59,21 +60,23 @@ export class SolvedMotion {
     this.fastest = 0;
     this.dense = null;
     for (let k = 0; k < this.count; k++) {
-      const { attitude, momentum } = this.solver.state(this.times[k]);
+      const { attitude, momentum, velocity, energy } = this.solved(this.times[k]);
       this.attitudes.set(attitude, 4 * k);
       this.momenta.set(momentum, 3 * k);
-      const velocity = momentum.map((value, j) => value / this.moments[j]);
       this.velocities.set(velocity, 3 * k);
       this.fastest = Math.max(this.fastest, Math.hypot(...velocity));
-      this.energies[k] = this.energy(attitude, momentum);
+      this.energies[k] = energy;
     }
   }
 
-  energy(attitude, momentum) {
-    const turning = 0.5 * momentum.reduce((sum, value, k) => sum + (value * value) / this.moments[k], 0);
-    if (this.free) return turning;
-    const [w, x, y, z] = attitude;
-    return turning + this.solver.mgl * (w * w - x * x - y * y + z * z);
+  /** Return what the solver says of a time, with Ω and the energy, which steppers say themselves. */
+  solved(time) {
+    const found = this.solver.state(time);
+    if (found.velocity) return found;
+    const velocity = found.momentum.map((value, k) => value / this.moments[k]);
+    const turning = 0.5 * found.momentum.reduce((sum, value, k) => sum + value * velocity[k], 0);
+    const [w, x, y, z] = found.attitude;
+    return { ...found, velocity, energy: this.hasUp ? turning + this.solver.mgl * (w * w - x * x - y * y + z * z) : turning };
   }
 
   /** Return the states at the points of drawn curves. */
@@ -100,13 +103,13 @@ export class SolvedMotion {
 
   /** Return the state at any time. */
   solvedAt(time) {
-    const { attitude, momentum } = this.solver.state(time);
+    const { attitude, momentum, velocity, energy } = this.solved(time);
     return {
       time,
       attitude: quaternion(attitude),
       momentum: new Vector3(...momentum),
-      velocity: new Vector3(...momentum.map((value, j) => value / this.moments[j])),
-      energy: this.energy(attitude, momentum),
+      velocity: new Vector3(...velocity),
+      energy,
     };
   }
 

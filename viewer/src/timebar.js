@@ -168,7 +168,7 @@ export class Timebar {
 /** Return seconds of motion per second of watching: in real time where it can be followed, else a round number. */
 function firstRate(motion) {
   if (!(motion.span > 0)) return 1;
-  const turns = motion.free || !motion.moments ? EASY : TOPS;
+  const turns = motion.hasUp ? TOPS : EASY;
   const turning = motion.fastest ? (2 * Math.PI * turns) / motion.fastest : motion.span / 40;
   const period = motion.solver?.nutationPeriod;
   const swinging = period && Number.isFinite(period) ? period / SWING : Infinity;

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from importlib import import_module, resources
 from pathlib import Path
@@ -129,6 +129,8 @@ class AbstractKind:
     def content(self, trajectory: Trajectory, samples: Samples, surface: Surface | None) -> Content | None:
         """Return the kind's own pictures of a page, by ``panel.panels_of`` and ``panel.js``; None if it has none.
 
+        By ``panel.model_of(trajectory)``, where there is one, the page goes on with the motion itself; see ``Content``.
+
         Args:
             trajectory: whose source is one of ``sources``.
             samples: of it, as the page shows them, along the principal axes.
@@ -136,11 +138,14 @@ class AbstractKind:
         """
         if not (resources.files(type(self).__module__) / "panel.py").is_file():
             return None
-        from polhode.viewer.panels import Content
+        from polhode.viewer.panels import Content, content_of
 
-        panels = self._part("panel").panels_of(trajectory, samples, surface)
-        script = resources.files(type(self).__module__) / "panel.js"
-        return Content(panels, (script.read_text("utf-8"),) if script.is_file() else ())
+        part, script = self._part("panel"), resources.files(type(self).__module__) / "panel.js"
+        model = part.model_of(trajectory) if hasattr(part, "model_of") else None
+        if not hasattr(part, "panels_of"):
+            return replace(content_of(trajectory.source, samples, surface), model=model)
+        panels = part.panels_of(trajectory, samples, surface)
+        return Content(panels, (script.read_text("utf-8"),) if script.is_file() else (), model)
 
     def _part(self, name: str) -> Any:
         """Return a file of the folder as a module."""

@@ -90,15 +90,15 @@ def page_of(
             "show. Give the state its attitude, or write a dataset instead."
         )
     title = name or title_of(trajectory.source)
-    model = model_of(trajectory)
+    model = shown.model or model_of(trajectory)
     # how samples were chosen is of no concern where the page solves the motion at any time
-    chosen = samples.notes if model is None else ()
+    chosen = samples.notes if model is None or shown.model else ()
     said = [note[:1].upper() + note[1:] for note in (*map(with_powers, chosen), *notes)]
     data = {
         "name": title, "summary": summary, "notes": said, "panels": shown.panels,
         "drift": {key: float(np.max(value)) for key, value in trajectory.drift.items() if np.size(value)},
         "model": model, "plots": _plots(trajectory, samples),
-        **_arrays(trajectory.source, samples, solved=model is not None),
+        **_arrays(trajectory.source, samples, solved=model is not None and shown.model is None),
     }  # fmt: skip
     return Page(title, data, shown.scripts)
 
@@ -145,7 +145,7 @@ def model_of(trajectory: Trajectory) -> dict[str, Any] | None:
 
 
 def _arrays(system: Any, samples: Samples, solved: bool) -> dict[str, Any]:
-    """Return the samples; of a motion that the page solves itself their times alone."""
+    """Return the samples; of a motion that the page solves itself in closed form their times alone."""
     turn, up = up_of(system, samples)
 
     def array(values: Array | None, kind: str = "f8") -> dict[str, Any] | None:

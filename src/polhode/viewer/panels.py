@@ -31,10 +31,13 @@ class Content:
     Attributes:
         panels: the data of each picture, named by its "type"; none where there is nothing to draw.
         scripts: JavaScript that makes the panels that the page's own script does not know.
+        model: what the page's own solver needs to go on with the motion: its name as "solver", and its arguments; None
+            where the page only shows samples.
     """
 
     panels: list[Panel]
     scripts: tuple[str, ...] = ()
+    model: dict[str, Any] | None = None
 
 
 def content_of(source: Any, samples: Samples, surface: Surface | None) -> Content:

@@ -1,7 +1,7 @@
 // The momentum sphere, in body axes: levels of the energy, separatrix, this motion, and where it is now.
 import { Vector3 } from "three";
 import { unpacked } from "../motion.js";
-import { family, polhodeThrough, rests, separatrix } from "../polhodes.js";
+import { family, levels, polhodeThrough, rests, separatrix } from "../polhodes.js";
 import { arrowhead, dot, drawUpTo, globe, line, mark, path, pieces } from "../shapes.js";
 import { newPanel } from "../stage.js";
 
@@ -18,7 +18,9 @@ export function spherePanel(motion, data, theme) {
   const start = motion.free ? motion.at(0).momentum.toArray() : null;
   const [others, border] = start
     ? [family(motion.free), separatrix(motion.free)]
-    : [unpacked(data.family) ?? [], unpacked(data.separatrix) ?? []];
+    : data.changed && motion.solver
+      ? [levels(motion.moments, motion.solver.rotor ?? [0, 0, 0], motion.at(0).momentum.length()), []]
+      : [unpacked(data.family) ?? [], unpacked(data.separatrix) ?? []];
   if (others.length) scene.add(pieces(others, theme.family, 1));
   if (border.length) scene.add(pieces(border, theme.border, 1.8));
   const own = start && Math.hypot(...start) > 0 ? polhodeThrough(motion.free, start) : null;

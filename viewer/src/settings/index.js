@@ -1,5 +1,8 @@
 // What the page can set and solve itself, by the name of the solver.
+import * as DampedBody from "./damped_body.js";
 import * as FreeMotion from "./free_body.js";
+import * as Gyrostat from "./gyrostat.js";
+import * as HeavyTop from "./heavy_top.js";
 import * as LagrangeMotion from "./lagrange_top.js";
 
-export const SETTINGS = { FreeMotion, LagrangeMotion };
+export const SETTINGS = { DampedBody, FreeMotion, Gyrostat, HeavyTop, LagrangeMotion };

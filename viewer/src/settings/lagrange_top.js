@@ -146,4 +146,3 @@ export function facts({ moments, spin, mgl }, solver) {
   return found;
 }
 
-export const withDirection = null; // there is no momentum sphere to drag on

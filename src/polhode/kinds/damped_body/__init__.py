@@ -16,6 +16,7 @@ class DampedBodyKind(AbstractKind):
 
     name: ClassVar[str] = "damped-body"
     table: ClassVar[type[SystemTable]] = DampedBodyTable
+    sources: ClassVar[tuple[str, ...]] = ("polhode.systems.double_bracket.DoubleBracket",)
     figure_names: ClassVar[tuple[str, ...]] = ("momentum_sphere", "motion")
 
     def rules(self, tables: dict[str, Any]) -> Iterator[Mistake]:

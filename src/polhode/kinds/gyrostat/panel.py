@@ -2,13 +2,24 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from polhode.bodies.surface import Surface
 from polhode.motion.trajectory import Trajectory
 from polhode.systems.gyrostat import Gyrostat
+from polhode.viewer.models import start_of
 from polhode.viewer.panels import Panel, body_panels, moments_of, sphere_of_levels
 from polhode.viewer.samples import Samples
+
+
+def model_of(trajectory: Trajectory) -> dict[str, Any] | None:
+    """Return the body, its rotor and its start; None of one whose motor turns the rotor, and without attitudes."""
+    system, start = trajectory.source, start_of(trajectory)
+    if start is None or not isinstance(system, Gyrostat):
+        return None
+    return {"solver": "Gyrostat", "rotor": np.asarray(system.rotor, dtype=float).tolist(), **start}
 
 
 def panels_of(trajectory: Trajectory, samples: Samples, surface: Surface | None) -> list[Panel]:

@@ -1,0 +1,83 @@
+// What all bodies that spin are set by: three moments, and the size and direction of Ω at first.
+const RPM = Math.PI / 30;
+const DEGREE = Math.PI / 180;
+
+/** Return size, tilt from an axis and azimuth about it, from the next axis cyclically, of an angular velocity. */
+export function angles(velocity, about) {
+  const [along, next, last] = [0, 1, 2].map((k) => velocity[(about + k) % 3]);
+  return { rate: Math.hypot(...velocity), tilt: Math.atan2(Math.hypot(next, last), along), around: next || last ? Math.atan2(last, next) : 0 };
+}
+
+export function velocityOf(about, { rate, tilt, around }) {
+  const found = [0, 0, 0];
+  found[about] = rate * Math.cos(tilt);
+  found[(about + 1) % 3] = rate * Math.sin(tilt) * Math.cos(around);
+  found[(about + 2) % 3] = rate * Math.sin(tilt) * Math.sin(around);
+  return found;
+}
+
+/** Return the axis nearest to a vector. */
+export const nearestAxis = (vector) => vector.map(Math.abs).reduce((best, value, k, all) => (value > all[best] ? k : best), 0);
+
+/** Return the sliders of the moments. */
+export const momentControls = (moments) =>
+  moments.map((value, k) => ({ key: `body.moments.${k}`, label: `moment of inertia I${"₁₂₃"[k]}`, unit: "kg m²", value, ...allowed(moments, k) }));
+
+/** Return the range of one moment, given the two others: no solid body has moments outside of it. */
+function allowed(moments, k) {
+  const [a, b] = [moments[(k + 1) % 3], moments[(k + 2) % 3]];
+  const [least, most] = [Math.abs(a - b), a + b];
+  return { low: Math.max(least, 1e-3 * most), high: most, log: true };
+}
+
+/** Return the sliders of the spin. */
+export function spinControls({ velocity, about, around }) {
+  const { rate, tilt } = angles(velocity, about);
+  const slow = rate < 1e-3 * RPM || rate > 1e6 * RPM;
+  return [
+    { key: "spin.rate", label: "spin rate |Ω|", unit: slow ? "rad/s" : "rpm", si: slow ? 1 : RPM, value: rate, log: true, low: rate / 20 || 0.1, high: 20 * rate || 100 },
+    { key: "spin.about", label: "tilt counted from", value: about, choices: [0, 1, 2].map((k) => [k, `axis ${k + 1}`]) },
+    { key: "spin.tilt", label: "tilt of the spin", unit: "°", si: DEGREE, value: tilt, low: 0, high: Math.PI, power: 2 },
+    { key: "spin.around", label: `tilted towards (0° is axis ${((about + 1) % 3) + 1})`, unit: "°", si: DEGREE, value: tilt > 0 ? angles(velocity, about).around : around, low: -Math.PI, high: Math.PI },
+  ];
+}
+
+/** Return the setting after a slider of moments or spin has moved; values in SI. */
+export function turned(setting, key, value) {
+  const [, name, index] = key.split(".");
+  if (name === "moments") {
+    const moments = setting.moments.map((old, k) => (k === Number(index) ? value : old));
+    return { ...setting, moments, momentum: null };
+  }
+  if (name === "about") return { ...setting, about: value, around: angles(setting.velocity, value).around };
+  const now = { ...angles(setting.velocity, setting.about) };
+  if (!(now.tilt > 0)) now.around = setting.around;
+  now[name] = value;
+  return { ...setting, velocity: velocityOf(setting.about, now), around: now.around, momentum: null };
+}
+
+/** Return the setting with what tables of a spec say of moments and spin, in SI; `inner` is the momentum of what turns inside. */
+export function withTables(setting, { body = {}, spin = {} }, inner = [0, 0, 0]) {
+  let found = { ...setting };
+  if (body.moments) found = { ...found, moments: body.moments.map(Number), momentum: null };
+  if (spin.attitude) found.attitude = spin.attitude.map(Number);
+  if (spin.momentum) {
+    const momentum = spin.momentum.map(Number);
+    const velocity = momentum.map((value, k) => (value - inner[k]) / found.moments[k]);
+    return { ...found, momentum, velocity, around: angles(velocity, found.about).around };
+  }
+  if (spin.angular_velocity) {
+    const velocity = spin.angular_velocity.map(Number);
+    return { ...found, momentum: null, velocity, around: angles(velocity, found.about).around };
+  }
+  if (["rate", "about", "tilt"].every((name) => spin[name] === undefined)) return found;
+  const about = spin.about === undefined ? found.about : Number(spin.about) - 1;
+  const old = angles(found.velocity, about);
+  // a spec's tilt is towards the next axis
+  const now = { rate: Number(spin.rate ?? old.rate), tilt: Number(spin.tilt ?? old.tilt), around: spin.tilt === undefined ? old.around : 0 };
+  return { ...found, about, around: now.around, momentum: null, velocity: velocityOf(about, now) };
+}
+
+/** Return the momentum at the start: as it was given, to the last bit, or IΩ and what turns inside. */
+export const momentumOf = ({ moments, velocity, momentum }, inner = [0, 0, 0]) =>
+  momentum ?? velocity.map((value, k) => value * moments[k] + inner[k]);
