@@ -7,7 +7,7 @@ import { RollingMechanics } from "./rolling_mechanics.js";
 import { slowTiltRate, steadyRates } from "./rolling_start.js";
 import { positive } from "./turning.js";
 
-const TOLERANCE = 1e-13;
+const TOLERANCE = 1e-14; // see heavy_top.js
 const FLAT = 1e-6; // rad: the rim of a coin is then lifted by tens of nanometres, less than any table is rough
 const NEARLY_FLAT = 1e-3; // rad above which a tilt has the tolerance relative to itself
 const STANDARD_GRAVITY = 9.80665; // m/s²
