@@ -4,9 +4,10 @@ import { Stepped } from "./integrate.js";
 import { checkedLaws, couples } from "./rolling_dissipation.js";
 import { LegendreFunction, linearIntegrals } from "./rolling_integrals.js";
 import { RollingMechanics } from "./rolling_mechanics.js";
+import { slowTiltRate, steadyRates } from "./rolling_start.js";
 import { positive } from "./turning.js";
 
-const TOLERANCE = 1e-13;
+const TOLERANCE = 1e-14; // see heavy_top.js
 const FLAT = 1e-6; // rad: the rim of a coin is then lifted by tens of nanometres, less than any table is rough
 const NEARLY_FLAT = 1e-3; // rad above which a tilt has the tolerance relative to itself
 const STANDARD_GRAVITY = 9.80665; // m/s²
@@ -36,28 +37,18 @@ export class EulerDisk {
    * @param epoch time at which they hold [s]
    * @throws RangeError for values that cannot be these
    */
-  constructor({ mass, radius, half_thickness = 0, axial_moment, diametral_moment, gravity = STANDARD_GRAVITY, dissipation = [],
-    start, epoch = 0 }) { // prettier-ignore
-    const [m, a, g] = [positive("mass", mass, "kg"), positive("radius", radius, "m"), positive("gravity", gravity, "m/s²")];
-    const b = positive("half_thickness", half_thickness, "m", true);
-    if (b > a) throw new RangeError(`\`half_thickness\` must be at most the radius, ${a} m; got ${b}. Check units.`);
-    const C = positive("axial_moment", axial_moment ?? 0.5 * m * a * a, "kg m²");
-    const A = positive("diametral_moment", diametral_moment ?? m * (0.25 * a * a + (b * b) / 3), "kg m²");
-    if (C > 2 * A * (1 + 1e-12)) {
-      throw new RangeError(`\`axial_moment\` must be at most twice \`diametral_moment\`; got ${C} and ${A} kg m². Check units.`);
-    }
+  constructor({ start, epoch = 0, ...parameters }) {
+    const { disk, laws } = checkedDisk(parameters);
+    const { m, a, b, A, C, g } = disk;
     this.moments = [A, A, C];
     this.epoch = finite("epoch", epoch, "seconds");
     this.thin = b === 0;
-    this._laws = checkedLaws(dissipation);
-    this._disk = new RollingMechanics({
-      mass: m, radius: a, half_thickness: b, diametral_moment: A, axial_moment: C, gravity: g,
-    }); // prettier-ignore
-    this._legendre = this.thin && !this._laws.length ? new LegendreFunction((m * a * a * C) / (A * (C + m * a * a))) : null;
+    [this._disk, this._laws] = [disk, laws];
+    this._legendre = this.thin && !laws.length ? new LegendreFunction((m * a * a * C) / (A * (C + m * a * a))) : null;
     const rate = Math.sqrt(g / a);
     this._motion = new Stepped({
       rates: this._rates(),
-      start: [...this._checked(start), 0],
+      start: [...checkedParts(start, this.thin), 0],
       time: this.epoch,
       scale: [NEARLY_FLAT, 1, 1, a, a, rate, rate, rate, m * g * a],
       tolerance: TOLERANCE,
@@ -65,14 +56,21 @@ export class EulerDisk {
     });
   }
 
-  _checked(start) {
-    const state = vector("start", start, PARTS.length, `SI units: ${PARTS.join(", ")}`);
-    const most = this.thin ? Math.PI : 0.5 * Math.PI;
-    if (state[0] > 0 && state[0] < most && Math.sin(state[0]) > FLAT) return state;
-    throw new RangeError(
-      `the tilt at the start must lie between ${FLAT} rad and ${this.thin ? "π less that" : "π/2 for a thick disk"}; got ` +
-        `${state[0]} rad. A disk that lies flat does not roll: start at a small tilt, such as 0.1.`,
-    );
+  /**
+   * Return the `start` of steady rolling at a tilt [rad], or with dissipation its place on the slow manifold, where no nutation
+   * rings.
+   *
+   * @param parameters of the disk, as above
+   * @param tilt θ [rad]
+   * @param precession φ̇ [rad/s]; by default that at which the centre is at rest
+   * @param spin ω3 [rad/s], which follows; needed only where it does not, as in straight rolling, and checked elsewhere
+   * @throws RangeError where no such motion is steady and stable
+   */
+  static rollingStart({ tilt, precession = null, spin = null, heading = 0, face = 0, ...parameters }) {
+    const { disk, laws } = checkedDisk(parameters);
+    checkTilt(finite("tilt", tilt, "rad"), disk.b === 0);
+    const rates = steadyRates(disk, tilt, precession, spin);
+    return [tilt, heading, face, 0, 0, slowTiltRate(disk, laws, tilt, ...rates), ...rates];
   }
 
   _stops(weight) {
@@ -145,6 +143,35 @@ export class EulerDisk {
     const [first, second] = linearIntegrals(this._legendre, this._disk, theta, w2, w3);
     return { energy, linear_integral_1: first, linear_integral_2: second };
   }
+}
+
+/** Return the laws of motion and of dissipation of a disk. */
+function checkedDisk({ mass, radius, half_thickness = 0, axial_moment, diametral_moment, gravity = STANDARD_GRAVITY,
+  dissipation = [] }) { // prettier-ignore
+  const [m, a, g] = [positive("mass", mass, "kg"), positive("radius", radius, "m"), positive("gravity", gravity, "m/s²")];
+  const b = positive("half_thickness", half_thickness, "m", true);
+  if (b > a) throw new RangeError(`\`half_thickness\` must be at most the radius, ${a} m; got ${b}. Check units.`);
+  const C = positive("axial_moment", axial_moment ?? 0.5 * m * a * a, "kg m²");
+  const A = positive("diametral_moment", diametral_moment ?? m * (0.25 * a * a + (b * b) / 3), "kg m²");
+  if (C > 2 * A * (1 + 1e-12)) {
+    throw new RangeError(`\`axial_moment\` must be at most twice \`diametral_moment\`; got ${C} and ${A} kg m². Check units.`);
+  }
+  return { disk: new RollingMechanics({ m, a, b, A, C, g }), laws: checkedLaws(dissipation) };
+}
+
+function checkedParts(start, thin) {
+  const state = vector("start", start, PARTS.length, `SI units: ${PARTS.join(", ")}`);
+  checkTilt(state[0], thin);
+  return state;
+}
+
+function checkTilt(tilt, thin) {
+  const most = thin ? Math.PI : 0.5 * Math.PI;
+  if (tilt > 0 && tilt < most && Math.sin(tilt) > FLAT) return;
+  throw new RangeError(
+    `the tilt at the start must lie between ${FLAT} rad and ${thin ? "π less that" : "π/2 for a thick disk"}; got ${tilt} ` +
+      "rad. A disk that lies flat does not roll: start at a small tilt, such as 0.1.",
+  );
 }
 
 /** Return Rz(φ) Rx(θ) Rz(χ − φ) as a quaternion. */

@@ -29,7 +29,8 @@ export class HeavyTop {
     this.epoch = start.epoch;
     this.mgl = finite("mgl", mgl, "N m");
     this.axis = direction("axis", axis);
-    this._third = thirdIntegral(this.moments, this.mgl, this.axis);
+    const up = rotateBack(start.attitude, [0, 0, 1]);
+    this._third = thirdIntegral(this.moments, this.mgl, this.axis, [start.momentum, up]);
     const largest = Math.max(...this.moments);
     const scale = Math.max(Math.hypot(...start.momentum), Math.sqrt(Math.abs(this.mgl) * largest)) || largest;
     this._motion = new Stepped({

@@ -9,9 +9,9 @@
 // Sources: Routh, Advanced Rigid Dynamics (1905), section 244; Le Saux, Leine & Glocker, J. Nonlinear Sci. 15 (2005) 27.
 
 export class RollingMechanics {
-  /** All in SI units: m, a, b, A about a diameter through the centre, C, g. */
-  constructor({ mass, radius, half_thickness, diametral_moment, axial_moment, gravity }) {
-    Object.assign(this, { m: mass, a: radius, b: half_thickness, A: diametral_moment, C: axial_moment, g: gravity });
+  /** Mass m, radius a, half the thickness b, moments A about a diameter through the centre and C, gravity g; SI units. */
+  constructor({ m, a, b, A, C, g }) {
+    Object.assign(this, { m, a, b, A, C, g });
   }
 
   /** Return θ̈ [rad/s²], on which neither θ̇ nor the couples act. */
@@ -20,6 +20,18 @@ export class RollingMechanics {
     const [s, c] = [Math.sin(theta), Math.cos(theta)];
     const inner = ((A + m * b * b) * w2 * w2 * c) / s + m * a * b * w2 * (w2 - (w3 * c) / s) - (C + m * a * a) * w2 * w3;
     return (inner - m * g * (a * c - b * s)) / (A + m * a * a + m * b * b);
+  }
+
+  /** Return the derivatives of θ̈ by θ, ω2 and ω3. */
+  tiltDerivatives(theta, w2, w3) {
+    const { m, a, b, A, C, g } = this;
+    const [s, c] = [Math.sin(theta), Math.cos(theta)];
+    const [p, q, r] = [A + m * b * b, C + m * a * a, m * a * b];
+    const total = A + m * a * a + m * b * b;
+    const byTheta = (r * w2 * w3 - p * w2 * w2) / (s * s) + m * g * (a * s + b * c);
+    const byW2 = (2 * p * w2 * c) / s + 2 * r * w2 - (r * w3 * c) / s - q * w3;
+    const byW3 = (-r * w2 * c) / s - q * w2;
+    return [byTheta / total, byW2 / total, byW3 / total];
   }
 
   /** Return d(ω2, ω3)/dθ without couples. */

@@ -8,10 +8,12 @@ const ON_LEAF = 1e-12; // of |Π| |Γ|: Π·Γ below it is zero but for rounding
 /**
  * Return [name, function of (Π, Γ)] of the integral of a top beside energy and vertical momentum, or null if it has none.
  *
+ * Whether a motion has Π·Γ = 0, on which Goryachev and Chaplygin's holds alone, is decided at its start: elsewhere it is NaN.
+ *
  * With k the axis of symmetry, I3 its moment, μ = mgl/I3, and χ across it: Euler |Π|²; Lagrange Π·χ; Kovalevskaya
- * |(Ω1 + iΩ2)² − μ (γ1 + iγ2)(χ1 + iχ2)|²; Goryachev–Chaplygin Ω3 (Ω1² + Ω2²) − μ (Ω·χ) γ3, where Π·Γ = 0, NaN elsewhere.
+ * |(Ω1 + iΩ2)² − μ (γ1 + iγ2)(χ1 + iχ2)|²; Goryachev–Chaplygin Ω3 (Ω1² + Ω2²) − μ (Ω·χ) γ3.
  */
-export function thirdIntegral(moments, mgl, axis) {
+export function thirdIntegral(moments, mgl, axis, start) {
   if (mgl === 0) return ["Euler's |Π|²", (momentum) => dot(momentum, momentum)];
   if (alongSymmetry(moments, axis)) return ["Lagrange's Π·χ", (momentum) => dot(momentum, axis)];
   for (let k = 0; k < 3; k++) {
@@ -20,7 +22,7 @@ export function thirdIntegral(moments, mgl, axis) {
     const parts = { moments, axis, i, j, k, strength: mgl / moments[k] };
     if (Math.abs(moments[i] / 2 - moments[k]) <= EQUAL * moments[k]) return ["Kovalevskaya's integral", kovalevskaya(parts)];
     if (Math.abs(moments[i] / 4 - moments[k]) <= EQUAL * moments[k]) {
-      return ["Goryachev and Chaplygin's integral", goryachevChaplygin(parts)];
+      return ["Goryachev and Chaplygin's integral", onLeaf(...start) ? goryachevChaplygin(parts) : () => NaN];
     }
   }
   return null;
@@ -39,6 +41,8 @@ function alongSymmetry(moments, axis) {
   });
 }
 
+const onLeaf = (momentum, up) => Math.abs(dot(momentum, up)) <= ON_LEAF * Math.hypot(...momentum) * Math.hypot(...up);
+
 function kovalevskaya({ moments, axis, i, j, strength }) {
   return (momentum, up) => {
     const [p, q] = [momentum[i] / moments[i], momentum[j] / moments[j]];
@@ -50,7 +54,6 @@ function kovalevskaya({ moments, axis, i, j, strength }) {
 
 function goryachevChaplygin({ moments, axis, i, j, k, strength }) {
   return (momentum, up) => {
-    if (dot(momentum, up) ** 2 > ON_LEAF ** 2 * dot(momentum, momentum) * dot(up, up)) return NaN;
     const velocity = momentum.map((x, n) => x / moments[n]);
     return velocity[k] * (velocity[i] ** 2 + velocity[j] ** 2) - strength * dot(velocity, axis) * up[k];
   };

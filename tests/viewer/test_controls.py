@@ -237,7 +237,7 @@ def test_odd_motions_are_drawn(opened, tmp_path, name):
     page = opened(write_page(motion, tmp_path / "odd.html", name=name))
     page.seek(page.count() - 1)
     assert page.tab.locator("#failure").is_hidden() and not page.complaints
-    for canvas in page.tab.locator("canvas").all():
+    for canvas in page.tab.locator(".panel canvas").all():
         assert len(canvas.screenshot()) > EMPTY
     values = page.tab.locator("#readouts").text_content()
     assert "NaN" not in values and "Infinity" not in values

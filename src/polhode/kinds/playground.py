@@ -15,7 +15,7 @@ from polhode.kinds.reading import read_spec
 from polhode.reports.base import AbstractReport
 from polhode.viewer.page import Page, playground_of
 
-SAMPLES = 1000  # of motions that the page cannot solve itself
+SAMPLES = 600  # of motions that the page cannot solve itself
 
 
 def write_playground(
