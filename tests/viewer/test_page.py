@@ -18,7 +18,7 @@ from polhode.formats.labels import AttitudeLabels, Recording
 from polhode.kinds.free_body.answers import free_body_report
 from polhode.kinds.page import page_of_report, show, write_page
 from polhode.kinds.reading import read_spec
-from polhode.systems import FreeRigidBody, HeavyTop, LinearDrag, RigidBody, Rotor
+from polhode.systems import FreeRigidBody, HeavyTop, LinearDrag, RigidBody, Rotor, SpinOrbit
 from polhode.viewer.encoding import with_powers
 from polhode.viewer.page import check_given
 from polhode.viewer.samples import MOST
@@ -258,3 +258,20 @@ def test_page_of_a_report(tmp_path):
     data = data_of(page_of_report(report, tmp_path / "page.html", name="box"))
     assert data["summary"] == report.summary and data["name"] == "box"
     assert set(data["drift"]) == {"energy", "momentum_norm", "momentum_space"}
+
+
+def test_a_moon_has_a_twin_and_a_section(tmp_path):
+    """The twin is the linearised motion's while both are near; the section's points repeat the motion at periapsis."""
+    system = SpinOrbit(0.89, 0.1, 2.0)
+    period = np.pi
+    moved = ph.simulate(system, np.array([0.3, 2.0]), period * np.linspace(0.0, 10.0, 101))
+    data = data_of(write_page(moved, tmp_path / "moon.html"))
+    angle, distance, rate = (array(plot["series"][0]["values"]) for plot in data["plots"])
+    assert angle == pytest.approx(np.degrees(np.mod(moved.part("angle") + np.pi / 2, np.pi) - np.pi / 2), abs=1e-3)
+    assert rate == pytest.approx(moved.part("rate") / 2.0, abs=1e-5)
+    near = ph.simulate(system, np.array([0.3 + 1e-4, 2.0]), period * np.linspace(0.0, 10.0, 101))
+    growth = np.abs(near.part("angle") - moved.part("angle"))[:15] / 1e-4
+    assert distance[:15] == pytest.approx(np.log10(growth * 1e-6), abs=0.01)
+    (section,) = data["scatters"]
+    x, y = array(section["x"]), array(section["y"])
+    assert y[:11] == pytest.approx(moved.part("rate")[::10] / 2.0, abs=1e-4) and x[0] == pytest.approx(np.degrees(0.3))

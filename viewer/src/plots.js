@@ -23,9 +23,12 @@ function plotsOf(motion, data, theme, rows) {
   }
   const angles = anglesOf(motion, data, theme, rows);
   if (angles) found.push(angles);
-  for (const { title, unit, values } of data.plots ?? []) {
-    const own = unpacked(values);
-    found.push({ title, unit, series: [{ name: title, color: theme.motion, values: rows.map((row) => own[row]) }] });
+  const colors = [theme.motion, theme.border, theme.stable];
+  for (const { title, unit, series } of data.plots ?? []) {
+    found.push({ title, unit, series: series.map(({ name, values }, k) => {
+      const own = unpacked(values);
+      return { name, color: colors[k % colors.length], values: rows.map((row) => own[row]) };
+    }) });
   }
   return found;
 }
@@ -67,6 +70,9 @@ export class Plots {
     if (rows.at(-1) !== motion.count - 1) rows.push(motion.count - 1);
     this.times = rows.map((row) => motion.times[row]);
     const wanted = motion.count > 1 && motion.span > 0 ? plotsOf(motion, data, theme, rows).map(withPower) : [];
+    for (const { title, words, x, y } of data.scatters ?? []) {
+      wanted.push({ title, words, scatter: [unpacked(x), unpacked(y)], color: theme.motion });
+    }
     const small = magnified(motion, theme);
     if (small) wanted.push(small);
     if (wanted.length !== this.plots.length) {
@@ -87,7 +93,7 @@ export class Plots {
     canvas.setAttribute("role", "img");
     const go = (event) => {
       const plot = this.plots.find((one) => one.canvas === canvas);
-      if (plot.what.path || (event.type === "pointermove" && !event.buttons)) return;
+      if (!plot.what.series || (event.type === "pointermove" && !event.buttons)) return;
       const box = canvas.getBoundingClientRect();
       const part = (event.clientX - box.left - MARGIN.left) / (box.width - MARGIN.left - MARGIN.right);
       this.goTo(this.times[0] + Math.min(1, Math.max(0, part)) * (this.times.at(-1) - this.times[0]));
@@ -113,7 +119,7 @@ export class Plots {
       paper.drawImage(plot.still, 0, 0);
       paper.setTransform(dots, 0, 0, dots, 0, 0);
       if (what.path) this.dot(paper, what, now, width, height);
-      else this.cursor(paper, now, width, height);
+      else if (what.series) this.cursor(paper, now, width, height);
       paper.setTransform(1, 0, 0, 1, 0, 0);
     }
   }
@@ -126,6 +132,7 @@ export class Plots {
     paper.scale(dots, dots);
     paper.font = "12px system-ui, sans-serif";
     if (what.path) drawPath(paper, what, width, height, this.theme);
+    else if (what.scatter) drawScatter(paper, what, width, height, this.theme);
     else this.drawCurves(paper, what, width, height);
     return canvas;
   }
@@ -209,6 +216,23 @@ const scaled = ({ most }, width, height) => {
   return ([x, y]) => [0.5 * width + size * x, 0.5 * height - size * y];
 };
 
+/** Draw points of one number against another. */
+function drawScatter(paper, { scatter: [x, y], color }, width, height, theme) {
+  const [[left, right], [low, high]] = [x, y].map((values) => range([{ values }]));
+  const place = placed(left, right, low, high, width, height);
+  [paper.fillStyle, paper.textBaseline, paper.textAlign] = [theme.text, "middle", "right"];
+  for (const value of ticks(low, high, 4)) paper.fillText(round(value), MARGIN.left - 6, place(left, value)[1]);
+  [paper.textBaseline, paper.textAlign] = ["top", "center"];
+  for (const value of ticks(left, right, 6)) paper.fillText(round(value), place(value, low)[0], height - MARGIN.bottom + 7);
+  paper.strokeStyle = theme.ring;
+  paper.strokeRect(MARGIN.left, MARGIN.top, width - MARGIN.left - MARGIN.right, height - MARGIN.top - MARGIN.bottom);
+  paper.fillStyle = color;
+  for (let k = 0; k < x.length; k++) {
+    const [across, down] = place(x[k], y[k]);
+    paper.fillRect(across - 0.8, down - 0.8, 1.6, 1.6);
+  }
+}
+
 function drawPath(paper, what, width, height, theme) {
   const place = scaled(what, width, height);
   paper.strokeStyle = theme.ring;
@@ -218,7 +242,7 @@ function drawPath(paper, what, width, height, theme) {
   stroke(paper, what.path.map(place));
 }
 
-function caption(figure, { title, unit, series, path, power }) {
+function caption(figure, { title, words: more = "", unit, series, path, power }) {
   const words = document.createElement("strong");
   const factor = power ? `10${[...String(power)].map((sign) => SUPERSCRIPTS[sign]).join("")} ` : "";
   words.textContent = unit && !path ? `${title} [${factor}${unit}]` : title;
@@ -230,8 +254,12 @@ function caption(figure, { title, unit, series, path, power }) {
     item.append(swatch, name);
     legend.append(item);
   }
-  figure.lastChild.replaceChildren(words, legend);
-  figure.firstChild.setAttribute("aria-label", `${words.textContent}, ${path ? "with the point that moves" : "over time"}.`);
+  const quiet = document.createElement("span");
+  quiet.className = "words";
+  quiet.textContent = more;
+  figure.lastChild.replaceChildren(words, quiet, legend);
+  const kind = path ? ", with the point that moves" : series ? ", over time" : "";
+  figure.firstChild.setAttribute("aria-label", `${words.textContent}${more ? `, ${more}` : ""}${kind}.`);
 }
 
 /** Return a plot with the power of ten that is taken out of its numbers, 0 for handy ones. */

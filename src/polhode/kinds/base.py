@@ -129,7 +129,8 @@ class AbstractKind:
     def content(self, trajectory: Trajectory, samples: Samples, surface: Surface | None) -> Content | None:
         """Return the kind's own pictures of a page, by ``panel.panels_of`` and ``panel.js``; None if it has none.
 
-        By ``panel.model_of(trajectory)``, where there is one, the page goes on with the motion itself; see ``Content``.
+        By ``panel.plots_of(trajectory, samples)``, where there is one, it brings ``plots`` and ``scatters`` of
+        ``Content``. By ``panel.model_of(trajectory)``, where there is one, the page goes on with the motion itself.
 
         Args:
             trajectory: whose source is one of ``sources``.
@@ -145,7 +146,8 @@ class AbstractKind:
         if not hasattr(part, "panels_of"):
             return replace(content_of(trajectory.source, samples, surface), model=model)
         panels = part.panels_of(trajectory, samples, surface)
-        return Content(panels, (script.read_text("utf-8"),) if script.is_file() else (), model)
+        more = part.plots_of(trajectory, samples) if hasattr(part, "plots_of") else {}
+        return Content(panels, (script.read_text("utf-8"),) if script.is_file() else (), model, **more)
 
     def _part(self, name: str) -> Any:
         """Return a file of the folder as a module."""

@@ -97,7 +97,8 @@ def page_of(
     data = {
         "name": title, "summary": summary, "notes": said, "panels": shown.panels,
         "drift": {key: float(np.max(value)) for key, value in trajectory.drift.items() if np.size(value)},
-        "model": model, "plots": _plots(trajectory, samples),
+        "model": model, "scatters": list(shown.scatters),
+        "plots": _plots(trajectory, samples) if shown.plots is None else shown.plots,
         **_arrays(trajectory.source, samples, solved=model is not None and shown.model is None),
     }  # fmt: skip
     return Page(title, data, shown.scripts)
@@ -170,7 +171,7 @@ def _plots(trajectory: Trajectory, samples: Samples) -> list[dict[str, Any]]:
     layout = trajectory.layout
     return [
         {"title": name.replace("_", " "), "unit": unit_in_words(part.unit),
-         "values": packed(layout.part(samples.states, name), "f4")}
+         "series": [{"name": name, "values": packed(layout.part(samples.states, name), "f4")}]}
         for name, part in layout.scalars.items()
     ]  # fmt: skip
 

@@ -31,6 +31,8 @@ class Content:
     Attributes:
         panels: the data of each picture, named by its "type"; none where there is nothing to draw.
         scripts: JavaScript that makes the panels that the page's own script does not know.
+        plots: what is drawn over time of the samples, a title, a unit and named series each; None for what a state has.
+        scatters: what is drawn of two numbers against each other, likewise.
         model: what the page's own solver needs to go on with the motion: its name as "solver", and its arguments; None
             where the page only shows samples.
     """
@@ -38,6 +40,8 @@ class Content:
     panels: list[Panel]
     scripts: tuple[str, ...] = ()
     model: dict[str, Any] | None = None
+    plots: list[dict[str, Any]] | None = None
+    scatters: tuple[dict[str, Any], ...] = ()
 
 
 def content_of(source: Any, samples: Samples, surface: Surface | None) -> Content:
