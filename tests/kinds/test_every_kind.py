@@ -202,3 +202,11 @@ def test_it_can_be_kept(report):
     again = pickle.loads(pickle.dumps(report))
     assert again.as_json_dict() == report.as_json_dict() and again.summary == report.summary
     assert np.array_equal(again.trajectory.states, report.trajectory.states)
+
+
+def test_a_misspelt_kind_is_one_mistake_with_a_hint(tmp_path):
+    spec = tmp_path / "case.toml"
+    spec.write_text('[system]\nkind = "euler-dsk"\n')
+    with pytest.raises(InvalidInput) as refused:
+        read_spec(spec)
+    assert "1 mistake" in str(refused.value) and str(refused.value).endswith("did you mean euler-disk?")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 import os
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -89,7 +90,9 @@ def _kind(raw: dict[str, Any]) -> tuple[AbstractKind | None, list[Mistake]]:
     if found is not None:
         return found, []
     got = "it is missing" if name is None else f"got {shown(name)}"
-    return None, [(("system", "kind"), f"must be one of {', '.join(kind_names())}; {got}")]
+    near = difflib.get_close_matches(name, kind_names(), 1) if isinstance(name, str) else []
+    hint = f"; did you mean {near[0]}?" if near else ""
+    return None, [(("system", "kind"), f"must be one of {', '.join(kind_names())}; {got}{hint}")]
 
 
 def _rules_of_kind(kind: AbstractKind | None, tables: dict[str, Any]) -> Iterator[Mistake]:

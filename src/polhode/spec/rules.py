@@ -53,7 +53,8 @@ def table_rules(table: dict[str, Any], kind: str, model: type[SystemTable] | Non
             verb = "tells" if len(told) == 1 else "tell"
             yield ("spin",), (f"{listed(told)} {verb} how a top goes about the vertical, which the system {kind} "
                               f"has not; give {listed(WAYS, 'or')} instead")  # fmt: skip
-    model = model or SystemTable
+    if model is None:
+        return  # what such a system needs is not known
     if "body" in model.needs and "body" not in table:
         yield ("body",), NO_BODY
     for key in ("body", "spin", "time"):
