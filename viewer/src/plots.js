@@ -227,9 +227,10 @@ function drawScatter(paper, { scatter: [x, y], color }, width, height, theme) {
   paper.strokeStyle = theme.ring;
   paper.strokeRect(MARGIN.left, MARGIN.top, width - MARGIN.left - MARGIN.right, height - MARGIN.top - MARGIN.bottom);
   paper.fillStyle = color;
+  const size = x.length < 500 ? 3 : 1.6; // pixels
   for (let k = 0; k < x.length; k++) {
     const [across, down] = place(x[k], y[k]);
-    paper.fillRect(across - 0.8, down - 0.8, 1.6, 1.6);
+    paper.fillRect(across - 0.5 * size, down - 0.5 * size, size, size);
   }
 }
 

@@ -149,6 +149,13 @@ class AbstractKind:
         more = part.plots_of(trajectory, samples) if hasattr(part, "plots_of") else {}
         return Content(panels, (script.read_text("utf-8"),) if script.is_file() else (), model, **more)
 
+    def scatters(self, report: AbstractReport) -> tuple[dict[str, Any], ...]:
+        """Return by ``panel.scatters_of`` what a report's page draws beyond the part that it shows; none without it."""
+        if not (resources.files(type(self).__module__) / "panel.py").is_file():
+            return ()
+        part = self._part("panel")
+        return part.scatters_of(report) if hasattr(part, "scatters_of") else ()
+
     def _part(self, name: str) -> Any:
         """Return a file of the folder as a module."""
         return import_module(f"{type(self).__module__}.{name}")

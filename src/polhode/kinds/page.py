@@ -7,7 +7,7 @@ from pathlib import Path
 
 from polhode.bodies.surface import Surface
 from polhode.formats.paths import written_whole
-from polhode.kinds.registry import kind_of_source
+from polhode.kinds.registry import find_kind, kind_of_source
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.base import AbstractReport
 from polhode.viewer.encoding import with_powers
@@ -93,8 +93,10 @@ def page_of_report(report: AbstractReport, path: str | Path, *, name: str, surfa
 
 def page_of_answers(report: AbstractReport, name: str, surface: Surface | None) -> Page:
     """Return what the page of a report's motion is filled with."""
+    kind = find_kind(report.kind)
     return page_of(
-        report.shown, name=name, summary=with_powers(report.summary), surface=surface, content=_content,
+        report.shown, scatters=() if kind is None else kind.scatters(report), name=name,
+        summary=with_powers(report.summary), surface=surface, content=_content,
         notes=[with_powers(note) for note in [*report.notes, *filter(None, [report.shown_part])]],
     )  # fmt: skip
 

@@ -65,6 +65,7 @@ class Page(NamedTuple):
 def page_of(
     trajectory: Trajectory, *, name: str | None, summary: str, surface: Surface | None,
     notes: Sequence[str], content: Callable[[Trajectory, Samples, Surface | None], Content | None],
+    scatters: Sequence[dict[str, Any]] = (),
 ) -> Page:  # fmt: skip
     """Return what a page of one motion is filled with.
 
@@ -75,6 +76,7 @@ def page_of(
         surface: what the body looks like, in the given axes.
         notes: more lines below.
         content: what chooses the pictures from trajectory, samples and surface; None from it for those of any body.
+        scatters: more to draw of two numbers against each other.
 
     Raises:
         InvalidInput: for a trajectory that is empty, a batch, not finite, or has nothing to draw.
@@ -97,7 +99,7 @@ def page_of(
     data = {
         "name": title, "summary": summary, "notes": said, "panels": shown.panels,
         "drift": {key: float(np.max(value)) for key, value in trajectory.drift.items() if np.size(value)},
-        "model": model, "scatters": list(shown.scatters),
+        "model": model, "scatters": [*shown.scatters, *scatters],
         "plots": _plots(trajectory, samples) if shown.plots is None else shown.plots,
         **_arrays(trajectory.source, samples, solved=model is not None and shown.model is None),
     }  # fmt: skip

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from polhode.bodies.surface import Surface
+from polhode.kinds.euler_disk.report import EulerDiskReport
 from polhode.motion.trajectory import Trajectory
 from polhode.viewer.encoding import packed
 from polhode.viewer.panels import Panel
@@ -21,3 +24,20 @@ def panels_of(trajectory: Trajectory, samples: Samples, surface: Surface | None)
         "type": "disk", "radius": float(disk.mechanics.radius), "thickness": 2.0 * float(disk.mechanics.half_thickness),
         "contact": packed(contact), "center": packed(np.asarray(disk.center(samples.states))), "elevation": STEEP,
     }]  # fmt: skip
+
+
+def scatters_of(report: EulerDiskReport) -> tuple[dict[str, Any], ...]:
+    """Return tilt and precession over the whole motion against the time left to its end, of one that ends."""
+    found = report.spin_down
+    if found is None or found.remaining is None:
+        return ()
+    left = np.asarray(found.remaining)
+    ahead = left > 0.0
+    states = np.asarray(found.trajectory.states)[ahead]
+    tilt, rate = np.degrees(np.asarray(found.trajectory.part("tilt"))[ahead]), np.abs(report.disk.precession(states))
+    words = "the whole motion: log₁₀ {} against log₁₀ of the time left [s], which runs to the left"
+    return tuple(
+        {"title": title, "words": words.format(unit), "x": packed(np.log10(left[ahead]), "f4"),
+         "y": packed(np.log10(np.asarray(values)), "f4")}
+        for title, unit, values in (("Tilt", "[°]", tilt), ("Precession", "[rad/s]", rate))
+    )  # fmt: skip
