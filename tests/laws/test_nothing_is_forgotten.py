@@ -101,7 +101,7 @@ NO_ARRAYS = {
     "from_scipy", "testing.algebras.check_algebra", "testing.systems.check_system",
     "testing.motion_table.reference_motions", "testing.motion_table.motions_of", "testing.engines.compare_engine",
     "ReferenceMotion", "MotionErrors", "EngineComparison", "Comparison", "SpinDown", "Resonance", "AttitudeHistory",
-    "Surface.along", "Surface.coarsened", "surface.joined",
+    "bodies.surface.Surface", "Surface.along", "Surface.coarsened", "surface.joined",
     "combine", "overlap_of", "rotor_misfit", "damped_motion.time_constant", "predicted_exponents",
     "SpinMotion.predictable_time", "SpinMotion.regular_exponent", "DiskPath.part",
     "disk_turns.first_turns", "disk_turns.last_turns", "disk_turns.filled_to_its_end",

@@ -140,13 +140,17 @@ export function mark(place, verdict, color, rim) {
   return found;
 }
 
-/** Return a surface of triangles with its sharp edges drawn. */
-export function surface(vertices, faces, color, edge) {
+/** Return a surface of triangles with its sharp edges drawn, or with colours of its corners. */
+export function surface(vertices, faces, color, edge, colors = null) {
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", new BufferAttribute(Float32Array.from(vertices), 3));
   geometry.setIndex(new BufferAttribute(faces, 1));
+  if (colors) {
+    const shades = [...colors].flatMap((shade) => new Color(shade).toArray());
+    geometry.setAttribute("color", new BufferAttribute(Float32Array.from(shades), 3));
+  }
   const smooth = toCreasedNormals(geometry, CREASE);
-  const material = new MeshLambertMaterial({ color, side: 2, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
+  const material = new MeshLambertMaterial({ color: colors ? "#ffffff" : color, vertexColors: Boolean(colors), side: 2, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
   const edges = new LineSegments(new EdgesGeometry(geometry, 30), new LineBasicMaterial({ color: edge, transparent: true, opacity: 0.6 }));
   return new Group().add(new Mesh(smooth, material), edges);
 }

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import NamedTuple
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -20,20 +20,26 @@ _FACES = np.array([[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5,
                    [2, 3, 7], [2, 7, 6], [0, 2, 6], [0, 6, 4], [1, 5, 7], [1, 7, 3]])  # fmt: skip
 
 
-class Surface(NamedTuple):
-    """A triangle mesh to draw; it need not be closed.
+@dataclass(frozen=True, eq=False)
+class Surface:
+    """A triangle mesh to draw; it need not be closed. It unpacks into vertices and faces, as ``from_mesh`` takes them.
 
     Attributes:
         vertices: (n, 3) [m].
         faces: (m, 3) indices of corners, counterclockwise seen from outside.
+        colors: (n,) of corners, as 0xRRGGBB, where parts have colours of their own; None elsewhere.
     """
 
     vertices: Float64[Array, "n 3"]
     faces: Integer[Array, "m 3"]
+    colors: Integer[Array, "n"] | None = None
+
+    def __iter__(self) -> Iterator[Array]:
+        return iter((self.vertices, self.faces))
 
     def along(self, frame: BodyFrame) -> Surface:
         """Return a surface in given axes as it stands along a trajectory's axes, about the point it turns about."""
-        return Surface((np.asarray(self.vertices) - frame.origin) @ np.asarray(frame.axes), self.faces)
+        return replace(self, vertices=(np.asarray(self.vertices) - frame.origin) @ np.asarray(frame.axes))
 
     def coarsened(self, most: int) -> Surface:
         """Return a surface of at most so many triangles, itself if it has no more: near corners become one.
@@ -73,10 +79,12 @@ def cuboid(edges: Real[ArrayLike, "3"]) -> Surface:
 
 
 def joined(surfaces: Sequence[Surface]) -> Surface:
-    """Return several surfaces as one."""
+    """Return several surfaces as one; it has colours if all of them do."""
     starts = np.cumsum([0, *(len(surface.vertices) for surface in surfaces[:-1])])
     faces = [np.asarray(surface.faces) + start for surface, start in zip(surfaces, starts, strict=True)]
-    return Surface(np.vstack([surface.vertices for surface in surfaces]), np.vstack(faces))
+    colors = [surface.colors for surface in surfaces if surface.colors is not None]
+    found = Surface(np.vstack([surface.vertices for surface in surfaces]), np.vstack(faces))
+    return replace(found, colors=np.concatenate(colors)) if len(colors) == len(surfaces) else found
 
 
 def _clustered(surface: Surface, cells: int) -> Surface:
@@ -102,8 +110,11 @@ def places(vertices: Real[ArrayLike, "n 3"]) -> Integer[Array, "n"]:
 
 
 def _with_one_corner_each(surface: Surface, numbers: Array) -> Surface:
-    """Return the surface with corners (n,) of the same number as one, at their mean, and triangles only once."""
-    _, index = np.unique(numbers, return_inverse=True)
+    """Return the surface with corners (n,) of the same number as one, at their mean, and triangles only once.
+
+    A corner made of several has the colour of the first.
+    """
+    _, first, index = np.unique(numbers, return_index=True, return_inverse=True)
     count = np.bincount(index)
     means = np.column_stack([np.bincount(index, column) / count for column in np.asarray(surface.vertices, float).T])
     kept = index[np.asarray(surface.faces)]
@@ -114,7 +125,8 @@ def _with_one_corner_each(surface: Surface, numbers: Array) -> Surface:
     turned = turned[np.lexsort(turned.T[::-1])]  # np.unique of rows takes up to five times as long
     kept = turned[np.diff(turned, axis=0, prepend=-1).any(axis=1)]
     used = np.unique(kept)
-    return Surface(means[used], np.searchsorted(used, kept))
+    colors = None if surface.colors is None else np.asarray(surface.colors)[first][used]
+    return Surface(means[used], np.searchsorted(used, kept), colors)
 
 
 @known_numbers_only

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Sequence
+from dataclasses import replace
+from importlib.resources import files
 from pathlib import Path
 
 import numpy as np
@@ -19,6 +22,8 @@ THIN = 0.02  # of the radius or length: what a body without thickness is given, 
 BALL = 0.5  # of the covalent radius: an atom
 BAR = 0.12 * ANGSTROM  # radius of what is drawn for a bond
 BONDED = 1.2  # of the sum of covalent radii: atoms no further apart are bonded
+UNKNOWN = 1.5, 0xFF1493  # Å and colour of an element that the table does not have
+BOND = 0x9A9A9A
 MANY_ATOMS = 100  # from which on their balls are coarser
 
 
@@ -77,20 +82,33 @@ def _made(part: PartTable) -> Surface:
 
 
 def surface_of_atoms(symbols: Sequence[str], positions: Float64[Array, "n 3"]) -> Surface:
-    """Return a molecule as balls, half as large as the atoms' covalent radii, and bars between bonded ones.
+    """Return a molecule as balls in the usual colours, half as large as covalent radii, and bars between bonded ones.
 
     Args:
         symbols: (n,) chemical symbols.
         positions: (n, 3) [m].
     """
-    from ase.data import atomic_numbers, covalent_radii
     from scipy.spatial import KDTree
 
     positions = np.asarray(positions, dtype=float)
-    radii = np.array([covalent_radii[atomic_numbers[symbol]] for symbol in symbols]) * ANGSTROM
+    looks = [_looks().get(symbol, UNKNOWN) for symbol in symbols]
+    radii = np.array([radius for radius, _ in looks]) * ANGSTROM
     vertices, faces = ball(24 if len(radii) <= MANY_ATOMS else 12)
-    shown = [Surface(vertices * (BALL * r) + at, faces) for r, at in zip(radii, positions, strict=True)]
+    shown = [_colored(Surface(vertices * (BALL * radius * ANGSTROM) + at, faces), color)
+             for (radius, color), at in zip(looks, positions, strict=True)]  # fmt: skip
     for i, j in KDTree(positions).query_pairs(2.0 * BONDED * radii.max(), output_type="ndarray"):
         if 0.0 < np.linalg.norm(positions[i] - positions[j]) <= BONDED * (radii[i] + radii[j]):
-            shown.append(bar(positions[i], positions[j], BAR))
+            shown.append(_colored(bar(positions[i], positions[j], BAR), BOND))
     return joined(shown)
+
+
+@functools.cache
+def _looks() -> dict[str, tuple[float, int]]:
+    """Return covalent radius [Å] and colour by symbol."""
+    lines = files("polhode.spec").joinpath("atom_looks.csv").read_text("ascii").splitlines()
+    rows = (line.split(",") for line in lines if not line.startswith(("#", "symbol,")))
+    return {symbol: (float(radius), int(color, 16)) for symbol, radius, color in rows}
+
+
+def _colored(surface: Surface, color: int) -> Surface:
+    return replace(surface, colors=np.full(len(surface.vertices), color))

@@ -133,6 +133,8 @@ def _body(samples: Samples, moments: Array | None, surface: Surface | None, word
         wide = len(surface.vertices) > 65535
         panel["surface"] = {"vertices": packed(surface.vertices, "f4"),
                             "faces": packed(surface.faces, "u4" if wide else "u2")}  # fmt: skip
+        if surface.colors is not None:
+            panel["surface"]["colors"] = packed(surface.colors, "u4")
     elif moments is not None and is_celestial(moments):
         panel |= {"ellipsoid": np.sqrt(semi_axes_squared(moments)).tolist(), "round": True}
     elif moments is not None:

@@ -98,7 +98,8 @@ function shapeOf(motion, data, theme) {
     for (let k = 0; k < vertices.length; k += 3) {
       size = Math.max(size, Math.hypot(vertices[k], vertices[k + 1], vertices[k + 2]));
     }
-    found.add(surface(vertices.map((x) => x / size), unpacked(data.surface.faces), theme.body, theme.edge));
+    const colors = unpacked(data.surface.colors);
+    found.add(surface(vertices.map((x) => x / size), unpacked(data.surface.faces), theme.body, theme.edge, colors));
   } else if (data.ellipsoid) {
     const size = Math.max(...data.ellipsoid);
     found.add(ellipsoid(data.ellipsoid.map((x) => x / size), theme.body, theme.edge));
