@@ -1,5 +1,7 @@
 """What is set on a page is the motion that Python computes for it; links and specs bring it back."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -172,6 +174,22 @@ def test_the_point_on_the_sphere_is_dragged_to_another_polhode(book, opened):
     end = box["x"] + 0.5 * (1 + x) * box["width"], box["y"] + 0.5 * (1 - y) * box["height"]
     assert np.hypot(end[0] - place[0] - 25, end[1] - place[1] + 40) < 1.5  # pixels
     assert not page.complaints
+
+
+def test_a_box_is_set_by_its_edges(opened, tmp_path):
+    box = ph.shapes.box(2.0, (0.3, 0.2, 0.1))
+    motion = ph.FreeMotion(box.principal_moments, box.principal_moments * np.array([0.1, 2.0, 0.1]))
+    path = write_page(replace(motion.sample(np.linspace(0.0, 9.0, 91)), frame=box.frame), tmp_path / "box.html")
+    page = opened(path)
+    page.tab.locator("#set-by").select_option("1")
+    shown = [float(page.tab.locator(f"#set-{name}").input_value()) for name in ("mass", "edge-0", "edge-1", "edge-2")]
+    assert shown == pytest.approx([2.0, 30.0, 20.0, 10.0], rel=1e-6)  # kg and cm, along the axes of ascending moments
+    page.tab.locator("#set-edge-2").fill("15")
+    page.tab.keyboard.press("Enter")
+    settings = settings_of(page)
+    wanted = ph.shapes.box(2.0, (0.3, 0.2, 0.15)).inertia
+    assert settings["body"]["moments"] == pytest.approx(np.diag(wanted), rel=1e-12)
+    assert miss(page, settings) < SAME and not page.complaints
 
 
 SEEN = {"rest": "at rest", "steady": "spins steadily", "coning": "cones", "tumbling": "tumbles",

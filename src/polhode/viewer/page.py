@@ -144,6 +144,7 @@ def model_of(trajectory: Trajectory) -> dict[str, Any] | None:
         "solver": type(along).__name__, "moments": np.asarray(along.moments).tolist(), **numbers,
         "momentum": np.asarray(along.momentum_at_epoch).tolist(),
         "attitude": np.asarray(along.attitude_at_epoch).tolist(), "epoch": float(along.epoch),
+        **({} if trajectory.frame is None or trajectory.frame.mass is None else {"mass": float(trajectory.frame.mass)}),
     }  # fmt: skip
 
 

@@ -11,17 +11,47 @@ const DWELLING = 0.995; // modulus from which L dwells at the intermediate axis
 export const dragged = true; // the momentum's point can be dragged on its sphere
 
 /** Return the setting of what Python wrote down: moments, momentum and attitude along the principal axes. */
-export function from({ moments, momentum, attitude = [1, 0, 0, 0], epoch = 0 }) {
+export function from({ moments, momentum, attitude = [1, 0, 0, 0], epoch = 0, mass }) {
   const velocity = momentum.map((value, k) => value / moments[k]);
   const about = nearestAxis(velocity);
-  return { moments, velocity, attitude, epoch, about, around: angles(velocity, about).around, momentum };
+  return { moments, velocity, attitude, epoch, about, around: angles(velocity, about).around, momentum, mass: mass ?? 1 };
 }
 
-/** Return what the sliders show. */
-export const controls = (setting) => [...momentControls(setting.moments), ...spinControls(setting)];
+/** Return what the sliders show: the moments, or the edges of the homogeneous box that has them. */
+export function controls(setting) {
+  const edges = edgesOf(setting);
+  const by = edges ? [{ key: "by", label: "set the body by", value: setting.by ?? 0, choices: [[0, "its moments"], [1, "the edges of a box"]] }] : [];
+  return [...by, ...(edges && setting.by ? boxControls(setting, edges) : momentControls(setting.moments)), ...spinControls(setting)];
+}
+
+function boxControls({ mass = 1 }, edges) {
+  const most = Math.max(...edges);
+  const [unit, si] = [["km", 1e3], ["m", 1], ["cm", 1e-2], ["mm", 1e-3], ["µm", 1e-6], ["nm", 1e-9]].find(([, size]) => most >= size) ?? ["m", 1];
+  return [
+    { key: "mass", label: "mass of the box", unit: "kg", value: mass, log: true, low: mass / 20, high: 20 * mass },
+    ...edges.map((value, k) => ({ key: `edge.${k}`, label: `edge along axis ${k + 1}`, unit, si, value, log: true, low: Math.max(value, 1e-3 * most) / 10, high: 10 * Math.max(value, 1e-3 * most) })),
+  ];
+}
+
+/** Return the edges [m] of the box with these moments; null where no box has them. I_k = m (b² + c²)/12 */
+function edgesOf({ moments, mass = 1 }) {
+  const sum = moments[0] + moments[1] + moments[2];
+  const squares = moments.map((moment) => (6 / mass) * (sum - 2 * moment));
+  return squares.every((square) => square >= 0 && Number.isFinite(square)) ? squares.map(Math.sqrt) : null;
+}
 
 /** Return the setting after a slider has moved; values in SI. */
-export const changed = turned;
+export function changed(setting, key, value) {
+  const [name, index] = key.split(".");
+  if (name === "by") return { ...setting, by: value };
+  if (name !== "edge" && name !== "mass") return turned(setting, key, value);
+  const edges = edgesOf(setting);
+  const mass = name === "mass" ? value : setting.mass ?? 1;
+  if (name === "edge") edges[Number(index)] = value;
+  const squares = edges.map((edge) => edge * edge);
+  const moments = [0, 1, 2].map((k) => (mass / 12) * (squares[(k + 1) % 3] + squares[(k + 2) % 3]));
+  return { ...setting, mass, moments, momentum: null };
+}
 
 /** Return the setting whose momentum points along a unit vector of the body, as long as before. */
 export function withDirection(setting, unit) {
