@@ -3,6 +3,9 @@
 import re
 from pathlib import Path
 
+from docutils import nodes
+from latex2mathml.converter import convert
+
 import polhode
 from polhode.kinds.playground import write_playground
 
@@ -16,6 +19,8 @@ nb_execution_mode = "force"
 nb_execution_raise_on_error = True
 nb_execution_timeout = 300
 myst_heading_anchors = 3
+myst_enable_extensions = ["dollarmath"]
+html_math_renderer = "mathml"  # browsers draw it themselves: no script, and no request to anywhere
 autodoc_member_order = "bysource"
 autodoc_typehints = "none"  # shapes and units stand in the text; most types are "array"
 napoleon_use_rtype = False
@@ -35,6 +40,23 @@ def write_live_pages(app, exception):
         write_playground(Path(app.outdir) / "playground-page.html", examples)
 
 
+def as_mathml(node, display):
+    """Browsers know bold letters by their style alone."""
+    found = convert(node.astext(), display=display)
+    return re.sub(r'mathvariant="bold(-italic)?"', 'style="font-weight: bold"', found)
+
+
+def inline_math(writer, node):
+    writer.body.append(as_mathml(node, "inline"))
+    raise nodes.SkipNode
+
+
+def displayed_math(writer, node):
+    writer.body.append(f'<div class="math">{as_mathml(node, "block")}</div>\n')
+    raise nodes.SkipNode
+
+
 def setup(app):
+    app.add_html_math_renderer("mathml", (inline_math, None), (displayed_math, None))
     app.connect("autodoc-process-docstring", escape_marks)
     app.connect("build-finished", write_live_pages)
