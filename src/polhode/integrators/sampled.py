@@ -149,14 +149,16 @@ def unscaled(
     status: Integer[Array, ""], steps: Integer[Array, ""], of_states: bool = True,
 ) -> Sampled:  # fmt: skip
     """Return what came out of a run, in the system's own units."""
-    whole = lambda y: {name: y.received[..., k] * size for k, (name, size) in enumerate(by.received.items())}  # noqa: E731
+    # after the end there is infinity, which a derivative of zero must not meet
+    grown = lambda x, size: jnp.where(jnp.isinf(x), x, jnp.where(jnp.isinf(x), 1.0, x) * size)  # noqa: E731
+    whole = lambda y: {name: grown(y.received[..., k], size) for k, (name, size) in enumerate(by.received.items())}  # noqa: E731
     state = last.state * by.state
     ended = status == Status.EVENT
     first = jnp.argmin(distances(system, time, state)) if system.events else jnp.asarray(-1)
     status = jnp.where(status == embedded.RUNNING, Status.NOT_CONVERGED, status)
     time = jnp.where(status == Status.NOT_CONVERGED, jnp.nan, time)
     return Sampled(
-        saved.state * by.state if of_states else saved, whole(saved) if of_states else {}, status,
+        grown(saved.state, by.state) if of_states else saved, whole(saved) if of_states else {}, status,
         jnp.where(ended, first, -1), time, state, whole(last), steps,
     )  # fmt: skip
 
