@@ -93,7 +93,9 @@ def test_tables_of_a_spec_are_taken_and_refused_whole(book, opened):
     settings = settings_of(page)
     assert settings["body"]["moments"] == [2, 3, 4] and miss(page, settings) < SAME
     assert settings["spin"]["angular_velocity"] == pytest.approx([5 * np.cos(0.3), 5 * np.sin(0.3), 0.0], rel=1e-14)
-    for wrong in ("{body: {moments: [1, -2, 3]}}", "{spin: {angular_velocity: [1, 2]}}", "{spin: {rate: NaN}}"):
+    for wrong in ("{body: {moments: [1, -2, 3]}}", "{spin: {angular_velocity: [1, 2]}}", "{spin: {rate: NaN}}", "null",
+                  "[1]", "'x'", "{spin: null}", "{body: {moments: 'abc'}}", "{spin: {about: 7}}", "{spin: {rates: 1}}",
+                  "{sping: {rate: 1}}", "{spin: {rate: 1e308}}", "{spin: {attitude: [0, 0, 0, 0]}}"):  # fmt: skip
         assert page.tab.evaluate(f"window.polhode.set({wrong})") is False
         assert settings_of(page) == settings and page.tab.locator("#refused").text_content()
     assert page.tab.evaluate("window.polhode.set({spin: {momentum: [0, 0, 0]}})")
@@ -329,3 +331,22 @@ def test_what_has_no_closed_form_is_stepped(kind, opened, tmp_path):
     assert attitude[0] == pytest.approx(again.attitude[-1], abs=STEPPED_SAME)
     assert momentum[0] == pytest.approx(again.momentum[-1], abs=STEPPED_SAME)
     assert np.abs(momentum[0] - sampled.momentum[-1]).max() > 1e-3 and not page.complaints
+
+
+def test_samples_of_what_is_stepped_go_on_for_ever(opened, tmp_path):
+    start = packed(GIVEN["gyrostat"], (0.8, 0.6, 0.0, 0.0), (0.3, 1.8, 1.5))
+    sampled = ph.simulate(GIVEN["gyrostat"], start, np.linspace(0.0, 6.0, 61), step=0.01, order=6)
+    page = opened(write_page(sampled, tmp_path / "stepped.html"))
+    page.tab.evaluate("window.polhode.goTo(5.99)")
+    page.tab.locator("#play").click()
+    page.until("window.polhode.shown().time > 6.5")
+    assert page.tab.evaluate("window.polhode.playing") is True and not page.complaints
+
+
+def test_a_top_at_rest_upright_or_hanging_is_drawn(toy, opened):
+    page = opened(toy)
+    for lean in (0.0, np.pi):
+        tables = f"{{system: {{lean: {lean}}}, spin: {{spin: 0, precession: 0, nutation: 0}}}}"
+        assert page.tab.evaluate(f"window.polhode.set({tables})")
+        page.seek(100)
+    assert not page.complaints

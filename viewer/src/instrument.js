@@ -38,6 +38,7 @@ export class Instrument {
 
   /** Take a setting if a motion can be made of it; else say why not and stay. */
   take(setting) {
+    const before = [this.solver, this.setting];
     try {
       this.solver = this.kind.make(setting);
     } catch (error) {
@@ -47,8 +48,17 @@ export class Instrument {
     this.say("");
     const shaped = String(setting.moments) !== String(this.first.moments);
     this.setting = setting;
-    this.show();
-    this.changed(shaped);
+    try {
+      this.show();
+      this.changed(shaped);
+    } catch (error) {
+      // what the solver takes at first may still lead nowhere
+      [this.solver, this.setting] = before;
+      this.show();
+      this.changed(String(this.setting.moments) !== String(this.first.moments));
+      this.say(error.message);
+      return false;
+    }
     clearTimeout(this.waiting);
     this.waiting = setTimeout(() => this.follow(), LATER);
     return true;
@@ -59,9 +69,15 @@ export class Instrument {
     else this.take(this.kind.changed(this.setting, key, value));
   }
 
-  /** Set what tables of a spec say, in SI. */
+  /** Set what tables of a spec say, in SI; whether that could be done. */
   set(tables) {
-    return this.take(this.kind.withSpec(this.setting, tables));
+    try {
+      check(tables, this.kind.keys);
+      return this.take(this.kind.withSpec(this.setting, tables));
+    } catch (error) {
+      this.say(error.message);
+      return false;
+    }
   }
 
   point(unit) {
@@ -101,5 +117,24 @@ export class Instrument {
 
   toml(span) {
     return this.kind.toml?.(this.setting, span) ?? null;
+  }
+}
+
+/** Throw a RangeError for what is not tables of known keys with numbers, or lists of numbers, as values. */
+function check(tables, keys) {
+  if (typeof tables !== "object" || tables === null || Array.isArray(tables)) throw new RangeError("set takes tables like {spin: {rate: 12}}.");
+  for (const [table, values] of Object.entries(tables)) {
+    if (!keys[table]) throw new RangeError(`There is no table ${table} here; there are ${Object.keys(keys).join(", ")}.`);
+    if (typeof values !== "object" || values === null) throw new RangeError(`${table} must be a table of keys and values.`);
+    for (const [key, value] of Object.entries(values)) {
+      if (!(key in keys[table])) throw new RangeError(`There is no key ${table}.${key} here; there are ${Object.keys(keys[table]).join(", ")}.`);
+      const length = keys[table][key]; // 0 for a word, 1 for a number, else of a list
+      const numbers = [value].flat();
+      const fits = length === 0 ? typeof value === "string" : numbers.length === length && Array.isArray(value) === length > 1;
+      if (!fits || (length && !numbers.every((one) => typeof one === "number" && Number.isFinite(one)))) {
+        const wanted = length === 0 ? "a word" : length === 1 ? "a finite number" : `${length} finite numbers in brackets`;
+        throw new RangeError(`${table}.${key} must be ${wanted}; got ${JSON.stringify(value)}.`);
+      }
+    }
   }
 }

@@ -69,6 +69,7 @@ class Page {
     this.readouts = new Readouts(element("readouts"), this.motion, data);
     this.now = this.motion.at(0);
     this.build();
+    this.timebar.goesOn = Boolean(this.instrument);
     this.timebar.take(this.motion, true);
     if (lively) this.timebar.toggle();
     const time = restored ? this.instrument?.restore() : null;
@@ -119,7 +120,10 @@ class Page {
 
   /** Go to any time: to another window of a motion that goes on for ever, where it lies outside of this one. */
   goTo(time) {
-    const found = this.motion.endless ? this.motion.around(time) : this.motion;
+    if (!Number.isFinite(time)) return;
+    const { times, count } = this.motion;
+    const outside = time < times[0] || time > times[count - 1];
+    const found = this.motion.endless ? this.motion.around(time) : outside && this.instrument ? this.instrument.motion().around(time) : this.motion;
     if (found !== this.motion) {
       this.motion = found;
       this.build();
@@ -180,14 +184,14 @@ class Page {
   async copySpec() {
     const text = this.instrument.toml(this.motion.span);
     const place = element("copied");
+    place.value = text;
+    place.hidden = false;
     try {
       await navigator.clipboard.writeText(text);
       this.instrument.say("The spec is copied: paste it into a file, and run polhode report on it.");
     } catch {
-      // pages inside frames may not reach the clipboard
+      this.instrument.say("This browser keeps the clipboard from pages in frames: copy the spec from the field below.");
     }
-    place.value = text;
-    place.hidden = false;
   }
 }
 

@@ -222,6 +222,6 @@ export function floor(radius, height, theme, rings = 4) {
 export function dispose(scene) {
   scene.traverse((found) => {
     found.geometry?.dispose();
-    found.material?.dispose();
+    for (const material of [found.material].flat()) material?.dispose(); // a solid may have one for each side
   });
 }

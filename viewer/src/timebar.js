@@ -22,6 +22,7 @@ export class Timebar {
     this.position = 0;
     this.playing = false;
     this.looping = false;
+    this.goesOn = false; // beyond samples that the page can continue itself
     this.slider = root.querySelector("#seek");
     this.play = root.querySelector("#play");
     this.loop = root.querySelector("#loop");
@@ -80,7 +81,7 @@ export class Timebar {
 
   toggle() {
     if (this.playing) return this.pause();
-    if (this.position >= this.motion.count - 1 && !this.motion.endless) this.go(0);
+    if (this.position >= this.motion.count - 1 && !this.motion.endless && !this.goesOn) this.go(0);
     this.playing = true;
     this.begun = null;
     this.say();
@@ -114,7 +115,7 @@ export class Timebar {
   advance(time) {
     const last = this.motion.times[this.motion.count - 1];
     if (time <= last) return this.goTo(time);
-    if (this.motion.endless) return this.beyond(time);
+    if (this.motion.endless || (this.goesOn && !this.looping)) return this.beyond(time);
     if (this.looping) return this.goTo(this.motion.times[0] + ((time - last) % this.motion.span));
     this.goTo(last);
     this.pause();

@@ -2,10 +2,12 @@
 import { DampedBody } from "../../../reference/stepped/index.js";
 import { ascending } from "../polhodes.js";
 import { clock, worded } from "../numbers.js";
-import { angles, momentControls, momentumOf, nearestAxis, spinControls, turned, withTables } from "./turning.js";
+import { angles, momentControls, momentumOf, nearestAxis, SPIN_KEYS, spinControls, turned, withTables } from "./turning.js";
 
 const TURNS = 2000; // that are looked at for the time to a flat spin
 const FLAT = (5 * Math.PI) / 180;
+
+export const keys = { body: { moments: 3 }, system: { kind: 0, sink_rate: 1, linear_drag: 1, quadratic_drag: 1 }, spin: SPIN_KEYS }; // of a spec, with how many numbers each has
 
 export function from({ moments, rate = 0, linear_drag = 0, quadratic_drag = 0, momentum, attitude = [1, 0, 0, 0], epoch = 0 }) {
   const velocity = momentum.map((value, k) => value / moments[k]);
@@ -35,7 +37,9 @@ export const asSpec = ({ moments, rate, linear_drag, quadratic_drag, velocity, a
 export function withSpec(setting, tables) {
   const { system = {} } = tables;
   const found = { ...setting };
-  if (system.sink_rate !== undefined) found.rate = Number(system.sink_rate);
+  for (const [key, name] of [["sink_rate", "rate"], ["linear_drag", "linear_drag"], ["quadratic_drag", "quadratic_drag"]]) {
+    if (system[key] !== undefined) found[name] = system[key];
+  }
   return withTables(found, tables);
 }
 

@@ -2,13 +2,15 @@
 import { FreeMotion } from "../../../reference/polhode.js";
 import { clock, exact, worded } from "../numbers.js";
 import { ascending } from "../polhodes.js";
-import { angles, momentControls, momentumOf, nearestAxis, spinControls, turned, withTables } from "./turning.js";
+import { angles, momentControls, momentumOf, nearestAxis, SPIN_KEYS, spinControls, turned, withTables } from "./turning.js";
 
 const DEGREE = Math.PI / 180;
 const [CONING, FLIPPING, SWINGING] = [45, 60, 20]; // degrees of the cone's half-angle, and of its swing
 const DWELLING = 0.995; // modulus from which L dwells at the intermediate axis
 
 export const dragged = true; // the momentum's point can be dragged on its sphere
+
+export const keys = { body: { moments: 3 }, spin: SPIN_KEYS }; // of a spec, with how many numbers each has
 
 /** Return the setting of what Python wrote down: moments, momentum and attitude along the principal axes. */
 export function from({ moments, momentum, attitude = [1, 0, 0, 0], epoch = 0, mass }) {

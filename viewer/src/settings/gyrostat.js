@@ -1,7 +1,9 @@
 // A body with a rotor inside that turns at a constant rate, as sliders set it.
 import { Gyrostat } from "../../../reference/stepped/index.js";
 import { worded } from "../numbers.js";
-import { angles, momentControls, momentumOf, nearestAxis, spinControls, turned, withTables } from "./turning.js";
+import { angles, momentControls, momentumOf, nearestAxis, SPIN_KEYS, spinControls, turned, withTables } from "./turning.js";
+
+export const keys = { body: { moments: 3 }, system: { kind: 0, rotor_momentum: 1, rotor_axis: 3 }, spin: SPIN_KEYS }; // of a spec, with how many numbers each has
 
 /** Return the setting of what Python wrote down; `rotor` is the momentum h of the rotor along the principal axes. */
 export function from({ moments, rotor, momentum, attitude = [1, 0, 0, 0], epoch = 0 }) {
@@ -45,6 +47,11 @@ export const asSpec = (setting) => ({
 export function withSpec(setting, tables) {
   const { system = {} } = tables;
   const found = { ...setting };
+  if (system.rotor_axis) {
+    const size = Math.hypot(...system.rotor_axis);
+    if (!(size > 0)) throw new RangeError("system.rotor_axis must have a direction; got zeros.");
+    Object.assign(found, { axis: system.rotor_axis.map((value) => value / size), momentum: null });
+  }
   if (system.rotor_momentum !== undefined) Object.assign(found, { spin: Number(system.rotor_momentum), momentum: null });
   return withTables(found, tables, inner(found));
 }

@@ -1,7 +1,9 @@
 // Any body about a fixed point under its weight, as sliders set it.
 import { HeavyTop } from "../../../reference/stepped/index.js";
 import { kept } from "./gyrostat.js";
-import { angles, momentControls, momentumOf, nearestAxis, spinControls, turned, withTables } from "./turning.js";
+import { angles, momentControls, momentumOf, nearestAxis, SPIN_KEYS, spinControls, turned, withTables } from "./turning.js";
+
+export const keys = { system: { kind: 0, moments: 3, mgl: 1, axis: 3 }, spin: SPIN_KEYS }; // of a spec, with how many numbers each has
 
 export function from({ moments, mgl, axis, momentum, attitude = [1, 0, 0, 0], epoch = 0 }) {
   const velocity = momentum.map((value, k) => value / moments[k]);

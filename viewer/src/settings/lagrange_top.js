@@ -7,6 +7,11 @@ const DEGREE = Math.PI / 180;
 const GRAVITY = 9.80665; // m/s²
 const UPRIGHT = 1e-9; // sine of a lean below which precession and spin cannot be told apart, and all is called spin
 
+export const keys = {
+  system: { kind: 0, moments: 3, mgl: 1, lean: 1 },
+  spin: { spin: 1, precession: 1, nutation: 1, lean: 1, momentum: 3, attitude: 4 },
+}; // of a spec, with how many numbers each has
+
 /** Return the setting of what Python wrote down. */
 export function from({ moments, mgl, momentum, attitude = [1, 0, 0, 0], epoch = 0 }) {
   return { moments, mgl, ...eulerOf(moments, momentum, attitude), momentum, attitude, epoch };

@@ -16,6 +16,9 @@ export function velocityOf(about, { rate, tilt, around }) {
   return found;
 }
 
+/** The keys of a spec that all of these take, with how many numbers each has. */
+export const SPIN_KEYS = { rate: 1, about: 1, tilt: 1, angular_velocity: 3, momentum: 3, attitude: 4 };
+
 /** Return the axis nearest to a vector. */
 export const nearestAxis = (vector) => vector.map(Math.abs).reduce((best, value, k, all) => (value > all[best] ? k : best), 0);
 
@@ -71,7 +74,8 @@ export function withTables(setting, { body = {}, spin = {} }, inner = [0, 0, 0])
     return { ...found, momentum: null, velocity, around: angles(velocity, found.about).around };
   }
   if (["rate", "about", "tilt"].every((name) => spin[name] === undefined)) return found;
-  const about = spin.about === undefined ? found.about : Number(spin.about) - 1;
+  if (spin.about !== undefined && ![1, 2, 3].includes(spin.about)) throw new RangeError(`spin.about must be 1, 2 or 3, a principal axis; got ${spin.about}.`);
+  const about = spin.about === undefined ? found.about : spin.about - 1;
   const old = angles(found.velocity, about);
   // a spec's tilt is towards the next axis
   const now = { rate: Number(spin.rate ?? old.rate), tilt: Number(spin.tilt ?? old.tilt), around: spin.tilt === undefined ? old.around : 0 };
