@@ -39,6 +39,7 @@ from .analysis.comparison import compare as compare
 from .analysis.equilibria import find_equilibria as find_equilibria
 from .analysis.stability import stability as stability
 from .analysis.twist import racket_twist as racket_twist
+from .arrays import closed_forms as closed_forms
 from .bodies import shapes as shapes
 from .bodies.atoms import from_atoms as from_atoms
 from .bodies.body import Body as Body

@@ -36,6 +36,8 @@ import polhode as ph
 from polhode.testing.laws import ONCE
 
 kind, names, numbers = {kind!r}, {names!r}, {numbers!r}
+way = ph.closed_forms({where!r})
+way.__enter__()
 given = dict(FreeMotion=([[1.0, 2.0, 3.3]] * 3,), LagrangeMotion=([[1.0, 1.0, 0.5]] * 3, [0.7] * 3))[kind]
 attitudes = np.array([[0.5, 0.5, 0.5, 0.5], [0.5, -0.5, 0.5, -0.5], [0.8, 0.6, 0.0, 0.0]])
 given += (np.array([[0.3, 1.8, 1.5], [0.9, 0.1, 0.2], [0.2, -0.3, 1.0]]), attitudes, np.array([0.0, 0.1, 0.2]))
@@ -113,12 +115,12 @@ def test_no_method_is_forgotten(kind):
     assert public(KINDS[kind])[0] == EVALUATIONS
 
 
-@pytest.mark.sweep
+@pytest.mark.parametrize("where", ["host", pytest.param("compiled", marks=pytest.mark.sweep)])
 @pytest.mark.parametrize("code", [VALUES, SLOPES], ids=["values", "slopes"])
 @pytest.mark.parametrize("kind", KINDS)
-def test_alone_in_a_compiled_batch(kind, code):
+def test_alone_in_a_compiled_batch(kind, code, where):
     names, numbers = (sorted(found) for found in public(KINDS[kind]))
-    run_limited(HEAD.format(kind=kind, names=names, numbers=numbers) + code, LONG_ENOUGH)
+    run_limited(HEAD.format(kind=kind, names=names, numbers=numbers, where=where) + code, LONG_ENOUGH)
 
 
 GIVEN = {"FreeMotion": ((1.0, 2.0, 3.3), (0.3, 1.8, 1.5)), "LagrangeMotion": ((1.0, 1.0, 0.5), 0.7, (0.3, 1.8, 1.5))}
@@ -143,4 +145,4 @@ near(motion, plain, 1e-13, "a value that differs where it is traced")
 
 def test_a_broken_specimen_is_caught():
     with pytest.raises(AssertionError, match="differs where it is traced"):
-        run_limited(HEAD.format(kind="FreeMotion", names=[], numbers=[]) + BROKEN, LONG_ENOUGH)
+        run_limited(HEAD.format(kind="FreeMotion", names=[], numbers=[], where="host") + BROKEN, LONG_ENOUGH)

@@ -1,7 +1,7 @@
 """FreeMotion against the oracle, over every nasty family, in NumPy and in JAX, in one mixed batch and one by one."""
 
 from collections import defaultdict
-from functools import cache
+from functools import cache, partial
 
 import jax
 import jax.numpy as jnp
@@ -33,21 +33,22 @@ def numpy_states(cases: list[Case]) -> tuple[np.ndarray, np.ndarray]:
 
 
 def jax_states_one_by_one(cases: list[Case]) -> tuple[np.ndarray, np.ndarray]:
-    with jax.enable_x64(True):
-        compiled = jax.jit(one_state, compiler_options=OPTIMIZED)
+    with jax.enable_x64(True), ph.closed_forms("compiled"):
+        compiled = jax.jit(lambda *case: one_state(*case), compiler_options=OPTIMIZED)
         found = [compiled(*case) for case in zip(*columns(cases), strict=True)]
         return np.array([attitude for attitude, _ in found]), np.array([momentum for _, momentum in found])
 
 
-def jax_states(cases: list[Case]) -> tuple[np.ndarray, np.ndarray]:
-    with jax.enable_x64(True):
-        found = jax.jit(one_state, compiler_options=OPTIMIZED)(*(jnp.asarray(column) for column in columns(cases)))
+def jax_states(cases: list[Case], where="compiled") -> tuple[np.ndarray, np.ndarray]:
+    with jax.enable_x64(True), ph.closed_forms(where):
+        states = jax.jit(lambda *case: one_state(*case), compiler_options=OPTIMIZED)
+        found = states(*(jnp.asarray(column) for column in columns(cases)))
         return np.asarray(found[0]), np.asarray(found[1])
 
 
-def jax_vmapped_states(cases: list[Case]) -> tuple[np.ndarray, np.ndarray]:
-    with jax.enable_x64(True):
-        states = jax.jit(jax.vmap(one_state), compiler_options=OPTIMIZED)
+def jax_vmapped_states(cases: list[Case], where="compiled") -> tuple[np.ndarray, np.ndarray]:
+    with jax.enable_x64(True), ph.closed_forms(where):
+        states = jax.jit(jax.vmap(lambda *case: one_state(*case)), compiler_options=OPTIMIZED)
         found = states(*(jnp.asarray(column) for column in columns(cases)))
         return np.asarray(found[0]), np.asarray(found[1])
 
@@ -57,9 +58,11 @@ def one_state(moments, momentum, time):
 
 
 ENGINES = {
-    "numpy": numpy_states, "jax-one-by-one": jax_states_one_by_one, "jax": jax_states, "jax-vmap": jax_vmapped_states,
+    "numpy": numpy_states, "jax": partial(jax_states, where="host"),
+    "jax-vmap": partial(jax_vmapped_states, where="host"),
+    "compiled-one-by-one": jax_states_one_by_one, "compiled": jax_states, "compiled-vmap": jax_vmapped_states,
 }  # fmt: skip
-"""The first two by default: functions of a batch are compiled for four times as long as those of one body."""
+"""The first three by default: the others are compiled for seconds."""
 
 
 @cache
@@ -93,7 +96,7 @@ def assert_all_within(worst: dict[str, tuple], bound: float) -> None:
     assert not beyond
 
 
-@pytest.mark.parametrize("engine", first(2, ENGINES))
+@pytest.mark.parametrize("engine", first(3, ENGINES))
 def test_states_are_exact_in_every_family(engine, announce):
     cases = drawn(SUITE_PER_FAMILY, 1)
     assert len(cases) >= 1000

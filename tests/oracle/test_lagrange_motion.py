@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from functools import cache, lru_cache
+from functools import cache, lru_cache, partial
 from typing import NamedTuple
 
 import jax
@@ -67,19 +67,25 @@ def one_state(moments, mgl, momentum, attitude, time):
     return ph.LagrangeMotion(moments, mgl, momentum, attitude).state(time)
 
 
-def jax_states(cases: list[TopCase]) -> tuple[np.ndarray, np.ndarray]:
-    with jax.enable_x64(True):
-        found = jax.jit(one_state, compiler_options=OPTIMIZED)(*map(jnp.asarray, columns(cases)))
+def jax_states(cases: list[TopCase], where="compiled") -> tuple[np.ndarray, np.ndarray]:
+    with jax.enable_x64(True), ph.closed_forms(where):
+        states = jax.jit(lambda *case: one_state(*case), compiler_options=OPTIMIZED)
+        found = states(*map(jnp.asarray, columns(cases)))
         return np.asarray(found[0]), np.asarray(found[1])
 
 
-def jax_vmapped_states(cases: list[TopCase]) -> tuple[np.ndarray, np.ndarray]:
-    with jax.enable_x64(True):
-        found = jax.jit(jax.vmap(one_state), compiler_options=OPTIMIZED)(*map(jnp.asarray, columns(cases)))
+def jax_vmapped_states(cases: list[TopCase], where="compiled") -> tuple[np.ndarray, np.ndarray]:
+    with jax.enable_x64(True), ph.closed_forms(where):
+        states = jax.jit(jax.vmap(lambda *case: one_state(*case)), compiler_options=OPTIMIZED)
+        found = states(*map(jnp.asarray, columns(cases)))
         return np.asarray(found[0]), np.asarray(found[1])
 
 
-ENGINES = {"numpy": numpy_states, "jax": jax_states, "jax-vmap": jax_vmapped_states}
+ENGINES = {
+    "numpy": numpy_states, "jax": partial(jax_states, where="host"),
+    "jax-vmap": partial(jax_vmapped_states, where="host"),
+    "compiled": jax_states, "compiled-vmap": jax_vmapped_states,
+}  # fmt: skip
 
 
 @cache
@@ -111,7 +117,7 @@ def check(engine: str, count: int, seed: int, announce) -> None:
     assert not {family: sizes for family, sizes in worst.items() if not max(sizes) <= WORST_ERROR}
 
 
-@pytest.mark.parametrize("engine", first(1, ["numpy", "jax"]))
+@pytest.mark.parametrize("engine", first(3, ["numpy", "jax", "jax-vmap", "compiled"]))
 def test_states_are_exact_in_every_family(engine, announce):
     assert len(drawn(SUITE_PER_FAMILY, 1)) >= 200
     check(engine, SUITE_PER_FAMILY, 1, announce)

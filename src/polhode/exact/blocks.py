@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 
@@ -15,6 +16,7 @@ Columns = tuple[Shaped[ArrayOrFloat, "..."], ...]  # numbers and whether somethi
 Evaluation = Callable[[Columns, Float64[Array, "block"], Float64[Array, "block"] | None], Columns]
 BLOCK = 4096  # states at a time: some thirty live arrays of this length fit a second-level cache
 BODIES = 16384  # bodies at a time: set-up is thousands of calls, whose overhead outweighs the cache
+JACOBIANS = 1024  # derivatives at a time, of which each is some ten states
 # glibc returns freed memory to the system above a threshold that it raises to the largest block freed so far; without
 # this one, every block's temporaries would be faulted in again, which costs a third of the time
 np.empty(3_000_000)
@@ -78,3 +80,33 @@ def _constant_run(batch: tuple[int, ...], shape: tuple[int, ...]) -> int:
             break
         run *= whole
     return max(run, 1)
+
+
+def units(xp: Any, shape: tuple[int, ...], sizes: tuple[int, ...]) -> list[Array]:
+    """Return unit changes of vectors of these sizes: one after the other along a new first axis, (N, …, size) each."""
+    whole = xp.eye(sum(sizes), dtype=xp.float64)
+    starts = [sum(sizes[:k]) for k in range(len(sizes))]
+    parts = (whole[:, a : a + n] for a, n in zip(starts, sizes, strict=True))
+    return [xp.broadcast_to(part.reshape(len(whole), *(1,) * len(shape), -1), (len(whole), *shape, part.shape[-1]))
+            for part in parts]  # fmt: skip
+
+
+def in_blocks(columns: Callable[..., Array], arguments: Columns, cores: tuple[int, ...]) -> Array:
+    """Return columns (batch…, M, N) of arguments that broadcast, of which NumPy takes a block at a time.
+
+    Args:
+        columns: function of the arguments, all with the batch's shape.
+        arguments: arrays with ``cores`` trailing axes each.
+        cores: 0 or 1 for each argument.
+    """
+    xp = namespace(*arguments)
+    shape = np.broadcast_shapes(*(x.shape[: x.ndim - core] for x, core in zip(arguments, cores, strict=True)))
+    whole = [xp.broadcast_to(x, (*shape, *x.shape[x.ndim - core :])) for x, core in zip(arguments, cores, strict=True)]
+    if is_jax(*arguments):
+        return columns(*whole)
+    size = math.prod(shape)
+    flat = [x.reshape(size, *x.shape[len(shape) :]) for x in whole]
+    with np.errstate(all="ignore"):
+        parts = [columns(*(x[k : k + JACOBIANS] for x in flat)) for k in range(0, max(size, 1), JACOBIANS)]
+    found = np.concatenate(parts)
+    return found.reshape(*shape, *found.shape[1:])

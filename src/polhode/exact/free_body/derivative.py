@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from polhode import rotation
-from polhode.arrays import first_order_only, namespace
-from polhode.exact.free_body.preparation import Prepared, prepare
-from polhode.exact.free_body.reduction import Reduction, as_sorted, from_sorted
-from polhode.exact.free_body.tangent import momentum_tangent
+from polhode.arrays import namespace
+from polhode.exact.free_body.preparation import prepare
+from polhode.exact.free_body.reduction import as_sorted, from_sorted
+from polhode.exact.free_body.tangent import momentum_tangent, sorted_sizes
 from polhode.rotation import cross_of_parts
 from polhode.types import Array, Float64
 
@@ -14,9 +14,13 @@ State = tuple[Float64[Array, "*batch 4"], Float64[Array, "*batch 3"]]
 Values = tuple[
     Float64[Array, "*batch 3"], Float64[Array, "*batch 3"], Float64[Array, "*batch 4"], Float64[Array, "*batch"]
 ]
+Changes = tuple[
+    Float64[Array, "*more 3"], Float64[Array, "*more 3"], Float64[Array, "*more 4"], Float64[Array, "*more"]
+]
+Changed = tuple[Float64[Array, "*more 4"], Float64[Array, "*more 3"]]
 
 
-def state_tangent(values: Values, state: State, changes: Values) -> State:
+def state_tangent(values: Values, state: State, changes: Changes) -> Changed:
     """Return the changes of attitude (…, 4) and momentum (…, 3).
 
     With ξ the turn in body axes, δR = R hat(ξ), and D = R0ᵀR:
@@ -25,24 +29,26 @@ def state_tangent(values: Values, state: State, changes: Values) -> State:
     Args:
         values: moments (…, 3), momentum (…, 3), attitude (…, 4) and time (…), of one batch shape.
         state: attitude and momentum at the time.
-        changes: of the values, likewise; linear in them.
+        changes: of the values, likewise, with any axes before; the result is linear in them.
     """
     moments, momentum, attitude, time = values
     d_moments, d_momentum, d_attitude, d_time = changes
     attitude_t, momentum_t = state
     xp = namespace(moments, momentum, time)
     identity = xp.zeros_like(attitude) + xp.asarray([1.0, 0.0, 0.0, 0.0], dtype=xp.float64)
-    motion, body, frequencies, time = first_order_only((*prepare(moments, momentum, identity), time), "FreeMotion")
-    prepared = Prepared(motion, body, frequencies)
+    prepared = prepare(moments, momentum, identity)
+    body = prepared.body
     scale, rate = body.momentum_scale, body.rate_scale
     now = tuple(x / scale for x in as_sorted(body, momentum_t))
     start_change = tuple(x / scale for x in as_sorted(body, d_momentum))
-    moments_change = tuple(x * (rate / scale) for x in _sorted_sizes(body, d_moments))
+    moments_change = tuple(x * (rate / scale) for x in sorted_sizes(body, d_moments))
     change, flow, present, work = momentum_tangent(prepared, time * rate, moments_change, start_change)
 
     resting = xp.all(momentum == 0, axis=-1)
     change = tuple(xp.where(resting, e, x) for e, x in zip(start_change, change, strict=True))
-    relative = rotation.multiply(rotation.conjugate(attitude), attitude_t)
+    # differences of derivatives come with attitudes of other lengths, in which everything is linear
+    length2 = xp.sum(attitude * attitude, axis=-1, keepdims=True)
+    relative = rotation.multiply(rotation.conjugate(attitude), attitude_t) / length2
     carried = as_sorted(body, rotation.rotate(rotation.conjugate(relative), d_momentum))
     seen = tuple(x / scale - y for x, y in zip(carried, change, strict=True))
     size = xp.where(resting, 1.0, body.G2[0])
@@ -52,13 +58,5 @@ def state_tangent(values: Values, state: State, changes: Values) -> State:
     turn = tuple(xp.where(resting, r, x) + v * (rate * d_time) for r, x, v in zip(at_rest, turn, velocity, strict=True))
     moved = tuple((x + f * (rate * d_time)) * scale for x, f in zip(change, flow, strict=True))
     xi = xp.stack(from_sorted(body, turn), axis=-1)
-    given = rotation.multiply(d_attitude, rotation.multiply(rotation.conjugate(attitude), attitude_t))
+    given = rotation.multiply(d_attitude, relative)
     return given + rotation.quaternion_rate(attitude_t, xi), xp.stack(from_sorted(body, moved), axis=-1)
-
-
-def _sorted_sizes(body: Reduction, sizes: Array) -> tuple[Array, ...]:
-    """Return what goes with each axis, without sign, in sorted order."""
-    xp = namespace(body.long_axis)
-    columns = [sum(xp.abs(body.axes[i][j]) * sizes[..., i] for i in range(3)) for j in range(3)]
-    first, third = (xp.where(body.long_axis, columns[2 - j], columns[j]) for j in (0, 2))
-    return first, columns[1], third

@@ -1,31 +1,27 @@
-"""Running the free body's closed form over batches, on JAX with its derivative."""
+"""Running the free body's closed form over batches: NumPy in blocks, JAX as one operation with its derivative."""
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
-from polhode.arrays import (
-    compiled,
-    custom_derivative,
-    forward_columns,
-    is_jax,
-    namespace,
-    stack_last,
-    stop_gradient,
-)
-from polhode.exact.blocks import Columns, Vectors, columns_in_blocks, state_in_blocks
+from polhode.arrays import Elementwise, is_jax, namespace, stack_last
+from polhode.exact.blocks import Columns, Vectors, columns_in_blocks, in_blocks, state_in_blocks, units
 from polhode.exact.free_body import geometry
 from polhode.exact.free_body.derivative import state_tangent
+from polhode.exact.free_body.geometry_tangent import changed_numbers
 from polhode.exact.free_body.preparation import prepare
 from polhode.exact.free_body.spinor import evaluate
 from polhode.types import Array, Float64
 
+IDENTITY = np.asarray([1.0, 0.0, 0.0, 0.0])
+
 
 def motion_columns(arguments: Vectors) -> Columns:
-    """Return the constants of motion of moments (…, 3), momentum (…, 3), attitude (…, 4) as columns."""
-    return columns_in_blocks(_columns_of_bodies, arguments)
+    """Return the constants of motion of moments (…, 3), momentum (…, 3), attitude (…, 4) as columns.
+
+    JAX needs none: there set-up and evaluation are one operation.
+    """
+    return () if is_jax(*arguments) else columns_in_blocks(_columns_of_bodies, arguments)
 
 
 def _columns_of_bodies(moments: Array, momentum: Array, attitude: Array) -> tuple[Array, ...]:
@@ -36,50 +32,61 @@ def characteristics(
     moments: Float64[Array, "*#batch 3"], momentum: Float64[Array, "*#batch 3"]
 ) -> geometry.Characteristics:
     """Return the numbers of the motion for arrays (…, 3)."""
-    if is_jax(moments, momentum):
-        return compiled(_differentiable_characteristics, moments)(moments, momentum)
-    with np.errstate(all="ignore"):
-        return geometry.characteristics(*np.broadcast_arrays(moments, momentum))
-
-
-def _differentiable_characteristics(moments: Array, momentum: Array) -> geometry.Characteristics:
-    shape = np.broadcast_shapes(moments.shape, momentum.shape)
-    xp = namespace(moments, momentum)
-    moments, momentum = xp.broadcast_to(moments, shape), xp.broadcast_to(momentum, shape)
-    codes = geometry.characteristics(*stop_gradient((moments, momentum)))[:2]
-    numbers = forward_columns(lambda *x: tuple(geometry.characteristics(*x)[2:]), "FreeMotion")(moments, momentum)
-    return geometry.Characteristics(*codes, *numbers)
+    return geometry.Characteristics(*_NUMBERS(moments, momentum))
 
 
 def state(
     columns: Columns, arguments: Vectors, elapsed: Float64[Array, "..."], rest: Float64[Array, "..."]
 ) -> tuple[Float64[Array, "*batch 4"], Float64[Array, "*batch 3"]]:
     """Return attitude (…, 4) and momentum (…, 3) at the elapsed times, which broadcast against the columns."""
-    if is_jax(elapsed, *columns):
-        return compiled(_differentiable_state, elapsed)(columns, arguments, elapsed, rest)
+    if is_jax(elapsed, *arguments):
+        return _STATE(*arguments, elapsed, rest)  # type: ignore[return-value]
     return state_in_blocks(evaluate, columns, elapsed, rest)
 
 
-def _differentiable_state(columns: Columns, arguments: Vectors, elapsed: Array, rest: Array) -> tuple[Array, Array]:
-    flow = custom_derivative(_stacked, _stacked_rule)
-    return flow(*arguments, elapsed, rest, stop_gradient(columns))
-
-
-def _stacked(
-    moments: Array, momentum: Array, attitude: Array, elapsed: Array, rest: Array, columns: Columns
-) -> tuple[Array, Array]:
+def _state(moments: Array, momentum: Array, attitude: Array, elapsed: Array, rest: Array) -> tuple[Array, Array]:
+    arguments = moments, momentum, attitude
+    columns = columns_in_blocks(_columns_of_bodies, arguments)
+    if not is_jax(elapsed, *arguments):
+        return state_in_blocks(evaluate, columns, elapsed, rest)
     parts = evaluate(columns, elapsed, rest)
     return stack_last(parts[:4]), stack_last(parts[4:])
 
 
-def _stacked_rule(primals: tuple[Any, ...], tangents: tuple[Any, ...]) -> tuple[Any, Any]:
-    """The columns are constants here: what they change by is in the exact tangent."""
-    value = _stacked(*primals)
-    shape = value[0].shape[:-1]
-    xp = namespace(value[0])
+def _state_jacobian(*arguments: Array) -> tuple[tuple[Array, Array], Array]:
+    """The columns are of moments, momentum, attitude, elapsed time, and its rest, which changes nothing more."""
+    value = _state(*arguments)
 
-    def spread(values: tuple[Array, ...]) -> tuple[Array, ...]:
-        vectors = (xp.broadcast_to(v, (*shape, v.shape[-1])) for v in values[:3])
-        return (*vectors, xp.broadcast_to(values[3], shape))
+    def columns(moments: Array, momentum: Array, attitude: Array, time: Array, *state: Array) -> Array:
+        xp = namespace(time)
+        d_moments, d_momentum, d_attitude, d_time = units(xp, time.shape, (3, 3, 4, 1))
+        changes = d_moments, d_momentum, d_attitude, d_time[..., 0]
+        found = state_tangent((moments, momentum, attitude, time), state, changes)
+        found = xp.moveaxis(xp.concat(found, axis=-1), 0, -1)
+        return xp.concat([found, xp.zeros_like(found[..., :1])], axis=-1)
 
-    return value, state_tangent(spread(primals), value, spread(tangents))
+    return value, in_blocks(columns, (*arguments[:4], *value), (1, 1, 1, 0, 1, 1))
+
+
+def _numbers(moments: Array, momentum: Array) -> geometry.Characteristics:
+    xp = namespace(moments, momentum)
+    with np.errstate(all="ignore"):
+        return geometry.characteristics(*xp.broadcast_arrays(moments, momentum))
+
+
+def _numbers_jacobian(moments: Array, momentum: Array) -> tuple[geometry.Characteristics, Array]:
+    value = _numbers(moments, momentum)
+
+    def columns(moments: Array, momentum: Array, *numbers: Array) -> Array:
+        xp = namespace(moments)
+        prepared = prepare(moments, momentum, xp.zeros((*moments.shape[:-1], 4)) + xp.asarray(IDENTITY))
+        changes = units(xp, moments.shape[:-1], (3, 3))
+        found = changed_numbers(prepared, geometry.Characteristics(*numbers), *changes)
+        return xp.moveaxis(xp.stack(found, axis=-1), 0, -1)
+
+    return value, in_blocks(columns, (moments, momentum, *value), (1, 1, *(0 for _ in value)))
+
+
+_ONE = ((), float)
+_STATE = Elementwise("FreeMotion", _state, ((3,), (3,), (4,), (), ()), (((4,), float), ((3,), float)), _state_jacobian)
+_NUMBERS = Elementwise("FreeMotion", _numbers, ((3,), (3,)), (((), int), ((), int), *(_ONE,) * 5), _numbers_jacobian)

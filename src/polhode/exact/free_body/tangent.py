@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 from polhode.arrays import namespace
 from polhode.exact.free_body.preparation import Prepared
-from polhode.exact.free_body.reduction import half_turn_sign
+from polhode.exact.free_body.reduction import Reduction, half_turn_sign
 from polhode.exact.free_body.tangent_kernel import Kernel, elliptic_kernel
 from polhode.special import doubledouble as dd
 from polhode.types import Array, Bool, Float64
@@ -23,7 +23,9 @@ FARTHEST = 340.0
 Number = Float64[Array, "*batch"]
 Flag = Bool[Array, "*batch"]
 Vector = tuple[Number, Number, Number]
-Changes = tuple[Number, ...]  # of A, B, C, P, Q, b, κ, and of the momentum at the epoch
+Change = Float64[Array, "*more"]  # with any axes before those of the batch
+Moved = tuple[Change, Change, Change]
+Changes = tuple[Change, ...]  # of A, B, C, P, Q, b, κ, and of the momentum at the epoch
 
 
 class Canonical(NamedTuple):
@@ -64,13 +66,13 @@ class Tangent(NamedTuple):
         work: δE t + ½ Σ δa_i ∫L_i².
     """
 
-    change: Vector
+    change: Moved
     flow: Vector
     present: Vector
-    work: Number
+    work: Change
 
 
-def momentum_tangent(prepared: Prepared, time: Number, d_moments: Vector, d_momentum: Vector) -> Tangent:
+def momentum_tangent(prepared: Prepared, time: Number, d_moments: Moved, d_momentum: Moved) -> Tangent:
     """Return the parts of the derivative along the sorted axes, in scaled units.
 
     Args:
@@ -80,41 +82,54 @@ def momentum_tangent(prepared: Prepared, time: Number, d_moments: Vector, d_mome
         d_momentum: perturbation of the sorted scaled momentum at the epoch.
     """
     body = prepared.body
-    form = _canonical(prepared)
+    form = canonical_form(prepared)
     passage = _passage(prepared, form, time)
-    A, B, C, _, Q, S = form[:6]
     mirrored = form.mirrored
     a = tuple(1.0 / x for x in body.moments)
     da = tuple(-x * y * y for x, y in zip(d_moments, a, strict=True))
-    xp = namespace(A)
-    m = xp.where(mirrored, -1.0, 1.0)
-    dac = tuple(m * x for x in _mirror(mirrored, da))
-    l1, l2, l3 = passage.start
-    e1, e2, e3 = (s * x for s, x in zip(passage.signs, _mirror(mirrored, d_momentum), strict=True))
-    dA, dB, dC = dac[0] - dac[1], dac[1] - dac[2], dac[0] - dac[2]
-    dP = dC * (l1 * l1) + dB * (l2 * l2) + (2.0 * C * l1) * e1 + (2.0 * B * l2) * e2
-    dQ = dA * (l2 * l2) + dC * (l3 * l3) + (2.0 * A * l2) * e2 + (2.0 * C * l3) * e3
-    dS = dA * (l1 * l1) - dB * (l3 * l3) + (2.0 * A * l1) * e1 - (2.0 * B * l3) * e3
-    db, dkappa = dB * Q + B * dQ, -(dC * S + C * dS)
-    Y = 0.5 * (passage.rho * db + passage.sigma * dkappa)
-    changes = (dA, dB, dC, dP, dQ, db, dkappa, e1, e2, e3)
-    rate = _rate(form, passage.end)
+    xp = namespace(form.A)
+    moved = tuple(s * x for s, x in zip(passage.signs, mirror(mirrored, d_momentum), strict=True))
+    changes = changed_form(form, passage.start, da, moved)
+    Y = 0.5 * (passage.rho * changes[5] + passage.sigma * changes[6])
+    rate = rate_of_momentum(form, passage.end)
     fixed = _from_start(form, passage, changes)
     middle = _from_middle(form, passage, changes)
     use = passage.middle
     shifted = tuple(r * (middle.shift + Y) + x for r, x in zip(middle.rate, middle.static, strict=True))
     drift = tuple(xp.where(use, mid, r * Y + far) for mid, r, far in zip(shifted, rate, fixed, strict=True))
     at_fixed_time, flow, present = (
-        _mirror(mirrored, tuple(s * x for s, x in zip(passage.signs, v, strict=True)))
+        mirror(mirrored, tuple(s * x for s, x in zip(passage.signs, v, strict=True)))
         for v in (drift, rate, passage.end)
     )
-    J = _mirror(mirrored, _squares(form, passage, time))
+    J = mirror(mirrored, _squares(form, passage, time))
     L = body.momentum
     dE = _dot(tuple(x * y for x, y in zip(a, L, strict=True)), d_momentum) + 0.5 * _dot(da, tuple(x * x for x in L))
     return Tangent(at_fixed_time, flow, present, time * dE + 0.5 * _dot(da, J))
 
 
-def _canonical(prepared: Prepared) -> Canonical:
+def changed_form(form: Canonical, start: Vector, da: Moved, moved: Moved) -> Changes:
+    """Return the changes of the invariants, and of the momentum at the epoch along the canonical axes.
+
+    Args:
+        form: the invariants.
+        start: canonical momentum at the epoch.
+        da: changes of 1/I along the sorted axes.
+        moved: change of the canonical momentum.
+    """
+    A, B, C, _, Q, S = form[:6]
+    l1, l2, l3 = start
+    e1, e2, e3 = moved
+    m = namespace(A).where(form.mirrored, -1.0, 1.0)
+    dac = tuple(m * x for x in mirror(form.mirrored, da))
+    dA, dB, dC = dac[0] - dac[1], dac[1] - dac[2], dac[0] - dac[2]
+    dP = dC * (l1 * l1) + dB * (l2 * l2) + (2.0 * C * l1) * e1 + (2.0 * B * l2) * e2
+    dQ = dA * (l2 * l2) + dC * (l3 * l3) + (2.0 * A * l2) * e2 + (2.0 * C * l3) * e3
+    dS = dA * (l1 * l1) - dB * (l3 * l3) + (2.0 * A * l1) * e1 - (2.0 * B * l3) * e3
+    return dA, dB, dC, dP, dQ, dB * Q + B * dQ, -(dC * S + C * dS), e1, e2, e3
+
+
+def canonical_form(prepared: Prepared) -> Canonical:
+    """Return the invariants of a prepared motion."""
     body, rates = prepared.body, prepared.frequencies
     V = body.V[0]
     A, B, C, P, Q, S = (x[0] / V for x in (body.A, body.B, body.C, body.P, body.Q, body.S))
@@ -170,7 +185,7 @@ def _passage(prepared: Prepared, form: Canonical, time: Array) -> Passage:
     half_turn = half_turn_sign(body)
     side = xp.where(body.canonical[0] < 0, -1.0, 1.0)
     signs = tuple(xp.where(middle, x, 1.0) for x in (half_turn * side, side, half_turn))
-    mirrored_start = _mirror(form.mirrored, body.momentum)
+    mirrored_start = mirror(form.mirrored, body.momentum)
     first = tuple(x * y for x, y in zip(signs, mirrored_start, strict=True))
     odd = 1.0 - 2.0 * ((turns + more) - 2.0 * xp.floor(0.5 * (turns + more)))
     s, c, d = (xp.where(middle, x, y) for x, y in zip(kernel[:3], second[:3], strict=True))
@@ -203,7 +218,7 @@ def _addition_theorem(form: Canonical, kernel: Kernel, start: Vector) -> Vector:
     )
 
 
-def _from_start(form: Canonical, passage: Passage, changes: Changes) -> Vector:
+def _from_start(form: Canonical, passage: Passage, changes: Changes) -> Moved:
     """Return r/Δ: the derivative of the addition theorem at fixed b and κ phases, from the epoch on.
 
     With U = AC L1², W = BC L3² and y = AB L2² at the epoch, b = y + W and g = y + U: written in their changes, the
@@ -240,8 +255,8 @@ def _from_start(form: Canonical, passage: Passage, changes: Changes) -> Vector:
 class Middle(NamedTuple):
     """The midpoint form: the static change now, the shift of the epoch's phase, and L̇ now."""
 
-    static: Vector
-    shift: Number
+    static: Moved
+    shift: Change
     rate: Vector
 
 
@@ -260,7 +275,7 @@ def _from_middle(form: Canonical, passage: Passage, changes: Changes) -> Middle:
         h = (0.5 * ss) * db
         return x * (p - gamma - h), y * (level + (0.5 * cc / b) * db), z * (q - gamma - h + (0.5 * sd2) * dkappa)
 
-    rate = _rate(form, (l1, l2, l3))
+    rate = rate_of_momentum(form, (l1, l2, l3))
     size = xp.where(use, _dot(rate, rate), 1.0)
     size = xp.where(size > 0, size, 1.0)
     ss = l2 * l2 / P / Q
@@ -269,7 +284,7 @@ def _from_middle(form: Canonical, passage: Passage, changes: Changes) -> Middle:
     s, c, d = passage.kernel[:3]
     x, y, z = xp.sqrt(P / C) * c, xp.sqrt(P) * xp.sqrt(Q) * s, xp.sqrt(Q / C) * d
     safe = xp.where(use & (d > 0), d, 1.0)
-    return Middle(static(x, y, z, s * s, (s / safe) ** 2, c * c), shift, _rate(form, (x, y, z)))
+    return Middle(static(x, y, z, s * s, (s / safe) ** 2, c * c), shift, rate_of_momentum(form, (x, y, z)))
 
 
 def _squares(form: Canonical, passage: Passage, time: Array) -> Vector:
@@ -295,12 +310,13 @@ def _squares(form: Canonical, passage: Passage, time: Array) -> Vector:
     return xp.where(form.full, l1 * l1 * time + B * share, J1), J2, xp.where(form.full, l3 * l3 * time + A * share, J3)
 
 
-def _mirror(mirrored: Array, v: Any) -> Vector:
+def mirror(mirrored: Array, v: Any) -> Vector:
+    """Swap the first and third component where the mirror was applied."""
     xp = namespace(mirrored, v[0])
     return xp.where(mirrored, v[2], v[0]), v[1], xp.where(mirrored, v[0], v[2])
 
 
-def _rate(form: Canonical, v: Vector) -> Vector:
+def rate_of_momentum(form: Canonical, v: Vector) -> Vector:
     """Return L̇ = (−B L2 L3, C L1 L3, −A L1 L2)."""
     x, y, z = v
     return -form.B * y * z, form.C * x * z, -form.A * x * y
@@ -308,3 +324,11 @@ def _rate(form: Canonical, v: Vector) -> Vector:
 
 def _dot(x: Any, y: Any) -> Array:
     return x[0] * y[0] + x[1] * y[1] + x[2] * y[2]
+
+
+def sorted_sizes(body: Reduction, sizes: Array) -> tuple[Array, ...]:
+    """Return what goes with each axis, without sign, in sorted order."""
+    xp = namespace(body.long_axis)
+    columns = [sum(xp.abs(body.axes[i][j]) * sizes[..., i] for i in range(3)) for j in range(3)]
+    first, third = (xp.where(body.long_axis, columns[2 - j], columns[j]) for j in (0, 2))
+    return first, columns[1], third

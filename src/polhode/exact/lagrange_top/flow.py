@@ -9,14 +9,16 @@ from __future__ import annotations
 
 from typing import Any
 
-from polhode.arrays import iterate, namespace, stop_gradient
-from polhode.types import Array, ArrayOrFloat, Float64
+import numpy as np
+
+from polhode.arrays import is_jax, iterate, namespace, stop_gradient
+from polhode.types import Array, ArrayOrFloat, Complex128, Float64
 
 ORDER = 24
 STEP = 0.75  # rate times length of a step; what is left out is below 1e-17
 MOST_STEPS = 4000  # of one flow; a top on the separatrix is upright long before
 SMALL_TILT = 0.5  # largest 1 − cos θ for which only β is stepped
-Number = Float64[ArrayOrFloat, "..."]
+Number = Float64[ArrayOrFloat, "..."] | Complex128[Array, "..."]  # complex steps differentiate
 Start = tuple[Number, ...]  # Re and Im of α, β and w, then G and a
 
 
@@ -43,17 +45,22 @@ def flow(start: Start, tau: Number, D: Number, tilt: Number) -> tuple[Number, ..
     G, a = start[6:]
     s = 2.0 * (start[2] ** 2 + start[3] ** 2)
     loose = 2.0 * G - a * a - (start[4] ** 2 + start[5] ** 2) + G * s
-    D = D + (loose - stop_gradient(loose))
+    D = D + (loose - _constant(xp, loose))
     slow = tilt < SMALL_TILT
     everywhere = _everywhere(start, xp.where(slow, 0.0, tau), D)
     near = _near_upright(start, xp.where(slow, tau, 0.0), D, tilt)
     return tuple(xp.where(slow, x, y) for x, y in zip(near, everywhere, strict=True))
 
 
+def _constant(xp: Any, value: Array) -> Array:
+    """Return a value without its derivative, by JAX or by a complex step."""
+    return xp.real(stop_gradient(value))
+
+
 def _steps(xp: Any, rate: Array, tau: Array) -> Array:
     """Return the number of steps, the same for all of a batch."""
-    turn = rate * xp.abs(tau)
-    count = xp.ceil(stop_gradient(xp.max(xp.where(turn > 0, turn, 0.0))) / STEP)  # NaN counts for nothing
+    turn = _constant(xp, rate) * xp.abs(tau)
+    count = xp.ceil(xp.max(xp.where(turn > 0, turn, 0.0)) / STEP)  # NaN counts for nothing
     return xp.asarray(xp.minimum(xp.maximum(count, 1.0), float(MOST_STEPS)), dtype=xp.int64)
 
 
@@ -100,7 +107,7 @@ def _near_upright(start: Start, tau: Array, D: Array, tilt: Array) -> tuple[Arra
     # c' = p_φ + a = 2 Im β̄αw + a t
     c = 2.0 * ((br * ar + bi * ai) * wi + (br * ai - bi * ar) * wr) + 2.0 * a * (ar * ar + ai * ai)
     safe = xp.where(tilt > 0, tilt, 1.0)
-    rate = xp.sqrt(xp.abs(stop_gradient(kappa)) + G * tilt) + xp.sqrt(2.0 * (dbr * dbr + dbi * dbi) / safe)
+    rate = xp.sqrt(xp.abs(_constant(xp, kappa)) + G * tilt) + xp.sqrt(2.0 * (dbr * dbr + dbi * dbi) / safe)
     count = _steps(xp, rate, tau)
     length = tau / count
     now = xp.stack([br, bi, dbr, dbi, 0.0 * br])
@@ -127,8 +134,10 @@ def _near_upright(start: Start, tau: Array, D: Array, tilt: Array) -> tuple[Arra
     return ar_t, ai_t, br_t, bi_t, *_momentum((ar_t, ai_t), (br_t, bi_t), slope, (dbr_t, dbi_t))
 
 
-def _dot(xp: Any, x: Array, y: Array, k: Array) -> Array:
-    """Return Σ_j x_j y_{k−j}; coefficients beyond k are still zero, so the index may wrap."""
+def _dot(xp: Any, x: Array, y: Array, k: Any) -> Array:
+    """Return Σ_j x_j y_{k−j}; coefficients beyond k are still zero, so a traced index may wrap."""
+    if isinstance(k, int):
+        return np.einsum("j...,j...->...", x[: k + 1], y[k::-1])
     return xp.sum(x * y[k - xp.arange(ORDER + 1)], axis=0)
 
 
@@ -142,6 +151,8 @@ def _taylor(xp: Any, now: Array, length: Array, products: Any, rates: Any) -> Ar
 
     ``products`` give coefficient k of further rows, from all that is known up to k.
     """
+    if not is_jax(now):
+        return _taylor_in_place(now, length, products, rates)
     index = xp.reshape(xp.arange(ORDER + 1), (ORDER + 1,) + (1,) * now.ndim)
     idle = xp.zeros((len(products), *now.shape[1:]), dtype=xp.float64)
     series = xp.where(index == 0, xp.concat([now, idle])[None], 0.0)
@@ -160,3 +171,15 @@ def _taylor(xp: Any, now: Array, length: Array, products: Any, rates: Any) -> Ar
 
     series = iterate(ORDER, add_order, (xp.asarray(0, dtype=xp.int64), series), like=now)[1]
     return xp.sum(series[::-1, :rows], axis=0)
+
+
+def _taylor_in_place(now: Array, length: Array, products: Any, rates: Any) -> Array:
+    """Return what ``_taylor`` does, on NumPy."""
+    rows = now.shape[0]
+    series = np.zeros((ORDER + 1, rows + len(products), *now.shape[1:]), dtype=np.result_type(now, length))
+    series[0, :rows] = now
+    for k in range(ORDER):
+        for number, product in enumerate(products):
+            series[k, rows + number] = product(series, k)
+        series[k + 1, :rows] = rates(series, k) * (length / (k + 1))
+    return np.sum(series[::-1, :rows], axis=0)

@@ -10,17 +10,18 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from polhode.arrays import first_order_only, namespace
+from polhode.arrays import namespace
 from polhode.exact.blocks import Vectors
 from polhode.exact.lagrange_top.periods import Invariants, change_of_nutation
 from polhode.exact.lagrange_top.tangent import TangentData, changed_invariants, scaled_changes
 from polhode.types import Array, Float64
 
 Number = Float64[Array, "*batch"]
-Numbers = tuple[Number, Number, Number, Number, Number, Number, Number]  # lowest to spin_rate of ``Characteristics``
+Change = Float64[Array, "*shape"]  # with any axes before those of the batch
+Numbers = tuple[Number, ...]  # lowest to spin_rate of ``Characteristics``
 
 
-def changed_numbers(top: TangentData, numbers: Numbers, changes: Vectors) -> Numbers:
+def changed_numbers(top: TangentData, numbers: Numbers, changes: Vectors) -> tuple[Change, ...]:
     """Return the changes of the numbers; I1 = I2 is one quantity, whose change is the mean of both.
 
     Args:
@@ -29,8 +30,7 @@ def changed_numbers(top: TangentData, numbers: Numbers, changes: Vectors) -> Num
         changes: of moments (…, 3), mgl (…, 1), momentum (…, 3) and attitude (…, 4); the result is linear in them.
     """
     xp = namespace(*changes)
-    *entries, period, precession_rate, spin_rate = first_order_only((*top, numbers[2], *numbers[5:]), "LagrangeMotion")
-    top = TangentData(*entries)
+    period, precession_rate, spin_rate = numbers[2], *numbers[5:]
     start, change, (dG, da, dI1, dI3) = scaled_changes(xp, top, changes)
     by = changed_invariants(xp, top, start, change, dG, da)
     nutation = change_of_nutation(top.whole_nutation, by)

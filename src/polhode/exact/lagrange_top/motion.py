@@ -178,7 +178,7 @@ class LagrangeMotion(AbstractMotion):
 
     @cached_unless_traced
     def _numbers(self) -> geometry.Characteristics:
-        return evaluation.characteristics(self._columns, self._arguments)
+        return evaluation.characteristics(self._arguments)
 
     @property
     def energy(self) -> Any:

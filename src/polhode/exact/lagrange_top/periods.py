@@ -22,6 +22,8 @@ TERMS = 18  # of it: 0.1^18
 
 Number = Float64[Array, "*batch"]
 Complex = Complex128[Array, "*batch"]
+Change = Float64[Array, "*shape"]  # with any axes before those of the batch
+Moved = tuple[Complex128[Array, "*shape"], Complex128[Array, "*shape"], Complex128[Array, "*shape"]]
 
 
 class Nutation(NamedTuple):
@@ -40,10 +42,10 @@ class Nutation(NamedTuple):
 class Invariants(NamedTuple):
     """Changes of ε, c, a and G."""
 
-    energy: Number
-    c: Number
-    a: Number
-    G: Number
+    energy: Change
+    c: Change
+    a: Change
+    G: Change
 
 
 def moments_of_nutation(top: Nutation) -> tuple[tuple[Number, Number, Number, Number], Number]:
@@ -80,9 +82,9 @@ class NutationChange(NamedTuple):
     """A nutation's period by τ and what changes of the invariants change."""
 
     period: Number  # T
-    period_change: Number
-    twist: Number  # ½(δJ_a − T δa): δθ_α = ½ a δT − twist
-    turn: Number  # −δJ_c = δ(θ_α + θ_β)
+    period_change: Change
+    twist: Change  # ½(δJ_a − T δa): δθ_α = ½ a δT − twist
+    turn: Change  # −δJ_c = δ(θ_α + θ_β)
 
 
 def change_of_nutation(top: Nutation, change: Invariants) -> NutationChange:
@@ -100,7 +102,7 @@ def change_of_nutation(top: Nutation, change: Invariants) -> NutationChange:
 
 def added_by_nutation(
     top: Nutation, start: tuple[Complex, Complex, Complex], change: Invariants
-) -> tuple[Complex, Complex, Complex]:
+) -> Moved:
     """Return what one nutation adds to the changes of α, β and w, after its phases are turned back.
 
     That is −ẏ δT and the turns by δθ_α and δθ_β, with a δT taken out of each where it cancels.

@@ -18,7 +18,9 @@ from polhode.types import Array, Bool, Complex128, Float64
 Number = Float64[Array, "*batch"]
 Flag = Bool[Array, "*batch"]
 Complex = Complex128[Array, "*batch"]
-Vector = tuple[Complex, Complex, Complex]  # α, β, w or their changes, complex
+Vector = tuple[Complex, Complex, Complex]  # α, β, w, complex
+Change = Float64[Array, "*shape"]  # with any axes before those of the batch
+Moved = tuple[Complex128[Array, "*shape"], Complex128[Array, "*shape"], Complex128[Array, "*shape"]]
 FARTHEST = 340.0  # exponent of growth up to which a change is followed: its square and a flow's still fit
 
 
@@ -63,7 +65,7 @@ def growth(kappa: DoubleDouble, tau: DoubleDouble, begin: Number, falling: Flag)
     return Growth(elapsed[0], kappa[0], C, xp.where(some, S, elapsed[0]), decay)
 
 
-def upright_change(a: Number, now: Vector, change: Vector, of: tuple[Number, Number], by: Growth) -> Vector:
+def upright_change(a: Number, now: Vector, change: Moved, of: tuple[Change, Change], by: Growth) -> Moved:
     """Return the changes of α, β, w at σ near a top that stands or goes upright, α's own phase ½aσ taken off.
 
     Args:
@@ -96,7 +98,7 @@ def upright_change(a: Number, now: Vector, change: Vector, of: tuple[Number, Num
     return d_alpha, changed, d_w
 
 
-def resting_change(start: Vector, change: Vector, of: tuple[Number, Number], tau: Number) -> Vector:
+def resting_change(start: Vector, change: Moved, of: tuple[Change, Change], tau: Number) -> Moved:
     """Return the changes at τ of a top at rest without weight, by changes of G and a among ``of``."""
     conj = namespace(tau).conj
     alpha, beta, _ = start
@@ -110,14 +112,14 @@ def resting_change(start: Vector, change: Vector, of: tuple[Number, Number], tau
     )
 
 
-def reversed_axis(hanging: Flag, vector: Vector) -> Vector:
+def reversed_axis(hanging: Flag, vector: Moved) -> Moved:
     """Return α, β, w of the top seen with its axis reversed, (−β, α, w̄), where it hangs."""
     xp = namespace(hanging)
     alpha, beta, w = vector
     return xp.where(hanging, -beta, alpha), xp.where(hanging, alpha, beta), xp.where(hanging, xp.conj(w), w)
 
 
-def given_axis(hanging: Flag, vector: Vector) -> Vector:
+def given_axis(hanging: Flag, vector: Moved) -> Moved:
     """Return the inverse of ``reversed_axis``."""
     xp = namespace(hanging)
     alpha, beta, w = vector

@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-from polhode.arrays import derivative_columns, first_order_only, namespace, split_halves
+from polhode.arrays import derivative_columns, namespace, split_halves
 from polhode.exact.blocks import Vectors
 from polhode.exact.lagrange_top import standing
 from polhode.exact.lagrange_top.flow import flow, slopes
@@ -25,7 +25,9 @@ from polhode.types import Array, Bool, Complex128, Float64
 Number = Float64[Array, "*batch"]
 Flag = Bool[Array, "*batch"]
 Complex = Complex128[Array, "*batch"]
-Vector = tuple[Complex, Complex, Complex]  # α, β, w or their changes, complex
+Vector = tuple[Complex, Complex, Complex]  # α, β, w, complex
+Change = Float64[Array, "*shape"]  # with any axes before those of the batch
+Moved = tuple[Complex128[Array, "*shape"], Complex128[Array, "*shape"], Complex128[Array, "*shape"]]
 UPRIGHT = 13.0  # λ times the time from the lowest point at which a top on the separatrix stands: |β|² is 1e-11 there
 
 
@@ -111,7 +113,7 @@ def state_tangent(
     time: Number,
     state: tuple[Float64[Array, "*batch 4"], Float64[Array, "*batch 3"]],
     changes: Vectors,
-) -> tuple[Float64[Array, "*batch 4"], Float64[Array, "*batch 3"]]:
+) -> tuple[Float64[Array, "*shape 4"], Float64[Array, "*shape 3"]]:
     """Return the changes of attitude (…, 4) and momentum (…, 3).
 
     I1 = I2 is one quantity: its change is the mean of the first two moments' changes.
@@ -120,12 +122,11 @@ def state_tangent(
         top: with entries of the batch shape.
         time: (…) since the epoch.
         state: attitude (…, 4) and momentum (…, 3) at the time.
-        changes: of moments (…, 3), mgl (…, 1), momentum (…, 3), attitude (…, 4) and time (…); the result is linear in
-            them.
+        changes: of moments (…, 3), mgl (…, 1), momentum (…, 3), attitude (…, 4) and time (…); with any axes
+            before; the result is linear in them.
     """
     xp = namespace(time, *changes)
-    *entries, attitude, momentum, time = first_order_only((*top, *state, time), "LagrangeMotion")
-    top = TangentData(*entries)
+    attitude, momentum = state
     G, a = top.G, top.L3
     start, change, (dG, da, dI1, dI3) = scaled_changes(xp, top, changes)
     course = _course(xp, top, time)
@@ -144,7 +145,7 @@ def state_tangent(
     return _assembled(xp, top, now, (moved, added), da, times, course.phases)
 
 
-def scaled_changes(xp: Any, top: TangentData, changes: Vectors) -> tuple[Vector, Vector, tuple[Number, ...]]:
+def scaled_changes(xp: Any, top: TangentData, changes: Vectors) -> tuple[Vector, Moved, tuple[Change, ...]]:
     """Return (α, β, w), its change, and those of G, a, I1 and I3, in the units of the reduction."""
     d_moments, d_mgl, d_momentum, d_attitude = changes[:4]
     sense = xp.where(top.reversed, -1.0, 1.0)
@@ -164,7 +165,7 @@ def scaled_changes(xp: Any, top: TangentData, changes: Vectors) -> tuple[Vector,
     return start, (dq[0] + 1j * dq[3], dq[1] + 1j * dq[2], dL1 + 1j * dL2), (dG, dL3, dI1, dI3)
 
 
-def changed_invariants(xp: Any, top: TangentData, start: Vector, change: Vector, dG: Number, da: Number) -> Invariants:
+def changed_invariants(xp: Any, top: TangentData, start: Vector, change: Moved, dG: Change, da: Change) -> Invariants:
     """Return the changes of ε = |w|² − G s, c = 2 Im β̄αw − a s, a and G."""
     alpha, beta, w = start
     d_alpha, d_beta, d_w = change
@@ -231,20 +232,20 @@ def _phases(
     return out[0], out[1]
 
 
-def _applied(columns: tuple[Array, ...], change: tuple[Array, ...]) -> Vector:
+def _applied(columns: tuple[Array, ...], change: tuple[Array, ...]) -> Moved:
     """Return Σ_k column k × change k of every output."""
     return _paired(tuple(sum(c[k, ...] * x for k, x in enumerate(change)) for c in columns))
 
 
-def _paired(parts: tuple[Array, ...]) -> Vector:
+def _paired(parts: tuple[Array, ...]) -> Moved:
     ar, ai, br, bi, wr, wi = parts
     return ar + 1j * ai, br + 1j * bi, wr + 1j * wi
 
 
 def _stood(
-    xp: Any, top: TangentData, course: _Course, values: tuple[Vector, Vector], changes: tuple[Vector, Vector],
+    xp: Any, top: TangentData, course: _Course, values: tuple[Vector, Vector], changes: tuple[Moved, Moved],
     by: Invariants,
-) -> Vector:  # fmt: skip
+) -> Moved:  # fmt: skip
     """Return the changes of a top that stands, from the epoch or the end of its climb on, α's phase ½aτ taken off."""
     permanent, hanging = top.permanent, top.hanging
     begin = xp.where(permanent, 0.0, course.rest)
@@ -276,7 +277,7 @@ def _spherical(xp: Any, top: TangentData, attitude: Array, momentum: Array) -> V
 
 
 def _assembled(
-    xp: Any, top: TangentData, now: Vector, changes: tuple[Vector, Vector], da: Array, times: Any,
+    xp: Any, top: TangentData, now: Vector, changes: tuple[Moved, Moved], da: Array, times: Any,
     phases: tuple[Array, Array],
 ) -> tuple[Array, Array]:  # fmt: skip
     """Return the changes of attitude and momentum on the given axes and in the given units.

@@ -1,0 +1,59 @@
+"""The seam between NumPy and JAX: the only folder of the closed-form half that may touch JAX, and only once a JAX
+array has come in."""
+
+from polhode.arrays.derivatives import (
+    custom_derivative,
+    derivative_columns,
+    first_order_only,
+    forward_columns,
+    register_node,
+    stop_gradient,
+)
+from polhode.arrays.elementwise import Elementwise, closed_forms
+from polhode.arrays.loops import (
+    barrier,
+    choose,
+    compiled,
+    iterate,
+    iterate_until,
+    split_halves,
+    stack_last,
+)
+from polhode.arrays.namespaces import (
+    as_float64,
+    in_jax_numpy,
+    is_foreign,
+    is_jax,
+    is_traced,
+    known_false,
+    known_numbers_only,
+    namespace,
+    refuse_single_precision,
+)
+
+__all__ = [
+    "Elementwise",
+    "as_float64",
+    "barrier",
+    "choose",
+    "closed_forms",
+    "compiled",
+    "custom_derivative",
+    "derivative_columns",
+    "first_order_only",
+    "forward_columns",
+    "in_jax_numpy",
+    "is_foreign",
+    "is_jax",
+    "is_traced",
+    "iterate",
+    "iterate_until",
+    "known_false",
+    "known_numbers_only",
+    "namespace",
+    "refuse_single_precision",
+    "register_node",
+    "split_halves",
+    "stack_last",
+    "stop_gradient",
+]

@@ -1,0 +1,254 @@
+"""Closed forms as single operations of JAX.
+
+XLA needs about a millisecond for each operation that it compiles, and a closed form has thousands. As one operation
+it is evaluated on the CPU by NumPy, at once and without compilation, within compiled functions by a call back to
+Python; on other devices it is compiled. Its derivative is a second operation that gives the Jacobian, so that forward
+and reverse mode are products with it.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import math
+from collections.abc import Callable, Iterator
+from contextvars import ContextVar
+from dataclasses import dataclass
+from functools import cache, partial
+from typing import Any
+
+import numpy as np
+
+from polhode.arrays.differences import differences
+from polhode.arrays.namespaces import is_jax
+from polhode.errors import InvalidInput, shown
+
+WAYS = ("host", "compiled")
+_where: ContextVar[str] = ContextVar("where", default="host")
+
+
+@contextlib.contextmanager
+def closed_forms(where: str) -> Iterator[None]:
+    """Choose how JAX evaluates closed forms on the CPU, in functions that are traced within this context.
+
+    ``"host"``, the default: by NumPy, called back from compiled functions. It compiles in a tenth of a second, and is
+    as fast as NumPy is. ``"compiled"``: by XLA, which takes seconds to compile, and is faster only where one function
+    is called very often with few bodies; such a function can be exported too. GPUs and TPUs always compile.
+
+    A function that has been traced keeps its choice.
+
+    Args:
+        where: "host" or "compiled".
+
+    Raises:
+        InvalidInput: for any other word.
+
+    >>> import jax, polhode as ph
+    >>> with ph.closed_forms("compiled"):
+    ...     momentum_at = jax.jit(ph.FreeMotion((1.0, 2.0, 3.0), jax.numpy.ones(3)).momentum).lower(5.0)
+    """
+    if where not in WAYS:
+        raise InvalidInput(f"`where` must be one of {', '.join(map(repr, WAYS))}; got {shown(where)}.")
+    before = _where.set(where)
+    try:
+        yield
+    finally:
+        _where.reset(before)
+
+
+@dataclass(frozen=True)
+class Elementwise:
+    """A function of arrays whose leading axes are batch axes, which broadcast.
+
+    Attributes:
+        name: of the public class, for messages.
+        values: arrays of any library → tuple of arrays.
+        inputs: trailing shape of each argument, () or (k,); the other axes are of the batch.
+        outputs: trailing shape and type of each value; only those that are float have derivatives.
+        jacobian: arrays → ``(values, columns)``, where ``columns`` (batch…, M, N) has the derivatives of all float
+            values, one after the other, by all arguments, one after the other; None where there is none.
+        positive: how many of the first arguments consist of positive numbers, each with a scale of its own.
+        order: of the derivatives that the Jacobian gives.
+    """
+
+    name: str
+    values: Callable[..., tuple[Any, ...]]
+    inputs: tuple[tuple[int, ...], ...]
+    outputs: tuple[tuple[tuple[int, ...], type], ...]
+    jacobian: Callable[..., tuple[tuple[Any, ...], Any]] | None = None
+    positive: int = 1
+    order: int = 1
+
+    def __call__(self, *arguments: Any) -> tuple[Any, ...]:
+        """Return the values, NumPy arrays for NumPy arrays and JAX arrays for JAX arrays."""
+        if not is_jax(*arguments):
+            return self.values(*arguments)
+        import jax.numpy as jnp
+
+        arrays = (jnp.asarray(a, float) for a in arguments)
+        return tuple(_primitive().bind(*arrays, function=self, compiled=_where.get() == "compiled"))
+
+    @property
+    def smooth(self) -> tuple[int, ...]:
+        """Which values have derivatives."""
+        return tuple(k for k, (_, kind) in enumerate(self.outputs) if kind is float)
+
+    @property
+    def differential(self) -> Elementwise:
+        """The function whose values are these and, last, the columns of the Jacobian."""
+        return _differential(self)
+
+    @property
+    def width(self) -> int:
+        """How many numbers the arguments are for one element of the batch."""
+        return sum(math.prod(shape) for shape in self.inputs)
+
+    def shapes(self, arguments: tuple[Any, ...]) -> list[tuple[tuple[int, ...], Any]]:
+        """Return shape and type of each value."""
+        batch = self.batch(arguments)
+        return [((*batch, *shape), np.dtype(kind)) for shape, kind in self.outputs]
+
+    def batch(self, arguments: tuple[Any, ...]) -> tuple[int, ...]:
+        """Return the common batch shape of arguments."""
+        shapes = (a.shape[: a.ndim - len(core)] for a, core in zip(arguments, self.inputs, strict=True))
+        return np.broadcast_shapes(*shapes)
+
+
+@cache
+def _differential(function: Elementwise) -> Elementwise:
+    jacobian = function.jacobian
+    assert jacobian is not None, "only functions with a Jacobian are differentiated"
+
+    def both(*arguments: Any) -> tuple[Any, ...]:
+        values, columns = jacobian(*arguments)
+        return (*values, columns)
+
+    columns = (sum(math.prod(function.outputs[k][0]) for k in function.smooth), function.width), float
+    again = partial(differences, function) if function.order == 1 else None
+    return Elementwise(function.name, both, function.inputs, (*function.outputs, columns), again, function.positive,
+                       function.order + 1)  # fmt: skip
+
+
+@cache
+def _primitive() -> Any:
+    """Return the operation, made when a JAX array first comes in."""
+    from jax.extend.core import Primitive
+    from jax.interpreters import ad, batching, mlir
+
+    made = Primitive("polhode_elementwise")
+    made.multiple_results = True
+    made.def_impl(_at_once)
+    made.def_abstract_eval(_abstract)
+    ad.primitive_jvps[made] = _jvp
+    batching.primitive_batchers[made] = _batched
+    in_line = mlir.lower_fun(lambda *args, function, compiled: function.values(*args), multiple_results=True)
+    mlir.register_lowering(made, in_line)
+    mlir.register_lowering(made, partial(_lowered_for_cpu, in_line), platform="cpu")
+    return made
+
+
+def _abstract(*args: Any, function: Elementwise, compiled: bool) -> list[Any]:
+    from jax.core import ShapedArray
+
+    return [ShapedArray(*shape) for shape in function.shapes(args)]
+
+
+def _on_host(function: Elementwise, *arguments: Any) -> tuple[np.ndarray, ...]:
+    arrays = tuple(np.asarray(a) for a in arguments)
+    values = function.values(*arrays)
+    return tuple(
+        np.array(np.broadcast_to(np.asarray(value, kind), shape), order="C", copy=None)
+        for value, (shape, kind) in zip(values, function.shapes(arrays), strict=True)
+    )
+
+
+def _at_once(*args: Any, function: Elementwise, compiled: bool) -> list[Any]:
+    import jax
+    import jax.numpy as jnp
+
+    if compiled or any(device.platform != "cpu" for x in args for device in x.devices()):
+        return jax.jit(partial(_primitive().bind, function=function, compiled=compiled))(*args)
+    return [jnp.asarray(x) for x in _on_host(function, *args)]
+
+
+def _lowered_for_cpu(in_line: Any, ctx: Any, *operands: Any, function: Elementwise, compiled: bool) -> Any:
+    import jax
+    from jax.core import ShapedArray
+    from jax.interpreters import mlir
+
+    if compiled:
+        return in_line(ctx, *operands, function=function, compiled=compiled)
+    # jax.pure_callback would put the operands on a device first, for which the pool may have no thread left
+    words = [ShapedArray((*x.shape, 2), np.uint32) for x in ctx.avals_out]
+    found, _, _ = mlir.emit_python_callback(
+        ctx.replace(avals_out=words), partial(_words_on_host, function), None, list(operands), ctx.avals_in, words,
+        has_side_effect=False, returns_token=False,
+    )  # fmt: skip
+    joined = mlir.lower_fun(
+        lambda *parts: [
+            jax.lax.bitcast_convert_type(x, aval.dtype) for x, aval in zip(parts, ctx.avals_out, strict=True)
+        ],
+        multiple_results=True,
+    )
+    return joined(ctx.replace(avals_in=words), *found)
+
+
+def _words_on_host(function: Elementwise, *arguments: Any) -> tuple[np.ndarray, ...]:
+    """Return the values as pairs of 32-bit words: JAX takes 64 bits from a callback only where its thread allows them,
+    which one of its own threads does not within a function that ``jax.enable_x64`` governs."""
+    found = _on_host(function, *arguments)
+    return tuple(np.ascontiguousarray(x[..., None]).view(np.uint32) for x in found)
+
+
+def _batched(args: Any, axes: Any, *, function: Elementwise, compiled: bool) -> tuple[Any, list[int]]:
+    import jax.numpy as jnp
+
+    given = list(zip(args, axes, function.inputs, strict=True))
+    rank = max(x.ndim - len(core) - (axis is not None) for x, axis, core in given)
+
+    def moved(x: Any, axis: Any, core: tuple[int, ...]) -> Any:
+        """Return x with the new axis before all batch axes, those of the others between."""
+        if axis is None:
+            return x
+        x = jnp.moveaxis(x, axis, 0)
+        missing = rank - (x.ndim - 1 - len(core))
+        return x.reshape(x.shape[0], *(1,) * missing, *x.shape[1:])
+
+    moved_args = (moved(*each) for each in given)
+    found = _primitive().bind(*moved_args, function=function, compiled=compiled)
+    return found, [0] * len(found)
+
+
+def _jvp(primals: Any, tangents: Any, *, function: Elementwise, compiled: bool) -> tuple[Any, Any]:
+    import jax.numpy as jnp
+    from jax.interpreters import ad
+
+    bind = partial(_primitive().bind, compiled=compiled)
+    if function.jacobian is None:
+        raise InvalidInput(
+            f"`{function.name}` has first and second derivatives only; take third ones by differences of the second."
+        )
+    *values, columns = bind(*primals, function=function.differential)
+    batch = function.batch(primals)
+    change: Any = None
+    start = 0
+    for dx, core in zip(tangents, function.inputs, strict=True):
+        size = math.prod(core)
+        if not isinstance(dx, ad.Zero):
+            dx = dx if core else dx[..., None]
+            part = jnp.sum(columns[..., start : start + size] * dx[..., None, :], axis=-1)
+            change = part if change is None else change + part
+        start += size
+    changes: list[Any] = [ad.Zero(_tangent_type(v)) for v in values]
+    row = 0
+    for k in function.smooth:
+        shape = function.outputs[k][0]
+        size = math.prod(shape)
+        changes[k] = change[..., row : row + size].reshape(*batch, *shape)
+        row += size
+    return values, changes
+
+
+def _tangent_type(value: Any) -> Any:
+    import jax
+
+    return jax.typeof(value).to_tangent_aval()

@@ -1,0 +1,190 @@
+"""Which library an array belongs to, and what is refused of it."""
+
+from __future__ import annotations
+
+import contextlib
+import functools
+import sys
+from collections.abc import Callable, Iterator
+from functools import cache
+from typing import Any, ParamSpec, TypeVar
+
+import numpy as np
+
+from polhode.errors import InvalidInput, PolhodeError, shown
+from polhode.types import Array, ArrayLike, Float64
+
+Parameters = ParamSpec("Parameters")
+Result = TypeVar("Result")
+
+
+@cache
+def _library(kind: type) -> str:
+    """Return which library an array type belongs to; numbers and lists count as NumPy's."""
+    if "jax" in sys.modules:
+        import jax
+        from jax.core import Tracer
+
+        if issubclass(kind, jax.Array | Tracer):
+            return "jax"
+    foreign = hasattr(kind, "__array_namespace__") and not issubclass(kind, np.ndarray | np.generic)
+    return "foreign" if foreign else "numpy"
+
+
+def is_jax(*values: Any) -> bool:
+    """Whether any of the values is a JAX array or tracer."""
+    return any(_library(type(value)) == "jax" for value in values)
+
+
+def is_foreign(*values: Any) -> bool:
+    """Whether any of the values is of a library that is neither NumPy nor JAX."""
+    return any(_library(type(value)) == "foreign" for value in values)
+
+
+def is_traced(*values: Any) -> bool:
+    """Whether any of the values is a JAX tracer, whose numbers cannot be looked at."""
+    if not is_jax(*values):
+        return False
+    from jax.core import Tracer
+
+    return any(isinstance(value, Tracer) for value in values)
+
+
+def known_false(condition: Any) -> bool:
+    """Whether a condition is known not to hold; what a traced function computes, of known arrays too, is not known."""
+    return not is_traced(condition) and not bool(condition)
+
+
+def namespace(*values: Any) -> Any:
+    """Return the array namespace shared by mixed inputs: JAX if any is JAX, NumPy for scalars and lists.
+
+    A tracer together with NumPy constants is the normal case of ``jax.grad``; everything is then lifted to JAX.
+    """
+    libraries = [_library(type(value)) for value in values]
+    if "jax" in libraries:
+        import jax.numpy
+
+        return jax.numpy
+    if "foreign" in libraries:
+        import array_api_compat
+
+        foreign = (value for value, library in zip(values, libraries, strict=True) if library == "foreign")
+        return array_api_compat.array_namespace(*foreign)
+    return np
+
+
+def refuse_single_precision(**named: Any) -> None:
+    """Refuse arrays, and nests of them, with fewer digits than float64: seven cannot carry a phase or an invariant.
+
+    JAX makes such arrays until 64 bits are switched on, which importing ``polhode.algebra`` does; those from before
+    stay as they are. Traced arrays are refused too, as their types are known.
+    """
+    for name, value in named.items():
+        if isinstance(value, list | tuple):
+            for part in value:
+                refuse_single_precision(**{name: part})
+            continue
+        dtype = str(getattr(value, "dtype", ""))
+        if dtype in ("float16", "bfloat16", "float32", "complex64") or dtype.startswith("float8"):
+            raise InvalidInput(f"`{name}` must be float64; got {dtype}. {_remedy(is_jax(value))}")
+
+
+def _remedy(jax_array: bool) -> str:
+    if not jax_array:
+        return "Convert it with astype(float) if seven digits are all there is to know."
+    return (
+        "Call jax.config.update('jax_enable_x64', True) before the first JAX array is made; one made before has lost "
+        "digits and must be made again."
+    )
+
+
+def as_float64(xp: Any, value: ArrayLike, name: str) -> Float64[Array, "..."]:
+    """Return ``value`` as a float64 array of the namespace.
+
+    Raises:
+        InvalidInput: if it is a float32 or complex array, or not numeric at all. Single precision cannot carry
+            phases, so it is refused instead of silently widened.
+    """
+    refuse_single_precision(**{name: value})
+    if "complex" in str(getattr(value, "dtype", "")):
+        raise InvalidInput(f"`{name}` must be real; got {value.dtype}. Take its real part if that is meant.")
+    try:
+        native = _library(type(value)) != "numpy"
+        kind = "f" if native else np.asarray(value).dtype.kind
+        if kind in "SUMm" or (kind == "O" and any(x is None for x in np.asarray(value).flat)):
+            raise TypeError("text, dates and None are not numbers")
+        if "jax" in str(getattr(xp, "__name__", "")):
+            _refuse_disabled_double_precision(name)
+        return xp.asarray(value if native else np.asarray(value, dtype=np.float64), dtype=xp.float64)
+    except InvalidInput:
+        raise
+    except (TypeError, ValueError, OverflowError) as error:
+        raise InvalidInput(f"`{name}` must be an array of numbers; got {shown(value)} ({error}).") from None
+
+
+def _refuse_disabled_double_precision(name: str) -> None:
+    """Refuse what JAX would turn to float32, be it whole numbers or NumPy's float64 together with JAX arrays."""
+    import jax
+
+    if not jax.config.jax_enable_x64:  # pyright: ignore[reportAttributeAccessIssue]
+        raise InvalidInput(
+            f"`{name}` would become float32: it goes together with an array of JAX, whose float64 is switched off. "
+            f"{_remedy(True)}"
+        )
+
+
+def known_numbers_only(function: Callable[Parameters, Result]) -> Callable[Parameters, Result]:
+    """Have a function that decides on numbers refuse traced ones; known ones are good within a traced function too.
+
+    There JAX would trace whatever is computed from them, so they are computed with at once.
+    """
+    name = function.__qualname__.removesuffix(".__init__")
+
+    @functools.wraps(function)
+    def checked(*args: Parameters.args, **kwargs: Parameters.kwargs) -> Result:
+        if "jax" not in sys.modules:
+            return function(*args, **kwargs)
+        import jax
+        import jax.numpy as jnp
+
+        refusal = InvalidInput(
+            f"the arguments of `{name}` must be known numbers, not traced by JAX: it decides on them. Call it outside "
+            "of jit, vmap and derivatives, and put traced numbers into what it returns."
+        )
+        if is_traced(*jax.tree.leaves((args, kwargs))):
+            raise refusal
+        if not is_traced(jnp.zeros(())):
+            with in_jax_numpy(f"functions and systems given to `{name}`"):
+                return function(*args, **kwargs)
+        try:
+            with jax.ensure_compile_time_eval():
+                return function(*args, **kwargs)
+        except PolhodeError:
+            raise
+        except (TypeError, RuntimeError) as error:  # JAX's and Equinox's, where something within is traced
+            raise refusal from error
+
+    return checked
+
+
+@contextlib.contextmanager
+def in_jax_numpy(what: str) -> Iterator[None]:
+    """Word JAX's errors about what cannot be traced, such as a user's function that calls NumPy.
+
+    Args:
+        what: subject of the message, in the plural.
+
+    Raises:
+        InvalidInput: in their place.
+    """
+    try:
+        yield
+    except TypeError as error:
+        import jax
+
+        if not isinstance(error, jax.errors.JAXTypeError):
+            raise
+        raise InvalidInput(
+            f"{what} must be written with jax.numpy, as JAX compiles and differentiates them: no NumPy, `float` or "
+            "`if` on what depends on the state or the time. Write jnp.sum for np.sum, and jnp.where for `if`."
+        ) from error
