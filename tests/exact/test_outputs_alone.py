@@ -23,6 +23,7 @@ LEFT_OUT = {
     "quantities": "units and names",
     "from_body": "takes a body, whose numbers are known",
     "along_principal_axes": "gives a motion, whose methods are tested",
+    "cycle": "seconds to look at, of one known motion",
     "sample": "a trajectory for files and pictures, made of state",
 }
 EVALUATIONS = {"state", "attitude", "momentum", "angular_velocity", "rotation_matrix"}

@@ -202,7 +202,7 @@ def test_words_that_are_none(tmp_path):
     sampled = MOTION.sample(TIMES)
     right: dict[str, Any] = {"trajectory": sampled, "name": None, "summary": "", "notes": []}
     wrongs = {"`name` must be text": {"name": 5}, "`summary` must": {"summary": None}, "`notes` must": {"notes": "x"},
-              "shows a Trajectory; got int": {"trajectory": 5}}  # fmt: skip
+              "shows an exact motion, a trajectory or a spec; got int": {"trajectory": 5}}  # fmt: skip
     for words, wrong in wrongs.items():
         with pytest.raises(InvalidInput, match=words):
             check_given(**right | wrong)
@@ -275,3 +275,16 @@ def test_a_moon_has_a_twin_and_a_section(tmp_path):
     (section,) = data["scatters"]
     x, y = array(section["x"]), array(section["y"])
     assert y[:11] == pytest.approx(moved.part("rate")[::10] / 2.0, abs=1e-4) and x[0] == pytest.approx(np.degrees(0.3))
+
+
+def test_an_exact_motion_and_a_spec_are_shown_as_they_are(tmp_path):
+    assert data_of(write_page(MOTION, tmp_path / "motion.html"))["model"]["momentum"] == [0.3, 1.8, 1.5]
+    top = ph.LagrangeMotion((1.0, 1.0, 0.5), 1.0, (0.0, 0.0, 2.5), (0.8, 0.6, 0.0, 0.0))
+    assert data_of(write_page(top, tmp_path / "top.html"))["model"]["mgl"] == 1.0
+    spec = read_spec(EXAMPLES / "t_handle.toml")
+    shown = data_of(write_page(spec, tmp_path / "spec.html"))
+    assert shown["name"] == spec.name and shown["summary"]
+    with pytest.raises(InvalidInput, match="a spec has its own"):
+        write_page(spec, tmp_path / "twice.html", summary="mine")
+    with pytest.raises(InvalidInput, match=r"`times` must be given for a batch of bodies, here of shape \(2,\)"):
+        write_page(ph.FreeMotion((1.0, 2.0, 3.0), np.ones((2, 3))), tmp_path / "batch.html")

@@ -8,7 +8,6 @@ from polhode.errors import InvalidInput
 from polhode.errors import shown as in_words
 from polhode.exact.free_body import FreeMotion
 from polhode.formats.given_axes import along_principal_axes
-from polhode.motion.inputs import finite
 from polhode.motion.trajectory import Trajectory
 
 COUNT, SAMPLES = 3, 1000  # periods of a motion that is drawn, and samples of them
@@ -41,6 +40,4 @@ def free_motion_of(shown: Trajectory | FreeMotion) -> tuple[FreeMotion, Trajecto
 def _sampled(motion: FreeMotion) -> Trajectory:
     if motion.batch_shape:
         raise InvalidInput(f"the figure is of one body; got a batch of shape {motion.batch_shape}. Take one of it.")
-    fastest = float(np.max(np.abs(np.asarray(motion.momentum_at_epoch)))) / float(np.min(np.asarray(motion.moments)))
-    span = finite(motion.period) or (2.0 * np.pi / fastest if fastest else 1.0)
-    return motion.sample(float(motion.epoch) + np.linspace(0.0, COUNT * span, SAMPLES))
+    return motion.sample(float(motion.epoch) + np.linspace(0.0, COUNT * motion.cycle, SAMPLES))

@@ -13,7 +13,6 @@ from polhode.errors import InvalidInput
 from polhode.errors import shown as in_words
 from polhode.exact.lagrange_top import LagrangeMotion
 from polhode.formats.given_axes import along_principal_axes
-from polhode.motion.inputs import finite
 from polhode.motion.trajectory import Trajectory
 from polhode.systems.heavy_top import HeavyTop
 from polhode.types import Array, Float64
@@ -80,11 +79,7 @@ def top_shown(shown: LagrangeMotion | Trajectory) -> TopShown:
 def _sampled(motion: LagrangeMotion) -> Trajectory:
     if motion.batch_shape:
         raise InvalidInput(f"the figure is of one top; got a batch of shape {motion.batch_shape}. Take one of it.")
-    moments, momentum = np.asarray(motion.moments), np.asarray(motion.momentum_at_epoch)
-    fastest = float(np.max(np.abs(momentum))) / float(np.min(moments))
-    swing = 2.0 * np.pi * np.sqrt(float(moments[0]) / abs(float(motion.mgl))) if float(motion.mgl) else None
-    span = finite(motion.nutation_period) or swing or (2.0 * np.pi / fastest if fastest else 1.0)
-    return motion.sample(float(motion.epoch) + np.linspace(0.0, PERIODS * span, SAMPLES))
+    return motion.sample(float(motion.epoch) + np.linspace(0.0, PERIODS * motion.cycle, SAMPLES))
 
 
 class Followed(NamedTuple):

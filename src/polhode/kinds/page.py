@@ -6,8 +6,11 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from polhode.bodies.surface import Surface
+from polhode.errors import InvalidInput
 from polhode.formats.paths import written_whole
+from polhode.kinds.base import Spec
 from polhode.kinds.registry import find_kind, kind_of_source
+from polhode.motion.base import AbstractMotion
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.base import AbstractReport
 from polhode.viewer.encoding import with_powers
@@ -17,7 +20,7 @@ from polhode.viewer.samples import Samples
 
 
 def write_page(
-    trajectory: Trajectory,
+    moved: AbstractMotion | Trajectory | Spec,
     path: str | Path,
     *,
     name: str | None = None,
@@ -28,7 +31,7 @@ def write_page(
     """Write a motion as one HTML file that opens from disk; the file appears whole or not at all.
 
     Args:
-        trajectory: of one body.
+        moved: an exact motion or a trajectory of one body, or a spec, whose page says what its report says.
         path: the file; its folder must exist.
         name: heading of the page; the object's or the system's name if left out.
         summary: a sentence below it.
@@ -42,15 +45,11 @@ def write_page(
     >>> import polhode as ph, tempfile, pathlib
     >>> motion = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5))
     >>> with tempfile.TemporaryDirectory() as folder:
-    ...     path = write_page(motion.sample([0.0, 1.0, 2.0]), pathlib.Path(folder) / "motion.html", name="a body")
+    ...     path = write_page(motion, pathlib.Path(folder) / "motion.html", name="a body")
     ...     path.stat().st_size < 1_500_000
     True
     """
-    path = Path(path)
-    page = page_of(
-        trajectory, name=name, summary=summary, surface=surface, notes=notes, content=_content
-    )
-    return write_text_of(page, path)
+    return write_text_of(_page(moved, name, summary, surface, notes), Path(path))
 
 
 def write_text_of(page: Page, path: Path) -> Path:
@@ -61,19 +60,41 @@ def write_text_of(page: Page, path: Path) -> Path:
 
 
 def show(
-    trajectory: Trajectory,
+    moved: AbstractMotion | Trajectory | Spec,
     *,
     name: str | None = None,
     summary: str = "",
     surface: Surface | None = None,
     notes: Sequence[str] = (),
-    height: int = 600,
+    height: int = 760,
 ) -> NotebookPage:
-    """Return a motion's page for a notebook to show; arguments as of ``write_page``, height [pixels]."""
-    page = page_of(
-        trajectory, name=name, summary=summary, surface=surface, notes=notes, content=_content
-    )
-    return NotebookPage(page.text, height)
+    """Return a motion's page for a notebook to show, as the last line of a cell.
+
+    Args:
+        moved: an exact motion or a trajectory of one body, or a spec, whose page says what its report says.
+        name: heading of the page; the object's or the system's name if left out.
+        summary: a sentence below it.
+        surface: what the body looks like, in the given axes; without it, a shape with the same inertia is drawn.
+        notes: more lines below.
+        height: of the frame [pixels].
+
+    Raises:
+        InvalidInput: as ``write_page`` does.
+    """
+    return NotebookPage(_page(moved, name, summary, surface, notes).text, height)
+
+
+def _page(
+    moved: AbstractMotion | Trajectory | Spec, name: str | None, summary: str, surface: Surface | None,
+    notes: Sequence[str],
+) -> Page:  # fmt: skip
+    if isinstance(moved, Spec):
+        if summary or notes:
+            raise InvalidInput("`summary` and `notes` are what a report says, and a spec has its own. Leave them out.")
+        return page_of_answers(moved.report(), name or moved.name, moved.surface if surface is None else surface)
+    if isinstance(moved, AbstractMotion):
+        moved = moved.sample()
+    return page_of(moved, name=name, summary=summary, surface=surface, notes=notes, content=_content)
 
 
 def page_of_report(report: AbstractReport, path: str | Path, *, name: str, surface: Surface | None = None) -> Path:

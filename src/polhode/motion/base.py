@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import abc
+import math
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
@@ -10,6 +11,7 @@ import numpy as np
 
 from polhode import rotation
 from polhode.arrays import as_float64, namespace, register_node
+from polhode.errors import InvalidInput
 from polhode.motion.inputs import (
     by_attributes,
     checked,
@@ -29,6 +31,7 @@ from polhode.types import Array, ArrayLike, Float64, Real
 if TYPE_CHECKING:
     from polhode.motion.trajectory import Trajectory
 
+CYCLES, SAMPLES = 10, 2000  # of a motion without times
 Motion = TypeVar("Motion", bound="AbstractMotion")
 
 
@@ -130,6 +133,15 @@ class AbstractMotion(Plotted, abc.ABC):
 
     @property
     @abc.abstractmethod
+    def cycle(self) -> float:
+        """One period of one body's motion [s]; a swing or a turn where it has none, a tenth of a second at rest."""
+
+    def _turn(self) -> float:
+        velocity = float(np.linalg.norm(np.asarray(self._principal[0]) / np.asarray(self.moments)))
+        return 2.0 * math.pi / velocity if velocity else 0.1
+
+    @property
+    @abc.abstractmethod
     def quantities(self) -> dict[str, Quantity]:
         """Unit and meaning of what the motion conserves, by name."""
 
@@ -180,14 +192,23 @@ class AbstractMotion(Plotted, abc.ABC):
         """Return the rotation matrix (…, 3, 3), body → space."""
         return rotation.as_matrix(self.state(t)[0])
 
-    def sample(self, times: Real[ArrayLike, "time"]) -> Trajectory:
+    def sample(self, times: Real[ArrayLike, "time"] | None = None) -> Trajectory:
         """Return the motion at times (T,) [s] as a trajectory, with what its invariants drift by.
 
+        Without times, of one body: 2000 samples of ten cycles from the epoch on, as of a spec without ``[time]``.
+
         Raises:
-            InvalidInput: for times that are not finite, not one-dimensional, or none.
+            InvalidInput: for times that are not finite, not one-dimensional, or none, and without times for a batch.
         """
         from polhode.motion.trajectory import Trajectory  # a trajectory knows what an exact motion is
 
+        if times is None:
+            if self.batch_shape:
+                raise InvalidInput(
+                    f"`times` must be given for a batch of bodies, here of shape {self.batch_shape}: each has its own "
+                    "periods."
+                )
+            times = float(self.epoch) + np.linspace(0.0, CYCLES * self.cycle, SAMPLES)
         xp = namespace(times, self.moments)
         times = checked_sample_times(xp, times)
         motion = self._with_time_axis()

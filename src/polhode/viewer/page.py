@@ -24,7 +24,7 @@ from polhode.viewer.samples import Samples, samples_of
 SOLVED = ("FreeMotion", "LagrangeMotion")  # what the page solves itself, by reference/polhode.js
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class NotebookPage:
     """A page inside a frame of its own, as notebooks show it.
 
@@ -35,6 +35,12 @@ class NotebookPage:
 
     page: str
     height: int
+
+    def __repr__(self) -> str:
+        """Say what a notebook shows that is not trusted, or a console."""
+        return (
+            "<a page of polhode: notebooks show it once they are trusted; elsewhere `write_page` makes a file of it>"
+        )
 
     def _repr_html_(self) -> str:
         return (
@@ -120,7 +126,8 @@ def check_given(trajectory: Any, name: Any, summary: Any, notes: Any) -> None:
     """Raise InvalidInput for what is not a trajectory or not text."""
     if not isinstance(trajectory, Trajectory):
         raise InvalidInput(
-            f"the page shows a Trajectory; got {type(trajectory).__name__}. Give it what `sample` or `solve` returns."
+            f"the page shows an exact motion, a trajectory or a spec; got {type(trajectory).__name__}. Give it a "
+            "FreeMotion, or what `simulate` or `read_spec` returns."
         )
     if name is not None and not isinstance(name, str):
         raise InvalidInput(f"`name` must be text; got {shown(name)}. Put it in quotes.")

@@ -13,7 +13,7 @@ from polhode.arrays import is_traced, namespace
 from polhode.bodies.body import Body, check_is_body
 from polhode.exact.free_body import evaluation, geometry
 from polhode.motion.base import AbstractMotion
-from polhode.motion.inputs import cached_unless_traced, named_code, plain_answer, spin_of
+from polhode.motion.inputs import cached_unless_traced, finite, named_code, plain_answer, spin_of
 from polhode.motion.invariants import drift, norm
 from polhode.motion.layout import ENERGY, MOMENTUM_NORM, MOMENTUM_SPACE, Quantity
 from polhode.types import Array, ArrayLike, Float64, Real
@@ -131,6 +131,10 @@ class FreeMotion(AbstractMotion):
         return values, {name: drift(xp, value, name == "momentum_space") for name, value in values.items()}
 
     # ------------------------------------------------------------------ meaning
+
+    @property
+    def cycle(self) -> float:
+        return finite(self.period) or self._turn()
 
     @cached_unless_traced
     def _numbers(self) -> geometry.Characteristics:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
@@ -18,6 +19,7 @@ from polhode.motion.base import AbstractMotion
 from polhode.motion.inputs import (
     cached_unless_traced,
     common_shape,
+    finite,
     named_code,
     plain_answer,
     refuse_not_finite,
@@ -149,6 +151,12 @@ class LagrangeMotion(AbstractMotion):
     def _fastest(self, xp: Any) -> Array:
         spin = xp.max(xp.abs(self._principal[0] / self.moments), axis=-1)
         return spin + xp.sqrt(xp.abs(self.mgl) / self.moments[..., 0])
+
+    @property
+    def cycle(self) -> float:
+        swings = self.mgl != 0
+        swing = 2.0 * math.pi * float(self.moments[0] / abs(self.mgl)) ** 0.5 if swings else None
+        return finite(self.nutation_period) or swing or self._turn()
 
     @property
     def quantities(self) -> dict[str, Quantity]:

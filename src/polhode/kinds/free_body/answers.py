@@ -194,11 +194,8 @@ def free_body_report(
             f"the spin must give an energy and |L| within 1e±200, or none; its momentum is "
             f"{np.asarray(momentum).tolist()} kg m²/s. Check the rate and its unit."
         )
-    velocity = float(np.linalg.norm(motion.momentum_at_epoch / motion.moments))
-    turn = 2.0 * math.pi / velocity if velocity else None
     if times is None:
-        span = finite(motion.period) or turn or 0.1
-        times = np.linspace(0.0, PERIODS * span, samples)
+        times = np.linspace(0.0, PERIODS * motion.cycle, samples)
     return FreeBodyReport(
         body=body,
         motion=motion,
