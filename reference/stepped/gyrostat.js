@@ -69,10 +69,11 @@ export class Gyrostat {
     const velocity = carried.map((x, k) => x / this.moments[k]);
     const energy = 0.5 * dot(carried, velocity);
     const invariants = { energy, ...keptWithoutTorque(attitude, momentum) };
-    return { attitude, momentum, velocity, energy, invariants, rotorRate: this._rotorRate(velocity) };
+    return { attitude, momentum, velocity, energy, invariants, rotorRate: this.rotorRate(velocity) };
   }
 
-  _rotorRate(velocity) {
+  /** Return how fast the rotor turns relative to the body [rad/s] while the body turns by Ω; null where it is not known. */
+  rotorRate(velocity) {
     if (this.rotorMoment === null || !this.axis) return null;
     return dot(this.rotor, this.axis) / this.rotorMoment - (this.free ? dot(velocity, this.axis) : 0);
   }

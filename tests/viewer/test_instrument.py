@@ -286,6 +286,51 @@ def test_the_spec_of_a_top_gives_the_same_motion(toy, opened, tmp_path):
     assert "stands upright" in page.tab.locator("#facts").text_content() and not page.complaints
 
 
+@pytest.mark.parametrize("drive", ["constant-rate", "free"])
+def test_a_rotor_is_seen_turning_and_set_by_its_speed(drive, opened, tmp_path):
+    """Its angle is the integral of its rate against the body; the spec that is copied gives the same motion again."""
+    spec = tmp_path / "rotor.toml"
+    spec.write_text(
+        '[body]\nmoments = ["2 kg*m^2", "3 kg*m^2", "4 kg*m^2"]\n[system]\nkind = "gyrostat"\nrotor_axis = [0, 0, 1]\n'
+        f'rotor_moment = "0.5 kg*m^2"\nrotor_rate = "60 rpm"\nrotor_drive = "{drive}"\n'
+        '[spin]\nangular_velocity = ["1 rad/s", "0.2 rad/s", "0.5 rad/s"]\n[time]\nuntil = "8 s"\n'
+    )
+    page = opened(write_page(read_spec(spec), tmp_path / "rotor.html"))
+    assert "60.00 rpm against the body" in page.tab.locator("body").text_content()
+    page.tab.evaluate("window.polhode.set({system: {rotor_rate: 3}})")
+    again = tmp_path / "again.toml"
+    again.write_text(page.tab.evaluate("window.polhode.spec()"))
+    system = read_spec(again).system
+    assert (system.rotor_rate, system.rotor_moment, system.rotor_drive) == (pytest.approx(3.0, rel=1e-14), 0.5, drive)
+    found = read_spec(again).report()
+    assert miss_of(found.trajectory, page) < STEPPED_SAME
+    page.seek(0)
+    first = page.measure("body")["rotor"]
+    page.seek(30)
+    second, time = page.measure("body")["rotor"], page.times()[30]
+    rates = np.interp(np.linspace(0.0, time, 400), found.trajectory.times, found.rotor_rate)
+    turned = 0.5 * np.trapezoid(rates, np.linspace(0.0, time, 400))
+    ratio = rotation_between(first[:4], second[:4])
+    assert abs(np.cos(turned)) == pytest.approx(ratio, abs=1e-4) and abs(np.sin(turned)) > 1e-2
+    assert second[4] == pytest.approx(rates[-1], abs=1e-3)
+    page.tab.evaluate("window.polhode.set({system: {rotor_rate: 0}})")
+    assert not page.complaints
+
+
+def rotation_between(one, two):
+    """Cosine of half the angle between two quaternions of unit length."""
+    return abs(float(np.dot(one, two)))
+
+
+def miss_of(trajectory, page):
+    """How far the page's states are from the samples, at three of them."""
+    rows = [0, len(trajectory) // 3, len(trajectory) // 2]
+    found = drawn(page, [float(trajectory.times[k]) for k in rows])
+    wanted = trajectory.attitude[rows], trajectory.momentum[rows]
+    sign = np.sign(np.sum(np.asarray(found[0]) * wanted[0], axis=1, keepdims=True))
+    return max(np.abs(sign * found[0] - wanted[0]).max(), np.abs(found[1] - wanted[1]).max())
+
+
 STEPPED = {
     "heavy-top": lambda moments, system: ph.systems.HeavyTop(moments, system["mgl"], system["axis"]),
     "gyrostat": lambda moments, system: ph.systems.Gyrostat(

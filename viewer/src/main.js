@@ -184,6 +184,7 @@ class Page {
   async copySpec() {
     const text = this.instrument.toml(this.motion.span);
     const place = element("copied");
+    if (text === null) return this.instrument.say("No spec says this: the rotor's moment must be known, and a free rotor's axis be a principal one.");
     place.value = text;
     place.hidden = false;
     try {

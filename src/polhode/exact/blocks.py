@@ -82,7 +82,7 @@ def _constant_run(batch: tuple[int, ...], shape: tuple[int, ...]) -> int:
     return max(run, 1)
 
 
-def units(xp: Any, shape: tuple[int, ...], sizes: tuple[int, ...]) -> list[Array]:
+def units(xp: Any, shape: tuple[int, ...], sizes: tuple[int, ...]) -> list[Float64[Array, "count ..."]]:
     """Return unit changes of vectors of these sizes: one after the other along a new first axis, (N, …, size) each."""
     whole = xp.eye(sum(sizes), dtype=xp.float64)
     starts = [sum(sizes[:k]) for k in range(len(sizes))]
@@ -91,7 +91,9 @@ def units(xp: Any, shape: tuple[int, ...], sizes: tuple[int, ...]) -> list[Array
             for part in parts]  # fmt: skip
 
 
-def in_blocks(columns: Callable[..., Array], arguments: Columns, cores: tuple[int, ...]) -> Array:
+def in_blocks(
+    columns: Callable[..., Array], arguments: Columns, cores: tuple[int, ...]
+) -> Float64[Array, "*batch values inputs"]:
     """Return columns (batch…, M, N) of arguments that broadcast, of which NumPy takes a block at a time.
 
     Args:

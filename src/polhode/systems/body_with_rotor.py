@@ -27,6 +27,8 @@ class RotorInBody(NamedTuple):
         velocity: (3,) Ω [rad/s].
         total: (3,) L of body and rotor [kg m²/s].
         attitude: (4,) unit quaternion, these axes → space.
+        rotor_moment: J of the rotor about its axis [kg m²].
+        free: whether nothing turns it.
     """
 
     moments: Float64[Array, "3"]
@@ -36,6 +38,8 @@ class RotorInBody(NamedTuple):
     velocity: Float64[Array, "3"]
     total: Float64[Array, "3"]
     attitude: Float64[Array, "4"]
+    rotor_moment: float
+    free: bool
 
     @property
     def rotor(self) -> Float64[Array, "3"]:
@@ -45,7 +49,7 @@ class RotorInBody(NamedTuple):
     @property
     def gyrostat(self) -> Gyrostat:
         """What moves while nothing turns the rotor, or it is held at its rate."""
-        return Gyrostat(self.moments, self.rotor)
+        return Gyrostat(self.moments, self.rotor, self.rotor_moment, self.free)
 
     @property
     def fastest_rate(self) -> float:
@@ -102,7 +106,8 @@ def rotor_in_body(
     along, velocity = cleaned(axes.T @ axis), axes.T @ np.asarray(angular_velocity, dtype=float)
     turned = rotation.multiply(np.asarray(attitude, dtype=float), rotation.from_matrix(axes))
     momentum = rotor_moment * (rotor_rate + (float(along @ velocity) if free else 0.0))
-    return RotorInBody(moments, axes, along, momentum, velocity, moments * velocity + momentum * along, turned)
+    return RotorInBody(moments, axes, along, momentum, velocity, moments * velocity + momentum * along, turned,
+                       float(rotor_moment), free)  # fmt: skip
 
 
 @known_numbers_only

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from typing import ClassVar
 
+import equinox as eqx
 import jax.numpy as jnp
 
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.so3 import SO3
 from polhode.arrays import known_numbers_only
+from polhode.errors import InvalidInput
 from polhode.systems.base import AbstractLiePoissonSystem, Flow
 from polhode.systems.free_rigid_body import axis_flow, checked_moments, checked_vector
 from polhode.systems.kepler_orbit import checked_number
@@ -30,6 +32,8 @@ class Gyrostat(AbstractLiePoissonSystem):
     Args:
         moments: (3,) principal moments I [kg m²], positive.
         rotor: (3,) h [kg m²/s, principal axes].
+        rotor_moment: J of the rotor about its axis [kg m²]; the motion does not depend on it, only ``rotor_rate`` does.
+        free: whether the rotor turns freely, so that h is its whole momentum.
 
     Raises:
         InvalidInput: for moments that are not positive, or a rotor that is not three finite numbers.
@@ -41,16 +45,39 @@ class Gyrostat(AbstractLiePoissonSystem):
     algebra: AbstractLieAlgebra
     moments: Float64[Array, "3"]
     rotor: Float64[Array, "3"]
+    rotor_moment: float | None = eqx.field(static=True)
+    free: bool = eqx.field(static=True)
 
     @known_numbers_only
-    def __init__(self, moments: Real[ArrayLike, "3"], rotor: Real[ArrayLike, "3"]) -> None:
+    def __init__(
+        self, moments: Real[ArrayLike, "3"], rotor: Real[ArrayLike, "3"], rotor_moment: float | None = None,
+        free: bool = False,
+    ) -> None:  # fmt: skip
         self.algebra, self.moments, self.rotor = SO3(), checked_moments(moments), checked_vector("rotor", rotor)
+        if rotor_moment is not None:
+            rotor_moment = float(checked_number("rotor_moment", rotor_moment, above=0.0, unit="kg m²"))
+        self.rotor_moment, self.free = rotor_moment, free
 
     def energy(self, point: Float64[Array, "*batch 3"]) -> Float64[Array, "*batch"]:
         return 0.5 * jnp.sum((point - self.rotor) ** 2 / self.moments, axis=-1)
 
     def velocity(self, point: Float64[Array, "*batch 3"]) -> Float64[Array, "*batch 3"]:
         return (point - self.rotor) / self.moments
+
+    def rotor_rate(self, velocity: Float64[Array, "*batch 3"]) -> Float64[Array, "*batch"]:
+        """Return how fast the rotor turns relative to the body (…) [rad/s], about h, while the body turns by Ω.
+
+        Args:
+            velocity: (…, 3) Ω [rad/s, principal axes].
+
+        Raises:
+            InvalidInput: without the rotor's moment.
+        """
+        if self.rotor_moment is None:
+            raise InvalidInput("`rotor_moment` of the gyrostat must be given to tell how fast its rotor turns.")
+        size = jnp.sqrt(jnp.sum(self.rotor**2))
+        along = velocity @ (self.rotor / jnp.where(size > 0.0, size, 1.0))
+        return size / self.rotor_moment - (along if self.free else 0.0 * along)
 
     @property
     def flows(self) -> dict[str, Flow]:

@@ -1,13 +1,16 @@
 // The body itself, turning in space, with L, Ω and the trace of one of its axes.
 import { Group, Vector3 } from "three";
 import { unpacked } from "../motion.js";
+import { worded } from "../numbers.js";
 import { arrow, box, circle, drawPieces, ellipsoid, floor, line, specks, surface } from "../shapes.js";
+import { rotorOf } from "../rotor.js";
 import { newPanel } from "../stage.js";
 
 const REACH = 1.32; // how far axes and trace stand off from a body of size one
 const HEIGHTS = { ground: 0, post: -REACH, hook: REACH }; // of the plane that holds the pivot
 const LOW = 0.4; // height of the axis below which a top would dip into the ground
 const LONGEST = 1.5; // of L and of the largest Ω
+const GLASS = 0.35; // opacity of a body with a rotor inside
 const FINE = 0.06; // rad between points of the trace
 
 export function bodyPanel(motion, given, theme) {
@@ -20,6 +23,11 @@ export function bodyPanel(motion, given, theme) {
   panel.scene.add(space);
   const body = shapeOf(motion, data, theme);
   space.add(body);
+  const rotor = data.rotor ? rotorOf(motion, data.rotor, theme) : null;
+  if (rotor) {
+    seeThrough(body);
+    body.add(rotor.object);
+  }
   const tips = [0, 1, 2].map((k) => {
     const tip = new Vector3().setComponent(k, REACH);
     body.add(line([0, 0, 0, ...tip.toArray()], theme.axes[k], k === data.traced && !data.along ? 2.5 : 1.5));
@@ -43,11 +51,13 @@ export function bodyPanel(motion, given, theme) {
     { color, text: data.along ? "trace of the axis through the centre of mass" : `trace of axis ${data.traced + 1}` },
     ...(arrows.L ? [{ color: theme.momentum, text: "L" }] : []),
     ...(arrows["Ω"] ? [{ color: theme.velocity, text: "Ω" }] : []),
+    ...(rotor ? [{ color: theme.rotor, text: `rotor${turning(rotor.rate({ position: 0 }))}` }] : []),
   ];
   panel.update = (now) => {
     state = now;
     body.quaternion.copy(now.attitude);
     trace.show(now.position);
+    rotor?.turn(now);
     point(arrows.L, now.momentum, now.attitude, largest(motion.momenta));
     point(arrows["Ω"], now.velocity, now.attitude, motion.fastest);
   };
@@ -72,9 +82,25 @@ export function bodyPanel(motion, given, theme) {
       axisTip: end.clone().applyMatrix4(body.matrixWorld).toArray(),
       trace: [...trace.points].slice(0, 3 * (trace.shown + 1)),
       momentumTip: arrows.L?.userData.tip?.toArray() ?? null,
+      rotor: rotor ? [...rotor.object.children[0].quaternion.toArray(), rotor.rate(state)] : null,
     };
   };
   return panel;
+}
+
+/** Let what is inside of the body be seen through it. */
+function seeThrough(body) {
+  body.traverse((found) => {
+    if (!found.isMesh) return;
+    Object.assign(found.material, { transparent: true, opacity: GLASS, depthWrite: false });
+    found.renderOrder = 1; // after the rotor
+  });
+}
+
+/** Return how fast a rotor turns at first, in words. */
+function turning(rate) {
+  if (rate === null) return ", drawn at rest: its moment is not given";
+  return `, ${worded((rate * 30) / Math.PI, 4)} rpm against the body`;
 }
 
 /** Return what holds the pivot of a motion set on the page: what holds it as given, if the body stays clear of the ground. */

@@ -2,7 +2,7 @@
 import { FreeMotion } from "../../../reference/polhode.js";
 import { clock, exact, worded } from "../numbers.js";
 import { ascending } from "../polhodes.js";
-import { angles, momentControls, momentumOf, nearestAxis, SPIN_KEYS, spinControls, turned, withTables } from "./turning.js";
+import { angles, momentControls, momentumOf, nearestAxis, SPIN_KEYS, spinControls, tomlList, turned, withTables } from "./turning.js";
 
 const DEGREE = Math.PI / 180;
 const [CONING, FLIPPING, SWINGING] = [45, 60, 20]; // degrees of the cone's half-angle, and of its swing
@@ -77,12 +77,11 @@ export const withSpec = (setting, tables) => withTables(setting, tables);
 
 /** Return the spec as a file. */
 export function toml({ moments, velocity, attitude }, span) {
-  const list = (values, unit) => `[${values.map((value) => `"${exact(value)} ${unit}"`).join(", ")}]`;
   return `[body]
-moments = ${list(moments, "kg*m^2")}
+moments = ${tomlList(moments, "kg*m^2")}
 
 [spin]
-angular_velocity = ${list(velocity, "rad/s")}
+angular_velocity = ${tomlList(velocity, "rad/s")}
 attitude = [${attitude.map(exact).join(", ")}]
 
 [time]

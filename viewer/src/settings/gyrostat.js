@@ -1,38 +1,56 @@
-// A body with a rotor inside that turns at a constant rate, as sliders set it.
+// A body with a rotor inside that turns at a constant rate, or freely, as sliders set it.
 import { Gyrostat } from "../../../reference/stepped/index.js";
-import { worded } from "../numbers.js";
-import { angles, momentControls, momentumOf, nearestAxis, SPIN_KEYS, spinControls, turned, withTables } from "./turning.js";
+import { exact, worded } from "../numbers.js";
+import { angles, momentControls, momentumOf, nearestAxis, SPIN_KEYS, spinControls, tomlList, turned, withTables } from "./turning.js";
 
-export const keys = { body: { moments: 3 }, system: { kind: 0, rotor_momentum: 1, rotor_axis: 3 }, spin: SPIN_KEYS }; // of a spec, with how many numbers each has
+const RPM = Math.PI / 30;
+
+export const keys = {
+  body: { moments: 3 },
+  system: { kind: 0, rotor_axis: 3, rotor_moment: 1, rotor_rate: 1, rotor_drive: 0, rotor_momentum: 1 },
+  spin: SPIN_KEYS,
+}; // of a spec, with how many numbers each has; the rotor's momentum is for those who know no more of it
 
 /** Return the setting of what Python wrote down; `rotor` is the momentum h of the rotor along the principal axes. */
-export function from({ moments, rotor, momentum, attitude = [1, 0, 0, 0], epoch = 0 }) {
+export function from({ moments, rotor, rotor_moment = null, rotor_drive = "constant-rate", momentum, attitude = [1, 0, 0, 0], epoch = 0 }) {
   const velocity = momentum.map((value, k) => (value - rotor[k]) / moments[k]);
   const about = nearestAxis(velocity);
   const size = Math.hypot(...rotor);
   const axis = size > 0 ? rotor.map((value) => value / size) : [0, 0, 1];
-  return { moments, velocity, attitude, epoch, about, around: angles(velocity, about).around, momentum, axis, spin: size };
+  const around = angles(velocity, about).around;
+  return { moments, velocity, attitude, epoch, about, around, momentum, axis, spin: size, moment: rotor_moment, drive: rotor_drive };
 }
 
 const NAMES = { momentum_space: "L in space" };
 const inner = ({ axis, spin }) => axis.map((value) => value * spin);
 
+/** Return by how much less than h/J the rotor turns against the body [rad/s]: a free one's h is its whole momentum. */
+const carried = ({ axis, drive, velocity }) => (drive === "free" ? axis.reduce((sum, value, k) => sum + value * velocity[k], 0) : 0);
+const rateOf = (setting) => setting.spin / setting.moment - carried(setting);
+const withRate = (setting, rate) => ({ ...setting, spin: setting.moment * (rate + carried(setting)), momentum: null });
+
 export function controls(setting) {
   const most = Math.max(Math.abs(setting.spin), Math.hypot(...momentumOf(setting, inner(setting)))) || 1;
-  return [
-    { key: "rotor", label: "momentum of the rotor", unit: "kg m²/s", value: setting.spin, low: -2 * most, high: 2 * most },
-    ...momentControls(setting.moments),
-    ...spinControls(setting),
-  ];
+  const rotor =
+    setting.moment === null
+      ? { key: "rotor", label: "momentum of the rotor", unit: "kg m²/s", value: setting.spin, low: -2 * most, high: 2 * most }
+      : { key: "rate", label: "rotor speed against the body", unit: "rpm", si: RPM, value: rateOf(setting), low: (-2 * most) / setting.moment, high: (2 * most) / setting.moment };
+  return [rotor, ...momentControls(setting.moments), ...spinControls(setting)];
 }
 
-export const changed = (setting, key, value) =>
-  key === "rotor" ? { ...setting, spin: value, momentum: null } : turned(setting, key, value);
+export function changed(setting, key, value) {
+  if (key === "rotor") return { ...setting, spin: value, momentum: null };
+  if (key === "rate") return withRate(setting, value);
+  return turned(setting, key, value);
+}
 
 export const make = (setting) =>
   new Gyrostat({
     moments: setting.moments,
     rotor: inner(setting),
+    rotor_moment: setting.moment,
+    rotor_drive: setting.drive,
+    axis: setting.axis,
     momentum: momentumOf(setting, inner(setting)),
     attitude: setting.attitude,
     epoch: setting.epoch,
@@ -40,20 +58,55 @@ export const make = (setting) =>
 
 export const asSpec = (setting) => ({
   body: { moments: setting.moments },
-  system: { kind: "gyrostat", rotor_momentum: setting.spin, rotor_axis: setting.axis },
+  system:
+    setting.moment === null
+      ? { kind: "gyrostat", rotor_axis: setting.axis, rotor_momentum: setting.spin }
+      : { kind: "gyrostat", rotor_axis: setting.axis, rotor_moment: setting.moment, rotor_rate: rateOf(setting), rotor_drive: setting.drive },
   spin: { angular_velocity: setting.velocity, attitude: setting.attitude },
 });
 
 export function withSpec(setting, tables) {
   const { system = {} } = tables;
-  const found = { ...setting };
+  let found = { ...setting };
   if (system.rotor_axis) {
     const size = Math.hypot(...system.rotor_axis);
     if (!(size > 0)) throw new RangeError("system.rotor_axis must have a direction; got zeros.");
     Object.assign(found, { axis: system.rotor_axis.map((value) => value / size), momentum: null });
   }
-  if (system.rotor_momentum !== undefined) Object.assign(found, { spin: Number(system.rotor_momentum), momentum: null });
-  return withTables(found, tables, inner(found));
+  const rate = system.rotor_rate ?? (found.moment === null ? null : rateOf(found));
+  if (system.rotor_moment !== undefined) Object.assign(found, { moment: system.rotor_moment, momentum: null });
+  if (system.rotor_drive !== undefined) Object.assign(found, { drive: system.rotor_drive, momentum: null });
+  if (system.rotor_momentum !== undefined) Object.assign(found, { spin: system.rotor_momentum, momentum: null });
+  found = withTables(found, tables, inner(found));
+  const given = [system.rotor_rate, system.rotor_moment, system.rotor_drive].some((value) => value !== undefined);
+  if (!given) return found;
+  if (found.moment === null) throw new RangeError("system.rotor_rate needs system.rotor_moment, the rotor's own moment of inertia.");
+  return rate === null ? found : withRate(found, rate);
+}
+
+/** Return the spec of a setting, if a spec can say it: a free rotor's axis must be a principal one of the body. */
+export function toml(setting, span) {
+  const { axis, moment, drive, velocity, attitude } = setting;
+  const along = axis.findIndex((value) => Math.abs(value) === 1);
+  if (moment === null || (drive === "free" && along < 0)) return null;
+  const moments = setting.moments.map((value, k) => (drive === "free" && k === along ? value + moment : value));
+  return `[body]
+moments = ${tomlList(moments, "kg*m^2")}
+
+[system]
+kind = "gyrostat"
+rotor_axis = [${axis.map(exact).join(", ")}]
+rotor_moment = "${exact(moment)} kg*m^2"
+rotor_rate = "${exact(rateOf(setting))} rad/s"
+rotor_drive = "${drive}"
+
+[spin]
+angular_velocity = ${tomlList(velocity, "rad/s")}
+attitude = [${attitude.map(exact).join(", ")}]
+
+[time]
+until = "${exact(span)} s"
+`;
 }
 
 export const facts = (setting, solver) => kept(solver);

@@ -1,4 +1,6 @@
 // What all bodies that spin are set by: three moments, and the size and direction of Ω at first.
+import { exact } from "../numbers.js";
+
 const RPM = Math.PI / 30;
 const DEGREE = Math.PI / 180;
 
@@ -18,6 +20,9 @@ export function velocityOf(about, { rate, tilt, around }) {
 
 /** The keys of a spec that all of these take, with how many numbers each has. */
 export const SPIN_KEYS = { rate: 1, about: 1, tilt: 1, angular_velocity: 3, momentum: 3, attitude: 4 };
+
+/** Return numbers as a spec writes a list of them. */
+export const tomlList = (values, unit) => `[${values.map((value) => `"${exact(value)} ${unit}"`).join(", ")}]`;
 
 /** Return the axis nearest to a vector. */
 export const nearestAxis = (vector) => vector.map(Math.abs).reduce((best, value, k, all) => (value > all[best] ? k : best), 0);

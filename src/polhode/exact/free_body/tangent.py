@@ -326,7 +326,7 @@ def _dot(x: Any, y: Any) -> Array:
     return x[0] * y[0] + x[1] * y[1] + x[2] * y[2]
 
 
-def sorted_sizes(body: Reduction, sizes: Array) -> tuple[Array, ...]:
+def sorted_sizes(body: Reduction, sizes: Float64[Array, "*more 3"]) -> Moved:
     """Return what goes with each axis, without sign, in sorted order."""
     xp = namespace(body.long_axis)
     columns = [sum(xp.abs(body.axes[i][j]) * sizes[..., i] for i in range(3)) for j in range(3)]

@@ -9,6 +9,7 @@ import numpy as np
 from polhode.bodies.surface import Surface
 from polhode.motion.trajectory import Trajectory
 from polhode.systems.gyrostat import Gyrostat
+from polhode.viewer.encoding import packed
 from polhode.viewer.models import start_of
 from polhode.viewer.panels import Panel, body_panels, moments_of, sphere_of_levels
 from polhode.viewer.samples import Samples
@@ -19,13 +20,34 @@ def model_of(trajectory: Trajectory) -> dict[str, Any] | None:
     system, start = trajectory.source, start_of(trajectory)
     if start is None or not isinstance(system, Gyrostat):
         return None
-    return {"solver": "Gyrostat", "rotor": np.asarray(system.rotor, dtype=float).tolist(), **start}
+    rotor = np.asarray(system.rotor, dtype=float)
+    drive = "free" if system.free else "constant-rate"
+    return {"solver": "Gyrostat", "rotor": rotor.tolist(), "rotor_moment": system.rotor_moment, "rotor_drive": drive,
+            **start}  # fmt: skip
+
+
+def _turning(trajectory: Trajectory, samples: Samples) -> dict[str, Any]:
+    """Return the rotor's axis along those of the samples, and its rate against the body there, if that is known."""
+    system, velocity, rates = trajectory.source, samples.angular_velocity, None
+    if isinstance(system, Gyrostat):
+        axis = np.asarray(system.rotor, dtype=float)
+        axis = axis / (np.linalg.norm(axis) or 1.0) if axis.any() else np.array([0.0, 0.0, 1.0])
+        if system.rotor_moment is not None and velocity is not None:
+            rates = np.asarray(system.rotor_rate(np.asarray(velocity)))
+    else:
+        axis = np.asarray(system.axis, dtype=float)
+        if velocity is not None:
+            momentum = trajectory.layout.part(samples.states, "rotor_momentum")
+            rates = momentum / float(system.rotor_moment) - np.asarray(velocity) @ axis
+    return {"axis": axis.tolist(), "rates": None if rates is None else packed(rates, "f8")}
 
 
 def panels_of(trajectory: Trajectory, samples: Samples, surface: Surface | None) -> list[Panel]:
     """Return the body and the momentum sphere with levels of the carrier's energy."""
     system, moments = trajectory.source, moments_of(trajectory.source)
     found = body_panels(samples, moments, surface)
+    for panel in found:
+        panel["rotor"] = _turning(trajectory, samples)
     if samples.momentum is None or not np.linalg.norm(samples.momentum, axis=-1).any():
         return found
     if isinstance(system, Gyrostat):
