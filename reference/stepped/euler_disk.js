@@ -41,6 +41,8 @@ export class EulerDisk {
     const { disk, laws } = checkedDisk(parameters);
     const { m, a, b, A, C, g } = disk;
     this.moments = [A, A, C];
+    this.onPlane = true; // space has an up of its own
+    [this.radius, this.halfThickness] = [a, b];
     this.epoch = finite("epoch", epoch, "seconds");
     this.thin = b === 0;
     [this._disk, this._laws] = [disk, laws];

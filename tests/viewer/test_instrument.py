@@ -317,6 +317,35 @@ def test_a_rotor_is_seen_turning_and_set_by_its_speed(drive, opened, tmp_path):
     assert not page.complaints
 
 
+def test_a_disk_is_set_and_rolls_as_polhode_says(opened, tmp_path):
+    spec = tmp_path / "coin.toml"
+    spec.write_text(
+        '[system]\nkind = "euler-disk"\nmass = "30 g"\nradius = "20 mm"\nthickness = "3 mm"\ntilt = "20 deg"\n'
+        'dissipation = [{ law = "rolling-couple", arm = "20 um" },\n'
+        '  { law = "dry-contour-friction", coefficient = 1e-4 }]\n'
+        '[time]\nuntil = "0.3 s"\nsamples = 300\n'
+    )
+    page = opened(write_page(read_spec(spec).report().trajectory, tmp_path / "coin.html"))
+    page.tab.evaluate("window.polhode.set({system: {tilt: 0.25, radius: 0.03}, dissipation: {'rolling-couple': 1e-5}})")
+    settings = settings_of(page)
+    assert settings["dissipation"] == {"rolling-couple": 1e-5, "dry-contour-friction": 1e-4}
+    again = tmp_path / "again.toml"
+    again.write_text(page.tab.evaluate("window.polhode.spec()"))
+    found = replace(read_spec(again), until=0.5, samples=500).report().trajectory
+    assert miss_of(found, page) < STEPPED_SAME
+    page.seek(50)
+    coin, contact = page.measure("disk")["coin"], page.measure("disk")["point"]
+    time = page.times()[50]
+    states = ph.simulate(found.source, found.states[0], [0.0, time]).states[-1]
+    assert contact[:2] == pytest.approx(states[3:5] / 0.03, abs=1e-6)
+    assert coin[12:15] == pytest.approx(np.asarray(found.source.center(states)) / 0.03, abs=1e-6)
+    for wrong in ("{system: {tilt: 2}}", "{dissipation: {'air-layer': -1}}", "{dissipation: {glue: 1}}"):
+        assert page.tab.evaluate(f"window.polhode.set({wrong})") is False and settings_of(page) == settings
+    page.tab.evaluate("window.polhode.goTo(1e4)")  # long after it has come to lie flat
+    assert "flat" in page.tab.locator("#facts").text_content() or page.tab.evaluate("window.polhode.state(1e4)")
+    assert not page.complaints
+
+
 def rotation_between(one, two):
     """Cosine of half the angle between two quaternions of unit length."""
     return abs(float(np.dot(one, two)))

@@ -60,6 +60,7 @@ class Page {
     element("instrument").hidden = !data.model;
     if (data.model) {
       this.instrument = new Instrument(data.model, (shaped) => this.reset(shaped), data.key);
+      this.epoch = this.instrument.setting.epoch;
     }
     // what is stepped on the page begins with Python's samples, which cost no steps
     this.motion = data.model && !data.attitude ? this.instrument.motion(timesOf(data), data.space) : new Motion(data);
@@ -78,7 +79,9 @@ class Page {
 
   /** Solve and draw anew after the setting has changed, at the same time. */
   reset(shaped) {
-    const { time } = this.now;
+    const { epoch } = this.instrument.setting;
+    const time = epoch === this.epoch ? this.now.time : epoch; // of a motion that begins anew
+    this.epoch = epoch;
     this.shaped = shaped;
     // what Python said is of the motion as it was given
     element("summary").textContent = this.instrument.isAsGiven ? this.data.summary : "Set on this page.";
@@ -97,7 +100,8 @@ class Page {
       return Object.assign(MAKERS[panel.type](this.motion, data, this.theme, tools), { type: panel.type });
     });
     this.panels.forEach((panel, k) => caption(this.canvases[k], panel, this.data));
-    this.plots.take(this.motion, this.data, this.theme);
+    const changed = this.instrument && !this.instrument.isAsGiven;
+    this.plots.take(this.motion, changed ? { ...this.data, scatters: [], plots: [] } : this.data, this.theme);
     this.draw();
   }
 
@@ -184,7 +188,7 @@ class Page {
   async copySpec() {
     const text = this.instrument.toml(this.motion.span);
     const place = element("copied");
-    if (text === null) return this.instrument.say("No spec says this: the rotor's moment must be known, and a free rotor's axis be a principal one.");
+    if (text === null) return this.instrument.say("No spec says this start. A gyrostat needs its rotor's moment, and a free rotor a principal axis; a disk must begin in steady rolling.");
     place.value = text;
     place.hidden = false;
     try {

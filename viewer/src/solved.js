@@ -20,7 +20,7 @@ export class SolvedMotion {
     this.solver = solver;
     this.moments = solver.moments;
     this.free = solver instanceof FreeMotion ? solver.moments : null; // principal moments of a body without torques
-    this.hasUp = solver.mgl !== undefined;
+    this.hasUp = solver.mgl !== undefined || Boolean(solver.onPlane);
     this.endless = true;
     this.joined = true;
     this.times = times?.length ? times : this.window(solver.epoch);
@@ -34,7 +34,7 @@ export class SolvedMotion {
   /** Return the times of a window that begins here. */
   window(start) {
     // a top that hangs still would swing, if it were pushed, at its own rate
-    const swing = this.hasUp ? 0.1 * Math.sqrt(Math.abs(this.solver.mgl) / Math.max(...this.moments)) : 0;
+    const swing = this.solver.mgl ? 0.1 * Math.sqrt(Math.abs(this.solver.mgl) / Math.max(...this.moments)) : 0;
     const speed = Math.max(this.speedAt(start), swing) || 1;
     const span = this.spanWanted ?? windowOf(this.solver, speed);
     const count = Math.max(FEWEST, Math.min(MOST, Math.ceil((span * speed) / CLOSE) + 1));

@@ -364,8 +364,10 @@ class SettlesOnCircle(AbstractReason):
     rate: float
 
     def __str__(self) -> str:
-        where = "the circle of axes of equal moment, as near as they start"
-        return f"neighbours settle on {where}: {self.rate:.6g}/s across it"
+        return (
+            "a neighbour comes to turn about an axis of the same moment, no farther off than it started: "
+            f"{self.rate:.6g}/s"
+        )
 
 
 @dataclass(frozen=True)

@@ -13,6 +13,7 @@ from polhode.errors import InvalidInput
 from polhode.errors import shown as in_words
 from polhode.exact.lagrange_top import LagrangeMotion
 from polhode.formats.given_axes import along_principal_axes
+from polhode.motion.inputs import finite
 from polhode.motion.trajectory import Trajectory
 from polhode.systems.heavy_top import HeavyTop
 from polhode.types import Array, Float64

@@ -122,7 +122,7 @@ class DampedBodyReport(AbstractReport):
     def answers(self) -> list[Group | Table]:
         orbiting = self.table.orbital_period is not None
         losses = Group("Losses", [
-            Answer("damping", self.damping, "", "inside, α |L|", "α |L|"),
+            Answer("damping", self.damping, "", "losses inside", "α |L|"),
             Answer("damping_time", self.table.damping_time, "s", "given by the damping time"),
             Answer("loss_rate", self.table.loss_rate, "W", "given by the loss at the start"),
             Answer("linear_drag", self.table.linear_drag, "N m s", "linear drag"),

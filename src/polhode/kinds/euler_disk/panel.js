@@ -6,8 +6,9 @@
   const THINNEST = 0.02;
 
   function diskPanel(motion, data, theme) {
-    const contacts = unpacked(data.contact);
-    const centers = unpacked(data.center);
+    const solver = motion.endless ? motion.solver : null; // of a disk that was set on the page
+    const [contacts, centers] = solver ? followed(motion) : [unpacked(data.contact), unpacked(data.center)];
+    if (solver) data = { ...data, radius: solver.radius, thickness: 2 * solver.halfThickness };
     const touched = new Float64Array(3 * motion.count);
     const middle = new Float64Array(3 * motion.count);
     for (let k = 0; k < motion.count; k++) {
@@ -50,6 +51,17 @@
       return { coin: [...coin.matrixWorld.elements], half: data.thickness / data.radius / 2, point: touch.position.toArray(), path: [...touched] };
     };
     return panel;
+  }
+
+  /** Return the contacts and the centres at the motion's times. */
+  function followed(motion) {
+    const [contacts, centers] = [new Float64Array(2 * motion.count), new Float64Array(3 * motion.count)];
+    motion.times.forEach((time, k) => {
+      const { contact, center } = motion.solver.state(time);
+      contacts.set(contact, 2 * k);
+      centers.set(center, 3 * k);
+    });
+    return [contacts, centers];
   }
 
   /** Return a coin of radius one about its third axis, with a mark on its faces that shows its turning. */

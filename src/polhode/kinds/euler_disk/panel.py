@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from polhode.bodies.surface import Surface
+from polhode.kinds.euler_disk.laws import LAWS
 from polhode.kinds.euler_disk.report import EulerDiskReport
 from polhode.motion.trajectory import Trajectory
 from polhode.viewer.encoding import packed
@@ -24,6 +25,23 @@ def panels_of(trajectory: Trajectory, samples: Samples, surface: Surface | None)
         "type": "disk", "radius": float(disk.mechanics.radius), "thickness": 2.0 * float(disk.mechanics.half_thickness),
         "contact": packed(contact), "center": packed(np.asarray(disk.center(samples.states))), "elevation": STEEP,
     }]  # fmt: skip
+
+
+def model_of(trajectory: Trajectory) -> dict[str, Any] | None:
+    """Return the disk, its losses and its start; None with a law that a spec has no name for."""
+    disk, found = trajectory.source, trajectory.source.mechanics
+    names = {law.model: name for name, law in LAWS.items()}
+    laws = [(names.get(type(law).__name__), law) for law in disk.dissipation]
+    if trajectory.batch_shape or not len(trajectory) or any(name is None for name, _ in laws):
+        return None
+    moments = [float(found.diametral_moment), float(found.axial_moment)]
+    return {
+        "solver": "EulerDisk", "mass": float(found.mass), "radius": float(found.radius),
+        "half_thickness": float(found.half_thickness), "diametral_moment": moments[0], "axial_moment": moments[1],
+        "gravity": float(found.gravity),
+        "dissipation": {name: float(getattr(law, LAWS[str(name)].key)) for name, law in laws},
+        "start": np.asarray(trajectory.states, dtype=float)[0].tolist(), "epoch": float(trajectory.times[0]),
+    }  # fmt: skip
 
 
 def scatters_of(report: EulerDiskReport) -> tuple[dict[str, Any], ...]:

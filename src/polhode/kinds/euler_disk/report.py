@@ -11,7 +11,7 @@ import numpy as np
 from polhode.analysis.disk_turns import DiskPath
 from polhode.analysis.power_law import PowerLaw
 from polhode.analysis.rolling import SteadyRolling
-from polhode.analysis.spin_down import ASYMPTOTIC_FIT, SpinDown, predicted_exponents
+from polhode.analysis.spin_down import ASYMPTOTIC_FIT, END_OF_REGIME, SpinDown, predicted_exponents
 from polhode.kinds.euler_disk.laws import LAWS
 from polhode.kinds.euler_disk.table import EulerDiskTable
 from polhode.motion.trajectory import Trajectory
@@ -22,6 +22,8 @@ from polhode.reports.wording import rate, uncertain
 from polhode.systems.euler_disk import LAYOUT, EulerDisk
 
 PURE = 0.9  # of the power, from which on one law is said to dominate
+EVENTS = {END_OF_REGIME: "power laws hold up to"}  # of the report's rows; others are called what they are
+ENDS = {"flat": "lies flat", "lift-off": "lifts off the table", "on edge": "stands on its edge"}
 
 
 class LawShare(NamedTuple):
@@ -118,10 +120,13 @@ class EulerDiskReport(AbstractReport):
             return f"The disk {how} after {end:.6g} s and {self.turns:.4g} turns of its contact."
         if found.first_event is None:
             return f"In {end:.6g} s the disk goes round {self.turns:.4g} times, and its end is not reached."
-        events = ", then ".join(f"{name} at {time:.8g} s" for name, time in found.events.items())
-        end_time = "" if found.end is None else uncertain(found.end, found.end_uncertainty, "s")
-        t0 = end_time and f" Extrapolated, the tilt would vanish at t0 = {end_time}."
-        return f"The disk goes round {self.turns:.4g} times and ends: {events}.{t0}"
+        ends = [(name, time) for name, time in found.events.items() if name != END_OF_REGIME]
+        words = [f"{ENDS.get(name, name)} after {time:.8g} s" for name, time in ends]
+        rounds = f"The disk goes round {self.turns:.4g} times" + (f" and {', then '.join(words)}." if words else ".")
+        regime, end_time = found.events.get(END_OF_REGIME), ""
+        if found.end is not None:
+            end_time = f"; by them the tilt would vanish at {uncertain(found.end, found.end_uncertainty, 's')}"
+        return rounds + ("" if regime is None else f" Its power laws hold up to {regime:.8g} s{end_time}.")
 
     @property
     def notes(self) -> list[str]:
@@ -241,11 +246,12 @@ class EulerDiskReport(AbstractReport):
         t0 = None if exact is None else uncertain(exact, found.end_uncertainty, "s")
         by_energy = None if self.end_by_energy is None else f"{self.end_by_energy:.6g} s"
         events = [
-            Answer("", None, "", name, "", f"{time:.10g} s{_before(exact, time, found.end_uncertainty)}")
+            Answer("", None, "", EVENTS.get(name, name), "",
+                   f"{time:.10g} s{_before(exact, time, found.end_uncertainty)}")
             for name, time in found.events.items()
-        ]
+        ]  # fmt: skip
         return Group("End", [
-            Answer("spin_down.end", exact, "s", "asymptotic t0", "from the start", t0),
+            Answer("spin_down.end", exact, "s", "t0, by the power laws", "from the start", t0),
             Answer("spin_down.end_uncertainty", found.end_uncertainty, "s"),
             Answer("spin_down.end_by_energy", self.end_by_energy, "s", "t0 by energy alone", "", by_energy),
             Answer("spin_down.first_event", found.first_event),

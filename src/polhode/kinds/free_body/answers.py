@@ -98,8 +98,8 @@ class FreeBodyReport(AbstractReport):
         periods = ", ".join(f"{x:.8g} s" for x in tumbling if finite(x) is not None)
         unit = "1/√(kg m²)"
         radii = None if found is None else (
-            f"{found.inner_radius:.6g} to {found.outer_radius:.6g}, in a plane {found.plane_distance:.6g} "
-            f"from the centre, {unit}"
+            f"{found.inner_radius:.6g} and {found.outer_radius:.6g} {unit}, on a plane {found.plane_distance:.6g} "
+            f"{unit} from the centre of the inertia ellipsoid"
         )  # fmt: skip
         return Group("Motion", [
             Answer("form", rotation_form(motion)),
@@ -121,7 +121,8 @@ class FreeBodyReport(AbstractReport):
             Answer("tumbling_periods", {"P_phi": tumbling[0], "P_psi": tumbling[1]}, "s"),
             Answer("", None, "", "tumbling periods P_φ, P_ψ", "", periods),
             Answer("long_axis_period", motion.long_axis_period, "s", "long-axis period P₁"),
-            Answer("herpolhode", None if found is None else found._asdict(), unit, "herpolhode radii", "", radii),
+            Answer("herpolhode", None if found is None else found._asdict(), unit, "herpolhode between radii", "",
+                   radii),
             *accuracy(self.trajectory),
         ])  # fmt: skip
 

@@ -137,7 +137,7 @@ class SpinOrbitReport(AbstractReport):
         mean, mean_ratio = motion.mean_rate, motion.mean_rate / n
         return Group("Motion", [
             Answer("start.angle", angle, "rad", "start, at periapsis", "long axis from the direction of the periapsis",
-                   f"{math.degrees(angle):.6g}°, {spin_ratio:.6g} n"),
+                   f"long axis {math.degrees(angle):.6g}° from the periapsis, {spin_ratio:.6g} turns an orbit"),
             Answer("start.rate", start_rate, "rad/s"),
             Answer("start.spin_ratio", spin_ratio, "", "", "turns per orbit"),
             Answer("orbits", motion.orbits),
