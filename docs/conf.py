@@ -7,7 +7,9 @@ from docutils import nodes
 from latex2mathml.converter import convert
 
 import polhode
+from polhode.figures.style import save
 from polhode.kinds.playground import write_playground
+from polhode.kinds.reading import read_spec
 
 project = "polhode"
 author = "The polhode developers"
@@ -31,6 +33,21 @@ def escape_marks(app, what, name, obj, options, lines):
     for n, line in enumerate(lines):
         if not line.lstrip().startswith(">>>"):
             lines[n] = re.sub(r"\*(?=element_shape)|(?<=ad)\*|(?<=Ad)\*", r"\\*", line.replace("|", r"\|"))
+
+
+def draw_figures(app):
+    """Draw every images/drawn/EXAMPLE-FIGURE.png that a page asks for, of the example's report."""
+    docs, wanted = Path(__file__).parent, {}
+    for page in docs.glob("*.md"):
+        for example, figure in re.findall(r"images/drawn/(\w+)-(\w+)\.png", page.read_text("utf-8")):
+            wanted.setdefault(example, set()).add(figure)
+    drawn = docs / "images" / "drawn"
+    drawn.mkdir(parents=True, exist_ok=True)
+    for example, figures in sorted(wanted.items()):
+        spec = read_spec(docs.parent / "examples" / f"{example}.toml")
+        report = spec.report()
+        for figure in sorted(figures):
+            save(spec.kind.draw(report, figure), drawn / f"{example}-{figure}.png")
 
 
 def write_live_pages(app, exception):
@@ -59,4 +76,5 @@ def displayed_math(writer, node):
 def setup(app):
     app.add_html_math_renderer("mathml", (inline_math, None), (displayed_math, None))
     app.connect("autodoc-process-docstring", escape_marks)
+    app.connect("builder-inited", draw_figures)
     app.connect("build-finished", write_live_pages)
