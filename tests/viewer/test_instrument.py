@@ -240,7 +240,7 @@ def top_of(settings, times=TIMES):
     phi, lean, _ = attitude.as_euler("ZXZ")
     assert abs(lean) == pytest.approx(system["lean"], abs=1e-12)
     node, up = Rotation.from_euler("Z", phi).apply([1.0, 0.0, 0.0]), np.array([0.0, 0.0, 1.0])
-    in_space = spin["precession"] * up + spin["nutation"] * node + spin["spin"] * attitude.apply(up)
+    in_space = spin["precession"] * up + spin["nutation_rate"] * node + spin["spin"] * attitude.apply(up)
     momentum = np.array(system["moments"]) * attitude.inv().apply(in_space)
     return ph.LagrangeMotion(system["moments"], system["mgl"], momentum, spin["attitude"]).state(times)
 
@@ -270,7 +270,7 @@ def test_tops_are_set_by_lean_spin_and_precession(toy, opened, key):
 
 def test_the_spec_of_a_top_gives_the_same_motion(toy, opened, tmp_path):
     page = opened(toy)
-    tables = "{system: {lean: 0.7, mgl: 1.5}, spin: {spin: 6, precession: 0.4, nutation: 0}}"
+    tables = "{system: {lean: 0.7, mgl: 1.5}, spin: {spin: 6, precession: 0.4, nutation_rate: 0}}"
     page.tab.evaluate(f"window.polhode.set({tables})")
     spec = tmp_path / "set.toml"
     spec.write_text(page.tab.evaluate("window.polhode.spec()"))
@@ -360,6 +360,42 @@ def miss_of(trajectory, page):
     return max(np.abs(sign * found[0] - wanted[0]).max(), np.abs(found[1] - wanted[1]).max())
 
 
+def test_axes_are_counted_as_in_a_spec_whatever_the_order_of_the_moments(book, opened, tmp_path):
+    page = opened(book)
+    for moments in ((3, 1, 2), (1, 3, 2), (2, 1, 3), (3, 2, 1), (1, 2, 3)):
+        for about in (1, 2, 3):
+            tables = f"{{body: {{moments: {list(moments)}}}, spin: {{rate: 2, about: {about}, tilt: 0.3}}}}"
+            assert page.tab.evaluate(f"window.polhode.set({tables})")
+            spec = tmp_path / "ordered.toml"
+            spec.write_text(f'[body]\nmoments = {[f"{x} kg*m^2" for x in moments]}\n'
+                            f'[spin]\nrate = "2 rad/s"\nabout = {about}\ntilt = "0.3 rad"\n')  # fmt: skip
+            wanted = read_spec(spec).report().motion
+            axes = ph.Body.from_moments(*map(float, moments)).principal_axes
+            found = settings_of(page)["spin"]["angular_velocity"]
+            velocity = np.asarray(wanted.momentum_at_epoch) / np.asarray(wanted.moments)
+            assert found == pytest.approx(axes @ velocity, abs=1e-14), (moments, about)
+    before = settings_of(page)
+    assert page.tab.evaluate("window.polhode.set({body: {moments: [1, 2, 5]}})") is False
+    assert "No rigid body has these" in page.tab.locator("#refused").text_content() and settings_of(page) == before
+
+
+COPIED = {
+    "heavy-top": "{system: {mgl: 2.5}, spin: {angular_velocity: [1, 0.2, 3]}}",
+    "damped-body": "{system: {damping: 0.1}, spin: {angular_velocity: [1, 0.2, 0.3]}}",
+}
+
+
+@pytest.mark.parametrize("kind", COPIED)
+def test_the_spec_of_what_is_stepped_gives_the_same_motion(kind, opened, tmp_path):
+    start = packed(GIVEN[kind], (0.8, 0.6, 0.0, 0.0), (0.3, 1.8, 1.5))
+    sampled = ph.simulate(GIVEN[kind], start, np.linspace(0.0, 6.0, 61), step=0.01, order=6)
+    page = opened(write_page(sampled, tmp_path / "stepped.html"))
+    assert page.tab.evaluate(f"window.polhode.set({COPIED[kind]})")
+    spec = tmp_path / "again.toml"
+    spec.write_text(page.tab.evaluate("window.polhode.spec()"))
+    assert miss_of(replace(read_spec(spec), until=5.0, samples=400).report().trajectory, page) < STEPPED_SAME
+
+
 STEPPED = {
     "heavy-top": lambda moments, system: ph.systems.HeavyTop(moments, system["mgl"], system["axis"]),
     "gyrostat": lambda moments, system: ph.systems.Gyrostat(
@@ -420,7 +456,7 @@ def test_samples_of_what_is_stepped_go_on_for_ever(opened, tmp_path):
 def test_a_top_at_rest_upright_or_hanging_is_drawn(toy, opened):
     page = opened(toy)
     for lean in (0.0, np.pi):
-        tables = f"{{system: {{lean: {lean}}}, spin: {{spin: 0, precession: 0, nutation: 0}}}}"
+        tables = f"{{system: {{lean: {lean}}}, spin: {{spin: 0, precession: 0, nutation_rate: 0}}}}"
         assert page.tab.evaluate(f"window.polhode.set({tables})")
         page.seek(100)
     assert not page.complaints

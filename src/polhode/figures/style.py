@@ -66,7 +66,7 @@ def axes_for(axes: Any, rows: int = 1, height: float = COLUMN) -> tuple[Any, lis
         height: of a new figure [inches].
 
     Raises:
-        InvalidInput: for anything else, or another number of axes.
+        InvalidInput: for anything else, axes in space or of angles, or another number of axes.
     """
     if axes is None:
         figure = new_figure(height=height)
@@ -75,6 +75,8 @@ def axes_for(axes: Any, rows: int = 1, height: float = COLUMN) -> tuple[Any, lis
     if len(found) != rows or not all(isinstance(each, Axes) for each in found):
         wanted = "one matplotlib Axes" if rows == 1 else f"a sequence of {rows} matplotlib Axes"
         raise InvalidInput(f"`axes` must be {wanted}; got {shown(axes)}. Leave it out for a new figure.")
+    if strange := [each.name for each in found if each.name != "rectilinear"]:
+        raise InvalidInput(f"`axes` must be flat ones, with x and y; got {strange[0]} axes. Make them without that.")
     return found[0].figure.figure, found  # of a part of a figure, the whole
 
 
@@ -147,9 +149,16 @@ def show_constant(axes: Any, values: Any, around: float) -> None:
         axes.set_ylim(low - around, high + around)
 
 
-def save(figure: Figure, path: Path) -> Path:
-    """Write the figure in the form its ending names: png, svg or pdf."""
-    kind = path.suffix.removeprefix(".")
+def save(figure: Figure, path: str | Path) -> Path:
+    """Write the figure in the form its ending names: png, svg or pdf.
+
+    Raises:
+        InvalidInput: for another ending.
+    """
+    path = Path(path)
+    kind = path.suffix.removeprefix(".").lower()
+    if kind not in METADATA:
+        raise InvalidInput(f"`path` must end in .png, .svg or .pdf; got {shown(path.name)}.")
     drawn = BytesIO()  # so that the bytes are written here, where a full disk is noticed
     with matplotlib.rc_context(SETTINGS):
         if (layout := figure.get_layout_engine()) is not None:

@@ -1,13 +1,13 @@
 // A body that loses energy, inside or by drag, as sliders set it.
 import { DampedBody } from "../../../reference/stepped/index.js";
 import { ascending } from "../polhodes.js";
-import { clock, worded } from "../numbers.js";
-import { angles, momentControls, momentumOf, nearestAxis, SPIN_KEYS, spinControls, turned, withTables } from "./turning.js";
+import { clock, exact, worded } from "../numbers.js";
+import { angles, momentControls, momentumOf, nearestAxis, SPIN_KEYS, spinControls, tomlList, turned, withTables } from "./turning.js";
 
 const TURNS = 2000; // that are looked at for the time to a flat spin
 const FLAT = (5 * Math.PI) / 180;
 
-export const keys = { body: { moments: 3 }, system: { kind: 0, sink_rate: 1, linear_drag: 1, quadratic_drag: 1 }, spin: SPIN_KEYS }; // of a spec, with how many numbers each has
+export const keys = { body: { moments: 3 }, system: { kind: 0, damping: 1, sink_rate: 1, linear_drag: 1, quadratic_drag: 1 }, spin: SPIN_KEYS }; // of a spec, with how many numbers each has
 
 export function from({ moments, rate = 0, linear_drag = 0, quadratic_drag = 0, momentum, attitude = [1, 0, 0, 0], epoch = 0 }) {
   const velocity = momentum.map((value, k) => value / moments[k]);
@@ -40,7 +40,33 @@ export function withSpec(setting, tables) {
   for (const [key, name] of [["sink_rate", "rate"], ["linear_drag", "linear_drag"], ["quadratic_drag", "quadratic_drag"]]) {
     if (system[key] !== undefined) found[name] = system[key];
   }
-  return withTables(found, tables);
+  const made = withTables(found, tables);
+  if (system.damping === undefined) return made;
+  const size = Math.hypot(...momentumOf(made)); // a spec tells α |L|
+  return { ...made, rate: size > 0 ? system.damping / size : 0 };
+}
+
+/** Return the spec of a setting; null without losses, or of a body at rest. */
+export function toml(setting, span) {
+  const { moments, rate, linear_drag, quadratic_drag, velocity, attitude } = setting;
+  const size = Math.hypot(...momentumOf(setting));
+  const inside = rate > 0 && size > 0 ? `damping = ${exact(rate * size)}\n` : "";
+  const linear = linear_drag > 0 ? `linear_drag = "${exact(linear_drag)} N*m*s"\n` : "";
+  const quadratic = quadratic_drag > 0 ? `quadratic_drag = "${exact(quadratic_drag)} N*m*s^2"\n` : "";
+  if (!inside && !linear && !quadratic) return null;
+  return `[body]
+moments = ${tomlList(moments, "kg*m^2")}
+
+[system]
+kind = "damped-body"
+${inside}${linear}${quadratic}
+[spin]
+angular_velocity = ${tomlList(velocity, "rad/s")}
+attitude = [${attitude.map(exact).join(", ")}]
+
+[time]
+until = "${exact(span)} s"
+`;
 }
 
 export function facts({ moments, velocity, rate }, solver) {

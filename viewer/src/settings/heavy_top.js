@@ -1,7 +1,10 @@
 // Any body about a fixed point under its weight, as sliders set it.
 import { HeavyTop } from "../../../reference/stepped/index.js";
+import { exact, worded } from "../numbers.js";
 import { kept } from "./gyrostat.js";
-import { angles, momentControls, momentumOf, nearestAxis, SPIN_KEYS, spinControls, turned, withTables } from "./turning.js";
+import { angles, momentControls, momentumOf, nearestAxis, SPIN_KEYS, spinControls, tomlList, turned, withTables } from "./turning.js";
+
+const GRAVITY = 9.80665; // m/s²
 
 export const keys = { system: { kind: 0, moments: 3, mgl: 1, axis: 3 }, spin: SPIN_KEYS }; // of a spec, with how many numbers each has
 
@@ -32,6 +35,37 @@ export function withSpec(setting, tables) {
   if (system.mgl !== undefined) found.mgl = Number(system.mgl);
   if (system.axis) found.axis = system.axis.map(Number);
   return withTables(found, system.moments ? { ...tables, body: { moments: system.moments } } : tables);
+}
+
+/** Return the spec as a file: of the bodies with these moments about the point and this weight, one. */
+export function toml(setting, span) {
+  const { moments, mgl, axis, velocity, attitude } = setting;
+  const length = Math.hypot(...axis);
+  const toCentre = axis.map((value) => value / length);
+  // what the centre of mass takes of the second moments of the mass must leave a body's
+  const spread = [0, 1, 2].map((k) => 0.5 * (moments[0] + moments[1] + moments[2]) - moments[k]);
+  const share = toCentre.reduce((sum, value, k) => sum + (value ? (value * value) / spread[k] : 0), 0);
+  if (mgl && !(share > 0 && Number.isFinite(share))) return null;
+  const taken = mgl ? 0.5 / share : 0; // m l²
+  const arm = mgl ? (taken * GRAVITY) / mgl : 0;
+  const mass = mgl ? mgl / (GRAVITY * arm) : 1;
+  const inertia = [0, 1, 2].map((i) => [0, 1, 2].map((j) => (i === j ? moments[i] - taken : 0) + taken * toCentre[i] * toCentre[j]));
+  return `# a body with the moments ${moments.map((value) => worded(value)).join(", ")} kg m² about its point, and mgl = ${worded(mgl)} N m
+[body]
+mass = "${exact(mass)} kg"
+inertia = [${inertia.map((row) => tomlList(row, "kg*m^2")).join(", ")}]
+
+[system]
+kind = "heavy-top"
+pivot = ${tomlList(toCentre.map((value) => -arm * value), "m")}
+
+[spin]
+angular_velocity = ${tomlList(velocity, "rad/s")}
+attitude = [${attitude.map(exact).join(", ")}]
+
+[time]
+until = "${exact(span)} s"
+`;
 }
 
 export const facts = (setting, solver) => kept(solver);

@@ -5,11 +5,12 @@ import { clock, exact, worded } from "../numbers.js";
 const RPM = Math.PI / 30;
 const DEGREE = Math.PI / 180;
 const GRAVITY = 9.80665; // m/s²
+const STEADY = 1e-6; // of cos θ: nods as small as that are not seen
 const UPRIGHT = 1e-9; // sine of a lean below which precession and spin cannot be told apart, and all is called spin
 
 export const keys = {
   system: { kind: 0, moments: 3, mgl: 1, lean: 1 },
-  spin: { spin: 1, precession: 1, nutation: 1, lean: 1, momentum: 3, attitude: 4 },
+  spin: { spin: 1, precession: 1, nutation_rate: 1, lean: 1, momentum: 3, attitude: 4 },
 }; // of a spec, with how many numbers each has
 
 /** Return the setting of what Python wrote down. */
@@ -76,7 +77,7 @@ export function make({ moments, mgl, momentum, attitude, epoch }) {
 }
 
 export function asSpec({ moments, mgl, attitude, lean, spin, precession, nutation }) {
-  return { system: { kind: "lagrange-top", moments, mgl, lean }, spin: { spin, precession, nutation, attitude } };
+  return { system: { kind: "lagrange-top", moments, mgl, lean }, spin: { spin, precession, nutation_rate: nutation, attitude } };
 }
 
 export function withSpec(setting, { system = {}, spin = {} }) {
@@ -91,7 +92,7 @@ export function withSpec(setting, { system = {}, spin = {} }) {
     const momentum = spin.momentum.map(Number);
     return { ...found, ...eulerOf(found.moments, momentum, found.attitude), momentum };
   }
-  const named = { lean: system.lean ?? spin.lean, spin: spin.spin, precession: spin.precession, nutation: spin.nutation };
+  const named = { lean: system.lean ?? spin.lean, spin: spin.spin, precession: spin.precession, nutation: spin.nutation_rate };
   const given = Object.entries(named).filter(([, value]) => value !== undefined);
   if (!given.length && !system.moments) return found;
   for (const [name, value] of given) found[name] = Number(value);
@@ -139,10 +140,12 @@ const SEEN = {
 };
 
 export function facts({ moments, spin, mgl }, solver) {
-  const found = [["what it does", SEEN[solver.regime] ?? solver.regime]];
+  const [low, high] = solver.nutationLimits ?? [0, 1];
+  const regime = high - low < STEADY && solver.regime === "undulating" ? "steady" : solver.regime;
+  const found = [["what it does", SEEN[regime] ?? regime]];
   const period = solver.nutationPeriod;
   const finite = period !== null && Number.isFinite(period);
-  if (finite) found.push(["nods every", clock(period, period)]);
+  if (finite && regime !== "steady") found.push(["nods every", clock(period, period)]);
   if (finite && solver.precessionPerPeriod !== null && solver.regime !== "planar") {
     found.push(["mean precession", `${worded(solver.precessionPerPeriod / period / RPM, 4)} rpm`]);
   }

@@ -1,5 +1,6 @@
 // What all bodies that spin are set by: three moments, and the size and direction of Ω at first.
 import { exact } from "../numbers.js";
+import { ascending } from "../polhodes.js";
 
 const RPM = Math.PI / 30;
 const DEGREE = Math.PI / 180;
@@ -67,7 +68,7 @@ export function turned(setting, key, value) {
 /** Return the setting with what tables of a spec say of moments and spin, in SI; `inner` is the momentum of what turns inside. */
 export function withTables(setting, { body = {}, spin = {} }, inner = [0, 0, 0]) {
   let found = { ...setting };
-  if (body.moments) found = { ...found, moments: body.moments.map(Number), momentum: null };
+  if (body.moments) found = { ...found, moments: ofABody(body.moments), momentum: null };
   if (spin.attitude) found.attitude = spin.attitude.map(Number);
   if (spin.momentum) {
     const momentum = spin.momentum.map(Number);
@@ -80,11 +81,31 @@ export function withTables(setting, { body = {}, spin = {} }, inner = [0, 0, 0])
   }
   if (["rate", "about", "tilt"].every((name) => spin[name] === undefined)) return found;
   if (spin.about !== undefined && ![1, 2, 3].includes(spin.about)) throw new RangeError(`spin.about must be 1, 2 or 3, a principal axis; got ${spin.about}.`);
-  const about = spin.about === undefined ? found.about : spin.about - 1;
-  const old = angles(found.velocity, about);
-  // a spec's tilt is towards the next axis
-  const now = { rate: Number(spin.rate ?? old.rate), tilt: Number(spin.tilt ?? old.tilt), around: spin.tilt === undefined ? old.around : 0 };
-  return { ...found, about, around: now.around, momentum: null, velocity: velocityOf(about, now) };
+  // a spec counts principal axes by ascending moments, and tilts towards the next of them
+  const frame = principalFrame(found.moments);
+  const about = spin.about === undefined ? frame.findIndex((axis) => axis[found.about] !== 0) : spin.about - 1;
+  const old = angles(frame.map((axis) => dot(axis, found.velocity)), about);
+  const now = { rate: spin.rate ?? old.rate, tilt: spin.tilt ?? old.tilt, around: spin.tilt === undefined ? old.around : 0 };
+  const along = velocityOf(about, now);
+  const velocity = [0, 1, 2].map((k) => frame.reduce((sum, axis, j) => sum + axis[k] * along[j], 0));
+  const place = frame[about].findIndex((value) => value !== 0);
+  return { ...found, about: place, around: angles(velocity, place).around, momentum: null, velocity };
+}
+
+const dot = (a, b) => a.reduce((sum, value, k) => sum + value * b[k], 0);
+
+/** Return the principal axes of ascending moments, right-handed, along those in the given order. */
+function principalFrame(moments) {
+  const order = ascending(moments);
+  const odd = (order[1] - order[0]) * (order[2] - order[0]) * (order[2] - order[1]) < 0;
+  return order.map((k, j) => [0, 1, 2].map((i) => (i === k ? (odd && j === 2 ? -1 : 1) : 0)));
+}
+
+/** Return the moments, or throw for those that no body has. */
+function ofABody(moments) {
+  const sum = moments[0] + moments[1] + moments[2];
+  if (moments.every((value) => value > 0 && 2 * value <= sum * (1 + 1e-9))) return moments;
+  throw new RangeError(`Moments must be positive and satisfy I1 + I2 ≥ I3; got ${moments.join(", ")} kg m². No rigid body has these.`);
 }
 
 /** Return the momentum at the start: as it was given, to the last bit, or IΩ and what turns inside. */

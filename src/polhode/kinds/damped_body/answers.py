@@ -29,7 +29,7 @@ from polhode.reports.about import about_body, accuracy, stability_values, verdic
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import AbstractReport
 from polhode.reports.length import ADAPTIVE, ORBITING, TURNING, check_length
-from polhode.reports.wording import angle, uncertain
+from polhode.reports.wording import angle, duration, uncertain
 from polhode.simulation import simulate
 from polhode.systems.double_bracket import DoubleBracket
 from polhode.systems.kepler_orbit import KeplerOrbit
@@ -38,7 +38,7 @@ from polhode.systems.torques import AbstractTorque, GravityGradient, LinearDrag,
 from polhode.types import Array, Float64
 
 DECAYS = 5.0  # time constants of drag followed where no end is given
-MOST_TURNS = 2000.0  # of the start, followed where no end is given
+MOST_TURNS = 20_000.0  # of the start, followed where no end is given
 
 
 @dataclass(frozen=True)
@@ -109,15 +109,44 @@ class DampedBodyReport(AbstractReport):
     @property
     def notes(self) -> list[str]:
         notes = [*self.spec.remarks]
-        if self.inside and self.axes and self.angle_to_major_axis[-1] > math.radians(1.0):
-            at = [k for k in (0, 1) if angle_to_axis(np.asarray(self.trajectory.momentum)[0], k) <= ON_AXIS]
-            why = f"it starts exactly on axis {at[0] + 1}, where nothing pushes it off" if at else "it has not settled"
-            notes.append(f"{why}; " + ("give spin.tilt." if at else "give a later time.until."))
+        if self.inside and self.axes:
+            notes += self._leaving()
         elif self.cut:
             notes.append(f"the motion is followed for {MOST_TURNS:.0f} turns of the start; give time.until for more.")
         if self.table.orbital_period is not None:
             notes.append("the verdicts on the axes are those of drag; gravity's pull on the body is left out of them.")
         return notes
+
+    def _leaving(self) -> list[str]:
+        """Return what losses inside make of a spin that is not about the major axis."""
+        start, moments = np.asarray(self.trajectory.momentum)[0], self.body.principal_moments
+        norm, settles = float(self.momentum_norm[0]), self.angle_to_major_axis[-1] <= math.radians(1.0)
+        at = [k for k in (0, 1) if moments[k] < moments[2] and angle_to_axis(start, k) <= ON_AXIS]
+        if at:
+            later = self._from_one_degree()
+            then = "" if later is None else f" From 1° off it comes to a flat spin in {duration(later)}."
+            why = f"it starts exactly on axis {at[0] + 1}, where nothing pushes it off. The least disturbance makes it "
+            return [f"{why}leave, as Explorer 1 did in 1958.{then} Give spin.tilt to see it."]
+        found = []
+        if moments[0] < moments[1] and 2.0 * float(self.energy[0]) * moments[1] > norm**2:
+            found.append("it starts about the axis of least moment, which a body that loses energy inside leaves, as "
+                         "Explorer 1 did in 1958, for a flat spin about the axis of largest moment.")  # fmt: skip
+        if not settles:
+            wanted = settling_time(self.axes, start, moments)
+            wait = f' = "{1.1 * wanted:.3g} s"' if math.isfinite(wanted) else ""
+            found.append(f"it has not settled; give a later time.until{wait}.")
+        return found
+
+    def _from_one_degree(self) -> float | None:
+        """Return when a spin 1° off the axis that this one starts on comes to a flat spin [s]; None elsewhere."""
+        start, norm = np.asarray(self.trajectory.momentum)[0], float(self.momentum_norm[0])
+        moments = self.body.principal_moments
+        at = [k for k in (0, 1) if norm and moments[k] < moments[2] and angle_to_axis(start, k) <= ON_AXIS]
+        if not self.inside or self.damping is None or not at:
+            return None
+        off = np.full(3, math.sin(math.radians(1.0)) / math.sqrt(2.0))
+        off[at[0]] = math.cos(math.radians(1.0))
+        return flat_spin_time(moments, norm * off, self.damping / norm)
 
     def answers(self) -> list[Group | Table]:
         orbiting = self.table.orbital_period is not None
@@ -184,6 +213,8 @@ class DampedBodyReport(AbstractReport):
         within = "L to stay within 5° of the major axis"
         return [
             Answer("flat_spin_time.energy_sink", expected, "s", "time to a flat spin, by mean losses", within),
+            Answer("flat_spin_time.from_one_degree", self._from_one_degree(), "s",
+                   "time to a flat spin from 1° off", within),
             Answer("flat_spin_time.motion", seen, "s", "time to a flat spin, in the motion", f"{within}, at a sample",
                    words),
         ]

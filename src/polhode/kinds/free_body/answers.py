@@ -119,7 +119,7 @@ class FreeBodyReport(AbstractReport):
             Answer("geometric_phase", motion.geometric_phase, "rad", "geometric phase"),
             Answer("action", motion.action, "J s", "action"),
             Answer("tumbling_periods", {"P_phi": tumbling[0], "P_psi": tumbling[1]}, "s"),
-            Answer("", None, "", "tumbling periods P_φ, P_ψ", "", periods),
+            Answer("", None, "", "tumbling periods P_φ, P_ψ", "", periods or None),
             Answer("long_axis_period", motion.long_axis_period, "s", "long-axis period P₁"),
             Answer("herpolhode", None if found is None else found._asdict(), unit, "herpolhode between radii", "",
                    radii),
@@ -135,12 +135,23 @@ class FreeBodyReport(AbstractReport):
                 "Explorer 1 did in 1958, and end in a flat spin about the axis of largest moment. A spec with losses "
                 "tells how long that takes."
             )
+        if self._spins_about_middle():
+            found.append(
+                "this is spin exactly about the intermediate axis, which is unstable: the least disturbance makes the "
+                "body turn over, again and again. Give spin.tilt to see it."
+            )
         farthest = float(np.abs(np.asarray(self.trajectory.times)).max())
         turns = farthest * fastest_rate(self.motion) / (2.0 * math.pi)
         if turns > EXACT_TURNS:
             note = f"the times reach {turns:.1e} turns; beyond 2⁵⁰ the error of the attitude grows with them, and the "
             found.append(note + "spin itself, known to 16 digits, no longer says how the body lies.")
         return found
+
+    def _spins_about_middle(self) -> bool:
+        """Whether L lies exactly along the intermediate axis of three different moments."""
+        moments, momentum = np.asarray(self.motion.moments), np.abs(np.asarray(self.motion.momentum_at_epoch))
+        middle = int(np.argsort(moments)[1])
+        return len(set(moments.tolist())) == 3 and bool(momentum.sum() == momentum[middle] > 0.0)
 
     def _spins_about_least(self) -> bool:
         """Whether the body spins, steadily or coning, about an axis whose moment is less than the others."""
