@@ -135,7 +135,7 @@ def test_a_cell_shows_a_motion_that_can_be_set(lab, server):
     assert miss(frame, moments, velocity * moments, 20.0) < SAME
     # the clipboard is out of reach of a frame, so the spec stands in a field
     frame.locator("#spec").click()
-    assert "[body]" in frame.locator("#copied").input_value()
+    assert "[body]" in frame.locator("#copied").input_value() and frame.locator("#refused").text_content()
     frame.locator("#play").click()
     frame.page.wait_for_timeout(600)
     assert frame.evaluate("window.polhode.shown().time") > 0.0

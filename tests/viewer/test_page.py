@@ -248,7 +248,7 @@ def test_old_page_survives_a_failed_write(tmp_path, monkeypatch):
 
 def test_frame_of_a_notebook_needs_no_quotes_of_the_page():
     frame = show(MOTION.sample(TIMES), name='"a" & <b>', height=450)._repr_html_()
-    assert frame.startswith('<iframe srcdoc="') and 'height="450"' in frame and frame.count('"') == 12
+    assert frame.startswith('<iframe srcdoc="') and 'height="450"' in frame and frame.count('"') == 14
     assert "allow-same-origin" not in frame
 
 

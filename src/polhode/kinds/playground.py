@@ -15,6 +15,7 @@ from polhode.kinds.reading import read_spec
 from polhode.reports.base import AbstractReport
 from polhode.viewer.page import Page, playground_of
 
+SAMPLED = ("attitude", "momentum", "velocity", "energy")
 SAMPLES = 600  # of motions that the page cannot solve itself
 
 
@@ -48,4 +49,6 @@ def _preset(
     spec = spec if spec.kind.in_closed_form else replace(spec, samples=min(spec.samples, SAMPLES))
     report = spec.report() if report_of is None else report_of(path, spec)
     page = page_of_answers(report, spec.name, spec.surface)
+    if page.data["model"] is not None:  # the page solves it from the start, at any time, and needs no samples of it
+        page = page._replace(data={name: value for name, value in page.data.items() if name not in SAMPLED})
     return page, {"key": words["example"], "title": words["title"], "story": words["story"]}

@@ -21,6 +21,7 @@ from polhode.viewer.encoding import as_script_json, packed, with_powers
 from polhode.viewer.panels import Content, content_of, free_moments_of, title_of, up_of
 from polhode.viewer.samples import Samples, samples_of
 
+UNTRUSTED = "Here stands the page of a motion. Run this cell, or trust the notebook, to see it."
 SOLVED = ("FreeMotion", "LagrangeMotion")  # what the page solves itself, by reference/polhode.js
 
 
@@ -43,9 +44,11 @@ class NotebookPage:
         )
 
     def _repr_html_(self) -> str:
+        # browsers never show the words inside a frame; a notebook that is not trusted drops the frame and keeps them
         return (
             f'<iframe srcdoc="{html.escape(self.page)}" width="100%" height="{self.height}" '
-            'sandbox="allow-scripts" style="border:0" title="polhode: a motion"></iframe>'
+            'sandbox="allow-scripts" allow="clipboard-write *" style="border:0" title="polhode: a motion">'
+            f"{UNTRUSTED}</iframe>"
         )
 
 
