@@ -16,6 +16,8 @@ author = "The polhode developers"
 release = version = polhode.__version__
 extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
 html_theme = "furo"
+html_static_path = ["_static"]
+html_css_files = ["pages.css"]
 exclude_patterns = ["build"]
 nb_execution_mode = "force"
 nb_execution_raise_on_error = True
