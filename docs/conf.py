@@ -7,10 +7,12 @@ from docutils import nodes
 from latex2mathml.converter import convert
 
 import polhode
+from polhode.cli.compiled import compile_quickly
 from polhode.figures.style import save
 from polhode.kinds.playground import write_playground
 from polhode.kinds.reading import read_spec
 
+compile_quickly()  # here and in the kernels that run the cells
 project = "polhode"
 author = "The polhode developers"
 release = version = polhode.__version__
