@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from polhode.arrays import as_float64, is_traced, known_false, namespace
+from polhode.arrays import as_float64, compiled, is_traced, known_false, namespace
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, ArrayOrFloat, Float64, Real
 
@@ -140,8 +140,13 @@ def as_matrix(quaternion: Real[ArrayLike, "*batch 4"]) -> Float64[Array, "*batch
     Raises:
         InvalidInput: for a quaternion that is not of unit length.
     """
-    xp, (q,) = _arrays(quaternion=quaternion)
+    _, (q,) = _arrays(quaternion=quaternion)
     _refuse_not_unit(q)
+    return compiled(_matrix, q)(q)
+
+
+def _matrix(q: Float64[Array, "*batch 4"]) -> Float64[Array, "*batch 3 3"]:
+    xp = namespace(q)
     w, x, y, z = _parts(q)
     rows = (
         ((w * w + x * x) - (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)),

@@ -219,7 +219,6 @@ def _batched(args: Any, axes: Any, *, function: Elementwise, compiled: bool) -> 
 
 
 def _jvp(primals: Any, tangents: Any, *, function: Elementwise, compiled: bool) -> tuple[Any, Any]:
-    import jax.numpy as jnp
     from jax.interpreters import ad
 
     bind = partial(_primitive().bind, compiled=compiled)
@@ -228,24 +227,34 @@ def _jvp(primals: Any, tangents: Any, *, function: Elementwise, compiled: bool) 
             f"`{function.name}` has first and second derivatives only; take third ones by differences of the second."
         )
     *values, columns = bind(*primals, function=function.differential)
-    batch = function.batch(primals)
-    change: Any = None
-    start = 0
-    for dx, core in zip(tangents, function.inputs, strict=True):
-        size = math.prod(core)
-        if not isinstance(dx, ad.Zero):
-            dx = dx if core else dx[..., None]
-            part = jnp.sum(columns[..., start : start + size] * dx[..., None, :], axis=-1)
-            change = part if change is None else change + part
-        start += size
+    which = tuple(k for k, dx in enumerate(tangents) if not isinstance(dx, ad.Zero))
     changes: list[Any] = [ad.Zero(_tangent_type(v)) for v in values]
-    row = 0
-    for k in function.smooth:
-        shape = function.outputs[k][0]
-        size = math.prod(shape)
-        changes[k] = change[..., row : row + size].reshape(*batch, *shape)
-        row += size
+    found = _applied(function, which)(columns, *(tangents[k] for k in which))
+    for k, change in zip(function.smooth, found, strict=True):
+        changes[k] = change
     return values, changes
+
+
+@cache
+def _applied(function: Elementwise, which: tuple[int, ...]) -> Any:
+    """Return the compiled function of Jacobian and changes of some arguments that gives the values' changes."""
+    import jax
+    import jax.numpy as jnp
+
+    def apply(columns: Any, *ways: Any) -> list[Any]:
+        change: Any = 0.0
+        for k, dx in zip(which, ways, strict=True):
+            start, core = sum(math.prod(shape) for shape in function.inputs[:k]), function.inputs[k]
+            dx = dx if core else dx[..., None]
+            change = change + jnp.sum(columns[..., start : start + math.prod(core)] * dx[..., None, :], axis=-1)
+        found, row = [], 0
+        for k in function.smooth:
+            shape = function.outputs[k][0]
+            found.append(change[..., row : row + math.prod(shape)].reshape(*columns.shape[:-2], *shape))
+            row += math.prod(shape)
+        return found
+
+    return jax.jit(apply)
 
 
 def _tangent_type(value: Any) -> Any:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 import numpy as np
 
 from polhode import rotation
-from polhode.arrays import as_float64, namespace, register_node
+from polhode.arrays import as_float64, compiled, is_jax, namespace, register_node
 from polhode.errors import InvalidInput
 from polhode.motion.inputs import (
     by_attributes,
@@ -33,6 +33,11 @@ if TYPE_CHECKING:
 
 CYCLES, SAMPLES = 10, 2000  # of a motion without times
 Motion = TypeVar("Motion", bound="AbstractMotion")
+
+
+def _elapsed(t: Array, epoch: Array) -> tuple[Array, Array]:
+    """Return the time since the epoch, in two parts."""
+    return two_sum(t, -epoch)
 
 
 @dataclass(frozen=True, eq=False, init=False)
@@ -128,7 +133,7 @@ class AbstractMotion(Plotted, abc.ABC):
         """Return attitude (…, 4) and momentum (…, 3) at a time since the epoch, given in two parts."""
 
     @abc.abstractmethod
-    def _fastest(self, xp: Any) -> Array:
+    def _fastest(self) -> Array:
         """Return about how fast the bodies turn (…) [rad/s]."""
 
     @property
@@ -172,8 +177,8 @@ class AbstractMotion(Plotted, abc.ABC):
         """
         xp = namespace(t, self.moments)
         t = checked_times(xp, t, self.batch_shape)
-        attitude, momentum = self._closed_form(*two_sum(t, -self.epoch))
-        refuse_overflow(xp, attitude, t, self._fastest(xp))
+        attitude, momentum = self._closed_form(*compiled(_elapsed, t if is_jax(t) else self.epoch)(t, self.epoch))
+        refuse_overflow(attitude, t, self._fastest)
         return self._along_given_axes(attitude, momentum)
 
     def attitude(self, t: Real[ArrayLike, "..."]) -> Float64[Array, "... 4"]:

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 
-from polhode.arrays import as_float64, is_traced, known_false
+from polhode.arrays import as_float64, compiled, is_jax, is_traced, namespace
 from polhode.errors import InvalidInput, shown
 from polhode.rotation import UNIT_TOLERANCE
-from polhode.types import Array, ArrayLike, ArrayOrFloat, Float64, Real
+from polhode.types import Array, ArrayLike, ArrayOrFloat, Float64, Real, Shaped
 
 SYMMETRY = 1e-9  # of a matrix, relative: an inertia tensor that was typed in or computed
 MOST_RADIANS = 1e27  # of a phase, which has 104 bits
@@ -108,22 +109,35 @@ def checked(
     for name, value, size in (("moments", moments, 3), ("momentum", momentum, 3), ("attitude", attitude, 4)):
         checked_last_axis(name, value, size)
     common_shape(moments=moments[..., 0], momentum=momentum[..., 0], attitude=attitude[..., 0], epoch=epoch)
+    if is_traced(moments, attitude, epoch):
+        return compiled(_nan_where_bad, moments)(moments, momentum, attitude)
+    _refuse(*known(moments, momentum, attitude, epoch))
+    return moments, momentum, attitude
+
+
+def _good(xp: Any, moments: Array, attitude: Array) -> tuple[Array, Array]:
+    """Return where moments are those of a body, and where quaternions are of unit length (…, 1)."""
     length = xp.sqrt(xp.sum(attitude * attitude, axis=-1, keepdims=True))
-    good_moments = xp.all((moments > 0) & xp.isfinite(moments), axis=-1, keepdims=True)
-    good_length = xp.abs(length - 1.0) < UNIT_TOLERANCE
-    if not is_traced(good_moments, good_length, epoch):
-        _refuse(xp, moments, momentum, attitude, epoch, good_moments, good_length)
-    nan = math.nan
-    return (
-        xp.where(good_moments, moments, nan),
-        xp.where(good_moments, momentum, nan),
-        xp.where(good_length, attitude, nan),
-    )
+    return xp.all((moments > 0) & xp.isfinite(moments), axis=-1, keepdims=True), xp.abs(length - 1.0) < UNIT_TOLERANCE
 
 
-def _refuse(
-    xp: Any, moments: Array, momentum: Array, attitude: Array, epoch: Array, good_moments: Array, good_length: Array
-) -> None:
+def _nan_where_bad(moments: Array, momentum: Array, attitude: Array) -> tuple[Array, Array, Array]:
+    xp = namespace(moments, momentum, attitude)
+    good_moments, good_length = _good(xp, moments, attitude)
+    where = lambda good, value: xp.where(good, value, math.nan)  # noqa: E731
+    return where(good_moments, moments), where(good_moments, momentum), where(good_length, attitude)
+
+
+def known(*values: Array) -> tuple[Shaped[Array, "..."], ...]:
+    """Return JAX arrays that are not traced as NumPy's, in which nothing has to be compiled; others as they are."""
+    return tuple(np.asarray(x) if is_jax(x) and not is_traced(x) else x for x in values)
+
+
+def _refuse(moments: Array, momentum: Array, attitude: Array, epoch: Array) -> None:
+    xp = namespace(moments, attitude)
+    with np.errstate(over="ignore", invalid="ignore"):
+        good_moments, good_length = _good(xp, moments, attitude)
+
     def first(values: Array, good: Array) -> str:
         return np.array2string(np.asarray(values)[~np.asarray(good)[..., 0]][0], separator=", ")
 
@@ -132,7 +146,7 @@ def _refuse(
             f"`moments` must be positive and finite; got {first(moments, good_moments)} kg m². "
             "A body with a zero moment (a thin rod) cannot spin about that axis; check values and units."
         )
-    refuse_not_finite(xp, momentum=momentum, epoch=epoch)
+    refuse_not_finite(momentum=momentum, epoch=epoch)
     if not bool(xp.all(good_length)):
         raise InvalidInput(
             f"`attitude` must be a unit quaternion (w, x, y, z); got {first(attitude, good_length)}. "
@@ -140,39 +154,48 @@ def _refuse(
         )
 
 
-def refuse_not_finite(xp: Any, **named: Array) -> None:
+def refuse_not_finite(**named: Array) -> None:
     """Refuse concrete arrays with NaN or an infinity."""
     for name, value in named.items():
-        if known_false(xp.all(xp.isfinite(value))):
+        if not all_finite(value):
             raise InvalidInput(f"`{name}` must be finite; got NaN or an infinity. Check where it comes from.")
 
 
 def checked_times(xp: Any, t: Real[ArrayLike, "*shape"], batch: tuple[int, ...]) -> Float64[Array, "*shape"]:
     """Return times as float64; refuse concrete ones that are not finite, and shapes that do not fit the batch."""
     t = as_float64(xp, t, "t")
-    if known_false(xp.all(xp.isfinite(t))):
+    if not all_finite(t):
         raise InvalidInput("`t` must be finite; got NaN or an infinity. Give times in seconds.")
     if t.shape and batch:
         common_shape(bodies=np.broadcast_to(0.0, batch), t=t)
     return t
 
 
+def all_finite(values: Array) -> bool:
+    """Whether concrete values are all finite; those of traced ones are not known, and pass."""
+    (values,) = known(values)
+    return is_traced(values) or bool(namespace(values).all(namespace(values).isfinite(values)))
+
+
 def refuse_overflow(
-    xp: Any, attitude: Float64[Array, "... 4"], t: Float64[Array, "..."], rates: Float64[Array, "..."]
+    attitude: Float64[Array, "... 4"], t: Float64[Array, "..."], rates: Callable[[], Float64[Array, "..."]]
 ) -> None:
     """Refuse times whose phases have left the range of numbers, as the attitude shows, or have no digits left.
 
     Args:
-        xp: the namespace of the arrays.
         attitude: (…, 4) at the times.
         t: (…) [s].
-        rates: (…) of the motion, about [rad/s].
+        rates: function that returns those of the motion (…), about [rad/s].
     """
-    if is_traced(attitude, t, rates) or not t.size:
+    if is_traced(attitude, t) or not t.size:
         return
+    attitude, t, fastest = known(attitude, t, rates())
+    if is_traced(fastest):
+        return
+    xp = namespace(t, fastest)
     with np.errstate(over="ignore", invalid="ignore"):
-        lost = bool(xp.any(xp.abs(t) * rates > MOST_RADIANS))
-    if lost or not bool(xp.all(xp.isfinite(attitude[..., 0]))):
+        lost = bool(xp.any(xp.abs(t) * fastest > MOST_RADIANS))
+    if lost or not all_finite(attitude[..., 0]):
         raise InvalidInput(
             f"`t` times the rate of rotation must be at most {MOST_RADIANS:.0e} rad, beyond which a phase has hardly a "
             f"digit left; got times up to {float(xp.max(xp.abs(t))):g} s. Check times and rates."

@@ -9,16 +9,21 @@ from typing import Any, ClassVar
 import numpy as np
 
 from polhode import rotation
-from polhode.arrays import is_traced, namespace
+from polhode.arrays import compiled, is_traced, namespace
 from polhode.bodies.body import Body, check_is_body
 from polhode.exact.free_body import evaluation, geometry
 from polhode.motion.base import AbstractMotion
-from polhode.motion.inputs import cached_unless_traced, finite, named_code, plain_answer, spin_of
+from polhode.motion.inputs import cached_unless_traced, finite, known, named_code, plain_answer, spin_of
 from polhode.motion.invariants import drift, norm
 from polhode.motion.layout import ENERGY, MOMENTUM_NORM, MOMENTUM_SPACE, Quantity
 from polhode.types import Array, ArrayLike, Float64, Real
 
 Spin = Real[ArrayLike, "*#batch 3"] | None
+
+
+def _of_unit_length(attitude: Array) -> Array:
+    xp = namespace(attitude)
+    return attitude / xp.sqrt(xp.sum(attitude * attitude, axis=-1, keepdims=True))
 
 
 @dataclass(frozen=True, eq=False, init=False)
@@ -102,7 +107,7 @@ class FreeMotion(AbstractMotion):
     def _checked_further(
         self, xp: Any, body: tuple[Array, ...], momentum: Array, attitude: Array, epoch: Array
     ) -> tuple[tuple[Array, ...], Array, Array]:
-        return body, momentum, attitude / xp.sqrt(xp.sum(attitude * attitude, axis=-1, keepdims=True))
+        return body, momentum, compiled(_of_unit_length, attitude)(attitude)
 
     def _columns_of(self) -> tuple[Array, ...]:
         return evaluation.motion_columns(self._arguments)
@@ -110,8 +115,10 @@ class FreeMotion(AbstractMotion):
     def _closed_form(self, elapsed: Array, rest: Array) -> tuple[Array, Array]:
         return evaluation.state(self._columns, self._arguments, elapsed, rest)
 
-    def _fastest(self, xp: Any) -> Array:
-        return xp.max(xp.abs(self._principal[0] / self.moments), axis=-1)
+    def _fastest(self) -> Array:
+        momentum, moments = known(self._principal[0], self.moments)
+        xp = namespace(momentum, moments)
+        return xp.max(xp.abs(momentum / moments), axis=-1)
 
     @property
     def free_moments(self) -> Float64[Array, "*batch 3"]:

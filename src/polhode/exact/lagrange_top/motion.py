@@ -20,6 +20,7 @@ from polhode.motion.inputs import (
     cached_unless_traced,
     common_shape,
     finite,
+    known,
     named_code,
     plain_answer,
     refuse_not_finite,
@@ -138,7 +139,7 @@ class LagrangeMotion(AbstractMotion):
         self, xp: Any, body: tuple[Array, ...], momentum: Array, attitude: Array, epoch: Array
     ) -> tuple[tuple[Array, ...], Array, Array]:
         moments, mgl = body
-        refuse_not_finite(xp, mgl=mgl)
+        refuse_not_finite(mgl=mgl)
         common_shape(moments=moments[..., 0], mgl=mgl, momentum=momentum[..., 0], epoch=epoch)
         return (_checked_symmetry(xp, moments), mgl), momentum, attitude
 
@@ -148,9 +149,10 @@ class LagrangeMotion(AbstractMotion):
     def _closed_form(self, elapsed: Array, rest: Array) -> tuple[Array, Array]:
         return evaluation.state(self._columns, self._arguments, elapsed, rest)
 
-    def _fastest(self, xp: Any) -> Array:
-        spin = xp.max(xp.abs(self._principal[0] / self.moments), axis=-1)
-        return spin + xp.sqrt(xp.abs(self.mgl) / self.moments[..., 0])
+    def _fastest(self) -> Array:
+        momentum, moments, mgl = known(self._principal[0], self.moments, self.mgl)
+        xp = namespace(momentum, moments, mgl)
+        return xp.max(xp.abs(momentum / moments), axis=-1) + xp.sqrt(xp.abs(mgl) / moments[..., 0])
 
     @property
     def cycle(self) -> float:
