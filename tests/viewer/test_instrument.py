@@ -379,6 +379,20 @@ def test_axes_are_counted_as_in_a_spec_whatever_the_order_of_the_moments(book, o
     assert "No rigid body has these" in page.tab.locator("#refused").text_content() and settings_of(page) == before
 
 
+@pytest.mark.parametrize("typed", ["abc", "0", "-5", ""])
+def test_what_is_typed_wrong_is_said_and_marked(book, opened, typed):
+    page = opened(book)
+    before = settings_of(page)
+    field = page.tab.locator("#set-spin-rate")
+    field.fill(typed)
+    field.press("Enter")
+    assert field.get_attribute("aria-invalid") == "true" and page.tab.locator("#refused").text_content()
+    assert settings_of(page) == before
+    field.fill("7")
+    field.press("Enter")
+    assert field.get_attribute("aria-invalid") is None and settings_of(page) != before
+
+
 COPIED = {
     "heavy-top": "{system: {mgl: 2.5}, spin: {angular_velocity: [1, 0.2, 3]}}",
     "damped-body": "{system: {damping: 0.1}, spin: {angular_velocity: [1, 0.2, 0.3]}}",

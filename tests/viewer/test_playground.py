@@ -83,6 +83,10 @@ def test_a_link_names_the_motion(short, opened):
     other.until("window.polhode && window.polhode.firstPicture")
     assert other.tab.locator("h1").text_content() == page.tab.locator("h1").text_content()
     assert other.tab.evaluate("window.polhode.settings()") == page.tab.evaluate("window.polhode.settings()")
+    other.tab.goto("about:blank")
+    other.tab.goto(address.split("#")[0] + "#preset=nonsense")
+    other.until("window.polhode && window.polhode.firstPicture")
+    assert "no motion called nonsense" in other.tab.locator("#story").text_content()
 
 
 def test_stories_are_about_examples_that_there_are():

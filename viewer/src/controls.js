@@ -5,10 +5,12 @@ export class Controls {
   /**
    * @param root element that they are put into
    * @param onChange called with the key and the new value
+   * @param refuse called with why what was typed is not taken
    */
-  constructor(root, onChange) {
+  constructor(root, onChange, refuse) {
     this.root = root;
     this.onChange = onChange;
+    this.refuse = refuse;
     this.rows = new Map();
   }
 
@@ -70,6 +72,7 @@ export class Controls {
     row.unit.textContent = control.unit;
     row.field.setAttribute("aria-label", `${control.label} [${control.unit}]`);
     row.field.setCustomValidity("");
+    row.field.removeAttribute("aria-invalid");
   }
 
   settle() {
@@ -83,8 +86,11 @@ export class Controls {
     const outside = row.control.key.startsWith("body.moments") && (value < low * 0.999 || value > high * 1.001);
     const said = wrong || (outside ? `No body has this moment with the two others: ${plain(low / si)} to ${plain(high / si)} ${unit}.` : "");
     row.field.setCustomValidity(said);
-    if (said) row.field.reportValidity();
-    else this.onChange(row.control.key, value);
+    if (said) {
+      row.field.setAttribute("aria-invalid", "true");
+      row.field.reportValidity();
+      this.refuse(said);
+    } else this.onChange(row.control.key, value);
   }
 }
 

@@ -21,7 +21,7 @@ export class Instrument {
     this.changed = changed;
     this.setting = this.first = this.kind.from(model);
     this.solver = this.kind.make(this.setting);
-    this.controls = new Controls(element("controls"), (key, value) => this.move(key, value));
+    this.controls = new Controls(element("controls"), (key, value) => this.move(key, value), (why) => this.say(why));
     element("spec").hidden = !this.kind.toml;
     this.show();
   }

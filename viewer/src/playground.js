@@ -27,9 +27,16 @@ export class Playground {
   /** Return which motion to begin with: the one that the address names, or the first. */
   first() {
     const named = new URLSearchParams(window.location.hash.replace(/^#/, "")).get("preset");
-    const found = Math.max(0, this.presets.findIndex(({ key }) => key === named));
-    this.choose(found);
-    return found;
+    const found = this.presets.findIndex(({ key }) => key === named);
+    this.choose(Math.max(0, found));
+    if (named && found < 0) this.tell(`The playground has no motion called ${named}; it has ${this.presets.map(({ key }) => key).join(", ")}.`);
+    return Math.max(0, found);
+  }
+
+  tell(words) {
+    const note = document.createElement("li");
+    note.textContent = words;
+    element("story").prepend(note);
   }
 
   choose(k) {

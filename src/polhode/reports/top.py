@@ -102,7 +102,9 @@ class TopReport(AbstractReport):
             return "The fixed point is the centre of mass: the body turns freely."
         low, high = np.degrees([self.tilt.min(), self.tilt.max()])
         case = "" if self.top.case is None else f" It is {self.top.case[0]}'s case, with a third integral."
-        return f"The axis to the centre of mass leans between {low:.5g}° and {high:.5g}° from the vertical.{case}"
+        least, most = f"{low:.5g}°", f"{high:.5g}°"
+        leans = f"by {least}" if least == most else f"between {least} and {most}"
+        return f"The axis to the centre of mass leans {leans} from the vertical.{case}"
 
     def answers(self) -> list[Group | Table]:
         case = None if self.top.case is None else self.top.case[0]

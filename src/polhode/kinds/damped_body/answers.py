@@ -37,6 +37,7 @@ from polhode.systems.torqued_body import TorquedBody
 from polhode.systems.torques import AbstractTorque, GravityGradient, LinearDrag, QuadraticDrag
 from polhode.types import Array, Float64
 
+FLAT_SPIN = "time to within 5° of a flat spin"
 DECAYS = 5.0  # time constants of drag followed where no end is given
 MOST_TURNS = 20_000.0  # of the start, followed where no end is given
 
@@ -212,11 +213,10 @@ class DampedBodyReport(AbstractReport):
         expected = flat_spin_time(moments, start, self.damping / float(self.momentum_norm[0]))
         within = "L to stay within 5° of the major axis"
         return [
-            Answer("flat_spin_time.energy_sink", expected, "s", "time to a flat spin, by mean losses", within),
+            Answer("flat_spin_time.energy_sink", expected, "s", f"{FLAT_SPIN}, by mean losses", within),
             Answer("flat_spin_time.from_one_degree", self._from_one_degree(), "s",
-                   "time to a flat spin from 1° off", within),
-            Answer("flat_spin_time.motion", seen, "s", "time to a flat spin, in the motion", f"{within}, at a sample",
-                   words),
+                   f"{FLAT_SPIN}, from 1° off", within),
+            Answer("flat_spin_time.motion", seen, "s", f"{FLAT_SPIN}, in the motion", f"{within}, at a sample", words),
         ]
 
     def _at_both_ends(self, name: str, values: Array, unit: str, label: str, explanation: str = "") -> list[Answer]:

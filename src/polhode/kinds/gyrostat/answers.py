@@ -195,7 +195,8 @@ class GyrostatReport(AbstractReport):
         axis, L = rotation.rotate(attitude, self.along), rotation.rotate(attitude[0], momentum[0])
         nutation, around = mean_winding_rate(times, momentum, nearest), mean_winding_rate(times, axis, L)
         return [
-            Answer("mean_nutation_rate", nutation, "rad/s", "mean nutation", "of L round the nearest stable rotation"),
+            Answer("mean_nutation_rate", nutation, "rad/s", "mean nutation, right-handed",
+                   "of L round the nearest stable rotation, in the body"),
             Answer("mean_precession_rate", around, "rad/s", "mean precession", "of the rotor's axis round L, in space"),
         ]
 
