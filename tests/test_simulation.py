@@ -133,6 +133,7 @@ def test_as_dataset_and_netcdf(tmp_path):
         (lambda: ph.simulate(body, [1.0, np.nan, 0.0], TIMES), "finite"),
         (lambda: ph.simulate(body, np.ones(7), TIMES), "unit quaternion"),
         (lambda: ph.simulate(body, START, [0.0]), "at least two"),
+        (lambda: ph.simulate(body, np.ones((0, 3)), TIMES), r"no copies to move; got shape \(0, 3\)"),
         (lambda: ph.simulate(body, START, ["a", "b"]), "must be numbers"),
         (lambda: systems.BodyInPotential(MOMENTS, lambda up: up), "real scalar"),
         (lambda: systems.BodyInPotential(MOMENTS, lambda up: np.sin(up[2])), "jax.numpy"),

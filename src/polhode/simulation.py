@@ -111,6 +111,8 @@ def simulate(
     if not isinstance(system, AbstractSystem):
         raise InvalidInput(f"`system` must be one of polhode.systems; got {type(system).__name__}.")
     state, times = system.check_state(state), _checked_times(times)
+    if 0 in np.shape(state):
+        raise InvalidInput(f"`state` has no copies to move; got shape {np.shape(state)}. Give at least one.")
     for name, value, unit in (("step", step, " time [s]"), ("tolerance", tolerance, " number")):
         if value is not None and not (np.ndim(value) == 0 and math.isfinite(value) and value > 0):
             raise InvalidInput(f"`{name}` must be a positive finite{unit}; got {shown(value)}.")
