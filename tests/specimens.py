@@ -33,7 +33,7 @@ SYSTEMS = [
     systems.HeavyTop((1.0, 2.0, 3.0), 0.7, (1.0, 2.0, 0.5)),
     systems.HeavyTop((2.0, 1.0, 2.0), 0.7, (0.6, 0.0, -0.8)),
     systems.BrunBody((1.0, 2.0, 3.0), 0.7),
-    systems.Gyrostat((1.0, 2.0, 3.0), (0.1, 0.2, 0.5)),
+    systems.Gyrostat((1.0, 2.0, 3.0), (0.1, 0.2, 0.5), rotor_moment=0.2, free=True),
     systems.DoubleBracket((1.0, 2.0, 3.0), 0.3),
     systems.Kirchhoff((1.0, 2.0, 3.0, 2.0, 3.0, 5.0)),
     systems.Kirchhoff(np.diag([1.0, 2.0, 3.0, 2.0, 3.0, 5.0]) + 0.1),

@@ -82,8 +82,8 @@ def starts(system):
 def arguments(system, method):
     state = starts(system) if not isinstance(system, NO_STATE) else None
     values = {"t": RNG.uniform(0.5, 2.0, 3), "state": state, "attitude": unit(RNG.normal(size=(3, 4))),
-              "angular_velocity": RNG.normal(size=(3, 3)), "momentum": RNG.normal(size=(3, 3)),
               "tilt": RNG.uniform(0.2, 0.5, 3), "precession": RNG.uniform(1.0, 2.0, 3)}  # fmt: skip
+    values |= {name: RNG.normal(size=(3, 3)) for name in ("angular_velocity", "velocity", "momentum")}
     if isinstance(system, ATTACHED):
         values["own"] = values["actuator"] = RNG.normal(size=(3, system.state_size))
         values["rate"] = RNG.normal(size=(3, 3) if system is SLUG else 3)
