@@ -61,5 +61,6 @@ from .motion.trajectory import Trajectory as Trajectory
 from .simulation import simulate as simulate
 from .solving import Fold as Fold
 from .solving import solve as solve
+from .sweeps.answers import sweep as sweep
 
 __version__: str

@@ -14,7 +14,7 @@ import pytest
 import polhode
 
 REFERENCE = Path(__file__).parents[2] / "docs" / "reference.md"
-TAKE_FILES_AND_WORDS = {"cli", "figures", "formats", "kinds", "reports", "spec", "viewer", "errors"}
+TAKE_FILES_AND_WORDS = {"cli", "figures", "formats", "kinds", "reports", "spec", "sweeps", "viewer", "errors"}
 INNER = {
     "arrays": None,
     "algebra": {"polynomial", "precision"},

@@ -21,7 +21,7 @@ from polhode.analysis import (
     spin_orbit,
     top_rates,
 )
-from polhode.analysis.cone import axis_angles, cone_angles, rotation_form, velocity_angles
+from polhode.analysis.cone import axis_angles, cone_angles, rotation_form, rotation_forms, velocity_angles
 from polhode.analysis.precession import body_precession, fastest_rate, space_precession
 from polhode.analysis.twist import racket_twist
 from polhode.bodies import surface
@@ -39,7 +39,7 @@ ROTOR, LOSING = systems.Gyrostat(THREE, THREE), systems.DoubleBracket(THREE, 0.1
 SPIN, ROLLING = systems.SpinOrbit(0.3, 0.1), systems.EulerDisk(1.0, 0.1).rolling_state(0.3)
 SOLID, TIMES, TURNS = ph.Body.from_moments(1.0, 2.0, 2.5), np.arange(12.0), np.tile(FOUR, (12, 1))
 OF_MOTIONS = ("polhode", "herpolhode", "herpolhode_curve", "body_precession", "space_precession", "racket_twist",
-              "axis_angles", "cone_angles", "velocity_angles", "rotation_form",
+              "axis_angles", "cone_angles", "velocity_angles", "rotation_form", "rotation_forms",
               "rotation_period", "turn_per_flip", "precession.fastest_rate", "HeavyTop.from_motion",
               "keeps_its_tilt", "steady_precession_of")  # fmt: skip
 """Making a motion compiles for half a minute, within another traced function not at all."""
@@ -192,6 +192,7 @@ REFUSED = {
     "cone_angles": (THREE, lambda x: cone_angles(moving(x))),
     "velocity_angles": (THREE, lambda x: velocity_angles(moving(x))),
     "rotation_form": (THREE, lambda x: rotation_form(moving(x))),
+    "rotation_forms": (THREE, lambda x: rotation_forms(moving(x))),
     "space_precession": (THREE, lambda x: space_precession(moving(x))),
     "racket_twist": (THREE, lambda x: racket_twist(moving(x))),
     "resonances": (1.0, lambda x: spin_orbit.resonances(scaled(SPIN, x))),

@@ -15,8 +15,9 @@ import numpy as np
 from polhode.analysis.poinsot import herpolhode
 from polhode.arrays import known_numbers_only
 from polhode.exact.free_body import FreeMotion
+from polhode.exact.free_body.geometry import REGIMES
 from polhode.exact.free_body.reduction import canonical_reduction
-from polhode.types import Float64
+from polhode.types import Array, Float64, Shaped
 
 RIGHT = 0.5 * math.pi
 CONING = math.radians(45.0)  # the widest cone that is seen as a spin about an axis which nutates
@@ -87,24 +88,38 @@ def rotation_form(motion: FreeMotion) -> str:
     axis comes within 30° of L at either end, by a cone that swings by 20° and more, or with rests in between;
     "tumbling": all else.
     """
-    if motion.regime in ("rest", "separatrix"):
-        return "rest" if motion.regime == "rest" else "flipping"
-    cone = None if motion.regime in ("permanent", "spherical") else cone_angles(motion)
-    if cone is None:
-        return "steady"
-    nearest, farthest = cone
-    if farthest < CONING:
-        return "coning"
-    if farthest >= FLIPPING and (farthest - nearest >= SWINGING or motion.modulus > DWELLING):
-        return "flipping"
-    return "tumbling"
+    return str(rotation_forms(motion))
+
+
+@known_numbers_only
+def rotation_forms(motion: FreeMotion) -> Shaped[np.ndarray, "*batch"]:
+    """Return the forms (…) of many motions at once, as ``rotation_form`` does of one."""
+    motion = motion.along_principal_axes()
+    moments, momentum = np.broadcast_arrays(np.asarray(motion.moments), np.asarray(motion.momentum_at_epoch))
+    codes = np.asarray(motion.regime)
+    regime = np.array(REGIMES)[codes] if codes.dtype.kind == "i" else codes
+    nearest, farthest = _cones(moments, momentum)
+    modulus = np.asarray(motion.modulus if codes.ndim else motion.modulus or 0.0, dtype=float)
+    flipping = (farthest >= FLIPPING) & ((farthest - nearest >= SWINGING) | (modulus > DWELLING))
+    choices = {"rest": regime == "rest", "flipping": regime == "separatrix",
+               "steady": (regime == "permanent") | (regime == "spherical"), "coning": farthest < CONING}  # fmt: skip
+    return np.select(list(choices.values()), list(choices), np.where(flipping, "flipping", "tumbling"))
 
 
 def _cone(motion: FreeMotion, momentum: Float64[np.ndarray, "3"]) -> tuple[float, float]:
-    body = canonical_reduction(np.asarray(motion.moments), momentum)
-    P, Q, S = (math.sqrt(abs(float(x[0] / body.V[0]))) for x in (body.P, body.Q, body.S))
-    one, other = math.atan2(P, Q), math.atan2(P, S)
-    return min(one, other), max(one, other)
+    nearest, farthest = _cones(np.asarray(motion.moments), momentum)
+    return float(nearest), float(farthest)
+
+
+def _cones(
+    moments: Float64[Array, "*batch 3"], momentum: Float64[Array, "*batch 3"]
+) -> tuple[Float64[Array, "*batch"], Float64[Array, "*batch"]]:
+    """Return the half-angles (…) between which cones open and close."""
+    body = canonical_reduction(moments, momentum)
+    with np.errstate(invalid="ignore", divide="ignore"):  # at rest there is no cone
+        P, Q, S = (np.sqrt(np.abs(x[0] / body.V[0])) for x in (body.P, body.Q, body.S))
+        one, other = np.arctan2(P, Q), np.arctan2(P, S)
+        return np.minimum(one, other), np.maximum(one, other)
 
 
 def _angles_without_period(

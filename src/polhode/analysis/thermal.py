@@ -13,7 +13,9 @@ REDUCED_PLANCK = 6.62607015e-34 / (2.0 * np.pi)  # J s, h exact by definition
 
 
 @known_numbers_only
-def thermal_momentum(moments: Real[ArrayLike, "*batch 3"], temperature: float) -> Float64[Array, "*batch 3"]:
+def thermal_momentum(
+    moments: Real[ArrayLike, "*#batch 3"], temperature: Real[ArrayLike, "*#batch"]
+) -> Float64[Array, "*batch 3"]:
     """Return √(k T I) along each principal axis (…, 3) [kg m²/s], the root mean square at a temperature.
 
     In classical equilibrium the components of L are independent and normal with variance k T I, so that each axis has
@@ -22,7 +24,7 @@ def thermal_momentum(moments: Real[ArrayLike, "*batch 3"], temperature: float) -
 
     Args:
         moments: (…, 3) principal moments [kg m²], not negative.
-        temperature: [K], positive.
+        temperature: (…) [K], positive.
 
     Raises:
         InvalidInput: for another temperature or moments.
@@ -36,9 +38,10 @@ def thermal_momentum(moments: Real[ArrayLike, "*batch 3"], temperature: float) -
     I = np.asarray(moments, dtype=float)  # noqa: E741
     if I.shape[-1:] != (3,) or not (np.isfinite(I).all() and (I >= 0.0).all()):
         raise InvalidInput(f"`moments` must be three that are finite and not negative [kg m²]; got {shown(moments)}.")
-    if not (np.ndim(temperature) == 0 and np.isfinite(temperature) and temperature > 0.0):
+    T = np.asarray(temperature, dtype=float)
+    if not (np.isfinite(T).all() and (T > 0.0).all()):
         raise InvalidInput(f"`temperature` must be positive and finite [K]; got {shown(temperature)}.")
-    return np.sqrt(BOLTZMANN * temperature) * np.sqrt(I)
+    return np.sqrt(BOLTZMANN * T)[..., None] * np.sqrt(I)
 
 
 @known_numbers_only

@@ -11,7 +11,7 @@ from polhode.errors import InvalidInput, PolhodeError, one_line
 from polhode.formats.drafts import draft_in, folder_made
 
 # what a disk without room says, and a limit of a user's
-_FULL = (errno.ENOSPC, errno.EFBIG, getattr(errno, "EDQUOT", errno.ENOSPC))
+FULL = (errno.ENOSPC, errno.EFBIG, getattr(errno, "EDQUOT", errno.ENOSPC))
 
 
 @contextlib.contextmanager
@@ -83,7 +83,7 @@ def _worded(path: Path, remedy: str = "Choose a place that you may write to.") -
         yield
     except OSError as error:
         why = error.strerror or type(error).__name__  # its own text names the draft, which is hidden and gone
-        room = "Make room there, or choose another place." if error.errno in _FULL else remedy
+        room = "Make room there, or choose another place." if error.errno in FULL else remedy
         raise InvalidInput(f"{path}: cannot be written ({why}). {room}") from None
 
 

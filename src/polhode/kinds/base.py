@@ -44,6 +44,33 @@ class SpecMotion(NamedTuple):
     mechanics: Mechanics | None
 
 
+class Bodies(NamedTuple):
+    """Bodies of many samples.
+
+    Attributes:
+        moments: (sample, 3) principal moments [kg m²], or (3,) for all.
+        axes: (sample, 3, 3) principal axes by columns in the given ones, or (3, 3) for all.
+        refused: sample → why there is no such body.
+    """
+
+    moments: Float64[Array, "*sample 3"]
+    axes: Float64[Array, "*sample 3 3"]
+    refused: dict[int, str]
+
+
+class Ensemble(NamedTuple):
+    """What is asked of many samples.
+
+    Attributes:
+        values: name of an answer, as the JSON has it → values (sample, …), NaN where it is not defined; of
+            ``states.`` and a part of the state, (sample, time, …).
+        refused: sample → why there is no such motion.
+    """
+
+    values: dict[str, Any]
+    refused: dict[int, str]
+
+
 class AbstractKind:
     """A kind of motion that a spec can name as ``[system] kind``.
 
@@ -97,6 +124,25 @@ class AbstractKind:
             return answers.motion_of(spec)
         report = answers.report_of(spec)
         return SpecMotion(report.trajectory, report.mechanics)
+
+    def ensemble(
+        self, spec: Spec, bodies: Bodies | None, varied: Mapping[str, Any], names: Sequence[str],
+        times: Float64[Array, "time"],
+    ) -> Ensemble | None:  # fmt: skip
+        """Return answers about many motions at once, by ``ensemble.ensemble_of`` where a kind has one.
+
+        None where the kind knows no quicker way than a report on each.
+
+        Args:
+            spec: of one sample, whose other numbers all share.
+            bodies: of the samples; None for kinds without a body.
+            varied: key → values (sample, …) of the spec's numbers that differ, SI.
+            names: of answers, as the JSON has them, and of parts of states, after ``states.``.
+            times: (T,) [s] of states.
+        """
+        if not (resources.files(type(self).__module__) / "ensemble.py").is_file():
+            return None
+        return self._part("ensemble").ensemble_of(spec, bodies, varied, names, times)
 
     def rules(self, tables: dict[str, Any]) -> Iterator[Mistake]:
         """Yield what the raw tables of a file break beyond what each field says, and where."""
@@ -187,6 +233,7 @@ class Spec:
         labels: what attitude files say of it.
         source: where the body comes from, as it stands in the file; None where the system has sizes of its own.
         folder: that paths count from.
+        instants: times [s], zero first, in place of equal steps up to ``until``, their last.
     """
 
     name: str
@@ -199,6 +246,7 @@ class Spec:
     labels: AttitudeLabels = field(default_factory=AttitudeLabels)
     source: BodyTable | None = None
     folder: Path = Path()
+    instants: tuple[float, ...] | None = None
 
     @cached_property
     def surface(self) -> Surface | None:
@@ -208,6 +256,8 @@ class Spec:
     @property
     def times(self) -> Float64[Array, "time"] | None:
         """(T,) [s] that the spec asks for, None for the kind's own choice."""
+        if self.instants is not None:
+            return np.asarray(self.instants)
         return None if self.until is None else np.linspace(0.0, self.until, self.samples)
 
     @property

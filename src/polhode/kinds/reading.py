@@ -22,6 +22,8 @@ from polhode.spec.models import BodyTable, PartTable, SpecFile, SystemTable
 from polhode.spec.parsing import read_tables
 from polhode.spec.rules import SOURCES, Location, Mistake, broken_rules, table_rules
 
+SWEEP = "sweep"  # the table that asks for many motions, of which a spec is one
+
 
 def read_spec(path: str | Path) -> Spec:
     """Read a spec; every mistake in it is reported at once.
@@ -31,14 +33,21 @@ def read_spec(path: str | Path) -> Spec:
         FormatError: if the file is not TOML, or a file that it names is not what it should be.
     """
     path = Path(path)
-    table = read_tables(path)
-    raw = table.pop("system") if "system" in table else default_kind().name
-    raw = {"kind": raw} if isinstance(raw, str) else raw
-    kind, mistakes, model = None, [], None
-    if isinstance(raw, dict):
-        kind, found = _kind(raw)
-    else:
-        found = [(("system",), f"must be a table, or one of its kinds, {', '.join(kind_names())}; got {shown(raw)}")]
+    tables = read_tables(path)
+    tables.pop(SWEEP, None)
+    return spec_of_tables(tables, path)
+
+
+def spec_of_tables(tables: dict[str, Any], path: Path) -> Spec:
+    """Return the spec of a file's tables, as ``read_spec`` does.
+
+    Args:
+        tables: as TOML has them, without [sweep]; they stay as they are.
+        path: of the file, which messages name and from whose folder paths count.
+    """
+    table = dict(tables)
+    raw, kind, found = _system_of(table.pop("system", default_kind().name))
+    mistakes, model = [], None
     mistakes += broken_rules(table, _rules_of_kind(kind, table | {"system": raw}))
     system, wrong = (None, []) if kind is None else _system(kind, raw)
     mistakes += found + wrong
@@ -81,6 +90,27 @@ def report(spec: Spec | str | Path) -> AbstractReport:
         return read.report()
     except (InvalidInput, NotConverged) as error:
         raise type(error)(f"{spec}: {error}") from None
+
+
+def kind_of_tables(tables: dict[str, Any], path: Path) -> AbstractKind:
+    """Return the kind that a file's tables name.
+
+    Raises:
+        InvalidInput: where there is no such kind.
+    """
+    _, kind, mistakes = _system_of(tables.get("system", default_kind().name))
+    if kind is None:
+        raise InvalidInput(*as_message(path, mistakes))
+    return kind
+
+
+def _system_of(raw: Any) -> tuple[Any, AbstractKind | None, list[Mistake]]:
+    """Return the table [system] in its long form, the kind that it names, and what is wrong with it."""
+    raw = {"kind": raw} if isinstance(raw, str) else raw
+    if isinstance(raw, dict):
+        return raw, *_kind(raw)
+    known = ", ".join(kind_names())
+    return raw, None, [(("system",), f"must be a table, or one of its kinds, {known}; got {shown(raw)}")]
 
 
 def _kind(raw: dict[str, Any]) -> tuple[AbstractKind | None, list[Mistake]]:

@@ -79,9 +79,12 @@ def build_part(table: PartTable) -> Body:
 
 
 def build_spin(
-    table: SpinTable | None, moments: Float64[Array, "3"], axes: Float64[Array, "3 3"]
-) -> tuple[Float64[Array, "3"], Float64[Array, "4"]]:
-    """Return momentum (3,) along and attitude (4,) of principal axes (3, 3) with their moments (3,).
+    table: SpinTable | None, moments: Float64[Array, "*#body 3"], axes: Float64[Array, "*#body 3 3"]
+) -> tuple[Float64[Array, "*spin 3"], Float64[Array, "*turn 4"]]:
+    """Return momentum (…, 3) along and attitude (…, 4) of principal axes (…, 3, 3) with their moments (…, 3).
+
+    Fields of the table may be arrays too, of as many spins (N,) as there are, vectors (N, 3): a momentum is not finite
+    where the numbers of one among many are beyond their range.
 
     Raises:
         InvalidInput: for a momentum beyond the range of numbers.
@@ -90,39 +93,49 @@ def build_spin(
     attitude = rotation.multiply(rotation.normalize(given), rotation.from_matrix(axes))
     if table is not None and table.temperature is not None:
         return thermal_momentum(moments, table.temperature), attitude
-    if table is None or not (table.momentum or table.angular_velocity or table.rate):
+    ways = () if table is None else (table.momentum, table.angular_velocity, table.rate)
+    if table is None or all(told is None for told in ways):
         return np.zeros(3), attitude
     if table.momentum is not None or table.angular_velocity is not None:
-        vector = np.array(table.momentum if table.momentum is not None else table.angular_velocity)
-        vector = vector if table.frame == "principal" else vector @ axes
+        vector = np.asarray(table.momentum if table.momentum is not None else table.angular_velocity, dtype=float)
+        vector = vector if table.frame == "principal" else _components(vector, axes)
         return vector if table.momentum is not None else momentum_of(moments, vector), attitude
-    direction = np.zeros(3)
     about = table.about
     index = about - 1 if isinstance(about, int) else "xyz".index(str(about))
-    direction[index], direction[(index + 1) % 3] = _cosine_and_sine(table.tilt)
-    velocity = (table.rate or 0.0) * (direction if isinstance(about, int) else direction @ axes)
-    return momentum_of(moments, velocity), attitude
+    rate, tilt = np.broadcast_arrays(np.asarray(table.rate, dtype=float), np.asarray(table.tilt, dtype=float))
+    direction = np.zeros((*rate.shape, 3))
+    direction[..., index], direction[..., (index + 1) % 3] = _cosine_and_sine(tilt)
+    direction = direction if isinstance(about, int) else _components(direction, axes)
+    return momentum_of(moments, rate[..., None] * direction), attitude
 
 
-def momentum_of(moments: Float64[Array, "3"], velocity: Float64[Array, "3"]) -> Float64[Array, "3"]:
-    """Return the momentum (3,) of an angular velocity (3,) along the principal axes.
+def _components(vector: Array, axes: Array) -> Array:
+    """Return vectors (…, 3) along axes by columns (…, 3, 3)."""
+    return (vector[..., None, :] @ axes)[..., 0, :]
+
+
+def momentum_of(
+    moments: Float64[Array, "*#batch 3"], velocity: Float64[Array, "*#batch 3"]
+) -> Float64[Array, "*batch 3"]:
+    """Return the momentum (…, 3) of an angular velocity (…, 3) along the principal axes.
 
     Raises:
-        InvalidInput: where it is beyond the range of numbers.
+        InvalidInput: where it is beyond the range of numbers; one among many is not finite then.
     """
     with np.errstate(over="ignore", under="ignore"):
         momentum = moments * velocity
-    if not np.isfinite(momentum).all():
+    if momentum.ndim == 1 and not np.isfinite(momentum).all():
         rates = ", ".join(f"{x:.3g}" for x in velocity)
         raise InvalidInput(f"the spin ({rates}) rad/s along the principal axes gives a momentum beyond the range of "
                            "numbers. Check the rate and its unit.")  # fmt: skip
     return momentum
 
 
-def _cosine_and_sine(angle: float) -> tuple[float, float]:
+def _cosine_and_sine(angle: Array) -> tuple[Array, Array]:
     """Return both, exact for whole quarter turns, whose angle itself is not."""
     quarters = angle / (0.5 * math.pi)
-    nearest = round(quarters)
-    if nearest and abs(quarters - nearest) <= 4.0 * np.finfo(float).eps * abs(quarters):
-        return ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))[nearest % 4]
-    return math.cos(angle), math.sin(angle)
+    nearest = np.round(quarters)
+    whole = (nearest != 0.0) & (np.abs(quarters - nearest) <= 4.0 * np.finfo(float).eps * np.abs(quarters))
+    k = (nearest % 4.0).astype(int)
+    cosine, sine = np.array([1.0, 0.0, -1.0, 0.0])[k], np.array([0.0, 1.0, 0.0, -1.0])[k]
+    return np.where(whole, cosine, np.cos(angle)), np.where(whole, sine, np.sin(angle))

@@ -15,10 +15,22 @@ from polhode.errors import shown
 from polhode.spec.units import EXAMPLES, parse_quantity
 
 LARGEST = sys.float_info.max
+UNIT = "unit"  # attribute of what reads quantities
 SPEED_OF_LIGHT = 299792458.0  # m/s, exact by definition
 
 
+def _in(unit: str) -> Callable[[Callable[[Any], Any]], Callable[[Any], Any]]:
+    """Say of a validator in which SI unit the numbers are that it returns, "" for plain ones; see ``spec.keys``."""
+
+    def mark(read: Callable[[Any], Any]) -> Callable[[Any], Any]:
+        setattr(read, UNIT, unit)
+        return read
+
+    return mark
+
+
 def _reader(unit: str, positive: bool = False) -> BeforeValidator:
+    @_in(unit)
     def read(value: Any) -> float:
         number = parse_quantity(value, unit)
         if positive and not number > 0:
@@ -67,6 +79,7 @@ def is_number(value: Any) -> bool:
     return type(value) in (int, float) and -LARGEST <= value <= LARGEST
 
 
+@_in("")
 def _attitude(value: Any) -> tuple[float, ...]:
     """Return the quaternion (4,) of an attitude in any of its three forms."""
     if isinstance(value, dict):
@@ -106,6 +119,7 @@ def _by_axis_and_angle(table: dict[str, Any]) -> tuple[float, ...]:
     return tuple(rotation.from_rotation_vector(angle * axis / np.linalg.norm(axis)).tolist())
 
 
+@_in("")
 def _direction(value: Any) -> tuple[float, ...]:
     good = isinstance(value, list) and len(value) == 3 and all(map(is_number, value))
     if not good or not any(value):
@@ -113,6 +127,7 @@ def _direction(value: Any) -> tuple[float, ...]:
     return tuple(float(x) for x in value)
 
 
+@_in("")
 def _plain(value: Any) -> float:
     if not is_number(value):
         raise ValueError(f"must be a plain finite number, without unit or quotes; got {shown(value)}")
@@ -134,6 +149,7 @@ def _within(least: float, most: float, what: str) -> Callable[[float], float]:
     return check
 
 
+@_in("Hz")
 def _rotational_constant(value: Any) -> float:
     """Return a frequency [Hz] of one that is given so, or as a wave number."""
     try:
@@ -148,6 +164,7 @@ def _rotational_constant(value: Any) -> float:
     return number
 
 
+@_in("rad/s")
 def _precession(value: Any) -> float | str:
     if isinstance(value, str) and value in ("slow", "fast"):
         return value

@@ -57,7 +57,7 @@ def _said(mistake: Any, root: type[BaseModel]) -> str:
     kind, last = mistake["type"], mistake["loc"][-1]
     if kind == "extra_forbidden":
         model = _model_at(mistake["loc"][:-1], root)
-        known = [*model.model_fields, *(["system"] if model is SpecFile else [])]
+        known = [*model.model_fields, *(["system", "sweep"] if model is SpecFile else [])]
         near = difflib.get_close_matches(str(last), known, n=1)
         return "unknown key; " + (f"did you mean {near[0]}?" if near else f"known here are {', '.join(known)}")
     if kind == "missing":

@@ -1,0 +1,99 @@
+"""``polhode sweep SPEC``: many motions, with numbers of the spec spread, into one Zarr store."""
+
+from __future__ import annotations
+
+import math
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import NamedTuple
+
+from polhode.cli.render import as_json, print_report
+from polhode.formats.paths import written_together
+from polhode.reports.answer import Answer, Group
+from polhode.reports.wording import in_its_unit
+from polhode.sweeps.answers import SweepReport
+from polhode.sweeps.plan import read_plan
+from polhode.sweeps.running import Sweep
+from polhode.sweeps.store import Store, check_room
+
+
+class SweepOptions(NamedTuple):
+    """Options of the command; see there."""
+
+    out: Path | None
+    workers: int | None
+    scheduler: str | None
+    dry_run: bool
+    json: bool
+    no_figures: bool
+
+
+def run_sweep(path: Path, options: SweepOptions) -> None:
+    """Read the plan, compute what is missing in the store, print the statistics and draw them."""
+    sweep = Sweep.of(read_plan(path))
+    out = options.out or Path(f"{path.stem}.zarr")
+    seconds = sweep.cost()
+    workers = options.workers or sweep.usual_workers(seconds)
+    if options.dry_run:
+        _print_cost(sweep, out, seconds, workers, options)
+        return
+    store = sweep.begin(out)
+    with _progress(sweep, store) as tell:
+        sweep.run(store, workers, options.scheduler, tell)
+    report = SweepReport(sweep, store)
+    files = [str(out)] if options.no_figures else [str(out), *_drawn(report, out)]
+    if options.json:
+        print(as_json({"name": path.stem, **report.as_json_dict(), "files": files}))
+    else:
+        print_report(path.stem, report.summary, report.answers(), report.notes, files)
+
+
+@contextmanager
+def _progress(sweep: Sweep, store: Store) -> Iterator[Callable[[int], object]]:
+    """Show how far it is, how fast it goes and how long it will take, where somebody watches."""
+    from tqdm import tqdm
+
+    done = sum(high - low for low, high in map(sweep.range_of, store.finished()))
+    with tqdm(total=sweep.plan.design.count, initial=done, unit=" samples", unit_scale=True, dynamic_ncols=True,
+              disable=not sys.stderr.isatty()) as bar:  # fmt: skip
+        yield bar.update
+
+
+def _drawn(report: SweepReport, out: Path) -> list[str]:
+    from polhode.figures.drawing import draw_all
+    from polhode.sweeps.figures import FIGURES
+
+    folder = out.with_name(f"{out.stem}_figures")
+    with written_together(folder) as draft:
+        files = draw_all(report, FIGURES, draft)
+    return [str(folder / file.name) for file in files]
+
+
+def _print_cost(sweep: Sweep, out: Path, seconds: float, workers: int, options: SweepOptions) -> None:
+    """Say what the sweep would take; nothing is written."""
+    check_room(out, sweep.bytes)
+    design, each = sweep.plan.design, sweep.evaluator.chunk_size
+    many = f"{sweep.chunks:,} of {each:,} samples"
+    group = Group("Cost", [
+        Answer("samples", design.count, "", "samples", "", f"{design.count:,}"),
+        Answer("chunks", sweep.chunks, "", "chunks", "", many),
+        Answer("computed_at_once", sweep.evaluator.at_once, "", "computed", "",
+               "many at once" if sweep.evaluator.at_once else "one by one, a report on each"),
+        Answer("cpu_time", seconds, "s", "CPU time, about", "", in_its_unit(seconds)),
+        Answer("workers", workers, "", "workers here") if options.scheduler is None else Answer("", None),
+        Answer("wall_time", seconds / workers, "s", "wall time then, about", "", in_its_unit(seconds / workers))
+        if options.scheduler is None else Answer("", None),
+        Answer("store_size", sweep.bytes, "B", "store, at most", "", _bytes(sweep.bytes)),
+        Answer("chunk_memory", sweep.chunk_bytes, "B", "memory for a chunk's arrays", "", _bytes(sweep.chunk_bytes)),
+    ])  # fmt: skip
+    if options.json:
+        print(as_json({answer.name: answer.value for answer in group.answers if answer.name}))
+    else:
+        print_report(sweep.plan.path.stem, "Nothing is computed in a dry run.", [group], [], [])
+
+
+def _bytes(count: float) -> str:
+    unit = max(0, min(4, int(math.log(max(count, 1.0), 1000.0))))
+    return f"{count / 1000.0**unit:.3g} {('B', 'kB', 'MB', 'GB', 'TB')[unit]}"

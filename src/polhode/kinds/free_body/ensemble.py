@@ -1,0 +1,181 @@
+"""Answers about the free motions of many bodies at once."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from polhode.analysis.cone import rotation_forms
+from polhode.exact.free_body import FreeMotion
+from polhode.exact.free_body.geometry import REGIMES
+from polhode.kinds.base import Bodies, Ensemble, Spec
+from polhode.kinds.free_body.answers import LARGEST
+from polhode.motion.invariants import norm
+from polhode.spec.building import build_spin
+from polhode.spec.models import SpinTable
+
+STATES = "states."
+
+
+class FreeBodies:
+    """Free motions of many bodies, and what the report on each would say.
+
+    Attributes:
+        motion: of all, along their principal axes.
+        momentum: (sample, 3) at the start.
+    """
+
+    def __init__(self, moments: Any, momentum: Any, attitude: Any) -> None:
+        self.momentum = momentum
+        self.motion = FreeMotion(moments, momentum, attitude)
+
+    @cached_property
+    def velocity(self) -> Any:
+        return self.momentum / self.motion.moments
+
+    @cached_property
+    def regime(self) -> Any:
+        return np.array(REGIMES)[self.motion.regime]
+
+    @cached_property
+    def steady(self) -> Any:
+        return (self.regime == "permanent") | (self.regime == "spherical")
+
+    @cached_property
+    def speed(self) -> Any:
+        return np.linalg.norm(self.velocity, axis=-1)
+
+    def verdict(self, k: int) -> Any:
+        """Return whether turning about an axis is stable; what all three say is in ``analysis.free_axes``."""
+        about, one, other = self._about(k)
+        middle = (one - about) * (about - other) > 0.0
+        equatorial = ((one == about) | (other == about)) & (one != other)
+        moving = self.motion.momentum_norm > 0.0
+        return np.where((middle | equatorial) & moving, "unstable", "stable")
+
+    def growth(self, k: int) -> Any:
+        """Return the rate |L| √((I_i − I_j)(I_k − I_i)/(I_j I_k))/I_i at which neighbours of an axis leave."""
+        about, one, other = self._about(k)
+        product = ((about - one) / one) * ((other - about) / other)
+        return self.motion.momentum_norm / about * np.sqrt(np.maximum(product, 0.0))
+
+    def _about(self, k: int) -> tuple[Any, Any, Any]:
+        moments = np.broadcast_to(self.motion.moments, self.momentum.shape)
+        return moments[:, k], moments[:, (k + 1) % 3], moments[:, (k + 2) % 3]
+
+
+def _encircled(found: FreeBodies) -> Any:
+    axis = np.asarray(found.motion.encircled_axis)
+    return np.where(axis >= 0, axis + 1.0, math.nan)
+
+
+def _turn_per_flip(found: FreeBodies) -> Any:
+    turn = found.motion.precession_per_period
+    return np.where(np.isnan(found.motion.flip_interval), math.nan, 0.5 * turn)
+
+
+def _sense(found: FreeBodies) -> Any:
+    against = found.motion.encircled_axis == np.argmin(found.motion.moments, axis=-1)
+    words = np.where(against, "against the spin", "with the spin")
+    return np.where(np.isfinite(found.motion.period), words, "")
+
+
+def _in_space(found: FreeBodies) -> Any:
+    return np.where(found.motion.encircled_axis >= 0, np.abs(found.motion.precession_rate), math.nan)
+
+
+NUMBERS: dict[str, Callable[[FreeBodies], Any]] = {
+    "angular_velocity": lambda found: found.velocity,
+    "angular_speed": lambda found: found.speed,
+    "momentum": lambda found: found.momentum,
+    "principal_moments": lambda found: np.broadcast_to(found.motion.moments, found.momentum.shape),
+    "form": lambda found: rotation_forms(found.motion),
+    "regime": lambda found: found.regime,
+    "encircled_axis": _encircled,
+    "modulus": lambda found: found.motion.modulus,
+    "energy": lambda found: found.motion.energy,
+    "momentum_norm": lambda found: found.motion.momentum_norm,
+    "polhode_period": lambda found: found.motion.period,
+    "rotation_period": lambda found: np.where(found.steady, 2.0 * math.pi / found.speed, math.nan),
+    "flip_interval": lambda found: found.motion.flip_interval,
+    "twist_per_flip": _turn_per_flip,
+    "precession.body.rate": lambda found: 2.0 * math.pi / found.motion.period,
+    "precession.body.sense": _sense,
+    "precession.space.rate": _in_space,
+    "precession_rate": lambda found: found.motion.precession_rate,
+    "precession_per_period": lambda found: found.motion.precession_per_period,
+    "geometric_phase": lambda found: found.motion.geometric_phase,
+    "action": lambda found: found.motion.action,
+    "tumbling_periods.P_phi": lambda found: found.motion.tumbling_periods[0],
+    "tumbling_periods.P_psi": lambda found: found.motion.tumbling_periods[1],
+    "long_axis_period": lambda found: found.motion.long_axis_period,
+    **{f"axes.{k + 1}.moment": lambda found, k=k: found._about(k)[0] for k in range(3)},
+    **{f"axes.{k + 1}.verdict": lambda found, k=k: found.verdict(k) for k in range(3)},
+    **{f"axes.{k + 1}.rate": lambda found, k=k: found.growth(k) for k in range(3)},
+}
+PARTS = ("attitude", "momentum", "angular_velocity")
+
+
+def ensemble_of(
+    spec: Spec, bodies: Bodies | None, varied: Mapping[str, Any], names: Sequence[str], times: Any
+) -> Ensemble | None:
+    """Return what ``AbstractKind.ensemble`` does; None for answers that need a report on each."""
+    spins = {key.removeprefix("spin."): values for key, values in varied.items() if key.startswith("spin.")}
+    known = {*NUMBERS, *(STATES + part for part in PARTS)}
+    if bodies is None or not set(names) <= known or len(spins) + _of_body(varied) < len(varied):
+        return None
+    count = len(next(iter(varied.values())))
+    momentum, attitude = build_spin(_spun(spec.spin, spins, count), bodies.moments, bodies.axes)
+    momentum = np.array(np.broadcast_to(momentum, (count, 3)), dtype=float)
+    moments, refused = np.array(np.broadcast_to(bodies.moments, (count, 3))), dict(bodies.refused)
+    _refuse(moments, momentum, refused)
+    wrong = list(refused)
+    moments[wrong], momentum[wrong] = 1.0, 0.0
+    found = FreeBodies(bodies.moments if bodies.moments.ndim == 1 else moments, momentum, attitude)
+    with np.errstate(all="ignore"):
+        values = {name: NUMBERS[name](found) for name in names if name in NUMBERS}
+    return Ensemble(values | _states(found, names, times), refused)
+
+
+def _of_body(varied: Mapping[str, Any]) -> int:
+    return sum(key.startswith("body.") for key in varied)
+
+
+def _spun(table: SpinTable | None, spins: Mapping[str, Any], count: int) -> SpinTable | None:
+    """Return the table [spin] with arrays where it is varied, whole or by components."""
+    if table is None:
+        return None
+    whole: dict[str, Any] = {}
+    for key, values in spins.items():
+        name, _, place = key.partition(".")
+        if place:
+            base = whole.get(name, np.tile(np.asarray(getattr(table, name), dtype=float), (count, 1)))
+            base[:, int(place) - 1] = values
+            whole[name] = base
+        else:
+            whole[name] = values
+    return table.model_copy(update=whole)
+
+
+def _refuse(moments: Any, momentum: Any, refused: dict[int, str]) -> None:
+    """Note what ``answers.free_body_report`` would refuse."""
+    with np.errstate(all="ignore"):
+        energy, size = 0.5 * np.sum(momentum / moments * momentum, axis=1), norm(np, momentum)
+        far = ~((energy < LARGEST) & (size < LARGEST))
+        close = (size > 0.0) & ~((energy > 1.0 / LARGEST) & (size > 1.0 / LARGEST))
+    for k in np.flatnonzero(moments[:, 0] <= 0.0):
+        refused.setdefault(int(k), "the body is a thin rod, whose spin about its own axis is not defined")
+    for k in np.flatnonzero(far | close):
+        refused.setdefault(int(k), "the spin must give an energy and |L| within 1e±200, or none")
+
+
+def _states(found: FreeBodies, names: Sequence[str], times: Any) -> dict[str, Any]:
+    wanted = [name for name in names if name.startswith(STATES)]
+    if not wanted:
+        return {}
+    sampled = found.motion.sample(np.asarray(times))
+    return {name: getattr(sampled, name.removeprefix(STATES)) for name in wanted}

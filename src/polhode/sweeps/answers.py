@@ -1,0 +1,216 @@
+"""What a finished sweep says: statistics, probabilities, sensitivities."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from scipy.stats import binomtest
+
+from polhode.reports.answer import Answer, Group, Table, units_of, values_of
+from polhode.reports.base import plain
+from polhode.reports.wording import uncertain
+from polhode.sweeps.evaluation import DONE, Column
+from polhode.sweeps.plan import read_plan
+from polhode.sweeps.running import Sweep, default_workers
+from polhode.sweeps.sensitivity import sobol_indices
+from polhode.sweeps.store import Store
+from polhode.sweeps.summary import Numbers, joined
+
+LEVELS = (0.05, 0.25, 0.5, 0.75, 0.95)
+LEVEL = 0.95  # of intervals
+EXACT = 2**25  # samples up to which quantiles are those of all values; of more, those of knots kept of each chunk
+MOST_WORDS = 50  # different ones whose sensitivities are analysed
+
+
+def sweep(
+    spec: str | Path, store: str | Path | None = None, workers: int | None = None, scheduler: str | None = None
+) -> SweepReport:
+    """Compute the motions that the table [sweep] of a spec asks for, or what is missing of them, into a Zarr store.
+
+    ``xarray.open_zarr`` reads the store. What it holds is the same bits whatever the number of workers, and however
+    often it was interrupted. A script that uses several workers needs ``if __name__ == "__main__":`` around its own
+    code, as they import it.
+
+    Args:
+        spec: a file.
+        store: the folder; by default named after the spec, in the present folder.
+        workers: processes of this machine; by default one for each core, and this one alone for short sweeps.
+        scheduler: address of a Dask scheduler whose workers compute instead, and see the same files.
+
+    Raises:
+        InvalidInput: for mistakes in the spec, stores of other sweeps, and where disk or cluster fail.
+    """
+    made = Sweep.of(read_plan(spec))
+    path = Path(f"{Path(spec).stem}.zarr") if store is None else Path(store)
+    count = made.usual_workers() if workers is None and scheduler is None else workers or default_workers()
+    begun = made.begin(path)
+    made.run(begun, count, scheduler)
+    return SweepReport(made, begun)
+
+
+@dataclass(frozen=True, eq=False)
+class SweepReport:
+    """The answers of a sweep.
+
+    Attributes:
+        sweep: what was done.
+        store: where the samples are.
+    """
+
+    sweep: Sweep
+    store: Store
+
+    @cached_property
+    def summaries(self) -> dict[str, dict[str, int] | list[Numbers]]:
+        """Each input, output and the status in summary."""
+        marks = list(self.store.marks())
+        return {column.name: joined(mark["summaries"][column.name] for mark in marks) for column in self.sweep.columns}
+
+    @property
+    def outputs(self) -> list[Column]:
+        """The outputs, whose statistics are told; states at many times have too many numbers."""
+        return [column for column in self.sweep.evaluator.columns if len(column.shape) < 2]
+
+    @property
+    def status(self) -> dict[str, int]:
+        """How many samples ended in which way."""
+        found = self.summaries["status"]
+        assert isinstance(found, dict)
+        return found
+
+    @property
+    def summary(self) -> str:
+        count, done = self.sweep.plan.design.count, self.status.get(DONE, 0)
+        rest = ", ".join(f"{number:,} {word}" for word, number in self.status.items() if word != DONE)
+        return f"{done:,} of {count:,} samples have a motion" + (f"; {rest}." if rest else ".")
+
+    @property
+    def notes(self) -> list[str]:
+        found = []
+        reasons = [reason for mark in self.store.marks() for reason in mark["reasons"]]
+        if reasons:
+            number, why = reasons[0]
+            found.append(f"statistics leave out the samples that were not computed. The first of them, sample {number} "
+                         f"(from 0): {why.removesuffix('.')}.")  # fmt: skip
+        design = self.sweep.plan.design
+        if design.crossed:
+            found.append(f"samples are {design.group} to each of {design.draws:,} base points, for the sensitivities; "
+                         "standard errors and intervals count them as independent, which they are not.")  # fmt: skip
+        elif design.points == "sobol":
+            found.append("standard errors and intervals are those of random samples; Sobol' points do better.")
+        return found
+
+    def answers(self) -> list[Group | Table]:
+        """Return what the sweep says, in the order of its text."""
+        mark = self.store.checksum()
+        about = Group("Sweep", [
+            Answer("samples", self.sweep.plan.design.count, "", "samples"),
+            Answer("status", self.status),
+            Answer("seed", self.sweep.plan.design.seed, "", "seed"),
+            Answer("checksum", mark, "", "checksum of all samples", "SHA-256", f"{mark[:16]}…"),
+        ])  # fmt: skip
+        numbers, words, shares = list(self._numbers()), list(self._words()), list(self._sensitivities())
+        units = {column.name: column.unit for column in self.outputs}
+        return [about, *_tables(numbers, words, shares, units)]
+
+    def as_json_dict(self) -> dict[str, Any]:
+        """Return the answers as plain lists, numbers, strings and None."""
+        groups = self.answers()
+        units = {column.name: column.unit for column in self.sweep.columns if column.unit}
+        return plain({**values_of(groups), "units": units_of(groups) | units, "summary": self.summary,
+                      "notes": self.notes})  # fmt: skip
+
+    def _numbers(self) -> Iterator[dict[str, Any]]:
+        for column in self.outputs:
+            found = self.summaries[column.name]
+            if isinstance(found, dict):
+                continue
+            for k, one in enumerate(found):
+                quantiles = self._quantiles(column, k, one)
+                yield {
+                    "output": column.name + (f".{k + 1}" if column.shape else ""), "count": one.count,
+                    "mean": one.mean if one.count else None, "standard_error": one.error,
+                    "standard_deviation": one.deviation, "least": one.low if one.count else None,
+                    **{f"quantile_{round(100 * level):02d}": q for level, q in zip(LEVELS, quantiles, strict=True)},
+                    "largest": one.high if one.count else None,
+                }  # fmt: skip
+
+    def _quantiles(self, column: Column, k: int, one: Numbers) -> list[float | None]:
+        if not one.count or self.sweep.plan.keep != "all" or self.sweep.plan.design.count > EXACT:
+            return one.quantiles(LEVELS)
+        values = self.store.read(column.name).reshape(self.sweep.plan.design.count, -1)[:, k]
+        return np.quantile(values[~np.isnan(values)], LEVELS).tolist()
+
+    def _words(self) -> Iterator[dict[str, Any]]:
+        for column in self.outputs:
+            found = self.summaries[column.name]
+            if not isinstance(found, dict):
+                continue
+            known = {word: count for word, count in found.items() if word}
+            total = sum(known.values())
+            for word, count in sorted(known.items(), key=lambda item: (-item[1], item[0])):
+                low, high = binomtest(count, total).proportion_ci(LEVEL, "wilson")
+                yield {"output": column.name, "value": word, "count": count, "probability": count / total,
+                       "low": float(low), "high": float(high)}  # fmt: skip
+
+    def _sensitivities(self) -> Iterator[dict[str, Any]]:
+        design = self.sweep.plan.design
+        if not design.crossed:
+            return
+        for column in self.outputs:
+            values = self.store.read(column.name)
+            if column.text:
+                words = [word for word in np.unique(values) if word][:MOST_WORDS]
+                parts = {f"{column.name} = {word}": np.where(values == "", np.nan, values == word) for word in words}
+            elif column.shape:
+                parts = {f"{column.name}.{k + 1}": values[:, k] for k in range(column.shape[0])}
+            else:
+                parts = {column.name: values}
+            for name, part in parts.items():
+                for found in sobol_indices(design, part) or ():
+                    yield {"output": name, **found._asdict()}
+
+
+def _tables(
+    numbers: list[dict[str, Any]], words: list[dict[str, Any]], shares: list[dict[str, Any]], units: dict[str, str]
+) -> Iterator[Table]:
+    """Yield the tables that have rows."""
+
+    def said(name: str) -> Any:
+        return lambda row: "–" if row[name] is None else f"{row[name]:.5g}"
+
+    def output(row: dict[str, Any]) -> str:
+        unit = units.get(row["output"].rpartition(".")[0] if row["output"] not in units else row["output"], "")
+        return f"{row['output']} [{unit}]" if unit else row["output"]
+
+    if numbers:
+        columns = {
+            "output": output, "mean": _mean,
+            "deviation": said("standard_deviation"), "median": said("quantile_50"),
+            "5 to 95 %": lambda row: f"{said('quantile_05')(row)} to {said('quantile_95')(row)}",
+        }  # fmt: skip
+        yield Table("statistics", "Numbers", columns, numbers)
+    if words:
+        columns = {
+            "output": lambda row: row["output"], "": lambda row: row["value"],
+            "probability": lambda row: f"{100.0 * row['probability']:.4g} %",
+            "95 % interval": lambda row: f"{100.0 * row['low']:.4g} to {100.0 * row['high']:.4g} %",
+            "samples": lambda row: f"{row['count']:,}",
+        }  # fmt: skip
+        yield Table("probabilities", "Words", columns, words)
+    if shares:
+        columns = {
+            "output": lambda row: row["output"], "input": lambda row: row["input"],
+            "alone": lambda row: f"{row['first']:.3f} ± {row['first_error']:.3f}",
+            "in all": lambda row: f"{row['total']:.3f} ± {row['total_error']:.3f}",
+        }  # fmt: skip
+        yield Table("sensitivities", "Share of the variance that an input explains (Sobol')", columns, shares)
+
+
+def _mean(row: dict[str, Any]) -> str:
+    return "–" if row["mean"] is None else uncertain(row["mean"], row["standard_error"])

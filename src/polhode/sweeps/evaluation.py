@@ -1,0 +1,342 @@
+"""From a plan to the outputs of some of its samples: all at once where the kind can, otherwise a report on each."""
+
+from __future__ import annotations
+
+import difflib
+import math
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from polhode.errors import InvalidInput, NotConverged, shown
+from polhode.kinds.base import Ensemble, Spec
+from polhode.kinds.reading import spec_of_tables
+from polhode.motion.trajectory import Trajectory
+from polhode.reports.answer import Group, Table
+from polhode.spec.keys import as_written, with_value
+from polhode.sweeps.bodies import bodies_of
+from polhode.sweeps.plan import STATES, Plan
+
+WORDS = 24  # characters of a word that a sample may have; other texts are no outputs
+PROBED = 16  # samples that are tried for what the outputs are
+AT_ONCE, ONE_BY_ONE = 65536, 64  # samples computed together
+DONE, REFUSED, LOST = "done", "refused", "not converged"
+
+
+class Column(NamedTuple):
+    """What the values of one output or input are.
+
+    Attributes:
+        name: of it.
+        shape: of one sample's value.
+        text: whether they are words.
+        unit: in SI, as people write it.
+        note: what else must be known of it.
+        known: whether a value was seen; where none is defined, it is taken for a number.
+    """
+
+    name: str
+    shape: tuple[int, ...] = ()
+    text: bool = False
+    unit: str = ""
+    note: str = ""
+    known: bool = True
+
+    @property
+    def type(self) -> Any:
+        """Of the array that holds them."""
+        return np.dtype(f"<U{WORDS}") if self.text else np.dtype("<f8")
+
+    def blank(self, count: int) -> Any:
+        """Return values of samples of which nothing is known."""
+        return np.full((count, *self.shape), "" if self.text else math.nan, dtype=self.type)
+
+
+class Chunk(NamedTuple):
+    """Some samples of a sweep.
+
+    Attributes:
+        values: name → values (sample, …) of inputs and outputs, and "status" in words.
+        reasons: what the first refused samples were refused for: number of the sample and text.
+    """
+
+    values: dict[str, Any]
+    reasons: list[tuple[int, str]]
+
+
+@dataclass(frozen=True, eq=False)
+class Evaluator:
+    """What computes the samples of a plan."""
+
+    plan: Plan
+
+    def inputs_of(self, low: int, high: int) -> dict[str, Any]:
+        return self.plan.design.values(low, high)
+
+    def spec_of(self, inputs: Mapping[str, Any], k: int) -> Spec:
+        """Return the spec of one of the samples with these inputs.
+
+        Raises:
+            InvalidInput: as reading a file does.
+        """
+        tables = self.plan.tables
+        for key, values in inputs.items():
+            value = np.asarray(values[k]).tolist()
+            try:
+                tables = with_value(tables, key, as_written(value, self.plan.units[key]))
+            except ValueError as error:
+                raise InvalidInput(f"{self.plan.path}: sweep.inputs.{key}: {error}.") from None
+        return spec_of_tables(tables, self.plan.path)
+
+    @cached_property
+    def _probe(self) -> tuple[Spec, list[Column]]:
+        """Return the spec of a sample that has a motion, and the outputs of it.
+
+        Raises:
+            InvalidInput: for names that no answer has, or if no sample has a motion.
+        """
+        inputs = self.inputs_of(0, min(PROBED, self.plan.design.count))
+        count, found, error = len(next(iter(inputs.values()))), None, None
+        for k in range(count):
+            try:
+                spec = self.spec_of(inputs, k)
+                columns = self._columns(spec)
+            except (InvalidInput, NotConverged) as refusal:
+                if isinstance(refusal, _NoSuchAnswer):
+                    raise
+                error = error or refusal
+                continue
+            if found is None:
+                found = spec, columns
+            known = [a if a.known else b for a, b in zip(found[1], columns, strict=True)]
+            found = found[0], known
+            if all(column.known for column in known):
+                break
+        if found is None:
+            assert error is not None
+            raise InvalidInput(f"none of the first {count} samples can be computed; of the first: {error}") from None
+        return found
+
+    def _columns(self, spec: Spec) -> list[Column]:
+        """Return what the outputs of one sample are; numbers that are not defined may turn out to be words."""
+        report = spec.report() if len(self.plan.states) < len(self.plan.outputs) else None
+        answers = {} if report is None else report.as_json_dict()
+        units = {} if report is None else _units(report.answers())
+        trajectory = self._trajectory(spec) if self.plan.states else None
+        return [
+            _state_column(name, trajectory, self.plan.times) if trajectory is not None and name in self.plan.states
+            else _answer_column(name, answers, units) for name in self.plan.outputs
+        ]  # fmt: skip
+
+    @cached_property
+    def columns(self) -> list[Column]:
+        """The outputs; what no sample told yet, the kind may tell."""
+        columns, found = self._probe[1], self._first
+        if found is None:
+            return columns
+        texts = {name for name, values in found.values.items() if np.asarray(values).dtype.kind == "U"}
+        return [column if column.known else column._replace(text=column.name in texts) for column in columns]
+
+    @cached_property
+    def _first(self) -> Ensemble | None:
+        return self._ensemble(self.inputs_of(0, 1))
+
+    @property
+    def at_once(self) -> bool:
+        """Whether the kind computes many samples at once."""
+        return self._first is not None
+
+    @property
+    def chunk_size(self) -> int:
+        """How many samples are computed together."""
+        return min(self.plan.chunk or (AT_ONCE if self.at_once else ONE_BY_ONE), self.plan.design.count)
+
+    def chunk(self, low: int, high: int) -> Chunk:
+        """Return the samples low, …, high − 1."""
+        inputs = self.inputs_of(low, high)
+        values, refused, lost = self._together(inputs) if self.at_once else self._one_by_one(inputs, high - low)
+        status = np.full(high - low, DONE, dtype=f"<U{WORDS}")
+        status[list(refused)], status[list(lost)] = REFUSED, LOST
+        wrong, outputs = [*refused, *lost], {}
+        for column in self.columns:
+            array = np.array(_of(values, column.name), dtype=column.type)
+            array[wrong] = "" if column.text else math.nan
+            if not column.text:
+                array[~np.isfinite(array)] = math.nan
+            outputs[column.name] = array
+        reasons = sorted((low + k, why) for k, why in (refused | lost).items())[:3]
+        return Chunk({**inputs, **outputs, "status": status}, reasons)
+
+    def _ensemble(self, inputs: dict[str, Any]) -> Ensemble | None:
+        spec, names = self._probe[0], []
+        for column in self._probe[1]:
+            whole, _, place = column.name.rpartition(".")
+            names.append(whole if place.isdecimal() else column.name)
+        bodies = bodies_of(spec, self.plan.tables, inputs, self.plan.units)
+        times = np.asarray(self.plan.times, dtype=float)
+        return spec.kind.ensemble(spec, bodies, inputs, list(dict.fromkeys(names)), times)
+
+    def _together(self, inputs: dict[str, Any]) -> tuple[dict[str, Any], dict[int, str], dict[int, str]]:
+        found = self._ensemble(inputs)
+        assert found is not None
+        return found.values, found.refused, {}
+
+    def _one_by_one(self, inputs: dict[str, Any], count: int) -> tuple[dict[str, Any], dict[int, str], dict[int, str]]:
+        values = {column.name: column.blank(count) for column in self.columns}
+        refused, lost = {}, {}
+        for k in range(count):
+            try:
+                spec = self.spec_of(inputs, k)
+                answers = spec.report().as_json_dict() if len(self.plan.states) < len(values) else {}
+                trajectory = self._trajectory(spec) if self.plan.states else None
+                for column in self.columns:
+                    if trajectory is not None and column.name in self.plan.states:
+                        found = _state(column.name, trajectory, self.plan.times)
+                    else:
+                        found = _fitting(column, _picked(answers, column.name))
+                    values[column.name][k] = found
+            except InvalidInput as error:
+                refused[k] = str(error)
+            except NotConverged as error:
+                lost[k] = str(error)
+        return values, refused, lost
+
+    def _trajectory(self, spec: Spec) -> Trajectory:
+        """Return the motion with samples at the times of the states."""
+        times = (0.0, *self.plan.times)
+        return replace(spec, until=times[-1], samples=len(times), instants=times).motion().trajectory
+
+
+class _NoSuchAnswer(InvalidInput):
+    """A name that no answer has."""
+
+
+def _of(values: Mapping[str, Any], name: str) -> Any:
+    """Return the values of an output, which may be one component of what was computed."""
+    if name in values:
+        return values[name]
+    whole, _, place = name.rpartition(".")
+    return values[whole][:, int(place) - 1]
+
+
+def _picked(values: Any, name: str) -> Any:
+    """Return an answer by its name in the JSON; places in lists count from 1. None where there is none."""
+    for part in name.split("."):
+        if isinstance(values, dict):
+            values = values.get(part)
+        elif isinstance(values, list) and part.isdecimal() and 1 <= int(part) <= len(values):
+            values = values[int(part) - 1]
+        else:
+            return None
+    return values
+
+
+def _fitting(column: Column, value: Any) -> Any:
+    """Return a value as its column takes it.
+
+    Raises:
+        InvalidInput: for texts that are too long, or lists of another length than in other samples.
+    """
+    if value is None or (column.text and isinstance(value, str) and len(value) <= WORDS):
+        return column.blank(1)[0] if value is None else value
+    if column.text or isinstance(value, str) or np.shape(value) != column.shape:
+        raise InvalidInput(f"the answer {column.name} is {shown(value)}, of another form than in other samples")
+    return np.array(value, dtype=float)
+
+
+def _answer_column(name: str, values: dict[str, Any], units: dict[str, str]) -> Column:
+    """Return what an answer is.
+
+    Raises:
+        _NoSuchAnswer: for names that the report does not have, and texts.
+    """
+    if not _has(values, name):
+        known = sorted(name for name in _names(values) if " " not in name)
+        near = difflib.get_close_matches(name, known, 1)
+        hint = f"did you mean {near[0]}?" if near else f"some that it has: {', '.join(known[:12])}."
+        raise _NoSuchAnswer(f"sweep.outputs: the report has no answer {shown(name)}; {hint} `polhode report SPEC "
+                            "--json` shows all; places in lists count from 1.")  # fmt: skip
+    value = _picked(values, name)
+    unit = _unit(units, name)
+    if isinstance(value, str):
+        if len(value) > WORDS:
+            raise _NoSuchAnswer(f"sweep.outputs: {name} is a sentence, not a number or a word. Leave it out.")
+        return Column(name, text=True)
+    try:
+        shape = np.shape(np.array(0.0 if value is None else value, dtype=float))
+    except (TypeError, ValueError):
+        parts = ", ".join(sorted(f"{name}.{part}" for part in _names(value))[:6])
+        raise _NoSuchAnswer(f"sweep.outputs: {name} is a table of answers; name one, like {parts}.") from None
+    return Column(name, shape, unit=unit, known=value is not None)
+
+
+def _has(values: Any, name: str) -> bool:
+    """Whether a name stands in the JSON, if only as null, or within one that is null here."""
+    for part in name.split("."):
+        if values is None:
+            return True
+        inside = _picked(values, part)
+        if inside is None and not (isinstance(values, dict) and part in values):
+            return False
+        values = inside
+    return True
+
+
+def _names(values: Any, before: str = "") -> Iterable[str]:
+    """Yield the names of all answers."""
+    items = values.items() if isinstance(values, dict) else (
+        ((str(k + 1), item) for k, item in enumerate(values)) if isinstance(values, list) else ())  # fmt: skip
+    for key, item in items:
+        nested = isinstance(item, dict) or (isinstance(item, list) and item and isinstance(item[0], dict))
+        if nested:
+            yield from _names(item, f"{before}{key}.")
+        elif key not in ("units", "notes", "summary"):
+            yield f"{before}{key}"
+
+
+def _units(groups: Iterable[Group | Table]) -> dict[str, str]:
+    """Return the units of answers by name, without explanations."""
+    units: dict[str, str] = {}
+    for group in groups:
+        if isinstance(group, Table):
+            units |= {f"{group.name}.{key}": unit.split(",")[0] for key, unit in group.units.items()}
+        else:
+            units |= {answer.name: answer.unit for answer in group.answers if answer.name}
+    return units
+
+
+def _unit(units: dict[str, str], name: str) -> str:
+    """Return the unit of an answer; of a part of it, that of the whole."""
+    plain = ".".join(part for part in name.split(".") if not part.isdecimal())
+    while plain:
+        if plain in units:
+            return units[plain]
+        plain = plain.rpartition(".")[0]
+    return ""
+
+
+def _state_column(name: str, trajectory: Trajectory, times: tuple[float, ...]) -> Column:
+    part = name.removeprefix(STATES)
+    own = [*trajectory.layout.names, *(["angular_velocity"] if trajectory.angular_velocity is not None else [])]
+    if part not in own:
+        has = ", ".join(dict.fromkeys(own))
+        raise _NoSuchAnswer(f"sweep.outputs: the state has no part {shown(part)}; it has {has}.")
+    found = next((one for one in trajectory.layout.parts if one.name == part), None)
+    unit = "rad/s" if found is None else found.unit
+    values = _state(name, trajectory, times)
+    frame = "" if trajectory.frame is None else "body axes are the principal ones"
+    return Column(name, np.shape(values), unit=unit, note=frame)
+
+
+def _state(name: str, trajectory: Trajectory, times: tuple[float, ...]) -> Any:
+    """Return a part of the state (time, …) at these times, NaN where the motion ended before."""
+    part = name.removeprefix(STATES)
+    layout, sampled = trajectory.layout, np.asarray(trajectory.times)
+    values = layout.part(trajectory.states, part) if part in layout.names else getattr(trajectory, part)
+    values = np.asarray(values, dtype=float)
+    at = np.minimum(np.searchsorted(sampled, times), len(sampled) - 1)
+    there = (sampled[at] == np.asarray(times)).reshape(-1, *[1] * (values.ndim - 1))
+    return np.where(there, values[at], math.nan)

@@ -1,0 +1,193 @@
+"""What a sweep does, read from the table [sweep] of a spec."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+import numpy as np
+from pydantic import Field, StrictInt, ValidationError
+
+from polhode import __version__
+from polhode.errors import InvalidInput, shown
+from polhode.kinds.base import AbstractKind
+from polhode.kinds.reading import SWEEP, kind_of_tables
+from polhode.spec.fields import Duration, Flag, one_of
+from polhode.spec.keys import number_at
+from polhode.spec.mistakes import as_message, mistakes_of
+from polhode.spec.models import Strict
+from polhode.spec.parsing import read_tables
+from polhode.spec.rules import Mistake
+from polhode.sweeps.distributions import AbstractPlaced, AbstractRandom, Grid, Reader, read_distribution
+from polhode.sweeps.sampling import SOBOL_BITS, Design
+
+MOST = 10**10  # samples
+STATES = "states."  # before the parts of a state, as outputs
+EXAMPLE = '"spin.rate" = { normal = ["120 rpm", "5 rpm"] }'
+
+
+class SweepTable(Strict):
+    """The table [sweep] as it stands in a file.
+
+    Attributes:
+        samples: how many; of each point, where there are grids.
+        seed: of the random numbers.
+        inputs: what is varied and how, by key of the spec.
+        outputs: what is kept, by name in the report's JSON; or ``states.`` and a part of the state.
+        times: of the states [s].
+        points: how random inputs are drawn.
+        sensitivity: whether Sobol' indices are asked for.
+        keep: all outputs, or their statistics alone.
+        chunk: samples computed together.
+    """
+
+    samples: Annotated[StrictInt, Field(ge=1, le=MOST)] | None = None
+    seed: Annotated[StrictInt, Field(ge=0, le=2**63 - 1)] = 0
+    inputs: dict[str, Any] = Field(description=f"say what varies, like {EXAMPLE} under [sweep.inputs]")
+    outputs: list[str] = Field(description='say what to keep, like ["regime", "polhode_period"]')
+    times: list[Duration] = Field(default_factory=list)
+    points: Annotated[Literal["random", "sobol"], one_of("random", "sobol")] = "random"
+    sensitivity: Flag = False
+    keep: Annotated[Literal["all", "statistics"], one_of("all", "statistics")] = "all"
+    chunk: Annotated[StrictInt, Field(ge=1, le=10**7)] | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Plan:
+    """A sweep to do.
+
+    Attributes:
+        path: of the spec.
+        tables: of the spec, without [sweep].
+        kind: that the spec names.
+        design: which inputs each sample has.
+        units: of the inputs, "" for plain numbers.
+        outputs: names of what is kept.
+        times: of states among the outputs [s].
+        keep: "all", or "statistics" alone.
+        chunk: samples computed together as the spec gives it; None for the usual number.
+        fingerprint: of everything that the results depend on.
+    """
+
+    path: Path
+    tables: dict[str, Any]
+    kind: AbstractKind
+    design: Design
+    units: dict[str, str]
+    outputs: tuple[str, ...]
+    times: tuple[float, ...]
+    keep: str
+    chunk: int | None
+    fingerprint: str
+
+    @property
+    def states(self) -> tuple[str, ...]:
+        """The outputs that are parts of states."""
+        return tuple(name for name in self.outputs if name.startswith(STATES))
+
+
+def read_plan(path: str | Path) -> Plan:
+    """Return the sweep that a spec asks for.
+
+    Raises:
+        InvalidInput: naming every mistake of the table [sweep].
+        FormatError: if the file is not TOML.
+    """
+    path = Path(path)
+    tables = read_tables(path)
+    if SWEEP not in tables:
+        raise InvalidInput(f"{path}: has no table [sweep]. Add one, with samples, outputs and, under [sweep.inputs], "
+                           f"what varies: {EXAMPLE}")  # fmt: skip
+    raw = tables.pop(SWEEP)
+    kind = kind_of_tables(tables, path)
+    if not isinstance(raw, dict):
+        raise InvalidInput(f"{path}: [sweep] must be a table; got {shown(raw)}.")
+    if isinstance(raw.get("inputs"), dict):
+        raw = raw | {"inputs": _flat(raw["inputs"])}
+    try:
+        table = SweepTable.model_validate(raw)
+    except ValidationError as error:
+        raise InvalidInput(*as_message(path, mistakes_of(error, SweepTable, (SWEEP,)))) from None
+    mistakes: list[Mistake] = []
+    inputs, units = {}, {}
+    for key, value in table.inputs.items():
+        try:
+            reader = Reader(number_at(key, kind.table))
+            inputs[key] = read_distribution(value, reader, path.parent)
+            units[key] = reader.unit or ""
+        except ValueError as error:
+            mistakes.append(((SWEEP, "inputs", key), str(error)))
+    mistakes += _broken(table, inputs)
+    if mistakes:
+        raise InvalidInput(*as_message(path, mistakes))
+    rows = [how.count for how in inputs.values() if isinstance(how, AbstractPlaced) and not isinstance(how, Grid)]
+    draws = table.samples if table.samples is not None else min(rows, default=1)
+    design = Design(inputs, draws, table.seed, table.points, table.sensitivity)
+    _check_size(path, design)
+    mark = _fingerprint(tables, raw, inputs)
+    outputs, times = tuple(table.outputs), tuple(table.times)
+    return Plan(path, tables, kind, design, units, outputs, times, table.keep, table.chunk, mark)
+
+
+def _flat(inputs: dict[str, Any], before: str = "") -> dict[str, Any]:
+    """Return inputs by whole keys; without quotes TOML takes spin.rate for a table in a table."""
+    found: dict[str, Any] = {}
+    for key, value in inputs.items():
+        inner = isinstance(value, dict) and value and all(isinstance(item, dict) for item in value.values())
+        ways = {"sphere", "von-mises-fisher", "grid"}
+        found |= _flat(value, f"{before}{key}.") if inner and not ways & set(value) else {f"{before}{key}": value}
+    return found
+
+
+def _broken(table: SweepTable, inputs: dict[str, Any]) -> list[Mistake]:
+    """Return what keys ask of each other."""
+    found: list[Mistake] = []
+    placed = [how for how in inputs.values() if isinstance(how, AbstractPlaced)]
+    rows = [how.count for how in placed if not isinstance(how, Grid)]
+    if not table.inputs:
+        found.append(((SWEEP, "inputs"), f"must name at least one input, like {EXAMPLE}"))
+    if not table.outputs:
+        found.append(((SWEEP, "outputs"), 'must name at least one output, like ["regime"]'))
+    if table.samples is None and not placed and table.inputs:
+        found.append(((SWEEP, "samples"), "is missing; say how many, like samples = 10000"))
+    if rows and table.samples is not None and table.samples > min(rows):
+        found.append(((SWEEP, "samples"), f"must be at most the rows of the table, {min(rows)}; got {table.samples}"))
+    if table.sensitivity and any(not isinstance(how, AbstractRandom) for how in inputs.values()):
+        found.append(((SWEEP, "sensitivity"), "needs random inputs throughout, neither grids nor tables"))
+    if table.sensitivity and table.keep != "all":
+        found.append(((SWEEP, "keep"), 'must be "all": a sensitivity analysis needs all samples'))
+    if twice := sorted({name for name in table.outputs if table.outputs.count(name) > 1 or name in table.inputs}):
+        found.append(((SWEEP, "outputs"), f"names {twice[0]} twice, or as an input too; inputs are kept anyway"))
+    states = any(name.startswith(STATES) for name in table.outputs)
+    if states != bool(table.times):
+        text = 'is missing; states need times, like ["10 s", "20 s"]' if states else (
+            'goes with outputs such as "states.attitude"; add one, or leave it out')  # fmt: skip
+        found.append(((SWEEP, "times"), text))
+    if np.any(np.diff(table.times) <= 0.0):
+        found.append(((SWEEP, "times"), "must ascend"))
+    overlapping = [(a, b) for a in table.inputs for b in table.inputs if b.startswith(f"{a}.")]
+    if overlapping:
+        found.append(((SWEEP, "inputs"), f"sets {overlapping[0][1]} twice, alone and as a part of {overlapping[0][0]}"))
+    return found
+
+
+def _check_size(path: Path, design: Design) -> None:
+    quasi = design.points == "sobol" or design.crossed
+    if design.count > MOST or (quasi and design.draws > 2**SOBOL_BITS):
+        most = 2**SOBOL_BITS if quasi else MOST
+        got = f"{design.count:.3g} samples"
+        raise InvalidInput(f"{path}: the sweep has {got}; at most {most:.3g} are taken. Give fewer.")
+
+
+def _fingerprint(tables: dict[str, Any], raw: dict[str, Any], inputs: dict[str, Any]) -> str:
+    """Return a hash of spec, inputs and version; how many samples are computed together changes no result."""
+    said = {key: value for key, value in raw.items() if key != "chunk"}
+    text = json.dumps([__version__, tables, said], sort_keys=True, default=str)
+    found = hashlib.sha256(text.encode())
+    for how in inputs.values():
+        if isinstance(how, AbstractPlaced):
+            found.update(how.at(np.arange(how.count)).tobytes())
+    return found.hexdigest()

@@ -1,0 +1,235 @@
+"""Computing the chunks of a sweep, here or on a Dask cluster; what is finished stays finished."""
+
+from __future__ import annotations
+
+import contextlib
+import math
+import os
+import time
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+from polhode.errors import InvalidInput, PolhodeError, not_installed
+from polhode.formats.paths import FULL
+from polhode.sweeps.evaluation import Column, Evaluator
+from polhode.sweeps.plan import Plan
+from polhode.sweeps.store import Store, check_room, size_of
+
+IN_HAND = 2  # chunks that each thread of a cluster has, so that none waits for the next
+ALONE = 20.0  # s of computing for which starting a cluster does not pay
+TRIED = 8  # samples whose time tells what all will cost, where they are computed one by one
+NO_DASHBOARD: Any = None
+# Dask's own makes the C library give each array back to the system at once, and take pages anew for the next: six
+# times the CPU time. One thread each, as there is a worker to a core.
+ENVIRONMENT = {"MALLOC_TRIM_THRESHOLD_": str(2**28), "MALLOC_MMAP_THRESHOLD_": str(2**27),
+               "OMP_NUM_THREADS": "1", "MKL_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}  # fmt: skip
+PATIENCE = 30.0  # s in which a cluster must answer
+
+
+@dataclass(frozen=True, eq=False)
+class Sweep:
+    """A sweep ready to run, or to go on.
+
+    Attributes:
+        plan: what it does.
+        evaluator: computes samples.
+        columns: of inputs, outputs and status.
+    """
+
+    plan: Plan
+    evaluator: Evaluator
+    columns: list[Column]
+
+    @classmethod
+    def of(cls, plan: Plan) -> Sweep:
+        """Return the sweep of a plan, after a try of its first samples.
+
+        Raises:
+            InvalidInput: for outputs that the report does not have, or if no sample can be computed.
+        """
+        evaluator = Evaluator(plan)
+        inputs = [Column(key, (how.length,) if how.length else (), unit=plan.units[key])
+                  for key, how in plan.design.inputs.items()]  # fmt: skip
+        return cls(plan, evaluator, [*inputs, *evaluator.columns, Column("status", text=True)])
+
+    @property
+    def chunks(self) -> int:
+        return math.ceil(self.plan.design.count / self.evaluator.chunk_size)
+
+    @property
+    def bytes(self) -> int:
+        """Room that the store may need, with a mark for each chunk."""
+        marks = self.chunks * 7000 * len(self.columns)
+        return marks + (size_of(self.columns, self.plan.design.count) if self.plan.keep == "all" else 0)
+
+    @property
+    def chunk_bytes(self) -> int:
+        """What the arrays of a chunk take in memory."""
+        return size_of(self.columns, self.evaluator.chunk_size)
+
+    def range_of(self, number: int) -> tuple[int, int]:
+        """Return the samples low, …, high − 1 of a chunk."""
+        low = number * self.evaluator.chunk_size
+        return low, min(low + self.evaluator.chunk_size, self.plan.design.count)
+
+    def cost(self) -> float:
+        """Return about how many seconds one core will take, by a measurement."""
+        count = self.plan.design.count
+        tried = min(self.evaluator.chunk_size, 4096) if self.evaluator.at_once else min(count, TRIED)
+        self.evaluator.chunk(0, 1)  # what is only done once
+        begin = time.perf_counter()
+        self.evaluator.chunk(0, tried)
+        return (time.perf_counter() - begin) / tried * count
+
+    def usual_workers(self, seconds: float | None = None) -> int:
+        """Return how many processes are worth their start, which takes a few seconds.
+
+        Args:
+            seconds: that one core takes, where it is known.
+        """
+        return 1 if (self.cost() if seconds is None else seconds) < ALONE else default_workers()
+
+    def begin(self, path: str | Path) -> Store:
+        """Return the store to write to, new or begun before.
+
+        Raises:
+            InvalidInput: where it cannot be made, or is of another sweep.
+        """
+        store = Store(path)
+        done = len(store.finished()) if store.home.is_dir() else 0
+        check_room(store.path, int(self.bytes * (1.0 - done / self.chunks)))
+        design = self.plan.design
+        said = {"fingerprint": self.plan.fingerprint, "samples": design.count, "chunk": self.evaluator.chunk_size,
+                "keep": self.plan.keep}  # fmt: skip
+        header = {"title": f"sweep of {self.plan.path.stem}", "Conventions": "CF-1.11", "seed": design.seed}
+        store.begin(said, self.columns, self.plan.times, header)
+        return store
+
+    def run(
+        self, store: Store, workers: int, scheduler: str | None = None,
+        tell: Callable[[int], object] = lambda samples: None,
+    ) -> None:  # fmt: skip
+        """Compute all chunks that are not finished.
+
+        Args:
+            store: where to.
+            workers: processes of this machine; with one, or with one chunk, it is done in this process.
+            scheduler: address of a Dask scheduler, whose workers are used instead.
+            tell: called with the number of samples of each chunk that is finished.
+
+        Raises:
+            InvalidInput: where the cluster or the disk fails; what is finished stays.
+        """
+        with store.locked():
+            finished = store.finished()
+            missing = [number for number in range(self.chunks) if number not in finished]
+            if not missing:
+                return
+            if scheduler is None and min(workers, len(missing)) == 1:
+                for number in missing:
+                    with _explained(self, store):
+                        _compute(self.evaluator, store, number, *self.range_of(number))
+                    tell(self._samples(number))
+            else:
+                self._distribute(store, missing, min(workers, len(missing)), scheduler, tell)
+
+    def _samples(self, number: int) -> int:
+        low, high = self.range_of(number)
+        return high - low
+
+    def _distribute(
+        self, store: Store, missing: list[int], workers: int, scheduler: str | None, tell: Callable[[int], object]
+    ) -> None:
+        from distributed import as_completed
+
+        with _cluster(workers, scheduler) as client, _explained(self, store):
+            plan = client.scatter(self.plan, broadcast=True, hash=False)
+            waiting, place = iter(missing), str(store.path.absolute())
+            name = f"polhode-{self.plan.fingerprint[:16]}"
+
+            def hand_out(count: int) -> list[Any]:
+                numbers = [number for _, number in zip(range(count), waiting, strict=False)]
+                return [client.submit(_compute_remotely, plan, place, number, *self.range_of(number),
+                                      key=f"{name}-{number}", pure=False) for number in numbers]  # fmt: skip
+
+            at_work = as_completed(hand_out(IN_HAND * _threads(client)))
+            for future in at_work:
+                tell(self._samples(future.result()))
+                # workers may have come, or gone
+                for new in hand_out(max(0, IN_HAND * _threads(client) - at_work.count())):
+                    at_work.add(new)
+
+
+def _compute(evaluator: Evaluator, store: Store, number: int, low: int, high: int) -> None:
+    store.write(number, low, evaluator.chunk(low, high), evaluator.plan.keep)
+
+
+@lru_cache(maxsize=4)
+def _evaluator(plan: Plan) -> Evaluator:
+    """Return what a worker computes with, for as long as it has the same plan."""
+    return Evaluator(plan)
+
+
+def _compute_remotely(plan: Plan, path: str, number: int, low: int, high: int) -> int:
+    """Compute a chunk in a worker; errors travel as plain ones, whatever the client has imported."""
+    _compute(_evaluator(plan), Store(path), number, low, high)
+    return number
+
+
+def _threads(client: Any) -> int:
+    return max(1, sum(client.nthreads().values()))
+
+
+@contextlib.contextmanager
+def _cluster(workers: int, scheduler: str | None) -> Iterator[Any]:
+    try:
+        from dask import config
+        from distributed import Client, LocalCluster
+    except ImportError:
+        raise not_installed("Sweeps on several processes", "distributed", "sweep") from None
+    with config.set({"distributed.comm.timeouts.connect": f"{PATIENCE}s",
+                     "distributed.nanny.pre-spawn-environ": ENVIRONMENT}):  # fmt: skip
+        if scheduler is not None:
+            try:
+                client = Client(scheduler, timeout=PATIENCE)
+            except (OSError, ValueError, TimeoutError) as error:
+                raise InvalidInput(f"`--scheduler` {scheduler} does not answer ({error}). Start one with `dask "
+                                   "scheduler` and give its address, like tcp://host:8786.") from None  # fmt: skip
+            with client:
+                if not client.nthreads():
+                    client.wait_for_workers(1, timeout=PATIENCE)
+                yield client
+            return
+        with LocalCluster(
+            n_workers=workers, threads_per_worker=1, processes=True, dashboard_address=NO_DASHBOARD, silence_logs=50
+        ) as cluster, Client(cluster) as client:
+            yield client
+
+
+@contextlib.contextmanager
+def _explained(sweep: Sweep, store: Store) -> Iterator[None]:
+    """Say in one error what stopped a sweep, and what of it is kept."""
+    try:
+        yield
+    except (PolhodeError, KeyboardInterrupt):
+        raise
+    except Exception as error:
+        done, again = len(store.finished()), "Run the same command again to go on."
+        kept = f"{done} of {sweep.chunks} chunks are finished and kept. {again}"
+        if isinstance(error, OSError):
+            room = "Make room there." if error.errno in FULL else "Check the disk."
+            why = f"{store.path}: cannot be written ({error.strerror or error}). {room} {kept}"
+        elif isinstance(error, MemoryError) or type(error).__name__ == "KilledWorker":
+            why = (f"{store.path}: workers were killed several times on one chunk, most likely for lack of memory. "
+                   f"Set a smaller sweep.chunk, or take fewer workers. {kept}")  # fmt: skip
+        else:
+            why = f"{store.path}: a worker failed ({type(error).__name__}: {error}). {kept}"
+        raise InvalidInput(why) from error
+
+
+def default_workers() -> int:
+    """Return how many cores this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1

@@ -1,0 +1,102 @@
+"""What is kept of some samples in place of them, so that statistics of many such parts can be put together."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+KNOTS = 257  # of the distribution function of a part: quantiles of all are right to 1/256 of the samples at worst
+
+
+@dataclass
+class Numbers:
+    """Numbers in summary; what is not defined is left out.
+
+    Attributes:
+        count: of those that are defined.
+        mean: their mean.
+        squares: sum of squared distances from it.
+        low: the smallest.
+        high: the largest.
+        parts: of each part, how many it had and evenly spaced order statistics of it.
+    """
+
+    count: int = 0
+    mean: float = 0.0
+    squares: float = 0.0
+    low: float = math.inf
+    high: float = -math.inf
+    parts: list[tuple[int, list[float]]] = field(default_factory=list)
+
+    @classmethod
+    def of(cls, values: Any) -> Numbers:
+        """Summarise values (sample,)."""
+        known = np.sort(values[~np.isnan(values)])
+        if not known.size:
+            return cls()
+        mean = float(known.mean())
+        places = np.unique(np.round(np.linspace(0, known.size - 1, min(KNOTS, known.size))).astype(int))
+        knots = known[places].tolist()
+        squares = float(np.sum((known - mean) ** 2))
+        return cls(known.size, mean, squares, float(known[0]), float(known[-1]), [(known.size, knots)])
+
+    def joined(self, other: Numbers) -> Numbers:
+        """Return the summary of both. Source: Chan, Golub & LeVeque, Am. Stat. 37 (1983) 242."""
+        if not (self.count and other.count):
+            return self if self.count else other
+        count, apart = self.count + other.count, other.mean - self.mean
+        mean = self.mean + apart * (other.count / count)
+        squares = self.squares + other.squares + apart * apart * (self.count * (other.count / count))
+        return Numbers(count, mean, squares, min(self.low, other.low), max(self.high, other.high),
+                       [*self.parts, *other.parts])  # fmt: skip
+
+    @property
+    def deviation(self) -> float | None:
+        """Standard deviation of the distribution that the samples are from."""
+        return math.sqrt(self.squares / (self.count - 1)) if self.count > 1 else None
+
+    @property
+    def error(self) -> float | None:
+        """Standard error of the mean, of independent samples."""
+        return None if self.deviation is None else self.deviation / math.sqrt(self.count)
+
+    def quantiles(self, levels: Iterable[float]) -> list[float | None]:
+        """Return quantiles, from the knots of all parts."""
+        if not self.count:
+            return [None for _ in levels]
+        values = np.concatenate([knots for _, knots in self.parts])
+        weights = np.concatenate([np.full(len(knots), count / len(knots)) for count, knots in self.parts])
+        order = np.argsort(values, kind="stable")
+        middle = np.cumsum(weights[order]) - 0.5 * weights[order]
+        return np.interp(np.asarray(list(levels)) * weights.sum(), middle, values[order]).tolist()
+
+    def as_json(self) -> dict[str, Any]:
+        return {} if not self.count else vars(self)
+
+    @classmethod
+    def from_json(cls, said: dict[str, Any]) -> Numbers:
+        return cls(**{**said, "parts": [tuple(part) for part in said["parts"]]}) if said else cls()
+
+
+def summary_of(values: Any) -> dict[str, Any]:
+    """Return values (sample, …) in summary, as JSON has it: how often each word occurs, or numbers by component."""
+    if values.dtype.kind == "U":
+        return {"words": dict(sorted(Counter(values.tolist()).items()))}
+    flat = values.reshape(len(values), -1)
+    return {"numbers": [Numbers.of(flat[:, k]).as_json() for k in range(flat.shape[1])]}
+
+
+def joined(summaries: Iterable[dict[str, Any]]) -> dict[str, int] | list[Numbers]:
+    """Return the summary of all parts, in their order: words by number, or numbers by component."""
+    words: Counter[str] = Counter()
+    numbers: list[Numbers] = []
+    for said in summaries:
+        words.update(said.get("words", {}))
+        found = [Numbers.from_json(one) for one in said.get("numbers", [])]
+        numbers = [a.joined(b) for a, b in zip(numbers, found, strict=True)] if numbers else found
+    return numbers or dict(sorted(words.items()))

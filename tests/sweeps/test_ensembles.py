@@ -1,0 +1,97 @@
+"""Answers about many samples at once are those of the report on each."""
+
+import numpy as np
+import pytest
+
+from polhode.kinds.free_body.ensemble import NUMBERS
+from polhode.sweeps.evaluation import Evaluator
+from polhode.sweeps.plan import read_plan
+
+ROUNDING = 1e-12
+TRIAXIAL = 'moments = ["1.2 g*cm^2", "2 g*cm^2", "2.9 g*cm^2"]'
+SYMMETRIC = 'moments = ["2 g*cm^2", "2 g*cm^2", "2.9 g*cm^2"]'
+SPHERE = 'moments = ["2 g*cm^2", "2 g*cm^2", "2 g*cm^2"]'
+SPHERICAL = '"spin.angular_velocity" = { sphere = { log-uniform = ["1 rpm", "100 rpm"] } }\n'
+TILT = '"spin.tilt" = { grid = ["0 deg", "1 deg", "35 deg", "90 deg", "180 deg"] }\n'
+PARTS = """parts = [{shape = "cylinder", mass = "30 g", radius = "3 mm", height = "60 mm"},
+{shape = "box", mass = "10 g", size = ["9 mm", "7 mm", "5 mm"], at = ["20 mm", "3 mm", "0 mm"], axis = "x"}]"""
+RATES = 'angular_velocity = ["1 rpm", "2 rpm", "3 rpm"]'
+MOMENTS = """
+"body.moments" = { von-mises-fisher = { mean = [1, 1, 1], concentration = 20, length = "3 g*cm^2" } }
+"""
+CROSSING = """
+"body.moments.1" = { grid = ["0 kg*m^2", "1 g*cm^2", "2 g*cm^2", "2.5 g*cm^2", "2.9 g*cm^2", "4 g*cm^2"] }
+"""
+PLACES = """
+"body.parts.2.at.1" = { normal = ["20 mm", "5 mm"] }
+"spin.momentum.2" = { normal = ["2e-6 kg*m^2/s", "1e-7 kg*m^2/s"] }
+"""
+ABOUT = """
+"spin.momentum" = { von-mises-fisher = { mean = [0, 1, 0], concentration = 9, length = "1e-6 kg*m^2/s" } }
+"""
+CASES = {
+    "directions": (TRIAXIAL, "", SPHERICAL),
+    "attitudes": (TRIAXIAL, RATES, '"spin.attitude" = { so3 = "uniform" }\n'),
+    "symmetric": (SYMMETRIC, 'about = 1\nrate = "9 rpm"', TILT),
+    "sphere": (SPHERE, 'about = 2\nrate = "9 rpm"', TILT),
+    "about middle": (TRIAXIAL, 'about = 2\nrate = "9 rpm"', TILT),
+    "about given": (PARTS, 'about = "x"\nrate = "9 rpm"', TILT),
+    "rest": (TRIAXIAL, "about = 1", '"spin.rate" = { grid = ["0 rpm", "1 rpm", "1e250 rad/s", "1e-250 rad/s"] }\n'),
+    "moments": (TRIAXIAL, f'{RATES}\nframe = "principal"', MOMENTS),
+    "crossing": (TRIAXIAL, 'about = "y"\nrate = "9 rpm"\ntilt = "1 deg"', CROSSING),
+    "parts": (PARTS, 'momentum = ["1e-6 kg*m^2/s", "2e-6 kg*m^2/s", "1e-7 kg*m^2/s"]', PLACES),
+    "heat": (TRIAXIAL, "", '"spin.temperature" = { uniform = ["10 K", "300 K"] }\n'),
+    "frame": (PARTS, 'frame = "principal"', ABOUT),
+}  # fmt: skip
+
+
+def evaluator(tmp_path, case, outputs, times=""):
+    body, spin, inputs = CASES[case]
+    path = tmp_path / "case.toml"
+    draws = "" if "grid" in inputs else "samples = 12\n"
+    path.write_text(f"[body]\n{body}\n[spin]\n{spin}\n[time]\nsamples = 5\n[sweep]\nseed = 5\n{draws}{times}\n"
+                    f"outputs = {outputs}\n[sweep.inputs]\n{inputs}")  # fmt: skip
+    return Evaluator(read_plan(path))
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_as_the_report_on_each(tmp_path, case):
+    found = evaluator(tmp_path, case, [*NUMBERS, "states.attitude", "states.momentum", "states.angular_velocity"],
+                      'times = ["0.5 s", "7 s"]')  # fmt: skip
+    assert found.at_once
+    count = found.plan.design.count
+    together, each = found.chunk(0, count), Evaluator(found.plan)
+    each.__dict__["_first"] = None
+    each.__dict__["columns"] = found.columns
+    alone = each.chunk(0, count)
+    assert np.array_equal(together.values["status"], alone.values["status"])
+    for column in found.columns:
+        one, other = together.values[column.name], alone.values[column.name]
+        if column.text:
+            assert np.array_equal(one, other), column.name
+        else:
+            size = np.nanmax(np.abs(other), initial=0.0)
+            assert np.allclose(one, other, rtol=ROUNDING, atol=ROUNDING * size, equal_nan=True), column.name
+
+
+def test_what_is_not_known_at_once_takes_reports(tmp_path):
+    found = evaluator(tmp_path, "directions", ["regime", "herpolhode.inner_radius"])
+    assert not found.at_once and found.chunk_size == 12
+    values = found.chunk(0, 3).values["herpolhode.inner_radius"]
+    assert values.shape == (3,) and (values > 0.0).all()
+
+
+def test_components_count_from_one(tmp_path):
+    found = evaluator(tmp_path, "directions", ["angular_velocity", "angular_velocity.3", "axes.1.moment"])
+    values = found.chunk(0, 12).values
+    assert np.array_equal(values["angular_velocity.3"], values["angular_velocity"][:, 2])
+    assert values["axes.1.moment"] == pytest.approx(1.2e-7)
+    assert values["angular_velocity"] == pytest.approx(values["spin.angular_velocity"], rel=1e-15)
+
+
+def test_refused_samples_say_why(tmp_path):
+    chunk = evaluator(tmp_path, "crossing", ["regime", "energy"]).chunk(0, 6)
+    status = chunk.values["status"].tolist()
+    assert status == ["refused", "done", "done", "done", "done", "done"]
+    assert chunk.reasons[0][0] == 0 and "I1 + I2" in chunk.reasons[0][1]
+    assert chunk.values["regime"][0] == "" and np.isnan(chunk.values["energy"][0])

@@ -1,0 +1,153 @@
+"""What a table [sweep] may say, and how each mistake is told."""
+
+import re
+
+import numpy as np
+import pytest
+
+from polhode.errors import InvalidInput
+from polhode.kinds.reading import read_spec
+from polhode.spec.keys import Number, number_at, with_value
+from polhode.spec.models import SystemTable
+from polhode.sweeps.evaluation import Evaluator
+from polhode.sweeps.plan import read_plan
+from polhode.sweeps.running import Sweep
+
+HEAD = '[body]\nmoments = ["1 kg*m^2", "2 kg*m^2", "2.5 kg*m^2"]\n[spin]\nabout = 2\nrate = "1 rpm"\n'
+GOOD = 'samples = 9\noutputs = ["energy"]\n[sweep.inputs]\n"spin.tilt" = { uniform = ["0 deg", "9 deg"] }\n'
+
+
+def plan(tmp_path, sweep, head=HEAD):
+    path = tmp_path / "case.toml"
+    path.write_text(f"{head}[sweep]\n{sweep}")
+    return read_plan(path)
+
+
+def test_keys_without_quotes_and_lengths(tmp_path):
+    found = plan(tmp_path, GOOD.replace('"spin.tilt"', "spin.tilt"))
+    assert list(found.design.inputs) == ["spin.tilt"] and found.units == {"spin.tilt": "rad"}
+    nested = plan(tmp_path, GOOD.split("[sweep.inputs]")[0].replace("energy", "regime") + "[sweep.inputs]\n"
+                  'spin.angular_velocity = { sphere = { uniform = ["1 rpm", "2 rpm"] } }\n')  # fmt: skip
+    assert list(nested.design.inputs) == ["spin.angular_velocity"]
+
+
+def test_the_base_spec_is_read_without_the_sweep(tmp_path):
+    path = plan(tmp_path, GOOD).path
+    assert read_spec(path).spin.rate == pytest.approx(2.0 * np.pi / 60.0)
+
+
+@pytest.mark.parametrize(
+    ("sweep", "words"),
+    [
+        (GOOD.replace("samples = 9\n", ""), "sweep.samples: is missing"),
+        (GOOD.replace("samples", "sample"), "did you mean samples"),
+        (GOOD.replace("9\n", "0\n", 1), "must be at least 1"),
+        ('samples = 1\noutputs = ["energy"]\n', "say what varies"),
+        (GOOD.replace('"spin.tilt"', '"spin.tlit"'), "has no tlit; did you mean tilt?"),
+        (GOOD.replace('"spin.tilt"', '"spin"'), "must begin with body., spin., time. or system."),
+        (GOOD.replace('"spin.tilt"', '"spin.about"'), "is not a number with a unit"),
+        (GOOD.replace('"spin.tilt"', '"body.moments.4"'), "a place from 1 to 3"),
+        (GOOD.replace("9 deg", "9 kg"), "wrong unit"),
+        (GOOD.replace('["energy"]', "[]"), "at least one output"),
+        (GOOD.replace('["energy"]', '["energy", "energy"]'), "names energy twice"),
+        (GOOD.replace('["energy"]', '["spin.tilt"]'), "as an input too"),
+        (GOOD.replace('["energy"]', '["states.attitude"]'), "states need times"),
+        (GOOD.replace("samples", 'times = ["1 s"]\nsamples'), "goes with outputs such as"),
+        (GOOD.replace("samples", 'points = "halton"\nsamples'), 'one of "random", "sobol"'),
+        ("sensitivity = true\n" + GOOD.replace('uniform = ["0 deg", "9 deg"]', 'grid = ["1 deg"]'), "neither grids"),
+        (GOOD.replace("samples", 'keep = "statistics"\nsensitivity = true\nsamples'), "needs all samples"),
+        (GOOD + '"body.moments" = { sphere = "1 kg*m^2" }\n"body.moments.1" = { grid = ["1 kg*m^2"] }\n', "twice"),
+        ('points = "sobol"\n' + GOOD.replace("samples = 9", "samples = 9000000000"), "at most 4.29e+09"),
+    ],
+)  # fmt: skip
+def test_mistakes(tmp_path, sweep, words):
+    with pytest.raises(InvalidInput, match=re.escape(words)):
+        plan(tmp_path, sweep)
+
+
+def test_all_mistakes_at_once(tmp_path):
+    with pytest.raises(InvalidInput) as caught:
+        plan(tmp_path, 'outputs = []\n[sweep.inputs]\n"spin.tlit" = 1\n"spin.rate" = { normal = ["1 rpm"] }\n')
+    text = str(caught.value)
+    assert "3 mistakes" in text or "4 mistakes" in text
+    assert all(word in text for word in ("tlit", "standard deviation", "outputs"))
+
+
+def test_specs_without_the_table(tmp_path):
+    path = tmp_path / "case.toml"
+    path.write_text(HEAD)
+    with pytest.raises(InvalidInput, match=r"has no table \[sweep\]"):
+        read_plan(path)
+    path.write_text("sweep = 1\n" + HEAD)
+    with pytest.raises(InvalidInput, match="must be a table"):
+        read_plan(path)
+
+
+@pytest.mark.parametrize(
+    ("output", "words"),
+    [
+        ("enrgy", "did you mean energy?"),
+        ("summary", "is a sentence"),
+        ("axes", "is a table of answers; name one, like axes."),
+        ("axes.4.verdict", "no answer"),
+        ("states.spin", "the state has no part 'spin'; it has attitude, momentum, angular_velocity"),
+    ],
+)
+def test_outputs_that_the_report_does_not_have(tmp_path, output, words):
+    times = 'times = ["1 s"]\n' if output.startswith("states") else ""
+    with pytest.raises(InvalidInput, match=re.escape(words)):
+        _ = Evaluator(plan(tmp_path, times + GOOD.replace("energy", output))).columns
+
+
+def test_sweeps_of_which_nothing_can_be_computed(tmp_path):
+    with pytest.raises(InvalidInput, match=r"none of the first 9 samples can be computed; .*I1 \+ I2"):
+        Sweep.of(plan(tmp_path, GOOD.replace('"spin.tilt"', '"body.moments.1"').replace(
+            '"0 deg", "9 deg"', '"0.1 kg*m^2", "0.2 kg*m^2"')))  # fmt: skip
+
+
+def test_another_kind_is_computed_one_by_one(tmp_path):
+    """A heavy top's answers and states, some of its starts lost: those are the numbers of its own report."""
+    top = """
+[body]
+parts = [{ shape = "disk", mass = "50 g", radius = "30 mm", at = ["0 mm", "0 mm", "40 mm"] }]
+[system]
+kind = "lagrange-top"
+pivot = ["0 mm", "0 mm", "0 mm"]
+lean = "20 deg"
+[spin]
+spin = "1500 rpm"
+precession = "slow"
+[time]
+samples = 9
+"""
+    sweep = """
+samples = 6
+outputs = ["energy", "states.attitude"]
+times = ["0.1 s"]
+[sweep.inputs]
+"spin.spin" = { grid = ["2 rpm", "1500 rpm"] }
+"system.gravity" = { normal = ["9.8 m/s^2", "1 m/s^2"] }
+"""
+    found = Evaluator(plan(tmp_path, sweep, top))
+    assert not found.at_once and found.plan.design.count == 12
+    chunk = found.chunk(0, 12)
+    assert chunk.values["status"].tolist() == ["refused"] * 6 + ["done"] * 6
+    assert "precession" in chunk.reasons[0][1]
+    spec = found.spec_of(found.inputs_of(0, 12), 8)
+    assert chunk.values["energy"][8] == spec.report().as_json_dict()["energy"]
+    assert chunk.values["states.attitude"].shape == (12, 1, 4)
+    assert spec.system.gravity == chunk.values["system.gravity"][8]
+
+
+def test_keys_of_every_form():
+    assert number_at("body.parts.3.at.2", SystemTable) == Number("m")
+    assert number_at("spin.attitude", SystemTable) == Number("", 4)
+    assert number_at("body.inertia.1.2", SystemTable) == Number("kg*m^2")
+    tables = {"body": {"moments": ["1", "2", "3"]}, "system": "heavy-top"}
+    changed = with_value(with_value(tables, "body.moments.2", 5), "system.gravity", 6)
+    assert changed == {"body": {"moments": ["1", 5, "3"]}, "system": {"kind": "heavy-top", "gravity": 6}}
+    assert tables == {"body": {"moments": ["1", "2", "3"]}, "system": "heavy-top"}
+    with pytest.raises(ValueError, match="place 4 of a list of 3"):
+        with_value(tables, "body.moments.4", 5)
+    with pytest.raises(ValueError, match="has no list or table at parts"):
+        with_value(tables, "body.parts.1.mass", 5)

@@ -1,0 +1,274 @@
+"""A sweep gives the same bits whoever computes it, however often it is stopped, and loses nothing that is finished."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+import xarray
+
+import polhode as ph
+from formats.test_full_disk import limited
+from polhode.errors import FormatError, InvalidInput
+from polhode.sweeps.plan import read_plan
+from polhode.sweeps.running import Sweep
+from polhode.sweeps.store import Store, checksum
+from polhode.sweeps.summary import Numbers
+
+PATIENCE = 120  # s in which a chunk must come
+SPEC = """
+[body]
+moments = ["1.2 g*cm^2", "2 g*cm^2", "2.9 g*cm^2"]
+[spin]
+about = 2
+[sweep]
+samples = 300
+seed = 7
+chunk = 64
+outputs = ["regime", "form", "polhode_period", "angular_velocity", "states.attitude"]
+times = ["1 s", "20 s"]
+[sweep.inputs]
+"spin.rate" = { normal = ["120 rpm", "5 rpm"] }
+"spin.tilt" = { uniform = ["0 deg", "90 deg"] }
+"""
+
+
+@pytest.fixture
+def spec(tmp_path):
+    path = tmp_path / "case.toml"
+    path.write_text(SPEC)
+    return path
+
+
+def files(store):
+    """Return all files of a store, by name."""
+    return {str(path.relative_to(store)): path.read_bytes() for path in sorted(store.rglob("*")) if path.is_file()}
+
+
+def test_xarray_reads_it_with_units(spec, tmp_path):
+    report = ph.sweep(spec, tmp_path / "a.zarr")
+    found = xarray.open_zarr(tmp_path / "a.zarr")
+    assert dict(found.sizes) == {"sample": 300, "time": 2, "quaternion": 4, "axis": 3}
+    assert found["polhode_period"].attrs["units"] == "s" and found["spin.rate"].attrs["units"] == "rad/s"
+    assert set(np.unique(found["regime"].values)) <= {"short-axis", "long-axis"}
+    k = 41
+    velocity = found["angular_velocity"].values[k]
+    motion = ph.FreeMotion((1.2e-7, 2e-7, 2.9e-7), angular_velocity=velocity)
+    assert found["polhode_period"].values[k] == pytest.approx(motion.period, rel=1e-14)
+    assert found["states.attitude"].values[k] == pytest.approx(motion.attitude(np.array([1.0, 20.0])), abs=1e-13)
+    assert np.linalg.norm(velocity) == pytest.approx(found["spin.rate"].values[k], rel=1e-14)
+    values = report.as_json_dict()
+    row = next(row for row in values["statistics"] if row["output"] == "polhode_period")
+    assert row["mean"] == pytest.approx(found["polhode_period"].values.mean(), rel=1e-13)
+    assert row["quantile_95"] == pytest.approx(np.quantile(found["polhode_period"].values, 0.95), rel=1e-15)
+    coning = next(row for row in values["probabilities"] if row["value"] == "coning")
+    share = (found["form"].values == "coning").mean()
+    error = 1.96 * np.sqrt(share * (1.0 - share) / 300)
+    assert coning["probability"] == share and coning["high"] - coning["low"] == pytest.approx(2.0 * error, rel=0.05)
+
+
+def test_the_same_again_after_a_stop(spec, tmp_path):
+    """Marks are taken away as if a process had been killed between data and mark; the rest is computed alike."""
+    ph.sweep(spec, tmp_path / "a.zarr")
+    ph.sweep(spec, tmp_path / "b.zarr")
+    store = Store(tmp_path / "b.zarr")
+    for number in (1, 4):
+        store._mark(number).unlink()
+    (tmp_path / "b.zarr" / "polhode_period" / "1").write_bytes(b"torn")
+    assert store.finished() == {0, 2, 3}
+    told = []
+    sweep = Sweep.of(read_plan(spec))
+    sweep.run(sweep.begin(tmp_path / "b.zarr"), 1, tell=told.append)
+    assert told == [64, 44]
+    assert files(tmp_path / "a.zarr") == files(tmp_path / "b.zarr")
+
+
+def test_other_chunks_hold_the_same_samples(spec, tmp_path):
+    ph.sweep(spec, tmp_path / "a.zarr")
+    spec.write_text(SPEC.replace("chunk = 64", "chunk = 17"))
+    ph.sweep(spec, tmp_path / "b.zarr")
+    assert xarray.open_zarr(tmp_path / "a.zarr").equals(xarray.open_zarr(tmp_path / "b.zarr").chunk())
+
+
+def test_statistics_alone_say_the_same(spec, tmp_path):
+    whole = ph.sweep(spec, tmp_path / "a.zarr").as_json_dict()
+    spec.write_text(SPEC.replace("chunk", 'keep = "statistics"\nchunk'))
+    kept = ph.sweep(spec, tmp_path / "b.zarr").as_json_dict()
+    assert kept["probabilities"] == whole["probabilities"]
+    for one, other in zip(kept["statistics"], whole["statistics"], strict=True):
+        assert one["mean"] == other["mean"] and one["standard_deviation"] == other["standard_deviation"]
+        assert one["quantile_50"] == pytest.approx(other["quantile_50"], abs=0.05 * (other["standard_deviation"] or 1))
+    assert not (tmp_path / "b.zarr" / "polhode_period").exists()
+
+
+def test_summaries_of_parts_are_those_of_the_whole():
+    values = np.random.default_rng(1).standard_t(3, 5000) * 3.0 + 1e6
+    values[::50] = np.nan
+    parts = [Numbers.of(values[k : k + 777]) for k in range(0, 5000, 777)]
+    found = parts[0]
+    for part in parts[1:]:
+        found = found.joined(part)
+    known = values[~np.isnan(values)]
+    assert found.count == 4900 and (found.low, found.high) == (known.min(), known.max())
+    assert found.mean == pytest.approx(known.mean(), rel=1e-15) and found.deviation == pytest.approx(known.std(ddof=1))
+    for level, quantile in zip((0.1, 0.5, 0.9), found.quantiles((0.1, 0.5, 0.9)), strict=True):
+        assert abs((known < quantile).mean() - level) < 1.0 / 256
+    assert Numbers.from_json(json.loads(json.dumps(found.as_json()))) == found
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        (("seed = 7", "seed = 8"), "holds another sweep"),
+        (("2.9 g*cm^2", "2.8 g*cm^2"), "holds another sweep"),
+        (("chunk = 64", "chunk = 65"), "chunks of 64 samples"),
+    ],
+)
+def test_stores_of_other_sweeps_are_kept(spec, tmp_path, change, words):
+    ph.sweep(spec, tmp_path / "a.zarr")
+    before = files(tmp_path / "a.zarr")
+    spec.write_text(SPEC.replace(*change))
+    with pytest.raises(InvalidInput, match=words):
+        ph.sweep(spec, tmp_path / "a.zarr")
+    assert files(tmp_path / "a.zarr") == before
+
+
+def test_other_folders_are_kept(spec, tmp_path):
+    (tmp_path / "mine").mkdir()
+    (tmp_path / "mine" / "thesis.txt").write_text("all of it")
+    with pytest.raises(InvalidInput, match="not the store of a sweep"):
+        ph.sweep(spec, tmp_path / "mine")
+    assert (tmp_path / "mine" / "thesis.txt").read_text() == "all of it"
+
+
+def test_one_process_at_a_time(spec, tmp_path):
+    sweep = Sweep.of(read_plan(spec))
+    store = sweep.begin(tmp_path / "a.zarr")
+    with store.locked(), pytest.raises(InvalidInput, match="another process computes this sweep now"):
+        sweep.run(store, 1)
+    sweep.run(store, 1)
+
+
+def test_damaged_marks_are_named(spec, tmp_path):
+    ph.sweep(spec, tmp_path / "a.zarr")
+    Store(tmp_path / "a.zarr")._mark(2).write_text("{")
+    with pytest.raises(FormatError, match=r"000000002\.json: is damaged"):
+        ph.sweep(spec, tmp_path / "a.zarr").as_json_dict()
+
+
+def test_a_full_disk_keeps_what_is_finished(spec, tmp_path):
+    """Room ends by a limit on the size of files, below a chunk of attitudes."""
+    spec.write_text(SPEC.replace("samples = 300", "samples = 3000").replace("chunk = 64", "chunk = 600"))
+    sweep = Sweep.of(read_plan(spec))
+    store = sweep.begin(tmp_path / "a.zarr")
+    told = []
+
+    def stop_after_two(samples):
+        told.append(samples)
+        if len(told) == 2:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        sweep.run(store, 1, tell=stop_after_two)
+    with limited(2000), pytest.raises(InvalidInput) as caught:
+        sweep.run(store, 1)
+    said = str(caught.value)
+    assert "cannot be written" in said and "Make room there. 2 of 5 chunks are finished" in said
+    assert store.finished() == {0, 1}
+    sweep.run(store, 1)
+    ph.sweep(spec, tmp_path / "b.zarr")
+    assert files(tmp_path / "a.zarr") == files(tmp_path / "b.zarr")
+
+
+def test_too_little_room_is_said_before(spec, tmp_path, monkeypatch):
+    monkeypatch.setattr("shutil.disk_usage", lambda path: SimpleNamespace(free=1e5))
+    with pytest.raises(InvalidInput, match=r"the disk has 0\.0001 GB free"):
+        ph.sweep(spec, tmp_path / "a.zarr")
+    assert not (tmp_path / "a.zarr").exists()
+
+
+def test_places_that_cannot_be_written(spec, tmp_path):
+    with pytest.raises(InvalidInput, match="is not a folder"):
+        ph.sweep(spec, tmp_path / "none" / "a.zarr")
+
+
+def test_checksums_see_every_bit():
+    values = {"a": np.arange(3.0), "b": np.array(["x", "y", "z"])}
+    changed = values | {"a": np.nextafter(values["a"], 9.0)}
+    assert len({checksum(values), checksum(changed), checksum({"a": values["a"]})}) == 3
+    assert checksum(values) == checksum(dict(reversed(values.items())))
+
+
+def command(*arguments, **options):
+    program = [sys.executable, "-m", "polhode.cli.main", "sweep", *map(str, arguments)]
+    return subprocess.Popen(program, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **options)
+
+
+def wait_for(store, count):
+    ends = time.time() + PATIENCE
+    while not store.home.is_dir() or len(store.finished()) < count:
+        assert time.time() < ends, "no chunk came in time"
+        time.sleep(0.05)
+
+
+def workers_of(process):
+    """Return the workers that a command has started, as processes."""
+    children = subprocess.run(["pgrep", "-P", str(process.pid), "-f", "spawn_main"], capture_output=True, text=True)
+    return [int(line) for line in children.stdout.split()]
+
+
+@pytest.mark.sweep
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="processes are told by pgrep")
+def test_killed_workers_and_clients(spec, tmp_path):
+    spec.write_text(SPEC.replace("samples = 300", "samples = 1000000").replace("chunk = 64", "chunk = 10000"))
+    ph.sweep(spec, tmp_path / "a.zarr", workers=1)
+    arguments = (spec, "--out", tmp_path / "b.zarr", "--workers", 2, "--no-figures")
+    client, store = command(*arguments), Store(tmp_path / "b.zarr")
+    wait_for(store, 3)
+    os.kill(workers_of(client)[0], signal.SIGKILL)
+    wait_for(store, len(store.finished()) + 10)
+    workers = workers_of(client)
+    client.kill()
+    client.wait()
+    at = len(store.finished())
+    assert 13 <= at < 100
+    ends = time.time() + PATIENCE
+    while any(Path(f"/proc/{worker}").exists() for worker in workers):
+        assert time.time() < ends, "a worker outlived its client"
+        time.sleep(0.1)
+    said, errors = command(*arguments).communicate(timeout=10 * PATIENCE)
+    assert "1,000,000 of 1,000,000 samples" in said, errors
+    assert files(tmp_path / "a.zarr") == files(tmp_path / "b.zarr")
+
+
+@pytest.mark.sweep
+def test_workers_that_come_later_are_used(spec, tmp_path):
+    """A scheduler with one worker gets another in the middle; who computed a chunk is told by the tasks' own log."""
+    from distributed import Client, LocalCluster
+
+    spec.write_text(SPEC.replace("samples = 300", "samples = 400000").replace("chunk = 64", "chunk = 5000"))
+    with LocalCluster(n_workers=1, threads_per_worker=1, dashboard_address=None, silence_logs=50) as cluster:
+        client, store = command(spec, "--out", tmp_path / "a.zarr", "--scheduler", cluster.scheduler_address,
+                                "--no-figures"), Store(tmp_path / "a.zarr")  # fmt: skip
+        wait_for(store, 5)
+        cluster.scale(2)
+        said, errors = client.communicate(timeout=10 * PATIENCE)
+        assert "400,000 of 400,000 samples" in said, errors
+        with Client(cluster) as watcher:
+            done = watcher.run(lambda dask_worker: dask_worker.state.executed_count)
+    assert len(done) == 2 and min(done.values()) > 5
+    ph.sweep(spec, tmp_path / "b.zarr", workers=1)
+    assert files(tmp_path / "a.zarr") == files(tmp_path / "b.zarr")
+
+
+@pytest.mark.sweep
+def test_a_scheduler_that_is_not_there(spec, tmp_path, monkeypatch):
+    monkeypatch.setattr("polhode.sweeps.running.PATIENCE", 1.0)
+    with pytest.raises(InvalidInput, match="does not answer"):
+        ph.sweep(spec, tmp_path / "a.zarr", scheduler="tcp://127.0.0.1:9")
