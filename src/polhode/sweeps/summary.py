@@ -39,7 +39,7 @@ class Numbers:
         known = np.sort(values[~np.isnan(values)])
         if not known.size:
             return cls()
-        mean = float(known.mean())
+        mean = float(known[0] + (known - known[0]).mean())  # exact where all are the same
         places = np.unique(np.round(np.linspace(0, known.size - 1, min(KNOTS, known.size))).astype(int))
         knots = known[places].tolist()
         squares = float(np.sum((known - mean) ** 2))
