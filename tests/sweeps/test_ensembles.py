@@ -1,9 +1,12 @@
 """Answers about many samples at once are those of the report on each."""
 
+import json
+
 import numpy as np
 import pytest
 
 from polhode.kinds.free_body.ensemble import NUMBERS
+from polhode.kinds.lagrange_top.ensemble import NUMBERS as TOP_NUMBERS
 from polhode.sweeps.evaluation import Evaluator
 from polhode.sweeps.plan import read_plan
 
@@ -58,6 +61,11 @@ def evaluator(tmp_path, case, outputs, times=""):
 def test_as_the_report_on_each(tmp_path, case):
     found = evaluator(tmp_path, case, [*NUMBERS, "states.attitude", "states.momentum", "states.angular_velocity"],
                       'times = ["0.5 s", "7 s"]')  # fmt: skip
+    agree(found)
+
+
+def agree(found):
+    """Check that what is computed at once is what the reports say."""
     assert found.at_once
     count = found.plan.design.count
     together, each = found.chunk(0, count), Evaluator(found.plan)
@@ -72,6 +80,39 @@ def test_as_the_report_on_each(tmp_path, case):
         else:
             size = np.nanmax(np.abs(other), initial=0.0)
             assert np.allclose(one, other, rtol=ROUNDING, atol=ROUNDING * size, equal_nan=True), column.name
+
+
+LEANS = ('lean = "20 deg"', 'lean = "0 deg"', 'lean = "180 deg"')
+STARTS = ('spin = "1500 rpm"\nprecession = "slow"', 'spin = "1500 rpm"', "precession = \"3 rad/s\"")
+
+
+CASES_OF_TOPS = [*((LEANS[0], start) for start in STARTS), *((lean, STARTS[1]) for lean in LEANS)]
+
+
+@pytest.mark.parametrize(("lean", "start"), CASES_OF_TOPS)
+def test_tops_as_the_report_on_each(tmp_path, lean, start):
+    names = json.dumps([*TOP_NUMBERS, "states.attitude", "states.momentum", "states.angular_velocity"])
+    path = tmp_path / "top.toml"
+    path.write_text(f"""
+[body]
+parts = [{{ shape = "disk", mass = "50 g", radius = "30 mm", at = ["0 mm", "0 mm", "40 mm"] }}]
+[system]
+kind = "lagrange-top"
+pivot = ["0 mm", "0 mm", "0 mm"]
+{lean}
+[spin]
+{start}
+[time]
+samples = 5
+[sweep]
+samples = 3
+times = ["0.1 s", "5 s"]
+outputs = {names}
+[sweep.inputs]
+"system.gravity" = {{ normal = ["9.8 m/s^2", "1 m/s^2"] }}
+"body.parts.1.radius" = {{ grid = ["30 mm", "35 mm"] }}
+""")
+    agree(Evaluator(read_plan(path)))
 
 
 def test_what_is_not_known_at_once_takes_reports(tmp_path):

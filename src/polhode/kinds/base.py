@@ -58,6 +58,27 @@ class Bodies(NamedTuple):
     refused: dict[int, str]
 
 
+class ManySpecs(NamedTuple):
+    """Samples that differ from one spec by some numbers.
+
+    Attributes:
+        spec: of one sample, whose other numbers all share.
+        varied: key → values (sample, …) of the spec's numbers that differ, SI.
+        bodies: of the samples; None for kinds without a body.
+        spec_of: the spec of a sample; raises InvalidInput where it breaks a rule.
+    """
+
+    spec: Spec
+    varied: Mapping[str, Any]
+    bodies: Bodies | None
+    spec_of: Callable[[int], Spec]
+
+    @property
+    def count(self) -> int:
+        """How many samples there are."""
+        return len(next(iter(self.varied.values())))
+
+
 class Ensemble(NamedTuple):
     """What is asked of many samples.
 
@@ -126,23 +147,20 @@ class AbstractKind:
         return SpecMotion(report.trajectory, report.mechanics)
 
     def ensemble(
-        self, spec: Spec, bodies: Bodies | None, varied: Mapping[str, Any], names: Sequence[str],
-        times: Float64[Array, "time"],
-    ) -> Ensemble | None:  # fmt: skip
+        self, samples: ManySpecs, names: Sequence[str], times: Float64[Array, "time"]
+    ) -> Ensemble | None:
         """Return answers about many motions at once, by ``ensemble.ensemble_of`` where a kind has one.
 
         None where the kind knows no quicker way than a report on each.
 
         Args:
-            spec: of one sample, whose other numbers all share.
-            bodies: of the samples; None for kinds without a body.
-            varied: key → values (sample, …) of the spec's numbers that differ, SI.
+            samples: what differs between them.
             names: of answers, as the JSON has them, and of parts of states, after ``states.``.
             times: (T,) [s] of states.
         """
         if not (resources.files(type(self).__module__) / "ensemble.py").is_file():
             return None
-        return self._part("ensemble").ensemble_of(spec, bodies, varied, names, times)
+        return self._part("ensemble").ensemble_of(samples, names, times)
 
     def rules(self, tables: dict[str, Any]) -> Iterator[Mistake]:
         """Yield what the raw tables of a file break beyond what each field says, and where."""

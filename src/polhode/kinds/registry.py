@@ -8,7 +8,7 @@ import sys
 from collections.abc import Iterator
 from functools import cache
 from importlib import import_module
-from importlib.metadata import EntryPoint, entry_points
+from importlib.metadata import entry_points
 from pathlib import Path
 from typing import Any
 
@@ -27,7 +27,8 @@ def _folders() -> dict[str, str]:
 
 
 @cache
-def _others() -> dict[str, EntryPoint]:
+def _others() -> dict[str, Any]:
+    """Return entry points by name; where ``importlib_metadata`` has been imported, they are of its class."""
     return {point.name: point for point in entry_points(group=GROUP)}
 
 

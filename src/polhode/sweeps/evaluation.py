@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from polhode.errors import InvalidInput, NotConverged, shown
-from polhode.kinds.base import Ensemble, Spec
+from polhode.kinds.base import Ensemble, ManySpecs, Spec
 from polhode.kinds.reading import spec_of_tables
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.answer import Group, Table
@@ -117,7 +117,8 @@ class Evaluator:
                 break
         if found is None:
             assert error is not None
-            raise InvalidInput(f"none of the first {count} samples can be computed; of the first: {error}") from None
+            head, *rest = error.args
+            raise InvalidInput(f"none of the first {count} samples can be computed; of the first: {head}", *rest)
         return found
 
     def _columns(self, spec: Spec) -> list[Column]:
@@ -177,7 +178,8 @@ class Evaluator:
             names.append(whole if place.isdecimal() else column.name)
         bodies = bodies_of(spec, self.plan.tables, inputs, self.plan.units)
         times = np.asarray(self.plan.times, dtype=float)
-        return spec.kind.ensemble(spec, bodies, inputs, list(dict.fromkeys(names)), times)
+        samples = ManySpecs(spec, inputs, bodies, lambda k: self.spec_of(inputs, k))
+        return spec.kind.ensemble(samples, list(dict.fromkeys(names)), times)
 
     def _together(self, inputs: dict[str, Any]) -> tuple[dict[str, Any], dict[int, str], dict[int, str]]:
         found = self._ensemble(inputs)

@@ -12,7 +12,7 @@ import numpy as np
 from polhode.analysis.cone import rotation_forms
 from polhode.exact.free_body import FreeMotion
 from polhode.exact.free_body.geometry import REGIMES
-from polhode.kinds.base import Bodies, Ensemble, Spec
+from polhode.kinds.base import Ensemble, ManySpecs
 from polhode.kinds.free_body.answers import LARGEST
 from polhode.motion.invariants import norm
 from polhode.spec.building import build_spin
@@ -120,15 +120,13 @@ NUMBERS: dict[str, Callable[[FreeBodies], Any]] = {
 PARTS = ("attitude", "momentum", "angular_velocity")
 
 
-def ensemble_of(
-    spec: Spec, bodies: Bodies | None, varied: Mapping[str, Any], names: Sequence[str], times: Any
-) -> Ensemble | None:
+def ensemble_of(samples: ManySpecs, names: Sequence[str], times: Any) -> Ensemble | None:
     """Return what ``AbstractKind.ensemble`` does; None for answers that need a report on each."""
+    spec, varied, bodies, count = samples.spec, samples.varied, samples.bodies, samples.count
     spins = {key.removeprefix("spin."): values for key, values in varied.items() if key.startswith("spin.")}
     known = {*NUMBERS, *(STATES + part for part in PARTS)}
     if bodies is None or not set(names) <= known or len(spins) + _of_body(varied) < len(varied):
         return None
-    count = len(next(iter(varied.values())))
     momentum, attitude = build_spin(_spun(spec.spin, spins, count), bodies.moments, bodies.axes)
     momentum = np.array(np.broadcast_to(momentum, (count, 3)), dtype=float)
     moments, refused = np.array(np.broadcast_to(bodies.moments, (count, 3))), dict(bodies.refused)

@@ -12,9 +12,11 @@ import numpy as np
 from polhode.analysis.top_motion import steady_precession_of
 from polhode.analysis.top_rates import TopRates
 from polhode.bodies.body import Body
+from polhode.bodies.pivot import about_pivot
 from polhode.errors import InvalidInput
 from polhode.exact.lagrange_top import LagrangeMotion
 from polhode.exact.lagrange_top.steady_precession import SteadyPrecession, sleeping_threshold
+from polhode.exact.lagrange_top.symmetry import third_axis_to_centre
 from polhode.kinds.base import Spec, SpecMotion
 from polhode.kinds.lagrange_top.table import LagrangeTopTable
 from polhode.kinds.registry import other_kind
@@ -32,6 +34,7 @@ from polhode.reports.top import (
     usual_times,
 )
 from polhode.systems.heavy_top import HeavyTop
+from polhode.types import Array, Float64
 
 
 @dataclass(frozen=True)
@@ -150,29 +153,41 @@ def motion_of(spec: Spec) -> SpecMotion:
 
 
 def _moved(spec: Spec) -> tuple[HeavyTop, LagrangeMotion, Trajectory]:
-    table, body, times = spec.system, spec.body, spec.times
-    assert isinstance(table, LagrangeTopTable) and body is not None
-    top_of(body, table.pivot, table.gravity)  # refuses what no top has
-    standing = _standing(body, table, spec.kind.subject)
-    top = HeavyTop.from_motion(standing)
-    momentum, attitude = spec.start(standing.moments, np.asarray(standing.axes))
-    momentum, attitude = start_of(top, spec.spin, momentum, attitude, table.lean)
-    exact = LagrangeMotion(standing.moments, standing.mgl, momentum, attitude)
+    body, times = spec.body, spec.times
+    assert body is not None
+    top, momentum, attitude = started(spec)
+    exact = LagrangeMotion(np.asarray(top.moments), float(top.mgl), momentum, attitude)
     if times is None:
         times = usual_times(finite(exact.nutation_period), top, momentum, spec.samples)
-    return top, exact, replace(exact.sample(times), frame=frame_of(top, body, table.pivot))
+    return top, exact, replace(exact.sample(times), frame=frame_of(top, body, spec.system.pivot))
 
 
-def _standing(body: Body, table: LagrangeTopTable, subject: str) -> LagrangeMotion:
-    """Return the top at rest, which has its moments, axes and mgl.
+def started(spec: Spec) -> tuple[HeavyTop, Float64[Array, "3"], Float64[Array, "4"]]:
+    """Return the top of a spec, its axis third, with momentum (3,) along and attitude (4,) of its axes at the start.
 
     Raises:
-        InvalidInput: for a body that is not a Lagrange top about its pivot; all else of it has been looked at before.
+        InvalidInput: as ``report_of`` does.
     """
+    table, body = spec.system, spec.body
+    assert isinstance(table, LagrangeTopTable) and body is not None
+    top = _standing(body, table, spec.kind.subject)
+    momentum, attitude = spec.start(np.asarray(top.moments), np.asarray(top.axes))
+    return top, *start_of(top, spec.spin, momentum, attitude, table.lean)
+
+
+def _standing(body: Body, table: LagrangeTopTable, subject: str) -> HeavyTop:
+    """Return the top, with its axis third.
+
+    Raises:
+        InvalidInput: for a body without mass, or one that is not a Lagrange top about its pivot.
+    """
+    top_of(body, table.pivot, table.gravity)  # refuses what no top has
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", UserWarning)  # that the body is free is said in the report
         try:
-            return LagrangeMotion.from_body(body, table.pivot, momentum=np.zeros(3), gravity=table.gravity)
+            pivoted = about_pivot(body, table.pivot, table.gravity)
+            moments, axes = third_axis_to_centre(pivoted)
+            return HeavyTop(moments, pivoted.mgl, (0.0, 0.0, 1.0), axes)
         except InvalidInput as error:
             other = other_kind(subject, in_closed_form=False)
             remedy = "" if other is None else f' In a spec ask for kind = "{other.name}".'
