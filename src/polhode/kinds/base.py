@@ -74,7 +74,7 @@ class ManySpecs(NamedTuple):
     spec_of: Callable[[int], Spec]
 
     @property
-    def count(self) -> int:
+    def size(self) -> int:
         """How many samples there are."""
         return len(next(iter(self.varied.values())))
 

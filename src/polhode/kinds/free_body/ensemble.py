@@ -122,7 +122,7 @@ PARTS = ("attitude", "momentum", "angular_velocity")
 
 def ensemble_of(samples: ManySpecs, names: Sequence[str], times: Any) -> Ensemble | None:
     """Return what ``AbstractKind.ensemble`` does; None for answers that need a report on each."""
-    spec, varied, bodies, count = samples.spec, samples.varied, samples.bodies, samples.count
+    spec, varied, bodies, count = samples.spec, samples.varied, samples.bodies, samples.size
     spins = {key.removeprefix("spin."): values for key, values in varied.items() if key.startswith("spin.")}
     known = {*NUMBERS, *(STATES + part for part in PARTS)}
     if bodies is None or not set(names) <= known or len(spins) + _of_body(varied) < len(varied):

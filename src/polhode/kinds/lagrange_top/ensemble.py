@@ -49,8 +49,8 @@ def ensemble_of(samples: ManySpecs, names: Sequence[str], times: Any) -> Ensembl
     """Return what ``AbstractKind.ensemble`` does; None for answers that need a report on each."""
     if not set(names) <= {*NUMBERS, *(STATES + part for part in PARTS)}:
         return None
-    starts, refused = [RESTING] * samples.count, {}
-    for k in range(samples.count):
+    starts, refused = [RESTING] * samples.size, {}
+    for k in range(samples.size):
         try:
             top, momentum, attitude = started(samples.spec_of(k))
             starts[k] = np.asarray(top.moments), float(top.mgl), momentum, attitude
