@@ -19,7 +19,7 @@ BODIES = 16384  # bodies at a time: set-up is thousands of calls, whose overhead
 JACOBIANS = 1024  # derivatives at a time, of which each is some ten states
 # glibc returns freed memory to the system above a threshold that it raises to the largest block freed so far; without
 # this one, every block's temporaries would be faulted in again, which costs a third of the time
-np.empty(3_000_000)
+np.empty(4_000_000)
 LONG_RUN = 256  # consecutive times of one body from which its constants are worth handling as scalars
 
 

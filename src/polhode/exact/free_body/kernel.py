@@ -210,6 +210,38 @@ def _entry_of_one(sources: int) -> Any:
 
 
 @compiled()
+def _full_of_many(m: Any, count: int, high: Any, low: Any, work: Any) -> None:
+    B = BLOCK
+    for i in range(count):
+        work[i], work[B + i], work[2 * B + i], work[3 * B + i] = _full(
+            m[B + i], m[2 * B + i], m[3 * B + i], m[4 * B + i], m[5 * B + i], m[6 * B + i], m[7 * B + i], m[9 * B + i],
+            m[10 * B + i], m[11 * B + i], m[12 * B + i], m[13 * B + i], m[14 * B + i], m[15 * B + i], m[16 * B + i],
+            m[17 * B + i], m[18 * B + i], high[i], low[i],
+        )  # fmt: skip
+
+
+@compiled()
+def _complementary_of_many(m: Any, count: int, high: Any, low: Any, work: Any) -> None:
+    B = BLOCK
+    for i in range(count):
+        (work[4 * B + i], work[5 * B + i], work[6 * B + i], work[7 * B + i], work[8 * B + i], work[9 * B + i],
+         work[10 * B + i]) = _complementary_phase(
+            m[B + i], m[2 * B + i], m[3 * B + i], m[4 * B + i], m[5 * B + i], m[6 * B + i], m[7 * B + i], m[8 * B + i],
+            m[20 * B + i], m[21 * B + i], m[22 * B + i], m[23 * B + i], m[24 * B + i], high[i], low[i],
+        )  # fmt: skip
+    for i in range(count):
+        work[7 * B + i] = np.exp(work[7 * B + i])
+        work[9 * B + i] = np.exp(work[9 * B + i])
+    for i in range(count):
+        e0, R = work[7 * B + i] * work[8 * B + i], m[23 * B + i] * (work[9 * B + i] * work[10 * B + i])
+        work[i], work[B + i], work[2 * B + i], work[3 * B + i] = _complementary(
+            m[9 * B + i], m[10 * B + i], m[11 * B + i], m[12 * B + i], m[13 * B + i], m[14 * B + i], m[15 * B + i],
+            m[16 * B + i], m[17 * B + i], m[18 * B + i], m[19 * B + i], work[4 * B + i], work[5 * B + i],
+            work[6 * B + i], e0, R,
+        )  # fmt: skip
+
+
+@compiled()
 def spinors(m: Any, full: int, count: int, high: Any, low: Any, work: Any) -> None:
     """Put the spinors of a block into the first four rows of ``work``, which has eleven.
 
@@ -220,29 +252,9 @@ def spinors(m: Any, full: int, count: int, high: Any, low: Any, work: Any) -> No
         high, low: times in halves.
         work: rows of BLOCK.
     """
-    B = BLOCK
-    for i in range(full):
-        work[i], work[B + i], work[2 * B + i], work[3 * B + i] = _full(
-            m[B + i], m[2 * B + i], m[3 * B + i], m[4 * B + i], m[5 * B + i], m[6 * B + i], m[7 * B + i], m[9 * B + i],
-            m[10 * B + i], m[11 * B + i], m[12 * B + i], m[13 * B + i], m[14 * B + i], m[15 * B + i], m[16 * B + i],
-            m[17 * B + i], m[18 * B + i], high[i], low[i],
-        )  # fmt: skip
-    for i in range(full, count):
-        (work[4 * B + i], work[5 * B + i], work[6 * B + i], work[7 * B + i], work[8 * B + i], work[9 * B + i],
-         work[10 * B + i]) = _complementary_phase(
-            m[B + i], m[2 * B + i], m[3 * B + i], m[4 * B + i], m[5 * B + i], m[6 * B + i], m[7 * B + i], m[8 * B + i],
-            m[20 * B + i], m[21 * B + i], m[22 * B + i], m[23 * B + i], m[24 * B + i], high[i], low[i],
-        )  # fmt: skip
-    for i in range(full, count):
-        work[7 * B + i] = np.exp(work[7 * B + i])
-        work[9 * B + i] = np.exp(work[9 * B + i])
-    for i in range(full, count):
-        e0, R = work[7 * B + i] * work[8 * B + i], m[23 * B + i] * (work[9 * B + i] * work[10 * B + i])
-        work[i], work[B + i], work[2 * B + i], work[3 * B + i] = _complementary(
-            m[9 * B + i], m[10 * B + i], m[11 * B + i], m[12 * B + i], m[13 * B + i], m[14 * B + i], m[15 * B + i],
-            m[16 * B + i], m[17 * B + i], m[18 * B + i], m[19 * B + i], work[4 * B + i], work[5 * B + i],
-            work[6 * B + i], e0, R,
-        )  # fmt: skip
+    _full_of_many(m, full, high, low, work)
+    # loops from zero, or LLVM would not trust their indices
+    _complementary_of_many(m[full:], count - full, high[full:], low[full:], work[full:])
 
 
 @compiled()

@@ -133,10 +133,10 @@ def _full_arguments(w: Any, full: int, m: Any) -> None:
 
 
 @compiled()
-def _complementary_arguments(w: Any, full: int, count: int, m: Any) -> None:
+def _complementary_arguments(w: Any, count: int, m: Any) -> None:
     """Put start, harmonics and nome of ``preparation._complementary_arguments`` into the motion."""
     n = BLOCK
-    for i in range(full, count):
+    for i in range(count):
         B0, C0, P0, Q0 = w[B + i], w[C + i], w[P + i], w[Q + i]
         total = B0 * Q0
         k, parameter = np.sqrt(w[A + i] * P0 / total), C0 * w[S + i] / total
@@ -145,11 +145,11 @@ def _complementary_arguments(w: Any, full: int, count: int, m: Any) -> None:
         cosine, dc = of_c * abs(w[X1 + i]), of_c * w[X3 + i] * np.sqrt(P0 / Q0)
         factor, sinh = _landen(k, np.sqrt(P0 / B0) / w[G + i], abs(np.sqrt(B0) * w[L2 + i]), cosine, dc)
         w[UP + i], w[ACROSS + i] = sinh, np.sqrt(Q0 / P0) * factor
-    for i in range(full, count):
+    for i in range(count):
         x = math.asinh(w[UP + i])
         m[7 * n + i], m[8 * n + i] = x, math.sinh(x)
         m[22 * n + i] = math.atan(w[ACROSS + i])
-    for i in range(full, count):
+    for i in range(count):
         sinh, x, back, y, q = w[UP + i], m[7 * n + i], m[8 * n + i], m[22 * n + i], m[19 * n + i]
         side = -1.0 if (w[L2 + i] < 0.0) != (w[X1 + i] < 0.0) else 1.0
         x = scale(fast_two_sum(x, (sinh - back) / np.sqrt(1.0 + back * back)), side)
@@ -228,7 +228,7 @@ def _entry(sources: int) -> Any:
                 w[E0 + i], w[E1 + i], w[E2 + i], w[E3 + i] = start[0], start[1], start[2], start[3]
             rates(w, full, count, steps, who, m)
             _full_arguments(w, full, m)
-            _complementary_arguments(w, full, count, m)
+            _complementary_arguments(w[full:], count - full, m[full:])
             spinors(m, full, count, zeros, zeros, work)
             _matrices(w, count, m, work)
             for i in range(count):
