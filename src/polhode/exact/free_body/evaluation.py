@@ -72,7 +72,7 @@ def _on_numpy(columns: Columns, elapsed: Array, rest: Array) -> tuple[Array, Arr
     batch = np.shape(columns[0])
     shape = np.broadcast_shapes(batch, elapsed.shape)
     one = math.prod(batch) == 1
-    many = isinstance(elapsed, np.ndarray) and math.prod(shape) >= (MANY if one else MANY_BODIES)
+    many = isinstance(elapsed, np.ndarray | np.generic) and math.prod(shape) >= (MANY if one else MANY_BODIES)
     kernel = _kernel() if many else None
     if kernel is None:
         return state_in_blocks(evaluate, columns, elapsed, rest)
