@@ -2,6 +2,7 @@
 
 import subprocess
 import sys
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
@@ -11,11 +12,11 @@ from oracle.families import draw
 from oracle.measures import error_in_eps
 
 pytest.importorskip("numba", reason="Numba is not installed; the extra `fast` has it")
-from polhode.exact.free_body import evaluation, kernel
+from polhode.exact.free_body import evaluation, kernel, kernel_setup
 
 WORST_ERROR = 16.0
 """eps, as of every evaluation."""
-PER_FAMILY = 20
+PER_FAMILY = 22  # together enough for the kernels to be chosen
 
 
 def states(case):
@@ -31,6 +32,75 @@ def test_states_are_exact_in_every_family(announce):
         worst[case.family] = max(worst.get(case.family, 0.0), *error_in_eps(*states(case), case))
     announce("\n".join(["the kernel against the oracle, eps:", *(f"  {k:26}{v:8.2f}" for k, v in worst.items())]))
     assert len(worst) >= 23 and max(worst.values()) <= WORST_ERROR
+
+
+def batch(cases):
+    moments, momenta, times = (np.array([getattr(c, n) for c in cases]) for n in ("moments", "momentum", "time"))
+    return ph.FreeMotion(moments, momenta), times
+
+
+def test_many_bodies_are_exact_in_every_family(announce, monkeypatch):
+    """Set-up too, of all bodies at once; those that the kernel leaves to NumPy stand among them."""
+    calls, taken = [], {}
+
+    def observed(*arguments, run=kernel_setup.columns_of_many):
+        calls.append(run(*arguments))
+        return calls[-1]
+
+    monkeypatch.setattr(kernel_setup, "columns_of_many", observed)
+    cases = draw(PER_FAMILY, 5)
+    motion, times = batch(cases)
+    attitude, momentum = motion.state(times)
+    (_, left), worst = calls[0], {}
+    for k, case in enumerate(cases):
+        worst[case.family] = max(worst.get(case.family, 0.0), *error_in_eps(attitude[k], momentum[k], case))
+        taken[case.family] = taken.get(case.family, 0) + int(not left[k])
+    announce("\n".join(["many bodies against the oracle, eps, and how many the kernel took:",
+                        *(f"  {name:26}{worst[name]:8.2f}{taken[name]:6}" for name in worst)]))  # fmt: skip
+    assert len(worst) >= 23 and max(worst.values()) <= WORST_ERROR
+    wholly = ("generic", "short_axis", "long_axis", "near_oblate", "near_prolate", "near_sphere", "flat", "huge_scale")
+    assert all(taken[name] == PER_FAMILY for name in wholly)
+    assert taken["near_separatrix"] > 0 and taken["sphere"] == taken["permanent"] == taken["exact_separatrix"] == 0
+
+
+def many_bodies(rng, count):
+    attitude = rng.normal(size=(count, 4))
+    moments, momentum = rng.uniform(0.5, 3.0, (count, 3)), rng.normal(size=(count, 3))
+    moments[::7, 1] = moments[::7, 0]  # symmetric
+    momentum[5], momentum[6], moments[7] = 0.0, (0.0, 0.0, 2.0), 1.0  # rest, a permanent rotation, a sphere
+    moments[8], momentum[8] = (1e-200, 2e-200, 3e-200), (1e-200, 2e-200, 0.0)
+    momentum[9], momentum[10] = (1e-310, 2e-310, 0.0), (1e-90, 1.0, 0.0)
+    return moments, momentum, attitude / np.linalg.norm(attitude, axis=1, keepdims=True)
+
+
+def numpy_alone(monkeypatch):
+    monkeypatch.setattr(evaluation, "_kernel", lambda: None)
+
+
+def test_many_bodies_agree_with_numpy(monkeypatch):
+    """With attitudes and epochs, by several threads, in blocks that are not full; also at several times each."""
+    rng = np.random.default_rng(3)
+    arguments = many_bodies(rng, 1500)
+    epoch, times = rng.normal(size=(500, 3)), rng.uniform(-50.0, 50.0, (4, 500, 3))
+    shaped = [x.reshape(500, 3, -1) for x in arguments]
+    monkeypatch.setattr(kernel_setup, "WORTH", 400)
+    monkeypatch.setattr(kernel, "WORTH", 1000)
+    found = [ph.FreeMotion(*shaped, epoch=epoch).state(times), ph.FreeMotion(*arguments).state(1.5)]
+    numpy_alone(monkeypatch)
+    wanted = [ph.FreeMotion(*shaped, epoch=epoch).state(times), ph.FreeMotion(*arguments).state(1.5)]
+    assert found[0][0].shape == (4, 500, 3, 4) and found[1][1].shape == (1500, 3)
+    for a, b in zip(found, wanted, strict=True):
+        scale = np.abs(b[1]).max(axis=-1, keepdims=True)
+        assert np.abs(a[0] - b[0]).max() < 6e-15
+        assert (np.abs(a[1] - b[1]) <= 6e-15 * scale + 2e-323).all()
+
+
+def test_several_threads_may_use_it_at_once():
+    moments, momentum, attitude = many_bodies(np.random.default_rng(4), 700)
+    once = ph.FreeMotion(moments, momentum, attitude).state(3.0)
+    with ThreadPoolExecutor(4) as pool:
+        for again in pool.map(lambda _: ph.FreeMotion(moments, momentum, attitude).state(3.0), range(8)):
+            assert all((a == b).all() for a, b in zip(again, once, strict=True))
 
 
 STARTS = [(0.3, 0.1, 3.0), (0.3, 1.8, 1.5), (0.9, 1.6, 0.3), (1e-6, 2.0, 3e-6), (0.0, 2.0, 0.0)]
@@ -64,8 +134,12 @@ import multiprocessing, numpy as np, polhode as ph
 motion = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5))
 times = np.linspace(0.0, 9.0, 100_000)
 before = motion.momentum(times)[-1]
+many = ph.FreeMotion((1.0, 2.0, 3.0), times[3:99_999].reshape(-1, 3))
+many_before = many.momentum(7.0)
 with multiprocessing.get_context("fork").Pool(2) as pool:
     for after in pool.map(motion.momentum, [times] * 2):
         assert (after[-1] == before).all()
+    for after in pool.map(many.momentum, [7.0] * 2):
+        assert (after == many_before).all()
 """
     subprocess.run([sys.executable, "-c", code], check=True, timeout=120)

@@ -146,11 +146,12 @@ def choose(
         return when_true(*columns) if condition.all() else when_false(*columns)
     result: list[Any] = []
     for mask, function in ((condition, when_true), (~condition, when_false)):
-        values = function(*(column[mask] if np.ndim(column) else column for column in columns))
-        result = result or [np.empty(condition.shape) for _ in values]
+        chosen = np.flatnonzero(mask)  # by indices, as masks are read again for every column
+        values = function(*(np.take(column, chosen) if np.ndim(column) else column for column in columns))
+        result = result or [np.empty(condition.size) for _ in values]
         for whole, part in zip(result, values, strict=True):
-            whole[mask] = part
-    return tuple(result)
+            whole[chosen] = part
+    return tuple(whole.reshape(condition.shape) for whole in result)
 
 
 _compiled: dict[Callable[..., Any], Callable[..., Any]] = {}

@@ -19,7 +19,7 @@ BODIES = 16384  # bodies at a time: set-up is thousands of calls, whose overhead
 JACOBIANS = 1024  # derivatives at a time, of which each is some ten states
 # glibc returns freed memory to the system above a threshold that it raises to the largest block freed so far; without
 # this one, every block's temporaries would be faulted in again, which costs a third of the time
-np.empty(3_000_000)
+np.empty(4_000_000)
 LONG_RUN = 256  # consecutive times of one body from which its constants are worth handling as scalars
 
 
@@ -31,8 +31,13 @@ def columns_in_blocks(prepare: Callable[..., Columns], arguments: Vectors) -> Co
         return prepare(*stop_gradient(tuple(xp.broadcast_to(v, (*shape, v.shape[-1])) for v in arguments)))
     flat = [np.broadcast_to(v, (*shape, v.shape[-1])).reshape(-1, v.shape[-1]) for v in arguments]
     with np.errstate(all="ignore"):
-        parts = [prepare(*(v[k : k + BODIES] for v in flat)) for k in range(0, max(len(flat[0]), 1), BODIES)]
-    columns = parts[0] if len(parts) == 1 else [np.concatenate(column) for column in zip(*parts, strict=True)]
+        columns = prepare(*(v[:BODIES] for v in flat))
+        if len(flat[0]) > BODIES:
+            first, columns = columns, tuple(np.empty(len(flat[0]), np.asarray(column).dtype) for column in columns)
+            for start in range(0, len(flat[0]), BODIES):
+                part = prepare(*(v[start : start + BODIES] for v in flat)) if start else first
+                for column, values in zip(columns, part, strict=True):
+                    column[start : start + BODIES] = values
     return tuple(np.asarray(column).reshape(shape) for column in columns)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from functools import cache
 from types import ModuleType
 
@@ -17,6 +18,7 @@ from polhode.exact.free_body.spinor import evaluate
 from polhode.types import Array, Float64
 
 MANY = 4096  # times of one body from which the compiled kernel is worth loading
+MANY_BODIES = 512  # likewise, of bodies
 IDENTITY = np.asarray([1.0, 0.0, 0.0, 0.0])
 
 
@@ -25,7 +27,24 @@ def motion_columns(arguments: Vectors) -> Columns:
 
     JAX needs none: there set-up and evaluation are one operation.
     """
-    return () if is_jax(*arguments) else columns_in_blocks(_columns_of_bodies, arguments)
+    return () if is_jax(*arguments) else _columns(arguments)
+
+
+def _columns(arguments: Vectors) -> Columns:
+    """Return the columns; those of many bodies by the compiled kernel, where Numba is installed."""
+    shape = np.broadcast_shapes(*(v.shape[:-1] for v in arguments))
+    many = math.prod(shape) >= MANY_BODIES and all(isinstance(v, np.ndarray) for v in arguments)
+    if not many or _kernel() is None:
+        return columns_in_blocks(_columns_of_bodies, arguments)
+    from polhode.exact.free_body.kernel_setup import columns_of_many
+
+    flat = tuple(np.broadcast_to(v, (*shape, v.shape[-1])).reshape(-1, v.shape[-1]) for v in arguments)
+    columns, left = columns_of_many(*flat)
+    if left.any():
+        of_left = columns_in_blocks(_columns_of_bodies, tuple(v[left] for v in flat))
+        for column, values in zip(columns, of_left, strict=True):
+            column[left] = values
+    return tuple(column.reshape(shape) for column in columns)
 
 
 def _columns_of_bodies(moments: Array, momentum: Array, attitude: Array) -> tuple[Array, ...]:
@@ -49,15 +68,23 @@ def state(
 
 
 def _on_numpy(columns: Columns, elapsed: Array, rest: Array) -> tuple[Array, Array]:
-    """Return the states; those of one body at many times by the compiled kernel, where Numba is installed."""
-    of_one = isinstance(elapsed, np.ndarray) and elapsed.size >= MANY and np.size(columns[0]) == 1
-    kernel = _kernel() if of_one else None
+    """Return the states; those of one body at many times, and of many bodies, by the compiled kernel if it is there."""
+    batch = np.shape(columns[0])
+    shape = np.broadcast_shapes(batch, elapsed.shape)
+    one = math.prod(batch) == 1
+    many = isinstance(elapsed, np.ndarray | np.generic) and math.prod(shape) >= (MANY if one else MANY_BODIES)
+    kernel = _kernel() if many else None
     if kernel is None:
         return state_in_blocks(evaluate, columns, elapsed, rest)
-    shape = np.broadcast_shapes(np.shape(columns[0]), elapsed.shape)
-    parts = (np.ascontiguousarray(np.broadcast_to(x, shape), dtype=float).reshape(-1) for x in (elapsed, rest))
-    attitude, momentum = kernel.states_of_one(tuple(np.asarray(column).item() for column in columns), *parts)
-    return attitude.reshape(*shape, 4), momentum.reshape(*shape, 3)
+    times, rests = (
+        np.ascontiguousarray(np.broadcast_to(x, shape), dtype=float).reshape(-1) for x in (elapsed, rest)
+    )
+    if one:
+        found = kernel.states_of_one(tuple(np.asarray(column).item() for column in columns), times, rests)
+    else:
+        bodies = np.broadcast_to(np.arange(math.prod(batch)).reshape(batch), shape).reshape(-1)
+        found = kernel.states_of_many(tuple(np.ravel(column) for column in columns), bodies, times, rests)
+    return found[0].reshape(*shape, 4), found[1].reshape(*shape, 3)
 
 
 @cache
@@ -70,9 +97,9 @@ def _kernel() -> ModuleType | None:
 
 def _state(moments: Array, momentum: Array, attitude: Array, elapsed: Array, rest: Array) -> tuple[Array, Array]:
     arguments = moments, momentum, attitude
-    columns = columns_in_blocks(_columns_of_bodies, arguments)
     if not is_jax(elapsed, *arguments):
-        return _on_numpy(columns, elapsed, rest)
+        return _on_numpy(_columns(arguments), elapsed, rest)
+    columns = columns_in_blocks(_columns_of_bodies, arguments)
     parts = evaluate(columns, elapsed, rest)
     return stack_last(parts[:4]), stack_last(parts[4:])
 

@@ -1,4 +1,4 @@
-"""The evaluation of ``spinor`` for many times at once, compiled by Numba (extra ``fast``).
+"""The evaluation of ``spinor`` for many times at once, compiled by Numba (extra ``fast``): of one body, and of many.
 
 The same arithmetic, in blocks that stay in the first-level cache and in loops that LLVM turns into vector instructions:
 no branches, no calls but to the exponential, which has a loop of its own. What Numba compiles is kept in its cache
@@ -9,195 +9,303 @@ All cores share long runs, by threads of Python's: Numba's own end a process tha
 
 from __future__ import annotations
 
-import inspect
-import os
-from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
-from itertools import pairwise
 from typing import Any
 
 import numpy as np
 
-from polhode.types import Float64
+from polhode.exact.free_body.kernel_arithmetic import (
+    SOURCES,
+    compiled,
+    halves,
+    in_threads,
+    inlined,
+    njit,
+    phase,
+    sine_cosine,
+    two_sum,
+    whole,
+)
+from polhode.types import Float64, Integer
 
-try:
-    from numba import njit
-except ImportError:  # plain functions then, which nothing calls
-    njit = None
+__all__ = ["BLOCK", "njit", "spinors", "states_of_many", "states_of_one"]
 
-ROUNDING = 6755399441055744.0  # 1.5 · 2⁵²: added and taken away again, it leaves the nearest whole number
-SPLITTING = 134217729.0  # 2²⁷ + 1
 BLOCK = 256  # states
 WORTH = 30_000  # states for which a thread is worth its start
-_S = [(-1) ** n * (2.0 * np.pi) ** (2 * n + 1) / float(np.prod(np.arange(1.0, 2 * n + 2))) for n in range(9)]
-_C = [(-1) ** n * (2.0 * np.pi) ** (2 * n) / float(np.prod(np.arange(1.0, 2 * n + 1))) for n in range(10)]
-S0, S1, S2, S3, S4, S5, S6, S7, S8 = _S
-C0, C1, C2, C3, C4, C5, C6, C7, C8, C9 = _C
+COLUMNS = 50  # of a flattened ``spinor.Motion``
+Spinor = tuple[float, float, float, float]
 
 
-def _compiled(**options: Any) -> Callable[[Callable[..., Any]], Any]:
-    """Return Numba's decorator, applied to the function itself where the tests wrap it to check annotations."""
-    return lambda function: function if njit is None else njit(**options)(inspect.unwrap(function))
+@inlined
+def _full(
+    m1: float, m2: float, m3: float, m4: float, m5: float, m6: float, start: float,
+    a0: float, a1: float, a2: float, a3: float, a4: float, b0: float, b1: float, b2: float, b3: float, b4: float,
+    high: float, low: float,
+) -> Spinor:  # fmt: skip
+    """Return ``spinor._full_of``."""
+    fa, ra, _ = phase(m1, m2, m3, high, low)
+    fb, rb, _ = phase(m4, m5, m6, high, low)
+    ta, tb = fa + (ra - start), fb + (rb + start)
+    sa, ca = sine_cosine(ta - whole(ta))
+    sb, cb = sine_cosine(tb - whole(tb))
+    cz, sz = ca * cb + sa * sb, sb * ca - cb * sa
+    s2 = sz + sz
+    X, Y = 1.0 - s2 * sz, s2 * cz
+    pa, qa = a0 + X * (a1 + X * a2), Y * (a3 + X * a4)
+    pb, qb = b0 + X * (b1 + X * b2), Y * (b3 + X * b4)
+    return ca * pa - sa * qa, ca * qa + sa * pa, cb * pb - sb * qb, cb * qb + sb * pb
 
 
-@_compiled(inline="always")
-def _whole(x: float) -> float:
-    return (x + ROUNDING) - ROUNDING
+@inlined
+def _exponent(x: float, rest: float, upper: float, lower: float) -> tuple[float, float]:
+    """Return the leading part of the exponent of ``decay.exponential_decay``, exact, and the factor for the rest."""
+    high, low = halves(x)
+    small = (high * lower + low * (upper + lower)) + rest * upper
+    return -(high * upper), 1.0 - small * (1.0 - 0.5 * small)
 
 
-@_compiled(inline="always")
-def _sine_cosine(x: float) -> tuple[float, float]:
-    """Return sin 2πx and cos 2πx, |x| ≤ ½."""
-    quarter = _whole(4.0 * x)
-    r = x - 0.25 * quarter
-    z = r * r
-    s = r * (S0 + z * (S1 + z * (S2 + z * (S3 + z * (S4 + z * (S5 + z * (S6 + z * (S7 + z * S8))))))))
-    c = C0 + z * (C1 + z * (C2 + z * (C3 + z * (C4 + z * (C5 + z * (C6 + z * (C7 + z * (C8 + z * C9))))))))
-    n = quarter - 4.0 * np.floor(0.25 * quarter)
-    odd = n == 1.0 or n == 3.0
-    a, b = (c, s) if odd else (s, c)
-    return (-a if n >= 2.0 else a), (-b if n == 1.0 or n == 2.0 else b)
+@inlined
+def _complementary_phase(
+    m1: float, m2: float, m3: float, m4: float, m5: float, m6: float, start: float, start_rest: float,
+    upper: float, lower: float, y_turns: float, periodic: float, parity: float, high: float, low: float,
+) -> tuple[float, float, float, float, float, float, float]:  # fmt: skip
+    """Return turns, side, count of half turns, and exponent and factor of E and of R, ``spinor._complementary_of``."""
+    fraction, rest, _ = phase(m1, m2, m3, high, low)
+    f, g, turned = phase(m4, m5, m6, high, low)
+    total, first_error = two_sum((1.0 - periodic) * turned, f)
+    u, second_error = two_sum(total, start)
+    v = g + (start_rest + (first_error + second_error))
+    u0 = u + v
+    u_rest = v - (u0 - u)
+    more = np.rint(u0) if periodic != 0.0 else 0.0
+    u0 = u0 - more
+    count = parity + (periodic * turned + more)
+    count = count - 4.0 * whole(0.25 * count)
+    turns = fraction - 0.25 * count
+    turns = (turns - whole(turns)) + (rest - u0 * y_turns)
+    side = -1.0 if u0 < 0.0 else 1.0
+    f, g = u0 * side, u_rest * side
+    exponent, factor = _exponent(f, g, upper, lower)
+    distance = max(0.5 - f, 0.0)
+    other, other_factor = _exponent(distance, ((0.5 - distance) - f) * periodic - g, upper, lower)
+    return turns, side, count, exponent, factor, other, other_factor
 
 
-@_compiled(inline="always")
-def _two_sum(a: float, b: float) -> tuple[float, float]:
-    s = a + b
-    t = s - a
-    return s, (a - (s - t)) + (b - t)
+@inlined
+def _complementary(
+    c0: float, c1: float, c2: float, c3: float, c4: float, s0: float, s1: float, s2: float, s3: float, s4: float,
+    root: float, turns: float, side: float, count: float, e0: float, R: float,
+) -> Spinor:  # fmt: skip
+    """Return ``spinor._complementary_spinor``."""
+    s, c = sine_cosine(turns - whole(turns))
+    q = root * root
+    q2 = q * q
+    g1 = root * R
+    g2 = g1 * g1 * q
+    g3 = g2 * g1 * q2
+    g4 = g3 * g1 * q2 * q
+    e1 = q * e0 * e0
+    e2 = q2 * e1 * e0
+    e3 = q2 * q * e2 * e0
+    e4 = q2 * q2 * e3 * e0
+    ar, ai = c4 * (g4 + e4), s4 * (g4 - e4)
+    br, bi = -s4 * (g4 + e4), c4 * (g4 - e4)
+    ar, ai = ar + c3 * (g3 + e3), ai + s3 * (g3 - e3)
+    br, bi = br + s3 * (g3 + e3), bi - c3 * (g3 - e3)
+    ar, ai = ar + c2 * (g2 + e2), ai + s2 * (g2 - e2)
+    br, bi = br - s2 * (g2 + e2), bi + c2 * (g2 - e2)
+    ar, ai = ar + c1 * (g1 + e1), ai + s1 * (g1 - e1)
+    br, bi = br + s1 * (g1 + e1), bi - c1 * (g1 - e1)
+    ar, ai = ar + c0 * (1.0 + e0), ai + s0 * (1.0 - e0)
+    br, bi = br - s0 * (1.0 + e0), bi + c0 * (1.0 - e0)
+    ai, bi = ai * side, bi * side
+    odd = 1.0 - 2.0 * (count - 2.0 * np.floor(0.5 * count))
+    return c * ar - s * ai, c * ai + s * ar, odd * (c * br - s * bi), odd * (c * bi + s * br)
 
 
-@_compiled(inline="always")
-def _phase(upper: float, lower: float, low: float, high: float, rest: float) -> tuple[float, float, float]:
-    """Return ``circular.reduced_phase``."""
-    a, b, c = upper * high, upper * rest, lower * high
-    na, nb, nc = _whole(a), _whole(b), _whole(c)
-    d = lower * rest + low * (high + rest)
-    middle, middle_error = _two_sum(b - nb, c - nc)
-    fraction, error = _two_sum(a - na, middle)
-    more = _whole(fraction)
-    return fraction - more, error + (middle_error + d), na + (nb + nc) + more
-
-
-@_compiled(inline="always")
-def _put(m: Any, i: int, a0: float, a1: float, b0: float, b1: float, out: Any) -> None:
-    """Store attitude and momentum of a spinor, ``spinor._states``."""
+@inlined
+def _normal(a0: float, a1: float, b0: float, b1: float) -> tuple[float, float, float, float, float, float, float]:
+    """Return the spinor of unit length and the direction of momentum, ``spinor._states``."""
     aa, bb = a0 * a0 + a1 * a1, b0 * b0 + b1 * b1
     x = 1.0 / (aa + bb)
     root = np.sqrt(x)
     x2 = x + x
     n0, n1, n2 = (a0 * b0 + a1 * b1) * x2, (a0 * b1 - a1 * b0) * x2, (aa - bb) * x
-    a0, a1, b0, b1 = a0 * root, a1 * root, b0 * root, b1 * root
-    out[0, i] = ((m[25] * a0 + m[26] * a1) + m[27] * b0) + m[28] * b1
-    out[1, i] = ((m[29] * a0 + m[30] * a1) + m[31] * b0) + m[32] * b1
-    out[2, i] = ((m[33] * a0 + m[34] * a1) + m[35] * b0) + m[36] * b1
-    out[3, i] = ((m[37] * a0 + m[38] * a1) + m[39] * b0) + m[40] * b1
-    out[4, i] = (m[41] * n0 + m[42] * n1) + m[43] * n2
-    out[5, i] = (m[44] * n0 + m[45] * n1) + m[46] * n2
-    out[6, i] = (m[47] * n0 + m[48] * n1) + m[49] * n2
+    return a0 * root, a1 * root, b0 * root, b1 * root, n0, n1, n2
 
 
-@_compiled(error_model="numpy")
-def _full(m: Any, times: Any, rests: Any, out: Any) -> None:
-    """Fill a block by ``spinor._full_of``."""
+@inlined
+def _row4(a: float, b: float, c: float, d: float, x: float, y: float, z: float, w: float) -> float:
+    return ((a * x + b * y) + c * z) + d * w
+
+
+@inlined
+def _row3(a: float, b: float, c: float, x: float, y: float, z: float) -> float:
+    return (a * x + b * y) + c * z
+
+
+# ---------------------------------------------------------------------- one body
+
+
+@inlined
+def _put(m: Any, i: int, spinor: Spinor, out: Any) -> None:
+    """Store attitude and momentum of a spinor."""
+    a, b, c, d, n0, n1, n2 = _normal(*spinor)
+    out[0, i] = _row4(m[25], m[26], m[27], m[28], a, b, c, d)
+    out[1, i] = _row4(m[29], m[30], m[31], m[32], a, b, c, d)
+    out[2, i] = _row4(m[33], m[34], m[35], m[36], a, b, c, d)
+    out[3, i] = _row4(m[37], m[38], m[39], m[40], a, b, c, d)
+    out[4, i] = _row3(m[41], m[42], m[43], n0, n1, n2)
+    out[5, i] = _row3(m[44], m[45], m[46], n0, n1, n2)
+    out[6, i] = _row3(m[47], m[48], m[49], n0, n1, n2)
+
+
+@compiled()
+def _full_of_one(m: Any, times: Any, rests: Any, out: Any) -> None:
     for i in range(times.size):
-        t = SPLITTING * times[i]
-        high = t - (t - times[i])
-        low = (times[i] - high) + rests[i]
-        fa, ra, _ = _phase(m[1], m[2], m[3], high, low)
-        fb, rb, _ = _phase(m[4], m[5], m[6], high, low)
-        ta, tb = fa + (ra - m[7]), fb + (rb + m[7])
-        sa, ca = _sine_cosine(ta - _whole(ta))
-        sb, cb = _sine_cosine(tb - _whole(tb))
-        cz, sz = ca * cb + sa * sb, sb * ca - cb * sa
-        s2 = sz + sz
-        X, Y = 1.0 - s2 * sz, s2 * cz
-        pa, qa = m[9] + X * (m[10] + X * m[11]), Y * (m[12] + X * m[13])
-        pb, qb = m[14] + X * (m[15] + X * m[16]), Y * (m[17] + X * m[18])
-        _put(m, i, ca * pa - sa * qa, ca * qa + sa * pa, cb * pb - sb * qb, cb * qb + sb * pb, out)
+        high, low = halves(times[i])
+        spinor = _full(m[1], m[2], m[3], m[4], m[5], m[6], m[7], m[9], m[10], m[11], m[12], m[13], m[14], m[15], m[16],
+                       m[17], m[18], high, low + rests[i])  # fmt: skip
+        _put(m, i, spinor, out)
 
 
-@_compiled(inline="always")
-def _exponent(x: float, rest: float, upper: float, lower: float) -> tuple[float, float]:
-    """Return the leading part of the exponent of ``decay.exponential_decay``, exact, and the factor for the rest."""
-    t = SPLITTING * x
-    high = t - (t - x)
-    low = x - high
-    small = (high * lower + low * (upper + lower)) + rest * upper
-    return -(high * upper), 1.0 - small * (1.0 - 0.5 * small)
-
-
-@_compiled(error_model="numpy")
-def _complementary(m: Any, times: Any, rests: Any, out: Any, work: Any) -> None:
-    """Fill a block by ``spinor._complementary_of``."""
-    root, upper, lower, y_turns, periodic = m[19], m[20], m[21], m[22], m[23]
+@compiled()
+def _complementary_of_one(m: Any, times: Any, rests: Any, out: Any, work: Any) -> None:
     for i in range(times.size):
-        t = SPLITTING * times[i]
-        high = t - (t - times[i])
-        low = (times[i] - high) + rests[i]
-        fraction, rest, _ = _phase(m[1], m[2], m[3], high, low)
-        f, g, whole = _phase(m[4], m[5], m[6], high, low)
-        total, first_error = _two_sum((1.0 - periodic) * whole, f)
-        u, second_error = _two_sum(total, m[7])
-        v = g + (m[8] + (first_error + second_error))
-        u0 = u + v
-        u_rest = v - (u0 - u)
-        more = np.rint(u0) if periodic != 0.0 else 0.0
-        u0 = u0 - more
-        count = m[24] + (periodic * whole + more)
-        count = count - 4.0 * _whole(0.25 * count)
-        turns = fraction - 0.25 * count
-        work[0, i] = (turns - _whole(turns)) + (rest - u0 * y_turns)
-        side = -1.0 if u0 < 0.0 else 1.0
-        f, g = u0 * side, u_rest * side
-        work[1, i], work[2, i] = side, count
-        work[3, i], work[4, i] = _exponent(f, g, upper, lower)
-        distance = max(0.5 - f, 0.0)
-        work[5, i], work[6, i] = _exponent(distance, ((0.5 - distance) - f) * periodic - g, upper, lower)
+        high, low = halves(times[i])
+        work[0, i], work[1, i], work[2, i], work[3, i], work[4, i], work[5, i], work[6, i] = _complementary_phase(
+            m[1], m[2], m[3], m[4], m[5], m[6], m[7], m[8], m[20], m[21], m[22], m[23], m[24], high, low + rests[i]
+        )
     for i in range(times.size):
         work[3, i], work[5, i] = np.exp(work[3, i]), np.exp(work[5, i])
-    q = root * root
-    q2 = q * q
     for i in range(times.size):
-        side, count = work[1, i], work[2, i]
-        e0, R = work[3, i] * work[4, i], periodic * (work[5, i] * work[6, i])
-        s, c = _sine_cosine(work[0, i] - _whole(work[0, i]))
-        g1 = root * R
-        g2 = g1 * g1 * q
-        g3 = g2 * g1 * q2
-        g4 = g3 * g1 * q2 * q
-        e1 = q * e0 * e0
-        e2 = q2 * e1 * e0
-        e3 = q2 * q * e2 * e0
-        e4 = q2 * q2 * e3 * e0
-        ar, ai = m[13] * (g4 + e4), m[18] * (g4 - e4)
-        br, bi = -m[18] * (g4 + e4), m[13] * (g4 - e4)
-        ar, ai = ar + m[12] * (g3 + e3), ai + m[17] * (g3 - e3)
-        br, bi = br + m[17] * (g3 + e3), bi - m[12] * (g3 - e3)
-        ar, ai = ar + m[11] * (g2 + e2), ai + m[16] * (g2 - e2)
-        br, bi = br - m[16] * (g2 + e2), bi + m[11] * (g2 - e2)
-        ar, ai = ar + m[10] * (g1 + e1), ai + m[15] * (g1 - e1)
-        br, bi = br + m[15] * (g1 + e1), bi - m[10] * (g1 - e1)
-        ar, ai = ar + m[9] * (1.0 + e0), ai + m[14] * (1.0 - e0)
-        br, bi = br - m[14] * (1.0 + e0), bi + m[9] * (1.0 - e0)
-        ai, bi = ai * side, bi * side
-        odd = 1.0 - 2.0 * (count - 2.0 * np.floor(0.5 * count))
-        _put(m, i, c * ar - s * ai, c * ai + s * ar, odd * (c * br - s * bi), odd * (c * bi + s * br), out)
+        e0, R = work[3, i] * work[4, i], m[23] * (work[5, i] * work[6, i])
+        spinor = _complementary(m[9], m[10], m[11], m[12], m[13], m[14], m[15], m[16], m[17], m[18], m[19], work[0, i],
+                                work[1, i], work[2, i], e0, R)  # fmt: skip
+        _put(m, i, spinor, out)
 
 
-@_compiled(cache=True, nogil=True, error_model="numpy")
-def _of_one(full: bool, m: Any, times: Any, rests: Any, attitude: Any, momentum: Any) -> None:
-    out, work = np.empty((7, BLOCK)), np.empty((7, BLOCK))
-    for low in range(0, times.size, BLOCK):
-        high = min(low + BLOCK, times.size)
-        if full:
-            _full(m, times[low:high], rests[low:high], out)
-        else:
-            _complementary(m, times[low:high], rests[low:high], out, work)
-        for i in range(high - low):
-            for k in range(4):
-                attitude[low + i, k] = out[k, i]
-            for k in range(3):
-                momentum[low + i, k] = out[4 + k, i]
+def _entry_of_one(sources: int) -> Any:
+    """Return the compiled function; Numba keys what it keeps by this file alone, and by what a function encloses."""
+
+    @compiled(cache=True, nogil=True)
+    def of_one(full: bool, m: Any, times: Any, rests: Any, attitude: Any, momentum: Any) -> int:
+        out, work = np.empty((7, BLOCK)), np.empty((7, BLOCK))
+        for low in range(0, times.size, BLOCK):
+            high = min(low + BLOCK, times.size)
+            if full:
+                _full_of_one(m, times[low:high], rests[low:high], out)
+            else:
+                _complementary_of_one(m, times[low:high], rests[low:high], out, work)
+            for i in range(high - low):
+                for k in range(4):
+                    attitude[low + i, k] = out[k, i]
+                for k in range(3):
+                    momentum[low + i, k] = out[4 + k, i]
+        return sources
+
+    return of_one
+
+
+# ---------------------------------------------------------------------- many bodies, their columns one after the other
+
+
+@compiled()
+def _full_of_many(m: Any, count: int, high: Any, low: Any, work: Any) -> None:
+    B = BLOCK
+    for i in range(count):
+        work[i], work[B + i], work[2 * B + i], work[3 * B + i] = _full(
+            m[B + i], m[2 * B + i], m[3 * B + i], m[4 * B + i], m[5 * B + i], m[6 * B + i], m[7 * B + i], m[9 * B + i],
+            m[10 * B + i], m[11 * B + i], m[12 * B + i], m[13 * B + i], m[14 * B + i], m[15 * B + i], m[16 * B + i],
+            m[17 * B + i], m[18 * B + i], high[i], low[i],
+        )  # fmt: skip
+
+
+@compiled()
+def _complementary_of_many(m: Any, count: int, high: Any, low: Any, work: Any) -> None:
+    B = BLOCK
+    for i in range(count):
+        (work[4 * B + i], work[5 * B + i], work[6 * B + i], work[7 * B + i], work[8 * B + i], work[9 * B + i],
+         work[10 * B + i]) = _complementary_phase(
+            m[B + i], m[2 * B + i], m[3 * B + i], m[4 * B + i], m[5 * B + i], m[6 * B + i], m[7 * B + i], m[8 * B + i],
+            m[20 * B + i], m[21 * B + i], m[22 * B + i], m[23 * B + i], m[24 * B + i], high[i], low[i],
+        )  # fmt: skip
+    for i in range(count):
+        work[7 * B + i] = np.exp(work[7 * B + i])
+        work[9 * B + i] = np.exp(work[9 * B + i])
+    for i in range(count):
+        e0, R = work[7 * B + i] * work[8 * B + i], m[23 * B + i] * (work[9 * B + i] * work[10 * B + i])
+        work[i], work[B + i], work[2 * B + i], work[3 * B + i] = _complementary(
+            m[9 * B + i], m[10 * B + i], m[11 * B + i], m[12 * B + i], m[13 * B + i], m[14 * B + i], m[15 * B + i],
+            m[16 * B + i], m[17 * B + i], m[18 * B + i], m[19 * B + i], work[4 * B + i], work[5 * B + i],
+            work[6 * B + i], e0, R,
+        )  # fmt: skip
+
+
+@compiled()
+def spinors(m: Any, full: int, count: int, high: Any, low: Any, work: Any) -> None:
+    """Put the spinors of a block into the first four rows of ``work``, which has eleven.
+
+    Args:
+        m: columns in rows of BLOCK; the first bodies take the full form.
+        full: how many these are.
+        count: of all bodies.
+        high, low: times in halves.
+        work: rows of BLOCK.
+    """
+    _full_of_many(m, full, high, low, work)
+    # loops from zero, or LLVM would not trust their indices
+    _complementary_of_many(m[full:], count - full, high[full:], low[full:], work[full:])
+
+
+@compiled()
+def _states(m: Any, count: int, work: Any) -> None:
+    """Put attitude and momentum into the first seven rows of ``work`` in place of the spinors."""
+    B = BLOCK
+    for i in range(count):
+        a, b, c, d, n0, n1, n2 = _normal(work[i], work[B + i], work[2 * B + i], work[3 * B + i])
+        for k in range(4):
+            j = (25 + 4 * k) * B + i
+            work[k * B + i] = _row4(m[j], m[j + B], m[j + 2 * B], m[j + 3 * B], a, b, c, d)
+        for k in range(3):
+            j = (41 + 3 * k) * B + i
+            work[(4 + k) * B + i] = _row3(m[j], m[j + B], m[j + 2 * B], n0, n1, n2)
+
+
+def _entry_of_many(sources: int) -> Any:
+    @compiled(cache=True, nogil=True)
+    def of_many(full: Any, columns: Any, bodies: Any, times: Any, rests: Any, attitude: Any, momentum: Any) -> int:
+        m, work = np.empty(COLUMNS * BLOCK), np.empty(11 * BLOCK)
+        high, low, place = np.empty(BLOCK), np.empty(BLOCK), np.empty(BLOCK, np.int64)
+        for first in range(0, times.size, BLOCK):
+            count = min(BLOCK, times.size - first)
+            front, back = 0, count
+            for i in range(first, first + count):
+                if full[bodies[i]]:
+                    place[front] = i
+                    front += 1
+                else:
+                    back -= 1
+                    place[back] = i
+            for i in range(count):
+                high[i], rest = halves(times[place[i]])
+                low[i] = rest + rests[place[i]]
+            for k in range(1, COLUMNS):
+                column = columns[k - 1]
+                for i in range(count):
+                    m[k * BLOCK + i] = column[bodies[place[i]]]
+            spinors(m, front, count, high, low, work)
+            _states(m, count, work)
+            for i in range(count):
+                for k in range(4):
+                    attitude[place[i], k] = work[k * BLOCK + i]
+                for k in range(3):
+                    momentum[place[i], k] = work[(4 + k) * BLOCK + i]
+        return sources
+
+    return of_many
+
+
+_of_one, _of_many = _entry_of_one(SOURCES), _entry_of_many(SOURCES)
 
 
 def states_of_one(
@@ -212,17 +320,33 @@ def states_of_one(
     """
     full, m = bool(columns[0]), tuple(map(float, columns))
     attitude, momentum = np.empty((times.size, 4)), np.empty((times.size, 3))
-    count = min(len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1,
-                max(1, times.size // WORTH))  # fmt: skip
-    ends = [times.size * k // count for k in range(count + 1)]
-    parts = [slice(*pair) for pair in pairwise(ends)]
 
-    def fill(part: slice) -> None:
+    def fill(low: int, high: int) -> None:
+        part = slice(low, high)
         _of_one(full, m, times[part], rests[part], attitude[part], momentum[part])
 
-    if count == 1:
-        fill(parts[0])
-    else:
-        with ThreadPoolExecutor(count) as pool:
-            list(pool.map(fill, parts))
+    in_threads(fill, times.size, WORTH)
+    return attitude, momentum
+
+
+def states_of_many(
+    columns: tuple[np.ndarray, ...], bodies: Integer[np.ndarray, "state"], times: Float64[np.ndarray, "state"],
+    rests: Float64[np.ndarray, "state"],
+) -> tuple[Float64[np.ndarray, "state 4"], Float64[np.ndarray, "state 3"]]:  # fmt: skip
+    """Return attitude and momentum of many bodies, each at its times, given in two parts.
+
+    Args:
+        columns: the 50 arrays (N,) of a flattened ``spinor.Motion``.
+        bodies: which of them each state is of.
+        times: since the epoch.
+        rests: what the floats leave of them.
+    """
+    full, *numbers = columns
+    attitude, momentum = np.empty((times.size, 4)), np.empty((times.size, 3))
+
+    def fill(low: int, high: int) -> None:
+        part = slice(low, high)
+        _of_many(full, tuple(numbers), bodies[part], times[part], rests[part], attitude[part], momentum[part])
+
+    in_threads(fill, times.size, WORTH)
     return attitude, momentum

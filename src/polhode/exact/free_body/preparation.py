@@ -182,9 +182,8 @@ def _matrices(
     # rows of (start frame)* (present frame) as functions of the spinor (Re A, Im A, Re B, Im B)
     relative = ((a0, a1, b0, b1), (-b1, b0, -a1, a0), (b0, b1, -a0, -a1), (-a1, a0, b1, -b0))
     mirror = xp.where(body.long_axis, -1.0, 1.0)
-    turned = [
-        [_sum(mirror * body.axes[i][j] * relative[1 + j][k] for j in range(3)) for i in range(3)] for k in range(4)
-    ]
+    axes = [[mirror * x for x in row] for row in body.axes]
+    turned = [[_sum(axes[i][j] * relative[1 + j][k] for j in range(3)) for i in range(3)] for k in range(4)]
     axis = _rotation_axis(moments, momentum)
     constant = rates.constant
     zero, one = xp.zeros_like(a0), xp.ones_like(a0)
@@ -212,8 +211,11 @@ def _sum(terms: Any) -> Array:
 def _rotation_axis(moments: Array, momentum: Array) -> tuple[Array, ...]:
     """Return the direction of Ω along the given axes, zero at rest."""
     xp = namespace(moments)
-    largest = xp.max(xp.abs(momentum), axis=-1, keepdims=True)
-    omega = momentum / xp.where(largest > 0, largest, 1.0) * (xp.min(moments, axis=-1, keepdims=True) / moments)
-    size = xp.sqrt(xp.sum(omega * omega, axis=-1))
+    I, L = ([v[..., k] for k in range(3)] for v in (moments, momentum))  # noqa: E741
+    largest = xp.maximum(xp.maximum(xp.abs(L[0]), xp.abs(L[1])), xp.abs(L[2]))
+    largest = xp.where(largest > 0, largest, 1.0)
+    least = xp.minimum(xp.minimum(I[0], I[1]), I[2])
+    x, y, z = (momentum / largest * (least / moment) for momentum, moment in zip(L, I, strict=True))
+    size = xp.sqrt((x * x + y * y) + z * z)
     size = xp.where(size > 0, size, 1.0)
-    return tuple(omega[..., i] / size for i in range(3))
+    return x / size, y / size, z / size

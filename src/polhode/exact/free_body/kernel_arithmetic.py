@@ -1,0 +1,205 @@
+"""What the compiled kernels compute with: Numba's decorator, double-double numbers, phases, and a start of threads.
+
+The same arithmetic as ``special.doubledouble`` and ``special.circular``, bit for bit where it is exact there. Errors of
+products come from a fused multiply–add, which is exact too; Numba contracts nothing by itself.
+"""
+
+from __future__ import annotations
+
+import inspect
+import os
+import zlib
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+try:
+    from numba import njit
+    from numba.extending import intrinsic
+except ImportError:  # plain functions then, which nothing calls
+    njit = intrinsic = None
+
+KERNELS = "kernel_arithmetic.py", "kernel.py", "kernel_reduction.py", "kernel_rates.py", "kernel_setup.py"
+SOURCES = zlib.crc32(b"".join(Path(__file__).with_name(name).read_bytes() for name in KERNELS))
+ROUNDING = 6755399441055744.0  # 1.5 · 2⁵²: added and taken away again, it leaves the nearest whole number
+SPLITTING = 134217729.0  # 2²⁷ + 1
+_S = [(-1) ** n * (2.0 * np.pi) ** (2 * n + 1) / float(np.prod(np.arange(1.0, 2 * n + 2))) for n in range(9)]
+_C = [(-1) ** n * (2.0 * np.pi) ** (2 * n) / float(np.prod(np.arange(1.0, 2 * n + 1))) for n in range(10)]
+S0, S1, S2, S3, S4, S5, S6, S7, S8 = _S
+C0, C1, C2, C3, C4, C5, C6, C7, C8, C9 = _C
+Pair = tuple[float, float]
+
+
+def compiled(**options: Any) -> Callable[[Callable[..., Any]], Any]:
+    """Return Numba's decorator, applied to the function itself where the tests wrap it to check annotations."""
+    return lambda function: function if njit is None else njit(error_model="numpy", **options)(inspect.unwrap(function))
+
+
+inlined = compiled(forceinline=True)
+
+
+def in_threads(fill: Callable[[int, int], Any], size: int, worth: int) -> None:
+    """Call ``fill(low, high)`` on parts of 0 … size, one for each core where a part is worth a thread's start."""
+    cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    count = min(cores, max(1, size // worth))
+    if count == 1:
+        fill(0, size)
+        return
+    ends = [size * k // count for k in range(count + 1)]
+    with ThreadPoolExecutor(count) as pool:
+        list(pool.map(lambda pair: fill(*pair), pairwise(ends)))
+
+
+def _instruction(function: Callable[..., Any]) -> Any:
+    return function if intrinsic is None else intrinsic(inspect.unwrap(function))
+
+
+def _kinds() -> tuple[Any, Any]:
+    from numba.core.types import float64, int64
+
+    return float64, int64
+
+
+@_instruction
+def fused(context: Any, a: Any, b: Any, c: Any) -> Any:
+    """Return a b + c, rounded once."""
+    number, _ = _kinds()
+    return number(number, number, number), lambda _, builder, __, values: builder.fma(*values)
+
+
+@_instruction
+def bits_of(context: Any, x: Any) -> Any:
+    """Return the bits of a float as an integer."""
+    number, whole_number = _kinds()
+    cast = lambda made, builder, _, values: builder.bitcast(values[0], made.get_value_type(whole_number))  # noqa: E731
+    return whole_number(number), cast
+
+
+@_instruction
+def of_bits(context: Any, n: Any) -> Any:
+    """Return the float with these bits."""
+    number, whole_number = _kinds()
+    cast = lambda made, builder, _, values: builder.bitcast(values[0], made.get_value_type(number))  # noqa: E731
+    return number(whole_number), cast
+
+
+# ---------------------------------------------------------------------- whole numbers, circular functions, phases
+
+
+@inlined
+def whole(x: float) -> float:
+    return (x + ROUNDING) - ROUNDING
+
+
+@inlined
+def sine_cosine(x: float) -> Pair:
+    """Return sin 2πx and cos 2πx, |x| ≤ ½."""
+    quarter = whole(4.0 * x)
+    r = x - 0.25 * quarter
+    z = r * r
+    s = r * (S0 + z * (S1 + z * (S2 + z * (S3 + z * (S4 + z * (S5 + z * (S6 + z * (S7 + z * S8))))))))
+    c = C0 + z * (C1 + z * (C2 + z * (C3 + z * (C4 + z * (C5 + z * (C6 + z * (C7 + z * (C8 + z * C9))))))))
+    n = quarter - 4.0 * np.floor(0.25 * quarter)
+    odd = n == 1.0 or n == 3.0
+    a, b = (c, s) if odd else (s, c)
+    return (-a if n >= 2.0 else a), (-b if n == 1.0 or n == 2.0 else b)
+
+
+@inlined
+def halves(x: float) -> Pair:
+    t = SPLITTING * x
+    high = t - (t - x)
+    return high, x - high
+
+
+@inlined
+def phase(upper: float, lower: float, low: float, high: float, rest: float) -> tuple[float, float, float]:
+    """Return ``circular.reduced_phase``."""
+    a, b, c = upper * high, upper * rest, lower * high
+    na, nb, nc = whole(a), whole(b), whole(c)
+    d = lower * rest + low * (high + rest)
+    middle, middle_error = two_sum(b - nb, c - nc)
+    fraction, error = two_sum(a - na, middle)
+    more = whole(fraction)
+    return fraction - more, error + (middle_error + d), na + (nb + nc) + more
+
+
+# ---------------------------------------------------------------------- double-double numbers
+
+
+@inlined
+def two_sum(a: float, b: float) -> Pair:
+    s = a + b
+    t = s - a
+    return s, (a - (s - t)) + (b - t)
+
+
+@inlined
+def fast_two_sum(a: float, b: float) -> Pair:
+    s = a + b
+    return s, b - (s - a)
+
+
+@inlined
+def two_product(a: float, b: float) -> Pair:
+    p = a * b
+    return p, fused(a, b, -p)
+
+
+@inlined
+def add(x: Pair, y: Pair) -> Pair:
+    s, e = two_sum(x[0], y[0])
+    return fast_two_sum(s, e + (x[1] + y[1]))
+
+
+@inlined
+def subtract(x: Pair, y: Pair) -> Pair:
+    return add(x, (-y[0], -y[1]))
+
+
+@inlined
+def multiply(x: Pair, y: Pair) -> Pair:
+    p, e = two_product(x[0], y[0])
+    return fast_two_sum(p, e + (x[0] * y[1] + x[1] * y[0]))
+
+
+@inlined
+def multiply_float(x: Pair, factor: float) -> Pair:
+    p, e = two_product(x[0], factor)
+    return fast_two_sum(p, e + x[1] * factor)
+
+
+@inlined
+def square(x: Pair) -> Pair:
+    p, e = two_product(x[0], x[0])
+    return fast_two_sum(p, e + 2.0 * x[0] * x[1])
+
+
+@inlined
+def scale(x: Pair, power_of_two: float) -> Pair:
+    return x[0] * power_of_two, x[1] * power_of_two
+
+
+@inlined
+def divide(x: Pair, y: Pair) -> Pair:
+    q = x[0] / y[0]
+    p, e = two_product(q, y[0])
+    r = ((x[0] - p) - e) + (x[1] - q * y[1])
+    return fast_two_sum(q, r / y[0])
+
+
+@inlined
+def root(x: Pair) -> Pair:
+    """Return √x of a positive number."""
+    s = np.sqrt(x[0])
+    p, e = two_product(s, s)
+    return fast_two_sum(s, (((x[0] - p) - e) + x[1]) / (s + s))
+
+
+@inlined
+def choice(condition: bool, x: Pair, y: Pair) -> Pair:
+    return (x[0] if condition else y[0]), (x[1] if condition else y[1])
