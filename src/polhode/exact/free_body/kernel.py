@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from polhode.exact.free_body.kernel_arithmetic import (
+from polhode.exact.kernel_arithmetic import (
     SOURCES,
     compiled,
     halves,

@@ -5,20 +5,6 @@ from __future__ import annotations
 from typing import Any
 
 from polhode.exact.free_body.kernel import BLOCK
-from polhode.exact.free_body.kernel_arithmetic import (
-    add,
-    choice,
-    compiled,
-    divide,
-    halves,
-    multiply,
-    multiply_float,
-    root,
-    scale,
-    square,
-    subtract,
-    two_product,
-)
 from polhode.exact.free_body.kernel_reduction import (
     A_,
     B_,
@@ -57,6 +43,20 @@ from polhode.exact.free_body.kernel_reduction import (
     S,
     V,
 )  # fmt: skip
+from polhode.exact.kernel_arithmetic import (
+    add,
+    choice,
+    compiled,
+    divide,
+    halves,
+    multiply,
+    multiply_float,
+    root,
+    scale,
+    square,
+    subtract,
+    two_product,
+)
 from polhode.special.agm import CONVERGED, MOST_STEPS
 from polhode.special.doubledouble import INVERSE_TWO_PI
 

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from polhode.exact.free_body.kernel import BLOCK
-from polhode.exact.free_body.kernel_arithmetic import (
+from polhode.exact.kernel_arithmetic import (
     Pair,
     add,
     bits_of,

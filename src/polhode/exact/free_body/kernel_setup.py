@@ -13,21 +13,6 @@ from typing import Any
 import numpy as np
 
 from polhode.exact.free_body.kernel import BLOCK, COLUMNS, spinors
-from polhode.exact.free_body.kernel_arithmetic import (
-    SOURCES,
-    Pair,
-    add,
-    compiled,
-    divide,
-    fast_two_sum,
-    halves,
-    in_threads,
-    inlined,
-    multiply,
-    scale,
-    sine_cosine,
-    whole,
-)
 from polhode.exact.free_body.kernel_rates import STEPS, rates
 from polhode.exact.free_body.kernel_reduction import (
     ACROSS,
@@ -60,6 +45,21 @@ from polhode.exact.free_body.kernel_reduction import (
     S,
     begin,
 )  # fmt: skip
+from polhode.exact.kernel_arithmetic import (
+    SOURCES,
+    Pair,
+    add,
+    compiled,
+    divide,
+    fast_two_sum,
+    halves,
+    in_threads,
+    inlined,
+    multiply,
+    scale,
+    sine_cosine,
+    whole,
+)
 from polhode.special.doubledouble import PI
 from polhode.types import Bool, Float64
 

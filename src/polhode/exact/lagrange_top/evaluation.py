@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from functools import cache
+from types import ModuleType
+
 import numpy as np
 
 from polhode.arrays import Elementwise, is_jax, namespace, stack_last
@@ -13,6 +16,7 @@ from polhode.exact.lagrange_top.series import evaluate
 from polhode.exact.lagrange_top.tangent import state_tangent, tangent_data
 from polhode.types import Array, Float64
 
+MANY = 4096  # times of one top from which the compiled kernel is worth loading
 SIZES = (3, 1, 3, 4)  # of moments, mgl, momentum, attitude
 
 
@@ -39,7 +43,27 @@ def state(
     """Return attitude (…, 4) and momentum (…, 3) at the elapsed times, which broadcast against the columns."""
     if is_jax(elapsed, *arguments):
         return _STATE(*arguments, elapsed, rest)  # type: ignore[return-value]
-    return state_in_blocks(evaluate, columns, elapsed, rest)
+    return _on_numpy(columns, elapsed, rest)
+
+
+def _on_numpy(columns: Columns, elapsed: Array, rest: Array) -> tuple[Array, Array]:
+    """Return the states; those of one top at many times by the compiled kernel, where Numba is installed."""
+    of_one = isinstance(elapsed, np.ndarray) and elapsed.size >= MANY and np.size(columns[0]) == 1
+    kernel = _kernel() if of_one else None
+    if kernel is None:
+        return state_in_blocks(evaluate, columns, elapsed, rest)
+    shape = np.broadcast_shapes(np.shape(columns[0]), elapsed.shape)
+    parts = (np.ascontiguousarray(np.broadcast_to(x, shape), dtype=float).reshape(-1) for x in (elapsed, rest))
+    attitude, momentum = kernel.states_of_one(tuple(np.asarray(column).item() for column in columns), *parts)
+    return attitude.reshape(*shape, 4), momentum.reshape(*shape, 3)
+
+
+@cache
+def _kernel() -> ModuleType | None:
+    """Return the kernel's module; None without Numba."""
+    from polhode.exact.lagrange_top import kernel  # which loads Numba
+
+    return None if kernel.njit is None else kernel
 
 
 def _symmetric(moments: Array) -> Array:
@@ -53,7 +77,7 @@ def _state(*arguments: Array) -> tuple[Array, Array]:
     moments, *vectors, elapsed, rest = arguments
     columns = columns_in_blocks(_columns_of_tops, (_symmetric(moments), *vectors))
     if not is_jax(*arguments):
-        return state_in_blocks(evaluate, columns, elapsed, rest)
+        return _on_numpy(columns, elapsed, rest)
     parts = evaluate(columns, elapsed, rest)
     return stack_last(parts[:4]), stack_last(parts[4:])
 

@@ -23,8 +23,8 @@ try:
 except ImportError:  # plain functions then, which nothing calls
     njit = intrinsic = None
 
-KERNELS = "kernel_arithmetic.py", "kernel.py", "kernel_reduction.py", "kernel_rates.py", "kernel_setup.py"
-SOURCES = zlib.crc32(b"".join(Path(__file__).with_name(name).read_bytes() for name in KERNELS))
+_KERNELS = sorted(Path(__file__).parent.rglob("kernel*.py"))
+SOURCES = zlib.crc32(b"".join(path.read_bytes() for path in _KERNELS))
 ROUNDING = 6755399441055744.0  # 1.5 · 2⁵²: added and taken away again, it leaves the nearest whole number
 SPLITTING = 134217729.0  # 2²⁷ + 1
 _S = [(-1) ** n * (2.0 * np.pi) ** (2 * n + 1) / float(np.prod(np.arange(1.0, 2 * n + 2))) for n in range(9)]

@@ -1,0 +1,224 @@
+"""The evaluation of ``series`` for one top at many times, compiled by Numba (extra ``fast``).
+
+The same arithmetic in blocks and in loops without branches, as of the free body's kernel.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from polhode.exact.kernel_arithmetic import (
+    SOURCES,
+    compiled,
+    halves,
+    in_threads,
+    inlined,
+    njit,
+    phase,
+    sine_cosine,
+    two_sum,
+    whole,
+)
+from polhode.types import Float64
+
+__all__ = ["njit", "states_of_one"]
+
+BLOCK = 256  # states
+WORTH = 20_000  # states for which a thread is worth its start
+Four = tuple[float, float, float, float]
+Numerators = tuple[float, float, float, float, float, float, float, float, float, float]
+
+
+@inlined
+def _dot(a: float, b: float, c: float, d: float, v: Four) -> float:
+    """Sum the products, smallest first."""
+    return ((d * v[3] + c * v[2]) + b * v[1]) + a * v[0]
+
+
+@inlined
+def _turns(upper: float, lower: float, low: float, high: float, rest: float) -> float:
+    fraction, left, _ = phase(upper, lower, low, high, rest)
+    return fraction + left
+
+
+@inlined
+def _exponent(x: float, rest: float, upper: float, lower: float) -> tuple[float, float]:
+    """Return the leading part of the exponent of ``decay.exponential_decay``, exact, and the factor for the rest."""
+    high, low = halves(x)
+    small = (high * lower + low * (upper + lower)) + rest * upper
+    return -(high * upper), 1.0 - small * (1.0 - 0.5 * small)
+
+
+@inlined
+def _full_of(m: Any, high: float, low: float) -> Numerators:
+    """Return ``series._full_of``."""
+    fraction, rest, _ = phase(m[7], m[8], m[9], high, low)
+    z = fraction + (rest + m[10])
+    s1, c1 = sine_cosine(z - whole(z))
+    c, s = 1.0 - 2.0 * s1 * s1, 2.0 * s1 * c1
+    c3, s3 = c1 * c - s1 * s, s1 * c + c1 * s
+    c5, s5 = c3 * c - s3 * s, s3 * c + c3 * s
+    c7, s7 = c5 * c - s5 * s, s5 * c + c5 * s
+    cosines, sines = (c1, c3, c5, c7), (s1, s3, s5, s7)
+    odd_cosines, odd_sines = (c1, 3.0 * c3, 5.0 * c5, 7.0 * c7), (s1, 3.0 * s3, 5.0 * s5, 7.0 * s7)
+    sa, sb = m[35], m[36]
+    return (
+        _dot(m[12], m[13], m[14], m[15], sines), -sa * _dot(m[16], m[17], m[18], m[19], cosines),
+        _dot(m[20], m[21], m[22], m[23], cosines), sb * _dot(m[24], m[25], m[26], m[27], sines),
+        _dot(m[12], m[13], m[14], m[15], odd_cosines), sa * _dot(m[16], m[17], m[18], m[19], odd_sines),
+        -_dot(m[20], m[21], m[22], m[23], odd_sines), sb * _dot(m[24], m[25], m[26], m[27], odd_cosines),
+        _turns(m[1], m[2], m[3], high, low), _turns(m[4], m[5], m[6], high, low),
+    )  # fmt: skip
+
+
+@inlined
+def _argument_of(m: Any, high: float, low: float) -> tuple[float, ...]:
+    """Return side, both phases in turns, and exponent and factor of E and of R, ``series._complementary_of``."""
+    upper, lower, periodic = m[30], m[31], m[34]
+    fraction, rest, turned = phase(m[7], m[8], m[9], high, low)
+    total, first_error = two_sum((1.0 - periodic) * turned, fraction)
+    u, second_error = two_sum(total, m[10])
+    v = rest + (m[11] + (first_error + second_error))
+    u0 = u + v
+    u_rest = v - (u0 - u)
+    more = np.rint(u0) if periodic != 0.0 else 0.0
+    count = periodic * turned + more
+    count = count - 4.0 * whole(0.25 * count)
+    u0 = u0 - more
+    side = -1.0 if u0 < 0.0 else 1.0
+    f, g = u0 * side, u_rest * side
+    exponent, factor = _exponent(f, g, upper, lower)
+    distance = max(0.5 - f, 0.0)
+    other, other_factor = _exponent(distance, ((0.5 - distance) - f) * periodic - g, upper, lower)
+    half = 0.5 * (count - 2.0 * np.floor(0.5 * count))
+    within = u0 + u_rest
+    turns_a = _turns(m[1], m[2], m[3], high, low) + m[35] * within * m[32]
+    turns_b = _turns(m[4], m[5], m[6], high, low) + m[36] * within * m[33]
+    turns_a, turns_b = (turns_a - whole(turns_a)) + half, (turns_b - whole(turns_b)) + half
+    return side, turns_a, turns_b, exponent, factor, other, other_factor
+
+
+@inlined
+def _complementary_of(m: Any, side: float, turns_a: float, turns_b: float, e0: float, R: float) -> Numerators:
+    q, sa, sb = m[29], m[35], m[36]
+    h, r = e0 * e0, R * R
+    h2 = h * h
+    h3 = h * h2
+    h5 = h3 * h2
+    h7 = h5 * h2
+    q2 = q * q
+    q3 = q2 * q
+    w1, w2, w3 = q * r, q2 * r, q3 * r
+    p1, p2, p3, p4 = q * h, q2 * h, q3 * h, q2 * q2 * h
+    v2, v3 = w2 * w2, w3 * w3
+    u1, u2, u3 = w1 * w1, v2 * w2, v3 * v3
+    d2, d3, d4 = p2 * p2, p3 * p3 * p3, (p4 * p4) * (p4 * p4)
+    v3 = v3 * w3
+    sums = 1.0 + h, w1 * (1.0 + h3), v2 * (1.0 + h5), v3 * (1.0 + h7)
+    gaps = 1.0 - h, w1 * (1.0 - h3), v2 * (1.0 - h5), v3 * (1.0 - h7)
+    up, down = (r + p1, u1 + d2, u2 + d3, u3 + d4), (r - p1, u1 - d2, u2 - d3, u3 - d4)
+    odd_sums, odd_gaps = (sums[0], 3.0 * sums[1], 5.0 * sums[2], 7.0 * sums[3]), (
+        gaps[0], 3.0 * gaps[1], 5.0 * gaps[2], 7.0 * gaps[3])  # fmt: skip
+    even_up, even_down = (2.0 * up[0], 4.0 * up[1], 6.0 * up[2], 8.0 * up[3]), (
+        2.0 * down[0], 4.0 * down[1], 6.0 * down[2], 8.0 * down[3])  # fmt: skip
+    e = 2.0 * e0
+    return (
+        _dot(m[12], m[13], m[14], m[15], sums), sa * side * _dot(m[16], m[17], m[18], m[19], gaps),
+        e * (m[28] + _dot(m[20], m[21], m[22], m[23], up)), -sb * side * e * _dot(m[24], m[25], m[26], m[27], down),
+        side * _dot(m[12], m[13], m[14], m[15], odd_gaps), sa * _dot(m[16], m[17], m[18], m[19], odd_sums),
+        side * e * _dot(m[20], m[21], m[22], m[23], even_down), -sb * e * _dot(m[24], m[25], m[26], m[27], even_up),
+        turns_a, turns_b,
+    )  # fmt: skip
+
+
+@inlined
+def _put(m: Any, i: int, numerators: Numerators, out: Any) -> None:
+    """Store attitude and momentum, ``series._states``."""
+    ar, ai, br, bi, dar, dai, dbr, dbi, turns_a, turns_b = numerators
+    x = 1.0 / ((ar * ar + ai * ai) + (br * br + bi * bi))
+    root = np.sqrt(x)
+    s, c = sine_cosine(turns_a - whole(turns_a))
+    ca, sa = c * m[39] - s * m[40], s * m[39] + c * m[40]
+    s, c = sine_cosine(turns_b - whole(turns_b))
+    cb, sb = c * m[41] - s * m[42], s * m[41] + c * m[42]
+    ar_t, ai_t = (ar * ca - ai * sa) * root, (ar * sa + ai * ca) * root
+    br_t, bi_t = (br * cb - bi * sb) * root, (br * sb + bi * cb) * root
+    gain_r = (ar * dbr + ai * dbi) - (br * dar + bi * dai)
+    gain_i = (ar * dbi - ai * dbr) - (bi * dar - br * dai)
+    turn_r, turn_i = ai * br - ar * bi, ar * br + ai * bi
+    wr = (m[37] * gain_r + m[38] * turn_r) * x
+    wi = (m[37] * gain_i + m[38] * turn_i) * x
+    cw, sw = cb * ca + sb * sa, sb * ca - cb * sa
+    turned = m[44] < 0.0
+    out[0, i], out[1, i] = (br_t if turned else ar_t), (-ar_t if turned else br_t)
+    out[2, i], out[3, i] = (-ai_t if turned else bi_t), (bi_t if turned else ai_t)
+    out[4, i], out[5, i], out[6, i] = wr * cw - wi * sw, m[44] * (wr * sw + wi * cw), m[43]
+
+
+@compiled()
+def _full(m: Any, times: Any, rests: Any, out: Any) -> None:
+    for i in range(times.size):
+        high, low = halves(times[i])
+        _put(m, i, _full_of(m, high, low + rests[i]), out)
+
+
+@compiled()
+def _complementary(m: Any, times: Any, rests: Any, out: Any, work: Any) -> None:
+    for i in range(times.size):
+        high, low = halves(times[i])
+        work[0, i], work[1, i], work[2, i], work[3, i], work[4, i], work[5, i], work[6, i] = _argument_of(
+            m, high, low + rests[i]
+        )
+    for i in range(times.size):
+        work[3, i], work[5, i] = np.exp(work[3, i]), np.exp(work[5, i])
+    for i in range(times.size):
+        e0, R = work[3, i] * work[4, i], m[34] * (work[5, i] * work[6, i])
+        _put(m, i, _complementary_of(m, work[0, i], work[1, i], work[2, i], e0, R), out)
+
+
+def _entry(sources: int) -> Any:
+    """Return the compiled function, which Numba keeps as long as the sources of the kernels do not change."""
+
+    @compiled(cache=True, nogil=True)
+    def of_one(full: bool, m: Any, times: Any, rests: Any, attitude: Any, momentum: Any) -> int:
+        out, work = np.empty((7, BLOCK)), np.empty((7, BLOCK))
+        for low in range(0, times.size, BLOCK):
+            high = min(low + BLOCK, times.size)
+            if full:
+                _full(m, times[low:high], rests[low:high], out)
+            else:
+                _complementary(m, times[low:high], rests[low:high], out, work)
+            for i in range(high - low):
+                for k in range(4):
+                    attitude[low + i, k] = out[k, i]
+                for k in range(3):
+                    momentum[low + i, k] = out[4 + k, i]
+        return sources
+
+    return of_one
+
+
+_of_one = _entry(SOURCES)
+
+
+def states_of_one(
+    columns: tuple[float, ...], times: Float64[np.ndarray, "time"], rests: Float64[np.ndarray, "time"]
+) -> tuple[Float64[np.ndarray, "time 4"], Float64[np.ndarray, "time 3"]]:
+    """Return attitude and momentum of one top at times, given in two parts.
+
+    Args:
+        columns: the 45 numbers of a flattened ``series.Motion``.
+        times: (T,) since the epoch.
+        rests: (T,) what the floats leave of them.
+    """
+    full, m = bool(columns[0]), tuple(map(float, columns))
+    attitude, momentum = np.empty((times.size, 4)), np.empty((times.size, 3))
+
+    def fill(low: int, high: int) -> None:
+        part = slice(low, high)
+        _of_one(full, m, times[part], rests[part], attitude[part], momentum[part])
+
+    in_threads(fill, times.size, WORTH)
+    return attitude, momentum
