@@ -50,7 +50,7 @@ def test_json(run):
     code, said, _ = run("--json", "--no-figures", "--out", "other.zarr")
     values = json.loads(said)
     assert code == 0 and values["files"] == ["other.zarr"]
-    assert values["samples"] == 200 == sum(values["status"].values())
+    assert values["samples"] == 200 == sum(values["sample_status"].values())
     shares = [row["probability"] for row in values["probabilities"] if row["output"] == "form"]
     assert sum(shares) == pytest.approx(1.0) and all(0.0 < row["low"] < row["high"] for row in values["probabilities"])
     names = [row["output"] for row in values["statistics"]]

@@ -72,7 +72,7 @@ def agree(found):
     each.__dict__["_first"] = None
     each.__dict__["columns"] = found.columns
     alone = each.chunk(0, count)
-    assert np.array_equal(together.values["status"], alone.values["status"])
+    assert np.array_equal(together.values["sample_status"], alone.values["sample_status"])
     for column in found.columns:
         one, other = together.values[column.name], alone.values[column.name]
         if column.text:
@@ -132,7 +132,7 @@ def test_components_count_from_one(tmp_path):
 
 def test_refused_samples_say_why(tmp_path):
     chunk = evaluator(tmp_path, "crossing", ["regime", "energy"]).chunk(0, 6)
-    status = chunk.values["status"].tolist()
+    status = chunk.values["sample_status"].tolist()
     assert status == ["refused", "done", "done", "done", "done", "done"]
     assert chunk.reasons[0][0] == 0 and "I1 + I2" in chunk.reasons[0][1]
     assert chunk.values["regime"][0] == "" and np.isnan(chunk.values["energy"][0])

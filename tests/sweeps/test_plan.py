@@ -133,7 +133,7 @@ def test_what_a_kind_cannot_do_at_once_is_computed_one_by_one(tmp_path):
     found = Evaluator(plan(tmp_path, STARTS, TOP))
     assert not found.at_once and found.plan.design.count == 12
     chunk = found.chunk(0, 12)
-    assert chunk.values["status"].tolist() == ["refused"] * 6 + ["done"] * 6
+    assert chunk.values["sample_status"].tolist() == ["refused"] * 6 + ["done"] * 6
     assert "precession" in chunk.reasons[0][1]
     spec = found.spec_of(found.inputs_of(0, 12), 8)
     assert chunk.values["energy"][8] == spec.report().as_json_dict()["energy"]

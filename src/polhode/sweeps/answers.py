@@ -14,7 +14,7 @@ from scipy.stats import binomtest
 from polhode.reports.answer import Answer, Group, Table, units_of, values_of
 from polhode.reports.base import plain
 from polhode.reports.wording import uncertain
-from polhode.sweeps.evaluation import DONE, Column
+from polhode.sweeps.evaluation import DONE, STATUS, Column
 from polhode.sweeps.plan import read_plan
 from polhode.sweeps.running import Sweep, default_workers
 from polhode.sweeps.sensitivity import sobol_indices
@@ -79,7 +79,7 @@ class SweepReport:
     @property
     def status(self) -> dict[str, int]:
         """How many samples ended in which way."""
-        found = self.summaries["status"]
+        found = self.summaries[STATUS]
         assert isinstance(found, dict)
         return found
 
@@ -110,7 +110,7 @@ class SweepReport:
         mark = self.store.checksum()
         about = Group("Sweep", [
             Answer("samples", self.sweep.plan.design.count, "", "samples"),
-            Answer("status", self.status),
+            Answer(STATUS, self.status),
             Answer("seed", self.sweep.plan.design.seed, "", "seed"),
             Answer("checksum", mark, "", "checksum of all samples", "SHA-256", f"{mark[:16]}…"),
         ])  # fmt: skip

@@ -23,6 +23,7 @@ from polhode.sweeps.plan import STATES, Plan
 WORDS = 24  # characters of a word that a sample may have; other texts are no outputs
 PROBED = 16  # samples that are tried for what the outputs are
 AT_ONCE, ONE_BY_ONE = 65536, 64  # samples computed together
+STATUS = "sample_status"  # the array that says how each sample ended; reports have a "status" too
 DONE, REFUSED, LOST = "done", "refused", "not converged"
 
 
@@ -59,7 +60,7 @@ class Chunk(NamedTuple):
     """Some samples of a sweep.
 
     Attributes:
-        values: name → values (sample, …) of inputs and outputs, and "status" in words.
+        values: name → values (sample, …) of inputs and outputs, and their ``STATUS``.
         reasons: what the first refused samples were refused for: number of the sample and text.
     """
 
@@ -169,7 +170,7 @@ class Evaluator:
                 array[~np.isfinite(array)] = math.nan
             outputs[column.name] = array
         reasons = sorted((low + k, why) for k, why in (refused | lost).items())[:3]
-        return Chunk({**inputs, **outputs, "status": status}, reasons)
+        return Chunk({**inputs, **outputs, STATUS: status}, reasons)
 
     def _ensemble(self, inputs: dict[str, Any]) -> Ensemble | None:
         spec, names = self._probe[0], []

@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from polhode.figures import style
 from polhode.sweeps.answers import SweepReport
 from polhode.sweeps.distributions import Grid
-from polhode.sweeps.evaluation import DONE, LOST, REFUSED, Column
+from polhode.sweeps.evaluation import DONE, LOST, REFUSED, STATUS, Column
 from polhode.sweeps.summary import Numbers
 
 DRAWN = 200_000  # samples of a histogram, evenly chosen
@@ -94,7 +94,7 @@ def verdict_map(report: SweepReport) -> Figure | None:
     axes_of = [key for key, how in plan.design.inputs.items() if not how.length][:2]
     if words is None or len(axes_of) < 2 or plan.keep != "all":
         return None
-    x, y, found, status = (report.store.read(name, DRAWN) for name in (*axes_of, words.name, "status"))
+    x, y, found, status = (report.store.read(name, DRAWN) for name in (*axes_of, words.name, STATUS))
     found = np.where(status == DONE, found, status)
     known = sorted({str(word) for word in found if word}, key=lambda word: (word in (REFUSED, LOST), word))
     if not known:

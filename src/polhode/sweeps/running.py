@@ -14,7 +14,7 @@ from typing import Any
 
 from polhode.errors import InvalidInput, PolhodeError, not_installed
 from polhode.formats.paths import FULL
-from polhode.sweeps.evaluation import Column, Evaluator
+from polhode.sweeps.evaluation import STATUS, Column, Evaluator
 from polhode.sweeps.plan import Plan
 from polhode.sweeps.store import Store, check_room, size_of
 
@@ -53,7 +53,7 @@ class Sweep:
         evaluator = Evaluator(plan)
         inputs = [Column(key, (how.length,) if how.length else (), unit=plan.units[key])
                   for key, how in plan.design.inputs.items()]  # fmt: skip
-        return cls(plan, evaluator, [*inputs, *evaluator.columns, Column("status", text=True)])
+        return cls(plan, evaluator, [*inputs, *evaluator.columns, Column(STATUS, text=True)])
 
     @property
     def chunks(self) -> int:
