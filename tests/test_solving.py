@@ -117,15 +117,12 @@ def test_derivatives_by_the_arrays_in_a_system_and_by_times():
     assert np.abs(jax.jacfwd(last)(numbers) - wanted).max() < CLOSE
 
 
-def test_where_reverse_derivatives_are_refused():
-    """Without known steps their number is not known when compiled; forward derivatives need none."""
-    by_default = lambda s: ph.solve(BODY, s, TIMES).saved[-1, 0]  # noqa: E731
-    by_known = lambda s: solved(s).saved[-1, 0]  # noqa: E731
-    start, way = jnp.asarray(START), jnp.asarray([0.3, -0.2, 0.5])
-    one, other = (jax.jvp(f, (start,), (way,))[1] for f in (by_default, by_known))
-    assert abs(one - other) < CLOSE
-    with pytest.raises(InvalidInput, match=r"known numbers.*forward derivatives only"):
-        jax.grad(by_default)(start)
+def test_derivatives_by_default_steps_and_second_ones():
+    """The default step is a number of the state, by which the steps are counted and not differentiated."""
+    by_default = lambda s: ph.solve(BODY, s, TIMES, LieMidpoint, order=2).saved[-1, 0]  # noqa: E731
+    start = jnp.asarray(START)
+    slope, change = jax.grad(by_default)(start), jax.jvp(by_default, (start,), (WEIGHTS[0],))[1]
+    assert abs(change - slope @ WEIGHTS[0]) < SAME * 10 and abs(change) > 0.01
     twice = lambda s: solved(s, ADAPTIVE).saved[-1, 0]  # noqa: E731
     with pytest.raises(InvalidInput, match="first derivatives only"):
         jax.eval_shape(jax.hessian(twice), start)

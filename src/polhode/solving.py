@@ -19,7 +19,7 @@ from polhode.algebra.so3 import SO3
 from polhode.arrays import in_jax_numpy, is_traced, refuse_single_precision
 from polhode.errors import InvalidInput, shown
 from polhode.integrators.adaptive import TOLERANCE
-from polhode.integrators.base import AbstractOrbitSolver, step_count
+from polhode.integrators.base import AbstractOrbitSolver
 from polhode.integrators.lie_midpoint import LieMidpoint
 from polhode.integrators.sampled import Observe, Sampled, as_floats, sampled_by_either_mode
 from polhode.integrators.spherical_midpoint import SphericalMidpoint
@@ -27,7 +27,6 @@ from polhode.integrators.splitting import Splitting
 from polhode.motion.outcome import Status
 from polhode.systems.agreement import MOMENTS_OF_TIME, moves_by_generator
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
-from polhode.systems.forward_only import forward_only
 from polhode.types import Array, ArrayLike, Double, Float64, Integer, Real
 
 STEP_ANGLE = 0.05  # rad by which the fastest rotation turns in a default step of low order
@@ -88,10 +87,13 @@ def solve(
     state, by the times and by the arrays in the system. It raises for wrong shapes, but not for what numbers do: status
     says how each copy ended, and numbers that make no sense give states that are not finite.
 
-    Reverse-mode derivatives of methods of ours need ``step`` and ``times`` as known numbers, since they hold all states
-    between two samples; those of diffrax's solvers go back from checkpoints. What a function encloses is not
-    differentiated by: give parameters as fields of a system or of an ``equinox.Module``. The exact flows of bodies with
-    a potential have forward derivatives only; ``LieMidpoint`` has both.
+    Reverse-mode derivatives of methods of ours go back from one of the times to the one before by steps of the other
+    sign, instead of storing the path: the memory does not grow with the steps between two times. What is regained is
+    compared with the motion every 64 steps at most, and computed anew from checkpoints where it is off by more than 32
+    ulps of its size. Second derivatives are forward ones of either mode. Those of diffrax's solvers go back from
+    checkpoints, and have first derivatives only. What a function encloses is not differentiated by: give parameters as
+    fields of a system or of an ``equinox.Module``. The exact flows of bodies with a potential have forward derivatives
+    only; ``LieMidpoint`` has both.
 
     Args:
         system: what moves.
@@ -210,31 +212,23 @@ def _by_equal_steps(
         solver, step = eqx.tree_at(lambda s: s.system, method, system), method.step_size
     else:
         solver = orbit_solver(system, method, order)
-    spans, counts, most = jnp.diff(jnp.asarray(times)), None, None
-    if step is not None and not is_traced(step, times):
-        gaps = np.diff(times)
-        size = min(float(step), float(np.abs(gaps).max()))
-        counts = np.asarray(step_count(np, gaps, np.asarray(size))).astype(int)
-        most = int(counts.max())
-    intervals = (jnp.asarray(times[:-1]), spans, counts)
-    return _run(solver, state, jnp.asarray(times), intervals, step, most, every, observe)
+    return _run(solver, state, jnp.asarray(times), step, every, observe)
 
 
 @eqx.filter_jit
 def _run(
-    solver: AbstractOrbitSolver, state: Array, times: Array, intervals: Any, step: Array | None, most: int | None,
-    every: int, observe: Any,
-) -> Solution:  # fmt: skip
+    solver: AbstractOrbitSolver, state: Array, times: Array, step: Array | None, every: int, observe: Any
+) -> Solution:
     system, state = solver.system, jnp.asarray(state)
     batch = state.ndim - system.state_axes
     if step is None:
         sizes = step_angle(solver.order(None)) / turning_rates(system, state, times)
     else:
         sizes = jnp.where(jnp.asarray(step) > 0.0, step, jnp.nan) * jnp.ones(state.shape[:batch])
-    sizes = jnp.minimum(jax.lax.stop_gradient(sizes), jnp.max(jnp.abs(intervals[1])))
+    sizes = jnp.minimum(jax.lax.stop_gradient(sizes), jnp.max(jnp.abs(jnp.diff(times))))
 
     def one(state: Array, size: Array) -> Solution:
-        return _run_one(solver, state, size, times, intervals, most, every, observe)
+        return _run_one(solver, state, size, times, every, observe)
 
     for _ in range(batch):
         one = jax.vmap(one)
@@ -242,35 +236,31 @@ def _run(
     return found._replace(times=times[::every])
 
 
-def _run_one(
-    solver: Any, state: Array, size: Array, times: Array, intervals: Any, most: int | None, every: int, observe: Any
-) -> Solution:
+def _run_one(solver: Any, state: Array, size: Array, times: Array, every: int, observe: Any) -> Solution:
     solver = eqx.tree_at(lambda s: s.step_size, solver, size)
     state = jnp.where(size > 0.0, state, jnp.nan)
     fold = isinstance(observe, Fold)
+    # of a function of states, derivatives compute anew what they need; of steps, they go back by themselves
+    folded = jax.checkpoint(observe.function) if fold else None
 
     def over(carried: tuple[Any, ...], interval: Any) -> tuple[tuple[Any, ...], None]:
-        (now, memory, value), (begin, span, count) = carried, interval
-        if most is None:
-            now, memory = solver.advance(begin, span, now, memory)
-            now = forward_only(now, "solve where `step` or `times` are not known numbers")
-        else:
-            now, memory = solver.advance_by(count, most, begin, span, now, memory)
-        return (now, memory, observe.function(value, begin + span, now) if fold else value), None
+        (now, memory, value), (begin, span) = carried, interval
+        now, memory = solver.advance(begin, span, now, memory)
+        return (now, memory, value if folded is None else folded(value, begin + span, now)), None
 
     def seen(t: Array, state: Array) -> Any:
         return state if observe is None else as_floats(observe(t, state))
 
     def together(carried: tuple[Any, ...], group: Any) -> tuple[tuple[Any, ...], Any]:
-        carried, _ = jax.lax.scan(jax.checkpoint(over), carried, group)
+        carried, _ = jax.lax.scan(over, carried, group)
         return carried, None if fold else seen(group[0][-1] + group[1][-1], carried[0])
 
-    groups = (len(times) - 1) // every
+    groups, intervals = (len(times) - 1) // every, (times[:-1], jnp.diff(times))
     whole = jax.tree.map(lambda x: x[: groups * every].reshape(groups, every), intervals)
     rest = jax.tree.map(lambda x: x[groups * every :], intervals)
     value = observe.function(observe.start, times[0], state) if fold else None
     carried, saved = jax.lax.scan(together, (state, solver.memory(state), value), whole)
-    (last, memory, value), _ = jax.lax.scan(jax.checkpoint(over), carried, rest)
+    (last, memory, value), _ = jax.lax.scan(over, carried, rest)
     if not fold:
         first = seen(times[0], state)
         value = jax.tree.map(lambda x, xs: jnp.concatenate([x[None], xs]), first, saved)

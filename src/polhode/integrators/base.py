@@ -13,13 +13,13 @@ from typing import Any, ClassVar, NamedTuple
 
 import diffrax
 import equinox as eqx
-import jax
 import jax.numpy as jnp
 
+from polhode.integrators.difference import parts_with_units
+from polhode.integrators.reversal import Given, repeated
 from polhode.systems.agreement import check_generated
 from polhode.systems.base import AbstractLiePoissonSystem
-from polhode.systems.forward_only import forward_only
-from polhode.types import Array, ArrayLike, ArrayOrFloat, Bool, Double, Float64, Integer, Real
+from polhode.types import Array, ArrayOrFloat, Bool, Double, Float64, Integer
 
 Scalar = Float64[ArrayOrFloat, ""]
 
@@ -54,11 +54,14 @@ class AbstractOrbitSolver(diffrax.AbstractSolver):
         system: what moves; diffrax hides a term's attributes, so the solver holds it.
         step_size: the largest step [s].
         keeps: what the method keeps, in words.
+        symmetric: whether a step of length −h undoes one of length h, so that reverse-mode derivatives can go back by
+            steps instead of from checkpoints. They check it, and a wrong one costs time only.
     """
 
     system: eqx.AbstractVar[AbstractLiePoissonSystem]
     step_size: eqx.AbstractVar[Float64[Array, ""]]
     keeps: eqx.AbstractClassVar[str]
+    symmetric: ClassVar[bool] = True
 
     def __check_init__(self) -> None:
         check_generated(self.system, type(self).__name__)
@@ -81,58 +84,25 @@ class AbstractOrbitSolver(diffrax.AbstractSolver):
     def advance(
         self, start: Scalar, span: Scalar, state: Double[Array, "*shape"], memory: Memory
     ) -> tuple[Double[Array, "*shape"], Memory]:
-        """Return the state a span after the start, by equal steps of at most ``step_size``; infinite if one failed."""
-        count = step_count(jnp, span, self.step_size).astype(int)
-        h = span / count
+        """Return the state a span after the start, by equal steps of at most ``step_size``; infinite if one failed.
 
-        def unfinished(carried: tuple[Array, ...]) -> Array:
-            return (carried[0] < count) & carried[-1]
-
-        def step(carried: tuple[Array, ...]) -> tuple[Array, ...]:
-            return carried[0] + 1, *self._stepped(start + carried[0] * h, h, *carried[1:])
-
-        first = (jnp.zeros((), int), state, memory.lost, memory.iterations, memory.fine)
-        steps, end, lost, iterations, fine = jax.lax.while_loop(unfinished, step, first)
-        end, lost = forward_only((end, lost), type(self).__name__)
-        return _ended(end, lost, memory.steps + steps, iterations, fine)
-
-    def advance_by(
-        self,
-        count: Real[ArrayLike, ""],
-        most: int,
-        start: Scalar,
-        span: Scalar,
-        state: Double[Array, "*shape"],
-        memory: Memory,
-    ) -> tuple[Double[Array, "*shape"], Memory]:
-        """Return what ``advance`` does by so many steps, of which the most is known when it is compiled.
-
-        Such a loop has reverse-mode derivatives too. They hold the states of all of its steps.
+        It has derivatives of either mode, of which the memory does not grow with the steps.
         """
-        h = span / count
+        count = step_count(jnp, span, self.step_size).astype(int)
 
-        def step(carried: tuple[Array, ...], k: Array) -> tuple[tuple[Array, ...], None]:
-            def taken(carried: tuple[Array, ...]) -> tuple[Array, ...]:
-                now, lost, steps, iterations, fine = carried
-                found = self._stepped(start + k * h, h, now, lost, iterations, fine)
-                moved = found[0], found[1], steps + 1, found[2], found[3]
-                return jax.tree.map(lambda new, old: jnp.where(fine, new, old), moved, carried)
+        def step(t: Array, h: Array, now: Array, lost: Array) -> tuple[Array, Array, Array, Array]:
+            found = self.change(t, h, now)
+            wanted = found.state + lost
+            later = now + wanted
+            return later, (now - later) + wanted, found.iterations, found.converged
 
-            return jax.lax.cond(k < count, taken, lambda carried: carried, carried), None
-
-        first = (state, memory.lost, memory.steps, memory.iterations, memory.fine)
-        end, lost, steps, iterations, fine = jax.lax.scan(jax.checkpoint(step), first, jnp.arange(most))[0]
-        return _ended(end, lost, steps, iterations, fine)
-
-    def _stepped(
-        self, t: Array, h: Array, now: Array, lost: Array, iterations: Array, fine: Array
-    ) -> tuple[Array, Array, Array, Array]:
-        """Return state, what the sum lost, iterations and whether it went well after one step."""
-        found = self.change(t, h, now)
-        wanted = found.state + lost
-        later = now + wanted
-        lost = (now - later) + wanted
-        return later, lost, iterations + found.iterations, found.converged
+        given = Given([], count, jnp.asarray(start, float), jnp.asarray(span / count), state, memory.lost,
+                      memory.iterations, memory.fine)  # fmt: skip
+        parts = parts_with_units(self.system, state)
+        found = repeated(step, given, parts, self.symmetric, type(self).__name__)
+        fine = found.fine & jnp.all(jnp.isfinite(found.state))
+        later = Memory(found.lost, memory.steps + found.steps, found.iterations, fine)
+        return jnp.where(fine, found.state, jnp.inf), later
 
     def init(self, terms: Any, t0: Scalar, t1: Scalar, y0: Double[Array, "..."], args: Any) -> Memory:
         return self.memory(y0)
@@ -156,11 +126,6 @@ class AbstractOrbitSolver(diffrax.AbstractSolver):
 
     def func(self, terms: Any, t0: Scalar, y0: Double[Array, "*shape"], args: Any) -> Double[Array, "*shape"]:
         return terms.vf(t0, y0, args)
-
-
-def _ended(end: Array, lost: Array, steps: Array, iterations: Array, fine: Array) -> tuple[Array, Memory]:
-    fine = fine & jnp.all(jnp.isfinite(end))
-    return jnp.where(fine, end, jnp.inf), Memory(lost, steps, iterations, fine)
 
 
 def explicit(state: Double[Array, "..."]) -> Change:

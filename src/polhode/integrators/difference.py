@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import itertools
+from typing import Any
+
 import jax
 import numpy as np
 
@@ -29,10 +32,15 @@ def difference(
         scales = np.asarray(jax.vmap(system.scales)(first)).reshape(*one.shape[:axis], -1)
         largest = np.maximum(size.max(axis=axis), scales)
         return np.max(gap.max(axis=axis) / np.where(largest > 0, largest, 1.0), axis=-1)
-    start = 0 if system.parts(one).attitude is None else 4
-    shares = [gap[..., :4].max(axis=own)] if start else []
-    middle = start + 3 if isinstance(system.algebra, SE3) else None
-    for part in [slice(start, middle), *([slice(middle, None)] if middle else [])]:
-        largest = size[..., part].max(axis=own)
-        shares.append(gap[..., part].max(axis=own) / np.where(largest > 0, largest, 1.0))
+    turns, shares = system.parts(one).attitude is not None, []
+    for place, part in enumerate(parts_with_units(system, one)):
+        largest = np.ones(size.shape[:axis]) if turns and place == 0 else size[part].max(axis=own)
+        shares.append(gap[part].max(axis=own) / np.where(largest > 0, largest, 1.0))
     return np.max(shares, axis=0)
+
+
+def parts_with_units(system: AbstractLiePoissonSystem, state: Double[Array, "..."]) -> list[Any]:
+    """Return the indices of attitude, if there, and of what has a unit of its own in states (…, *shape)."""
+    start = 0 if system.parts(state).attitude is None else 4
+    borders = [*([0] if start else []), start, *([start + 3] if isinstance(system.algebra, SE3) else []), None]
+    return [(..., slice(begin, end)) for begin, end in itertools.pairwise(borders)]

@@ -19,17 +19,24 @@ from jax.extend.core import Primitive
 from jax.interpreters import ad, batching, mlir
 
 from polhode.errors import InvalidInput
+from polhode.systems.forward_only import forward_only
 from polhode.types import Array
 
+Back = Callable[[Callable[[Any], Any], Any, Any, Any], Any]
+"""Of ``whole``, ``moved``, outputs and weights: ``whole(moved)`` are the operands, with those of their arrays that move
+replaced; outputs are what they gave; weights are the cotangents of those outputs that are not whole numbers. It returns
+the cotangents of what moves."""
 
-def by_either_mode(forward: Callable[[Any], Any], reverse: Callable[[Any], Any], operands: Any, name: str) -> Any:
-    """Return ``forward(operands)``, with forward derivatives of ``forward`` and reverse ones of ``reverse``.
+
+def by_either_mode(forward: Callable[[Any], Any], back: Back, operands: Any, name: str, twice: bool = False) -> Any:
+    """Return ``forward(operands)``, with forward derivatives of ``forward`` and reverse ones by ``back``.
 
     Args:
         forward: of the operands, with outputs that are arrays; it must not enclose traced arrays.
-        reverse: the same function.
+        back: the transpose of its derivative.
         operands: any nest; what is not an array is constant.
         name: of the public function, for the refusal of second derivatives.
+        twice: whether both may be differentiated once more, forward.
     """
     leaves, tree = jax.tree.flatten(operands)
     places = [k for k, leaf in enumerate(leaves) if eqx.is_array(leaf)]
@@ -51,31 +58,33 @@ def by_either_mode(forward: Callable[[Any], Any], reverse: Callable[[Any], Any],
         moving = [k for k in moving if jnp.issubdtype(jnp.result_type(primals[k]), jnp.inexact)]
         out = value(*primals)
         outputs, shape = jax.tree.flatten(out)
-        smooth = [k for k, x in enumerate(outputs) if jnp.issubdtype(x.dtype, jnp.inexact)]
 
-        def of_moving(function: Callable[[Any], Any], fixed: tuple[Array, ...]) -> Callable[..., list[Array]]:
-            def values(*moved: Array) -> list[Array]:
+        def with_moved(fixed: Any) -> Callable[[Any], Any]:
+            def replaced(moved: Any) -> Any:
                 arrays = list(fixed)
                 for k, x in zip(moving, moved, strict=True):
                     arrays[k] = x
-                found = jax.tree.leaves(function(whole(arrays)))
-                return [found[k] for k in smooth]
+                return whole(arrays)
 
-            return values
+            return replaced
 
         def along(*both: Array) -> list[Array]:
-            at, ways = both[: len(primals)], both[len(primals) :]
-            return jax.jvp(of_moving(forward, at), tuple(at[k] for k in moving), tuple(ways))[1]
+            at, ways = both[: len(primals)], both[len(primals) + len(outputs) :]
+            replaced = with_moved(at)
+            moved = [at[k] for k in moving]
+            return jax.jvp(lambda *x: smooth_part(forward(replaced(x))), moved, list(ways))[1]
 
-        def back(*both: Array) -> list[Array]:
-            at, weights = both[: len(primals)], both[len(primals) :]
-            _, pull = jax.vjp(of_moving(reverse, at), *(at[k] for k in moving))
-            return list(pull(list(weights)))
+        def pulled(*both: Array) -> list[Array]:
+            at, weights = both[: len(primals)], both[len(primals) + len(outputs) :]
+            ended = jax.tree.unflatten(shape, both[len(primals) : len(primals) + len(outputs)])
+            return list(back(with_moved(at), [at[k] for k in moving], ended, list(weights)))
 
         changes: list[Any] = [SymbolicZero(jax.typeof(x).to_tangent_aval()) for x in outputs]
         if moving:
-            ways = [tangents[k] for k in moving]
-            found = _linear.bind(*primals, *ways, count=len(primals), along=along, back=back, name=name)
+            known, ways = (*primals, *outputs), [tangents[k] for k in moving]
+            rules = {"along": along, "back": pulled, "name": name, "twice": twice}
+            found = _linear.bind(*known, *ways, count=len(known), **rules)
+            smooth = [k for k, x in enumerate(outputs) if jnp.issubdtype(x.dtype, jnp.inexact)]
             for k, change in zip(smooth, found, strict=True):
                 changes[k] = change
         return out, jax.tree.unflatten(shape, changes)
@@ -84,27 +93,63 @@ def by_either_mode(forward: Callable[[Any], Any], reverse: Callable[[Any], Any],
     return value(*(leaves[k] for k in places))
 
 
-def _jvp(primals: Any, tangents: Any, *, count: int, along: Any, back: Any, name: str) -> Any:
-    if any(not isinstance(tangent, ad.Zero) for tangent in tangents[:count]):
+def by_transposing(reverse: Callable[[Any], Any]) -> Back:
+    """Return the transposed derivative of a function of the operands that JAX transposes itself."""
+
+    def back(whole: Callable[[Any], Any], moved: Any, outputs: Any, weights: Any) -> Any:
+        _, pull = jax.vjp(lambda *x: smooth_part(reverse(whole(x))), *moved)
+        return pull(weights)
+
+    return back
+
+
+def smooth_part(outputs: Any) -> list[Array]:
+    """Return those of a nest of arrays that are not whole numbers."""
+    return [x for x in jax.tree.leaves(outputs) if jnp.issubdtype(x.dtype, jnp.inexact)]
+
+
+def _jvp(primals: Any, tangents: Any, *, count: int, along: Any, name: str, twice: bool, **more: Any) -> Any:
+    known, ways = primals[:count], primals[count:]
+    changes = [ad.instantiate_zeros(tangent) for tangent in tangents[count:]]
+    bind = lambda ways: _linear.bind(*known, *ways, count=count, along=along, name=name, twice=twice, **more)  # noqa: E731
+    found, moved = bind(ways), bind(changes)
+    moving = [k for k, tangent in enumerate(tangents[:count]) if not isinstance(tangent, ad.Zero)]
+    if not moving:
+        return found, moved
+    if not twice:
         raise InvalidInput(f"`{name}` has first derivatives only; take second ones by differences of the first.")
-    moved = [ad.instantiate_zeros(tangent) for tangent in tangents[count:]]
-    bind = lambda ways: _linear.bind(*primals[:count], *ways, count=count, along=along, back=back, name=name)  # noqa: E731
-    return bind(primals[count:]), bind(moved)
+
+    def of_known(*values: Array) -> list[Array]:
+        at = list(known)
+        for k, x in zip(moving, values, strict=True):
+            at[k] = x
+        return along(*at, *ways)
+
+    _, turned = jax.jvp(of_known, [known[k] for k in moving], [tangents[k] for k in moving])
+    return found, [a + b for a, b in zip(moved, forward_only(turned, f"the derivative of {name}"), strict=True)]
 
 
-def _transpose(weights: Any, *args: Any, count: int, along: Any, back: Any, name: str) -> list[Any]:
+def _transpose(weights: Any, *args: Any, count: int, along: Any, back: Any, **more: Any) -> list[Any]:
     weights = [ad.instantiate_zeros(weight) for weight in weights]
-    found = _linear.bind(*args[:count], *weights, count=count, along=back, back=along, name=name)
+    found = _linear.bind(*args[:count], *weights, count=count, along=back, back=along, **more)
     return [None] * count + list(found)
 
 
-def _batched(args: Any, axes: Any, *, count: int, along: Any, back: Any, name: str) -> Any:
+def _batched(args: Any, axes: Any, *, count: int, along: Any, back: Any, **more: Any) -> Any:
     size = next(x.shape[axis] for x, axis in zip(args, axes, strict=True) if axis is not None)
-    moved = [
+
+    def each(function: Any) -> Any:
+        def batch(*both: Array) -> list[Array]:
+            return jax.vmap(function, in_axes=(*axes[:count], *(0 for _ in both[count:])), axis_size=size)(*both)
+
+        return batch
+
+    # what all copies share is not copied; directions are, so that the transpose adds up the copies
+    ways = [
         jnp.broadcast_to(x, (size, *jnp.shape(x))) if axis is None else jnp.moveaxis(x, axis, 0)
-        for x, axis in zip(args, axes, strict=True)
+        for x, axis in zip(args[count:], axes[count:], strict=True)
     ]
-    found = _linear.bind(*moved, count=count, along=jax.vmap(along), back=jax.vmap(back), name=name)
+    found = _linear.bind(*args[:count], *ways, count=count, along=each(along), back=each(back), **more)
     return found, [0] * len(found)
 
 

@@ -15,7 +15,7 @@ import optimistix
 
 from polhode.errors import InvalidInput
 from polhode.integrators import embedded
-from polhode.integrators.either_mode import by_either_mode
+from polhode.integrators.either_mode import by_either_mode, by_transposing
 from polhode.motion.outcome import Status
 from polhode.systems.base import AbstractSystem
 from polhode.types import Array, Bool, Double, Float64, Integer
@@ -241,9 +241,8 @@ def sampled_by_either_mode(
     def reverse(given: tuple[Any, ...]) -> Sampled:
         return sampled(*given[:-1], observe=given[-1], reverse=True)
 
-    return by_either_mode(
-        forward, reverse, (system, solver, state, times, kept, largest, tolerance, observe), "solve by adaptive steps"
-    )
+    operands = (system, solver, state, times, kept, largest, tolerance, observe)
+    return by_either_mode(forward, by_transposing(reverse), operands, "solve by adaptive steps")
 
 
 def as_floats(observed: Any) -> Any:
