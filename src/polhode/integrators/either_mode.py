@@ -72,7 +72,7 @@ def by_either_mode(forward: Callable[[Any], Any], back: Back, operands: Any, nam
             at, ways = both[: len(primals)], both[len(primals) + len(outputs) :]
             replaced = with_moved(at)
             moved = [at[k] for k in moving]
-            return jax.jvp(lambda *x: smooth_part(forward(replaced(x))), moved, list(ways))[1]
+            return jax.jvp(lambda *x: _smooth_part(forward(replaced(x))), moved, list(ways))[1]
 
         def pulled(*both: Array) -> list[Array]:
             at, weights = both[: len(primals)], both[len(primals) + len(outputs) :]
@@ -97,13 +97,13 @@ def by_transposing(reverse: Callable[[Any], Any]) -> Back:
     """Return the transposed derivative of a function of the operands that JAX transposes itself."""
 
     def back(whole: Callable[[Any], Any], moved: Any, outputs: Any, weights: Any) -> Any:
-        _, pull = jax.vjp(lambda *x: smooth_part(reverse(whole(x))), *moved)
+        _, pull = jax.vjp(lambda *x: _smooth_part(reverse(whole(x))), *moved)
         return pull(weights)
 
     return back
 
 
-def smooth_part(outputs: Any) -> list[Array]:
+def _smooth_part(outputs: Any) -> list[Array]:
     """Return those of a nest of arrays that are not whole numbers."""
     return [x for x in jax.tree.leaves(outputs) if jnp.issubdtype(x.dtype, jnp.inexact)]
 
