@@ -44,6 +44,7 @@ CASES = [
     *(("eight", method, 2) for method in (LieMidpoint, IsospectralMidpoint)),
     *(("pair", method, 2) for method in (SphericalMidpoint, LieMidpoint)),
     ("top", Splitting, 2),
+    ("top", Splitting, 6),
 ]
 LONG_RUN = [case for case in CASES if case[0] != "top"]
 COSTLY = [case for case in LONG_RUN if case[0] in ("four", "eight") and case[1] is not Splitting]
@@ -116,7 +117,9 @@ def test_casimirs_and_energy_over_a_million_steps_or_a_fifth(case):
 
 
 @pytest.mark.parametrize(
-    "case", one_of_each([case for case in CASES if case[1] in SYMMETRIC], QUICK[:1] + QUICK[-2:]), ids=names
+    "case",
+    one_of_each([case for case in CASES if case[1] in SYMMETRIC], [*QUICK[:1], *QUICK[-2:], ("top", Splitting, 6)]),
+    ids=names,
 )
 def test_symmetric_methods_run_back(case):
     name, method, order = case

@@ -2,6 +2,7 @@
 
 from functools import cache
 
+import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
@@ -9,7 +10,15 @@ import pytest
 import polhode as ph
 from polhode import algebra as lie
 from polhode import systems
-from polhode.integrators import IsospectralMidpoint, LieMidpoint, MoserVeselov, MuntheKaas, SphericalMidpoint, Splitting
+from polhode.integrators import (
+    IsospectralMidpoint,
+    LieMidpoint,
+    MoserVeselov,
+    MuntheKaas,
+    SphericalMidpoint,
+    Splitting,
+    composition,
+)
 from specimens import in_su3, spins
 
 SLOPE = 0.3
@@ -52,6 +61,7 @@ CASES = [
 ]
 
 QUICK = {
+    ("top", Splitting, 6),
     ("body", MoserVeselov, 10), ("body", Splitting, 8), ("fish", MuntheKaas, 2), ("four", IsospectralMidpoint, 2),
 }  # fmt: skip
 """Every method but that of spheres; the others, each compiled for two seconds or more, are in the sweep."""
@@ -88,6 +98,16 @@ def test_order(name, method, order, more, steps):
     slopes = np.log2(np.array(errors[:-1]) / errors[1:])
     assert errors[-1] > FLOOR, errors
     assert slopes[-1] == pytest.approx(order, abs=SLOPE), (errors, slopes)
+
+
+def test_a_wrong_coefficient_of_kicks_and_drifts_loses_the_order(monkeypatch):
+    kicks, drifts = composition.NYSTROM[6]
+    wrong = (kicks[0] + 1e-4, kicks[1] - 1e-4, *kicks[2:-2], kicks[1] - 1e-4, kicks[0] + 1e-4)
+    monkeypatch.setitem(composition.NYSTROM, 6, (wrong, drifts))
+    jax.clear_caches()
+    errors = [np.abs(end("top", Splitting, h, 6) - reference("top")).max() for h in LONG]
+    jax.clear_caches()
+    assert np.log2(errors[-2] / errors[-1]) < 4.0
 
 
 def test_a_method_with_a_wrong_weight_loses_its_order():

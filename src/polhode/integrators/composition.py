@@ -1,7 +1,8 @@
 """Symmetric compositions that raise the order of symmetric methods of order two.
 
 Sources: Suzuki, Phys. Lett. A 146 (1990) 319 (order 4, five stages); Kahan & Li, Math. Comp. 66 (1997) 1089 (order 6,
-nine stages, s9odr6a; order 8, seventeen stages, s17odr8a).
+nine stages, s9odr6a; order 8, seventeen stages, s17odr8a); Blanes & Moan, J. Comput. Appl. Math. 142 (2002) 313
+(Runge–Kutta–Nyström splitting of order 6, eleven stages, SRKN11b).
 """
 
 from __future__ import annotations
@@ -30,6 +31,19 @@ STAGES: dict[int, tuple[float, ...]] = {
     4: (_SUZUKI, _SUZUKI, 1.0 - 4.0 * _SUZUKI, _SUZUKI, _SUZUKI),
     6: (*_KAHAN_LI, 1.0 - 2.0 * sum(_KAHAN_LI), *_KAHAN_LI[::-1]),
     8: (*_KAHAN_LI_8, 1.0 - 2.0 * sum(_KAHAN_LI_8), *_KAHAN_LI_8[::-1]),
+}
+
+_KICKS = (
+    0.0414649985182624, 0.198128671918067, -0.0400061921041533, 0.0752539843015807, -0.0115113874206879,
+)  # fmt: skip
+_DRIFTS = (0.123229775946271, 0.290553797799558, -0.127049212625417, -0.246331761062075, 0.357208872795928)
+_INNER_KICKS, _INNER_DRIFT = 0.5 - sum(_KICKS), 1.0 - 2.0 * sum(_DRIFTS)
+# order → shares of kicks and of drifts between them, where {V, {V, {V, T}}} = 0 leaves fewer conditions
+NYSTROM: dict[int, tuple[tuple[float, ...], tuple[float, ...]]] = {
+    6: (
+        (*_KICKS, _INNER_KICKS, _INNER_KICKS, *_KICKS[::-1]),
+        (*_DRIFTS, _INNER_DRIFT, *_DRIFTS[::-1]),
+    )
 }
 
 

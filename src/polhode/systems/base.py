@@ -60,6 +60,18 @@ class Vectors(NamedTuple):
     angular_velocity: Float64[Array, "*batch 3"] | None = None
 
 
+class Kick(NamedTuple):
+    """The flow of a V that depends on position alone, beside one flow of a T of second degree in the momentum.
+
+    {V, {V, {V, T}}} = 0 then leaves fewer conditions of order, and ``Splitting`` takes methods made for that.
+    """
+
+    flow: Callable[[Array, Components], Components]
+
+    def __call__(self, time: Array, state: Components) -> Components:
+        return self.flow(time, state)
+
+
 class Balance(NamedTuple):
     """A quantity that is not conserved, but whose rate of change is known independently of its value.
 

@@ -11,7 +11,7 @@ import jax.numpy as jnp
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.se3 import SE3
 from polhode.arrays import known_numbers_only
-from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, check_scalar, components
+from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, Kick, check_scalar, components
 from polhode.systems.free_flow import free_flow
 from polhode.systems.free_rigid_body import checked_moments
 from polhode.types import Array, ArrayLike, Float64, Real
@@ -57,7 +57,7 @@ class BodyInPotential(AbstractLiePoissonSystem):
 
     @property
     def flows(self) -> dict[str, Flow]:
-        return {"potential": self._kick, "free body": self._free}
+        return {"potential": Kick(self._kick), "free body": self._free}
 
     def _kick(self, time: Array, state: Components) -> Components:
         direction = jnp.stack(state[-3:], axis=-1)

@@ -11,7 +11,7 @@ from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.se3 import SE3
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
-from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow
+from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, Kick
 from polhode.systems.free_flow import free_flow
 from polhode.systems.free_rigid_body import checked_moments
 from polhode.systems.top_integrals import Integral
@@ -69,7 +69,10 @@ class BrunBody(AbstractLiePoissonSystem):
 
     @property
     def flows(self) -> dict[str, Flow]:
-        return {"field": self._kick, "free body": lambda time, state: free_flow(self.moments, time, state, vectors=2)}
+        return {"field": Kick(self._kick), "free body": self._free}
+
+    def _free(self, time: Array, state: Components) -> Components:
+        return free_flow(self.moments, time, state, vectors=2)
 
     def _kick(self, time: Array, state: Components) -> Components:
         x, y, z = state[-3:]

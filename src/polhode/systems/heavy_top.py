@@ -18,7 +18,7 @@ from polhode.bodies.pivot import STANDARD_GRAVITY, about_pivot
 from polhode.errors import InvalidInput, shown
 from polhode.exact.lagrange_top import LagrangeMotion
 from polhode.motion.layout import Quantity
-from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow
+from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, Kick
 from polhode.systems.free_flow import free_flow
 from polhode.systems.free_rigid_body import checked_moments
 from polhode.systems.top_integrals import INTEGRAL_UNITS, Integral, integrable_case, leaf_integral
@@ -230,7 +230,10 @@ class HeavyTop(AbstractLiePoissonSystem):
 
     @property
     def flows(self) -> dict[str, Flow]:
-        return {"weight": self._kick, "free body": lambda time, state: free_flow(self.moments, time, state, vectors=2)}
+        return {"weight": Kick(self._kick), "free body": self._free}
+
+    def _free(self, time: Array, state: Components) -> Components:
+        return free_flow(self.moments, time, state, vectors=2)
 
     def _kick(self, time: Array, state: Components) -> Components:
         turn = rotation.cross_of_parts(state[-3:], [time * self.mgl * self.axis[k] for k in range(3)])
