@@ -1,9 +1,11 @@
 """Every integrator's order by slope, on nonlinear triaxial cases, well above rounding."""
 
+import itertools
 from functools import cache
 
 import jax
 import jax.numpy as jnp
+import mpmath
 import numpy as np
 import pytest
 
@@ -117,3 +119,24 @@ def test_a_method_with_a_wrong_weight_loses_its_order():
 
     errors = [np.abs(end("body", Lame, h, 4) - reference("body")).max() for h in SHORT]
     assert np.log2(errors[-2] / errors[-1]) < 2.0
+
+
+def test_kicks_and_drifts_have_their_order_in_forty_digits():
+    """A pendulum, which the integrators do not know: the slope is that of the coefficients as published."""
+    with mpmath.workdps(40):
+        kicks, drifts = ([mpmath.mpf(repr(x)) for x in shares] for shares in composition.NYSTROM[6])
+        kicks = [*kicks[:5], *[mpmath.mpf(1) / 2 - sum(kicks[:5])] * 2, *kicks[:5][::-1]]
+        drifts = [*drifts[:5], 1 - 2 * sum(drifts[:5]), *drifts[:5][::-1]]
+
+        def pendulum(steps):
+            q, p, h = mpmath.mpf("1.3"), mpmath.mpf("0.4"), mpmath.mpf(2) / steps
+            for _ in range(steps):
+                for kick, drift in zip(kicks, [*drifts, 0], strict=True):
+                    p -= kick * h * mpmath.sin(q)
+                    q += drift * h * p
+            return mpmath.matrix([q, p])
+
+        end = pendulum(512)
+        errors = [mpmath.norm(pendulum(n) - end) for n in (16, 32, 64)]
+        slopes = [float(mpmath.log(a / b, 2)) for a, b in itertools.pairwise(errors)]
+    assert slopes == pytest.approx([6.0, 6.0], abs=0.02)

@@ -1,0 +1,64 @@
+"""What a benchmark measures, and how: rows of ours against a peer, both timed by turns in one process."""
+
+from __future__ import annotations
+
+import statistics
+import time
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+
+class Row(NamedTuple):
+    """One comparison.
+
+    Attributes:
+        work: what both do.
+        peer: who else does it.
+        ours: our error; None where there is none to tell.
+        theirs: the peer's.
+        ratio: of the peer's time to ours, the median of several turns; above 1 we are quicker. None if not measured.
+        spread: the smallest and largest of these ratios.
+        note: why something is missing, or what else must be known.
+    """
+
+    work: str
+    peer: str
+    ours: float | None = None
+    theirs: float | None = None
+    ratio: float | None = None
+    spread: tuple[float, float] | None = None
+    note: str = ""
+
+
+def seconds(call: Callable[[], Any]) -> float:
+    """Return the time of a call [s]."""
+    start = time.perf_counter()
+    call()
+    return time.perf_counter() - start
+
+
+def median(call: Callable[[], Any], repeats: int) -> float:
+    """Return the median time of a call [s], after one that may compile."""
+    call()
+    return statistics.median(seconds(call) for _ in range(repeats))
+
+
+def compared(
+    ours: Callable[[], Any], theirs: Callable[[], Any], repeats: int, shares: tuple[float, float] = (1.0, 1.0)
+) -> tuple[float, tuple[float, float]]:
+    """Return the median and the range of the ratio of the peer's time to ours, measured by turns.
+
+    Args:
+        ours: our work, after which its result is there.
+        theirs: the peer's.
+        repeats: turns.
+        shares: how much of the work each call does, where the peer's would take too long for all of it.
+    """
+    ours(), theirs()
+    ratios = [(seconds(theirs) / shares[1]) / (seconds(ours) / shares[0]) for _ in range(repeats)]
+    return statistics.median(ratios), (min(ratios), max(ratios))
+
+
+def missing(work: str, peer: str, remedy: str) -> Row:
+    """Return the row of a peer that is not installed."""
+    return Row(work, peer, note=f"not installed here: {remedy}")

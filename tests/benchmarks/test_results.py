@@ -1,0 +1,48 @@
+"""The benchmarks run at tiny sizes, with plausible numbers; what is written down is of all of them."""
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+HOME = Path(__file__).parents[2] / "benchmarks"
+MEASURES = sorted(path.stem for path in (HOME / "measures").glob("*.py"))
+ROW = re.compile(r"^\| (?!work|-)([^|]+)\| ([^|]+)\| ([^|]*)\| ([^|]*)\| ([^|]*)\| ([^|]*)\| ([^|]*)\|$", re.MULTILINE)
+EXACT, LARGEST = 1e-14, 2e-2
+"""Errors of closed forms, and of anything: a million steps of 0.01 at order 2 have 7e-3."""
+
+
+def check(text, names):
+    for name in names:
+        part = text.split(f"`measures/{name}.py`")[1].split("\n## ")[0]
+        rows = [[cell.strip() for cell in row] for row in ROW.findall(part)]
+        assert rows, name
+        for work, peer, ours, theirs, ratio, spread, note in rows:
+            assert work and peer and (ratio or note)
+            if ratio:
+                value = float(ratio.replace(",", ""))
+                low, high = (float(x.replace(",", "")) for x in spread.split(" to "))
+                assert 0.0 < low <= value <= high < 1e9
+            for error in filter(None, (ours, theirs)):
+                assert 0.0 <= float(error) < LARGEST
+            if ours and name == "attitude_at_a_time":
+                assert float(ours) < EXACT and (not theirs or float(theirs) > float(ours))
+
+
+def test_all_are_written_down():
+    text = (HOME / "RESULTS.md").read_text("utf-8")
+    check(text, MEASURES)
+    for name in re.findall(r"!\[[^\]]*\]\(([^)]+)\)", text):
+        assert (HOME / name).stat().st_size > 1000
+    assert "/home" not in text and "/work" not in text and "/tmp" not in text
+
+
+@pytest.mark.sweep
+@pytest.mark.parametrize("name", MEASURES)
+def test_each_runs_at_tiny_sizes(name):
+    command = [sys.executable, str(HOME / "run.py"), "--quick", "--only", name]
+    found = subprocess.run(command, capture_output=True, text=True, timeout=600)
+    assert found.returncode == 0, found.stderr[-2000:]
+    check(found.stdout, [name])
