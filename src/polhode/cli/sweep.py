@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -10,13 +9,14 @@ from pathlib import Path
 from typing import NamedTuple
 
 from polhode.cli.render import as_json, print_report
+from polhode.cli.stopping import Stopped
 from polhode.formats.paths import written_together
 from polhode.reports.answer import Answer, Group
 from polhode.reports.wording import in_its_unit
 from polhode.sweeps.answers import SweepReport
 from polhode.sweeps.plan import read_plan
 from polhode.sweeps.running import Sweep
-from polhode.sweeps.store import Store, check_room
+from polhode.sweeps.store import Store, check_room, in_bytes
 
 
 class SweepOptions(NamedTuple):
@@ -40,8 +40,14 @@ def run_sweep(path: Path, options: SweepOptions) -> None:
         _print_cost(sweep, out, seconds, workers, options)
         return
     store = sweep.begin(out)
-    with _progress(sweep, store) as tell:
-        sweep.run(store, workers, options.scheduler, tell)
+    try:
+        with _progress(sweep, store) as tell:
+            sweep.run(store, workers, options.scheduler, tell)
+    except Stopped:
+        done = len(store.finished()) if store.home.is_dir() else 0
+        kept = f"polhode: {done} of {sweep.chunks} chunks are finished and kept; the same command goes on from there.\n"
+        sys.stderr.write(kept if done else "")
+        raise
     report = SweepReport(sweep, store)
     files = [str(out)] if options.no_figures else [str(out), *_drawn(report, out)]
     if options.json:
@@ -85,15 +91,11 @@ def _print_cost(sweep: Sweep, out: Path, seconds: float, workers: int, options: 
         Answer("workers", workers, "", "workers here") if options.scheduler is None else Answer("", None),
         Answer("wall_time", seconds / workers, "s", "wall time then, about", "", in_its_unit(seconds / workers))
         if options.scheduler is None else Answer("", None),
-        Answer("store_size", sweep.bytes, "B", "store, at most", "", _bytes(sweep.bytes)),
-        Answer("chunk_memory", sweep.chunk_bytes, "B", "memory for a chunk's arrays", "", _bytes(sweep.chunk_bytes)),
+        Answer("store_size", sweep.bytes, "B", "store, at most", "", in_bytes(sweep.bytes)),
+        Answer("chunk_memory", sweep.chunk_bytes, "B", "memory for a chunk's arrays", "", in_bytes(sweep.chunk_bytes)),
     ])  # fmt: skip
     if options.json:
         print(as_json({answer.name: answer.value for answer in group.answers if answer.name}))
     else:
         print_report(sweep.plan.path.stem, "Nothing is computed in a dry run.", [group], [], [])
 
-
-def _bytes(count: float) -> str:
-    unit = max(0, min(4, int(math.log(max(count, 1.0), 1000.0))))
-    return f"{count / 1000.0**unit:.3g} {('B', 'kB', 'MB', 'GB', 'TB')[unit]}"

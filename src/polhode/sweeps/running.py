@@ -124,17 +124,24 @@ class Sweep:
             InvalidInput: where the cluster or the disk fails; what is finished stays.
         """
         with store.locked():
-            finished = store.finished()
-            missing = [number for number in range(self.chunks) if number not in finished]
-            if not missing:
-                return
-            if scheduler is None and min(workers, len(missing)) == 1:
-                for number in missing:
-                    with _explained(self, store):
-                        _compute(self.evaluator, store, number, *self.range_of(number))
-                    tell(self._samples(number))
-            else:
-                self._distribute(store, missing, min(workers, len(missing)), scheduler, tell)
+            try:
+                self._run_missing(store, workers, scheduler, tell)
+            except BaseException:
+                store.remove_if_empty()
+                raise
+
+    def _run_missing(
+        self, store: Store, workers: int, scheduler: str | None, tell: Callable[[int], object]
+    ) -> None:
+        finished = store.finished()
+        missing = [number for number in range(self.chunks) if number not in finished]
+        if scheduler is None and min(workers, len(missing)) <= 1:
+            for number in missing:
+                with _explained(self, store):
+                    _compute(self.evaluator, store, number, *self.range_of(number))
+                tell(self._samples(number))
+        elif missing:
+            self._distribute(store, missing, min(workers, len(missing)), scheduler, tell)
 
     def _samples(self, number: int) -> int:
         low, high = self.range_of(number)

@@ -9,6 +9,7 @@ from __future__ import annotations
 import contextlib
 import hashlib
 import json
+import math
 import os
 import shutil
 from collections.abc import Iterator
@@ -41,11 +42,13 @@ class Store:
 
     Attributes:
         path: of the folder.
+        is_new: whether it was made by this object, and nothing of it is worth keeping before a chunk is finished.
     """
 
     def __init__(self, path: str | Path) -> None:
         self.path = Path(path)
         self.home = self.path / HOME
+        self.is_new = False
 
     # ------------------------------------------------------------------ beginning
 
@@ -73,6 +76,12 @@ class Store:
             _make_arrays(draft, plan, columns, times, header)
             (draft / HOME / CHUNKS).mkdir(parents=True)
             (draft / HOME / PLAN).write_text(json.dumps({"format": FORMAT, **plan}, indent=1), "utf-8")
+        self.is_new = True
+
+    def remove_if_empty(self) -> None:
+        """Remove a store that was made in vain."""
+        if self.is_new and not self.finished():
+            shutil.rmtree(self.path, ignore_errors=True)
 
     def _check_same(self, plan: dict[str, Any]) -> None:
         try:
@@ -223,9 +232,19 @@ def check_room(path: Path, needed: int) -> None:
     free = shutil.disk_usage(folder).free
     if free < SPARE * needed:
         raise InvalidInput(
-            f"{path}: the sweep may take {needed / 1e9:.3g} GB, and the disk has {free / 1e9:.3g} GB free. Take fewer "
+            f"{path}: the sweep may take {in_bytes(needed)}, and the disk has {in_bytes(free)} free. Take fewer "
             'samples or outputs, set keep = "statistics", or choose another disk with --out.'
         )
+
+
+def in_bytes(count: float) -> str:
+    """Return a size in the unit that it is read by.
+
+    >>> in_bytes(1234567), in_bytes(0)
+    ('1.23 MB', '0 B')
+    """
+    unit = max(0, min(4, int(math.log10(max(count, 1.0)) / 3.0)))
+    return f"{count / 1000.0**unit:.3g} {('B', 'kB', 'MB', 'GB', 'TB')[unit]}"
 
 
 @contextlib.contextmanager
