@@ -139,6 +139,18 @@ def test_stores_of_other_sweeps_are_kept(spec, tmp_path, change, words):
     assert files(tmp_path / "a.zarr") == before
 
 
+def test_another_mesh_is_another_sweep(spec, tmp_path):
+    mesh = Path(__file__).parents[2] / "examples" / "t_handle.stl"
+    (tmp_path / "body.stl").write_bytes(mesh.read_bytes())
+    body = 'mesh = "body.stl"\nmesh_unit = "mm"\nmass = "50 g"'
+    spec.write_text(SPEC.replace('moments = ["1.2 g*cm^2", "2 g*cm^2", "2.9 g*cm^2"]', body))
+    ph.sweep(spec, tmp_path / "a.zarr")
+    ph.sweep(spec, tmp_path / "a.zarr")
+    (tmp_path / "body.stl").write_bytes(mesh.read_bytes() + b"\n")
+    with pytest.raises(InvalidInput, match="holds another sweep: the spec, its files"):
+        ph.sweep(spec, tmp_path / "a.zarr")
+
+
 def test_other_folders_are_kept(spec, tmp_path):
     (tmp_path / "mine").mkdir()
     (tmp_path / "mine" / "thesis.txt").write_text("all of it")

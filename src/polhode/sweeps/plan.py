@@ -127,7 +127,7 @@ def read_plan(path: str | Path) -> Plan:
     draws = table.samples if table.samples is not None else min(rows, default=1)
     design = Design(inputs, draws, table.seed, table.points, table.sensitivity)
     _check_size(path, design)
-    mark = _fingerprint(tables, raw, inputs)
+    mark = _fingerprint(path.parent, tables, raw, inputs)
     outputs, times = tuple(table.outputs), tuple(table.times)
     return Plan(path, tables, kind, design, units, outputs, times, table.keep, table.chunk, mark)
 
@@ -182,11 +182,16 @@ def _check_size(path: Path, design: Design) -> None:
         raise InvalidInput(f"{path}: the sweep has {got}; at most {most:.3g} are taken. Give fewer.")
 
 
-def _fingerprint(tables: dict[str, Any], raw: dict[str, Any], inputs: dict[str, Any]) -> str:
-    """Return a hash of spec, inputs and version; how many samples are computed together changes no result."""
+def _fingerprint(folder: Path, tables: dict[str, Any], raw: dict[str, Any], inputs: dict[str, Any]) -> str:
+    """Return a hash of the spec, of files that it names, and of the version; ``chunk`` is told apart by itself."""
     said = {key: value for key, value in raw.items() if key != "chunk"}
     text = json.dumps([__version__, tables, said], sort_keys=True, default=str)
     found = hashlib.sha256(text.encode())
+    body = tables.get("body")
+    for key in ("mesh", "molecule", "urdf"):
+        named = body.get(key) if isinstance(body, dict) else None
+        if isinstance(named, str) and (folder / named).is_file():
+            found.update((folder / named).read_bytes())
     for how in inputs.values():
         if isinstance(how, AbstractPlaced):
             found.update(how.at(np.arange(how.count)).tobytes())

@@ -7,7 +7,7 @@ import math
 import os
 import time
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
@@ -153,7 +153,9 @@ class Sweep:
         from distributed import as_completed
 
         with _cluster(workers, scheduler) as client, _explained(self, store):
-            plan = client.scatter(self.plan, broadcast=True, hash=False)
+            # workers elsewhere have another present folder
+            plan = replace(self.plan, path=self.plan.path.absolute())
+            plan = client.scatter(plan, broadcast=True, hash=False)
             waiting, place = iter(missing), str(store.path.absolute())
             name = f"polhode-{self.plan.fingerprint[:16]}"
 
