@@ -266,7 +266,7 @@ def sweep(
     workers: Annotated[
         int | None,
         typer.Option("--workers", metavar="N", parser=whole_number(1, 1024),
-                     help="Processes of this machine (default: its cores, or none besides for short sweeps)."),
+                     help="Worker processes here (default: one for each core; short sweeps need none)."),
     ] = None,
     scheduler: Annotated[
         str | None,
