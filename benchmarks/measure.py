@@ -2,10 +2,17 @@
 
 from __future__ import annotations
 
+import ctypes
+import shutil
 import statistics
+import subprocess
+import tempfile
 import time
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any, NamedTuple
+
+import numpy as np
 
 
 class Row(NamedTuple):
@@ -62,3 +69,31 @@ def compared(
 def missing(work: str, peer: str, remedy: str) -> Row:
     """Return the row of a peer that is not installed."""
     return Row(work, peer, note=f"not installed here: {remedy}")
+
+
+def c_function(source: str, *flags: str) -> Callable[..., None] | None:
+    """Return the function ``run`` of a C file next to this one, or None without a compiler.
+
+    It takes whole numbers, then floats and pointers to arrays of them, as the file says.
+    """
+    compiler = shutil.which("cc") or shutil.which("gcc") or shutil.which("clang")
+    if compiler is None:
+        return None
+    with tempfile.TemporaryDirectory() as folder:
+        library = str(Path(folder) / "peer.so")
+        path = str(Path(__file__).parent / source)
+        subprocess.run(
+            [compiler, "-O3", "-march=native", "-shared", "-fPIC", *flags, path, "-o", library, "-lm"], check=True
+        )
+        function = ctypes.CDLL(library).run
+
+    def run(*arguments: Any) -> None:
+        kinds = {int: ctypes.c_long, float: ctypes.c_double}
+        function(*(kinds[type(x)](x) if type(x) in kinds else x for x in arguments))
+
+    return run
+
+
+def pointer(values: np.ndarray) -> Any:
+    """Return an array of floats as C takes it, which must live as long as the call."""
+    return values.ctypes.data_as(ctypes.POINTER(ctypes.c_double))

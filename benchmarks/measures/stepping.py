@@ -2,21 +2,15 @@
 
 from __future__ import annotations
 
-import ctypes
-import shutil
-import subprocess
-import tempfile
 from collections.abc import Callable, Iterator
-from pathlib import Path
 
 import numpy as np
-from measure import Row, compared, missing
+from measure import Row, c_function, compared, missing, pointer
 
 import polhode as ph
 
 MOMENTS, STEP = (1.0, 2.0, 3.0), 0.01
 START = np.array([1.0, 0.0, 0.0, 0.0, 0.3, 1.8, 1.5])
-SOURCE = Path(__file__).parents[1] / "splitting.c"
 
 
 def rows(quick: bool) -> Iterator[Row]:
@@ -42,20 +36,13 @@ def rows(quick: bool) -> Iterator[Row]:
 
 def c_loop(compensated: bool, steps: int) -> Callable[[], np.ndarray] | None:
     """Return a function that runs the C loop, or None without a compiler."""
-    compiler = shutil.which("cc") or shutil.which("gcc") or shutil.which("clang")
-    if compiler is None:
+    run = c_function("splitting.c", *(["-DCOMPENSATED"] if compensated else []))
+    if run is None:
         return None
-    flags = ["-O3", "-march=native", "-shared", "-fPIC", *(["-DCOMPENSATED"] if compensated else [])]
-    with tempfile.TemporaryDirectory() as folder:
-        library = str(Path(folder) / "splitting.so")
-        subprocess.run([compiler, *flags, str(SOURCE), "-o", library, "-lm"], check=True)
-        run = ctypes.CDLL(library).run
-    numbers = ctypes.POINTER(ctypes.c_double)
-    run.argtypes = [ctypes.c_long, ctypes.c_double, numbers, numbers]
 
     def call() -> np.ndarray:
-        state, moments = START.copy(), np.array(MOMENTS)
-        run(steps, STEP, moments.ctypes.data_as(numbers), state.ctypes.data_as(numbers))
+        state = START.copy()
+        run(steps, STEP, pointer(np.array(MOMENTS)), pointer(state))
         return state
 
     return call

@@ -121,12 +121,11 @@ def test_a_method_with_a_wrong_weight_loses_its_order():
     assert np.log2(errors[-2] / errors[-1]) < 2.0
 
 
-def test_kicks_and_drifts_have_their_order_in_forty_digits():
+@pytest.mark.parametrize("order", [4, 6])
+def test_kicks_and_drifts_have_their_order_in_forty_digits(order):
     """A pendulum, which the integrators do not know: the slope is that of the coefficients as published."""
     with mpmath.workdps(40):
-        kicks, drifts = ([mpmath.mpf(repr(x)) for x in shares] for shares in composition.NYSTROM[6])
-        kicks = [*kicks[:5], *[mpmath.mpf(1) / 2 - sum(kicks[:5])] * 2, *kicks[:5][::-1]]
-        drifts = [*drifts[:5], 1 - 2 * sum(drifts[:5]), *drifts[:5][::-1]]
+        kicks, drifts = (_symmetric([mpmath.mpf(repr(x)) for x in shares]) for shares in composition.NYSTROM[order])
 
         def pendulum(steps):
             q, p, h = mpmath.mpf("1.3"), mpmath.mpf("0.4"), mpmath.mpf(2) / steps
@@ -136,7 +135,14 @@ def test_kicks_and_drifts_have_their_order_in_forty_digits():
                     q += drift * h * p
             return mpmath.matrix([q, p])
 
-        end = pendulum(512)
-        errors = [mpmath.norm(pendulum(n) - end) for n in (16, 32, 64)]
+        end = pendulum(1024)
+        errors = [mpmath.norm(pendulum(n) - end) for n in (32, 64, 128)]
         slopes = [float(mpmath.log(a / b, 2)) for a, b in itertools.pairwise(errors)]
-    assert slopes == pytest.approx([6.0, 6.0], abs=0.02)
+    assert slopes == pytest.approx([order, order], abs=0.02)
+
+
+def _symmetric(shares):
+    """Shares that add up to one in forty digits, by those in the middle."""
+    outer = (len(shares) - 1) // 2
+    middle = [(1 - 2 * sum(shares[:outer])) / (len(shares) - 2 * outer)] * (len(shares) - 2 * outer)
+    return [*shares[:outer], *middle, *shares[:outer][::-1]]

@@ -30,10 +30,10 @@ INNER = {
               "lagrange_top.preparation", "lagrange_top.reduction", "lagrange_top.roots", "lagrange_top.series",
               "lagrange_top.standing", "lagrange_top.symmetry", "lagrange_top.tangent"},
     "integrators": {"accuracy", "adaptive", "composition", "difference", "either_mode", "embedded", "equal_steps",
-                    "fixed_point", "group", "interrupts", "moser_veselov_table", "reversal", "sampled"},
+                    "fixed_point", "group", "interrupts", "reversal", "sampled"},
     "motion": {"inputs", "invariants", "layout", "outcome", "trajectory"},
     "special": {"agm", "circular", "doubledouble", "first_kind", "legendre"},
-    "systems": {"agreement", "forward_only", "free_flow", "rolling_mechanics", "top_integrals"},
+    "systems": {"agreement", "forward_only", "free_flow", "moser_veselov_table", "rolling_mechanics", "top_integrals"},
 }  # fmt: skip
 """Modules by room; None for a whole room."""
 

@@ -5,7 +5,7 @@ from fractions import Fraction
 import pytest
 
 from oracle.moser_veselov import derived, first_difference
-from polhode.integrators.moser_veselov_table import SHIFT, TIME_SCALE
+from polhode.systems.moser_veselov_table import SHIFT, TIME_SCALE
 
 
 def as_dictionaries(table):

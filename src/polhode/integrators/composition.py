@@ -2,7 +2,7 @@
 
 Sources: Suzuki, Phys. Lett. A 146 (1990) 319 (order 4, five stages); Kahan & Li, Math. Comp. 66 (1997) 1089 (order 6,
 nine stages, s9odr6a; order 8, seventeen stages, s17odr8a); Blanes & Moan, J. Comput. Appl. Math. 142 (2002) 313
-(Runge–Kutta–Nyström splitting of order 6, eleven stages, SRKN11b).
+(Runge–Kutta–Nyström splittings of order 4, six stages, SRKN6b, and of order 6, eleven stages, SRKN11b).
 """
 
 from __future__ import annotations
@@ -37,9 +37,15 @@ _KICKS = (
     0.0414649985182624, 0.198128671918067, -0.0400061921041533, 0.0752539843015807, -0.0115113874206879,
 )  # fmt: skip
 _DRIFTS = (0.123229775946271, 0.290553797799558, -0.127049212625417, -0.246331761062075, 0.357208872795928)
+_KICKS_4 = (0.0829844064174052, 0.396309801498368, -0.0390563049223486)
+_DRIFTS_4 = (0.245298957184271, 0.604872665711080)
 _INNER_KICKS, _INNER_DRIFT = 0.5 - sum(_KICKS), 1.0 - 2.0 * sum(_DRIFTS)
 # order → shares of kicks and of drifts between them, where {V, {V, {V, T}}} = 0 leaves fewer conditions
 NYSTROM: dict[int, tuple[tuple[float, ...], tuple[float, ...]]] = {
+    4: (
+        (*_KICKS_4, 1.0 - 2.0 * sum(_KICKS_4), *_KICKS_4[::-1]),
+        (*_DRIFTS_4, 0.5 - sum(_DRIFTS_4), 0.5 - sum(_DRIFTS_4), *_DRIFTS_4[::-1]),
+    ),
     6: (
         (*_KICKS, _INNER_KICKS, _INNER_KICKS, *_KICKS[::-1]),
         (*_DRIFTS, _INNER_DRIFT, *_DRIFTS[::-1]),

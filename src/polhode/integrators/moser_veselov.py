@@ -10,9 +10,9 @@ import jax.numpy as jnp
 from polhode.errors import InvalidInput, shown
 from polhode.integrators.base import AbstractOrbitSolver, Change, Scalar
 from polhode.integrators.fixed_point import fixed_point
-from polhode.integrators.moser_veselov_table import SHIFT, TIME_SCALE
 from polhode.systems.base import AbstractLiePoissonSystem, attitude_change, joined
 from polhode.systems.free_rigid_body import FreeRigidBody
+from polhode.systems.moser_veselov_table import corrections
 from polhode.types import Array, Double, Float64
 
 ORDERS = (2, 4, 6, 8, 10)
@@ -75,18 +75,10 @@ class MoserVeselov(AbstractOrbitSolver):
         a = jnp.broadcast_to(1.0 / self.system.moments, L.shape)  # type: ignore[attr-defined]
         if self.own_order == 2:
             return 1.0 / a
-        square = L * L
-        H, C = 0.5 * jnp.sum(square * a, axis=-1), 0.5 * jnp.sum(square, axis=-1)
-        x, y, z = a[..., 0], a[..., 1], a[..., 2]
-        variables = (H, C, x + y + z, x * y + y * z + z * x, x * y * z)
-
-        def total(table: tuple[Any, ...]) -> Array:
-            value = jnp.zeros_like(H)
-            for k in range(self.own_order // 2 - 1):
-                value = value + h ** (2 * k + 2) * sum(_term(row, variables) for row in table[k])
-            return value[..., None]
-
-        return 1.0 / (a * (1.0 + total(TIME_SCALE)) + total(SHIFT))
+        square = h * L * (h * L)
+        energy, casimir = 0.5 * jnp.sum(square * a, axis=-1), 0.5 * jnp.sum(square, axis=-1)
+        scale, shift = corrections(self.own_order, (a[..., 0], a[..., 1], a[..., 2]), energy, casimir)
+        return 1.0 / (a * (1.0 + scale[..., None]) + shift[..., None])
 
 
 def _moves_freely(system: AbstractLiePoissonSystem) -> bool:
@@ -94,12 +86,3 @@ def _moves_freely(system: AbstractLiePoissonSystem) -> bool:
     own = ("energy", "velocity", "generator", "sign")
     kind = type(system)
     return isinstance(system, FreeRigidBody) and all(getattr(kind, n) is getattr(FreeRigidBody, n) for n in own)
-
-
-def _term(row: Any, variables: tuple[Array, ...]) -> Array:
-    *powers, numerator, denominator = row
-    term = numerator / denominator
-    for value, power in zip(variables, powers, strict=True):
-        if power:
-            term = term * value**power
-    return term

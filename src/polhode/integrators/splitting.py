@@ -19,8 +19,8 @@ from polhode.types import Array, Double, Float64
 class Splitting(AbstractOrbitSolver):
     """The system's exact flows in a symmetric product, composed to order 2, 4, 6 or 8; explicit.
 
-    Where the first of two flows only kicks, as the weight of a heavy top does, order 6 is a Runge–Kutta–Nyström
-    splitting.
+    Where the first of two flows only kicks, as the weight of a heavy top does, orders 4 and 6 are Runge–Kutta–Nyström
+    splittings.
 
     Args:
         system: with ``flows``.

@@ -1,8 +1,8 @@
 """The free body's exact flow over one step, as systems with a potential need it between kicks.
 
-``FreeMotion`` is exact over any time, but prepares for all of time. Over a step the Taylor series of quaternion and
-momentum ends at rounding after a few terms: the nearest singularity in complex time is K'/λ ≥ π/2 over the fastest
-rate away. Longer steps are taken in pieces.
+``FreeMotion`` is exact over any time, but prepares for all of time. Over a turn of ``ANGLE`` the discrete Moser–Veselov
+algorithm of order 10 misses the flow by no more than rounding, for a tenth of the cost of a Taylor series. Longer steps
+are taken in pieces. Source: Hairer & Vilmart, J. Phys. A 39 (2006) 13225.
 """
 
 from __future__ import annotations
@@ -10,13 +10,15 @@ from __future__ import annotations
 import jax
 import jax.numpy as jnp
 
-from polhode.rotation import cross_of_parts, product_of_parts, product_with_vector
+from polhode.rotation import cross_of_parts, product_of_parts
 from polhode.systems.base import Components
 from polhode.systems.forward_only import forward_only
+from polhode.systems.moser_veselov_table import corrections
 from polhode.types import Array, ArrayOrFloat, Float64
 
-ORDER = 8
-ANGLE = 0.02  # rad of the fastest rotation in a piece: (0.02/1.57)⁹ is below rounding; higher orders compile long
+ORDER = 10
+ANGLE = 0.2  # rad, above that of the fastest rotation in a piece; a body's flow is missed by 3e-16 rad at most
+ITERATIONS = 9  # after which the unknown is off by 2e-16 of its size
 MOST_PIECES = 1_000_000
 
 
@@ -50,22 +52,31 @@ def free_turn(moments: Float64[Array, "3"], time: Float64[ArrayOrFloat, ""], mom
         time: () [s].
         momentum: three components (…) at the start.
     """
-    inverse = tuple(1.0 / moments[k] for k in range(3))
-    # the rates' size, as squares of momenta may overflow
-    x, y, z = (jnp.abs(time) * momentum[k] * jnp.max(1.0 / moments) for k in range(3))
+    least = jnp.min(moments)
+    inverse = tuple(least / moments[k] for k in range(3))
+    # angles, as squares of momenta may overflow
+    x, y, z = (time * (momentum[k] / least) for k in range(3))
     angle = jnp.sqrt(x * x + y * y + z * z)
     pieces = jnp.clip(jnp.nan_to_num(jnp.ceil(angle / ANGLE), nan=1.0), 1, MOST_PIECES).astype(int)
     share = time / pieces
+    # both stay as they are from piece to piece
+    squares = [(share * (x / least)) ** 2 for x in momentum]
+    energy, casimir = 0.5 * sum(a * x for a, x in zip(inverse, squares, strict=True)), 0.5 * sum(squares)
+    scale, shift = corrections(ORDER, inverse, energy, casimir)
+    corrected = tuple(a + (a * scale + shift) for a in inverse)
 
     def piece(k: Array, carried: tuple[Components, Components]) -> tuple[Components, Components]:
         total, now = carried
         # each copy has pieces of its own; one that is through stays as it is
-        turn = tuple(jnp.where(k < pieces, x, 0.0) for x in _series(inverse, share, now))
+        angles = tuple(jnp.where(k < pieces, share * (x / least), 0.0) for x in now)
+        turn = _moser_veselov(corrected, angles)
         moved = turned_back(turn, now)
         return composed(total, turn), tuple(x + d for x, d in zip(now, moved, strict=True))
 
+    # most steps are one piece, and one outside the loop saves a sixth of their time
     still = (jnp.zeros_like(angle),) * 4
-    turn = jax.lax.fori_loop(0, jnp.max(pieces), piece, (still, momentum))[0]
+    first = piece(jnp.zeros((), int), (still, momentum))
+    turn = jax.lax.fori_loop(1, jnp.max(pieces), piece, first)[0]
     return forward_only(turn, "the free body's flow")
 
 
@@ -93,21 +104,26 @@ def composed(first: Components, second: Components) -> Components:
     return tuple(a + b + c for a, b, c in zip(first, second, product_of_parts(first, second), strict=True))
 
 
-def _series(inverse: tuple[Array, ...], time: Array, momentum: Components) -> Components:
-    """Return Σ_{k ≥ 1} of the quaternion's Taylor terms: q' = ½ q Ω, L' = L × Ω."""
-    zero = jnp.zeros_like(momentum[0])
-    L: list[Components] = [momentum]
-    turn: list[Components] = [(zero + 1.0, zero, zero, zero)]
-    velocity = [tuple(time * i * x for i, x in zip(inverse, momentum, strict=True))]
-    for k in range(ORDER):
-        if k + 1 < ORDER:
-            terms = [cross_of_parts(L[j], velocity[k - j]) for j in range(k + 1)]
-            L.append(tuple(sum(t[n] for t in terms) * (1.0 / (k + 1)) for n in range(3)))
-            velocity.append(tuple(time * i * x for i, x in zip(inverse, L[-1], strict=True)))
-        terms = [product_with_vector(turn[j], velocity[k - j]) for j in range(k + 1)]
-        turn.append(tuple(sum(t[n] for t in terms) * (0.5 / (k + 1)) for n in range(4)))
-    # from the smallest term up
-    return tuple(sum(term[n] for term in turn[:0:-1]) for n in range(4))
+def _moser_veselov(b: Components, angles: Components) -> Components:
+    """Return p − 1 of the unit quaternion p along (1, y), y_i = b_i u_i, u_i = ½ m_i (1 + |y|²) − u_j u_k (b_j − b_k).
+
+    These are the algorithm's equations hat(m) = ω D − D ωᵀ, written without a division by the b_i.
+
+    Args:
+        b: the smallest moment over each of the moments, corrected to give the algorithm its order.
+        angles: m_i = L_i t over the smallest moment.
+    """
+    gaps = [b[1] - b[2], b[2] - b[0], b[0] - b[1]]
+    u = [0.5 * m for m in angles]
+    for _ in range(ITERATIONS):
+        y = [b[k] * u[k] for k in range(3)]
+        half = 0.5 + 0.5 * (y[0] * y[0] + y[1] * y[1] + y[2] * y[2])
+        for k in range(3):  # each with those just found, which doubles the digits gained
+            u[k] = half * angles[k] - u[(k + 1) % 3] * u[(k + 2) % 3] * gaps[k]
+    y = [b[k] * u[k] for k in range(3)]
+    square = y[0] * y[0] + y[1] * y[1] + y[2] * y[2]
+    root = jnp.sqrt(1.0 + square)
+    return -square / (root * (1.0 + root)), *(x / root for x in y)
 
 
 def _excess(turn: Components) -> Array:

@@ -9,6 +9,10 @@ Hairer & Vilmart's, J. Phys. A 39 (2006) 13225; all are derived in rational arit
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
+from polhode.types import Array, Float64
+
 Row = tuple[int, int, int, int, int, int, int]
 
 TIME_SCALE: tuple[tuple[Row, ...], ...] = (
@@ -54,3 +58,40 @@ SHIFT: tuple[tuple[Row, ...], ...] = (
         (1, 3, 2, 0, 2, -2, 105), (0, 4, 0, 0, 3, -61, 4536), (0, 4, 0, 3, 1, -61, 45360), (0, 4, 1, 1, 2, 3, 560),
     ),
 )
+
+
+def corrections(
+    order: int,
+    inverse: Sequence[Float64[Array, "*#batch"]],
+    energy: Float64[Array, "*#batch"],
+    casimir: Float64[Array, "*#batch"],
+) -> tuple[Float64[Array, "*batch"], Float64[Array, "*batch"]]:
+    """Return s and d with which (1 + s)/I_j + d in place of 1/I_j gives the algorithm an order, 4 to 10.
+
+    Args:
+        order: even.
+        inverse: three 1/I_j, or products of them with one factor.
+        energy: h² H, with the square of the factor.
+        casimir: h² |L|²/2, with the square of the factor.
+    """
+    x, y, z = inverse
+    symmetric = (x + y + z, x * y + y * z + z * x, x * y * z)
+    found = []
+    for table in (TIME_SCALE, SHIFT):
+        # what depends on moments alone stands together, as copies of a batch share it
+        coefficients: dict[tuple[int, int], Array] = {}
+        for *powers, numerator, denominator in (row for rows in table[: order // 2 - 1] for row in rows):
+            p, q, *rest = powers
+            term = _monomial(symmetric, rest) * (numerator / denominator)
+            coefficients[p, q] = coefficients[p, q] + term if (p, q) in coefficients else term
+        terms = [_monomial((energy, casimir), powers) * value for powers, value in coefficients.items()]
+        found.append(sum(terms[::-1]))
+    return found[0], found[1]
+
+
+def _monomial(values: Sequence[Array], powers: Sequence[int]) -> Array | float:
+    product: Array | float = 1.0
+    for value, power in zip(values, powers, strict=True):
+        for _ in range(power):
+            product = product * value
+    return product
