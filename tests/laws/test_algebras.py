@@ -59,8 +59,16 @@ class Loose(lie.SO3):
         return super().exp_change(x * (1 + 1e-10), mu)
 
 
+class Swapped(lie.SO3):
+    """so(3) whose group elements are multiplied in the wrong order."""
+
+    def compose(self, g, h):
+        return super().compose(h, g)
+
+
 @pytest.mark.parametrize(
-    ("broken", "law"), [(Flipped, "Jacobi|duality"), (Undual, "duality"), (Leaking, "Casimirs"), (Loose, "exp_change")]
+    ("broken", "law"),
+    [(Swapped, "Ad"), (Flipped, "Jacobi|duality"), (Undual, "duality"), (Leaking, "Casimirs"), (Loose, "exp_change")],
 )
 def test_broken_specimens_are_caught(broken, law):
     with pytest.raises(LawBroken, match=law):

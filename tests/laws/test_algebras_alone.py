@@ -112,15 +112,19 @@ FUNCTIONS = {
         lambda L, q: poisson.reconstruct(TIMES, L, lambda x: x / jnp.array([1.0, 2.0, 3.0]), q),
         1.0 + 0.1 * RNG.normal(size=(3, 4, 3)), TURNS,
     ),
+    "reconstruct_group": (
+        lambda L: poisson.reconstruct_group(SO3, TIMES, L, lambda x: x / jnp.array([1.0, 2.0, 3.0])).elements,
+        1.0 + 0.1 * RNG.normal(size=(3, 4, 3)),
+    ),
 }  # fmt: skip
 
 
 def test_no_public_function_is_forgotten():
-    assert {name for name in poisson.__all__ if name != "Reconstruction"} == set(FUNCTIONS) | REFUSE
+    assert {name for name in poisson.__all__ if name not in ("Reconstruction", "GroupPath")} == set(FUNCTIONS) | REFUSE
 
 
 @pytest.mark.parametrize("name", [pytest.param(n, marks=[] if n in QUICK else [pytest.mark.sweep])
                                   for n in FUNCTIONS])  # fmt: skip
 def test_poisson_function_alone(name):
     function, *points = FUNCTIONS[name]
-    check_alone(function, *points, batched=name != "reconstruct")
+    check_alone(function, *points, batched=not name.startswith("reconstruct"))

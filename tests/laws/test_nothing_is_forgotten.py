@@ -111,7 +111,8 @@ NO_ARRAYS = {
 """Functions of objects, words and whole numbers, and records of known answers."""
 CALLED_BY_OTHERS = {
     "algebra.base.HashableModule", "algebra.constants.checked_constants", "algebra.matrix.adjoint",
-    "algebra.matrix.traceless", "algebra.matrix.pfaffian", "algebra.so3.half_angle_factors", "algebra.so3.scaled_norm",
+    "algebra.matrix.traceless", "algebra.matrix.checked_size",
+    "algebra.matrix.pfaffian", "algebra.so3.half_angle_factors", "algebra.so3.scaled_norm",
     "analysis.gyrostat_rotations.symmetry_axis", "systems.body_with_rotor.cleaned",
     "systems.euler_disk.rolling_parts",
     "analysis.energy_casimir.Stability", "analysis.energy_casimir.energy_casimir", "analysis.spin_motion.steps_for",
@@ -121,6 +122,7 @@ CALLED_BY_OTHERS = {
     "bodies.body.check_is_body", "bodies.body.check_moments", "bodies.body.principal_axes",
     "bodies.mesh.volume_moments", "bodies.surface.cuboid", "bodies.surface.places", "bodies.surface.welded",
     "integrators.base.explicit", "integrators.base.step_count", "poisson.brackets.as_points",
+    "poisson.reconstruction.hermite",
     "simulation.fastest_rate", "simulation.trajectory_of", "solving.adaptive_solver", "solving.checked_every",
     "solving.goes_along_orbit", "solving.is_adaptive", "solving.orbit_solver", "solving.step_angle",
     "solving.turning_rates",

@@ -13,11 +13,15 @@ from polhode.algebra.matrix import SL, SO, SU, AbstractMatrixAlgebra, Sp  # noqa
 from polhode.algebra.power import Power  # noqa: E402
 from polhode.algebra.product import Product  # noqa: E402
 from polhode.algebra.properties import centre, index, killing_form  # noqa: E402
+from polhode.algebra.pseudo_orthogonal import SOpq  # noqa: E402
+from polhode.algebra.se2 import SE2  # noqa: E402
 from polhode.algebra.se3 import SE3  # noqa: E402
 from polhode.algebra.semidirect import Semidirect  # noqa: E402
 from polhode.algebra.so3 import SO3  # noqa: E402
+from polhode.algebra.unitary import U  # noqa: E402
 
 __all__ = [
+    "SE2",
     "SE3",
     "SL",
     "SO",
@@ -30,8 +34,10 @@ __all__ = [
     "Heisenberg",
     "Power",
     "Product",
+    "SOpq",
     "Semidirect",
     "Sp",
+    "U",
     "centre",
     "from_matrices",
     "from_structure_constants",

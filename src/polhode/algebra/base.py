@@ -152,6 +152,10 @@ class AbstractLieAlgebra(HashableModule):
         ad = jnp.einsum("...i,ijk->...kj", self.to_vector(x), self.structure_constants())
         return jax.scipy.linalg.expm(ad)
 
+    def compose(self, g: Any, h: Any) -> Any:
+        """Return the product g h of group elements as ``exp`` gives them; Ad*_{gh} μ = Ad*_h Ad*_g μ."""
+        return g @ h
+
     def coadjoint_action(self, g: Any, mu: Double[Array, "..."]) -> Double[Array, "..."]:
         """Return Ad*_g μ for g as ``exp`` gives it."""
         return self.from_dual_vector(jnp.einsum("...ji,...j->...i", g, self.to_dual_vector(mu)))

@@ -129,7 +129,7 @@ class SO(AbstractMatrixAlgebra):
     scale: ClassVar[float] = 0.5
 
     def __check_init__(self) -> None:
-        _check_size("SO", self.n, 2)
+        checked_size("SO", self.n, 2)
 
     @property
     def dim(self) -> int:
@@ -171,7 +171,7 @@ class SU(AbstractMatrixAlgebra):
     scale: ClassVar[float] = 2.0
 
     def __check_init__(self) -> None:
-        _check_size("SU", self.n, 2)
+        checked_size("SU", self.n, 2)
 
     @property
     def dim(self) -> int:
@@ -214,7 +214,7 @@ class SL(AbstractMatrixAlgebra):
     scale: ClassVar[float] = 1.0
 
     def __check_init__(self) -> None:
-        _check_size("SL", self.n, 2)
+        checked_size("SL", self.n, 2)
 
     @property
     def dim(self) -> int:
@@ -253,7 +253,7 @@ class Sp(AbstractMatrixAlgebra):
     scale: ClassVar[float] = 0.5
 
     def __check_init__(self) -> None:
-        _check_size("Sp", self.n, 1)
+        checked_size("Sp", self.n, 1)
 
     @property
     def dim(self) -> int:
@@ -315,6 +315,7 @@ def pfaffian(matrix: Float64[Array, "*batch n n"]) -> Float64[Array, "*batch"]:
     return total
 
 
-def _check_size(name: str, n: int, least: int) -> None:
-    if not isinstance(n, int) or n < least:
-        raise InvalidInput(f"`n` of {name}(n) must be a whole number, at least {least}; got {shown(n)}.")
+def checked_size(name: str, size: int, least: int, letter: str = "n") -> None:
+    """Refuse a size that is not a whole number, or too small."""
+    if not isinstance(size, int) or size < least:
+        raise InvalidInput(f"`{letter}` of {name} must be a whole number, at least {least}; got {shown(size)}.")

@@ -79,6 +79,9 @@ class Power(AbstractLieAlgebra):
     def exp(self, x: Double[Array, "..."]) -> Any:
         return self.algebra.exp(x)
 
+    def compose(self, g: Any, h: Any) -> Any:
+        return self.algebra.compose(g, h)
+
     def coadjoint_action(self, g: Any, mu: Double[Array, "..."]) -> Double[Array, "..."]:
         return self.algebra.coadjoint_action(g, mu)
 

@@ -83,6 +83,9 @@ class Product(AbstractLieAlgebra):
     def cayley(self, x: Vector) -> Any:
         return tuple(f.cayley(f.from_vector(part)) for f, part in zip(self.factors, self.split(x), strict=True))
 
+    def compose(self, g: Any, h: Any) -> Any:
+        return tuple(f.compose(a, b) for f, a, b in zip(self.factors, g, h, strict=True))
+
     def coadjoint_action(self, g: Any, mu: Operand) -> Vector:
         parts = zip(self.factors, g, self.split(mu), strict=True)
         moved = [f.to_dual_vector(f.coadjoint_action(one, f.from_dual_vector(part))) for f, one, part in parts]

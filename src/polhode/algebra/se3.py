@@ -55,6 +55,10 @@ class SE3(AbstractLieAlgebra):
         once = jnp.cross(a, b)
         return jnp.concatenate([SO3().exp(a), b + first * once + second * jnp.cross(a, once)], axis=-1)
 
+    def compose(self, g: Float64[Array, "*#batch 7"], h: Float64[Array, "*#batch 7"]) -> Float64[Array, "*batch 7"]:
+        turn = rotation.multiply(g[..., :4], h[..., :4])
+        return jnp.concatenate([turn, g[..., 4:] + rotation.rotate(g[..., :4], h[..., 4:])], axis=-1)
+
     def coadjoint_action(
         self, g: Float64[Array, "*#batch 7"], mu: Float64[Array, "*#batch 6"]
     ) -> Float64[Array, "*batch 6"]:

@@ -51,6 +51,9 @@ class SO3(AbstractLieAlgebra):
         s, c = half_angle_factors(jnp.asarray(x))
         return jnp.concatenate([c, 0.5 * s * x], axis=-1)
 
+    def compose(self, g: Float64[Array, "*#batch 4"], h: Float64[Array, "*#batch 4"]) -> Float64[Array, "*batch 4"]:
+        return rotation.multiply(g, h)
+
     def coadjoint_action(
         self, g: Float64[Array, "*#batch 4"], mu: Float64[Array, "*#batch 3"]
     ) -> Float64[Array, "*batch 3"]:

@@ -62,7 +62,7 @@ class Trajectory(Plotted):
     invariants: dict[str, Float64[Array, "..."]] = field(default_factory=dict)
     balances: dict[str, Float64[Array, "*batch time"]] = field(default_factory=dict)
     received: dict[str, Float64[Array, "*batch time"]] = field(default_factory=dict)
-    drift: dict[str, Float64[ArrayOrFloat, "*batch"]] = field(default_factory=dict)
+    drift: dict[str, Float64[ArrayOrFloat, "..."]] = field(default_factory=dict)
     quantities: dict[str, Quantity] = field(default_factory=dict)
     outcome: Outcome = field(default_factory=Outcome)
     source: Any = None

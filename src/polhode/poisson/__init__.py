@@ -1,6 +1,7 @@
 """Poisson geometry on the dual of a Lie algebra: brackets, orbits with their form, reduction and reconstruction."""
 
 from polhode.poisson.brackets import bracket, differential, hamiltonian_field, poisson_tensor, time_derivative
+from polhode.poisson.group_reconstruction import GroupPath, reconstruct_group
 from polhode.poisson.orbits import (
     kks_form,
     kks_matrix,
@@ -21,6 +22,7 @@ from polhode.poisson.reduction import (
 )
 
 __all__ = [
+    "GroupPath",
     "Reconstruction",
     "body_momentum",
     "bracket",
@@ -35,6 +37,7 @@ __all__ = [
     "orbit_tangent",
     "poisson_tensor",
     "reconstruct",
+    "reconstruct_group",
     "reduce",
     "restricted_bracket",
     "right_trivialize",

@@ -17,7 +17,7 @@ import numpy as np
 from polhode import rotation
 from polhode.arrays import known_false, refuse_single_precision
 from polhode.errors import InvalidInput
-from polhode.types import Array, ArrayLike, Float64, Real
+from polhode.types import Array, ArrayLike, Double, Float64, Real
 
 NODES = 0.5 + np.array([-1.0, 1.0]) * math.sqrt(3.0) / 6.0
 
@@ -69,7 +69,7 @@ def reconstruct(
         raise InvalidInput("`momentum` must be finite and not zero: at rest it does not tell the attitude.")
     h = steps[:, None]
     slopes = jnp.cross(L, velocity(L))
-    middle = [_hermite(c, h, L[:-1], L[1:], slopes[:-1], slopes[1:]) for c in NODES]
+    middle = [hermite(c, h, L[:-1], L[1:], slopes[:-1], slopes[1:]) for c in NODES]
     spin = [velocity(m) for m in middle]
     turn = 0.5 * h * (spin[0] + spin[1]) + math.sqrt(3.0) / 12.0 * h * h * jnp.cross(spin[0], spin[1])
     moves = rotation.from_rotation_vector(turn)
@@ -89,7 +89,11 @@ def reconstruct(
     return Reconstruction(path, total(dynamic), -total(swept))
 
 
-def _hermite(c: float, h: Array, a: Array, b: Array, slope_a: Array, slope_b: Array) -> Array:
+def hermite(
+    c: float, h: Float64[Array, "..."], a: Double[Array, "..."], b: Double[Array, "..."],
+    slope_a: Double[Array, "..."], slope_b: Double[Array, "..."],
+) -> Double[Array, "..."]:  # fmt: skip
+    """Return the cubic through values and slopes at both ends of intervals of length h, at the fraction c of them."""
     own, other = (1 + 2 * c) * (1 - c) ** 2, c * c * (3 - 2 * c)
     return own * a + other * b + h * (c * (1 - c) ** 2 * slope_a + c * c * (c - 1) * slope_b)
 

@@ -5,6 +5,7 @@ from polhode.systems.body_in_potential import BodyInPotential
 from polhode.systems.body_with_rotor import RotorInBody, rotor_in_body
 from polhode.systems.brun_body import BrunBody
 from polhode.systems.double_bracket import DoubleBracket
+from polhode.systems.double_bracket_damping import DoubleBracketDamping
 from polhode.systems.euler_disk import EulerDisk
 from polhode.systems.free_rigid_body import FreeRigidBody
 from polhode.systems.gyrostat import Gyrostat, TorquedGyrostat
@@ -40,6 +41,7 @@ __all__ = [
     "BoundaryLayer",
     "BrunBody",
     "DoubleBracket",
+    "DoubleBracketDamping",
     "DrillingFriction",
     "DryContourFriction",
     "EnergySink",

@@ -37,7 +37,7 @@ def check_algebra(algebra: AbstractLieAlgebra, seed: int = 0) -> None:
     named = [jnp.reshape(value, (*algebra.batch_shape(mu), -1)) for value in algebra.named_casimirs(mu).values()]
     together = jnp.concatenate([algebra.casimirs(mu)[..., :0], *named], axis=-1)
     hold("Casimirs by name are the Casimirs", jnp.sort(together), jnp.sort(algebra.casimirs(mu)), EXACT)
-    hold_all(partial(_group, algebra), EXACT, SMALL * x, mu)
+    hold_all(partial(_group, algebra), EXACT, SMALL * x, SMALL * y, mu)
     hold_all(partial(_bracket_of_functions, algebra), EXACT, weights, mu)
 
 
@@ -64,11 +64,15 @@ def _structure(algebra: AbstractLieAlgebra, x: Array, y: Array, z: Array, mu: Ar
     return laws
 
 
-def _group(algebra: AbstractLieAlgebra, x: Array, mu: Array) -> Laws:
+def _group(algebra: AbstractLieAlgebra, x: Array, y: Array, mu: Array) -> Laws:
     moved = mu + algebra.exp_change(x, mu)
     rate = jax.jvp(lambda t: algebra.exp_change(t * x, mu), (0.0,), (1.0,))[1]
     laws = {
         "exp_change is Ad*_{exp x} μ − μ": (moved, algebra.coadjoint_action(algebra.exp(x), mu)),
+        "Ad*_{gh} = Ad*_h Ad*_g": (
+            algebra.coadjoint_action(algebra.compose(algebra.exp(x), algebra.exp(y)), mu),
+            moved + algebra.exp_change(y, moved),
+        ),
         "exp x exp x = exp 2x": (moved + algebra.exp_change(x, moved), mu + algebra.exp_change(2.0 * x, mu)),
         "Ad* keeps the Casimirs": (algebra.casimirs(moved), algebra.casimirs(mu)),
         "Ad*_{exp tx} begins as ad*_x": (rate, algebra.coadjoint(x, mu)),

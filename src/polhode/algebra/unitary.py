@@ -1,0 +1,47 @@
+"""u(n), the quadratic algebra of all antihermitian matrices."""
+
+from __future__ import annotations
+
+from typing import Any, ClassVar
+
+import equinox as eqx
+import jax.numpy as jnp
+import numpy as np
+
+from polhode.algebra.matrix import SU, AbstractMatrixAlgebra, Element, adjoint, checked_size
+from polhode.types import Array, Float64
+
+
+class U(AbstractMatrixAlgebra):
+    """u(n): antihermitian matrices, ⟨μ, x⟩ = −2 Re tr(μx), basis that of su(n) and behind it −i/2.
+
+    The trace is a Casimir of its own: u(n) = su(n) ⊕ u(1). Casimirs Re tr (iμ)^k, k = 1, …, n.
+    """
+
+    n: int = eqx.field(static=True)
+    scale: ClassVar[float] = 2.0
+
+    def __check_init__(self) -> None:
+        checked_size("U", self.n, 1)
+
+    @property
+    def dim(self) -> int:
+        return self.n**2
+
+    @property
+    def dtype(self) -> Any:
+        return jnp.complex128
+
+    def _make_basis(self) -> np.ndarray:
+        centre = -0.5j * np.eye(self.n)[None]
+        return np.concatenate([SU(self.n).basis, centre]) if self.n > 1 else centre
+
+    def project(self, matrix: Element) -> Element:
+        return 0.5 * (matrix - adjoint(matrix))
+
+    @property
+    def casimir_names(self) -> tuple[str, ...]:
+        return tuple("tr iμ" if k == 1 else f"tr (iμ)^{k}" for k in range(1, self.n + 1))
+
+    def casimirs(self, mu: Element) -> Float64[Array, "*batch k"]:
+        return jnp.stack(self._power_traces(1j * jnp.asarray(mu), tuple(range(1, self.n + 1))), axis=-1).real
