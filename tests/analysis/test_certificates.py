@@ -126,7 +126,7 @@ REFUSED = {
         systems.BodyInPotential((1.0, 1.0, 0.5), lambda up: up[2]), upright,
         {"integrals": [lambda p: p[2], lambda p: p[1]]}, "J2, H"),
     "integrals that do not commute": (
-        pair, bent, {"integrals": [lambda s: s[0, 2] + s[1, 2], lambda s: s[0, 0] + s[1, 0]]}, r"\{J2, J1\}"),
+        pair, bent, {"integrals": [lambda s: s[0, 2] + s[1, 2], lambda s: s[0, 0] + s[1, 0]]}, r"\{J1, J2\}"),
     "what the system wrongly names conserved": (on_so3(energy, {"K": lambda L: L[2]}), e3, {}, r"\{K, H\}"),
     "an energy without a slope": (
         on_so3(lambda L: jnp.sqrt(L[0]) + L[2] ** 2), e3, {}, "energy must have finite first and second"),

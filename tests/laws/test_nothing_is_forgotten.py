@@ -104,7 +104,8 @@ NO_ARRAYS = {
     "testing.motion_table.reference_motions", "testing.motion_table.motions_of", "testing.engines.compare_engine",
     "ReferenceMotion", "MotionErrors", "EngineComparison", "Comparison", "SpinDown", "Resonance", "AttitudeHistory",
     "bodies.surface.Surface", "Surface.along", "Surface.coarsened", "surface.joined",
-    "combine", "overlap_of", "rotor_misfit", "damped_motion.time_constant", "predicted_exponents",
+    "combine", "overlap_of", "stability_threshold", "analysis.threshold.Threshold",
+    "rotor_misfit", "damped_motion.time_constant", "predicted_exponents",
     "SpinMotion.predictable_time", "SpinMotion.regular_exponent", "DiskPath.part",
     "disk_turns.first_turns", "disk_turns.last_turns", "disk_turns.filled_to_its_end",
 }  # fmt: skip

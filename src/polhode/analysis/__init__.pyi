@@ -153,6 +153,8 @@ from .spin_orbit import (
 from .stability import stability as stability
 from .thermal import rotational_temperature as rotational_temperature
 from .thermal import thermal_momentum as thermal_momentum
+from .threshold import Threshold as Threshold
+from .threshold import stability_threshold as stability_threshold
 from .top_motion import axial_spin as axial_spin
 from .top_motion import axis_in_space as axis_in_space
 from .top_motion import axis_tilt as axis_tilt

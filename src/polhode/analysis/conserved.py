@@ -7,6 +7,7 @@ checked at random points near the equilibrium, away from it and along its orbit,
 from __future__ import annotations
 
 import abc
+import itertools
 import math
 from collections.abc import Sequence
 from functools import lru_cache
@@ -31,6 +32,7 @@ from polhode.systems.base import AbstractLiePoissonSystem, Function, checked_fun
 from polhode.types import Array, Bool, Double, Float64
 
 CONSERVED = 4e-12  # of the terms of {F, G}, what rounding of smooth derivatives and of parameters may leave
+CLOSED = 1e-9  # of the largest bracket, what a combination of momenta may miss it by
 NOISE = 20.0  # times the change of {F, G} over a rounding error of the point, for functions that lose digits inside
 RANK = 1e-9  # singular values of unit gradients below which user's Casimirs depend on each other
 HIGHEST_DEGREE = 4  # of Casimirs looked for where the algebra does not name enough
@@ -279,6 +281,44 @@ def check_commute(
             f"{{{names[0]}, {names[1]}}} must vanish around the equilibrium; at points nearby it is up to {worst:.3g} "
             f"of its terms. {remedy}"
         )
+
+
+def check_closed(
+    tensors: Float64[Array, "m n n"],
+    gradients: Float64[Array, "m j n"],
+    values: Float64[Array, "m j"],
+    names: list[str],
+) -> bool:
+    """Return whether functions J_a commute; refuse those that are not the momentum map of a group either.
+
+    Of a group {J_a, J_b} = Σ c_ab^k J_k.
+
+    Args:
+        tensors: (m, n, n) π at the samples.
+        gradients: (m, j, n) of the functions.
+        values: (m, j) theirs.
+        names: of the functions.
+
+    Raises:
+        InvalidInput: naming two of them whose bracket is not a combination of them.
+    """
+    good = np.isfinite(gradients).all(axis=(1, 2)) & np.isfinite(values).all(axis=1)
+    gradients, tensors, values = gradients[good], tensors[good], values[good]
+    brackets = np.einsum("mai,mij,mbj->mab", gradients, tensors, gradients)
+    terms = np.einsum("mai,mij,mbj->mab", np.abs(gradients), np.abs(tensors), np.abs(gradients))
+    if not np.abs(brackets).max(initial=0.0) > CLOSED * terms.max(initial=0.0):
+        return True
+    for a, b in itertools.combinations(range(len(names)), 2):
+        wanted = brackets[:, a, b]
+        size = np.abs(brackets).max()
+        left = wanted - values @ np.linalg.lstsq(values, wanted, rcond=None)[0]
+        if np.abs(left).max() > CLOSED * size:
+            raise InvalidInput(
+                f"{{{names[a]}, {names[b]}}} must vanish or be a sum of multiples of the `integrals`, as symmetries "
+                "that are divided out make up a group; at points nearby it misses every such sum by "
+                f"{np.abs(left).max():.3g}. Give one of the two alone, or the others of their group too."
+            )
+    return False
 
 
 def check_casimirs(tensors: Float64[Array, "m n n"], gradients: Float64[Array, "m k n"]) -> None:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import itertools
 from typing import NamedTuple
 
+import jax
 import jax.numpy as jnp
 import numpy as np
 
@@ -15,6 +17,7 @@ from polhode.analysis.conserved import (
     Known,
     Source,
     check_casimirs,
+    check_closed,
     check_commute,
     derivatives,
     refuse_rough,
@@ -35,9 +38,11 @@ class Problem(NamedTuple):
         g, H: (1+k+j, n) gradients and (…, n, n) Hessians of H, the k Casimirs and the j integrals at rest or given.
         tensor, constants: π and its derivative.
         names: of the Casimirs and integrals.
-        free: which integrals are not at rest at the point.
+        free: which integrals are not at rest at the point; their flows are divided out.
         error: relative, of the second derivatives.
         still: whether the field vanishes all around.
+        commute: whether the integrals that are not at rest commute with each other, everywhere.
+        turned: integrals that other symmetries turn, so that their levels are kept and their flows are not divided out.
     """
 
     system: AbstractLiePoissonSystem
@@ -52,6 +57,8 @@ class Problem(NamedTuple):
     free: list[int]
     error: float
     still: bool
+    commute: bool
+    turned: tuple[int, ...] = ()
 
     def sizes(self, weights: Float64[Array, "terms"]) -> tuple[Float64[Array, "n"], Float64[Array, "n n"], float]:
         """Return the sizes of the terms that make up dF (n,), the flow (n, n), and the field.
@@ -104,17 +111,32 @@ def problem(
         parts.append(found.chosen(taken))
     near = np.concatenate([part.around for part in parts], axis=1)
     labels = ["H", *names]
-    for n in free:
-        for m in range(1 + len(own.gradients), len(labels)):
-            if m < n or m not in free:
-                check_commute(tensors, near[:, n], near[:, m], (labels[n], labels[m]),
-                              "Symmetries that are divided out must commute; give one of the two alone.")  # fmt: skip
+    derived = tensors, near, labels
+    commute = _check_symmetries(system, integrals, unit * around, derived, free, 1 + len(own.gradients))
     slopes = energy.around[:, 0]
     still = _vanishes(np.einsum("mij,mj->mi", tensors, slopes),
                       np.einsum("mij,mj->mi", np.abs(tensors), np.abs(slopes)))  # fmt: skip
     g, H = (np.concatenate([getattr(part, field) for part in parts]) for field in ("gradients", "hessians"))
     error = max(float(part.errors.max(initial=0.0)) for part in parts)
-    return Problem(system, casimirs.source, y, unit, g, H, tensor, constants, names, free, error, still)
+    return Problem(system, casimirs.source, y, unit, g, H, tensor, constants, names, free, error, still, commute)
+
+
+def _check_symmetries(
+    system: AbstractLiePoissonSystem, integrals: tuple[Function, ...], around: Array,
+    found: tuple[Array, Array, list[str]], free: list[int], first: int,
+) -> bool:  # fmt: skip
+    """Return whether the integrals that are divided out commute; refuse those that do not make up a group."""
+    tensors, near, labels = found
+    others = [m for m in range(first, len(labels)) if m not in free]
+    for n, m in itertools.product(free, others):
+        check_commute(tensors, near[:, n], near[:, m], (labels[n], labels[m]),
+                      "Symmetries that are divided out must commute with other integrals; leave one out.")  # fmt: skip
+    if len(free) < 2:
+        return True
+    given = Given(system.algebra, integrals)
+    values = np.asarray(jax.vmap(given)(jnp.asarray(around)))
+    columns = [len(integrals) - len(labels) + n for n in free]
+    return check_closed(tensors, near[:, free], values[:, columns], [labels[n] for n in free])
 
 
 def _is_at_rest(tensor: Array, gradient: Array) -> bool:

@@ -3,8 +3,8 @@
 What is differentiated and checked by ``conserved`` goes to ``energy_casimir``, which judges. Where Casimirs are missing
 or the leaf is singular, the leaf's own tangent space, the image of the Poisson tensor, is judged as well.
 Source: Holm, Marsden, Ratiu & Weinstein, Phys. Rep. 123 (1985) 1; for relative equilibria Simo, Lewis & Marsden, Arch.
-Rational Mech. Anal. 115 (1991) 15; for singular leaves Patrick, Roberts & Wulff, Arch. Rational Mech. Anal. 174 (2004)
-301.
+Rational Mech. Anal. 115 (1991) 15; Patrick, J. Geom. Phys. 9 (1992) 111; for singular leaves Patrick, Roberts & Wulff,
+Arch. Rational Mech. Anal. 174 (2004) 301.
 """
 
 from __future__ import annotations
@@ -60,7 +60,9 @@ def stability(
     Lyapunov's stability against all small perturbations, on this leaf and on others; an exponent of the linearised flow
     with positive real part disproves it. Integrals J that are at rest at the point, as a top's spin where it sleeps,
     take part like Casimirs. With others a motion along their flows is judged on the level of J, the flows' directions
-    divided out: "stable" then holds up to these flows, which ``restriction`` says.
+    divided out: "stable" then holds up to these flows, which ``restriction`` says. Of the momentum map of a group that
+    does not commute all components keep their levels, and those flows are divided out that do not change its value:
+    turns about the angular momentum, or all turns where it is zero.
 
     Where this decides nothing and the null space is larger than the leaf's tangent space, because the leaf is singular
     or Casimirs are missing, H + Σ ω J is judged on the tangent space itself. An extremum there proves stability against
@@ -74,7 +76,8 @@ def stability(
             Or a rolling disk, whose linear integrals take the Casimirs' place, see ``rolling_stability``.
         equilibrium: one point of the dual, (*element_shape), without attitude; of a disk a state of steady motion.
         integrals: further conserved functions of one point, real; those that are not at rest at the point must commute
-            with each other. None where energy is lost.
+            with each other, or be all components of a compact group's momentum map, as the three of the angular
+            momentum. None where energy is lost.
         casimirs: Casimirs as functions of one point, real, instead of those that the algebra names or that are found.
 
     Raises:
@@ -122,14 +125,17 @@ def _judged(p: Problem) -> Stability:
     if resting or not p.free:
         _check_at_rest(p.tensor @ p.g[0], sizes[2], False)
         found = _judge(p, np.eye(len(p.g))[0])
-        if found.verdict != "undecided" or not p.free:
+        # a drift along a group that does not commute is what it was given for
+        drifts = found.verdict == "unstable" and not found.rate and not p.commute
+        if not p.free or not (found.verdict == "undecided" or drifts):
             return found
     weights = np.eye(len(p.g))[0]
     if not resting:
         weights[p.free] = -np.linalg.lstsq(p.tensor @ p.g[p.free].T, p.tensor @ p.g[0], rcond=None)[0]
     _check_at_rest(p.tensor @ (weights @ p.g), p.sizes(weights)[2], True)
+    p, weights = _of_isotropy(p, weights)
     relative = _judge(p, weights, p.free)
-    if relative.verdict == "undecided" and found is not None:
+    if relative.verdict != "stable" and found is not None and found.verdict != "undecided":
         return found
     if relative.verdict == "stable":
         relative = replace(relative, restricted=Restriction(flows=tuple(p.names[n - 1] for n in p.free)))
@@ -149,10 +155,11 @@ def _judge(p: Problem, weights: Array, divided: Sequence[int] = ()) -> Stability
     slope, curvature = weights @ p.g, np.tensordot(weights, p.H, 1)
     flow = p.tensor @ curvature + np.einsum("jik,i->jk", p.constants, slope)
     sizes = p.sizes(weights)
-    rows = [n for n in range(1, len(p.g)) if n not in p.free]
+    rows = [n for n in range(1, len(p.g)) if n not in p.free and n not in p.turned]
     kept = [*rows, *divided]
-    # across the directions in which the symmetries move
-    across = null_space(_unit_rows(p.g[list(divided)] @ p.tensor.T), NULL) if len(divided) else np.eye(len(slope))
+    # across the directions in which the symmetries move, on the level of the momenta that they turn
+    moved = [*(p.g[list(divided)] @ p.tensor.T), *p.g[list(p.turned)]]
+    across = null_space(_unit_rows(np.array(moved)), NULL) if moved else np.eye(len(slope))
 
     def judged(basis: Array, H: Array, chosen: Sequence[int], error: float, **options: Any) -> Stability:
         inside, leafwise = np.abs(basis), basis is not across
@@ -170,9 +177,53 @@ def _judge(p: Problem, weights: Array, divided: Sequence[int] = ()) -> Stability
     tangent, effective, error = _on_tangent(p, flow, sizes[1])
     if found.verdict != "undecided" or tangent.shape[1] >= null_space(_unit_rows(p.g[rows]), NULL).shape[1]:
         return found
-    leaf = tangent @ null_space(_unit_rows(p.g[list(divided)] @ p.tensor.T) @ tangent, NULL)
+    leaf = tangent @ null_space(_unit_rows(np.array(moved).reshape(-1, len(slope))) @ tangent, NULL)
     leafwise = judged(leaf, effective, list(divided), error)
     return _leafwise(p, found, leafwise, tangent.shape[1], "H + Σ ω J" if len(divided) else "H")
+
+
+def _of_isotropy(p: Problem, weights: Array) -> tuple[Problem, Array]:
+    """Return the problem with momenta combined into those whose flows keep J's value, and those that turn it.
+
+    Of a group that does not commute only the flows of the first kind are divided out: the others leave the level of J.
+    """
+    free = list(p.free)
+    of_momenta = p.g[free]
+    brackets = of_momenta @ p.tensor @ of_momenta.T
+    size = float(np.abs(of_momenta).max(initial=0.0)) ** 2 * float(np.abs(p.tensor).max(initial=0.0))
+    if not np.abs(brackets).max(initial=0.0) > NULL * size:
+        return p, weights
+    _, sizes, rows = np.linalg.svd(brackets)
+    rank = int((sizes > NULL * sizes[0]).sum())
+    mixing = np.vstack([_plain(rows[rank:]), rows[:rank]])
+    g, H, names, turned = p.g.copy(), p.H.copy(), list(p.names), weights.copy()
+    g[free], H[free] = mixing @ of_momenta, np.tensordot(mixing, p.H[free], 1)
+    turned[free] = np.linalg.lstsq(mixing.T, weights[free], rcond=None)[0]
+    for n, row in zip(free, mixing, strict=True):
+        names[n - 1] = _combination(row, [p.names[m - 1] for m in free])
+    kept = free[: len(free) - rank]
+    return p._replace(g=g, H=H, names=names, free=kept, turned=tuple(free[len(kept) :])), turned
+
+
+def _plain(rows: Array) -> Array:
+    """Return a basis of the same span in which each row has a one where the others have zeros: it reads best."""
+    columns: list[int] = []
+    rows = rows.copy()
+    for k in range(len(rows)):
+        column = int(np.argmax(np.abs(rows[k])))
+        rows[k] /= rows[k, column]
+        for other in range(len(rows)):
+            if other != k:
+                rows[other] -= rows[other, column] * rows[k]
+        columns.append(column)
+    return rows[np.argsort(columns)]
+
+
+def _combination(row: Array, names: list[str]) -> str:
+    """Return a sum of multiples in words, without those that are rounding."""
+    terms = [(value, name) for value, name in zip(row, names, strict=True) if abs(value) > NULL]
+    text = " + ".join(name if value == 1.0 else f"{value:.6g} {name}" for value, name in terms)
+    return text.replace("+ -", "− ").replace("-", "−")
 
 
 def _turned(found: Stability, basis: Array) -> Stability:

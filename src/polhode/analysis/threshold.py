@@ -1,0 +1,78 @@
+"""Where a verdict changes along a family of equilibria."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from polhode.analysis.energy_casimir import Stability
+from polhode.arrays import known_numbers_only
+from polhode.errors import InvalidInput, shown
+
+MOST_HALVINGS = 200
+
+
+@dataclass(frozen=True)
+class Threshold:
+    """Where a verdict changes.
+
+    Attributes:
+        value: the parameter's value there.
+        uncertainty: half the interval that is left.
+        below: the verdict just below it.
+        above: the verdict just above it.
+    """
+
+    value: float
+    uncertainty: float
+    below: Stability
+    above: Stability
+
+
+@known_numbers_only
+def stability_threshold(
+    verdict: Callable[[float], Stability], low: float, high: float, tolerance: float = 1e-9
+) -> Threshold:
+    """Return the value of a parameter at which the verdict is no longer that at the lower end, by bisection.
+
+    Next to a threshold a verdict may be "undecided" over an interval of the size of rounding; one of its edges is found
+    then. Of several thresholds in the interval one is found.
+
+    Args:
+        verdict: the parameter → ``stability`` of the equilibrium there.
+        low, high: ends of the interval, at which the verdicts differ.
+        tolerance: of the value, relative to the larger of the ends.
+
+    Raises:
+        InvalidInput: for ends that are not finite or in the wrong order, a tolerance that is not positive, or ends with
+            the same verdict.
+
+    >>> from polhode.analysis import stability
+    >>> from polhode.systems import HeavyTop
+    >>> top = HeavyTop((1.0, 1.0, 0.5), 1.0)
+    >>> found = stability_threshold(lambda spin: stability(top, top.upright(spin)), 1.0, 6.0)
+    >>> round(found.value, 6), found.below.verdict, found.above.verdict  # (I3 ω)² = 4 mgl I1
+    (4.0, 'unstable', 'stable')
+    """
+    if not (math.isfinite(low) and math.isfinite(high) and low < high):
+        raise InvalidInput(f"`low` and `high` must be finite and in this order; got {shown(low)} and {shown(high)}.")
+    if not 0.0 < tolerance < 1.0:
+        raise InvalidInput(f"`tolerance` must be between 0 and 1; got {shown(tolerance)}.")
+    below, above = verdict(low), verdict(high)
+    if below.verdict == above.verdict:
+        raise InvalidInput(
+            f"the verdicts at `low` and `high` must differ; got {below.verdict!s} at both {low:g} and {high:g}. Choose "
+            "an interval across the threshold."
+        )
+    first, size = below.verdict, max(abs(low), abs(high))
+    for _ in range(MOST_HALVINGS):
+        middle = 0.5 * (low + high)
+        if high - low <= 2.0 * tolerance * size or not low < middle < high:
+            break
+        found = verdict(middle)
+        if found.verdict == first:
+            low, below = middle, found
+        else:
+            high, above = middle, found
+    return Threshold(0.5 * (low + high), 0.5 * (high - low), below, above)
