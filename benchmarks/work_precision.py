@@ -139,7 +139,8 @@ def cases():
 def draw(path: str) -> None:
     """Write the picture."""
     figure, axes = plt.subplots(2, 2, figsize=(11, 8.5), layout="constrained", sharey="row")
-    colours = dict(zip([*METHODS, "Dopri8", "DOP853"], [*plt.get_cmap("tab10").colors, "teal", "black", "navy"], strict=True))
+    shades = [*plt.get_cmap("tab10").colors, "teal", "black", "navy"]
+    colours = dict(zip([*METHODS, "Dopri8", "DOP853"], shades, strict=True))
     for row, (title, system, start, exact) in zip(axes, cases(), strict=True):
         curves = ours(system, start, exact) | general_purpose(system, start, exact)
         for name, values in curves.items():
