@@ -23,6 +23,9 @@ from . import (
     poisson as poisson,
 )
 from . import (
+    quantum as quantum,
+)
+from . import (
     rotation as rotation,
 )
 from . import (
@@ -58,6 +61,7 @@ from .kinds.reading import read_spec as read_spec
 from .kinds.reading import report as report
 from .motion.frame import BodyFrame as BodyFrame
 from .motion.trajectory import Trajectory as Trajectory
+from .quantum.rotor import Rotor as Rotor
 from .simulation import simulate as simulate
 from .solving import Fold as Fold
 from .solving import solve as solve

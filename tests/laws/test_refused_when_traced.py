@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import polhode as ph
-from polhode import algebra, analysis, poisson, systems
+from polhode import algebra, analysis, poisson, quantum, systems
 from polhode.analysis import (
     alignment,
     comparison,
@@ -103,6 +103,16 @@ REFUSED = {
     "symplectic_area": (EYE, poisson.symplectic_area),
     "liouville_volume": (THREE, lambda x: poisson.liouville_volume(SO3, x)),
     "stability": (AXIS, lambda x: ph.stability(BODY, x)),
+    "spin_matrices": (1.0, quantum.spin_matrices),
+    "coherent_state": (THREE, lambda x: quantum.coherent_state(1, x)),
+    "orbit_radius": (1.0, quantum.orbit_radius),
+    "evolve": (THREE, lambda x: quantum.evolve(np.eye(2), np.ones(2), x)),
+    "spherical_tensor": (1.0, lambda x: quantum.spherical_tensor(x, 0)),
+    "symbol": (THREE, lambda x: quantum.symbol(np.eye(2), x)),
+    "symbol_coefficients": (EYE, quantum.symbol_coefficients),
+    "quantum.rotor.Rotor": (THREE[::-1], quantum.Rotor),
+    "Rotor.partition_function": (300.0, quantum.Rotor((3.0, 2.0, 1.0)).partition_function),
+    "Rotor.lines": (300.0, lambda x: quantum.Rotor((3.0, 2.0, 1.0), dipole=AXIS).lines(1, x)),
     "find_equilibria": (AXIS, lambda x: ph.find_equilibria(BODY, x)),
     "simulate": (THREE, lambda x: ph.simulate(BODY, x, (0.0, 1.0))),
     "first_method": (EYE, first_method.first_method),

@@ -1,0 +1,13 @@
+from .operators import Reduction as Reduction
+from .operators import Representation as Representation
+from .rotor import Levels as Levels
+from .rotor import Rotor as Rotor
+from .spin import coherent_state as coherent_state
+from .spin import evolve as evolve
+from .spin import orbit_radius as orbit_radius
+from .spin import spin_matrices as spin_matrices
+from .strengths import DEBYE as DEBYE
+from .strengths import Lines as Lines
+from .symbols import spherical_tensor as spherical_tensor
+from .symbols import symbol as symbol
+from .symbols import symbol_coefficients as symbol_coefficients

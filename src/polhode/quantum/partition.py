@@ -1,0 +1,60 @@
+"""Partition functions of rotors: sums over levels, as far as these count."""
+
+from __future__ import annotations
+
+import math
+import warnings
+from collections.abc import Callable
+
+import numpy as np
+from scipy import constants
+
+from polhode.errors import InvalidInput, shown
+from polhode.types import Array, ArrayLike, Float64, Real
+
+THERMAL = constants.k / constants.h  # Hz/K
+NEGLIGIBLE = 45.0  # of E/kT: e^−45 = 3e-20
+
+
+def checked_temperature(temperature: Real[ArrayLike, "*batch"]) -> Float64[Array, "*batch"]:
+    """Return temperatures (…) [K].
+
+    Raises:
+        InvalidInput: for what is not positive and finite.
+    """
+    values = np.asarray(temperature, float)
+    if not (np.isfinite(values).all() and (values > 0.0).all()):
+        raise InvalidInput(f"`temperature` must be positive and finite [K]; got {shown(temperature)}.")
+    return values
+
+
+def partition_sum(
+    levels_of: Callable[[int], tuple[Array, Array]], temperature: Float64[Array, "*batch"], highest: int
+) -> Float64[Array, "*batch"]:
+    """Return Σ w (2J+1) e^{−E/kT} (…).
+
+    The sum ends where a J's lowest level no longer counts, or, with a warning, where distortion lets levels fall from
+    one J to the next.
+
+    Args:
+        levels_of: J → energies [Hz] and weights.
+        temperature: (…) [K].
+        highest: largest J that is asked for.
+    """
+    hottest = THERMAL * float(np.max(temperature))
+    total, last = np.zeros(np.shape(temperature)), -math.inf
+    for J in range(highest + 1):
+        energy, weight = levels_of(J)
+        lowest = float(energy.min())
+        if lowest < last:
+            warnings.warn(
+                f"levels fall from J = {J - 1} to {J}: the distortion constants do not hold there, and the partition "
+                "function is summed up to here. Give constants of higher order, or a lower temperature.",
+                stacklevel=3,
+            )
+            break
+        total = total + np.sum((2 * J + 1) * weight * np.exp(-energy / (THERMAL * temperature[..., None])), axis=-1)
+        last = lowest
+        if lowest > NEGLIGIBLE * hottest:
+            break
+    return total

@@ -1,0 +1,136 @@
+"""Functions on the sphere that stand for operators on a spin: Weyl's (Wigner's), Q and P.
+
+Source: Stratonovich, Sov. Phys. JETP 4 (1957) 891; Várilly & Gracia-Bondía, Ann. Phys. 190 (1989) 107; Varshalovich,
+Moskalev & Khersonskii, *Quantum Theory of Angular Momentum*, §2.4, for the tensors.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from scipy.linalg import eigh_tridiagonal
+from scipy.special import gammaln, sph_harm_y
+
+from polhode.arrays import known_numbers_only, refuse_single_precision
+from polhode.errors import InvalidInput, shown
+from polhode.quantum.spin import magnetic_numbers, unit_vectors
+from polhode.types import Array, ArrayLike, Complex128, Float64, Real
+
+KINDS = {"q": -1.0, "weyl": 0.0, "p": 1.0}
+
+
+@known_numbers_only
+def spherical_tensor(s: float, q: int) -> Float64[Array, "n diagonal"]:
+    """Return the entries ⟨m+q|T_kq|m⟩ of all k = |q|, …, 2s as rows (2s+1−|q|, 2s+1−|q|), m falling along a row.
+
+    tr T†T = 1, T_kq transforms like Y_kq. One column of a symmetric tridiagonal matrix each, so that large k neither
+    cancel nor overflow.
+
+    Args:
+        s: 0, 1/2, 1, …
+        q: from 0 to 2s; T_{k,−q} = (−1)^q T_kq†.
+
+    Raises:
+        InvalidInput: for a spin that is none, or a q beyond its range.
+    """
+    m = magnetic_numbers(s)
+    if not (isinstance(q, int | np.integer) and 0 <= q <= len(m) - 1):
+        raise InvalidInput(f"`q` must be a whole number from 0 to 2s = {len(m) - 1}; got {shown(q)}.")
+    m = m[q:]  # T raises m by q
+    cut = lambda m: (s - m) * (s + m + 1.0)  # noqa: E731
+    diagonal = 2.0 * s * (s + 1.0) - 2.0 * m * (m + q)
+    beside = -np.sqrt(cut(m[1:] + q) * cut(m[1:]))
+    if len(m) == 1:
+        return np.array([[(-1.0) ** q]])
+    rows = eigh_tridiagonal(diagonal, beside)[1].T
+    k = q + np.arange(len(m))
+    return rows * ((-1.0) ** q * _signs(rows, k * (k + 1.0), diagonal, beside))[:, None]
+
+
+def _signs(rows: Array, values: Array, diagonal: Array, beside: Array) -> Array:
+    """Return by what to multiply eigenvectors so that their first entries are positive, even where these underflow.
+
+    From the first entry the three-term recurrence grows, and so is stable, to where the entries are large; there it
+    tells the sign.
+    """
+    place = np.argmax(np.abs(rows) > 1e-6 * np.abs(rows).max(axis=1, keepdims=True), axis=1)
+    before, now = np.zeros(len(rows)), np.ones(len(rows))
+    told = np.sign(rows[:, 0])
+    for i in range(int(place.max(initial=0))):
+        after = ((values - diagonal[i]) * now - (beside[i - 1] * before if i else 0.0)) / beside[i]
+        size = np.maximum(np.abs(after), np.abs(now))
+        before, now = now / size, after / size
+        here = place == i + 1
+        told[here] = np.sign(rows[here, i + 1]) * np.sign(now[here])
+    return told
+
+
+@known_numbers_only
+def symbol_coefficients(operator: Real[ArrayLike, "n n"], kind: str = "weyl") -> Complex128[Array, "n orders"]:
+    """Return the coefficients of spherical harmonics Y_kq (2s+1, 4s+1) of an operator's symbol, column 2s + q.
+
+    Args:
+        operator: (2s+1, 2s+1), rows and columns from m = s down.
+        kind: "weyl" for Weyl's symbol, on states Wigner's function; "q" for the expectation in coherent states; "p" for
+            the weight of coherent states, which grows without bound with k.
+
+    Raises:
+        InvalidInput: for a matrix that is not square or not finite, or another kind.
+    """
+    refuse_single_precision(operator=operator)
+    A = np.asarray(operator, complex)
+    if A.ndim != 2 or A.shape[0] != A.shape[1] or not A.size or not np.isfinite(A).all():
+        raise InvalidInput(f"`operator` must be a finite square matrix (2s+1, 2s+1); got shape {A.shape}.")
+    if kind not in KINDS:
+        raise InvalidInput(f"`kind` must be one of {', '.join(KINDS)}; got {shown(kind)}.")
+    n = len(A)
+    s = 0.5 * (n - 1)
+    k = np.arange(n)
+    size = math.sqrt(4.0 * math.pi / n) * np.exp(-KINDS[kind] * _log_weights(n, k))
+    found = np.zeros((n, 2 * n - 1), complex)
+    for q in range(n):
+        rows = spherical_tensor(s, q)
+        # tr A T†, of T_kq and of T_{k,−q} = (−1)^q T_kq†
+        found[q:, n - 1 + q] = rows @ np.diagonal(A, q)
+        found[q:, n - 1 - q] = (-1.0) ** q * (rows @ np.diagonal(A, -q))
+    return size[:, None] * found
+
+
+def _log_weights(n: int, k: Array) -> Array:
+    """Return ln C_k, C_k = (2s)! √((2s+1)/((2s−k)! (2s+k+1)!))."""
+    return gammaln(n) + 0.5 * (math.log(n) - gammaln(n - k) - gammaln(n + k + 1.0))
+
+
+@known_numbers_only
+def symbol(
+    operator: Real[ArrayLike, "n n"], directions: Real[ArrayLike, "*batch 3"], kind: str = "weyl"
+) -> Complex128[Array, "*batch"]:
+    """Return an operator's symbol at directions (…): Weyl's of a state is its Wigner function; 1 is the symbol of 1.
+
+    (2s+1)/4π ∫ W_A W_B = tr AB, and the same of Q_A P_B. Work grows as s³ and with the directions as s².
+
+    Args:
+        operator: (2s+1, 2s+1), rows and columns from m = s down.
+        directions: (…, 3), normalised here.
+        kind: "weyl", "q" or "p", as for ``symbol_coefficients``.
+
+    Raises:
+        InvalidInput: for a matrix that is not square or not finite, directions that are zero, or another kind.
+
+    >>> from polhode.quantum import spin_matrices
+    >>> round(float(symbol(spin_matrices(1.5)[2], (0.0, 0.0, 1.0), "q").real), 12)
+    1.5
+    """
+    refuse_single_precision(directions=directions)
+    n = unit_vectors("directions", directions)
+    coefficients = symbol_coefficients(operator, kind)
+    theta, phi = np.arctan2(np.hypot(n[..., 0], n[..., 1]), n[..., 2]), np.arctan2(n[..., 1], n[..., 0])
+    count = len(coefficients)
+    total = np.zeros(theta.shape, complex)
+    for k in range(count):
+        for q in range(-k, k + 1):
+            value = coefficients[k, count - 1 + q]
+            if value:
+                total = total + value * sph_harm_y(k, q, theta, phi)
+    return total
