@@ -32,7 +32,7 @@ INNER = {
     "integrators": {"accuracy", "adaptive", "composition", "difference", "either_mode", "embedded", "equal_steps",
                     "fixed_point", "group", "interrupts", "reversal", "sampled"},
     "motion": {"inputs", "invariants", "layout", "outcome", "trajectory"},
-    "quantum": {"operators", "partition", "strengths", "wang"},
+    "quantum": {"operators", "orbits", "partition", "strengths", "wang"},
     "special": {"agm", "circular", "doubledouble", "first_kind", "legendre"},
     "systems": {"agreement", "forward_only", "free_flow", "moser_veselov_table", "rolling_mechanics", "top_integrals"},
 }  # fmt: skip
@@ -125,7 +125,8 @@ CALLED_BY_OTHERS = {
     "bodies.atoms.is_element", "bodies.body.point_inertia",
     "bodies.body.check_is_body", "bodies.body.check_moments", "bodies.body.principal_axes",
     "bodies.mesh.volume_moments", "bodies.surface.cuboid", "bodies.surface.places", "bodies.surface.welded",
-    "quantum.spin.magnetic_numbers", "quantum.spin.raising", "quantum.spin.unit_vectors", "quantum.rotor.checked_j",
+    "quantum.semiclassics.phase", "quantum.spin.magnetic_numbers",
+    "quantum.spin.raising", "quantum.spin.unit_vectors", "quantum.rotor.checked_j",
     "integrators.base.explicit", "integrators.base.step_count", "poisson.brackets.as_points",
     "poisson.reconstruction.hermite",
     "simulation.fastest_rate", "simulation.trajectory_of", "solving.adaptive_solver", "solving.checked_every",

@@ -2,6 +2,10 @@ from .operators import Reduction as Reduction
 from .operators import Representation as Representation
 from .rotor import Levels as Levels
 from .rotor import Rotor as Rotor
+from .semiclassics import SemiclassicalLevels as SemiclassicalLevels
+from .semiclassics import doublet_splitting as doublet_splitting
+from .semiclassics import semiclassical_levels as semiclassical_levels
+from .semiclassics import semiclassical_pairs as semiclassical_pairs
 from .spin import coherent_state as coherent_state
 from .spin import evolve as evolve
 from .spin import orbit_radius as orbit_radius

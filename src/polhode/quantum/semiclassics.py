@@ -1,0 +1,197 @@
+"""The levels that are polhodes: uniform quantisation through the separatrix, doublets, and the spacing of levels.
+
+A level is a polhode whose cap holds a whole number of quanta, mended where the two modes meet and tunnel into each
+other. With G = J + ½, action S, barrier θ and ε = −θ/π: S + φ = πK_a ± δ, φ = ε ln|ε| − ε − Im ln Γ(½ + iε), δ =
+arctan e^{−πε}. The next order in 1/G corrects S and θ. Source: Colwell, Handy & Miller, J. Chem. Phys. 68 (1978) 745;
+Child, *Semiclassical Mechanics with Molecular Applications*, §3.3; Ford, Hill, Wakano & Wheeler, Ann. Phys. 7 (1959)
+239 for the barrier.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from scipy.optimize import elementwise
+from scipy.special import loggamma
+
+from polhode.arrays import known_numbers_only, refuse_single_precision
+from polhode.errors import InvalidInput, shown
+from polhode.quantum.orbits import Three, orbit
+from polhode.quantum.rotor import Rotor, checked_j
+from polhode.types import Array, ArrayLike, Float64, Integer, Real
+
+AT_SADDLE = 1e-5  # of E/BG²: nearer, the phase of second order is interpolated, since its parts diverge
+LOWEST_SECOND = 5  # J from which the second order holds
+NEAR_ENDS = 1e-13  # of the range of energies: the search ends short of the ends, where no level is
+SERIES = 0.125  # of |ε|/G: below it, the second order's logarithm is expanded
+
+
+class SemiclassicalLevels(NamedTuple):
+    """Levels of one J, by label as those of a rigid rotor ascend; each (2J+1,).
+
+    Attributes:
+        Ka, Kc: quantum numbers.
+        energy: in the unit of the constants.
+        period: of the polhode at this energy, in the inverse unit: next levels of equal symmetry lie 2π/T apart.
+    """
+
+    Ka: Integer[Array, "n"]
+    Kc: Integer[Array, "n"]
+    energy: Float64[Array, "n"]
+    period: Float64[Array, "n"]
+
+
+@known_numbers_only
+def semiclassical_levels(constants: Real[ArrayLike, "3"], J: int, order: int = 2) -> SemiclassicalLevels:
+    """Return the 2J + 1 levels of an asymmetric rotor by quantised polhodes, ħ = 1.
+
+    Their errors fall as 1/J: with order 2 they are some thousandths of a constant at J = 20.
+
+    Args:
+        constants: A > B > C, in any unit of energy.
+        J: a whole number; order 2 needs J of at least 5.
+        order: 1 for the uniform formula, 2 with the next order.
+
+    Raises:
+        InvalidInput: for constants of which two are equal, whose levels are known exactly, or a J or order that is
+            none.
+
+    >>> found = semiclassical_levels((27.0, 14.0, 9.0), 10)
+    >>> round(float(found.energy[0]), 4), round(float(Rotor((27.0, 14.0, 9.0)).levels_of(10).energy[0]), 4)
+    (1083.743, 1083.7274)
+    """
+    checked = _asymmetric(constants)
+    J = checked_j("J", J)
+    if order not in (1, 2) or (order == 2 and J < LOWEST_SECOND):
+        raise InvalidInput(
+            f"`order` must be 1, or 2 for J of at least {LOWEST_SECOND}; got {shown(order)} at J = {J}. Take the exact "
+            "levels of `Rotor` there."
+        )
+    index = np.arange(2 * J + 1)
+    Ka, Kc = (index + 1) // 2, J - index // 2
+    # of each pair K_a the lower level has the minus sign
+    energy = _roots(checked, J + 0.5, Ka, np.where(Ka + Kc == J, 1.0, -1.0), order)
+    return SemiclassicalLevels(Ka, Kc, energy, orbit(checked, J + 0.5, energy).period)
+
+
+@known_numbers_only
+def semiclassical_pairs(constants: Real[ArrayLike, "3"], s: float, order: int = 2) -> Float64[Array, "pairs"]:
+    """Return the s + ½ twofold levels of H = A S_a² + B S_b² + C S_c² for a half-integer spin, ascending.
+
+    Kramers' pairs: S + φ = π(n + ½).
+
+    Args:
+        constants: A > B > C.
+        s: 1/2, 3/2, …
+        order: 1 or 2.
+
+    Raises:
+        InvalidInput: for constants of which two are equal, a spin that is not half-integer, or an order that is none.
+    """
+    checked = _asymmetric(constants)
+    if not (s > 0 and 2.0 * s == round(2.0 * s) and round(2.0 * s) % 2 == 1):
+        raise InvalidInput(f"`s` must be half an odd number, 1/2, 3/2, …; got {shown(s)}.")
+    if order not in (1, 2) or (order == 2 and s < LOWEST_SECOND):
+        raise InvalidInput(f"`order` must be 1, or 2 for s above {LOWEST_SECOND}; got {shown(order)} at s = {s:g}.")
+    n = np.arange(round(s + 0.5)) + 0.5
+    return _roots(checked, s + 0.5, n, np.zeros_like(n), order)
+
+
+@known_numbers_only
+def doublet_splitting(
+    constants: Real[ArrayLike, "3"], J: int, energy: Real[ArrayLike, "*batch"]
+) -> Float64[Array, "*batch"]:
+    """Return the distance (4/T) e^{−|θ+θ2|} of the two levels that tunnelling splits, also far below rounding.
+
+    Exact levels differ by their rounding where the splitting is less than 1e-16 of them; this keeps its digits, to some
+    per cent at J = 20 and better above.
+
+    Args:
+        constants: A > B > C.
+        J: of the levels.
+        energy: (…) theirs, in the unit of the constants.
+
+    Raises:
+        InvalidInput: for constants of which two are equal, or energies outside those that J has.
+
+    Source: Harter & Patterson, J. Chem. Phys. 80 (1984) 4241.
+    """
+    checked = _asymmetric(constants)
+    G = checked_j("J", J) + 0.5
+    values = np.asarray(energy, float)
+    inside = (values > checked[2] * G * G) & (values < checked[0] * G * G) & (values != checked[1] * G * G)
+    if not inside.all():
+        raise InvalidInput(
+            f"`energy` must lie between C and A times (J + ½)², off the saddle at B (J + ½)²; got {shown(energy)}."
+        )
+    at = orbit(checked, G, values)
+    return 4.0 / at.period * np.exp(-np.abs(at.barrier + at.barrier_correction))
+
+
+def phase(constants: Three, G: float, energy: Float64[Array, "*batch"], order: int) -> tuple[Array, Array]:
+    """Return S + φ and δ (…), which quantisation compares."""
+    if order == 1:
+        at = orbit(constants, G, energy)
+        epsilon = -at.barrier / math.pi
+        return at.action + _mending(epsilon, 0.0 * epsilon), np.arctan(np.exp(-math.pi * epsilon))
+    saddle = constants[1] * G * G
+    off = energy / saddle - 1.0
+    near = np.abs(off) < AT_SADDLE
+    sides = [_second(constants, G, np.where(near, saddle * (1.0 + side * AT_SADDLE), energy)) for side in (-1.0, 1.0)]
+    share = np.where(near, 0.5 + 0.5 * off / AT_SADDLE, 0.0)
+    return tuple((1.0 - share) * one + share * other for one, other in zip(*sides, strict=True))  # type: ignore[return-value]
+
+
+def _second(constants: Three, G: float, energy: Array) -> tuple[Array, Array]:
+    at = orbit(constants, G, energy)
+    first, second = -at.barrier / math.pi, -at.barrier_correction / math.pi
+    epsilon = first + second
+    # c − Im ln Γ of the sum of both orders, whose logarithm is expanded where the first is small
+    logarithm = np.log(np.abs(first))
+    small = first * logarithm - first + second * logarithm + 1.0 / (24.0 * first)
+    large = epsilon * np.log(np.abs(epsilon)) - epsilon + 1.0 / (24.0 * epsilon)
+    mended = np.where(np.abs(first) < SERIES * G, small, large) - _gamma_phase(epsilon)
+    return at.action + at.action_correction + mended, np.arctan(np.exp(-math.pi * epsilon))
+
+
+def _mending(epsilon: Array, at_zero: Array) -> Array:
+    """Return φ = ε ln|ε| − ε − Im ln Γ(½ + iε), zero at ε = 0."""
+    nonzero = epsilon != 0.0
+    safe = np.where(nonzero, epsilon, 1.0)
+    return np.where(nonzero, safe * np.log(np.abs(safe)) - safe - _gamma_phase(safe), at_zero)
+
+
+def _gamma_phase(epsilon: Array) -> Array:
+    return loggamma(0.5 + 1j * epsilon).imag
+
+
+def _roots(constants: Three, G: float, quanta: Array, sign: Array, order: int) -> Array:
+    """Return where S + φ − sign δ is π times the quanta (n,); each has one root."""
+    A, _, C = constants
+    low, high = C * G * G, A * G * G
+    inset = NEAR_ENDS * (high - low)
+
+    def missing(energy: Array, n: Array, sign: Array, order: int) -> Array:
+        found, delta = phase(constants, G, energy, order)
+        return found - sign * delta - math.pi * n
+
+    ends = np.full(len(quanta), low + inset), np.full(len(quanta), high - inset)
+    first = elementwise.find_root(lambda e, n, s: missing(e, n, s, 1), ends, args=(quanta, sign)).x
+    if order == 1:
+        return first
+    spacing = 2.0 * math.pi / orbit(constants, G, first).period
+    ends = np.maximum(first - 0.45 * spacing, ends[0]), np.minimum(first + 0.05 * spacing, ends[1])
+    return elementwise.find_root(lambda e, n, s: missing(e, n, s, 2), ends, args=(quanta, sign)).x
+
+
+def _asymmetric(constants: Array) -> Three:
+    refuse_single_precision(constants=constants)
+    A, B, C = Rotor(constants).constants
+    if not (math.isfinite(A) and A > B > C):
+        raise InvalidInput(
+            f"`constants` must be three different ones, A > B > C; got {A:g}, {B:g}, {C:g}. The levels of a symmetric "
+            "molecule are known exactly: `Rotor(constants).levels_of(J)`."
+        )
+    return A, B, C
