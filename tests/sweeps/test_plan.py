@@ -40,6 +40,9 @@ def test_the_base_spec_is_read_without_the_sweep(tmp_path):
     ("sweep", "words"),
     [
         (GOOD.replace("samples = 9\n", ""), "sweep.samples: is missing"),
+        (GOOD.replace('uniform = ["0 deg", "9 deg"]', 'grid = ["1 deg", "2 deg"]'), "repeats each point of the grids"),
+        (GOOD.replace('["0 deg", "9 deg"]', '{ from = "1 deg", to = "2 deg", count = 10000000000 }').replace(
+            "uniform", "grid"), "a count from 2 to 1,000,000"),
         (GOOD.replace("samples", "sample"), "did you mean samples"),
         (GOOD.replace("9\n", "0\n", 1), "must be at least 1"),
         ('samples = 1\noutputs = ["energy"]\n', "say what varies"),
@@ -100,9 +103,57 @@ def test_outputs_that_the_report_does_not_have(tmp_path, output, words):
 
 
 def test_sweeps_of_which_nothing_can_be_computed(tmp_path):
-    with pytest.raises(InvalidInput, match=r"(?s)none of the first 9 samples can be computed; .*I1 \+ I2"):
+    with pytest.raises(InvalidInput, match=r"(?s)none of 9 samples tried can be computed; .*I1 \+ I2"):
         Sweep.of(plan(tmp_path, GOOD.replace('"spin.tilt"', '"body.moments.1"').replace(
             '"0 deg", "9 deg"', '"0.1 kg*m^2", "0.2 kg*m^2"')))  # fmt: skip
+
+
+STEAM = """
+[body]
+moments = ["1e-47 kg*m^2", "1.9e-47 kg*m^2", "2.9e-47 kg*m^2"]
+[spin]
+temperature = "100 degC"
+"""
+HOT = 'samples = 400\noutputs = ["energy"]\n[sweep.inputs]\n"spin.temperature" = { normal = [MEAN] }\n'
+
+
+def test_a_deviation_in_celsius_is_a_difference(tmp_path):
+    found = {}
+    for mean in ('"100 degC", "5 degC"', '"373.15 K", "5 K"'):
+        design = plan(tmp_path, HOT.replace("MEAN", mean), STEAM).design
+        found[mean] = design.values(0, 400)["spin.temperature"]
+    first, second = found.values()
+    assert first == pytest.approx(second, rel=1e-12) and 4.0 < np.std(first) < 6.0
+
+
+def test_impossible_temperatures_are_marked_and_the_others_as_without_them(tmp_path):
+    made = Sweep.of(plan(tmp_path, HOT.replace("MEAN", '"373 K", "200 K"'), STEAM))
+    assert made.evaluator.at_once
+    chunk = made.evaluator.chunk(0, 400)
+    cold = chunk.values["spin.temperature"] <= 0.0
+    assert 5 < cold.sum() < 40
+    assert (np.asarray(chunk.values["sample_status"]) == "refused").tolist() == cold.tolist()
+    assert np.isnan(chunk.values["energy"]).tolist() == cold.tolist()
+    warm = np.flatnonzero(~cold)[:5]
+    Boltzmann = 1.380649e-23
+    assert chunk.values["energy"][warm] == pytest.approx(1.5 * Boltzmann * chunk.values["spin.temperature"][warm])
+    assert "temperature" in chunk.reasons[0][1]
+
+
+def test_a_grid_may_begin_where_no_body_is(tmp_path):
+    text = GOOD.replace("samples = 9\n", "").replace('"spin.tilt" = { uniform = ["0 deg", "9 deg"] }', (
+        '"body.moments.1" = { grid = { from = "1e-9 kg*m^2", to = "1.2 kg*m^2", count = 60 } }'))  # fmt: skip
+    sweep = Sweep.of(plan(tmp_path, text))
+    status = sweep.evaluator.chunk(0, 60).values["sample_status"]
+    assert {"done", "refused"} == set(status.tolist())
+
+
+def test_yes_and_no_are_words(tmp_path):
+    from polhode.sweeps.evaluation import Column, _answer_column, _fitting
+
+    column = _answer_column("certain", {"certain": True}, {})
+    assert column == Column("certain", text=True)
+    assert [_fitting(column, value) for value in (True, False)] == ["yes", "no"]
 
 
 TOP = """

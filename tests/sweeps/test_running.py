@@ -6,6 +6,7 @@ import signal
 import subprocess
 import sys
 import time
+import warnings
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -15,7 +16,7 @@ import xarray
 
 import polhode as ph
 from formats.test_full_disk import limited
-from polhode.errors import FormatError, InvalidInput
+from polhode.errors import InvalidInput
 from polhode.sweeps.plan import read_plan
 from polhode.sweeps.running import Sweep
 from polhode.sweeps.store import Store, checksum
@@ -167,11 +168,49 @@ def test_one_process_at_a_time(spec, tmp_path):
     sweep.run(store, 1)
 
 
-def test_damaged_marks_are_named(spec, tmp_path):
+def damage_mark(store):
+    Store(store)._mark(2).write_text("{")
+
+
+def damage_values(store):
+    (store / "polhode_period" / "3").write_bytes(b"junk")
+
+
+def lose_values(store):
+    (store / "states.attitude" / "1.0.0").unlink()
+
+
+@pytest.mark.parametrize("damage", [damage_mark, damage_values, lose_values])
+def test_what_is_damaged_is_computed_again(spec, tmp_path, damage):
     ph.sweep(spec, tmp_path / "a.zarr")
-    Store(tmp_path / "a.zarr")._mark(2).write_text("{")
-    with pytest.raises(FormatError, match=r"000000002\.json: is damaged"):
-        ph.sweep(spec, tmp_path / "a.zarr").as_json_dict()
+    whole = files(tmp_path / "a.zarr")
+    damage(tmp_path / "a.zarr")
+    with pytest.warns(UserWarning, match="1 of 5 finished chunks are damaged"):
+        ph.sweep(spec, tmp_path / "a.zarr")
+    assert files(tmp_path / "a.zarr") == whole
+
+
+def test_a_store_of_statistics_is_one_that_xarray_opens(spec, tmp_path):
+    spec.write_text(SPEC.replace("seed = 7", 'seed = 7\nkeep = "statistics"'))
+    ph.sweep(spec, tmp_path / "a.zarr")
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert not xarray.open_zarr(tmp_path / "a.zarr").data_vars
+
+
+def test_no_workers_are_refused(spec, tmp_path):
+    with pytest.raises(InvalidInput, match="`workers` must be a whole number, at least 1"):
+        ph.sweep(spec, tmp_path / "a.zarr", workers=0)
+
+
+def test_a_cluster_without_workers_is_told(spec, tmp_path, monkeypatch):
+    distributed = pytest.importorskip("distributed")
+    monkeypatch.setattr("polhode.sweeps.running.LONG_PATIENCE", 0.5)
+    sweep = Sweep.of(read_plan(spec))
+    with distributed.LocalCluster(n_workers=0, processes=False, dashboard_address=None) as cluster:
+        told = pytest.warns(UserWarning, match="no workers yet")
+        with told, pytest.raises(InvalidInput, match=r"has no workers\. Start"):
+            sweep.run(sweep.begin(tmp_path / "a.zarr"), 1, cluster.scheduler_address)
 
 
 def test_a_full_disk_keeps_what_is_finished(spec, tmp_path):

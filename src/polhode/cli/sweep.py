@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 from polhode.cli.render import as_json, print_report
 from polhode.cli.stopping import Stopped
+from polhode.errors import InvalidInput
 from polhode.formats.paths import written_together
 from polhode.reports.answer import Answer, Group
 from polhode.reports.wording import in_its_unit
@@ -39,6 +40,10 @@ def run_sweep(path: Path, options: SweepOptions) -> None:
     if options.dry_run:
         _print_cost(sweep, out, seconds, workers, options)
         return
+    folder = _figures_of(out)
+    if not options.no_figures and folder.exists() and not folder.is_dir():
+        raise InvalidInput(f"{folder}: is a file, where the figures' folder is needed. Choose another name with --out, "
+                           "or leave the figures out with --no-figures.")  # fmt: skip
     store = sweep.begin(out)
     try:
         with _progress(sweep, store) as tell:
@@ -71,10 +76,14 @@ def _drawn(report: SweepReport, out: Path) -> list[str]:
     from polhode.figures.drawing import draw_all
     from polhode.sweeps.figures import FIGURES
 
-    folder = out.with_name(f"{out.stem}_figures")
+    folder = _figures_of(out)
     with written_together(folder) as draft:
         files = draw_all(report, FIGURES, draft)
     return [str(folder / file.name) for file in files]
+
+
+def _figures_of(out: Path) -> Path:
+    return out.with_name(f"{out.stem}_figures")
 
 
 def _print_cost(sweep: Sweep, out: Path, seconds: float, workers: int, options: SweepOptions) -> None:
@@ -82,14 +91,15 @@ def _print_cost(sweep: Sweep, out: Path, seconds: float, workers: int, options: 
     check_room(out, sweep.bytes)
     design, each = sweep.plan.design, sweep.evaluator.chunk_size
     many = f"{sweep.chunks:,} of {each:,} samples"
+    wall = float(f"{seconds / workers:.2g}")
     group = Group("Cost", [
         Answer("samples", design.count, "", "samples", "", f"{design.count:,}"),
         Answer("chunks", sweep.chunks, "", "chunks", "", many),
         Answer("computed_at_once", sweep.evaluator.at_once, "", "computed", "",
                "many at once" if sweep.evaluator.at_once else "one by one, a report on each"),
-        Answer("cpu_time", seconds, "s", "CPU time, about", "", in_its_unit(seconds)),
+        Answer("cpu_time", seconds, "s", "CPU time, about", "", in_its_unit(float(f"{seconds:.2g}"))),
         Answer("workers", workers, "", "workers here") if options.scheduler is None else Answer("", None),
-        Answer("wall_time", seconds / workers, "s", "wall time then, about", "", in_its_unit(seconds / workers))
+        Answer("wall_time", seconds / workers, "s", "wall time then, about", "", in_its_unit(wall))
         if options.scheduler is None else Answer("", None),
         Answer("store_size", sweep.bytes, "B", "store, at most", "", in_bytes(sweep.bytes)),
         Answer("chunk_memory", sweep.chunk_bytes, "B", "memory for a chunk's arrays", "", in_bytes(sweep.chunk_bytes)),

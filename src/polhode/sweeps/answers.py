@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
@@ -11,6 +12,7 @@ from typing import Any
 import numpy as np
 from scipy.stats import binomtest
 
+from polhode.errors import InvalidInput, shown
 from polhode.reports.answer import Answer, Group, Table, units_of, values_of
 from polhode.reports.base import plain
 from polhode.reports.wording import uncertain
@@ -45,6 +47,11 @@ def sweep(
     Raises:
         InvalidInput: for mistakes in the spec, stores of other sweeps, and where disk or cluster fail.
     """
+    if not isinstance(spec, str | os.PathLike):
+        raise InvalidInput(f"`spec` must be the path of a file; got {shown(spec)}.")
+    whole = isinstance(workers, int) and not isinstance(workers, bool)
+    if workers is not None and not (whole and workers >= 1):
+        raise InvalidInput(f"`workers` must be a whole number, at least 1, or None; got {shown(workers)}.")
     made = Sweep.of(read_plan(spec))
     path = Path(f"{Path(spec).stem}.zarr") if store is None else Path(store)
     count = made.usual_workers() if workers is None and scheduler is None else workers or default_workers()
@@ -64,6 +71,9 @@ class SweepReport:
 
     sweep: Sweep
     store: Store
+
+    def __repr__(self) -> str:
+        return f"<SweepReport: {self.summary} {self.store.path}>"
 
     @cached_property
     def summaries(self) -> dict[str, dict[str, int] | list[Numbers]]:
@@ -116,7 +126,7 @@ class SweepReport:
         ])  # fmt: skip
         numbers, words, shares = list(self._numbers()), list(self._words()), list(self._sensitivities())
         units = {column.name: column.unit for column in self.outputs}
-        return [about, *_tables(numbers, words, shares, units)]
+        return [about, *_tables(numbers, words, shares, units, self.status.get(DONE, 0))]
 
     def as_json_dict(self) -> dict[str, Any]:
         """Return the answers as plain lists, numbers, strings and None."""
@@ -177,8 +187,9 @@ class SweepReport:
 
 
 def _tables(
-    numbers: list[dict[str, Any]], words: list[dict[str, Any]], shares: list[dict[str, Any]], units: dict[str, str]
-) -> Iterator[Table]:
+    numbers: list[dict[str, Any]], words: list[dict[str, Any]], shares: list[dict[str, Any]], units: dict[str, str],
+    done: int,
+) -> Iterator[Table]:  # fmt: skip
     """Yield the tables that have rows."""
 
     def said(name: str) -> Any:
@@ -194,6 +205,8 @@ def _tables(
             "deviation": said("standard_deviation"), "median": said("quantile_50"),
             "5 to 95 %": lambda row: f"{said('quantile_05')(row)} to {said('quantile_95')(row)}",
         }  # fmt: skip
+        if any(row["count"] != done for row in numbers):
+            columns["samples"] = lambda row: f"{row['count']:,}"
         yield Table("statistics", "Numbers", columns, numbers)
     if words:
         columns = {

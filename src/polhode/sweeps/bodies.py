@@ -72,7 +72,8 @@ def _one_by_one(folder: Path, tables: dict[str, Any], varied: Mapping[str, Any],
             body = build_body(BodyTable.model_validate(changed["body"]), folder)
             moments[k], axes[k] = body.principal_moments, body.principal_axes
         except ValidationError as error:
-            refused[k] = "; ".join(text for _, text in mistakes_of(error, BodyTable))
+            wrong = mistakes_of(error, BodyTable, ("body",))
+            refused[k] = "; ".join(f"{'.'.join(map(str, place))}: {text}" for place, text in wrong)
         except InvalidInput as error:
             refused[k] = str(error)
     return Bodies(moments, axes, refused)

@@ -27,7 +27,7 @@ from polhode.types import Float64
 Values = Float64[np.ndarray, "sample *vector"]
 Uniform = Float64[np.ndarray, "sample dimension"]
 LARGEST_TABLE = 1024 * MB
-MOST_STEPS = 10**9
+MOST_STEPS = 10**6  # values of a grid
 
 
 class Reader:
@@ -60,6 +60,16 @@ class Reader:
         if parts["unit"] != self.unit:
             raise ValueError(f'must be in the unit of the other numbers here, {self.unit}; got {shown(value)}')
         return float(parts["number"])
+
+    def difference(self, value: Any) -> float:
+        """Return a difference of two such numbers: 5 degC are 5 K then, and not 278.15 K.
+
+        Raises:
+            ValueError: in words.
+        """
+        found = self(value)
+        parts = QUANTITY.fullmatch(value) if isinstance(value, str) and self.number.unit else None
+        return found if parts is None else found - self(f"0 {parts['unit']}")
 
     def several(self, value: Any, names: tuple[str, ...]) -> list[float]:
         """Return as many numbers as there are names.
@@ -113,7 +123,8 @@ class Normal(AbstractRandom):
 
     @classmethod
     def read(cls, value: Any, reader: Reader, folder: Path) -> Normal:
-        mean, deviation = reader.several(value, ("mean", "standard deviation"))
+        mean, _ = reader.several(value, ("mean", "standard deviation"))
+        deviation = reader.difference(value[1])
         if not deviation > 0.0:
             raise ValueError(f"needs a positive standard deviation; got {shown(value)}")
         return cls(mean, deviation)
@@ -308,7 +319,7 @@ class Grid(AbstractPlaced):
         low, high = reader(value["from"]), reader(value["to"])
         count, spacing = value["count"], value.get("spacing", "even")
         if type(count) is not int or not 2 <= count <= MOST_STEPS:
-            raise ValueError(f"needs a count of 2 or more; got {shown(count)}")
+            raise ValueError(f"needs a count from 2 to {MOST_STEPS:,}; got {shown(count)}")
         if spacing not in ("even", "log") or (spacing == "log" and not (low > 0.0 and high > 0.0)):
             raise ValueError(f'has spacing "even" or, between positive values, "log"; got {shown(value)}')
         points = np.geomspace(low, high, count) if spacing == "log" else np.linspace(low, high, count)

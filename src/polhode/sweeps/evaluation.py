@@ -22,8 +22,10 @@ from polhode.sweeps.plan import STATES, Plan
 
 WORDS = 24  # characters of a word that a sample may have; other texts are no outputs
 PROBED = 16  # samples that are tried for what the outputs are
+SPREAD = 256  # further ones, from all over the sweep, of which one must have a motion
 AT_ONCE, ONE_BY_ONE = 65536, 64  # samples computed together
 STATUS = "sample_status"  # the array that says how each sample ended; reports have a "status" too
+YES, NO = "yes", "no"
 DONE, REFUSED, LOST = "done", "refused", "not converged"
 
 
@@ -93,17 +95,21 @@ class Evaluator:
         return spec_of_tables(tables, self.plan.path)
 
     @cached_property
-    def _probe(self) -> tuple[Spec, list[Column]]:
-        """Return the spec of a sample that has a motion, and the outputs of it.
+    def _probe(self) -> tuple[Spec, list[Column], int]:
+        """Return the spec of a sample that has a motion, the outputs of it, and its number.
 
         Raises:
             InvalidInput: for names that no answer has, or if no sample has a motion.
         """
-        inputs = self.inputs_of(0, min(PROBED, self.plan.design.count))
-        count, found, error = len(next(iter(inputs.values()))), None, None
-        for k in range(count):
+        count = self.plan.design.count
+        first, found, error = min(PROBED, count), None, None
+        spread = np.unique(np.linspace(first, count - 1, SPREAD).astype(int)) if count > first else np.array([], int)
+        tried = [*range(first), *spread.tolist()]
+        for place, k in enumerate(tried):
+            if found is not None and place >= first:
+                break
             try:
-                spec = self.spec_of(inputs, k)
+                spec = self.spec_of(self.inputs_of(k, k + 1), 0)
                 columns = self._columns(spec)
             except (InvalidInput, NotConverged) as refusal:
                 if isinstance(refusal, _NoSuchAnswer):
@@ -111,15 +117,15 @@ class Evaluator:
                 error = error or refusal
                 continue
             if found is None:
-                found = spec, columns
+                found = spec, columns, k
             known = [a if a.known else b for a, b in zip(found[1], columns, strict=True)]
-            found = found[0], known
+            found = found[0], known, found[2]
             if all(column.known for column in known):
                 break
         if found is None:
             assert error is not None
             head, *rest = error.args
-            raise InvalidInput(f"none of the first {count} samples can be computed; of the first: {head}", *rest)
+            raise InvalidInput(f"none of {len(tried)} samples tried can be computed; of the first: {head}", *rest)
         return found
 
     def _columns(self, spec: Spec) -> list[Column]:
@@ -144,7 +150,8 @@ class Evaluator:
 
     @cached_property
     def _first(self) -> Ensemble | None:
-        return self._ensemble(self.inputs_of(0, 1))
+        number = self._probe[2]
+        return self._ensemble(self.inputs_of(number, number + 1))
 
     @property
     def at_once(self) -> bool:
@@ -183,9 +190,36 @@ class Evaluator:
         return spec.kind.ensemble(samples, list(dict.fromkeys(names)), times)
 
     def _together(self, inputs: dict[str, Any]) -> tuple[dict[str, Any], dict[int, str], dict[int, str]]:
+        refused = self._impossible(inputs, 0, len(next(iter(inputs.values()))))
+        if refused:
+            # in place of what cannot be, a sample that can: the others are computed as they would be beside it
+            number = self._probe[2]
+            good, wrong = self.inputs_of(number, number + 1), list(refused)
+            inputs = {key: np.array(values) for key, values in inputs.items()}
+            for key, values in inputs.items():
+                values[wrong] = good[key][0]
         found = self._ensemble(inputs)
         assert found is not None
-        return found.values, found.refused, {}
+        return found.values, found.refused | refused, {}
+
+    def _impossible(self, inputs: dict[str, Any], low: int, high: int) -> dict[int, str]:
+        """Return which samples make computing them together fail, and why, by halving."""
+        try:
+            self._ensemble({key: values[low:high] for key, values in inputs.items()})
+        except InvalidInput as error:
+            if high - low > 1:
+                middle = (low + high) // 2
+                return self._impossible(inputs, low, middle) | self._impossible(inputs, middle, high)
+            return {low: self._worded(inputs, low) or str(error)}
+        return {}
+
+    def _worded(self, inputs: dict[str, Any], k: int) -> str:
+        """Return what reading the sample's own spec has to say against it, which names the key."""
+        try:
+            self.spec_of(inputs, k).report()
+        except InvalidInput as error:
+            return str(error)
+        return ""
 
     def _one_by_one(self, inputs: dict[str, Any], count: int) -> tuple[dict[str, Any], dict[int, str], dict[int, str]]:
         values = {column.name: column.blank(count) for column in self.columns}
@@ -243,6 +277,8 @@ def _fitting(column: Column, value: Any) -> Any:
     Raises:
         InvalidInput: for texts that are too long, or lists of another length than in other samples.
     """
+    if isinstance(value, bool):
+        value = YES if value else NO
     if value is None or (column.text and isinstance(value, str) and len(value) <= WORDS):
         return column.blank(1)[0] if value is None else value
     if column.text or isinstance(value, str) or np.shape(value) != column.shape:
@@ -264,6 +300,8 @@ def _answer_column(name: str, values: dict[str, Any], units: dict[str, str]) -> 
                             "--json` shows all; places in lists count from 1.")  # fmt: skip
     value = _picked(values, name)
     unit = _unit(units, name)
+    if isinstance(value, bool):
+        return Column(name, text=True)
     if isinstance(value, str):
         if len(value) > WORDS:
             raise _NoSuchAnswer(f"sweep.outputs: {name} is a sentence, not a number or a word. Leave it out.")

@@ -147,14 +147,21 @@ def _broken(table: SweepTable, inputs: dict[str, Any]) -> list[Mistake]:
     found: list[Mistake] = []
     placed = [how for how in inputs.values() if isinstance(how, AbstractPlaced)]
     rows = [how.count for how in placed if not isinstance(how, Grid)]
+    meant = any(isinstance(value, dict) and {"grid", "table"} & set(value) for value in table.inputs.values())
     if not table.inputs:
         found.append(((SWEEP, "inputs"), f"must name at least one input, like {EXAMPLE}"))
     if not table.outputs:
         found.append(((SWEEP, "outputs"), 'must name at least one output, like ["regime"]'))
-    if table.samples is None and not placed and table.inputs:
+    if table.samples is None and not meant and table.inputs:
         found.append(((SWEEP, "samples"), "is missing; say how many, like samples = 10000"))
     if rows and table.samples is not None and table.samples > min(rows):
         found.append(((SWEEP, "samples"), f"must be at most the rows of the table, {min(rows)}; got {table.samples}"))
+    if len(set(rows)) > 1 and table.samples is None:
+        text = f"names tables of {min(rows)} and {max(rows)} rows, whose rows go together"
+        found.append(((SWEEP, "inputs"), f"{text}. Give tables of one length, or samples, how many rows to take"))
+    if placed and len(placed) == len(table.inputs) and not rows and (table.samples or 1) > 1:
+        text = "repeats each point of the grids, and nothing is random; leave it out"
+        found.append(((SWEEP, "samples"), text))
     if table.sensitivity and any(not isinstance(how, AbstractRandom) for how in inputs.values()):
         found.append(((SWEEP, "sensitivity"), "needs random inputs throughout, neither grids nor tables"))
     if table.sensitivity and table.keep != "all":
@@ -167,7 +174,7 @@ def _broken(table: SweepTable, inputs: dict[str, Any]) -> list[Mistake]:
             'goes with outputs such as "states.attitude"; add one, or leave it out')  # fmt: skip
         found.append(((SWEEP, "times"), text))
     if np.any(np.diff(table.times) <= 0.0):
-        found.append(((SWEEP, "times"), "must ascend"))
+        found.append(((SWEEP, "times"), f"must ascend, without repetitions; got {shown(table.times)} s. Sort them"))
     overlapping = [(a, b) for a in table.inputs for b in table.inputs if b.startswith(f"{a}.")]
     if overlapping:
         found.append(((SWEEP, "inputs"), f"sets {overlapping[0][1]} twice, alone and as a part of {overlapping[0][0]}"))

@@ -5,10 +5,13 @@ from __future__ import annotations
 import contextlib
 import math
 import os
+import signal
 import time
+import warnings
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from functools import lru_cache
+from multiprocessing import resource_tracker
 from pathlib import Path
 from typing import Any
 
@@ -27,6 +30,7 @@ NO_DASHBOARD: Any = None
 ENVIRONMENT = {"MALLOC_TRIM_THRESHOLD_": str(2**28), "MALLOC_MMAP_THRESHOLD_": str(2**27),
                "OMP_NUM_THREADS": "1", "MKL_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}  # fmt: skip
 PATIENCE = 30.0  # s in which a cluster must answer
+LONG_PATIENCE = 300.0  # s in which it must have a worker
 
 
 @dataclass(frozen=True, eq=False)
@@ -125,6 +129,9 @@ class Sweep:
         """
         with store.locked():
             try:
+                if damaged := store.drop_damaged():
+                    warnings.warn(f"{store.path}: {damaged} of {self.chunks} finished chunks are damaged, and are "
+                                  "computed again.", stacklevel=2)  # fmt: skip
                 self._run_missing(store, workers, scheduler, tell)
             except BaseException:
                 store.remove_if_empty()
@@ -208,14 +215,45 @@ def _cluster(workers: int, scheduler: str | None) -> Iterator[Any]:
                 raise InvalidInput(f"`--scheduler` {scheduler} does not answer ({error}). Start one with `dask "
                                    "scheduler` and give its address, like tcp://host:8786.") from None  # fmt: skip
             with client:
-                if not client.nthreads():
-                    client.wait_for_workers(1, timeout=PATIENCE)
+                _await_workers(client, scheduler)
                 yield client
             return
-        with LocalCluster(
-            n_workers=workers, threads_per_worker=1, processes=True, dashboard_address=NO_DASHBOARD, silence_logs=50
-        ) as cluster, Client(cluster) as client:
+        with _deaf_to_interrupts():
+            cluster = LocalCluster(n_workers=workers, threads_per_worker=1, processes=True,
+                                   dashboard_address=NO_DASHBOARD, silence_logs=50)  # fmt: skip
+        with cluster, Client(cluster) as client:
             yield client
+
+
+def _await_workers(client: Any, scheduler: str) -> None:
+    """Wait for the first worker, which batch systems may start later than the scheduler.
+
+    Raises:
+        InvalidInput: if none comes.
+    """
+    if client.nthreads():
+        return
+    warnings.warn(f"the scheduler {scheduler} has no workers yet; waiting up to {LONG_PATIENCE:g} s for one.",
+                  stacklevel=2)  # fmt: skip
+    try:
+        client.wait_for_workers(1, timeout=LONG_PATIENCE)
+    except TimeoutError:
+        raise InvalidInput(f"the scheduler {scheduler} has no workers. Start one with `dask worker {scheduler}`, "
+                           "where it sees the store's folder.") from None  # fmt: skip
+
+
+@contextlib.contextmanager
+def _deaf_to_interrupts() -> Iterator[None]:
+    """Keep Ctrl-C, which a terminal sends to all processes, from those that are started meanwhile: we end them."""
+    if not hasattr(signal, "pthread_sigmask"):
+        yield
+        return
+    resource_tracker.ensure_running()  # which, when it starts, lets interrupts through again
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 @contextlib.contextmanager

@@ -130,6 +130,8 @@ class Store:
             group = _zarr().open_group(str(self.path), mode="r+", zarr_format=2, use_consolidated=False)
             for name, values in chunk.values.items():
                 group[name][low : low + len(values)] = values
+                # the mark must not outlive the data in a power cut
+                _written_through(self.path / name / ".".join([str(number), *["0"] * (values.ndim - 1)]))
         mark = {
             "checksum": checksum(chunk.values), "reasons": chunk.reasons,
             "summaries": {name: summary_of(values) for name, values in chunk.values.items()},
@@ -138,6 +140,31 @@ class Store:
 
     def _mark(self, number: int) -> Path:
         return self.home / CHUNKS / f"{number:09d}.json"
+
+    def drop_damaged(self) -> int:
+        """Take the marks from chunks whose data are not what was written, so that they are computed again.
+
+        Returns:
+            how many there are.
+        """
+        plan = json.loads((self.home / PLAN).read_text("utf-8"))
+        for draft in (self.home / CHUNKS).glob(".*.json.*"):  # of processes that were killed
+            draft.unlink(missing_ok=True)
+        group, dropped = _zarr().open_group(str(self.path), mode="r", zarr_format=2, use_consolidated=False), 0
+        for number in sorted(self.finished()):
+            low = number * plan["chunk"]
+            try:
+                mark = json.loads(self._mark(number).read_text("utf-8"))
+                high = min(low + plan["chunk"], plan["samples"])
+                whole = plan["keep"] != "all" or mark["checksum"] == checksum(
+                    {name: group[name][low:high] for name in mark["summaries"]}
+                )
+            except Exception:  # whatever a decoder makes of damaged bytes
+                whole = False
+            if not whole:
+                self._mark(number).unlink(missing_ok=True)
+                dropped += 1
+        return dropped
 
     def finished(self) -> set[int]:
         """Return which chunks have marks."""
@@ -176,6 +203,7 @@ def _make_arrays(
     zarr = _zarr()
     group = zarr.create_group(str(path), zarr_format=2, attributes={"source": "polhode", **header})
     if plan["keep"] != "all":
+        zarr.consolidate_metadata(str(path), zarr_format=2)
         return
     for column in columns:
         array = group.create_array(
@@ -255,6 +283,18 @@ def worded(path: Path) -> Iterator[None]:
     except OSError as error:
         raise InvalidInput(f"{path}: cannot be written ({error.strerror or error}). Choose a place that you may write "
                            "to, with --out.") from None  # fmt: skip
+
+
+def _written_through(path: Path) -> None:
+    """Have the system write a file and its folder's entry to the disk; what is all blank has no file."""
+    for one in (path, path.parent):
+        if not one.exists() or (one.is_dir() and os.name == "nt"):
+            continue
+        handle = os.open(one, os.O_RDONLY)
+        try:
+            os.fsync(handle)
+        finally:
+            os.close(handle)
 
 
 def _write_whole(path: Path, text: str) -> None:
