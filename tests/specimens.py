@@ -28,6 +28,12 @@ def in_su3(point):
     return 0.5 * jnp.sum(lie.SU(3).to_dual_vector(point) ** 2 / jnp.arange(1.0, 9.0))
 
 
+LATTICE = systems.Lattice([[1.0, 0.0], [0.5, 0.8]], [[0.0, 0.0], [0.5, 0.3]], shape=(3, 2), periodic=(True, False))
+OPEN = systems.Lattice([[1.0, 0.0], [0.5, 0.8]], [[0.0, 0.0], [0.5, 0.3]], shape=(2, 2), periodic=False)
+BONDS = [systems.Bond(0, 1, (0, 0), systems.exchange_matrix((1.0, 1.0, 0.6), (0.0, 0.0, 0.3))),
+         systems.Bond(0, 0, (1, 0), -0.4)]  # fmt: skip
+EASY = np.diag([0.0, 0.0, 0.2])
+
 SYSTEMS = [
     systems.FreeRigidBody((1.0, 2.0, 3.0)),
     systems.BodyInPotential((1.0, 2.0, 3.0), lambda up: 0.7 * up[2] + 0.1 * up[0] ** 2),
@@ -47,6 +53,9 @@ SYSTEMS = [
     systems.LiePoisson(lie.SU(3), in_su3),
     systems.LiePoisson(lie.SU(3), in_su3, sign=1),
     systems.LiePoisson(lie.Heisenberg(2), lambda m: 0.5 * jnp.sum(m[:4] ** 2) + m[0] ** 4),
+    systems.SpinLattice(LATTICE, 1.0, BONDS, EASY, (0.0, 0.0, 0.3)),
+    systems.SpinLattice(OPEN, 1.0, BONDS, EASY, (0.1, 0.0, 0.3), dipolar=0.1),
+    systems.SpinLattice(OPEN, 1.0, BONDS, field=(0.1, 0.0, 0.3), damping=0.1),
     systems.LiePoisson(lie.AffineLine(), lambda m: jnp.sum(m**2)),
 ]
 
