@@ -150,6 +150,7 @@ from .spin_orbit import (
 from .spin_orbit import (
     tangent_map as tangent_map,
 )
+from .spin_wave_theory import spin_waves as spin_waves
 from .stability import stability as stability
 from .thermal import rotational_temperature as rotational_temperature
 from .thermal import thermal_momentum as thermal_momentum
