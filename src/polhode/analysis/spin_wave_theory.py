@@ -69,7 +69,7 @@ def _frames(spins: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _fields(system: SpinLattice, shape: tuple[int, ...]) -> np.ndarray:
-    field = np.asarray(system.field)
+    field = np.zeros(3) if system.field is None else np.asarray(system.field)
     try:
         return np.broadcast_to(field, (*shape, 3)).reshape(-1, 3)
     except ValueError:

@@ -145,10 +145,69 @@ def bond_flows(lattice: Lattice, bond: BondType) -> list[Flow]:
     """
     masks, exchange = classes(lattice, bond), bond.exchange
     if exchange is not None:
+        halves = halving(lattice, bond)
+        if halves is not None and exchange:
+            return [_halved_flow(bond, *halves, colour, existing(lattice, bond), exchange) for colour in (0, 1)]
         return [_flow(bond, mask, None, exchange) for mask in masks] if exchange else []
     left, sizes, right = np.linalg.svd(np.array(bond.matrix))
     terms = [(left[:, k], right[k], float(sizes[k])) for k in range(3) if sizes[k] > EQUAL * sizes[0]]
     return [_flow(bond, mask, (tuple(u.tolist()), tuple(v.tolist())), size) for u, v, size in terms for mask in masks]
+
+
+def halving(lattice: Lattice, bond: BondType) -> tuple[int, int] | None:
+    """Return axis and length of the blocks of cells of which every second one starts bonds; None where none fit.
+
+    Then a class of bonds joins one half of the cells with the other, which takes half the turns of masks.
+    """
+    if bond.i != bond.j or lattice.sites > 1:
+        return None
+    for axis, (n, size) in enumerate(zip(bond.cell, lattice.shape, strict=True)):
+        if n > 0 and size % (2 * n) == 0:
+            return axis, n
+    return None
+
+
+def _halved_flow(
+    bond: BondType, axis: int, length: int, colour: int, whole: np.ndarray | None, exchange: float
+) -> Flow:
+    place, rest = axis - 3, [0 if k == axis else n for k, n in enumerate(bond.cell)]
+
+    def blocks(values: Array, block: int) -> Array:
+        """Return every second block of cells, with the other axes in place."""
+        # blocks begin at colour · length, and go round
+        shape, size = values.shape, values.shape[place]
+        cut = values.reshape(*shape[: values.ndim + place], size // (2 * length), 2, length, *shape[values.ndim + place + 1 :])
+        index = (*(slice(None),) * (values.ndim + place + 1), block)
+        taken = cut[index].reshape(*shape[: values.ndim + place], size // 2, *shape[values.ndim + place + 1 :])
+        return taken
+
+    def first_ends(values: Array) -> Array:
+        return blocks(values, colour)
+
+    def second_ends(values: Array) -> Array:
+        taken = blocks(values, 1 - colour)
+        taken = jnp.roll(taken, -length, place) if colour else taken
+        return shifted(taken, rest)
+
+    def flow(time: Array, state: Components) -> Components:
+        ones = [first_ends(x[..., 0]) for x in state]
+        others = [second_ends(x[..., 0]) for x in state]
+        share = -exchange * time
+        if whole is not None:
+            share = jnp.where(first_ends(jnp.asarray(whole)), share, 0.0)
+        moved = turn(ones, [share * (a + b) for a, b in zip(ones, others, strict=True)])
+        return tuple(jax.lax.optimization_barrier([_joined(x)[..., None] for x in moved]))
+
+    def _joined(change: Array) -> Array:
+        """Return the changes of both halves, of which the second is minus the first, on all cells."""
+        back = shifted(change, rest, back=True)
+        back = jnp.roll(back, length, place) if colour else back
+        shape, size, before = change.shape, change.shape[place], change.ndim + place
+        halves = [x.reshape(*shape[:before], size // length, length, *shape[before + 1 :]) for x in (change, -back)]
+        both = jnp.stack(halves[::-1] if colour else halves, axis=before + 1)
+        return both.reshape(*shape[:before], 2 * size, *shape[before + 1 :])
+
+    return flow
 
 
 def _flow(bond: BondType, mask: np.ndarray, axes: tuple[Vector3, Vector3] | None, strength: float) -> Flow:
@@ -162,8 +221,8 @@ def _flow(bond: BondType, mask: np.ndarray, axes: tuple[Vector3, Vector3] | None
         partners = [shifted(x, cell) for x in others]
         share = -strength * time if mask.all() else jnp.where(mask, -strength * time, 0.0)
         if axes is None:
-            along = [share * (a + b) for a, b in zip(ones, partners, strict=True)]
-            first, second = turn(ones, along), turn(partners, along)
+            first = turn(ones, [share * (a + b) for a, b in zip(ones, partners, strict=True)])
+            second = [-x for x in first]  # their sum stays
         else:
             (u, v), one, other = axes, share * dot(axes[1], partners), share * dot(axes[0], ones)
             first, second = turn(ones, [one * x for x in u]), turn(partners, [other * x for x in v])

@@ -35,7 +35,7 @@ class SpinLattice(AbstractLiePoissonSystem):
         spin: length |S| of the spins, one for all or (b,); states made by ``aligned`` have it.
         bonds: each listed once.
         onsite: (3, 3) symmetric A, or (b, 3, 3).
-        field: B (3,), or what broadcasts to (L1, L2, L3, b, 3).
+        field: B (3,), or what broadcasts to (L1, L2, L3, b, 3); zero is kept as None.
         dipolar: strength g; needs open boundaries.
         damping: λ, a pure number.
 
@@ -51,7 +51,7 @@ class SpinLattice(AbstractLiePoissonSystem):
     spin: tuple[float, ...] = eqx.field(static=True)
     bonds: tuple[BondType, ...] = eqx.field(static=True)
     onsite: tuple[Matrix, ...] | None = eqx.field(static=True)
-    field: Array
+    field: Array | None
     damping: Array
     dipolar: Array
     kernel: Array | None
@@ -88,7 +88,9 @@ class SpinLattice(AbstractLiePoissonSystem):
             raise InvalidInput("`field`, `dipolar` and `damping` must be finite, and `damping` not negative.")
         if dipolar and any(lattice.periodic):
             raise InvalidInput("`dipolar` needs open boundaries; give the lattice periodic=False.")
-        self.field, self.damping, self.dipolar = jnp.asarray(numbers), jnp.asarray(damping), jnp.asarray(dipolar)
+        # without a field there is none to turn about, which saves a turn of every spin in each step
+        self.field = jnp.asarray(numbers) if numbers.any() else None
+        self.damping, self.dipolar = jnp.asarray(damping), jnp.asarray(dipolar)
         self.kernel = jnp.asarray(dipole_kernel(lattice)) if dipolar else None
         self.kept = _kept(self.bonds, self.onsite, numbers) if not dipolar else ()
         self.is_damped = damping > 0.0
@@ -119,7 +121,9 @@ class SpinLattice(AbstractLiePoissonSystem):
     def effective_field(self, point: Real[ArrayLike, "*shape"]) -> Float64[Array, "*shape"]:
         """Return B = −∂H/∂S at every site, for states (…, L1, L2, L3, b, 3)."""
         point = jnp.asarray(point)
-        total = self._of_bonds(point, both=True) + self.field
+        total = self._of_bonds(point, both=True)
+        if self.field is not None:
+            total = total + self.field
         if self.onsite is not None:
             total = total + 2.0 * jnp.einsum("aij,...aj->...ai", jnp.asarray(self.onsite), point)
         if self.kernel is not None:
@@ -128,7 +132,9 @@ class SpinLattice(AbstractLiePoissonSystem):
 
     def energy(self, point: Real[ArrayLike, "..."]) -> Float64[Array, "..."]:
         point = jnp.asarray(point)
-        half = self._of_bonds(point, both=False) + self.field
+        half = self._of_bonds(point, both=False)
+        if self.field is not None:
+            half = half + self.field
         if self.onsite is not None:
             half = half + jnp.einsum("aij,...aj->...ai", jnp.asarray(self.onsite), point)
         if self.kernel is not None:
@@ -167,10 +173,12 @@ class SpinLattice(AbstractLiePoissonSystem):
         if self.onsite is not None:
             sizes, axes = np.linalg.eigh(np.array(self.onsite))
             found |= {f"on site, axis {k}": _onsite_flow(sizes[:, k], axes[:, :, k]) for k in range(3) if sizes[:, k].any()}
-        found["field"] = self._field_flow
+        if self.field is not None:
+            found["field"] = self._field_flow
         return found
 
     def _field_flow(self, time: Array, state: Components) -> Components:
+        assert self.field is not None
         return turn(state, [-time * self.field[..., k] for k in range(3)])
 
     @property
