@@ -14,7 +14,7 @@ CELLS = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
 
 
 def rows(quick: bool) -> Iterator[Row]:
-    """Yield the C loop's time over ours for some sweeps over all bonds, forth and back, and errors of the total spin."""
+    """Yield the C loop's time over ours for sweeps over all bonds, and errors of the total spin."""
     size = 20 if quick else 100
     lattice = ph.systems.Lattice(np.eye(3), shape=(size,) * 3)
     system = ph.systems.SpinLattice(lattice, bonds=[ph.systems.Bond(0, 0, cell, 1.0) for cell in CELLS])

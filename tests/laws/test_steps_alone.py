@@ -20,6 +20,7 @@ SOLVERS = [
     integrators.Splitting(BODY, H, SECOND), integrators.LieMidpoint(BODY, H, SECOND),
     integrators.LieMidpoint(BODY, H, SECOND, "exp"), integrators.MoserVeselov(BODY, H, SECOND),
     integrators.MuntheKaas(BODY, H, SECOND), integrators.SphericalMidpoint(CHAIN, H, SECOND),
+    integrators.NoiseDriftNoise(CHAIN, H, integrators.Bath(0.3, 0.2, 1)),
     integrators.IsospectralMidpoint(systems.Manakov((1.0, 2.0, 3.0)), H, SECOND),
 ]  # fmt: skip
 NO_ARRAYS = {"order", "memory", "init", "func"}
@@ -41,7 +42,7 @@ def at_once(solvers):
 
 def test_no_solver_is_forgotten():
     classes = {getattr(integrators, name) for name in integrators.__all__}
-    assert classes - {integrators.AbstractOrbitSolver} == {type(solver) for solver in SOLVERS}
+    assert classes - {integrators.AbstractOrbitSolver, integrators.Bath} == {type(solver) for solver in SOLVERS}
 
 
 @pytest.mark.parametrize("solver", at_once(SOLVERS[1:2]))

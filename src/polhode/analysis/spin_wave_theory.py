@@ -73,11 +73,13 @@ def _fields(system: SpinLattice, shape: tuple[int, ...]) -> np.ndarray:
     try:
         return np.broadcast_to(field, (*shape, 3)).reshape(-1, 3)
     except ValueError:
-        raise InvalidInput(f"`system` must have a field that repeats with the cell; its shape is {field.shape}.") from None
+        raise InvalidInput(
+            f"`system` must have a field that repeats with the cell; its shape is {field.shape}."
+        ) from None
 
 
 def _couplings(system: SpinLattice, cells: tuple[int, ...]) -> list[tuple[int, int, np.ndarray, np.ndarray]]:
-    """Return (a, b, how far, matrix) with B_a = Σ matrix S_b, of sites of the magnetic cell, either way of each bond."""
+    """Return (a, b, how far, matrix) with B_a = Σ matrix S_b, of sites of the magnetic cell, by both ways of a bond."""
     vectors = np.zeros((3, 3))
     vectors[: system.lattice.dimension] = system.lattice.vectors
     sites, found = system.lattice.sites, []
@@ -108,7 +110,8 @@ def _frequencies(
     sizes, axes = np.linalg.eigh(hessian)
     if sizes[0] < -BELOW * np.abs(sizes).max():
         raise InvalidInput(
-            f"`ground_state` must be a minimum of the energy; at q = {q.round(6).tolist()} its curvature is {sizes[0]:.3g}."
+            "`ground_state` must be a minimum of the energy; "
+            f"at q = {q.round(6).tolist()} its curvature is {sizes[0]:.3g}."
         )
     root = axes * np.sqrt(np.maximum(sizes, 0.0)) @ axes.conj().T
     # δṠ = S × δB: x and y of the tangent plane with {x, y} = |S|

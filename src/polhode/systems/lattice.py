@@ -31,6 +31,7 @@ class Lattice:
     (4, 3, 1)
     """
 
+    @known_numbers_only
     def __init__(
         self,
         vectors: Real[ArrayLike, "d e"],

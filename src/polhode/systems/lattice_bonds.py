@@ -71,7 +71,7 @@ def existing(lattice: Lattice, bond: BondType) -> np.ndarray | None:
         return None
     ends = np.indices(lattice.shape) + np.reshape(bond.cell, (3, 1, 1, 1))
     sizes, closed = np.reshape(lattice.shape, (3, 1, 1, 1)), np.reshape(lattice.periodic, (3, 1, 1, 1))
-    return (closed | ((ends >= 0) & (ends < sizes))).all(axis=0)
+    return np.all(closed | ((ends >= 0) & (ends < sizes)), axis=0)
 
 
 def classes(lattice: Lattice, bond: BondType) -> list[np.ndarray]:
@@ -175,11 +175,10 @@ def _halved_flow(
     def blocks(values: Array, block: int) -> Array:
         """Return every second block of cells, with the other axes in place."""
         # blocks begin at colour · length, and go round
-        shape, size = values.shape, values.shape[place]
-        cut = values.reshape(*shape[: values.ndim + place], size // (2 * length), 2, length, *shape[values.ndim + place + 1 :])
-        index = (*(slice(None),) * (values.ndim + place + 1), block)
-        taken = cut[index].reshape(*shape[: values.ndim + place], size // 2, *shape[values.ndim + place + 1 :])
-        return taken
+        size, before = values.shape[place], values.shape[:place]
+        after = values.shape[values.ndim + place + 1 :]
+        cut = values.reshape(*before, size // (2 * length), 2, length, *after)
+        return cut[(*(slice(None),) * (len(before) + 1), block)].reshape(*before, size // 2, *after)
 
     def first_ends(values: Array) -> Array:
         return blocks(values, colour)

@@ -10,7 +10,7 @@ import numpy as np
 
 from polhode.algebra.power import Power
 from polhode.algebra.so3 import SO3
-from polhode.arrays import is_traced
+from polhode.arrays import is_traced, known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.systems.base import AbstractLiePoissonSystem, Balance, Components, Flow, Function
 from polhode.systems.dipoles import dipole_field, dipole_kernel
@@ -59,6 +59,7 @@ class SpinLattice(AbstractLiePoissonSystem):
     kept: tuple[tuple[float, ...], ...] = eqx.field(static=True)
     is_damped: bool = eqx.field(static=True)
 
+    @known_numbers_only
     def __init__(
         self,
         lattice: Lattice,
@@ -172,7 +173,8 @@ class SpinLattice(AbstractLiePoissonSystem):
             found |= {f"bond {k}, part {n}": flow for n, flow in enumerate(bond_flows(self.lattice, bond))}
         if self.onsite is not None:
             sizes, axes = np.linalg.eigh(np.array(self.onsite))
-            found |= {f"on site, axis {k}": _onsite_flow(sizes[:, k], axes[:, :, k]) for k in range(3) if sizes[:, k].any()}
+            own = [k for k in range(3) if sizes[:, k].any()]
+            found |= {f"on site, axis {k}": _onsite_flow(sizes[:, k], axes[:, :, k]) for k in own}
         if self.field is not None:
             found["field"] = self._field_flow
         return found
@@ -196,9 +198,9 @@ class SpinLattice(AbstractLiePoissonSystem):
         if not self.is_damped:
             return {}
         field = self.effective_field(state)
-        torque = jnp.cross(state, field)
+        square = jnp.sum(jnp.cross(state, field) ** 2, axis=-1)
         length = jnp.linalg.norm(state, axis=-1)
-        power = -self.damping * jnp.sum(jnp.sum(torque**2, axis=-1) / jnp.where(length > 0, length, 1.0), (-4, -3, -2, -1))
+        power = -self.damping * jnp.sum(square / jnp.where(length > 0, length, 1.0), axis=(-4, -3, -2, -1))
         return {"energy": Balance(self.energy(state), power)}
 
 
