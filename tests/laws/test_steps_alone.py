@@ -16,10 +16,12 @@ RNG = np.random.default_rng(6)
 H, SECOND = 0.1, 2
 BODY = systems.FreeRigidBody((1.0, 2.0, 3.0))
 CHAIN = systems.LiePoisson(lie.Power(lie.SO3(), 2), lambda w: -jnp.dot(w[0], w[1]) - 0.3 * w[0, 2] ** 2)
+LATTICE = systems.SpinLattice(systems.Lattice([[1.0]], shape=(4,)), bonds=[systems.Bond(0, 0, (1,), 1.0)])
 SOLVERS = [
     integrators.Splitting(BODY, H, SECOND), integrators.LieMidpoint(BODY, H, SECOND),
     integrators.LieMidpoint(BODY, H, SECOND, "exp"), integrators.MoserVeselov(BODY, H, SECOND),
     integrators.MuntheKaas(BODY, H, SECOND), integrators.SphericalMidpoint(CHAIN, H, SECOND),
+    integrators.SublatticeTurns(LATTICE, H, np.arange(4).reshape(4, 1, 1, 1) % 2),
     integrators.NoiseDriftNoise(CHAIN, H, integrators.Bath(0.3, 0.2, 1)),
     integrators.IsospectralMidpoint(systems.Manakov((1.0, 2.0, 3.0)), H, SECOND),
 ]  # fmt: skip

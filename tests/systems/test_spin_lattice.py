@@ -9,7 +9,7 @@ import pytest
 import polhode as ph
 from polhode import systems
 from polhode.errors import InvalidInput
-from polhode.integrators import SphericalMidpoint, Splitting
+from polhode.integrators import SphericalMidpoint, Splitting, SublatticeTurns
 from polhode.systems import Bond, Lattice, SpinLattice, exchange_matrix
 from polhode.systems.lattice_bonds import classes
 from polhode.testing import LawBroken, check_system
@@ -84,6 +84,34 @@ def test_cone_is_exact_and_both_methods_have_order_two():
         errors = [np.abs(end(chain(), cone(0.0), 1.0, method, h) - expected).max() for h in (0.1, 0.05)]
         assert 1e-5 < errors[1] < 2e-3 and 1.9 < np.log2(errors[0] / errors[1]) < 2.1
     assert np.abs(end(chain(), cone(0.0), 1.0, Splitting, 0.05, 8) - expected).max() < 1e-10
+
+
+def defect(solver, state):
+    """Return how far a step is from a Poisson map: |D Π(S) Dᵀ − Π(S₁)|, by automatic derivatives."""
+
+    def tensor(spins):
+        blocks = [np.cross(np.eye(3), s) for s in np.asarray(spins).reshape(-1, 3)]
+        return jax.scipy.linalg.block_diag(*blocks)
+
+    def step(flat):
+        return (state + solver.change(0.0, 0.1, state + (flat - state.ravel()).reshape(state.shape)).state).ravel()
+
+    change = jax.jacfwd(step)(state.ravel()) + np.eye(state.size)
+    last = state + solver.change(0.0, 0.1, state).state
+    return float(jnp.abs(change @ tensor(state) @ change.T - tensor(last)).max())
+
+
+def test_sublattice_turns_keep_the_energy_but_are_no_poisson_map():
+    system = chain(4, exchange_matrix((1.0, 0.8, 0.5)), field=(0.0, 0.1, 0.4))
+    state = jnp.asarray(system.aligned(RNG.normal(size=(4, 1, 1, 1, 3))))
+    turns = SublatticeTurns(system, 0.1, np.arange(4).reshape(4, 1, 1, 1) % 2)
+    found = ph.solve(system, state, [0.0, 5.0], turns).end_state
+    assert abs(float(system.energy(found) - system.energy(state))) < 2e-14
+    assert np.abs(np.asarray(found) - end(system, state, 5.0, Splitting, 0.02, 6)).max() < 0.1
+    assert defect(turns, state) > 1e-5
+    assert defect(Splitting(system, 0.1, 2), state) < 1e-14
+    with pytest.raises(InvalidInput, match="bond between"):
+        SublatticeTurns(system, 0.1, np.zeros((4, 1, 1, 1), int))
 
 
 def test_dipoles_equal_the_direct_sum():
