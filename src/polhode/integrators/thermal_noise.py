@@ -38,7 +38,8 @@ class NoiseDriftNoise(AbstractOrbitSolver):
     """Half the noise, a damped spherical midpoint step, the other half; of weak order 2.
 
     Ṡ = S × (B + η) − (λ/s) S × (S × B) in Stratonovich's sense, ⟨η η⟩ = 2(λkT/s) δ, s = |S|: each half turns every
-    spin by √(λkT h/s) times three normal numbers. At rest in the bath the states follow exp(−H/kT) up to O(h²).
+    spin by √(λkT h/s) times three normal numbers, a little less as large turns do not commute.
+    At rest in the bath the states follow exp(−H/kT) up to O(h²).
 
     The noise of a step is keyed by the bath's seed and the step's place in time, so that neither how often states are
     saved nor how many copies run changes it. Copies of one batch feel the same noise; for independent ones map over
@@ -87,7 +88,10 @@ class NoiseDriftNoise(AbstractOrbitSolver):
             key = jax.random.fold_in(key, part.astype(jnp.uint32))
         one, other = jax.random.normal(key, (2, *jnp.shape(state)))
         length = scaled_norm(state)[..., None]
-        size = jnp.sqrt(self.bath.damping * self.bath.kT * jnp.abs(h) / jnp.where(length > 0, length, 1.0))
+        variance = self.bath.damping * self.bath.kT * jnp.abs(h) / jnp.where(length > 0, length, 1.0)
+        # one turn by a normal vector of variance v spreads like the many small ones of variance v (1 + v/12), as turns
+        # do not commute: E cos|x| of three normal numbers; without the factor the bias would be of first order
+        size = jnp.sqrt(variance / (1.0 + variance / 12.0))
         exp_change = self.system.algebra.exp_change
         first = exp_change(size * one, state)
         drift = self._drift(t + 0.5 * h, h, state + first, length)
