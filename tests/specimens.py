@@ -11,7 +11,7 @@ so3 = lie.SO3()
 ALGEBRAS = [
     so3, lie.SE3(), lie.SO(2), lie.SO(3), lie.SO(4), lie.SO(5), lie.SO(6), lie.SU(2), lie.SU(3), lie.SU(4), lie.SL(2),
     lie.SL(3), lie.Sp(1), lie.Sp(2), lie.Heisenberg(1), lie.Heisenberg(3), lie.AffineLine(), lie.SE2(), lie.U(1),
-    lie.U(3), lie.SOpq(2, 1), lie.SOpq(3, 1), lie.SOpq(1, 4), lie.Power(so3, 4),
+    lie.U(3), lie.SOpq(2, 1), lie.SOpq(3, 1), lie.SOpq(1, 4), lie.Power(so3, 4), lie.Power(so3, (2, 1, 2)),
     lie.Power(lie.SU(3), 2), lie.Product(so3, lie.SU(2), lie.AffineLine()),
     lie.Semidirect(so3, so3.structure_constants().transpose(0, 2, 1)),
     lie.Semidirect(lie.SL(2), np.asarray(lie.SL(2).basis)),
@@ -27,6 +27,12 @@ def spins(points):
 def in_su3(point):
     return 0.5 * jnp.sum(lie.SU(3).to_dual_vector(point) ** 2 / jnp.arange(1.0, 9.0))
 
+
+LATTICE = systems.Lattice([[1.0, 0.0], [0.5, 0.8]], [[0.0, 0.0], [0.5, 0.3]], shape=(3, 2), periodic=(True, False))
+OPEN = systems.Lattice([[1.0, 0.0], [0.5, 0.8]], [[0.0, 0.0], [0.5, 0.3]], shape=(2, 2), periodic=False)
+BONDS = [systems.Bond(0, 1, (0, 0), systems.exchange_matrix((1.0, 1.0, 0.6), (0.0, 0.0, 0.3))),
+         systems.Bond(0, 0, (1, 0), -0.4)]  # fmt: skip
+EASY = np.diag([0.0, 0.0, 0.2])
 
 SYSTEMS = [
     systems.FreeRigidBody((1.0, 2.0, 3.0)),
@@ -47,6 +53,9 @@ SYSTEMS = [
     systems.LiePoisson(lie.SU(3), in_su3),
     systems.LiePoisson(lie.SU(3), in_su3, sign=1),
     systems.LiePoisson(lie.Heisenberg(2), lambda m: 0.5 * jnp.sum(m[:4] ** 2) + m[0] ** 4),
+    systems.SpinLattice(LATTICE, 1.0, BONDS, EASY, (0.0, 0.0, 0.3)),
+    systems.SpinLattice(OPEN, 1.0, BONDS, EASY, (0.1, 0.0, 0.3), dipolar=0.1),
+    systems.SpinLattice(OPEN, 1.0, BONDS, field=(0.1, 0.0, 0.3), damping=0.1),
     systems.LiePoisson(lie.AffineLine(), lambda m: jnp.sum(m**2)),
 ]
 

@@ -34,7 +34,8 @@ INNER = {
     "motion": {"inputs", "invariants", "layout", "outcome", "trajectory"},
     "quantum": {"operators", "orbits", "partition", "strengths", "wang"},
     "special": {"agm", "circular", "doubledouble", "first_kind", "legendre"},
-    "systems": {"agreement", "forward_only", "free_flow", "moser_veselov_table", "rolling_mechanics", "top_integrals"},
+    "systems": {"agreement", "dipoles", "forward_only", "free_flow", "lattice_bonds",
+                "moser_veselov_table", "rolling_mechanics", "top_integrals"},
 }  # fmt: skip
 """Modules by room; None for a whole room."""
 
@@ -110,6 +111,7 @@ NO_ARRAYS = {
     "analysis.threshold.Threshold",
     "rotor_misfit", "damped_motion.time_constant", "predicted_exponents",
     "SpinMotion.predictable_time", "SpinMotion.regular_exponent", "DiskPath.part",
+    "Lattice.positions",
     "disk_turns.first_turns", "disk_turns.last_turns", "disk_turns.filled_to_its_end",
 }  # fmt: skip
 """Functions of objects, words and whole numbers, and records of known answers."""
@@ -133,7 +135,7 @@ CALLED_BY_OTHERS = {
     "solving.goes_along_orbit", "solving.is_adaptive", "solving.orbit_solver", "solving.step_angle",
     "solving.turning_rates",
     "systems.base.as_finite_state", "systems.base.check_unit_attitude", "systems.base.components",
-    "systems.base.joined", "systems.base.attitude_change",
+    "systems.spin_lattice.damped", "systems.base.joined", "systems.base.attitude_change",
     "systems.base.checked_functions", "systems.base.check_scalar",
     "systems.attachments.checked_attachments", "systems.mounts.checked_direction", "systems.mounts.checked_mounts",
     "systems.torques.checked_torques", "systems.free_rigid_body.checked_vector",

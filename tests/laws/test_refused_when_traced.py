@@ -43,6 +43,9 @@ OF_MOTIONS = ("polhode", "herpolhode", "herpolhode_curve", "body_precession", "s
               "rotation_period", "turn_per_flip", "precession.fastest_rate", "HeavyTop.from_motion",
               "keeps_its_tilt", "steady_precession_of")  # fmt: skip
 """Making a motion compiles for half a minute, within another traced function not at all."""
+CHAIN = systems.SpinLattice(systems.Lattice([[1.0]], shape=(4,)), bonds=[systems.Bond(0, 0, (1,), 1.0)])
+SPINS = np.ones((12, 4, 1, 1, 1, 3))
+DAMPED_SPIN = systems.SpinLattice(systems.Lattice([[1.0]]), field=(0.0, 0.1, 1.0), damping=0.5)
 HISTORY = comparison.AttitudeHistory("b", TIMES, TURNS)
 
 
@@ -70,6 +73,13 @@ REFUSED = {
     "DoubleBracket": (0.3, lambda x: systems.DoubleBracket(THREE, x)),
     "Kirchhoff": (SIX, systems.Kirchhoff),
     "Manakov": (THREE, systems.Manakov),
+    "Lattice": (EYE, lambda x: systems.Lattice(x, shape=(2, 2, 2))),
+    "SpinLattice": (AXIS, lambda x: systems.SpinLattice(CHAIN.lattice, field=x)),
+    "exchange_matrix": (AXIS, lambda x: systems.exchange_matrix(1.0, x)),
+    "spin_waves": (AXIS, lambda x: analysis.spin_waves(CHAIN, [[0.0, 0.0, 1.0]], x)),
+    "structure_factor": (SPINS, lambda x: analysis.structure_factor(CHAIN.lattice, TIMES, x, EYE)),
+    "skyrmion_number": (np.ones((4, 4, 3)), analysis.skyrmion_number),
+    "hysteresis_loop": (EYE, lambda x: analysis.hysteresis_loop(DAMPED_SPIN, DAMPED_SPIN.aligned(AXIS), x, 1.0, 0.1)),
     "EulerDisk": (0.1, lambda x: systems.EulerDisk(1.0, x)),
     "EulerDisk.pack": (FOUR, lambda x: DISK.pack(x, THREE)),
     "EulerDisk.rolling_state": (0.3, DISK.rolling_state),

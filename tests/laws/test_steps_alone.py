@@ -16,10 +16,13 @@ RNG = np.random.default_rng(6)
 H, SECOND = 0.1, 2
 BODY = systems.FreeRigidBody((1.0, 2.0, 3.0))
 CHAIN = systems.LiePoisson(lie.Power(lie.SO3(), 2), lambda w: -jnp.dot(w[0], w[1]) - 0.3 * w[0, 2] ** 2)
+LATTICE = systems.SpinLattice(systems.Lattice([[1.0]], shape=(4,)), bonds=[systems.Bond(0, 0, (1,), 1.0)])
 SOLVERS = [
     integrators.Splitting(BODY, H, SECOND), integrators.LieMidpoint(BODY, H, SECOND),
     integrators.LieMidpoint(BODY, H, SECOND, "exp"), integrators.MoserVeselov(BODY, H, SECOND),
     integrators.MuntheKaas(BODY, H, SECOND), integrators.SphericalMidpoint(CHAIN, H, SECOND),
+    integrators.SublatticeTurns(LATTICE, H, np.arange(4).reshape(4, 1, 1, 1) % 2),
+    integrators.NoiseDriftNoise(CHAIN, H, integrators.Bath(0.3, 0.2, 1)),
     integrators.IsospectralMidpoint(systems.Manakov((1.0, 2.0, 3.0)), H, SECOND),
 ]  # fmt: skip
 NO_ARRAYS = {"order", "memory", "init", "func"}
@@ -35,13 +38,17 @@ def starts(solver):
     return np.asarray(algebra.from_dual_vector(RNG.normal(size=(3, algebra.dim))))
 
 
-def at_once(solvers):
-    return [pytest.param(s, id=named(s), marks=[] if s in solvers else [pytest.mark.sweep]) for s in SOLVERS]
+def at_once(solvers, every=SOLVERS):
+    return [pytest.param(s, id=named(s), marks=[] if s in solvers else [pytest.mark.sweep]) for s in every]
+
+
+SMOOTH = [s for s in SOLVERS if not isinstance(s, integrators.NoiseDriftNoise)]
+"""Noise is keyed by time, of which it is no continuous function."""
 
 
 def test_no_solver_is_forgotten():
     classes = {getattr(integrators, name) for name in integrators.__all__}
-    assert classes - {integrators.AbstractOrbitSolver} == {type(solver) for solver in SOLVERS}
+    assert classes - {integrators.AbstractOrbitSolver, integrators.Bath} == {type(solver) for solver in SOLVERS}
 
 
 @pytest.mark.parametrize("solver", at_once(SOLVERS[1:2]))
@@ -51,7 +58,7 @@ def test_change_alone(solver):
     check_alone(step, RNG.uniform(size=3), sizes, starts(solver), batched=False)
 
 
-@pytest.mark.parametrize("solver", at_once(SOLVERS[:1]))
+@pytest.mark.parametrize("solver", at_once(SOLVERS[:1], SMOOTH))
 def test_advance_alone(solver):
     """Two or three steps each; the copies of a batch take as many as each needs."""
     run = lambda start, span, state: solver.advance(start, span, state, solver.memory(state))[0]  # noqa: E731
@@ -59,7 +66,7 @@ def test_advance_alone(solver):
     check_alone(run, RNG.uniform(size=3), spans, starts(solver), batched=False)
 
 
-@pytest.mark.parametrize("solver", at_once([]))
+@pytest.mark.parametrize("solver", at_once([], SMOOTH))
 def test_diffrax_step_alone(solver):
     term = diffrax.ODETerm(lambda t, state, args: solver.system.vector_field(t, state))
 

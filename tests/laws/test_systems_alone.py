@@ -38,8 +38,10 @@ SPECIMENS = [
 ]  # fmt: skip
 NOT_MOVING = {systems.AbstractLiePoissonSystem, systems.AbstractSystem, systems.AbstractTorque, systems.AbstractMount,
               systems.AbstractRigidBody, systems.RollingDissipation, systems.Balance, systems.RotorInBody,
+              systems.Bond, systems.Lattice, systems.exchange_matrix,
               systems.rotor_in_body}  # fmt: skip
 LEFT_OUT = {
+    "aligned": "takes directions, and is tested in tests/systems/test_spin_lattice.py",
     "check_state": "refuses traced numbers, see test_refused_when_traced",
     "upright": "refuses traced numbers, see test_refused_when_traced",
     "rolling_state": "refuses traced numbers, see test_refused_when_traced",

@@ -1,7 +1,8 @@
-"""Many copies of one algebra, along a batch axis."""
+"""Many copies of one algebra, along batch axes."""
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import equinox as eqx
@@ -13,22 +14,43 @@ from polhode.types import Array, Double, Float64
 
 
 class Power(AbstractLieAlgebra):
-    """The direct sum of ``count`` copies of ``algebra``; elements (…, count, *element_shape), as for spins."""
+    """The direct sum of copies of ``algebra``, as for spins.
+
+    ``count`` is their number, or the shape of an array of them: elements are (…, *shape, *element_shape). What is said
+    of every copy is listed along one axis, in the order of that array.
+
+    >>> from polhode.algebra import SO3
+    >>> Power(SO3(), (4, 2)).element_shape, Power(SO3(), (4, 2)).copies
+    ((4, 2, 3), 8)
+    """
 
     algebra: AbstractLieAlgebra
-    count: int = eqx.field(static=True)
+    count: int | tuple[int, ...] = eqx.field(static=True)
 
     def __check_init__(self) -> None:
-        if not isinstance(self.count, int) or self.count < 1:
-            raise InvalidInput(f"`count` must be a whole number of copies, at least 1; got {shown(self.count)}.")
+        if not self.shape or not all(isinstance(n, int) and n >= 1 for n in self.shape):
+            raise InvalidInput(
+                "`count` must be a whole number of copies, at least 1, or a tuple of such numbers; "
+                f"got {shown(self.count)}."
+            )
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Shape of the array of copies."""
+        return self.count if isinstance(self.count, tuple) else (self.count,)
+
+    @property
+    def copies(self) -> int:
+        """How many copies there are."""
+        return math.prod(self.shape)
 
     @property
     def dim(self) -> int:
-        return self.count * self.algebra.dim
+        return self.copies * self.algebra.dim
 
     @property
     def element_shape(self) -> tuple[int, ...]:
-        return (self.count, *self.algebra.element_shape)
+        return (*self.shape, *self.algebra.element_shape)
 
     @property
     def dtype(self) -> Any:
@@ -36,11 +58,11 @@ class Power(AbstractLieAlgebra):
 
     @property
     def name(self) -> str:
-        return f"{self.algebra.name}^{self.count}"
+        return f"{self.algebra.name}^{'×'.join(map(str, self.shape))}"
 
     @property
     def casimir_names(self) -> tuple[str, ...]:
-        return tuple(f"{name} of {k}" for k in range(self.count) for name in self.algebra.casimir_names)
+        return tuple(f"{name} of {k}" for k in range(self.copies) for name in self.algebra.casimir_names)
 
     def bracket(self, x: Double[Array, "..."], y: Double[Array, "..."]) -> Double[Array, "..."]:
         return self.algebra.bracket(x, y)
@@ -49,7 +71,7 @@ class Power(AbstractLieAlgebra):
         return self.algebra.coadjoint(x, mu)
 
     def pairing(self, mu: Double[Array, "..."], x: Double[Array, "..."]) -> Float64[Array, "..."]:
-        return jnp.sum(self.algebra.pairing(mu, x), axis=-1)
+        return jnp.sum(self.algebra.pairing(mu, x), axis=self._axes)
 
     def casimirs(self, mu: Double[Array, "..."]) -> Float64[Array, "... k"]:
         return self._flat(self.algebra.casimirs(mu))
@@ -74,7 +96,7 @@ class Power(AbstractLieAlgebra):
         return self.algebra.from_gradient(gradient)
 
     def rate(self, x: Double[Array, "..."]) -> Float64[Array, "..."]:
-        return jnp.max(self.algebra.rate(x), axis=-1)
+        return jnp.max(self.algebra.rate(x), axis=self._axes)
 
     def exp(self, x: Double[Array, "..."]) -> Any:
         return self.algebra.exp(x)
@@ -94,9 +116,14 @@ class Power(AbstractLieAlgebra):
     def cayley_change(self, x: Double[Array, "..."], mu: Double[Array, "..."]) -> Double[Array, "..."]:
         return self.algebra.cayley_change(x, mu)
 
+    @property
+    def _axes(self) -> tuple[int, ...]:
+        return tuple(range(-len(self.shape), 0))
+
     def _flat(self, values: Array) -> Array:
-        return values.reshape(*values.shape[:-2], -1)
+        batch = values.shape[: values.ndim - len(self.shape) - 1]
+        return values.reshape(*batch, self.copies * values.shape[-1])
 
     def _split(self, vector: Array) -> Array:
         vector = jnp.asarray(vector)
-        return vector.reshape(*vector.shape[:-1], self.count, self.algebra.dim)
+        return vector.reshape(*vector.shape[:-1], *self.shape, self.algebra.dim)

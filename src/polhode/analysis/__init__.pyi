@@ -41,6 +41,8 @@ from .gyrostat_rotations import angle_from_axis as angle_from_axis
 from .gyrostat_rotations import mean_winding_rate as mean_winding_rate
 from .gyrostat_rotations import steady_rotations as steady_rotations
 from .gyrostat_rotations import symmetric_rates as symmetric_rates
+from .hysteresis import HysteresisLoop as HysteresisLoop
+from .hysteresis import hysteresis_loop as hysteresis_loop
 from .mechanics import Mechanics as Mechanics
 from .mechanics import invariants_along as invariants_along
 from .poinsot import (
@@ -109,6 +111,7 @@ from .rolling import (
 from .rolling import (
     steady_rolling as steady_rolling,
 )
+from .spin_correlations import structure_factor as structure_factor
 from .spin_down import (
     SpinDown as SpinDown,
 )
@@ -150,6 +153,8 @@ from .spin_orbit import (
 from .spin_orbit import (
     tangent_map as tangent_map,
 )
+from .spin_texture import skyrmion_number as skyrmion_number
+from .spin_wave_theory import spin_waves as spin_waves
 from .stability import stability as stability
 from .thermal import rotational_temperature as rotational_temperature
 from .thermal import thermal_momentum as thermal_momentum

@@ -6,13 +6,18 @@ from polhode.integrators.moser_veselov import MoserVeselov
 from polhode.integrators.munthe_kaas import MuntheKaas
 from polhode.integrators.spherical_midpoint import SphericalMidpoint
 from polhode.integrators.splitting import Splitting
+from polhode.integrators.sublattice_turns import SublatticeTurns
+from polhode.integrators.thermal_noise import Bath, NoiseDriftNoise
 
 __all__ = [
     "AbstractOrbitSolver",
+    "Bath",
     "IsospectralMidpoint",
     "LieMidpoint",
     "MoserVeselov",
     "MuntheKaas",
+    "NoiseDriftNoise",
     "SphericalMidpoint",
     "Splitting",
+    "SublatticeTurns",
 ]

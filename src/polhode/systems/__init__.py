@@ -12,6 +12,7 @@ from polhode.systems.gyrostat import Gyrostat, TorquedGyrostat
 from polhode.systems.heavy_top import HeavyTop
 from polhode.systems.kepler_orbit import KeplerOrbit
 from polhode.systems.kirchhoff import Kirchhoff
+from polhode.systems.lattice import Bond, Lattice, exchange_matrix
 from polhode.systems.lie_poisson import LiePoisson
 from polhode.systems.manakov import Manakov
 from polhode.systems.mounts import AbstractMount, EnergySink, HeldRotor, Rotor, SphericalSlug
@@ -25,6 +26,7 @@ from polhode.systems.rolling_dissipation import (
     RollingDissipation,
     ViscousContourFriction,
 )
+from polhode.systems.spin_lattice import SpinLattice
 from polhode.systems.spin_orbit import SpinOrbit
 from polhode.systems.torqued_body import TorquedBody
 from polhode.systems.torques import AbstractTorque, GravityGradient, LaggedTorque, LinearDrag, QuadraticDrag
@@ -38,6 +40,7 @@ __all__ = [
     "AirLayer",
     "Balance",
     "BodyInPotential",
+    "Bond",
     "BoundaryLayer",
     "BrunBody",
     "DoubleBracket",
@@ -54,6 +57,7 @@ __all__ = [
     "KeplerOrbit",
     "Kirchhoff",
     "LaggedTorque",
+    "Lattice",
     "LiePoisson",
     "LinearDrag",
     "Manakov",
@@ -64,9 +68,11 @@ __all__ = [
     "Rotor",
     "RotorInBody",
     "SphericalSlug",
+    "SpinLattice",
     "SpinOrbit",
     "TorquedBody",
     "TorquedGyrostat",
     "ViscousContourFriction",
+    "exchange_matrix",
     "rotor_in_body",
 ]
