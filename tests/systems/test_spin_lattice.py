@@ -101,6 +101,7 @@ def defect(solver, state):
     return float(jnp.abs(change @ tensor(state) @ change.T - tensor(last)).max())
 
 
+@pytest.mark.sweep
 def test_sublattice_turns_keep_the_energy_but_are_no_poisson_map():
     system = chain(4, exchange_matrix((1.0, 0.8, 0.5)), field=(0.0, 0.1, 0.4))
     state = jnp.asarray(system.aligned(RNG.normal(size=(4, 1, 1, 1, 3))))
