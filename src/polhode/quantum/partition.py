@@ -50,7 +50,7 @@ def partition_sum(
             warnings.warn(
                 f"levels fall from J = {J - 1} to {J}: the distortion constants do not hold there, and the partition "
                 "function is summed up to here. Give constants of higher order, or a lower temperature.",
-                stacklevel=3,
+                stacklevel=4,
             )
             break
         total = total + np.sum((2 * J + 1) * weight * np.exp(-energy / (THERMAL * temperature[..., None])), axis=-1)
