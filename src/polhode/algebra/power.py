@@ -16,8 +16,8 @@ from polhode.types import Array, Double, Float64
 class Power(AbstractLieAlgebra):
     """The direct sum of copies of ``algebra``, as for spins.
 
-    ``count`` is their number, or the shape of an array of them: elements are (…, *shape, *element_shape). What is said
-    of every copy is listed along one axis, in the order of that array.
+    ``count`` is their number, or the shape of an array of them: elements are ``(…, *shape, *element_shape)``. What is
+    said of every copy is listed along one axis, in the order of that array.
 
     >>> from polhode.algebra import SO3
     >>> Power(SO3(), (4, 2)).element_shape, Power(SO3(), (4, 2)).copies
