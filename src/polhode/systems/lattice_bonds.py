@@ -17,7 +17,7 @@ from polhode import rotation
 from polhode.errors import InvalidInput, shown
 from polhode.systems.base import Components, Flow
 from polhode.systems.lattice import Bond, Lattice
-from polhode.types import Array
+from polhode.types import Array, Float64, Shaped
 
 Matrix = tuple[tuple[float, ...], ...]
 Vector3 = Sequence[Array] | Sequence[float]
@@ -111,7 +111,7 @@ def classes(lattice: Lattice, bond: BondType) -> list[np.ndarray]:
     return best
 
 
-def shifted(values: Array, cell: Sequence[int], back: bool = False) -> Array:
+def shifted(values: Shaped[Array, "..."], cell: Sequence[int], back: bool = False) -> Shaped[Array, "..."]:
     """Return values (…, L1, L2, L3) as seen by the first end of a bond: those of the cell that is so much further."""
     moved = [(n if back else -n, axis) for n, axis in zip(cell, CELLS, strict=True) if n]
     return jnp.roll(values, [n for n, _ in moved], [axis for _, axis in moved]) if moved else values
@@ -132,7 +132,7 @@ def turn(spin: Vector3, axis: Vector3) -> Components:
     return tuple(first * a + second * b for a, b in zip(once, twice, strict=True))
 
 
-def dot(one: Vector3, other: Vector3) -> Array:
+def dot(one: Vector3, other: Vector3) -> Float64[Array, "..."]:
     """Return the scalar product of vectors in components."""
     return one[0] * other[0] + one[1] * other[1] + one[2] * other[2]
 

@@ -204,7 +204,9 @@ class SpinLattice(AbstractLiePoissonSystem):
         return {"energy": Balance(self.energy(state), power)}
 
 
-def damped(field: Float64[Array, "..."], spins: Float64[Array, "..."], damping: Real[ArrayLike, ""]) -> Array:
+def damped(
+    field: Float64[Array, "*shape"], spins: Float64[Array, "*shape"], damping: Real[ArrayLike, ""]
+) -> Float64[Array, "*shape"]:
     """Return B − (λ/|S|) S × B, about which spins turn with damping λ."""
     length = jnp.linalg.norm(spins, axis=-1, keepdims=True)
     return field - damping / jnp.where(length > 0, length, 1.0) * jnp.cross(spins, field)
