@@ -204,3 +204,23 @@ def test_keys_of_every_form():
         with_value(tables, "body.moments.4", 5)
     with pytest.raises(ValueError, match="has no list or table at parts"):
         with_value(tables, "body.parts.1.mass", 5)
+
+
+def test_rotational_constants_may_be_wave_numbers(tmp_path):
+    head = '[body]\nrotational_constants = ["27.8806 1/cm", "14.5216 1/cm", "9.2778 1/cm"]\nallow_vibration = true\n'
+    text = GOOD.replace('"spin.tilt" = { uniform = ["0 deg", "9 deg"] }', (
+        '"body.rotational_constants.1" = { normal = ["27.8806 1/cm", "0.1 1/cm"] }'))  # fmt: skip
+    found = plan(tmp_path, text, head + '[spin]\ntemperature = "300 K"\n').design.values(0, 9)
+    values = found["body.rotational_constants.1"] / 29979.2458e6
+    assert values == pytest.approx(27.8806 * np.ones(9), abs=0.4) and np.std(values) > 0.02
+
+
+def test_progress_is_told_in_lines_where_nobody_watches(monkeypatch, capsys):
+    from polhode.cli import sweep
+
+    monkeypatch.setattr(sweep, "EVERY", 0.0)
+    lines = sweep._Lines(100, 1000)
+    lines.add(300)
+    lines.add(600)
+    told = capsys.readouterr().err.splitlines()
+    assert len(told) == 1 and told[0].startswith("400 of 1,000 samples, ") and told[0].endswith(" left")

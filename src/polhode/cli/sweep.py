@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -18,6 +19,8 @@ from polhode.sweeps.answers import SweepReport
 from polhode.sweeps.plan import read_plan
 from polhode.sweeps.running import Sweep
 from polhode.sweeps.store import Store, check_room, in_bytes
+
+EVERY = 60.0  # s between lines about the progress, where nobody watches
 
 
 class SweepOptions(NamedTuple):
@@ -67,9 +70,29 @@ def _progress(sweep: Sweep, store: Store) -> Iterator[Callable[[int], object]]:
     from tqdm import tqdm
 
     done = sum(high - low for low, high in map(sweep.range_of, store.finished()))
-    with tqdm(total=sweep.plan.design.count, initial=done, unit=" samples", unit_scale=True, dynamic_ncols=True,
-              disable=not sys.stderr.isatty()) as bar:  # fmt: skip
+    if not sys.stderr.isatty():
+        yield _Lines(done, sweep.plan.design.count).add
+        return
+    with tqdm(total=sweep.plan.design.count, initial=done, unit=" samples", unit_scale=True, dynamic_ncols=True) as bar:
         yield bar.update
+
+
+class _Lines:
+    """A line about the progress once a minute, for logs."""
+
+    def __init__(self, done: int, total: int) -> None:
+        self.first, self.done, self.total = done, done, total
+        self.begun = self.told = time.monotonic()
+
+    def add(self, samples: int) -> None:
+        self.done += samples
+        now = time.monotonic()
+        if now - self.told < EVERY or self.done >= self.total:
+            return
+        self.told, rate = now, (self.done - self.first) / (now - self.begun)
+        left = in_its_unit(float(f"{(self.total - self.done) / rate:.2g}"))
+        sys.stderr.write(f"{self.done:,} of {self.total:,} samples, {rate:.3g} a second, about {left} left\n")
+        sys.stderr.flush()
 
 
 def _drawn(report: SweepReport, out: Path) -> list[str]:

@@ -12,11 +12,10 @@ from pydantic import AfterValidator, BeforeValidator, Field, StrictBool, StrictI
 
 from polhode import rotation
 from polhode.errors import shown
-from polhode.spec.units import EXAMPLES, parse_quantity
+from polhode.spec.units import EXAMPLES, parse_quantity, parse_spectroscopic
 
 LARGEST = sys.float_info.max
 UNIT = "unit"  # attribute of what reads quantities
-SPEED_OF_LIGHT = 299792458.0  # m/s, exact by definition
 
 
 def _in(unit: str) -> Callable[[Callable[[Any], Any]], Callable[[Any], Any]]:
@@ -151,14 +150,7 @@ def _within(least: float, most: float, what: str) -> Callable[[float], float]:
 
 @_in("Hz")
 def _rotational_constant(value: Any) -> float:
-    """Return a frequency [Hz] of one that is given so, or as a wave number."""
-    try:
-        number = parse_quantity(value, "1/m") * SPEED_OF_LIGHT
-    except ValueError as error:
-        try:
-            number = parse_quantity(value, "Hz")
-        except ValueError:
-            raise ValueError(f'{error} or "{EXAMPLES["Hz"]}"') from None
+    number = parse_spectroscopic(value)
     if not number > 0:
         raise ValueError(f"must be positive; got {shown(value)}. Check number and unit")
     return number

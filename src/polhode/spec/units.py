@@ -11,6 +11,7 @@ from typing import Any
 
 from polhode.errors import shown
 
+SPEED_OF_LIGHT = 299792458.0  # m/s, exact by definition
 EXAMPLES = {
     "kg": "52 g",
     "m": "12 mm",
@@ -79,6 +80,21 @@ def parse_quantity(value: Any, unit: str) -> float:
     if isinstance(value, bool) or not isinstance(value, str):
         raise ValueError(f'needs a number with its unit in quotes, like "{EXAMPLES[unit]}"; got {shown(value)}')
     return _parsed(value, unit)
+
+
+def parse_spectroscopic(value: Any) -> float:
+    """Return a frequency [Hz] of one that is given so, or as a wave number.
+
+    Raises:
+        ValueError: with what is wrong and what would be right.
+    """
+    try:
+        return parse_quantity(value, "1/m") * SPEED_OF_LIGHT
+    except ValueError as error:
+        try:
+            return parse_quantity(value, "Hz")
+        except ValueError:
+            raise ValueError(f'{error} or "{EXAMPLES["Hz"]}"') from None
 
 
 @lru_cache(maxsize=1024)

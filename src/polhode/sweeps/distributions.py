@@ -21,7 +21,7 @@ from scipy.special import ndtri
 from polhode.errors import PolhodeError, shown
 from polhode.formats.opening import MB, read_text
 from polhode.spec.keys import Number
-from polhode.spec.units import QUANTITY, parse_quantity
+from polhode.spec.units import QUANTITY, parse_quantity, parse_spectroscopic
 from polhode.types import Float64
 
 Values = Float64[np.ndarray, "sample *vector"]
@@ -52,7 +52,8 @@ class Reader:
                 raise ValueError(f"must be a plain finite number, without unit or quotes; got {shown(value)}")
             return float(value)
         if self.number.unit is not None:
-            return parse_quantity(value, self.number.unit)
+            own = self.number.unit == "Hz"  # rotational constants, which may be wave numbers; rates are never in Hz
+            return parse_spectroscopic(value) if own else parse_quantity(value, self.number.unit)
         parts = QUANTITY.fullmatch(value) if isinstance(value, str) else None
         if parts is None or not math.isfinite(float(parts["number"])):
             raise ValueError(f'needs a number with its unit in quotes, like "2e-7 W*s^2"; got {shown(value)}')

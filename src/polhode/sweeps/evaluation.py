@@ -295,7 +295,7 @@ def _answer_column(name: str, values: dict[str, Any], units: dict[str, str]) -> 
     if not _has(values, name):
         known = sorted(name for name in _names(values) if " " not in name)
         near = difflib.get_close_matches(name, known, 1)
-        hint = f"did you mean {near[0]}?" if near else f"some that it has: {', '.join(known[:12])}."
+        hint = f"did you mean {near[0]}?" if near else f"some that it has: {', '.join(known[:12])}, …"
         raise _NoSuchAnswer(f"sweep.outputs: the report has no answer {shown(name)}; {hint} `polhode report SPEC "
                             "--json` shows all; places in lists count from 1.")  # fmt: skip
     value = _picked(values, name)
