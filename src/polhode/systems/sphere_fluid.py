@@ -114,7 +114,7 @@ class SphereFluid(AbstractLiePoissonSystem):
             table = np.array(coefficients, complex)
         if table.shape != (n, n) or not np.isfinite(table).all():
             raise InvalidInput(f"`coefficients` must be finite, of shape ({n}, {n}); got shape {table.shape}.")
-        if np.abs(table[:, 0].imag).max() > 0.0 or table[0].any():
+        if np.imag(table[:, 0]).any() or table[0].any():
             raise InvalidInput("`coefficients` must be real for m = 0, and none for l = 0: the vorticity has no mean.")
         return self.algebra.from_harmonics(jnp.asarray(table)) + self.planetary
 
