@@ -17,7 +17,7 @@ REFERENCE = Path(__file__).parents[2] / "docs" / "reference.md"
 TAKE_FILES_AND_WORDS = {"cli", "figures", "formats", "kinds", "reports", "spec", "sweeps", "viewer", "errors"}
 INNER = {
     "arrays": None,
-    "algebra": {"polynomial", "precision"},
+    "algebra": {"polynomial", "precision", "sphere_laplacian"},
     "analysis": {"conserved", "conserved_function", "equilibrium_data", "mechanics", "periapsis_map", "power_law",
                  "reasons", "second_variation"},
     "bodies": {"mesh_crossing", "mesh_gate", "pivot", "turned"},
@@ -33,7 +33,7 @@ INNER = {
                     "fixed_point", "group", "interrupts", "reversal", "sampled"},
     "motion": {"inputs", "invariants", "layout", "outcome", "trajectory"},
     "quantum": {"operators", "orbits", "partition", "strengths", "wang"},
-    "special": {"agm", "circular", "doubledouble", "first_kind", "legendre"},
+    "special": {"agm", "spherical_tensors", "circular", "doubledouble", "first_kind", "legendre"},
     "systems": {"agreement", "dipoles", "forward_only", "free_flow", "lattice_bonds",
                 "moser_veselov_table", "rolling_mechanics", "top_integrals"},
 }  # fmt: skip
@@ -127,7 +127,7 @@ CALLED_BY_OTHERS = {
     "bodies.atoms.is_element", "bodies.body.point_inertia",
     "bodies.body.check_is_body", "bodies.body.check_moments", "bodies.body.principal_axes",
     "bodies.mesh.volume_moments", "bodies.surface.cuboid", "bodies.surface.places", "bodies.surface.welded",
-    "quantum.semiclassics.phase", "quantum.spin.magnetic_numbers",
+    "quantum.semiclassics.phase",
     "quantum.spin.raising", "quantum.spin.unit_vectors", "quantum.rotor.checked_j",
     "integrators.base.explicit", "integrators.base.step_count", "poisson.brackets.as_points",
     "poisson.reconstruction.hermite",

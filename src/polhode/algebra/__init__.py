@@ -14,6 +14,7 @@ from polhode.algebra.power import Power  # noqa: E402
 from polhode.algebra.product import Product  # noqa: E402
 from polhode.algebra.properties import centre, index, killing_form  # noqa: E402
 from polhode.algebra.pseudo_orthogonal import SOpq  # noqa: E402
+from polhode.algebra.quantized_sphere import QuantizedSphere  # noqa: E402
 from polhode.algebra.se2 import SE2  # noqa: E402
 from polhode.algebra.se3 import SE3  # noqa: E402
 from polhode.algebra.semidirect import Semidirect  # noqa: E402
@@ -34,6 +35,7 @@ __all__ = [
     "Heisenberg",
     "Power",
     "Product",
+    "QuantizedSphere",
     "SOpq",
     "Semidirect",
     "Sp",

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import abc
 from functools import cached_property
-from typing import Any, ClassVar
+from typing import Any
 
 import equinox as eqx
 import jax
@@ -27,7 +27,11 @@ class AbstractMatrixAlgebra(AbstractLieAlgebra):
     """An algebra of square matrices with an orthogonal basis of rational structure constants."""
 
     n: eqx.AbstractVar[int]
-    scale: eqx.AbstractClassVar[float]
+
+    @property
+    @abc.abstractmethod
+    def scale(self) -> float:
+        """c of the pairing c Re tr(μ†x), in most algebras a constant of the class."""
 
     @cached_property
     def basis(self) -> np.ndarray:
@@ -126,7 +130,10 @@ class SO(AbstractMatrixAlgebra):
     """
 
     n: int = eqx.field(static=True)
-    scale: ClassVar[float] = 0.5
+
+    @property
+    def scale(self) -> float:
+        return 0.5
 
     def __check_init__(self) -> None:
         checked_size("SO", self.n, 2)
@@ -168,7 +175,10 @@ class SU(AbstractMatrixAlgebra):
     """
 
     n: int = eqx.field(static=True)
-    scale: ClassVar[float] = 2.0
+
+    @property
+    def scale(self) -> float:
+        return 2.0
 
     def __check_init__(self) -> None:
         checked_size("SU", self.n, 2)
@@ -211,7 +221,10 @@ class SL(AbstractMatrixAlgebra):
     """
 
     n: int = eqx.field(static=True)
-    scale: ClassVar[float] = 1.0
+
+    @property
+    def scale(self) -> float:
+        return 1.0
 
     def __check_init__(self) -> None:
         checked_size("SL", self.n, 2)
@@ -250,7 +263,10 @@ class Sp(AbstractMatrixAlgebra):
     """
 
     n: int = eqx.field(static=True)
-    scale: ClassVar[float] = 0.5
+
+    @property
+    def scale(self) -> float:
+        return 0.5
 
     def __check_init__(self) -> None:
         checked_size("Sp", self.n, 1)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
-
 import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
@@ -27,7 +25,10 @@ class SOpq(AbstractMatrixAlgebra):
     p: int = eqx.field(static=True)
     q: int = eqx.field(static=True)
     n: int = eqx.field(static=True)
-    scale: ClassVar[float] = 0.5
+
+    @property
+    def scale(self) -> float:
+        return 0.5
 
     def __init__(self, p: int, q: int) -> None:
         checked_size("SOpq", p, 0, "p")

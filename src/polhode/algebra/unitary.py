@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, ClassVar
+from typing import Any
 
 import equinox as eqx
 import jax.numpy as jnp
@@ -19,7 +19,10 @@ class U(AbstractMatrixAlgebra):
     """
 
     n: int = eqx.field(static=True)
-    scale: ClassVar[float] = 2.0
+
+    @property
+    def scale(self) -> float:
+        return 2.0
 
     def __check_init__(self) -> None:
         checked_size("U", self.n, 1)

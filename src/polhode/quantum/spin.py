@@ -15,6 +15,7 @@ from scipy.stats import binom
 
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
+from polhode.special.spherical_tensors import magnetic_numbers
 from polhode.types import Array, ArrayLike, Complex128, Float64, Real
 
 LARGEST_SPIN = 4000.0  # whose matrices, dense, take 3 GB
@@ -39,19 +40,6 @@ def spin_matrices(s: float) -> Complex128[Array, "3 n n"]:
         raise InvalidInput(f"`s` must be at most {LARGEST_SPIN:g} for dense matrices; got {shown(s)}.")
     up = np.diag(raising(s, m[1:]), 1)
     return np.array([0.5 * (up + up.T), -0.5j * (up - up.T), np.diag(m)])
-
-
-def magnetic_numbers(s: float) -> Float64[Array, "n"]:
-    """Return m = s, s − 1, …, −s, as floats (2s+1,).
-
-    Raises:
-        InvalidInput: for what is not half a whole number, or negative.
-    """
-    if not (np.ndim(s) == 0 and isinstance(s, int | float | np.integer | np.floating) and math.isfinite(s)):
-        raise InvalidInput(f"`s` must be one number, 0, 1/2, 1, …; got {shown(s)}.")
-    if s < 0 or 2.0 * s != round(2.0 * s):
-        raise InvalidInput(f"`s` must be half a whole number, 0, 1/2, 1, …; got {shown(s)}.")
-    return float(s) - np.arange(round(2.0 * s) + 1)
 
 
 def raising(s: float, m: Float64[Array, "k"]) -> Float64[Array, "k"]:

@@ -26,6 +26,7 @@ from polhode.systems.rolling_dissipation import (
     RollingDissipation,
     ViscousContourFriction,
 )
+from polhode.systems.sphere_fluid import SphereFluid
 from polhode.systems.spin_lattice import SpinLattice
 from polhode.systems.spin_orbit import SpinOrbit
 from polhode.systems.torqued_body import TorquedBody
@@ -67,6 +68,7 @@ __all__ = [
     "RollingDissipation",
     "Rotor",
     "RotorInBody",
+    "SphereFluid",
     "SphericalSlug",
     "SpinLattice",
     "SpinOrbit",

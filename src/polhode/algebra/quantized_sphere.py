@@ -1,0 +1,169 @@
+"""su(N) as the functions on a sphere of area 4π, blurred to N² − 1 numbers: Zeitlin's matrices.
+
+f ↦ F = i f(ħS) with ħ = 2/√(N² − 1): spherical harmonics Y_lm become matrices T_lm, l < N, and {f, g} = x·(∇f × ∇g)
+becomes −[F, G]/ħ up to terms that fall as 1/N². Row i stands for m = −s + i, s = (N − 1)/2.
+Source: Hoppe & Yau, Commun. Math. Phys. 195 (1998) 67; Zeitlin, Phys. Rev. Lett. 93 (2004) 264501.
+"""
+
+from __future__ import annotations
+
+import math
+from functools import cached_property
+from typing import Any
+
+import equinox as eqx
+import jax.numpy as jnp
+import numpy as np
+
+from polhode.algebra.base import AbstractLieAlgebra
+from polhode.algebra.matrix import AbstractMatrixAlgebra, Element, Operand, adjoint, checked_size, traceless
+from polhode.special.spherical_tensors import spherical_tensor
+from polhode.types import Array, ArrayLike, Complex128, Float64, Real
+
+POWERS = (2, 3, 4)  # of W whose traces are named among the Casimirs; ``spectrum`` has them all
+
+
+class QuantizedSphere(AbstractMatrixAlgebra):
+    """su(N) with [x, y]/ħ, ħ = 2/√(N²−1), and ⟨μ, x⟩ = (4π/N) Re tr μ†x, which is ∫ f g of the functions.
+
+    Elements (…, N, N) are traceless antihermitian. Coordinates are those along real orthonormal spherical harmonics, by
+    degree l = 1, …, N−1, in each m = 0, then cos mφ and sin mφ. Casimirs (4π/N) tr (−iW)^k, k = 2, 3, 4, which
+    tend to ∫ ω^k; of all N − 1 ``spectrum`` tells.
+
+    Args:
+        n: N, at least 2.
+    """
+
+    n: int = eqx.field(static=True)
+
+    def __check_init__(self) -> None:
+        checked_size("QuantizedSphere", self.n, 2)
+
+    @property
+    def scale(self) -> float:
+        return 4.0 * math.pi / self.n
+
+    @property
+    def hbar(self) -> float:
+        """ħ = 2/√(N²−1)."""
+        return 2.0 / math.sqrt(self.n**2 - 1.0)
+
+    @property
+    def dim(self) -> int:
+        return self.n**2 - 1
+
+    @property
+    def dtype(self) -> Any:
+        return jnp.complex128
+
+    @property
+    def casimir_names(self) -> tuple[str, ...]:
+        return tuple(f"tr (−iW)^{k}" for k in POWERS[: self.n - 1])
+
+    def casimirs(self, mu: Element) -> Float64[Array, "*batch k"]:
+        traces = self._power_traces(-1j * jnp.asarray(mu), POWERS[: self.n - 1])
+        return self.scale * jnp.stack(traces, axis=-1).real
+
+    def spectrum(self, mu: Element) -> Float64[Array, "*batch {self.n}"]:
+        """Return the eigenvalues of −iW (…, N), ascending: blurred values of the function, which no motion changes."""
+        return jnp.linalg.eigvalsh(-1j * jnp.asarray(mu))
+
+    # ------------------------------------------------------------------ the bracket is the commutator over ħ
+
+    def bracket(self, x: Operand, y: Operand) -> Element:
+        return super().bracket(x / self.hbar, y)
+
+    def coadjoint(self, x: Operand, mu: Operand) -> Element:
+        return super().coadjoint(x / self.hbar, mu)
+
+    def exp(self, x: Element) -> Element:
+        return super().exp(x / self.hbar)
+
+    def cayley(self, x: Element) -> Element:
+        return super().cayley(x / self.hbar)
+
+    def cayley_middle(self, x: Operand, mu: Operand) -> Element:
+        return super().cayley_middle(x / self.hbar, mu)
+
+    def exp_change(self, x: Operand, mu: Operand) -> Element:
+        return self.project(AbstractLieAlgebra.exp_change(self, x, mu))
+
+    def rate(self, x: Element) -> Float64[Array, "*batch"]:
+        values = self.spectrum(x)
+        return (values[..., -1] - values[..., 0]) / self.hbar
+
+    def project(self, matrix: Element) -> Element:
+        return traceless(0.5 * (matrix - adjoint(matrix)))
+
+    # ------------------------------------------------------------------ harmonics
+
+    @cached_property
+    def tensors(self) -> list[np.ndarray]:
+        """T_lm on its diagonal for m = 0, …, N−1: rows l = m, …, N−1, columns i = 0, …, N−1−m; tr T†T = N."""
+        s = 0.5 * (self.n - 1)
+        return [math.sqrt(self.n) * spherical_tensor(s, m)[:, ::-1] for m in range(self.n)]
+
+    def from_harmonics(self, coefficients: Real[ArrayLike, "*batch n n"]) -> Element:
+        """Return the matrices of real functions f = Σ f_lm Y_lm from f_lm (…, N, N), l by rows, m ≥ 0 by columns.
+
+        f_{l,−m} = (−1)^m f̄_lm; f_00 and the imaginary parts of f_l0 are ignored.
+        """
+        f = jnp.asarray(coefficients, dtype=complex)
+        matrix = jnp.zeros(f.shape, complex)
+        for m, rows in enumerate(self.tensors):
+            values = f[..., m:, m]
+            if m == 0:
+                values = values.real.at[..., 0].set(0.0)
+            entries = (values @ rows) * (1j / math.sqrt(4.0 * math.pi))
+            i = np.arange(self.n - m)
+            matrix = matrix.at[..., i + m, i].set(entries)
+            if m:
+                matrix = matrix.at[..., i, i + m].set(-jnp.conj(entries))
+        return matrix
+
+    def to_harmonics(self, matrix: Element) -> Complex128[Array, "*batch {self.n} {self.n}"]:
+        """Return f_lm (…, N, N), l by rows, m ≥ 0 by columns, of matrices; zero where m > l."""
+        columns = []
+        for m, rows in enumerate(self.tensors):
+            entries = jnp.diagonal(matrix, -m, -2, -1)
+            found = entries @ rows.T * (math.sqrt(4.0 * math.pi) / (1j * self.n))
+            columns.append(jnp.concatenate([jnp.zeros((*found.shape[:-1], m), complex), found], axis=-1))
+        return jnp.stack(columns, axis=-1)
+
+    def _make_basis(self) -> np.ndarray:
+        return np.asarray(self.from_vector(jnp.eye(self.dim)))
+
+    def to_vector(self, x: Element) -> Float64[Array, "*batch {self.dim}"]:
+        f = self.to_harmonics(x)
+        parts = []
+        for degree in range(1, self.n):
+            row = f[..., degree, 1 : degree + 1]
+            pairs = math.sqrt(2.0) * jnp.stack([row.real, row.imag], axis=-1)
+            parts += [f[..., degree, :1].real, pairs.reshape(*pairs.shape[:-2], -1)]
+        return jnp.concatenate(parts, axis=-1)
+
+    def from_vector(self, vector: Float64[Array, "*batch {self.dim}"]) -> Element:
+        vector = jnp.asarray(vector)
+        f = jnp.zeros((*vector.shape[:-1], self.n, self.n), complex)
+        at = 0
+        for degree in range(1, self.n):
+            pairs = vector[..., at + 1 : at + 1 + 2 * degree].reshape(*vector.shape[:-1], degree, 2) / math.sqrt(2.0)
+            f = f.at[..., degree, 0].set(vector[..., at])
+            f = f.at[..., degree, 1 : degree + 1].set(pairs[..., 0] + 1j * pairs[..., 1])
+            at += 2 * degree + 1
+        return self.from_harmonics(f)
+
+    def to_dual_vector(self, mu: Element) -> Float64[Array, "*batch {self.dim}"]:
+        return self.to_vector(mu)
+
+    def from_dual_vector(self, vector: Float64[Array, "*batch {self.dim}"]) -> Element:
+        return self.from_vector(vector)
+
+    @cached_property
+    def coordinates(self) -> np.ndarray:
+        """The matrices X_a = iħS_a (3, N, N) of the Cartesian coordinates x_a."""
+        s = 0.5 * (self.n - 1)
+        m = np.arange(self.n) - s
+        up = np.diag(np.sqrt((s - m[:-1]) * (s + m[:-1] + 1.0)), -1)
+        spins = np.array([0.5 * (up + up.T), -0.5j * (up - up.T), np.diag(m)])
+        return 1j * self.hbar * spins
