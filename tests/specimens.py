@@ -56,6 +56,8 @@ SYSTEMS = [
     systems.SpinLattice(LATTICE, 1.0, BONDS, EASY, (0.0, 0.0, 0.3)),
     systems.SpinLattice(OPEN, 1.0, BONDS, EASY, (0.1, 0.0, 0.3), dipolar=0.1),
     systems.SpinLattice(OPEN, 1.0, BONDS, field=(0.1, 0.0, 0.3), damping=0.1),
+    systems.SphereVortices((1.0, -0.7, 0.4)),
+    systems.PlaneVortices((1.0, -0.7, 0.4, -1.0)),
     systems.LiePoisson(lie.AffineLine(), lambda m: jnp.sum(m**2)),
 ]
 

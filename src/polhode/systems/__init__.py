@@ -16,6 +16,7 @@ from polhode.systems.lattice import Bond, Lattice, exchange_matrix
 from polhode.systems.lie_poisson import LiePoisson
 from polhode.systems.manakov import Manakov
 from polhode.systems.mounts import AbstractMount, EnergySink, HeldRotor, Rotor, SphericalSlug
+from polhode.systems.point_vortices import PlaneVortices, SphereVortices
 from polhode.systems.rigid_body import AbstractRigidBody, RigidBody
 from polhode.systems.rolling_dissipation import (
     AirLayer,
@@ -61,12 +62,14 @@ __all__ = [
     "LiePoisson",
     "LinearDrag",
     "Manakov",
+    "PlaneVortices",
     "QuadraticDrag",
     "RigidBody",
     "RollingCouple",
     "RollingDissipation",
     "Rotor",
     "RotorInBody",
+    "SphereVortices",
     "SphericalSlug",
     "SpinLattice",
     "SpinOrbit",
