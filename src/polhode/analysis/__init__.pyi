@@ -175,3 +175,7 @@ from .top_rests import top_stability as top_stability
 from .top_start import steady_precession_at as steady_precession_at
 from .top_start import top_velocity as top_velocity
 from .twist import racket_twist as racket_twist
+from .vortex_equilibria import polygon_exponents as polygon_exponents
+from .vortex_equilibria import ring_exponents as ring_exponents
+from .vortex_equilibria import vortex_stability as vortex_stability
+from .vortex_equilibria import vortex_turning_rate as vortex_turning_rate
