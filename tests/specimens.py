@@ -58,6 +58,7 @@ SYSTEMS = [
     systems.SpinLattice(OPEN, 1.0, BONDS, field=(0.1, 0.0, 0.3), damping=0.1),
     systems.SphereVortices((1.0, -0.7, 0.4)),
     systems.PlaneVortices((1.0, -0.7, 0.4, -1.0)),
+    systems.VlasovPoisson(5.0, 3, 4),
     systems.LiePoisson(lie.AffineLine(), lambda m: jnp.sum(m**2)),
 ]
 

@@ -84,11 +84,16 @@ def test_two_vortices_turn_about_their_moment_in_one_step():
 def test_two_vortices_of_a_plane_in_one_step(strengths):
     pair, z = PlaneVortices(strengths), np.array([0.3 + 0.1j, -0.2 + 0.9j])
     total, apart = sum(strengths), z[0] - z[1]
-    end = ph.solve(pair, pair.pack(np.stack([z.real, z.imag], axis=1)), (0.0, 5.0), Splitting, step=5.0, order=2).saved[-1]
+    start = pair.pack(np.stack([z.real, z.imag], axis=1))
+    end = ph.solve(pair, start, (0.0, 5.0), Splitting, step=5.0, order=2).saved[-1]
     share = 5.0 / (2.0 * np.pi * abs(apart) ** 2)
     turned = np.expm1(1j * total * share) / total if total else 1j * share
     wanted = z + np.array([strengths[1], -strengths[0]]) * apart * turned
     np.testing.assert_allclose(np.asarray(pair.positions(end)) @ [1.0, 1j], wanted, atol=1e-14)
+
+
+def end_of(system, start, method, step, order):
+    return np.asarray(ph.solve(system, start, (0.0, 2.0), method, step=step, order=order).saved[-1])
 
 
 @pytest.mark.parametrize(("system", "start"), [(SPHERE, ON_SPHERE), (PLANE, IN_PLANE)], ids=["sphere", "plane"])
@@ -96,12 +101,10 @@ def test_against_a_general_integrator_and_order_two(system, start):
     wanted = solve_ivp(lambda t, y: np.asarray(system.vector_field(t, jnp.asarray(y.reshape(5, 3)))).ravel(),
                        (0.0, 2.0), np.asarray(start).ravel(), method="DOP853", rtol=1e-12, atol=1e-13)  # fmt: skip
     wanted = wanted.y[:, -1].reshape(5, 3)
-    ends = [np.asarray(ph.solve(system, start, (0.0, 2.0), Splitting, step=h, order=2).saved[-1]) for h in (0.05, 0.025)]
-    errors = [np.abs(end - wanted).max() for end in ends]
+    errors = [np.abs(end_of(system, start, Splitting, h, 2) - wanted).max() for h in (0.05, 0.025)]
     assert errors[1] < 1e-3
     assert 1.9 < np.log2(errors[0] / errors[1]) < 2.1
-    finest = ph.solve(system, start, (0.0, 2.0), Splitting, step=0.05, order=6).saved[-1]
-    np.testing.assert_allclose(finest, wanted, atol=1e-7)
+    np.testing.assert_allclose(end_of(system, start, Splitting, 0.05, 6), wanted, atol=1e-7)
 
 
 @pytest.mark.parametrize(("system", "start"), [(SPHERE, ON_SPHERE), (PLANE, IN_PLANE)], ids=["sphere", "plane"])
@@ -113,11 +116,10 @@ def test_moments_are_kept_to_rounding(system, start):
 
 
 def test_error_is_far_below_that_of_the_spherical_midpoint():
-    ring = SphereVortices(np.ones(5))
-    start = ring.ring(0.7)
-    turned = ph.rotation.from_axis_angle((0.0, 0.0, 1.0), 4.0 * vortex_turning_rate(ring, start))
-    wanted = np.asarray(ph.rotation.rotate(turned, start))
-    error = {method: np.abs(np.asarray(ph.solve(ring, start, (0.0, 4.0), method, step=0.1, order=2).saved[-1]) - wanted).max()
+    vortices = SphereVortices(np.abs(STRENGTHS))
+    start = vortices.pack(PLACES)
+    wanted = end_of(vortices, start, Splitting, 0.05, 8)
+    error = {method: np.abs(end_of(vortices, start, method, 0.1, 2) - wanted).max()
              for method in (Splitting, SphericalMidpoint)}  # fmt: skip
     assert error[Splitting] < 0.2 * error[SphericalMidpoint]
 

@@ -31,6 +31,7 @@ from polhode.systems.spin_lattice import SpinLattice
 from polhode.systems.spin_orbit import SpinOrbit
 from polhode.systems.torqued_body import TorquedBody
 from polhode.systems.torques import AbstractTorque, GravityGradient, LaggedTorque, LinearDrag, QuadraticDrag
+from polhode.systems.vlasov_poisson import VlasovPoisson, quiet_start
 
 __all__ = [
     "AbstractLiePoissonSystem",
@@ -76,6 +77,8 @@ __all__ = [
     "TorquedBody",
     "TorquedGyrostat",
     "ViscousContourFriction",
+    "VlasovPoisson",
     "exchange_matrix",
+    "quiet_start",
     "rotor_in_body",
 ]
