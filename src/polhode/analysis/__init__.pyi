@@ -43,6 +43,7 @@ from .gyrostat_rotations import steady_rotations as steady_rotations
 from .gyrostat_rotations import symmetric_rates as symmetric_rates
 from .hysteresis import HysteresisLoop as HysteresisLoop
 from .hysteresis import hysteresis_loop as hysteresis_loop
+from .manakov_rotations import plane_rotation_exponents as plane_rotation_exponents
 from .mechanics import Mechanics as Mechanics
 from .mechanics import invariants_along as invariants_along
 from .plasma_waves import MAXWELLIAN as MAXWELLIAN

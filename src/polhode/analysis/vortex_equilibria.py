@@ -41,8 +41,8 @@ def vortex_turning_rate(system: SphereVortices | PlaneVortices, state: Real[Arra
     left, whole = float(np.linalg.norm(field - rate * turn)), float(np.linalg.norm(_terms(system, point)))
     if left > TURNING * whole:
         raise InvalidInput(
-            f"the vortices do not turn as a whole about {_axis(system)}: {left / whole:.3g} of their motion is something "
-            "else. Solve for an arrangement that does, or move their centre there."
+            f"the vortices do not turn as a whole about {_axis(system)}: {left / whole:.3g} of their motion is "
+            "something else. Solve for an arrangement that does, or move their centre there."
         )
     return rate
 

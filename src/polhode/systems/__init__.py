@@ -29,6 +29,7 @@ from polhode.systems.rolling_dissipation import (
 )
 from polhode.systems.spin_lattice import SpinLattice
 from polhode.systems.spin_orbit import SpinOrbit
+from polhode.systems.toda import Toda
 from polhode.systems.torqued_body import TorquedBody
 from polhode.systems.torques import AbstractTorque, GravityGradient, LaggedTorque, LinearDrag, QuadraticDrag
 from polhode.systems.vlasov_poisson import VlasovPoisson, quiet_start
@@ -74,6 +75,7 @@ __all__ = [
     "SphericalSlug",
     "SpinLattice",
     "SpinOrbit",
+    "Toda",
     "TorquedBody",
     "TorquedGyrostat",
     "ViscousContourFriction",

@@ -24,9 +24,9 @@ HALF_TURN = 0.5 / np.pi
 class SphereVortices(AbstractLiePoissonSystem):
     """Point vortices x_i on the unit sphere: μ_i = Γ_i x_i on n copies of so(3)*, with the bracket's sign +1.
 
-    H = −(1/4π) Σ_{i<j} Γ_i Γ_j ln|x_i − x_j|², so that ẋ_i = Σ_j Γ_j x_j × x_i/(2π|x_i − x_j|²). States are μ (…, n, 3),
-    made by ``pack``. Two vortices alone turn about Γ_i x_i + Γ_j x_j at a constant rate; the flows are rounds of
-    disjoint pairs, each of which turns so. Their product, ``Splitting``, keeps every |μ_i| and J = Σ μ_i to rounding.
+    H = −(1/4π) Σ_{i<j} Γ_i Γ_j ln|x_i − x_j|², with ẋ_i = Σ_j Γ_j x_j × x_i/(2π|x_i − x_j|²). States μ (…, n, 3) are made
+    by ``pack``. Two vortices alone turn about Γ_i x_i + Γ_j x_j at a constant rate; the flows are rounds of
+    disjoint pairs, each of which turns so. ``Splitting``, their product, keeps every |μ_i| and J = Σ μ_i to rounding.
 
     Args:
         strengths: (n,) circulations Γ, none of them zero, n ≥ 2. On a closed surface a uniform vorticity −ΣΓ/4π, which
@@ -128,7 +128,7 @@ class PlaneVortices(AbstractLiePoissonSystem):
 
     H = −(1/2π) Σ_{i<j} Γ_i Γ_j ln|z_i − z_j|, so that ż_i = (i/2π) Σ_j Γ_j (z_i − z_j)/|z_i − z_j|². States are μ
     (…, n, 3), made by ``pack``. Two vortices alone turn about their centre, or move straight where Γ_i + Γ_j = 0; the
-    flows are rounds of disjoint pairs, each of which moves so. ``Splitting`` keeps the centre ΣΓz and ΣΓ|z|² to rounding.
+    flows are rounds of disjoint pairs, each of which moves so. ``Splitting`` keeps ΣΓz and ΣΓ|z|² to rounding.
 
     Args:
         strengths: (n,) circulations Γ [m²/s], none of them zero, n ≥ 2.
