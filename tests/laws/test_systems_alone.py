@@ -38,9 +38,14 @@ SPECIMENS = [
 ]  # fmt: skip
 NOT_MOVING = {systems.AbstractLiePoissonSystem, systems.AbstractSystem, systems.AbstractTorque, systems.AbstractMount,
               systems.AbstractRigidBody, systems.RollingDissipation, systems.Balance, systems.RotorInBody,
-              systems.Bond, systems.Lattice, systems.exchange_matrix,
+              systems.Bond, systems.Lattice, systems.exchange_matrix, systems.quiet_start,
               systems.rotor_in_body}  # fmt: skip
 LEFT_OUT = {
+    "ring": "takes an angle, and is tested in tests/systems/test_point_vortices.py",
+    "polygon": "takes a radius, and is tested in tests/systems/test_point_vortices.py",
+    "SphereVortices.pack": "takes positions, and is tested in tests/systems/test_point_vortices.py",
+    "PlaneVortices.pack": "takes positions, and is tested in tests/systems/test_point_vortices.py",
+    "VlasovPoisson.pack": "takes positions, and is tested in tests/systems/test_vlasov_poisson.py",
     "aligned": "takes directions, and is tested in tests/systems/test_spin_lattice.py",
     "check_state": "refuses traced numbers, see test_refused_when_traced",
     "upright": "refuses traced numbers, see test_refused_when_traced",

@@ -35,11 +35,13 @@ class Beam(NamedTuple):
 MAXWELLIAN = (Beam(),)
 
 
+@known_numbers_only
 def two_stream(drift: float) -> tuple[Beam, ...]:
     """Return two equal beams of unit spread that drift at ±``drift``."""
     return Beam(0.5, drift), Beam(0.5, -drift)
 
 
+@known_numbers_only
 def bump_on_tail(share: float, drift: float, spread: float) -> tuple[Beam, ...]:
     """Return a Maxwellian of unit spread with a small beam on its tail."""
     return Beam(1.0 - share), Beam(share, drift, spread)

@@ -24,7 +24,7 @@ HALF_TURN = 0.5 / np.pi
 class SphereVortices(AbstractLiePoissonSystem):
     """Point vortices x_i on the unit sphere: μ_i = Γ_i x_i on n copies of so(3)*, with the bracket's sign +1.
 
-    H = −(1/4π) Σ_{i<j} Γ_i Γ_j ln|x_i − x_j|², with ẋ_i = Σ_j Γ_j x_j × x_i/(2π|x_i − x_j|²). States μ (…, n, 3) are made
+    H = −(1/4π) Σ_{i<j} Γ_i Γ_j ln|x_i − x_j|², with ẋ_i = Σ_j Γ_j x_j × x_i/(2π|x_i − x_j|²). States (…, n, 3) are made
     by ``pack``. Two vortices alone turn about Γ_i x_i + Γ_j x_j at a constant rate; the flows are rounds of
     disjoint pairs, each of which turns so. ``Splitting``, their product, keeps every |μ_i| and J = Σ μ_i to rounding.
 
@@ -49,7 +49,7 @@ class SphereVortices(AbstractLiePoissonSystem):
 
     @known_numbers_only
     def __init__(self, strengths: Real[ArrayLike, "n"]) -> None:
-        self.strengths = checked_strengths(strengths)
+        self.strengths = _checked_strengths(strengths)
         self.algebra = Power(SO3(), len(self.strengths))
 
     @property
@@ -96,14 +96,14 @@ class SphereVortices(AbstractLiePoissonSystem):
                 "`state` must be Γ_i x_i with unit vectors x_i; one is off by "
                 f"{off.max():.3g}. Make it by `vortices.pack(positions)`."
             )
-        check_apart(np.asarray(self.positions(state)))
+        _check_apart(np.asarray(self.positions(state)))
         return state
 
     def energy(self, point: Float64[Array, "*batch n 3"]) -> Float64[Array, "*batch"]:
-        return pair_energy(self.strengths, self.positions(point))
+        return _pair_energy(self.strengths, self.positions(point))
 
     def velocity(self, point: Float64[Array, "*batch n 3"]) -> Float64[Array, "*batch n 3"]:
-        return -HALF_TURN * pulls(self.strengths, self.positions(point))
+        return -HALF_TURN * _pulls(self.strengths, self.positions(point))
 
     @property
     def extra_invariants(self) -> dict[str, Function]:
@@ -119,7 +119,7 @@ class SphereVortices(AbstractLiePoissonSystem):
         other = tuple(x[..., mates] for x in state)
         ratios = 1.0 / self.strengths
         apart = [x * ratios - y * ratios[mates] for x, y in zip(state, other, strict=True)]
-        angle = HALF_TURN * time * active(mates) / square_apart(mates, dot(apart, apart))
+        angle = HALF_TURN * time * _active(mates) / _square_apart(mates, dot(apart, apart))
         return turn(state, [angle * (x + y) for x, y in zip(state, other, strict=True)])
 
 
@@ -150,7 +150,7 @@ class PlaneVortices(AbstractLiePoissonSystem):
 
     @known_numbers_only
     def __init__(self, strengths: Real[ArrayLike, "n"]) -> None:
-        self.strengths = checked_strengths(strengths)
+        self.strengths = _checked_strengths(strengths)
         self.algebra = Power(Heisenberg(1), len(self.strengths))
 
     def pack(self, positions: Real[ArrayLike, "*batch n 2"]) -> Float64[Array, "*batch n 3"]:
@@ -189,14 +189,14 @@ class PlaneVortices(AbstractLiePoissonSystem):
                 f"`state` must have 1/Γ of each vortex behind its y and x; one is off by {off.max():.3g}. Make it by "
                 "`vortices.pack(positions)`."
             )
-        check_apart(np.asarray(state)[..., :2])
+        _check_apart(np.asarray(state)[..., :2])
         return state
 
     def energy(self, point: Float64[Array, "*batch n 3"]) -> Float64[Array, "*batch"]:
-        return pair_energy(self.strengths, jnp.asarray(point)[..., :2])
+        return _pair_energy(self.strengths, jnp.asarray(point)[..., :2])
 
     def velocity(self, point: Float64[Array, "*batch n 3"]) -> Float64[Array, "*batch n 3"]:
-        pulled = -HALF_TURN * self.strengths[:, None] * pulls(self.strengths, jnp.asarray(point)[..., :2])
+        pulled = -HALF_TURN * self.strengths[:, None] * _pulls(self.strengths, jnp.asarray(point)[..., :2])
         return jnp.concatenate([pulled, jnp.zeros_like(pulled[..., :1])], axis=-1)
 
     @property
@@ -220,7 +220,7 @@ class PlaneVortices(AbstractLiePoissonSystem):
         dy, dx = y - y[..., mates], x - x[..., mates]
         product = self.strengths * self.strengths[mates]
         own, other = level * product, level[..., mates] * product  # Γ_j and Γ_i where the levels are 1/Γ
-        share = HALF_TURN * time * active(mates) / square_apart(mates, dx * dx + dy * dy)
+        share = HALF_TURN * time * _active(mates) / _square_apart(mates, dx * dx + dy * dy)
         half = 0.5 * (own + other) * share
         # (e^{2i half} − 1)/(own + other) = i share e^{i half} sin(half)/half, regular where strengths add up to zero
         size = own * share * jnp.sinc(half / np.pi)
@@ -252,24 +252,24 @@ def rounds_of_pairs(count: int) -> list[np.ndarray]:
     return rounds
 
 
-def active(mates: np.ndarray) -> Float64[np.ndarray, "n"]:
+def _active(mates: np.ndarray) -> Float64[np.ndarray, "n"]:
     """Return 1 where a vortex has a mate, 0 where it rests."""
     return (mates != np.arange(len(mates))).astype(float)
 
 
-def square_apart(mates: np.ndarray, square: Float64[Array, "*batch n"]) -> Float64[Array, "*batch n"]:
+def _square_apart(mates: np.ndarray, square: Float64[Array, "*batch n"]) -> Float64[Array, "*batch n"]:
     """Return squared distances to the mates, and 1 for who rests."""
-    return jnp.where(active(mates) > 0, square, 1.0)
+    return jnp.where(_active(mates) > 0, square, 1.0)
 
 
-def pair_energy(strengths: Float64[Array, "n"], places: Float64[Array, "*batch n k"]) -> Float64[Array, "*batch"]:
+def _pair_energy(strengths: Float64[Array, "n"], places: Float64[Array, "*batch n k"]) -> Float64[Array, "*batch"]:
     """Return −(1/4π) Σ_{i<j} Γ_i Γ_j ln|x_i − x_j|² (…)."""
     _, square = _differences(places)
     products = strengths[:, None] * strengths[None, :]
     return -0.25 * HALF_TURN * jnp.sum(products * jnp.log(square), axis=(-2, -1))
 
 
-def pulls(strengths: Float64[Array, "n"], places: Float64[Array, "*batch n k"]) -> Float64[Array, "*batch n k"]:
+def _pulls(strengths: Float64[Array, "n"], places: Float64[Array, "*batch n k"]) -> Float64[Array, "*batch n k"]:
     """Return Σ_j Γ_j (x_i − x_j)/|x_i − x_j|² (…, n, k)."""
     apart, square = _differences(places)
     return jnp.sum(strengths[:, None] * apart / square[..., None], axis=-2)
@@ -281,7 +281,7 @@ def _differences(places: Array) -> tuple[Array, Array]:
     return apart, jnp.sum(apart * apart, axis=-1) + jnp.eye(places.shape[-2])
 
 
-def checked_strengths(strengths: Real[ArrayLike, "n"]) -> Float64[Array, "n"]:
+def _checked_strengths(strengths: Real[ArrayLike, "n"]) -> Float64[Array, "n"]:
     """Return at least two finite strengths other than zero.
 
     Raises:
@@ -296,7 +296,7 @@ def checked_strengths(strengths: Real[ArrayLike, "n"]) -> Float64[Array, "n"]:
     return jnp.asarray(values)
 
 
-def check_apart(places: Float64[np.ndarray, "*batch n k"]) -> None:
+def _check_apart(places: Float64[np.ndarray, "*batch n k"]) -> None:
     """Refuse vortices at one place.
 
     Raises:
