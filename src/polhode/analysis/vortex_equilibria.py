@@ -31,7 +31,7 @@ def vortex_turning_rate(system: SphereVortices | PlaneVortices, state: Real[Arra
 
     >>> ring = SphereVortices(np.ones(5))
     >>> round(vortex_turning_rate(ring, ring.ring(1.0)), 9)  # (n − 1) cos θ/(4π sin² θ)
-    0.242889263
+    0.242889453
     """
     point = _one_state(system, state)
     field = np.asarray(system.vector_field(0.0, point))

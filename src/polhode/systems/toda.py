@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
+from itertools import pairwise
 from typing import ClassVar
 
 import equinox as eqx
@@ -72,7 +73,7 @@ class Toda(AbstractLiePoissonSystem):
     def _kick(self, time: Array, state: Components) -> Components:
         none, still = [jnp.zeros_like(state[0])], [jnp.zeros_like(a) for a in state[self.n :]]
         squares = [*none, *(2.0 * time * a * a for a in state[self.n :]), *none]
-        return (*(right - left for left, right in zip(squares[:-1], squares[1:], strict=True)), *still)
+        return (*(right - left for left, right in pairwise(squares)), *still)
 
     def _drift(self, time: Array, state: Components) -> Components:
         b, a = state[: self.n], state[self.n :]
