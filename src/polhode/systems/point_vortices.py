@@ -13,9 +13,9 @@ from polhode.algebra.power import Power
 from polhode.algebra.so3 import SO3
 from polhode.arrays import is_traced, known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
-from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, Function
+from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, Function, Round
 from polhode.systems.lattice_bonds import dot, turn
-from polhode.types import Array, ArrayLike, Double, Float64, Real
+from polhode.types import Array, ArrayLike, Double, Float64, Integer, Real
 
 LEVEL = 1e-9  # relative: how far a state may be from the orbit of its strengths
 HALF_TURN = 0.5 / np.pi
@@ -112,10 +112,11 @@ class SphereVortices(AbstractLiePoissonSystem):
 
     @property
     def flows(self) -> dict[str, Flow]:
-        rounds = rounds_of_pairs(len(self.strengths))
-        return {f"pairs, round {k + 1}": partial(self._turned, mates) for k, mates in enumerate(rounds)}
+        count = len(rounds_of_pairs(len(self.strengths)))
+        return {f"pairs, round {k + 1}": Round(self._turned, k) for k in range(count)}
 
-    def _turned(self, mates: np.ndarray, time: Array, state: Components) -> Components:
+    def _turned(self, number: Integer[Array, ""], time: Array, state: Components) -> Components:
+        mates = jnp.asarray(np.stack(rounds_of_pairs(len(self.strengths))))[number]
         other = tuple(x[..., mates] for x in state)
         ratios = 1.0 / self.strengths
         apart = [x * ratios - y * ratios[mates] for x, y in zip(state, other, strict=True)]
@@ -212,10 +213,11 @@ class PlaneVortices(AbstractLiePoissonSystem):
 
     @property
     def flows(self) -> dict[str, Flow]:
-        rounds = rounds_of_pairs(len(self.strengths))
-        return {f"pairs, round {k + 1}": partial(self._turned, mates) for k, mates in enumerate(rounds)}
+        count = len(rounds_of_pairs(len(self.strengths)))
+        return {f"pairs, round {k + 1}": Round(self._turned, k) for k in range(count)}
 
-    def _turned(self, mates: np.ndarray, time: Array, state: Components) -> Components:
+    def _turned(self, number: Integer[Array, ""], time: Array, state: Components) -> Components:
+        mates = jnp.asarray(np.stack(rounds_of_pairs(len(self.strengths))))[number]
         y, x, level = state
         dy, dx = y - y[..., mates], x - x[..., mates]
         product = self.strengths * self.strengths[mates]
@@ -252,12 +254,12 @@ def rounds_of_pairs(count: int) -> list[np.ndarray]:
     return rounds
 
 
-def _active(mates: np.ndarray) -> Float64[np.ndarray, "n"]:
+def _active(mates: Integer[Array, "n"]) -> Float64[Array, "n"]:
     """Return 1 where a vortex has a mate, 0 where it rests."""
     return (mates != np.arange(len(mates))).astype(float)
 
 
-def _square_apart(mates: np.ndarray, square: Float64[Array, "*batch n"]) -> Float64[Array, "*batch n"]:
+def _square_apart(mates: Integer[Array, "n"], square: Float64[Array, "*batch n"]) -> Float64[Array, "*batch n"]:
     """Return squared distances to the mates, and 1 for who rests."""
     return jnp.where(_active(mates) > 0, square, 1.0)
 
