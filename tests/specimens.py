@@ -11,8 +11,8 @@ so3 = lie.SO3()
 ALGEBRAS = [
     so3, lie.SE3(), lie.SO(2), lie.SO(3), lie.SO(4), lie.SO(5), lie.SO(6), lie.SU(2), lie.SU(3), lie.SU(4), lie.SL(2),
     lie.SL(3), lie.Sp(1), lie.Sp(2), lie.Heisenberg(1), lie.Heisenberg(3), lie.AffineLine(), lie.SE2(),
-    lie.QuantizedSphere(4), lie.U(1),
-    lie.U(3), lie.SOpq(2, 1), lie.SOpq(3, 1), lie.SOpq(1, 4), lie.Power(so3, 4), lie.Power(so3, (2, 1, 2)),
+    lie.QuantizedSphere(4), lie.U(1), lie.Bidiagonal(3), lie.U(3), lie.SOpq(2, 1), lie.SOpq(3, 1), lie.SOpq(1, 4),
+    lie.Power(so3, 4), lie.Power(so3, (2, 1, 2)),
     lie.Power(lie.SU(3), 2), lie.Product(so3, lie.SU(2), lie.AffineLine()),
     lie.Semidirect(so3, so3.structure_constants().transpose(0, 2, 1)),
     lie.Semidirect(lie.SL(2), np.asarray(lie.SL(2).basis)),
@@ -58,6 +58,10 @@ SYSTEMS = [
     systems.SpinLattice(LATTICE, 1.0, BONDS, EASY, (0.0, 0.0, 0.3)),
     systems.SpinLattice(OPEN, 1.0, BONDS, EASY, (0.1, 0.0, 0.3), dipolar=0.1),
     systems.SpinLattice(OPEN, 1.0, BONDS, field=(0.1, 0.0, 0.3), damping=0.1),
+    systems.SphereVortices((1.0, -0.7, 0.4)),
+    systems.PlaneVortices((1.0, -0.7, 0.4, -1.0)),
+    systems.VlasovPoisson(5.0, 3, 4),
+    systems.Toda(4),
     systems.LiePoisson(lie.AffineLine(), lambda m: jnp.sum(m**2)),
 ]
 

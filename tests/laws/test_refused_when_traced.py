@@ -46,6 +46,8 @@ OF_MOTIONS = ("polhode", "herpolhode", "herpolhode_curve", "body_precession", "s
 CHAIN = systems.SpinLattice(systems.Lattice([[1.0]], shape=(4,)), bonds=[systems.Bond(0, 0, (1,), 1.0)])
 SPINS = np.ones((12, 4, 1, 1, 1, 3))
 DAMPED_SPIN = systems.SpinLattice(systems.Lattice([[1.0]]), field=(0.0, 0.1, 1.0), damping=0.5)
+VORTICES, PLASMA = systems.SphereVortices(THREE), systems.VlasovPoisson(1.0, 1, 4)
+ROTATING = systems.Manakov(THREE)
 HISTORY = comparison.AttitudeHistory("b", TIMES, TURNS)
 
 
@@ -85,6 +87,20 @@ REFUSED = {
     "structure_factor": (SPINS, lambda x: analysis.structure_factor(CHAIN.lattice, TIMES, x, EYE)),
     "skyrmion_number": (np.ones((4, 4, 3)), analysis.skyrmion_number),
     "hysteresis_loop": (EYE, lambda x: analysis.hysteresis_loop(DAMPED_SPIN, DAMPED_SPIN.aligned(AXIS), x, 1.0, 0.1)),
+    "SphereVortices": (THREE, systems.SphereVortices),
+    "PlaneVortices": (THREE, systems.PlaneVortices),
+    "vortex_turning_rate": (VORTICES.ring(1.0), lambda x: analysis.vortex_turning_rate(VORTICES, x)),
+    "vortex_stability": (VORTICES.ring(1.0), lambda x: analysis.vortex_stability(VORTICES, x)),
+    "ring_exponents": (1.0, lambda x: analysis.ring_exponents(5, x)),
+    "polygon_exponents": (1.0, lambda x: analysis.polygon_exponents(5, x)),
+    "VlasovPoisson": (1.0, lambda x: systems.VlasovPoisson(x, 1, 4)),
+    "quiet_start": (0.1, lambda x: systems.quiet_start(PLASMA, np.ones_like, 2, x)),
+    "two_stream": (2.0, analysis.two_stream),
+    "bump_on_tail": (0.1, lambda x: analysis.bump_on_tail(x, 4.0, 0.5)),
+    "velocity_distribution": (THREE, lambda x: analysis.velocity_distribution(analysis.MAXWELLIAN, x)),
+    "dispersion": (0.3, lambda x: analysis.dispersion(analysis.MAXWELLIAN, 0.3, x)),
+    "plasma_wave": (0.3, lambda x: analysis.plasma_wave(analysis.MAXWELLIAN, x)),
+    "plane_rotation_exponents": (np.zeros((3, 3)), lambda x: analysis.plane_rotation_exponents(ROTATING, x)),
     "EulerDisk": (0.1, lambda x: systems.EulerDisk(1.0, x)),
     "EulerDisk.pack": (FOUR, lambda x: DISK.pack(x, THREE)),
     "EulerDisk.rolling_state": (0.3, DISK.rolling_state),

@@ -6,6 +6,7 @@ enable_double_precision()
 
 from polhode.algebra.affine import AffineLine  # noqa: E402
 from polhode.algebra.base import AbstractLieAlgebra  # noqa: E402
+from polhode.algebra.bidiagonal import Bidiagonal  # noqa: E402
 from polhode.algebra.casimirs import polynomial_casimirs  # noqa: E402
 from polhode.algebra.constants import ConstantsAlgebra, from_matrices, from_structure_constants  # noqa: E402
 from polhode.algebra.heisenberg import Heisenberg  # noqa: E402
@@ -31,6 +32,7 @@ __all__ = [
     "AbstractLieAlgebra",
     "AbstractMatrixAlgebra",
     "AffineLine",
+    "Bidiagonal",
     "ConstantsAlgebra",
     "Heisenberg",
     "Power",

@@ -43,8 +43,17 @@ from .gyrostat_rotations import steady_rotations as steady_rotations
 from .gyrostat_rotations import symmetric_rates as symmetric_rates
 from .hysteresis import HysteresisLoop as HysteresisLoop
 from .hysteresis import hysteresis_loop as hysteresis_loop
+from .manakov_rotations import plane_rotation_exponents as plane_rotation_exponents
 from .mechanics import Mechanics as Mechanics
 from .mechanics import invariants_along as invariants_along
+from .plasma_waves import MAXWELLIAN as MAXWELLIAN
+from .plasma_waves import Beam as Beam
+from .plasma_waves import PlasmaWave as PlasmaWave
+from .plasma_waves import bump_on_tail as bump_on_tail
+from .plasma_waves import dispersion as dispersion
+from .plasma_waves import plasma_wave as plasma_wave
+from .plasma_waves import two_stream as two_stream
+from .plasma_waves import velocity_distribution as velocity_distribution
 from .poinsot import (
     Herpolhode as Herpolhode,
 )
@@ -175,3 +184,7 @@ from .top_rests import top_stability as top_stability
 from .top_start import steady_precession_at as steady_precession_at
 from .top_start import top_velocity as top_velocity
 from .twist import racket_twist as racket_twist
+from .vortex_equilibria import polygon_exponents as polygon_exponents
+from .vortex_equilibria import ring_exponents as ring_exponents
+from .vortex_equilibria import vortex_stability as vortex_stability
+from .vortex_equilibria import vortex_turning_rate as vortex_turning_rate

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
 from typing import Any, ClassVar
 
 import equinox as eqx
@@ -12,8 +14,10 @@ from polhode.errors import InvalidInput
 from polhode.integrators.base import AbstractOrbitSolver, Change, Scalar, explicit
 from polhode.integrators.composition import DEFAULT_ORDER, NYSTROM, composed, stages
 from polhode.systems.agreement import has_own_flows
-from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, Kick, components
+from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, Kick, Round, components
 from polhode.types import Array, Double, Float64
+
+MOST_UNROLLED = 3  # rounds; more are a loop, as what is compiled for 32 vortices one after another takes a minute
 
 
 class Splitting(AbstractOrbitSolver):
@@ -60,6 +64,9 @@ class Splitting(AbstractOrbitSolver):
         flows = list(self.system.flows.values())
         if len(flows) == 2 and isinstance(flows[0], Kick) and self.own_order in NYSTROM:
             return _kicks_and_drifts(flows[0], flows[1], self.own_order, h, state)
+        rounds = [flow for flow in flows if isinstance(flow, Round)]
+        if MOST_UNROLLED < len(rounds) == len(flows):
+            return composed(partial(_rounds, rounds[0].flow, len(rounds)), self.own_order, t, h, state)
         parts = [(flow, 0.5) for flow in flows[:-1]]
         parts = [*parts, (flows[-1], 1.0), *parts[::-1]]
 
@@ -70,6 +77,19 @@ class Splitting(AbstractOrbitSolver):
             return _stacked(total)
 
         return composed(stage, self.own_order, t, h, state)
+
+
+def _rounds(flow: Callable[..., Components], count: int, _: Scalar, h: Scalar, state: Array) -> Change:
+    """Return the change by rounds forth and back, the last of them once."""
+    numbers = jnp.asarray([*range(count), *reversed(range(count - 1))])
+
+    def add(k: Array, carried: tuple[Array, Array]) -> tuple[Array, Array]:
+        now, total = carried
+        share = jnp.where(k == count - 1, 1.0, 0.5)
+        change = jnp.stack(flow(numbers[k], share * h, components(now)), axis=-1)
+        return now + change, total + change
+
+    return explicit(jax.lax.fori_loop(0, len(numbers), add, (state, jnp.zeros_like(state)))[1])
 
 
 def _kicks_and_drifts(kick: Flow, drift: Flow, order: int, h: Scalar, state: Array) -> Change:

@@ -16,6 +16,7 @@ from polhode.systems.lattice import Bond, Lattice, exchange_matrix
 from polhode.systems.lie_poisson import LiePoisson
 from polhode.systems.manakov import Manakov
 from polhode.systems.mounts import AbstractMount, EnergySink, HeldRotor, Rotor, SphericalSlug
+from polhode.systems.point_vortices import PlaneVortices, SphereVortices
 from polhode.systems.rigid_body import AbstractRigidBody, RigidBody
 from polhode.systems.rolling_dissipation import (
     AirLayer,
@@ -29,8 +30,10 @@ from polhode.systems.rolling_dissipation import (
 from polhode.systems.sphere_fluid import SphereFluid
 from polhode.systems.spin_lattice import SpinLattice
 from polhode.systems.spin_orbit import SpinOrbit
+from polhode.systems.toda import Toda
 from polhode.systems.torqued_body import TorquedBody
 from polhode.systems.torques import AbstractTorque, GravityGradient, LaggedTorque, LinearDrag, QuadraticDrag
+from polhode.systems.vlasov_poisson import VlasovPoisson, quiet_start
 
 __all__ = [
     "AbstractLiePoissonSystem",
@@ -62,6 +65,7 @@ __all__ = [
     "LiePoisson",
     "LinearDrag",
     "Manakov",
+    "PlaneVortices",
     "QuadraticDrag",
     "RigidBody",
     "RollingCouple",
@@ -69,12 +73,16 @@ __all__ = [
     "Rotor",
     "RotorInBody",
     "SphereFluid",
+    "SphereVortices",
     "SphericalSlug",
     "SpinLattice",
     "SpinOrbit",
+    "Toda",
     "TorquedBody",
     "TorquedGyrostat",
     "ViscousContourFriction",
+    "VlasovPoisson",
     "exchange_matrix",
+    "quiet_start",
     "rotor_in_body",
 ]

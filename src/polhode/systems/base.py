@@ -28,7 +28,7 @@ from polhode.motion.layout import (
     StateLayout,
     StatePart,
 )
-from polhode.types import Array, ArrayLike, Double, Float64, Real
+from polhode.types import Array, ArrayLike, Double, Float64, Integer, Real
 
 Components = tuple[Double[Array, "*shape"], ...]
 Flow = Callable[[Float64[Array, ""], Components], Components]
@@ -70,6 +70,24 @@ class Kick(NamedTuple):
 
     def __call__(self, time: Array, state: Components) -> Components:
         return self.flow(time, state)
+
+
+class Round(NamedTuple):
+    """One of many flows that are one function of their number, as the rounds in which vortices meet.
+
+    ``Splitting`` then compiles the function once and loops over the numbers; all flows of a system must be rounds of
+    the same function then.
+
+    Attributes:
+        flow: of number, time and components.
+        number: from 0, in the order of the system's flows.
+    """
+
+    flow: Callable[[Integer[Array, ""], Array, Components], Components]
+    number: int
+
+    def __call__(self, time: Array, state: Components) -> Components:
+        return self.flow(jnp.asarray(self.number), time, state)
 
 
 class Balance(NamedTuple):
