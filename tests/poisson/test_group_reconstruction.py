@@ -10,6 +10,7 @@ from polhode import algebra as lie
 from polhode.errors import InvalidInput
 from polhode.poisson import reconstruct, reconstruct_group
 from specimens import in_su3
+from sweeping import first
 
 END = 4.0
 WEIGHTS = np.array([[1.0, 2.0], [0.5, 1.5]])
@@ -42,7 +43,7 @@ MOTIONS = {
 }
 
 
-@pytest.mark.parametrize("name", MOTIONS)
+@pytest.mark.parametrize("name", first(1, MOTIONS))
 def test_the_momentum_in_space_stays_to_fourth_order(name):
     system, start = MOTIONS[name]
     if start is None:
@@ -53,6 +54,7 @@ def test_the_momentum_in_space_stays_to_fourth_order(name):
     assert np.log2(rough / fine) == pytest.approx(4.0, abs=0.4)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("sign", [-1, 1])
 def test_the_equation_on_the_group_is_solved(sign):
     """ġ = g dH, or dH g, beside μ̇, by SciPy."""
