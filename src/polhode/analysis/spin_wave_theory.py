@@ -10,7 +10,7 @@ from polhode.systems.spin_lattice import SpinLattice
 from polhode.types import ArrayLike, Float64, Real
 
 AT_REST = 1e-8  # |S × B| relative to |S||B| and the couplings: more is a state that moves
-BELOW = 1e-9  # of the largest curvature: a curvature less than minus this is no minimum
+BELOW = 1e-9  # of the largest curvature: with a curvature below minus this the state is not a minimum
 
 
 @known_numbers_only

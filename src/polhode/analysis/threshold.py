@@ -34,7 +34,7 @@ class Threshold:
 def stability_threshold(
     verdict: Callable[[float], Stability], low: float, high: float, tolerance: float = 1e-9
 ) -> Threshold:
-    """Return the value of a parameter at which the verdict is no longer that at the lower end, by bisection.
+    """Return the value of a parameter at which the verdict changes, by bisection.
 
     Next to a threshold a verdict may be "undecided" over an interval of the size of rounding; one of its edges is found
     then. Of several thresholds in the interval one is found.

@@ -19,7 +19,7 @@ class SublatticeTurns(AbstractOrbitSolver):
     """Each sublattice turns about its field while the others stand still, forth and back; order 2, explicit.
 
     Without on-site terms that field does not change meanwhile, so that the energy is kept to rounding. The field of one
-    spin's turn depends on others that stay: this is no flow of a Hamiltonian and not a Poisson map, and the total
+    spin's turn depends on others that stay, so this is not the flow of a Hamiltonian, nor a Poisson map, and the total
     spin wanders. ``Splitting`` keeps both, and is the default.
 
     Args:

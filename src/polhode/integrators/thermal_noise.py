@@ -73,7 +73,7 @@ class NoiseDriftNoise(AbstractOrbitSolver):
             if not is_traced(value) and not 0.0 <= float(value) < float("inf"):
                 raise InvalidInput(f"`bath.{name}` must be finite and not negative; got {shown(value)}.")
         self.system, self.step_size, self.largest = system, step_size, step_size
-        # numbers as arrays, so that another temperature compiles nothing anew
+        # arrays, so that another temperature does not compile the step again
         self.bath = Bath(jnp.asarray(bath.kT, float), jnp.asarray(bath.damping, float), jnp.asarray(bath.seed, int))
 
     def order(self, terms: Any) -> int:
