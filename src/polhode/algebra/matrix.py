@@ -123,20 +123,17 @@ class AbstractMatrixAlgebra(AbstractLieAlgebra):
         return traces
 
 
-class SO(AbstractMatrixAlgebra):
-    """so(n): antisymmetric matrices, ⟨μ, x⟩ = ½ tr(μᵀx), basis E_ji − E_ij for i < j in dictionary order.
+class AbstractOrthogonalAlgebra(AbstractMatrixAlgebra):
+    """Matrices with xᵀη + ηx = 0 for a diagonal η of signs; Casimirs −½ tr μ², tr μ⁴, …, and the Pfaffian of ημ."""
 
-    Casimirs −½ tr μ², tr μ⁴, …; for even n the last is Pf μ instead of tr μⁿ.
-    """
-
-    n: int = eqx.field(static=True)
+    @property
+    @abc.abstractmethod
+    def form(self) -> Float64[np.ndarray, "n"]:
+        """η's diagonal (n,)."""
 
     @property
     def scale(self) -> float:
         return 0.5
-
-    def __check_init__(self) -> None:
-        checked_size("SO", self.n, 2)
 
     @property
     def dim(self) -> int:
@@ -145,11 +142,18 @@ class SO(AbstractMatrixAlgebra):
     def _make_basis(self) -> np.ndarray:
         rows, columns = np.triu_indices(self.n, 1)
         basis = np.zeros((self.dim, self.n, self.n))
-        basis[np.arange(self.dim), columns, rows] = 1.0
-        return basis - basis.transpose(0, 2, 1)
+        own = np.arange(self.dim)
+        basis[own, columns, rows] = 1.0
+        basis[own, rows, columns] = -self.form[rows] * self.form[columns]
+        return basis
 
     def project(self, matrix: Element) -> Element:
-        return 0.5 * (matrix - adjoint(matrix))
+        signs = self.form[:, None] * self.form
+        return 0.5 * (matrix - signs * jnp.swapaxes(matrix, -1, -2))
+
+    @property
+    def _pfaffian_name(self) -> str:
+        return "Pf ημ"
 
     @property
     def _powers(self) -> tuple[int, ...]:
@@ -158,13 +162,33 @@ class SO(AbstractMatrixAlgebra):
     @property
     def casimir_names(self) -> tuple[str, ...]:
         traces = tuple("−½ tr μ²" if k == 2 else f"tr μ^{k}" for k in self._powers)
-        return traces if self.n % 2 else (*traces, "Pf μ")
+        return traces if self.n % 2 else (*traces, self._pfaffian_name)
 
     def casimirs(self, mu: Element) -> Float64[Array, "*batch k"]:
         mu = jnp.asarray(mu)
         values = self._power_traces(mu, self._powers)
         values = [-0.5 * v if k == 2 else v for k, v in zip(self._powers, values, strict=True)]
-        return jnp.stack(values if self.n % 2 else [*values, pfaffian(mu)], axis=-1)
+        return jnp.stack(values if self.n % 2 else [*values, pfaffian(self.form[:, None] * mu)], axis=-1)
+
+
+class SO(AbstractOrthogonalAlgebra):
+    """so(n): antisymmetric matrices, ⟨μ, x⟩ = ½ tr(μᵀx), basis E_ji − E_ij for i < j in dictionary order.
+
+    Casimirs −½ tr μ², tr μ⁴, …; for even n the last is Pf μ instead of tr μⁿ.
+    """
+
+    n: int = eqx.field(static=True)
+
+    def __check_init__(self) -> None:
+        checked_size("SO", self.n, 2)
+
+    @property
+    def form(self) -> Float64[np.ndarray, "n"]:
+        return np.ones(self.n)
+
+    @property
+    def _pfaffian_name(self) -> str:
+        return "Pf μ"
 
 
 class SU(AbstractMatrixAlgebra):

@@ -47,7 +47,7 @@ def plane_rotation_exponents(
     if M.shape != (n, n) or not np.isfinite(M).all() or np.abs(M + M.T).max() > 0.0:
         raise InvalidInput(f"`momentum` must be finite and antisymmetric, ({n}, {n}); got shape {M.shape}.")
     if (np.count_nonzero(M, axis=1) > 1).any():
-        raise InvalidInput("`momentum` must have disjoint coordinate planes, with at most one nonzero entry in each row.")
+        raise InvalidInput("`momentum` must have disjoint planes: at most one nonzero entry in each row.")
     planes = [(int(i), int(j)) for i, j in np.argwhere(np.triu(M))]
     free = sorted(set(range(n)) - {axis for plane in planes for axis in plane})
     groups = [(*plane, k) for plane in planes for k in free] + [(*p, *q) for p, q in combinations(planes, 2)]
