@@ -89,7 +89,7 @@ REFUSED = {
     "hysteresis_loop": (EYE, lambda x: analysis.hysteresis_loop(DAMPED_SPIN, DAMPED_SPIN.aligned(AXIS), x, 1.0, 0.1)),
     "SphereVortices": (THREE, systems.SphereVortices),
     "PlaneVortices": (THREE, systems.PlaneVortices),
-    "vortex_turning_rate": (VORTICES.ring(1.0), lambda x: analysis.vortex_turning_rate(VORTICES, x)),
+    "vortex_turn": (VORTICES.ring(1.0), lambda x: analysis.vortex_turn(VORTICES, x)),
     "vortex_stability": (VORTICES.ring(1.0), lambda x: analysis.vortex_stability(VORTICES, x)),
     "ring_exponents": (1.0, lambda x: analysis.ring_exponents(5, x)),
     "polygon_exponents": (1.0, lambda x: analysis.polygon_exponents(5, x)),

@@ -11,7 +11,7 @@ from polhode.analysis import (
     ring_exponents,
     stability_threshold,
     vortex_stability,
-    vortex_turning_rate,
+    vortex_turn,
 )
 from polhode.errors import InvalidInput
 from polhode.integrators import SphericalMidpoint, Splitting
@@ -126,10 +126,37 @@ def test_error_is_far_below_that_of_the_spherical_midpoint():
 
 def test_turning_rates():
     ring, polygon = SphereVortices(np.full(5, 0.7)), PlaneVortices(np.full(5, 0.7))
-    assert abs(vortex_turning_rate(ring, ring.ring(1.1)) - 2.8 * np.cos(1.1) / (4 * np.pi * np.sin(1.1) ** 2)) < 1e-14
-    assert abs(vortex_turning_rate(polygon, polygon.polygon(1.3)) - 2.8 / (4.0 * np.pi * 1.3**2)) < 1e-14
+    assert abs(vortex_turn(ring, ring.ring(1.1)).rate - 2.8 * np.cos(1.1) / (4 * np.pi * np.sin(1.1) ** 2)) < 1e-14
+    assert abs(vortex_turn(polygon, polygon.polygon(1.3)).rate - 2.8 / (4.0 * np.pi * 1.3**2)) < 1e-14
     with pytest.raises(InvalidInput, match="do not turn as a whole"):
-        vortex_turning_rate(SPHERE, ON_SPHERE)
+        vortex_turn(SPHERE, ON_SPHERE)
+
+
+def test_turns_about_any_axis_and_centre():
+    turned = np.linalg.qr(np.random.default_rng(4).normal(size=(3, 3)))[0]
+    turned *= np.sign(np.linalg.det(turned))
+    ring, pair = SphereVortices(np.ones(5)), PlaneVortices((1.0, 2.0))
+    start = np.asarray(ring.ring(1.0)) @ turned.T
+    found = vortex_turn(ring, start)
+    assert abs(found.rate - np.cos(1.0) / (np.pi * np.sin(1.0) ** 2)) < 1e-14
+    np.testing.assert_allclose(found.axis, turned[:, 2], atol=1e-14)
+    assert abs(vortex_stability(ring, start).rate - 0.2511457117) < 1e-9
+    found = vortex_turn(pair, pair.pack([[3.0, 0.5], [4.0, -0.5]]))  # Γ/(2πd²) about the centre of vorticity
+    assert abs(found.rate - 3.0 / (4.0 * np.pi)) < 1e-15
+    np.testing.assert_allclose(found.center, [11.0 / 3.0, -1.0 / 6.0], atol=1e-14)
+
+
+def test_vortices_that_move_straight_or_rest():
+    opposite = PlaneVortices((1.0, -1.0))
+    found = vortex_turn(opposite, opposite.pack([[0.0, 0.5], [0.0, -0.5]]))
+    assert found.rate == 0.0 and found.center is None
+    np.testing.assert_allclose(found.velocity, [0.5 / np.pi, 0.0], atol=1e-16)
+    poles = SphereVortices((1.0, 1.0))
+    start = poles.pack([[0.0, 0.0, 1.0], [0.0, 0.0, -1.0]])
+    assert vortex_turn(poles, start).rate == 0.0
+    assert vortex_stability(poles, start).verdict == "stable"  # the integral J_z is at rest there, J_x and J_y are not
+    poles = SphereVortices((1.0, 2.0))  # with a momentum, about which the turns are those that keep it
+    assert vortex_stability(poles, poles.pack([[0.0, 0.0, 1.0], [0.0, 0.0, -1.0]])).verdict == "stable"
 
 
 def test_growth_against_closed_forms_and_published_numbers():

@@ -215,3 +215,11 @@ def test_derivative_by_the_field():
     slope = float(jax.jit(jax.grad(end_energy))(field)[2])
     quotient = float(end_energy(field + change) - end_energy(field - change)) / 2e-5
     assert abs(slope - quotient) < 1e-8 * max(1.0, abs(slope))
+
+
+def test_verdicts_take_the_total_spin_by_components():
+    """Alike spins are at the least or the greatest energy of those with this total spin."""
+    for exchange in (1.0, -1.0):
+        chain = SpinLattice(Lattice([[1.0]], shape=(4,)), bonds=[Bond(0, 0, (1,), exchange * np.eye(3))])
+        found = ph.stability(chain, chain.aligned(np.broadcast_to([0.0, 0.0, 1.0], (4, 1, 1, 1, 3))))
+        assert found.verdict == "stable" and "total spin, 3" in found.words

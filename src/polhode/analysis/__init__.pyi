@@ -187,4 +187,4 @@ from .twist import racket_twist as racket_twist
 from .vortex_equilibria import polygon_exponents as polygon_exponents
 from .vortex_equilibria import ring_exponents as ring_exponents
 from .vortex_equilibria import vortex_stability as vortex_stability
-from .vortex_equilibria import vortex_turning_rate as vortex_turning_rate
+from .vortex_equilibria import vortex_turn as vortex_turn

@@ -68,7 +68,17 @@ class Known(Source):
 
     def __call__(self, x: Float64[Array, "n"]) -> Float64[Array, "k"]:
         point = self.system.algebra.from_dual_vector(x)
-        return _stacked([function(point) for function in self.system.extra_invariants.values()])
+        return _stacked([x for function in self.system.extra_invariants.values() for x in jnp.ravel(function(point))])
+
+    @property
+    def names(self) -> list[str]:
+        """Of each value; components of vectors and arrays are counted from 1."""
+        algebra, found = self.system.algebra, []
+        point = jax.ShapeDtypeStruct(algebra.element_shape, algebra.dtype)
+        for name, function in self.system.extra_invariants.items():
+            shape = jax.eval_shape(function, point).shape
+            found += [name] if not shape else [f"{name}, {_place(k)}" for k in np.ndindex(*shape)]
+        return found
 
 
 class Own(Source):
@@ -264,23 +274,41 @@ def check_commute(
     Raises:
         InvalidInput: with the size of the bracket.
     """
-    good = np.isfinite(first).all(axis=1) & np.isfinite(second).all(axis=1) & np.isfinite(tensors).all(axis=(1, 2))
-    good = np.tile(good[: len(good) // 2] & good[len(good) // 2 :], 2)
+    good = _defined(tensors, first, second)
     if good.sum() < 2 * DRAWS:
         raise InvalidInput(
             f"{names[0]} and {names[1]} must be defined around the equilibrium; their derivatives are finite at "
             f"{good.sum() // 2} of {len(good) // 2} points there. Check their domain."
         )
-    first, second, tensors = _normalised(first[good]), _normalised(second[good]), tensors[good]
-    values = np.einsum("mi,mi->m", first, np.einsum("mij,mj->mi", tensors, second))
-    terms = np.einsum("mi,mi->m", np.abs(first), np.einsum("mij,mj->mi", np.abs(tensors), np.abs(second)))
-    values, rounded = np.split(values / (terms.max() or 1.0), 2)
-    worst = float(np.abs(values).max())
-    if worst > max(CONSERVED, NOISE * float(np.abs(values - rounded).max())):
+    worst, rounding = _bracket(tensors[good], first[good], second[good])
+    if worst > rounding:
         raise InvalidInput(
             f"{{{names[0]}, {names[1]}}} must vanish around the equilibrium; at points nearby it is up to {worst:.3g} "
             f"of its terms. {remedy}"
         )
+
+
+def commute(tensors: Float64[Array, "m n n"], first: Float64[Array, "m n"], second: Float64[Array, "m n"]) -> bool:
+    """Whether the bracket of two functions vanishes at all samples where they are defined; see ``check_commute``."""
+    good = _defined(tensors, first, second)
+    worst, rounding = _bracket(tensors[good], first[good], second[good])
+    return bool(good.any()) and worst <= rounding
+
+
+def _defined(tensors: Array, first: Array, second: Array) -> Array:
+    """Return the samples (2m,) at which both gradients are finite, and their neighbours' too."""
+    good = np.isfinite(first).all(axis=1) & np.isfinite(second).all(axis=1) & np.isfinite(tensors).all(axis=(1, 2))
+    return np.tile(good[: len(good) // 2] & good[len(good) // 2 :], 2)
+
+
+def _bracket(tensors: Array, first: Array, second: Array) -> tuple[float, float]:
+    """Return the largest bracket relative to its terms, and what rounding may leave of it."""
+    first, second = _normalised(first), _normalised(second)
+    values = np.einsum("mi,mi->m", first, np.einsum("mij,mj->mi", tensors, second))
+    terms = np.einsum("mi,mi->m", np.abs(first), np.einsum("mij,mj->mi", np.abs(tensors), np.abs(second)))
+    values, rounded = np.split(values / (terms.max(initial=0.0) or 1.0), 2)
+    off = float(np.abs(values - rounded).max(initial=0.0))
+    return float(np.abs(values).max(initial=0.0)), max(CONSERVED, NOISE * off)
 
 
 def check_closed(
@@ -402,6 +430,10 @@ def depends_on_time(system: AbstractLiePoissonSystem, point: Double[Array, "..."
         if any(not isinstance(x, jax.extend.core.Literal) and x in late for x in step.invars):
             late.update(step.outvars)
     return any(not isinstance(x, jax.extend.core.Literal) and x in late for x in steps.outvars)
+
+
+def _place(index: tuple[int, ...]) -> str:
+    return ", ".join(str(k + 1) for k in index)
 
 
 def _normalised(vectors: Array) -> Array:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 from typing import NamedTuple
 
 import jax
@@ -19,6 +18,7 @@ from polhode.analysis.conserved import (
     check_casimirs,
     check_closed,
     check_commute,
+    commute,
     derivatives,
     refuse_rough,
     samples_around,
@@ -91,52 +91,64 @@ def problem(
     refuse_rough(own, "each Casimir")
     if given:
         check_casimirs(tensors, own.around)
-    parts, names, free = [energy, own], _scaled_names(casimirs, y, unit), []
     tensor = constants @ y
-    extra = [(Known(system), list(system.extra_invariants), False),
-             (Given(system.algebra, integrals), [f"J{k + 1}" for k in range(len(integrals))], True)]  # fmt: skip
-    for source, titles, wanted in extra:
-        if not titles:
-            continue
-        found = _in_units(derivatives(source, z, unit * around), unit)
-        if wanted:
-            refuse_rough(found, "each of `integrals`")
-        rest = [_is_at_rest(tensor, gradient) for gradient in found.gradients]
-        taken = [k for k in range(len(titles)) if wanted or (rest[k] and found.smooth[k])]
-        for k in taken:
-            check_commute(tensors, found.around[:, k], energy.around[:, 0], (titles[k], "H"),
+    known = _integrals(Known(system), Known(system).names, tensor, z, unit, around)
+    wanted = _integrals(Given(system.algebra, integrals), [f"J{k + 1}" for k in range(len(integrals))],
+                        tensor, z, unit, around)  # fmt: skip
+    refuse_rough(wanted.derived, "each of `integrals`")
+    moving = [wanted.derived.around[:, k] for k, rest in enumerate(wanted.rest) if not rest]
+    # of what the system names, that which the symmetries turn is theirs
+    known = known.chosen([
+        k for k, rest in enumerate(known.rest)
+        if rest and known.derived.smooth[k] and all(commute(tensors, known.derived.around[:, k], x) for x in moving)
+    ])  # fmt: skip
+    for found in (known, wanted):
+        for name, slopes in zip(found.names, np.moveaxis(found.derived.around, 1, 0), strict=True):
+            check_commute(tensors, slopes, energy.around[:, 0], (name, "H"),
                           "It is not conserved; check the function, its sign and its parameters.")  # fmt: skip
-        free += [1 + len(names) + n for n, k in enumerate(taken) if not rest[k]]
-        names += [titles[k] for k in taken]
-        parts.append(found.chosen(taken))
-    near = np.concatenate([part.around for part in parts], axis=1)
-    labels = ["H", *names]
-    derived = tensors, near, labels
-    commute = _check_symmetries(system, integrals, unit * around, derived, free, 1 + len(own.gradients))
+    names = [*_scaled_names(casimirs, y, unit), *known.names, *wanted.names]
+    parts = [energy, own, known.derived, wanted.derived]
+    first = 1 + len(names) - len(wanted.names)
+    free = [first + k for k, rest in enumerate(wanted.rest) if not rest]
+    commutes = _check_symmetries(system, integrals, unit * around, tensors, wanted)
     slopes = energy.around[:, 0]
     still = _vanishes(np.einsum("mij,mj->mi", tensors, slopes),
                       np.einsum("mij,mj->mi", np.abs(tensors), np.abs(slopes)))  # fmt: skip
     g, H = (np.concatenate([getattr(part, field) for part in parts]) for field in ("gradients", "hessians"))
     error = max(float(part.errors.max(initial=0.0)) for part in parts)
-    return Problem(system, casimirs.source, y, unit, g, H, tensor, constants, names, free, error, still, commute)
+    return Problem(system, casimirs.source, y, unit, g, H, tensor, constants, names, free, error, still, commutes)
+
+
+class _Integrals(NamedTuple):
+    """Functions that may take part: names, derivatives, and which flows leave the point where it is."""
+
+    names: list[str]
+    derived: Derivatives
+    rest: list[bool]
+
+    def chosen(self, rows: list[int]) -> _Integrals:
+        return _Integrals([self.names[k] for k in rows], self.derived.chosen(rows), [self.rest[k] for k in rows])
+
+
+def _integrals(
+    source: Source, names: list[str], tensor: Array, z: Array, unit: float, around: Array
+) -> _Integrals:
+    if not names:
+        n = z.size
+        return _Integrals([], Derivatives(np.zeros((0, n)), np.zeros((0, n, n)), np.zeros((len(around), 0, n)),
+                                          np.zeros(0), np.zeros(0)), [])  # fmt: skip
+    derived = _in_units(derivatives(source, z, unit * around), unit)
+    return _Integrals(names, derived, [_is_at_rest(tensor, gradient) for gradient in derived.gradients])
 
 
 def _check_symmetries(
-    system: AbstractLiePoissonSystem, integrals: tuple[Function, ...], around: Array,
-    found: tuple[Array, Array, list[str]], free: list[int], first: int,
-) -> bool:  # fmt: skip
-    """Return whether the integrals that are divided out commute; refuse those that do not make up a group."""
-    tensors, near, labels = found
-    others = [m for m in range(first, len(labels)) if m not in free]
-    for n, m in itertools.product(free, others):
-        check_commute(tensors, near[:, n], near[:, m], (labels[n], labels[m]),
-                      "Symmetries that are divided out must commute with other integrals; leave one out.")  # fmt: skip
-    if len(free) < 2:
+    system: AbstractLiePoissonSystem, integrals: tuple[Function, ...], around: Array, tensors: Array, wanted: _Integrals
+) -> bool:
+    """Return whether integrals commute, of which some are divided out; refuse those that do not make up a group."""
+    if all(wanted.rest) or len(integrals) < 2:
         return True
-    given = Given(system.algebra, integrals)
-    values = np.asarray(jax.vmap(given)(jnp.asarray(around)))
-    columns = [len(integrals) - len(labels) + n for n in free]
-    return check_closed(tensors, near[:, free], values[:, columns], [labels[n] for n in free])
+    values = np.asarray(jax.vmap(Given(system.algebra, integrals))(jnp.asarray(around)))
+    return check_closed(tensors, wanted.derived.around, values, wanted.names)
 
 
 def _is_at_rest(tensor: Array, gradient: Array) -> bool:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from typing import NamedTuple
 
 import jax.numpy as jnp
 import numpy as np
@@ -12,61 +12,78 @@ from polhode.analysis.energy_casimir import Stability
 from polhode.analysis.stability import stability
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
+from polhode.systems.base import Function
 from polhode.systems.point_vortices import PlaneVortices, SphereVortices
-from polhode.types import Array, ArrayLike, Complex128, Real
+from polhode.types import Array, ArrayLike, Complex128, Float64, Real
 
+ALONG = 1e-12  # singular values of the turns, relative: two poles fix no turn about their own line
 TURNING = 1e-8  # of the field: what is left of it besides a turn is rounding, up to the solver that found the state
 
 
+class VortexTurn(NamedTuple):
+    """How vortices move as a whole.
+
+    Attributes:
+        rate: Ω [rad/s] about ``axis`` or ``center``; of vortices in a plane zero where they move straight.
+        axis: unit vector (3,), on a sphere; zero where all are at rest.
+        center: (2,) [m] of the turn, in a plane; None where they do not turn.
+        velocity: (2,) [m/s] of a straight motion, in a plane; zero where they turn.
+    """
+
+    rate: float
+    axis: Float64[Array, "3"] | None = None
+    center: Float64[Array, "2"] | None = None
+    velocity: Float64[Array, "2"] | None = None
+
+
 @known_numbers_only
-def vortex_turning_rate(system: SphereVortices | PlaneVortices, state: Real[ArrayLike, "n 3"]) -> float:
-    """Return the rate Ω [rad/s] at which vortices turn as a whole about the third axis, or about the origin of a plane.
+def vortex_turn(system: SphereVortices | PlaneVortices, state: Real[ArrayLike, "n 3"]) -> VortexTurn:
+    """Return how vortices turn as a whole: rate, and axis or centre; in a plane they may move straight instead.
 
     Args:
         system: the vortices.
         state: (n, 3) as ``system.pack`` gives it.
 
     Raises:
-        InvalidInput: if they do not turn as a whole about it.
+        InvalidInput: if the distances between them change.
 
     >>> ring = SphereVortices(np.ones(5))
-    >>> round(vortex_turning_rate(ring, ring.ring(1.0)), 9)  # (n − 1) cos θ/(4π sin² θ)
+    >>> round(vortex_turn(ring, ring.ring(1.0)).rate, 9)  # (n − 1) cos θ/(4π sin² θ)
     0.242889453
     """
     point = _one_state(system, state)
-    field = np.asarray(system.vector_field(0.0, point))
-    turn = np.asarray(point) @ _generator_of_turns(system).T
-    size = float(np.sum(turn * turn))
-    rate = float(np.sum(turn * field)) / size if size else 0.0
-    left, whole = float(np.linalg.norm(field - rate * turn)), float(np.linalg.norm(_terms(system, point)))
+    found = _turn_on_sphere(system, point) if isinstance(system, SphereVortices) else _turn_in_plane(system, point)
+    turn, left = found
+    whole = float(np.linalg.norm(_terms(system, point)))
     if left > TURNING * whole:
         raise InvalidInput(
-            f"the vortices do not turn as a whole about {_axis(system)}: {left / whole:.3g} of their motion is "
-            "something else. Solve for an arrangement that does, or move their centre there."
+            f"the vortices do not turn as a whole: {left / whole:.3g} of their motion changes the distances between "
+            "them. Give an arrangement that turns, such as a ring."
         )
-    return rate
+    return turn
 
 
 @known_numbers_only
 def vortex_stability(system: SphereVortices | PlaneVortices, state: Real[ArrayLike, "n 3"]) -> Stability:
-    """Return the verdict on vortices that turn as a whole about the third axis, or about the origin of a plane.
+    """Return the verdict on vortices that turn, or move, as a whole.
 
-    It is that of ``stability`` with the integral whose flow is this turn: J_z, or ΣΓ|z|². "Stable" is Lyapunov's up to
-    turns about the axis, proved by a definite second variation; "unstable" has the rate of growth.
+    It is that of ``stability`` with the momentum map of the symmetries: J on a sphere, ΣΓ|z − c|² about the centre c of
+    a turn in a plane, ΣΓ v × z where they move straight by v. "Stable" is Lyapunov's up to these turns or shifts, by a
+    definite second variation; "unstable" has the rate of growth.
 
     Args:
         system: the vortices.
         state: (n, 3) as ``system.pack`` gives it.
 
     Raises:
-        InvalidInput: if they do not turn as a whole about it.
+        InvalidInput: if the distances between them change.
 
     >>> ring = SphereVortices(np.ones(4))
     >>> [vortex_stability(ring, ring.ring(angle)).verdict for angle in (0.9, 1.0)]  # cos² θ = 1/3 at 0.9553
     ['stable', 'unstable']
     """
-    vortex_turning_rate(system, state)
-    return stability(system, _one_state(system, state), integrals=[_moment_of_turns(system)])
+    turn = vortex_turn(system, state)
+    return stability(system, _one_state(system, state), integrals=_momentum_map(system, turn))
 
 
 @known_numbers_only
@@ -149,18 +166,37 @@ def _terms(system: SphereVortices | PlaneVortices, point: Array) -> Array:
     return own * np.abs(strengths) * (1.0 - np.eye(len(strengths))) / (2.0 * np.pi * apart)
 
 
-def _generator_of_turns(system: SphereVortices | PlaneVortices) -> Array:
-    """Return the matrix (3, 3) of the rate of a state's components in a turn by 1 rad/s."""
+def _turn_on_sphere(system: SphereVortices, point: Array) -> tuple[VortexTurn, float]:
+    """Return the turn that is nearest to the motion, and what is left of that."""
+    state, field = np.asarray(point), np.asarray(system.vector_field(0.0, point))
+    turns = np.cross(np.eye(3)[:, None], state).reshape(3, -1).T  # (3n, 3), of unit rate about each axis
+    omega = np.linalg.lstsq(turns, field.ravel(), rcond=ALONG)[0]
+    rate = float(np.linalg.norm(omega))
+    axis = omega / rate if rate else np.zeros(3)
+    return VortexTurn(rate, axis=axis), float(np.linalg.norm(field.ravel() - turns @ omega))
+
+
+def _turn_in_plane(system: PlaneVortices, point: Array) -> tuple[VortexTurn, float]:
+    places, field = np.asarray(system.positions(point)), np.asarray(system.vector_field(0.0, point))[:, 1::-1]
+    middle = places.mean(axis=0)
+    apart = places - middle
+    quarter = apart @ np.array([[0.0, 1.0], [-1.0, 0.0]])  # of each place, turned by a right angle
+    drift = field.mean(axis=0)
+    rate = float(np.sum(quarter * field) / np.sum(quarter * quarter))
+    left = float(np.linalg.norm(field - drift - rate * quarter))
+    size = float(np.linalg.norm(apart))
+    if abs(rate) * size <= TURNING * float(np.linalg.norm(_terms(system, point))):
+        return VortexTurn(0.0, velocity=drift), left
+    return VortexTurn(rate, center=middle + np.array([-drift[1], drift[0]]) / rate, velocity=np.zeros(2)), left
+
+
+def _momentum_map(system: SphereVortices | PlaneVortices, turn: VortexTurn) -> list[Function]:
+    """Return the conserved functions whose flows the vortices follow; on a sphere with all others of their group."""
     if isinstance(system, SphereVortices):
-        return np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 0.0]])
-    return np.array([[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.0, 0.0]])  # of (y, x, 1/Γ)
-
-
-def _moment_of_turns(system: SphereVortices | PlaneVortices) -> Callable[[Array], Array]:
-    if isinstance(system, SphereVortices):
-        return lambda point: jnp.sum(point[..., 2], axis=-1)
-    return lambda point: jnp.sum(jnp.sum(point[..., :2] ** 2, axis=-1) / point[..., 2], axis=-1)
-
-
-def _axis(system: SphereVortices | PlaneVortices) -> str:
-    return "the third axis" if isinstance(system, SphereVortices) else "the origin"
+        return list(system.extra_invariants.values())
+    if turn.center is None:
+        assert turn.velocity is not None
+        vx, vy = turn.velocity.tolist()  # ΣΓ(v × z), whose flow moves all along v
+        return [lambda point: jnp.sum((vx * point[..., 0] - vy * point[..., 1]) / point[..., 2], axis=-1)]
+    y, x = float(turn.center[1]), float(turn.center[0])
+    return [lambda point: jnp.sum(((point[..., 0] - y) ** 2 + (point[..., 1] - x) ** 2) / point[..., 2], axis=-1)]
