@@ -1,5 +1,6 @@
 """Point vortices against closed forms, their own symmetries, and a general integrator."""
 
+import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
@@ -130,6 +131,20 @@ def test_turning_rates():
     assert abs(vortex_turn(polygon, polygon.polygon(1.3)).rate - 2.8 / (4.0 * np.pi * 1.3**2)) < 1e-14
     with pytest.raises(InvalidInput, match="do not turn as a whole"):
         vortex_turn(SPHERE, ON_SPHERE)
+
+
+def test_stream_functions_move_a_vortex_of_no_strength():
+    """x × ∇ψ, and ∇ψ turned, against the field of one more vortex, so weak that it moves no other."""
+    tiny, place = 1e-9, jnp.array([0.4, -0.3])
+    plane = PlaneVortices(np.append(STRENGTHS, tiny))
+    more = plane.pack(np.vstack([np.asarray(PLANE.positions(IN_PLANE)), place]))
+    gradient = jax.grad(lambda z: PLANE.stream_function(IN_PLANE, z))(place)
+    np.testing.assert_allclose(plane.vector_field(0.0, more)[-1, 1::-1], [-gradient[1], gradient[0]], atol=1e-8)
+    north = jnp.array([0.48, -0.6, 0.64])
+    sphere = SphereVortices(np.append(STRENGTHS, tiny))
+    more = sphere.pack(np.vstack([np.asarray(SPHERE.positions(ON_SPHERE)), north]))
+    gradient = jax.grad(lambda x: SPHERE.stream_function(ON_SPHERE, x))(north)
+    np.testing.assert_allclose(sphere.vector_field(0.0, more)[-1] / tiny, jnp.cross(north, gradient), atol=1e-8)
 
 
 def test_turns_about_any_axis_and_centre():

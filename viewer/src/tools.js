@@ -11,5 +11,5 @@ export {
   Vector3,
 } from "three";
 export { unpacked } from "./motion.js";
-export { dot, drawUpTo, floor, line, path } from "./shapes.js";
+export { circle, dot, drawUpTo, floor, globe, line, path } from "./shapes.js";
 export { newPanel } from "./stage.js";

@@ -174,6 +174,12 @@ def _lean(value: float) -> float:
     return value
 
 
+def _not_zero(value: float) -> float:
+    if value == 0.0:
+        raise ValueError("must not be zero; leave such a vortex out")
+    return value
+
+
 def _thickness(value: float) -> float:
     if value < 0:
         raise ValueError(f"must not be negative; got {value:g} m. Check its sign, or leave it out for a thin disk")
@@ -245,4 +251,5 @@ Tilt = Annotated[Angle, AfterValidator(_standing)]
 Power = Annotated[float, _reader("W", positive=True)]
 Viscosity = Annotated[float, _reader("Pa*s", positive=True)]
 Speed = Annotated[float, _reader("m/s")]
+Circulation = Annotated[float, _reader("m^2/s"), AfterValidator(_not_zero)]
 Velocity = Annotated[tuple[Speed, Speed, Speed], _three("m/s")]

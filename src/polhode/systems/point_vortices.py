@@ -74,6 +74,18 @@ class SphereVortices(AbstractLiePoissonSystem):
         """Return the unit vectors x (…, n, 3) at which the vortices are."""
         return jnp.asarray(point) / self.strengths[:, None]
 
+    def stream_function(
+        self, point: Real[ArrayLike, "n 3"], places: Real[ArrayLike, "*places 3"]
+    ) -> Float64[Array, "*places"]:
+        """Return ψ = (1/4π) Σ Γ_j ln(1 − x · x_j) (…): the fluid at x moves by x × ∇ψ.
+
+        Args:
+            point: (n, 3) a state.
+            places: (…, 3) unit vectors x; at a vortex ψ is infinite.
+        """
+        cosines = jnp.asarray(places) @ self.positions(point).T
+        return 0.5 * HALF_TURN * jnp.sum(self.strengths * jnp.log(1.0 - cosines), axis=-1)
+
     def ring(self, colatitude: Real[ArrayLike, ""]) -> Float64[Array, "n 3"]:
         """Return the state (n, 3) of vortices at equal distances on a circle of latitude, the first at longitude 0.
 
@@ -170,6 +182,18 @@ class PlaneVortices(AbstractLiePoissonSystem):
     def positions(self, point: Real[ArrayLike, "*batch n 3"]) -> Float64[Array, "*batch n 2"]:
         """Return the positions (…, n, 2) [m] of the vortices."""
         return jnp.asarray(point)[..., 1::-1]
+
+    def stream_function(
+        self, point: Real[ArrayLike, "n 3"], places: Real[ArrayLike, "*places 2"]
+    ) -> Float64[Array, "*places"]:
+        """Return ψ = (1/2π) Σ Γ_j ln|z − z_j| (…) [m²/s]: the fluid at z moves by (−∂ψ/∂y, ∂ψ/∂x).
+
+        Args:
+            point: (n, 3) a state.
+            places: (…, 2) [m]; at a vortex ψ is infinite.
+        """
+        apart = jnp.asarray(places)[..., None, :] - self.positions(point)
+        return 0.5 * HALF_TURN * jnp.sum(self.strengths * jnp.log(jnp.sum(apart * apart, axis=-1)), axis=-1)
 
     def polygon(self, radius: Real[ArrayLike, ""]) -> Float64[Array, "n 3"]:
         """Return the state (n, 3) of vortices at the corners of a regular polygon about the origin.
