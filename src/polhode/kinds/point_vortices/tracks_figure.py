@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from polhode.figures import style
 from polhode.kinds.point_vortices.answers import VorticesReport
 from polhode.kinds.point_vortices.sides import new_sides, seen
-from polhode.types import Array
+from polhode.types import Array, Float64
 
 SENSES = {1.0: ("anticlockwise", style.BLUE), -1.0: ("clockwise", style.VERMILION)}
 
@@ -39,7 +39,7 @@ def _on_sphere(report: VorticesReport) -> Figure:
     return figure
 
 
-def axis_of(report: VorticesReport) -> Array:
+def axis_of(report: VorticesReport) -> Float64[Array, "3"]:
     """Return the axis (3,) from which a sphere is looked at: that of the turn, of J, or the north pole."""
     pole = np.array([0.0, 0.0, 1.0])
     if report.turn is not None and report.turn.axis is not None and report.turn.rate:
