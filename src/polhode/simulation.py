@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import sys
 import warnings
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import diffrax
@@ -270,7 +271,7 @@ def trajectory_of(
     values = {name: np.asarray(balance.value) for name, balance in balances.items()}
     got = {name: np.asarray(value) for name, value in received.items()}
     vectors = [None if x is None else np.asarray(x) for x in _vectors(system, states)]
-    terms = _terms(system, np.take(np.asarray(states), 0, axis=axis)) if jnp.isrealobj(states) else {}
+    terms = _terms(system, np.take(np.asarray(states), 0, axis=axis))
     own = {name for name, quantity in system.quantities.items() if quantity.of_copies}
     beyond = None if ends is None or not ends.events else ends.beyond(times)
     drift = {name: _drift(value, axis, terms.get(name), name in own, beyond) for name, value in invariants.items()}
@@ -326,24 +327,38 @@ def _vectors(system: AbstractSystem, states: Array) -> tuple[Array | None, ...]:
 def _terms(system: AbstractSystem, state: Array) -> dict[str, Array]:
     """Return Σ |x ∂C/∂x| of each invariant C but vectors at states: the size of its terms, which may cancel in it.
 
-    One component after another, as the whole derivative of what each of n copies has would be n times the state.
+    What each of n copies has depends on that copy alone, so that one derivative serves all copies; of the others one
+    pass backwards gives all derivatives.
     """
     own = {name for name, quantity in system.quantities.items() if quantity.of_copies}
 
-    def scalars(x: Array) -> dict[str, Array]:
-        return {name: value for name, value in system.invariants(x).items() if not jnp.ndim(value) or name in own}
+    def chosen(x: Array, of_copies: bool) -> dict[str, Array]:
+        wanted = system.invariants(x).items()
+        return {name: value for name, value in wanted if (name in own if of_copies else not jnp.ndim(value))}
 
     def of_one(x: Array) -> dict[str, Array]:
-        def add(k: Array, sums: dict[str, Array]) -> dict[str, Array]:
-            component = jnp.where(jnp.arange(x.size).reshape(x.shape) == k, x, 0.0)
-            changes = jax.jvp(scalars, (x,), (component,))[1]
-            return {name: total + jnp.abs(changes[name]) for name, total in sums.items()}
-
-        return jax.lax.fori_loop(0, x.size, add, jax.tree.map(jnp.zeros_like, scalars(x)))
+        values, back = jax.vjp(lambda y: chosen(y, False), x)
+        found = {}
+        for name in values:
+            picked = {other: jnp.asarray(other == name, values[other].dtype) for other in values}
+            found[name] = jnp.sum(jnp.abs(x * back(picked)[0]))
+        for name, each in chosen(x, True).items():
+            found[name] = _of_copies(lambda y, name=name: chosen(y, True)[name], x, each.size)
+        return found
 
     for _ in range(jnp.ndim(state) - system.state_axes):
         of_one = jax.vmap(of_one)
     return of_one(state)
+
+
+def _of_copies(function: Callable[[Array], Array], x: Array, copies: int) -> Array:
+    """Return Σ |x ∂C/∂x| (copies,) of what each copy has, by its components one after the other."""
+    width = x.size // copies
+    places = jnp.arange(x.size).reshape(x.shape) % width
+    sums = jnp.zeros(copies)
+    for k in range(width):
+        sums = sums + jnp.abs(jax.jvp(function, (x,), (jnp.where(places == k, x, 0.0),))[1])
+    return sums
 
 
 def _drift(
