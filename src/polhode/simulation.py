@@ -348,7 +348,7 @@ def _terms(system: AbstractSystem, state: Array) -> dict[str, Array]:
 
     for _ in range(jnp.ndim(state) - system.state_axes):
         of_one = jax.vmap(of_one)
-    return of_one(state)
+    return of_one(state) | system.invariant_sizes(state)
 
 
 def _of_copies(function: Callable[[Array], Array], x: Array, copies: int) -> Array:

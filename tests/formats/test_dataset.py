@@ -201,3 +201,16 @@ def test_a_store_that_is_not_what_was_written_is_refused(tmp_path, monkeypatch):
         formats.write_zarr(MOTION.sample(TIMES), tmp_path / "motion.zarr")
     monkeypatch.undo()
     assert np.array_equal(formats.read_dataset(tmp_path / "motion.zarr").times, TIMES)
+
+
+@pytest.mark.parametrize("form", WAYS)
+def test_complex_states_come_back(form, tmp_path):
+    fluid = ph.systems.SphereFluid(4, 0.5)
+    times = np.linspace(0.0, 0.1, 3)
+    wanted = ph.simulate(fluid, fluid.random([0, 1, 1], seed=1), times, ph.integrators.IsospectralMidpoint,
+                         estimate_error=False)  # fmt: skip
+    path = WAYS[form](wanted, tmp_path / f"motion.{form}")
+    found = formats.read_dataset(path)
+    assert np.array_equal(found.states, wanted.states) and found.layout.axes == 2
+    with (xr.open_dataset(path) if form == "nc" else xr.open_zarr(path)) as data:
+        assert data["state"].dims[-1] == "complex_part" and list(data["complex_part"].values) == ["real", "imaginary"]

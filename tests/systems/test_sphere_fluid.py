@@ -219,3 +219,31 @@ def test_energies_add_up_and_maps_show_the_function():
 def test_what_is_refused(call, said):
     with pytest.raises(InvalidInput, match=said):
         call()
+
+
+def test_energy_moves_between_degrees_as_the_transfer_says():
+    """Against differences of the spectrum over a short time, both ways."""
+    fluid = SphereFluid(9, 0.7)
+    state = fluid.random([0, 1, 2, 1, 1], seed=5)
+    apart = 1e-4
+    ends = [ph.solve(fluid, state, (0.0, t), IsospectralMidpoint, step=1e-4, order=2).saved[-1] for t in (apart, -apart)]
+    slopes = (fluid.energy_spectrum(ends[0]) - fluid.energy_spectrum(ends[1])) / (2.0 * apart)
+    transfer = fluid.energy_transfer(state)
+    np.testing.assert_allclose(transfer, slopes, atol=1e-6)
+    assert np.abs(transfer).max() > 0.01 and abs(np.sum(transfer)) < 1e-13
+
+
+def test_zonal_velocity_in_closed_form():
+    """ω = P₃(x₃) = Δψ gives ψ = −P₃/12 and u = ∂ψ/∂θ; waves do not count."""
+    fluid, theta = SphereFluid(8, 2.0), np.linspace(0.0, np.pi, 7)
+    state = fluid.from_harmonics({(3, 0): np.sqrt(4.0 * np.pi / 7.0), (4, 2): 1.0 + 2.0j})
+    wanted = np.sin(theta) * (15.0 * np.cos(theta) ** 2 - 3.0) / 24.0
+    np.testing.assert_allclose(fluid.zonal_velocity(state, theta), wanted, atol=1e-14)
+
+
+def test_harmonics_are_the_same_compiled():
+    sphere, rng = QuantizedSphere(6), np.random.default_rng(2)
+    table = np.tril(rng.normal(size=(2, 6, 6)) + 1j * rng.normal(size=(2, 6, 6)))
+    np.testing.assert_allclose(jax.jit(sphere.from_harmonics)(table), sphere.from_harmonics(table), atol=1e-15)
+    W = sphere.from_harmonics(table)
+    np.testing.assert_allclose(jax.jit(sphere.to_harmonics)(W), sphere.to_harmonics(W), atol=1e-15)

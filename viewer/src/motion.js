@@ -4,7 +4,7 @@ import { freeBetween } from "./free.js";
 
 const CLOSE = 0.08; // rad the body turns between points of drawn curves: their lengths then agree to 1e-6
 const MANY = 24000; // points of a curve
-const KINDS = { f8: Float64Array, f4: Float32Array, u4: Uint32Array, u2: Uint16Array };
+const KINDS = { f8: Float64Array, f4: Float32Array, u4: Uint32Array, u2: Uint16Array, u1: Uint8Array };
 
 /** Return the typed array of {kind, shape, data}, or null. */
 export function unpacked(field) {

@@ -2,14 +2,17 @@
 export {
   BufferGeometry,
   CylinderGeometry,
+  DataTexture,
   Float32BufferAttribute,
   Group,
+  LinearFilter,
   Mesh,
+  MeshBasicMaterial,
   MeshLambertMaterial,
   Quaternion,
   SphereGeometry,
   Vector3,
 } from "three";
 export { unpacked } from "./motion.js";
-export { circle, dot, drawUpTo, floor, globe, line, path } from "./shapes.js";
+export { circle, dot, drawUpTo, floor, globe, line, path, specks } from "./shapes.js";
 export { newPanel } from "./stage.js";

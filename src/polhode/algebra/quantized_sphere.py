@@ -17,6 +17,7 @@ import numpy as np
 
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.matrix import AbstractMatrixAlgebra, Element, Operand, adjoint, checked_size, traceless
+from polhode.arrays import is_traced
 from polhode.special.spherical_tensors import spherical_tensor
 from polhode.types import Array, ArrayLike, Complex128, Float64, Real
 
@@ -108,6 +109,8 @@ class QuantizedSphere(AbstractMatrixAlgebra):
 
         f_{l,−m} = (−1)^m f̄_lm; f_00 and the imaginary parts of f_l0 are ignored.
         """
+        if not is_traced(coefficients):
+            return jnp.asarray(self._matrices_of(np.asarray(coefficients, dtype=complex)))
         f = jnp.asarray(coefficients, dtype=complex)
         matrix = jnp.zeros(f.shape, complex)
         for m, rows in enumerate(self.tensors):
@@ -121,14 +124,37 @@ class QuantizedSphere(AbstractMatrixAlgebra):
                 matrix = matrix.at[..., i, i + m].set(-jnp.conj(entries))
         return matrix
 
+    def _matrices_of(self, f: np.ndarray) -> np.ndarray:
+        """Return the same without JAX, which would compile each order by itself."""
+        matrix = np.zeros(f.shape, complex)
+        for m, rows in enumerate(self.tensors):
+            values = f[..., m:, m]
+            if m == 0:
+                values = np.where(np.arange(self.n) > 0, values.real, 0.0)
+            entries = (values @ rows) * (1j / math.sqrt(4.0 * math.pi))
+            i = np.arange(self.n - m)
+            matrix[..., i + m, i] = entries
+            if m:
+                matrix[..., i, i + m] = -np.conj(entries)
+        return matrix
+
     def to_harmonics(self, matrix: Element) -> Complex128[Array, "*batch {self.n} {self.n}"]:
         """Return f_lm (…, N, N), l by rows, m ≥ 0 by columns, of matrices; zero where m > l."""
+        if not is_traced(matrix):
+            return jnp.asarray(self._harmonics_of(np.asarray(matrix)))
         columns = []
         for m, rows in enumerate(self.tensors):
             entries = jnp.diagonal(matrix, -m, -2, -1)
             found = entries @ rows.T * (math.sqrt(4.0 * math.pi) / (1j * self.n))
             columns.append(jnp.concatenate([jnp.zeros((*found.shape[:-1], m), complex), found], axis=-1))
         return jnp.stack(columns, axis=-1)
+
+    def _harmonics_of(self, matrix: np.ndarray) -> np.ndarray:
+        found = np.zeros(matrix.shape, complex)
+        for m, rows in enumerate(self.tensors):
+            entries = np.diagonal(matrix, -m, -2, -1)
+            found[..., m:, m] = entries @ rows.T * (math.sqrt(4.0 * math.pi) / (1j * self.n))
+        return found
 
     def _make_basis(self) -> np.ndarray:
         return np.asarray(self.from_vector(jnp.eye(self.dim)))

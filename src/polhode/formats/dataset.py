@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from polhode.errors import InvalidInput, not_installed
-from polhode.formats.dataset_rules import UNITS
+from polhode.formats.dataset_rules import COMPLEX_PART, UNITS
 from polhode.formats.given_axes import along_principal_axes
 from polhode.formats.labels import AttitudeLabels, labels_of
 from polhode.formats.paths import written_whole
@@ -34,7 +34,7 @@ def as_dataset(trajectory: Trajectory, attributes: dict[str, str] | None = None)
     """Return a trajectory as an xarray Dataset whose variables carry units and frames.
 
     Dimensions are ``body`` axes (``batch_0``, …) if any, ``time``, ``quaternion`` (w, x, y, z), ``axis`` (1, 2, 3)
-    and ``space_axis`` (x, y, z).
+    and ``space_axis`` (x, y, z). Complex states have ``complex_part`` (real, imaginary) behind their own axes.
 
     Args:
         trajectory: plain arrays; its frame is added, with the mass properties. One with a frame that is sampled from a
@@ -59,6 +59,8 @@ def _described(trajectory: Trajectory, attributes: dict[str, str] | None) -> tup
         coordinates["quaternion"] = ("quaternion", ["w", "x", "y", "z"])
     if "momentum_space" in trajectory.invariants | trajectory.balances:
         coordinates["space_axis"] = ("space_axis", ["x", "y", "z"])
+    if np.iscomplexobj(trajectory.states):
+        coordinates[COMPLEX_PART] = (COMPLEX_PART, ["real", "imaginary"])
     variables = _state_variables(trajectory, batch) | _balance_variables(trajectory, batch)
     if trajectory.error_estimate is not None and np.isfinite(trajectory.error_estimate).all():
         meaning = "estimated largest error of the states, relative to the size of attitude and momentum"
@@ -93,7 +95,10 @@ def _state_variables(trajectory: Trajectory, batch: list[str]) -> Named:
         "angular_velocity" not in layout.names
     ):
         dims = [*batch, "time", *(f"component_{k}" for k in range(layout.axes))]
-        variables["state"] = (dims, np.asarray(trajectory.states), {"long_name": "point of the dual"})
+        states = np.asarray(trajectory.states)
+        if np.iscomplexobj(states):  # NetCDF has no complex numbers
+            dims, states = [*dims, COMPLEX_PART], np.stack([states.real, states.imag], axis=-1)
+        variables["state"] = (dims, states, {"long_name": "point of the dual"})
     return variables
 
 

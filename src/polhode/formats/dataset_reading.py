@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from polhode.errors import FormatError, InvalidInput, not_installed, shown
-from polhode.formats.dataset_rules import ROLES, check_variables
+from polhode.formats.dataset_rules import COMPLEX_PART, ROLES, check_variables
 from polhode.formats.given_axes import DAMAGED, check_recorded
 from polhode.formats.hdf5_gate import check_hdf5
 from polhode.formats.labels import AttitudeLabels, Recording
@@ -53,6 +53,8 @@ def read_dataset(path: str | Path) -> Trajectory:
     check_recorded(path, dataset["time"].values, arrays.get("attitude"), arrays.get("angular_velocity"))
     roles["state"].sort(key=lambda name: variables[name].attrs["place"])
     own = sum(str(dim).startswith("component_") for dim in dataset.dims)
+    if "state" in dataset and dataset["state"].dims[-1] == COMPLEX_PART:
+        arrays["state"] = arrays["state"][..., 0] + 1j * arrays["state"][..., 1]
     layout, states = _states(arrays, {name: variables[name].attrs for name in roles["state"]}, own)
     kept = {name: variables[name].attrs for name in (*roles["invariant"], *roles["balance"])}
     return Trajectory(

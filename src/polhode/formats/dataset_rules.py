@@ -26,6 +26,7 @@ UNITS = {
     "principal_axes": "1", "center_of_mass": "m", "pivot": "m", "mass": "kg",
 }  # fmt: skip
 NEEDED_OF_FRAME = ("principal_moments", "principal_axes", "center_of_mass")
+COMPLEX_PART = "complex_part"  # last dimension of complex states: real, imaginary
 ORTHOGONAL = 1e-6  # how far principal axes of a file may be from orthogonal, as quaternions from unit length
 
 
@@ -76,7 +77,10 @@ def _check_along_time(path: Path, name: str, variable: Any, along: tuple[str, ..
     elif role is not None:
         fits = dims[: len(along)] == along and len(dims) <= len(along) + 1
     elif name == "state":
-        fits = dims[: len(along)] == along and all(dim.startswith("component_") for dim in dims[len(along) :])
+        own = dims[len(along) :]
+        if own[-1:] == (COMPLEX_PART,) and variable.shape[-1] == 2:
+            own = own[:-1]
+        fits = dims[: len(along)] == along and all(dim.startswith("component_") for dim in own)
     else:
         _refuse(path, f"variable {shown(name)} is unknown, as it has no role")
     if not fits:

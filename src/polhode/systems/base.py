@@ -166,6 +166,10 @@ class AbstractSystem(HashableModule):
         largest = jnp.max(jnp.abs(state), initial=0.0)
         return jnp.where(largest > 0, largest, 1.0)
 
+    def invariant_sizes(self, state: Double[Array, "..."]) -> dict[str, Float64[Array, "..."]]:
+        """Return sizes of invariants where Σ |x ∂C/∂x| does not tell them, as of squares that begin at zero."""
+        return {}
+
     def vectors(self, state: Double[Array, "..."]) -> Vectors:
         """Return attitude, angular momentum and angular velocity at states."""
         return Vectors()

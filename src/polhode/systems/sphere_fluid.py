@@ -87,6 +87,12 @@ class SphereFluid(AbstractLiePoissonSystem):
         return {"L3": lambda point: momentum(point)[..., 2],
                 "L1² + L2²": lambda point: jnp.sum(momentum(point)[..., :2] ** 2, axis=-1)}  # fmt: skip
 
+    def invariant_sizes(self, state: Matrices) -> dict[str, Float64[Array, "*batch"]]:
+        """Return (∫ |x₁ω| + |x₂ω|)² for the square of the momenta, which may begin at zero."""
+        relative = jnp.abs(jnp.asarray(state) - self.planetary)
+        terms = self.algebra.scale * jnp.sum(relative[..., None, :, :] * np.abs(self.algebra.coordinates[:2]), (-2, -1))
+        return {"L1² + L2²": jnp.sum(terms**2, axis=-1)}
+
     # ------------------------------------------------------------------ starts, and what a state looks like
 
     @known_numbers_only
@@ -171,6 +177,26 @@ class SphereFluid(AbstractLiePoissonSystem):
         degree = np.arange(self.size)
         return 0.5 * squares / np.where(degree > 0, degree * (degree + 1.0), np.inf)
 
+    def energy_transfer(self, state: Matrices) -> Float64[Array, "*batch n"]:
+        """Return the rates (…, N) at which each degree's E_l gains energy from the others; they add up to zero.
+
+        Minus the sum over l ≤ k is the flux from degrees up to k to those beyond.
+        """
+        stream = self.algebra.to_harmonics(self.stream_function(state))
+        changes = self.algebra.to_harmonics(self.vector_field(0.0, jnp.asarray(state)))
+        products = (jnp.conj(stream) * changes).real
+        return -products[..., 0] - 2.0 * jnp.sum(products[..., 1:], axis=-1)
+
+    def zonal_velocity(
+        self, state: Matrices, colatitude: Real[ArrayLike, "rows"]
+    ) -> Float64[Array, "*batch rows"]:
+        """Return the eastward velocity ∂ψ/∂θ (…, rows), averaged over longitude, at colatitudes θ [rad]."""
+        stream = self.algebra.to_harmonics(self.stream_function(state))[..., 0].real
+        theta, degree = np.asarray(colatitude, float), np.arange(self.size)
+        series = np.asarray(stream) * np.sqrt((2.0 * degree + 1.0) / (4.0 * math.pi))
+        slopes = np.polynomial.legendre.legder(np.moveaxis(series, -1, 0))
+        return -np.sin(theta) * np.polynomial.legendre.legval(np.cos(theta), slopes)
+
     @known_numbers_only
     def on_grid(
         self, state: Matrices, colatitude: Real[ArrayLike, "rows"], azimuth: Real[ArrayLike, "columns"]
@@ -181,7 +207,7 @@ class SphereFluid(AbstractLiePoissonSystem):
         degree = np.arange(self.size)
         total = np.zeros((*f.shape[:-2], len(theta), len(phi)))
         for m in range(self.size):
-            along = np.einsum("...l,lt->...t", f[..., m:, m], sph_harm_y(degree[m:, None], m, theta[None, :], 0.0))
+            along = f[..., m:, m] @ sph_harm_y(degree[m:, None], m, theta[None, :], 0.0)
             waves = along[..., None] * np.exp(1j * m * phi)
             total += (1.0 if m == 0 else 2.0) * waves.real
         return total

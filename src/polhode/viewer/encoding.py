@@ -20,7 +20,7 @@ def packed(values: Shaped[Array, "..."], kind: str = "f8") -> dict[str, Any]:
 
     Args:
         values: any shape.
-        kind: "f8", "f4", "u4" or "u2".
+        kind: "f8", "f4", "u4", "u2" or "u1".
     """
     array = np.ascontiguousarray(values, dtype=f"<{kind}")
     return {"kind": kind, "shape": list(array.shape), "data": base64.b64encode(array.tobytes()).decode("ascii")}

@@ -1,0 +1,187 @@
+"""The plain answers about an ideal fluid on a sphere."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+from typing import ClassVar
+
+import numpy as np
+
+from polhode.integrators import IsospectralMidpoint
+from polhode.kinds.base import Spec
+from polhode.kinds.sphere_fluid.start import start_of
+from polhode.kinds.sphere_fluid.table import FluidTable
+from polhode.motion.trajectory import Trajectory
+from polhode.reports.about import accuracy
+from polhode.reports.answer import Answer, Group, Table
+from polhode.reports.base import AbstractReport
+from polhode.reports.length import check_length
+from polhode.reports.wording import duration, number, rate, vector
+from polhode.simulation import simulate
+from polhode.solving import turning_rates
+from polhode.systems.sphere_fluid import SphereFluid
+from polhode.types import Array, Float64
+
+ANGLE = 0.25  # rad that the fastest rotation turns in a step: shorter steps cost more iterations in all than they save
+TURNOVERS = 15.0  # of eddies, unless the spec says how long
+MEMORY = 2**27  # bytes of states that are kept: of large matrices fewer samples
+FIXED, CUBIC = 2e-4, 1.2e-8  # s that a step takes, and for each N³, measured at N = 64 and 128
+LISTED = 12  # degrees of the spectrum in the text
+
+
+@dataclass(frozen=True)
+class FluidReport(AbstractReport):
+    """A fluid on a sphere: what it keeps, and where its energy goes.
+
+    Attributes:
+        system: on the unit sphere, whose vorticities and times are those of the fluid's.
+        table: as the spec has it.
+        trajectory: samples of the motion.
+        asked: how many samples the spec asks for; fewer are kept of large matrices.
+    """
+
+    kind: ClassVar[str] = "sphere-fluid"
+    system: SphereFluid
+    table: FluidTable
+    trajectory: Trajectory
+    asked: int
+
+    @cached_property
+    def energies(self) -> Float64[Array, "2 n"]:
+        """(2, N) energies by degree at start and end, of the unit sphere [rad²/s²]."""
+        return np.asarray(self.system.energy_spectrum(self._ends))
+
+    @property
+    def _ends(self) -> Array:
+        return np.asarray(self.trajectory.states)[[0, -1]]
+
+    @cached_property
+    def spectrum_change(self) -> float:
+        """By how much an eigenvalue of −iW changed at most, relative to the largest."""
+        found = np.asarray(self.system.algebra.spectrum(self._ends))
+        return float(np.abs(found[1] - found[0]).max() / np.abs(found[0]).max())
+
+    @cached_property
+    def relative_vorticity(self) -> float:
+        """Root mean square over the sphere at the start [rad/s]."""
+        relative = self._ends[0] - np.asarray(self.system.planetary)
+        return math.sqrt(float(self.system.algebra.pairing(relative, relative)) / (4.0 * math.pi))
+
+    @property
+    def mean_degrees(self) -> Float64[Array, "2"]:
+        """(2,) degree at which the energy is on average, at start and end."""
+        return (self.energies @ np.arange(self.system.size)) / self.energies.sum(axis=1)
+
+    @property
+    def mean_degrees_of_enstrophy(self) -> Float64[Array, "2"]:
+        """(2,) degree at which the squared vorticity is on average."""
+        degree = np.arange(self.system.size)
+        enstrophy = self.energies * degree * (degree + 1.0)
+        return (enstrophy @ degree) / enstrophy.sum(axis=1)
+
+    @property
+    def summary(self) -> str:
+        (first, last), (begin, end) = self.mean_degrees, self.mean_degrees_of_enstrophy
+        energy = "towards larger eddies" if last < 0.98 * first else (
+            "towards smaller eddies" if last > 1.02 * first else "hardly at all")  # fmt: skip
+        return (
+            f"The energy moved {energy}, from degree {first:.4g} to {last:.4g} on average, the squared vorticity from "
+            f"{begin:.4g} to {end:.4g}; the spectrum of the vorticity changed by {self.spectrum_change:.1e}."
+        )
+
+    @property
+    def notes(self) -> list[str]:
+        found = []
+        count = len(self.trajectory.times)
+        if count < self.asked:
+            found.append(f"{count} of {self.asked} samples are kept: more would take over {MEMORY >> 20} MiB.")
+        if self.energies[-1][-self.system.size // 8 :].sum() > 1e-3 * self.energies[-1].sum():
+            found.append("the finest degrees have taken up energy: more resolution would show more detail.")
+        return found
+
+    def answers(self) -> list[Group | Table]:
+        return [self._about_fluid(), self._spectrum(), self._motion()]
+
+    def _about_fluid(self) -> Group:
+        system, size = self.system, self.system.size
+        energy = float(self.energies[0].sum())
+        speed = self.table.radius * math.sqrt(2.0 * energy / (4.0 * math.pi))
+        planetary = 2.0 * abs(float(system.rotation))
+        rossby = self.relative_vorticity / planetary if planetary else None
+        axes = np.asarray(system.algebra.coordinates)
+        relative = self._ends[0] - np.asarray(system.planetary)
+        momentum = np.array([float(system.algebra.pairing(relative, axis)) for axis in axes])
+        words = f"{size} × {size} matrices, harmonics up to degree {size - 1}"
+        turnover = 2.0 * math.pi / self.relative_vorticity
+        return Group("Fluid", [
+            Answer("resolution", size, "", "resolution", "", words),
+            Answer("radius", self.table.radius, "m", "radius"),
+            Answer("rotation", float(system.rotation), "rad/s", "rotation", "", rate(float(system.rotation))),
+            Answer("vorticity", self.relative_vorticity, "rad/s", "vorticity at the start",
+                   "root mean square, relative to the sphere",
+                   f"{self.relative_vorticity:.6g} rad/s, root mean square"),
+            Answer("speed", speed, "m/s", "speed at the start", "root mean square", number(speed, "m/s")),
+            Answer("turnover_time", turnover, "s", "turnover time", "2π over the vorticity", duration(turnover)),
+            Answer("rossby_number", rossby, "", "Rossby number", "vorticity over 2Ω"),
+            Answer("energy", energy, "rad²/s²", "", "of the unit sphere, ½∫v²"),
+            Answer("angular_momentum", momentum, "rad/s", "angular momentum", "∫ x ω of the unit sphere",
+                   vector(momentum, "rad/s")),
+        ])  # fmt: skip
+
+    def _spectrum(self) -> Table:
+        flux = -np.cumsum(np.asarray(self.system.energy_transfer(self._ends[1])))
+        rows = [
+            {"degree": k, "start": float(self.energies[0, k]), "end": float(self.energies[1, k]),
+             "flux": float(flux[k])}
+            for k in range(1, self.system.size)
+        ]  # fmt: skip
+        columns = {
+            "degree": lambda row: str(row["degree"]),
+            "energy at the start": lambda row: f"{row['start']:.4g}",
+            "at the end": lambda row: f"{row['end']:.4g}",
+            "flux beyond it, at the end": lambda row: f"{row['flux']:.3g} /s",
+        }
+        units = {"start": "rad²/s²", "end": "rad²/s²", "flux": "rad²/s³"}
+        return Table("spectrum", "Energy by degree", columns, rows, units, shown=lambda row: row["degree"] <= LISTED)
+
+    def _motion(self) -> Group:
+        statistics = self.trajectory.statistics
+        count, each = statistics["steps"], statistics["iterations"] / max(statistics["steps"], 1)
+        return Group("Motion", [
+            Answer("mean_degree", self.mean_degrees, "", "", "of the energy, at start and end"),
+            Answer("mean_degree_of_enstrophy", self.mean_degrees_of_enstrophy, "", "", "at start and end"),
+            Answer("spectrum_change", self.spectrum_change, "", "change of the spectrum",
+                   "largest, of the largest eigenvalue", f"{self.spectrum_change:.1e}"),
+            Answer("steps", count, "", "steps", "", f"{count}, {each:.3g} iterations each"),
+            *accuracy(self.trajectory),
+        ])  # fmt: skip
+
+
+def report_of(spec: Spec) -> FluidReport:
+    """Return the report on a fluid on a sphere.
+
+    Raises:
+        InvalidInput: for a fluid at rest, or a time that takes too many steps.
+    """
+    table = spec.system
+    assert isinstance(table, FluidTable)
+    fluid = SphereFluid(table.resolution, table.rotation)
+    state = start_of(fluid, table, spec.folder)
+    relative = np.asarray(state - fluid.planetary)
+    vorticity = math.sqrt(float(fluid.algebra.pairing(relative, relative)) / (4.0 * math.pi))
+    until = spec.until
+    if until is None:
+        until = TURNOVERS * 2.0 * math.pi / vorticity if vorticity else 1.0
+    kept = max(2, min(spec.samples, MEMORY // (16 * fluid.size**2)))
+    times = np.linspace(0.0, until, kept)
+    # the fastest planetary wave goes round at Ω, however slow the flow is
+    fastest = max(float(turning_rates(fluid, state, times)), abs(table.rotation))
+    step = ANGLE / fastest if fastest else until
+    shown = check_length(spec.until, times, until / step, FIXED + CUBIC * fluid.size**3,
+                         "A lower `resolution` is quicker.")  # fmt: skip
+    trajectory = simulate(
+        fluid, state, times, IsospectralMidpoint, step=step, order=2, progress=shown, estimate_error=False
+    )
+    return FluidReport(fluid, table, trajectory, spec.samples)

@@ -1,0 +1,66 @@
+"""The vorticity at the start, from a table."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from pathlib import Path
+
+import jax.numpy as jnp
+import numpy as np
+
+from polhode.errors import InvalidInput
+from polhode.formats.dataset_reading import read_dataset
+from polhode.kinds.sphere_fluid.table import FluidTable, RandomTable, WaveTable
+from polhode.systems.sphere_fluid import SphereFluid
+from polhode.types import Array, Complex128
+
+
+def start_of(fluid: SphereFluid, table: FluidTable, folder: Path) -> Complex128[Array, "n n"]:
+    """Return the matrix of the absolute vorticity [rad/s].
+
+    Raises:
+        InvalidInput: for an earlier run of another resolution.
+        FormatError: for a file that is no dataset of polhode's.
+    """
+    if table.start_from is not None:
+        return _last_of(folder / table.start_from, fluid)
+    state = fluid.planetary
+    if table.random is not None:
+        state = state + _random(fluid, table.random)
+    for vortex in table.vortices or []:
+        along = math.cos(vortex.latitude)
+        direction = np.array([along * math.cos(vortex.longitude), along * math.sin(vortex.longitude),
+                              math.sin(vortex.latitude)])  # fmt: skip
+        state = state + fluid.vortex(vortex.strength / table.radius**2, direction)
+    waves: dict[tuple[int, int], complex] = {}
+    for wave in table.waves or []:
+        place = wave.degree, wave.order
+        waves[place] = waves.get(place, 0.0) + _coefficient(wave)
+    return state + (fluid.from_harmonics(waves) - fluid.planetary) if waves else state
+
+
+def _random(fluid: SphereFluid, table: RandomTable) -> Array:
+    first, last = table.degrees
+    degree = np.arange(last + 1)
+    found = fluid.random((degree >= first).astype(float), seed=table.seed) - fluid.planetary
+    size = math.sqrt(float(fluid.algebra.pairing(found, found)) / (4.0 * math.pi))
+    return found * (table.vorticity / size)
+
+
+def _coefficient(wave: WaveTable) -> complex:
+    """Return f_lm of a wave whose mean square over the sphere is that of the table."""
+    if wave.order == 0:
+        return wave.vorticity * math.sqrt(4.0 * math.pi)
+    return wave.vorticity * math.sqrt(2.0 * math.pi) * cmath.exp(-1j * wave.order * wave.longitude)
+
+
+def _last_of(path: Path, fluid: SphereFluid) -> Array:
+    found = read_dataset(path)
+    states, n = np.asarray(found.states), fluid.size
+    if states.ndim != 3 or states.shape[1:] != (n, n):
+        raise InvalidInput(
+            f"`start_from` must be the motion.nc of a fluid of resolution {n}; states in {path} have shape "
+            f"{states.shape[1:]}. Give its resolution, or another file."
+        )
+    return jnp.asarray(states[-1])
