@@ -92,5 +92,5 @@ def test_what_is_refused(spec, system, words):
 
 
 def test_a_file_that_is_missing(spec):
-    with pytest.raises(InvalidInput, match="nothing.nc"):
+    with pytest.raises(InvalidInput, match="nothing"):
         spec('resolution = 6\nstart_from = "nothing.nc"').report()

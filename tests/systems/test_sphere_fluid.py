@@ -226,7 +226,9 @@ def test_energy_moves_between_degrees_as_the_transfer_says():
     fluid = SphereFluid(9, 0.7)
     state = fluid.random([0, 1, 2, 1, 1], seed=5)
     apart = 1e-4
-    ends = [ph.solve(fluid, state, (0.0, t), IsospectralMidpoint, step=1e-4, order=2).saved[-1] for t in (apart, -apart)]
+    ends = [
+        ph.solve(fluid, state, (0.0, t), IsospectralMidpoint, step=apart, order=2).saved[-1] for t in (apart, -apart)
+    ]
     slopes = (fluid.energy_spectrum(ends[0]) - fluid.energy_spectrum(ends[1])) / (2.0 * apart)
     transfer = fluid.energy_transfer(state)
     np.testing.assert_allclose(transfer, slopes, atol=1e-6)

@@ -130,7 +130,7 @@ class QuantizedSphere(AbstractMatrixAlgebra):
         for m, rows in enumerate(self.tensors):
             values = f[..., m:, m]
             if m == 0:
-                values = np.where(np.arange(self.n) > 0, values.real, 0.0)
+                values = np.where(np.arange(self.n) > 0, np.real(values), 0.0)
             entries = (values @ rows) * (1j / math.sqrt(4.0 * math.pi))
             i = np.arange(self.n - m)
             matrix[..., i + m, i] = entries

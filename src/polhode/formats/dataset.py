@@ -97,7 +97,7 @@ def _state_variables(trajectory: Trajectory, batch: list[str]) -> Named:
         dims = [*batch, "time", *(f"component_{k}" for k in range(layout.axes))]
         states = np.asarray(trajectory.states)
         if np.iscomplexobj(states):  # NetCDF has no complex numbers
-            dims, states = [*dims, COMPLEX_PART], np.stack([states.real, states.imag], axis=-1)
+            dims, states = [*dims, COMPLEX_PART], np.stack([np.real(states), np.imag(states)], axis=-1)
         variables["state"] = (dims, states, {"long_name": "point of the dual"})
     return variables
 
