@@ -99,6 +99,9 @@ REFUSED = {
     "bump_on_tail": (0.1, lambda x: analysis.bump_on_tail(x, 4.0, 0.5)),
     "velocity_distribution": (THREE, lambda x: analysis.velocity_distribution(analysis.MAXWELLIAN, x)),
     "dispersion": (0.3, lambda x: analysis.dispersion(analysis.MAXWELLIAN, 0.3, x)),
+    "fastest_growing_wave": (0.3, lambda x: analysis.fastest_growing_wave(analysis.MAXWELLIAN, x)),
+    "fitted_growth": (np.linspace(0.0, 30.0, 31), lambda x: analysis.fitted_growth(
+        x, np.full(31, 1e-3), 0.3, analysis.PlasmaWave(0.3, 0.0, 0.2, 1.0, 0.0), 30.0)),
     "plasma_wave": (0.3, lambda x: analysis.plasma_wave(analysis.MAXWELLIAN, x)),
     "plane_rotation_exponents": (np.zeros((3, 3)), lambda x: analysis.plane_rotation_exponents(ROTATING, x)),
     "EulerDisk": (0.1, lambda x: systems.EulerDisk(1.0, x)),

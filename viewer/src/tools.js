@@ -9,6 +9,7 @@ export {
   Mesh,
   MeshBasicMaterial,
   MeshLambertMaterial,
+  PlaneGeometry,
   Quaternion,
   SphereGeometry,
   Vector3,

@@ -46,11 +46,14 @@ from .hysteresis import hysteresis_loop as hysteresis_loop
 from .manakov_rotations import plane_rotation_exponents as plane_rotation_exponents
 from .mechanics import Mechanics as Mechanics
 from .mechanics import invariants_along as invariants_along
+from .plasma_growth import GrowthFit as GrowthFit
+from .plasma_growth import fitted_growth as fitted_growth
 from .plasma_waves import MAXWELLIAN as MAXWELLIAN
 from .plasma_waves import Beam as Beam
 from .plasma_waves import PlasmaWave as PlasmaWave
 from .plasma_waves import bump_on_tail as bump_on_tail
 from .plasma_waves import dispersion as dispersion
+from .plasma_waves import fastest_growing_wave as fastest_growing_wave
 from .plasma_waves import plasma_wave as plasma_wave
 from .plasma_waves import two_stream as two_stream
 from .plasma_waves import velocity_distribution as velocity_distribution

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -15,6 +16,7 @@ from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.types import Array, Float64
 
 MOST_STEPS = 60
+ROUNDING = 1e-13  # of |ω|: a smaller real part is none
 SOLVED = 1e-13  # of the frequency: the last step of Newton's method
 
 
@@ -135,12 +137,46 @@ def plasma_wave(beams: Sequence[Beam], wavenumber: float, guess: complex | None 
     )
 
 
+@known_numbers_only
+def fastest_growing_wave(beams: Sequence[Beam], wavenumber: float) -> PlasmaWave | None:
+    """Return the mode that grows fastest, or is damped least, of those found from guesses at each beam's speed.
+
+    Args:
+        beams: their shares add up to one.
+        wavenumber: k > 0 in inverse Debye lengths.
+
+    Returns:
+        None where no guess leads to a mode.
+
+    Raises:
+        InvalidInput: as ``plasma_wave`` does.
+
+    >>> round(fastest_growing_wave(two_stream(2.4), 0.2).growth, 9)
+    0.225844255
+    """
+    beams, k = _checked(beams), float(wavenumber)
+    guesses: list[complex | None] = [None]
+    for one in beams:
+        guesses += [complex(k * one.drift + sign * (1.0 + 1.5 * k * k), -0.05) for sign in (1.0, -1.0)]
+        for other in beams:
+            # between two beams the phase velocity is one of neither
+            guesses += [complex(k * (share * one.drift + (1.0 - share) * other.drift), high)
+                        for share in (0.5, 0.75) for high in (0.05, 0.2, 0.5)]  # fmt: skip
+    found = []
+    for guess in guesses:
+        with contextlib.suppress(NotConverged):
+            found.append(plasma_wave(beams, k, guess))
+    forwards = [wave for wave in found if wave.frequency >= -SOLVED]
+    return max(forwards or found, key=lambda wave: wave.growth, default=None)
+
+
 def _with_response(beams: Sequence[Beam], k: float, omega: complex) -> PlasmaWave:
     # residue of (−i ∫ f₀/(kv − ω) dv)/D at the mode, and E = n/k
     started = sum(b.share * _z((omega / k - b.drift) / (math.sqrt(2.0) * b.spread)) / (math.sqrt(2.0) * b.spread)
                   for b in beams)  # fmt: skip
     residue = -started / (k * k * _dispersion(beams, k, omega)[1])
-    return PlasmaWave(k, omega.real, omega.imag, 2.0 * abs(residue), math.atan2(residue.imag, residue.real))
+    frequency = omega.real if abs(omega.real) > ROUNDING * abs(omega) else 0.0
+    return PlasmaWave(k, frequency, omega.imag, 2.0 * abs(residue), math.atan2(residue.imag, residue.real))
 
 
 def _dispersion(beams: Sequence[Beam], k: float, omega: complex) -> tuple[complex, complex]:

@@ -139,7 +139,9 @@ def _positive(value: float) -> float:
     return value
 
 
-def _within(least: float, most: float, what: str) -> Callable[[float], float]:
+def within(least: float, most: float, what: str) -> Callable[[float], float]:
+    """Return a check of bounds, which says what they are of."""
+
     def check(value: float) -> float:
         if not least <= value <= most:
             raise ValueError(f"must be within {least:g} to {most:.6g}, {what}; got {shown(value)}. Check it")
@@ -242,9 +244,9 @@ Plain = Annotated[float, BeforeValidator(_plain)]
 Samples = Annotated[StrictInt, Field(ge=2, le=10_000_000)]
 PositivePlain = Annotated[Plain, AfterValidator(_positive)]
 GravitationalParameter = Annotated[float, _reader("m^3/s^2", positive=True)]
-Eccentricity = Annotated[Plain, AfterValidator(_within(0.0, 0.99, "an ellipse that is not almost a line"))]
-Asphericity = Annotated[Plain, AfterValidator(_within(0.0, math.sqrt(3.0), "√(3(B − A)/C), as B − A ≤ C"))]
-SpinRatio = Annotated[Plain, AfterValidator(_within(-30.0, 30.0, "turns per orbit, where resonances may be felt"))]
+Eccentricity = Annotated[Plain, AfterValidator(within(0.0, 0.99, "an ellipse that is not almost a line"))]
+Asphericity = Annotated[Plain, AfterValidator(within(0.0, math.sqrt(3.0), "√(3(B − A)/C), as B − A ≤ C"))]
+SpinRatio = Annotated[Plain, AfterValidator(within(-30.0, 30.0, "turns per orbit, where resonances may be felt"))]
 Orbits = Annotated[StrictInt, Field(ge=1, le=100_000)]
 Thickness = Annotated[float, _reader("m"), AfterValidator(_thickness)]
 Lean = Annotated[Angle, AfterValidator(_lean)]

@@ -1,0 +1,189 @@
+"""The plain answers about a plasma wave."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+from typing import ClassVar
+
+import numpy as np
+
+from polhode.analysis.plasma_growth import GrowthFit, fitted_growth
+from polhode.analysis.plasma_waves import Beam, PlasmaWave, fastest_growing_wave, velocity_distribution
+from polhode.integrators import Splitting
+from polhode.kinds.base import Spec
+from polhode.kinds.vlasov_poisson.table import PlasmaTable
+from polhode.motion.trajectory import Trajectory
+from polhode.reports.about import accuracy
+from polhode.reports.answer import Answer, Group, Table
+from polhode.reports.base import AbstractReport
+from polhode.reports.length import check_length
+from polhode.reports.wording import number
+from polhode.simulation import simulate
+from polhode.systems.vlasov_poisson import VlasovPoisson, quiet_start
+from polhode.types import Array, Float64
+
+USUAL = 40.0  # inverse plasma frequencies
+ORDER = 4
+MEMORY = 2**26  # bytes of states that are kept
+EACH, PARTICLE = 1e-5, 6e-8  # s a step takes, and for each particle and mode in it, measured at order 4
+REACH = 6.0  # thermal speeds up to which a beam has electrons
+
+
+@dataclass(frozen=True)
+class PlasmaReport(AbstractReport):
+    """A wave in a plasma: what linear theory says, what the run shows, and how long the two can agree.
+
+    Attributes:
+        system: the plasma.
+        table: as the spec has it.
+        beams: of the electrons.
+        fastest: speed up to which there are particles.
+        trajectory: samples of the motion, in inverse plasma frequencies.
+        wave: the mode that grows fastest, or is damped least; None where none was found.
+        asked: how many samples the spec asks for.
+    """
+
+    kind: ClassVar[str] = "vlasov-poisson"
+    system: VlasovPoisson
+    table: PlasmaTable
+    beams: tuple[Beam, ...]
+    fastest: float
+    trajectory: Trajectory
+    wave: PlasmaWave | None
+    asked: int
+
+    @cached_property
+    def field(self) -> Float64[Array, "time"]:
+        """(T,) amplitude of the longest wave of the field."""
+        return np.asarray(self.system.field_amplitudes(self.trajectory.states))[:, 0]
+
+    @property
+    def recurrence_time(self) -> float:
+        """When equally spaced velocities are in step again, and the field of a damped wave comes back."""
+        return 2.0 * math.pi / (self.table.wavenumber * 2.0 * self.fastest / self.table.velocities)
+
+    @cached_property
+    def fit(self) -> GrowthFit | None:
+        """Growth of the field in the run; None where too little of it is linear."""
+        if self.wave is None:
+            return None
+        end = 0.6 * self.recurrence_time
+        return fitted_growth(np.asarray(self.trajectory.times), self.field, self.table.wavenumber, self.wave, end)
+
+    @property
+    def bounce_rate(self) -> float:
+        """√(kE) of electrons that the largest field of the run traps."""
+        return math.sqrt(self.table.wavenumber * float(self.field.max()))
+
+    @property
+    def summary(self) -> str:
+        if self.wave is None:
+            return "Linear theory finds no wave of this length in this plasma."
+        what = "grows" if self.wave.growth > 0.0 else "is damped"
+        said = f"The wave {what} at {abs(self.wave.growth):.6g} by linear theory"
+        if self.fit is None:
+            return f"{said}; too little of the run is linear to measure that."
+        return f"{said}, and at {abs(self.fit.growth):.4g} ± {self.fit.error:.1g} in the run."
+
+    @property
+    def notes(self) -> list[str]:
+        found = ["times are in inverse plasma frequencies, as if that were 1 rad/s; lengths in Debye lengths."]
+        times = np.asarray(self.trajectory.times)
+        if times[-1] > self.recurrence_time and (self.wave is None or self.wave.growth < 0.0):
+            found.append(
+                f"from t = {self.recurrence_time:.4g} on the field of a damped wave comes back, as velocities are "
+                "equally spaced: more velocities put that off."
+            )
+        if self.wave is not None and self.wave.growth < 0.0 and self.bounce_rate > abs(self.wave.growth):
+            found.append("the field traps electrons before it is damped: linear theory holds at first only.")
+        if len(times) < self.asked:
+            found.append(f"{len(times)} of {self.asked} samples are kept: more would take over {MEMORY >> 20} MiB.")
+        return found
+
+    def distribution(self, states: Float64[Array, "n 3"]) -> Float64[Array, "n"]:
+        """Return f at the particles of the first sample (n,), which each of them keeps for ever."""
+        v, x = np.asarray(states)[:, 0], np.asarray(states)[:, 1]
+        return velocity_distribution(self.beams, v) * (1.0 + self.table.amplitude * np.cos(self.table.wavenumber * x))
+
+    def answers(self) -> list[Group | Table]:
+        return [self._about_plasma(), self._beams(), self._about_wave(), self._motion()]
+
+    def _about_plasma(self) -> Group:
+        count = self.table.velocities * self.table.particles_per_velocity
+        words = f"{count}, {self.table.particles_per_velocity} at each of {self.table.velocities} velocities"
+        return Group("Plasma", [
+            Answer("wavenumber", self.table.wavenumber, "1/λ_D", "wavenumber"),
+            Answer("length", float(self.system.length), "λ_D", "box"),
+            Answer("amplitude", self.table.amplitude, "", "disturbance"),
+            Answer("particles", count, "", "particles", "", words),
+            Answer("modes", self.table.modes, "", "waves of the field"),
+            Answer("recurrence_time", self.recurrence_time, "1/ω_p", "velocities in step again at"),
+        ])  # fmt: skip
+
+    def _beams(self) -> Table:
+        columns = {
+            "share": lambda row: f"{row['share']:g}",
+            "drift": lambda row: f"{row['drift']:g}",
+            "spread": lambda row: f"{row['spread']:g}",
+        }
+        units = {"drift": "v_th", "spread": "v_th"}
+        return Table("beams", "Electrons", columns, [beam._asdict() for beam in self.beams], units)
+
+    def _about_wave(self) -> Group:
+        wave = self.wave
+        if wave is None:
+            return Group("Linear theory", [Answer("wave", None, "", "wave", "", "none found")])
+        return Group("Linear theory", [
+            Answer("wave.frequency", wave.frequency, "ω_p", "frequency", "", number(wave.frequency, "ω_p")),
+            Answer("wave.growth", wave.growth, "ω_p", "growth", "", number(wave.growth, "ω_p")),
+            Answer("wave.response", wave.response, "", "response", "field at first, for a disturbance of one"),
+            Answer("wave.phase", wave.phase, "rad"),
+        ])  # fmt: skip
+
+    def _motion(self) -> Group:
+        fit = self.fit
+        grown = [] if fit is None else [
+            Answer("measured.growth", fit.growth, "ω_p", "growth in the run", "",
+                   f"{fit.growth:.6g} ± {fit.error:.1g} ω_p, from t = {fit.begin:.4g} to {fit.end:.4g}"),
+            Answer("measured.growth_error", fit.error, "ω_p"),
+            Answer("measured.window", [fit.begin, fit.end], "1/ω_p"),
+        ]  # fmt: skip
+        return Group("Motion", [
+            *grown,
+            Answer("field.start", float(self.field[0]), "", "field at the start"),
+            Answer("field.largest", float(self.field.max()), "", "largest"),
+            Answer("field.end", float(self.field[-1]), "", "at the end"),
+            Answer("bounce_rate", self.bounce_rate, "ω_p", "trapped electrons bounce at", "√(kE) of the largest field",
+                   number(self.bounce_rate, "ω_p")),
+            *accuracy(self.trajectory),
+        ])  # fmt: skip
+
+
+def report_of(spec: Spec) -> PlasmaReport:
+    """Return the report on a plasma.
+
+    Raises:
+        InvalidInput: for a distribution that is zero at some particles, or a time that takes too many steps.
+    """
+    table = spec.system
+    assert isinstance(table, PlasmaTable)
+    beams = tuple(Beam(b.share, b.drift, b.spread) for b in table.beams) if table.beams else (Beam(),)
+    fastest = table.fastest or max(abs(beam.drift) + REACH * beam.spread for beam in beams)
+    count = table.velocities * table.particles_per_velocity
+    system = VlasovPoisson(2.0 * math.pi / table.wavenumber, table.modes, count)
+    state = quiet_start(
+        system, lambda v: velocity_distribution(beams, v), table.velocities, table.amplitude, fastest=fastest
+    )
+    until = USUAL if spec.until is None else spec.until
+    kept = max(2, min(spec.samples, MEMORY // (24 * count)))
+    times = np.linspace(0.0, until, kept)
+    steps = max(until / table.step, kept)
+    shown = check_length(spec.until, times, steps, EACH + PARTICLE * count * table.modes,
+                         "Fewer particles or modes are quicker.")  # fmt: skip
+    trajectory = simulate(
+        system, state, times, Splitting, step=table.step, order=ORDER, progress=shown, estimate_error=False
+    )
+    wave = fastest_growing_wave(beams, table.wavenumber)
+    return PlasmaReport(system, table, beams, fastest, trajectory, wave, spec.samples)
