@@ -1,11 +1,15 @@
 // What scripts that bring a picture of their own are given to draw it with.
 export {
   BufferGeometry,
+  Color,
+  ConeGeometry,
   CylinderGeometry,
   DataTexture,
   Float32BufferAttribute,
   Group,
+  InstancedMesh,
   LinearFilter,
+  Matrix4,
   Mesh,
   MeshBasicMaterial,
   MeshLambertMaterial,

@@ -26,7 +26,7 @@ from polhode.types import Array, Float64
 
 USUAL = 40.0  # inverse plasma frequencies
 ORDER = 4
-MEMORY = 2**26  # bytes of states that are kept
+MEMORY = 2**25  # bytes of states that are kept
 EACH, PARTICLE = 1e-5, 6e-8  # s a step takes, and for each particle and mode in it, measured at order 4
 REACH = 6.0  # thermal speeds up to which a beam has electrons
 

@@ -1,0 +1,105 @@
+"""Reports on spins on lattices: waves and heat in closed form, skyrmions, and what is refused."""
+
+import re
+
+import numpy as np
+import pytest
+
+from polhode.errors import InvalidInput
+from polhode.kinds.reading import read_spec
+from polhode.kinds.spin_lattice.waves_figure import draw_waves
+
+MILLI = 1.602176634e-22  # J in a meV
+BOHR = 5.7883817982e-2  # meV/T
+CHAIN = 'vectors = [[1]]\ncells = [8]\nbonds = [{ cell = [1], exchange = "1 meV" }]'
+
+
+@pytest.fixture
+def spec(tmp_path):
+    def make(system, until="0.1 ps", samples=5):
+        path = tmp_path / "case.toml"
+        time = f'[time]\nuntil = "{until}"\nsamples = {samples}\n'
+        path.write_text(f'[system]\nkind = "spin-lattice"\n{system}\n{time}', "utf-8")
+        return read_spec(path)
+
+    return make
+
+
+def test_waves_of_a_ferromagnetic_chain(spec):
+    """gμB B + 2KS + 2JS(1 − cos k), in the field's and the axis's own energies; one wave turns at that rate."""
+    text = CHAIN + '\nspin = 1.5\nfield = ["0 T", "0 T", "4 T"]\nanisotropy = { axis = [0, 0, 2], energy = "0.1 meV" }'
+    report = spec(text + "\ndisorder = 0.001", "0.2 ps", 41).report()
+    values = report.as_json_dict()
+    gap = 2.0 * BOHR * 4.0 + 2.0 * 0.1 * 1.5
+    assert values["waves"]["lowest"] / MILLI == pytest.approx(gap, rel=1e-8)
+    assert values["waves"]["highest"] / MILLI == pytest.approx(gap + 4.0 * 1.5, rel=1e-8)
+    turned = np.unwrap(np.angle(report.magnetizations[:, 0] + 1j * report.magnetizations[:, 1]))
+    rate = -(turned[-1] - turned[0]) / 0.2e-12  # the uniform wave goes round clockwise, S × B
+    assert rate * 1.054571817e-34 / MILLI == pytest.approx(gap, rel=1e-4)
+    assert values["energy"]["start"] / MILLI == pytest.approx(-(1.5**2) - 0.1 * 1.5**2 - 2 * BOHR * 4 * 1.5, rel=1e-5)
+    assert draw_waves(report) is not None
+
+
+def test_damping_turns_a_spin_into_the_field(spec):
+    """S_z/s = tanh(λBt + artanh cos θ₀) of free spins: their exchange does nothing while all are alike."""
+    text = CHAIN + '\nfield = ["0 T", "0 T", "5 T"]\ndamping = 0.3\ndirections = [[1, 0, 0]]'
+    report = spec(text, "1 ps", 11).report()
+    rate = 2.0 * BOHR * 5.0 * MILLI / 1.054571817e-34
+    assert report.magnetizations[-1, 2] == pytest.approx(np.tanh(0.3 * rate * 1e-12), rel=1e-3)
+    assert "damping took" in report.summary and report.waves is None
+
+
+@pytest.mark.sweep
+def test_a_paramagnet_in_a_bath(spec):
+    """Langevin's function of gμB B S/kT, for spins whose exchange is next to nothing."""
+    bonds = 'bonds = [{ cell = [1, 0], exchange = "1e-9 meV" }]'
+    text = f'vectors = [[1, 0], [0, 1]]\ncells = [20, 20]\n{bonds}\nfield = ["0 T", "0 T", "10 T"]\ndamping = 0.5'
+    report = spec(text + '\ntemperature = "10 K"', "30 ps", 201).report()
+    x = 2.0 * BOHR * 10.0 / (0.0861733326 * 10.0)
+    wanted = 1.0 / np.tanh(x) - 1.0 / x
+    late = report.magnetizations[60:, 2]
+    assert late.mean() == pytest.approx(wanted, abs=0.006)
+    mean, error = report.thermal
+    assert mean / MILLI == pytest.approx(-2.0 * BOHR * 10.0 * wanted, abs=0.01) and 0.0 < error < 0.01 * MILLI
+    assert set(report.trajectory.drift) == {"|L|²"}
+
+
+@pytest.mark.sweep
+def test_skyrmions_grow_from_disorder(spec):
+    twisted = '{{ cell = {}, exchange = "1 meV", chirality = ["{} meV", "{} meV", "0 meV"] }}'
+    arms = ", ".join([twisted.format("[1, 0]", 0.7, 0), twisted.format("[0, 1]", 0, 0.7)])
+    text = f'vectors = [[1, 0], [0, 1]]\ncells = [20, 20]\nbonds = [{arms}]\nfield = ["0 T", "0 T", "2.8 T"]'
+    text += "\ndamping = 0.5"
+    report = spec(text + "\nrandom = true\nseed = 3", "30 ps", 11).report()
+    assert report.skyrmions[1] < -2.5 and report.skyrmions[1] == pytest.approx(round(report.skyrmions[1]), abs=1e-9)
+    assert any("skyrmions" in note for note in report.notes)
+
+
+def test_opposed_neighbours_need_two_sites(spec):
+    text = 'vectors = [[2]]\nbasis = [[0], [1]]\ncells = [4]\ndirections = [[0, 0, 1], [0, 0, -1]]\n'
+    bonds = '{ sites = [1, 2], cell = [0], exchange = "-1 meV" }, { sites = [2, 1], cell = [1], exchange = "-1 meV" }'
+    report = spec(f'{text}bonds = [{bonds}]\nanisotropy = {{ axis = [0, 0, 1], energy = "0.5 meV" }}').report()
+    top = 2.0 * np.sqrt((1.0 + 0.5) ** 2)
+    assert report.gap[1] / MILLI == pytest.approx(top, rel=1e-8)
+    assert report.gap[0] / MILLI == pytest.approx(2.0 * np.sqrt(1.5**2 - 1.0), rel=1e-8)
+
+
+BONDS = 'bonds = [{ cell = [1], exchange = "1 meV" }]'
+
+
+@pytest.mark.parametrize(("system", "words"), [
+    (f"cells = [4]\n{BONDS}", "give one to three vectors"),
+    (f"vectors = [[1]]\ncells = [4, 4]\n{BONDS}", "a number for each of the 1 vectors; got 2"),
+    (f"vectors = [[1]]\ncells = [2000000]\n{BONDS}", "cells"),
+    ('vectors = [[1]]\ncells = [4]\nbonds = [{ cell = [1] }]', "needs exchange or chirality or both"),
+    ('vectors = [[1]]\ncells = [4]\nbonds = [{ cell = [1, 0], exchange = "1 meV" }]', "of the 1 vectors; got 2"),
+    ('vectors = [[1]]\ncells = [4]\nbonds = [{ cell = [1], sites = [1, 2], exchange = "1 meV" }]', "from 1 to 1"),
+    ('vectors = [[1]]\ncells = [4]\nbonds = [{ cell = [1], exchange = "1 m" }]', "1 meV"),
+    (CHAIN + "\nrandom = true\ndisorder = 0.1", "random: goes without"),
+    (CHAIN + '\ntemperature = "10 K"', "temperature: needs damping"),
+    (CHAIN + '\ndipolar = "0.1 meV"', "dipolar: needs periodic = false"),
+    (CHAIN + "\ndirections = [[0, 0, 1], [0, 0, -1]]", "one for each of 1 sites; got 2"),
+])  # fmt: skip
+def test_what_is_refused(spec, system, words):
+    with pytest.raises(InvalidInput, match=re.escape(words)):
+        spec(system)
