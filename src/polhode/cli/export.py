@@ -11,12 +11,12 @@ from importlib import import_module
 from pathlib import Path
 
 from polhode.cli.destinations import check_spares
-from polhode.cli.sources import report_of
+from polhode.cli.sources import moving_report_of, report_of
 from polhode.errors import FormatError, InvalidInput, one_line, shown
 from polhode.formats.dataset import label_attributes
 from polhode.kinds.base import Spec
 from polhode.kinds.reading import read_spec
-from polhode.reports.base import AbstractReport
+from polhode.reports.base import AbstractMotionReport, AbstractReport
 
 
 @dataclass(frozen=True)
@@ -29,12 +29,14 @@ class Form:
         ending: of the file's name.
         holds: what is in it, and with how many digits.
         sampled: whether it holds the samples of the report.
+        of_motion: whether it needs a motion.
     """
 
     home: tuple[str, str]
     ending: str
     holds: str
     sampled: bool = True
+    of_motion: bool = True
 
 
 _HERE = "polhode.cli.export"
@@ -49,7 +51,7 @@ FORMS = {
     "gltf": Form((_HERE, "export_gltf"), ".glb",
                  "glTF 2.0 animation of the body; angles to 1e-7, as it holds single precision", sampled=False),
     "urdf": Form((_HERE, "export_urdf"), ".urdf", "mass, centre of mass and inertia along the given axes; every digit",
-                 sampled=False),
+                 sampled=False, of_motion=False),
 }  # fmt: skip
 
 
@@ -66,7 +68,8 @@ def run_export(path: Path, forms: Sequence[str], out: Path | None) -> None:
     if out is not None:
         check_spares(out, path)
     spec = read_spec(path)
-    report = report_of(path, spec)
+    moving = any(FORMS[form].of_motion for form in wanted)
+    report = moving_report_of(path, spec) if moving else report_of(path, spec)
     for form in wanted:
         module, function = FORMS[form].home
         place = out or Path(f"{path.stem}{FORMS[form].ending}")
@@ -76,14 +79,16 @@ def run_export(path: Path, forms: Sequence[str], out: Path | None) -> None:
             raise
         except InvalidInput as error:
             raise InvalidInput(f"{form}: {error}") from None
-        count = f"{len(report.trajectory.times)} samples, " if FORMS[form].sampled else ""
-        part = _shown_part(report) if form == "gltf" else ""
+        count = part = ""
+        if isinstance(report, AbstractMotionReport):
+            count = f"{len(report.trajectory.times)} samples, " if FORMS[form].sampled else ""
+            part = _shown_part(report) if form == "gltf" else ""
         print(one_line(f"{written}: {count}{FORMS[form].holds}{part}"))
-        if form in ("aem", "ck"):
+        if form in ("aem", "ck") and isinstance(report, AbstractMotionReport):
             _warn_of_long_turns(report, form)
 
 
-def _shown_part(report: AbstractReport) -> str:
+def _shown_part(report: AbstractMotionReport) -> str:
     """Return which part of the motion an animation shows, if it is not all of it."""
     all_of_it, shown = report.trajectory.times, report.shown.times
     if shown[0] <= all_of_it[0] and shown[-1] >= all_of_it[-1]:
@@ -91,7 +96,7 @@ def _shown_part(report: AbstractReport) -> str:
     return f"; it shows the motion from {shown[0]:.6g} s to {shown[-1]:.6g} s, of {all_of_it[-1]:.6g} s"
 
 
-def _warn_of_long_turns(report: AbstractReport, form: str) -> None:
+def _warn_of_long_turns(report: AbstractMotionReport, form: str) -> None:
     """Say so where the body turns so far between samples that readers, who interpolate, go wrong."""
     from polhode.formats.animation_keys import FARTHEST, farthest_turn
 
@@ -101,14 +106,14 @@ def _warn_of_long_turns(report: AbstractReport, form: str) -> None:
               "take a shorter `until`.", file=sys.stderr)  # fmt: skip
 
 
-def export_netcdf(report: AbstractReport, spec: Spec, path: Path) -> Path:
+def export_netcdf(report: AbstractMotionReport, spec: Spec, path: Path) -> Path:
     """Write the report's trajectory as NetCDF."""
     from polhode.formats.dataset import write_dataset
 
     return write_dataset(report.trajectory, path, _attributes(spec))
 
 
-def export_zarr(report: AbstractReport, spec: Spec, path: Path) -> Path:
+def export_zarr(report: AbstractMotionReport, spec: Spec, path: Path) -> Path:
     """Write the report's trajectory as a Zarr store."""
     from polhode.formats.dataset import write_zarr
 
@@ -119,14 +124,14 @@ def _attributes(spec: Spec) -> dict[str, str]:
     return {"title": spec.name} | label_attributes(spec.labels)
 
 
-def export_csv(report: AbstractReport, spec: Spec, path: Path) -> Path:
+def export_csv(report: AbstractMotionReport, spec: Spec, path: Path) -> Path:
     """Write the report's trajectory as a table."""
     from polhode.formats.csv_table import write_csv
 
     return write_csv(report.trajectory, path)
 
 
-def export_aem(report: AbstractReport, spec: Spec, path: Path) -> Path:
+def export_aem(report: AbstractMotionReport, spec: Spec, path: Path) -> Path:
     """Write the report's attitude history as a CCSDS AEM, with angular velocities where there are any."""
     from polhode.formats.aem import write_aem
 
@@ -134,14 +139,14 @@ def export_aem(report: AbstractReport, spec: Spec, path: Path) -> Path:
     return write_aem(report.trajectory, path, spec.labels, rates)
 
 
-def export_ck(report: AbstractReport, spec: Spec, path: Path) -> Path:
+def export_ck(report: AbstractMotionReport, spec: Spec, path: Path) -> Path:
     """Write the report's attitude history as a SPICE C-kernel, and the kernels that it needs next to it."""
     from polhode.formats.spice import write_ck
 
     return write_ck(report.trajectory, path, labels=spec.labels)[0]
 
 
-def export_gltf(report: AbstractReport, spec: Spec, path: Path) -> Path:
+def export_gltf(report: AbstractMotionReport, spec: Spec, path: Path) -> Path:
     """Write the motion as an animation of the body's surface, or of a box with its inertia."""
     from polhode.formats.gltf import write_gltf
 

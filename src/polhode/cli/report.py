@@ -5,12 +5,14 @@ from __future__ import annotations
 from pathlib import Path
 
 from polhode.cli.render import as_json, print_report
-from polhode.cli.sources import report_of
+from polhode.cli.sources import moving_report_of, report_of
 from polhode.cli.terminal import as_typed
 from polhode.errors import InvalidInput, shown
 from polhode.formats.paths import written_together
+from polhode.kinds.base import motion_report_of
 from polhode.kinds.reading import read_spec
-from polhode.kinds.registry import known_figures
+from polhode.kinds.registry import known_figures, next_steps
+from polhode.reports.base import AbstractMotionReport
 
 FORMS = ("png", "svg", "pdf")
 
@@ -36,23 +38,26 @@ def run_report(
     forms = figure_forms(figures)
     spec = read_spec(path)
     folder = out or Path(path.stem if path.suffix else f"{path.name}_report")
-    report = report_of(path, spec)
+    report = moving_report_of(path, spec) if html else report_of(path, spec)
     with written_together(folder) as draft:
         from polhode.figures.drawing import draw_all
-        from polhode.formats.dataset import write_dataset
 
         files = draw_all(report, spec.kind.figures(), draft, *forms)
-        files.append(write_dataset(report.trajectory, draft / "motion.nc", {"title": spec.name}))
+        if isinstance(report, AbstractMotionReport):
+            from polhode.formats.dataset import write_dataset
+
+            files.append(write_dataset(report.trajectory, draft / "motion.nc", {"title": spec.name}))
         if html:
             from polhode.kinds.page import page_of_report
 
-            files.append(page_of_report(report, draft / "page.html", name=spec.name, surface=spec.surface))
+            moving = motion_report_of(report)
+            files.append(page_of_report(moving, draft / "page.html", name=spec.name, surface=spec.surface))
     names = [str(folder / file.name) for file in files]
     removed = _remove_outdated(folder, [file.name for file in files])
     if json:
         print(as_json({"name": spec.name, **report.as_json_dict(), "files": names, "removed": removed}))
     else:
-        following = as_typed("view", str(path)) + " shows the motion"
+        following = "; ".join(f"{as_typed(step.command, str(path))} {step.gives}" for step in next_steps(spec))
         print_report(
             spec.name, report.summary, report.answers(), report.notes, names, removed, certificates, following
         )

@@ -20,11 +20,11 @@ from polhode.formats.given_axes import along_given_axes, single_attitude
 from polhode.formats.labels import AttitudeLabels, labels_of
 from polhode.formats.opening import is_folder, open_file
 from polhode.formats.table_form import Line, form_of, is_comment
-from polhode.kinds.base import Spec
+from polhode.kinds.base import Spec, motion_report_of
 from polhode.kinds.reading import read_spec
 from polhode.motion.frame import BodyFrame
 from polhode.motion.trajectory import Trajectory
-from polhode.reports.base import AbstractReport
+from polhode.reports.base import AbstractMotionReport, AbstractReport
 
 HEAD = 65536  # bytes in which a file shows what it is
 KINDS = {"spec": "spec", "dataset": "dataset", "csv": "CSV table", "table": "table", "aem": "AEM", "ck": "C-kernel"}
@@ -219,6 +219,13 @@ def report_of(path: Path, spec: Spec) -> AbstractReport:
     """Return the report on a spec; what it refuses names the file."""
     with _naming(path):
         return kept_report(spec)
+
+
+def moving_report_of(path: Path, spec: Spec) -> AbstractMotionReport:
+    """Return the report on a spec that has a motion; one without is refused before anything is computed."""
+    with _naming(path):
+        spec.kind.check_motion()
+    return motion_report_of(report_of(path, spec))
 
 
 @contextlib.contextmanager

@@ -17,7 +17,7 @@ from polhode.bodies.surface import Surface
 from polhode.errors import InvalidInput, shown
 from polhode.formats.labels import AttitudeLabels
 from polhode.motion.trajectory import Trajectory
-from polhode.reports.base import AbstractReport
+from polhode.reports.base import AbstractMotionReport, AbstractReport
 from polhode.spec.building import build_spin
 from polhode.spec.models import BodyTable, SpinTable, SystemTable
 from polhode.spec.remarks import remarks_on
@@ -44,6 +44,18 @@ class SpecMotion(NamedTuple):
     mechanics: Mechanics | None
 
 
+class NextStep(NamedTuple):
+    """A command to go on with.
+
+    Attributes:
+        command: of ``polhode``, which takes the spec.
+        gives: what it does with it, as it goes on from the command: "shows the motion".
+    """
+
+    command: str
+    gives: str
+
+
 class Bodies(NamedTuple):
     """Bodies of many samples.
 
@@ -56,6 +68,12 @@ class Bodies(NamedTuple):
     moments: Float64[Array, "*sample 3"]
     axes: Float64[Array, "*sample 3 3"]
     refused: dict[int, str]
+
+
+def motion_report_of(report: AbstractReport) -> AbstractMotionReport:
+    """Return the report of a kind that has a motion, as one that has a trajectory."""
+    assert isinstance(report, AbstractMotionReport), f"a report of kind {report.kind} must be on a motion"
+    return report
 
 
 class ManySpecs(NamedTuple):
@@ -107,6 +125,7 @@ class AbstractKind:
             and ``plot`` show its own pictures.
         subject: what moves, in a word, where other kinds may move the same in another way.
         in_closed_form: whether the motion is known exactly at any time, without steps.
+        has_motion: whether something moves in time, so that its report is an ``AbstractMotionReport``.
         has_attitude: whether the motion is that of a body that turns in space.
         is_default: whether a spec without [system] means this kind; of the kinds here one does.
     """
@@ -117,6 +136,7 @@ class AbstractKind:
     sources: ClassVar[tuple[str, ...]] = ()
     subject: ClassVar[str] = ""
     in_closed_form: ClassVar[bool] = False
+    has_motion: ClassVar[bool] = True
     has_attitude: ClassVar[bool] = True
     is_default: ClassVar[bool] = False
 
@@ -126,7 +146,7 @@ class AbstractKind:
         return self._file("example.toml")
 
     def report(self, spec: Spec) -> AbstractReport:
-        """Return the answers about the motion of a spec of this kind, by ``answers.report_of``.
+        """Return the answers about a spec of this kind, by ``answers.report_of``.
 
         Raises:
             InvalidInput: for values that the system refuses.
@@ -140,11 +160,32 @@ class AbstractKind:
         Raises:
             InvalidInput, NotConverged: as ``report`` does.
         """
+        self.check_motion()
         answers = self._part("answers")
         if hasattr(answers, "motion_of"):
             return answers.motion_of(spec)
         report = answers.report_of(spec)
         return SpecMotion(report.trajectory, report.mechanics)
+
+    def next_steps(self, spec: Spec) -> Sequence[NextStep]:
+        """Return the commands to go on with from a report of this kind."""
+        return (NextStep("view", "shows the motion"),) if self.has_motion else ()
+
+    def offers(self, spec: Spec) -> Sequence[NextStep]:
+        """Return the commands by which this kind makes something of a spec of another kind; none without a reason."""
+        return ()
+
+    def check_motion(self) -> None:
+        """Refuse what needs a motion.
+
+        Raises:
+            InvalidInput: for a kind without one.
+        """
+        if not self.has_motion:
+            raise InvalidInput(
+                f"the system {self.name} has no motion in time, with samples to show, write or compare. Ask for its "
+                "answers and figures by `polhode report`."
+            )
 
     def ensemble(
         self, samples: ManySpecs, names: Sequence[str], times: Float64[Array, "time"]
@@ -213,7 +254,7 @@ class AbstractKind:
         more = part.plots_of(trajectory, samples) if hasattr(part, "plots_of") else {}
         return Content(panels, (script.read_text("utf-8"),) if script.is_file() else (), model, **more)
 
-    def scatters(self, report: AbstractReport) -> tuple[dict[str, Any], ...]:
+    def scatters(self, report: AbstractMotionReport) -> tuple[dict[str, Any], ...]:
         """Return by ``panel.scatters_of`` what a report's page draws beyond the part that it shows; none without it."""
         if not (resources.files(type(self).__module__) / "panel.py").is_file():
             return ()
@@ -292,6 +333,15 @@ class Spec:
     def report(self) -> AbstractReport:
         """Return the answers; see ``AbstractKind.report``."""
         return self.kind.report(self)
+
+    def motion_report(self) -> AbstractMotionReport:
+        """Return the answers about a motion.
+
+        Raises:
+            InvalidInput: for a kind without one, and as ``AbstractKind.report`` does.
+        """
+        self.kind.check_motion()
+        return motion_report_of(self.report())
 
     def motion(self) -> SpecMotion:
         """Return the motion without the answers; see ``AbstractKind.motion``."""

@@ -12,7 +12,7 @@ from polhode.kinds.base import Spec
 from polhode.kinds.registry import find_kind, kind_of_source
 from polhode.motion.base import AbstractMotion
 from polhode.motion.trajectory import Trajectory
-from polhode.reports.base import AbstractReport
+from polhode.reports.base import AbstractMotionReport
 from polhode.viewer.encoding import with_powers
 from polhode.viewer.page import NotebookPage, Page, page_of
 from polhode.viewer.panels import Content
@@ -91,13 +91,13 @@ def _page(
     if isinstance(moved, Spec):
         if summary or notes:
             raise InvalidInput("`summary` and `notes` are what a report says, and a spec has its own. Leave them out.")
-        return page_of_answers(moved.report(), name or moved.name, moved.surface if surface is None else surface)
+        return page_of_answers(moved.motion_report(), name or moved.name, moved.surface if surface is None else surface)
     if isinstance(moved, AbstractMotion):
         moved = moved.sample()
     return page_of(moved, name=name, summary=summary, surface=surface, notes=notes, content=_content)
 
 
-def page_of_report(report: AbstractReport, path: str | Path, *, name: str, surface: Surface | None = None) -> Path:
+def page_of_report(report: AbstractMotionReport, path: str | Path, *, name: str, surface: Surface | None = None) -> Path:
     """Write the page of a report's motion, with what the report says of it.
 
     Args:
@@ -112,7 +112,7 @@ def page_of_report(report: AbstractReport, path: str | Path, *, name: str, surfa
     return write_text_of(page_of_answers(report, name, surface), Path(path))
 
 
-def page_of_answers(report: AbstractReport, name: str, surface: Surface | None) -> Page:
+def page_of_answers(report: AbstractMotionReport, name: str, surface: Surface | None) -> Page:
     """Return what the page of a report's motion is filled with."""
     kind = find_kind(report.kind)
     return page_of(

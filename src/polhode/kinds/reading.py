@@ -72,7 +72,7 @@ def report(spec: Spec | str | Path) -> AbstractReport:
     """Return the answers about the motion of a spec, or of a file that holds one.
 
     Its ``summary`` and ``notes`` are worded, ``answers()``, ``values()`` and ``as_json_dict()`` are data, and
-    ``trajectory`` is the motion.
+    ``trajectory`` is the motion, of kinds that have one.
 
     Raises:
         InvalidInput: as ``read_spec`` does, and for values that the system refuses.

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from polhode.errors import InvalidInput, PolhodeError
-from polhode.kinds.base import AbstractKind
+from polhode.kinds.base import AbstractKind, NextStep, Spec
 
 GROUP = "polhode.kinds"
 HOME = Path(__file__).parent
@@ -79,6 +79,12 @@ def known_figures() -> set[str]:
 def kind_of_source(source: Any) -> AbstractKind | None:
     """Return the kind whose pictures show what a trajectory came from; None where no kind has any of its own."""
     return next((kind for kind in _importable() if any(_is_made_by(source, name) for name in kind.sources)), None)
+
+
+def next_steps(spec: Spec) -> list[NextStep]:
+    """Return the commands to go on with from a report: those of its own kind, and what other kinds make of its body."""
+    others = (kind for kind in _importable() if kind is not spec.kind)
+    return [*spec.kind.next_steps(spec), *(step for kind in others for step in kind.offers(spec))]
 
 
 def _is_made_by(source: Any, name: str) -> bool:

@@ -14,6 +14,40 @@ from polhode.reports.answer import Group, Table, units_of, values_of
 
 
 class AbstractReport(abc.ABC):
+    """Answers about one system.
+
+    Attributes:
+        kind: the system, as a spec names it.
+    """
+
+    kind: ClassVar[str]
+
+    @property
+    @abc.abstractmethod
+    def summary(self) -> str:
+        """What is said of it, in a sentence or two."""
+
+    @property
+    def notes(self) -> list[str]:
+        """What a reader should know in addition to the numbers."""
+        return []
+
+    @abc.abstractmethod
+    def answers(self) -> list[Group | Table]:
+        """Return what the report says, in the order of its text."""
+
+    def values(self) -> dict[str, Any]:
+        """Return the answers by name, SI units, arrays and numbers that are not finite included."""
+        return values_of(self.answers())
+
+    def as_json_dict(self) -> dict[str, Any]:
+        """Return the answers as plain lists, numbers, strings and None; undefined or infinite ones are None."""
+        answers = self.answers()
+        ends = {"units": units_of(answers), "summary": self.summary, "notes": self.notes}
+        return plain({"system": self.kind, **values_of(answers), **ends})
+
+
+class AbstractMotionReport(AbstractReport):
     """Answers about one motion of one system.
 
     Attributes:
@@ -21,18 +55,7 @@ class AbstractReport(abc.ABC):
         trajectory: its samples.
     """
 
-    kind: ClassVar[str]
     trajectory: Trajectory
-
-    @property
-    @abc.abstractmethod
-    def summary(self) -> str:
-        """The motion in a sentence or two."""
-
-    @property
-    def notes(self) -> list[str]:
-        """What a reader should know in addition to the numbers."""
-        return []
 
     @property
     def shown(self) -> Trajectory:
@@ -49,22 +72,14 @@ class AbstractReport(abc.ABC):
         """What energy and momentum of an attitude history of this body are made of; None where it tells no energy."""
         return None
 
-    @abc.abstractmethod
-    def answers(self) -> list[Group | Table]:
-        """Return what the report says, in the order of its text."""
-
-    def values(self) -> dict[str, Any]:
-        """Return the answers by name, SI units, arrays and numbers that are not finite included."""
-        return values_of(self.answers())
-
     def as_json_dict(self) -> dict[str, Any]:
-        """Return the answers as plain lists, numbers, strings and None; undefined or infinite ones are None."""
+        """Return the answers, with how the motion ended and how well it keeps what it should."""
         trajectory = self.trajectory
         ends = {
-            "status": str(trajectory.outcome), "units": units_of(self.answers()), "summary": self.summary,
-            "drift": trajectory.drift, "state_error_estimate": trajectory.error_estimate, "notes": self.notes,
+            "status": str(trajectory.outcome), "drift": trajectory.drift,
+            "state_error_estimate": trajectory.error_estimate,
         }  # fmt: skip
-        return plain({"system": self.kind, **self.values(), **ends})
+        return super().as_json_dict() | plain(ends)
 
 
 def plain(value: Any) -> Any:

@@ -21,7 +21,7 @@ from polhode.motion.frame import BodyFrame
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import GIVEN, about_axes, accuracy, stability_values, verdicts
 from polhode.reports.answer import Answer, Group, Table
-from polhode.reports.base import AbstractReport
+from polhode.reports.base import AbstractMotionReport
 from polhode.reports.wording import distinct, unit_in_words, vector
 from polhode.spec.building import momentum_of
 from polhode.spec.models import SpinTable
@@ -34,7 +34,7 @@ AT_REST = 0.1  # s, of a body that nothing moves
 
 
 @dataclass(frozen=True)
-class TopReport(AbstractReport):
+class TopReport(AbstractMotionReport):
     """What both kinds of top have: the body about its pivot, the path of its axis, and its upright and hanging rest.
 
     Attributes:

@@ -13,7 +13,7 @@ from polhode.kinds.base import Spec
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import accuracy
 from polhode.reports.answer import Answer, Group, Table
-from polhode.reports.base import AbstractReport
+from polhode.reports.base import AbstractMotionReport
 from polhode.simulation import simulate
 from spherical_pendulum.system import SphericalPendulum
 from spherical_pendulum.table import PendulumTable
@@ -22,7 +22,7 @@ SWINGS = 10
 
 
 @dataclass(frozen=True)
-class PendulumReport(AbstractReport):
+class PendulumReport(AbstractMotionReport):
     """One motion of a spherical pendulum."""
 
     kind: ClassVar[str] = "spherical-pendulum"

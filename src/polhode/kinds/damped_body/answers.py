@@ -27,7 +27,7 @@ from polhode.kinds.damped_body.table import DampedBodyTable
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import about_body, accuracy, stability_values, verdicts
 from polhode.reports.answer import Answer, Group, Table
-from polhode.reports.base import AbstractReport
+from polhode.reports.base import AbstractMotionReport
 from polhode.reports.length import ADAPTIVE, ORBITING, TURNING, check_length
 from polhode.reports.wording import angle, duration, uncertain
 from polhode.simulation import simulate
@@ -43,7 +43,7 @@ MOST_TURNS = 20_000.0  # of the start, followed where no end is given
 
 
 @dataclass(frozen=True)
-class DampedBodyReport(AbstractReport):
+class DampedBodyReport(AbstractMotionReport):
     """A body with losses.
 
     Attributes:

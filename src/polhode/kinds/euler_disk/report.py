@@ -17,7 +17,7 @@ from polhode.kinds.euler_disk.table import EulerDiskTable
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import about_stability, accuracy, stability_values, verdicts
 from polhode.reports.answer import Answer, Group, Table
-from polhode.reports.base import AbstractReport
+from polhode.reports.base import AbstractMotionReport
 from polhode.reports.wording import rate, uncertain
 from polhode.systems.euler_disk import LAYOUT, EulerDisk
 
@@ -45,7 +45,7 @@ class LawShare(NamedTuple):
 
 
 @dataclass(frozen=True)
-class EulerDiskReport(AbstractReport):
+class EulerDiskReport(AbstractMotionReport):
     """What is said of one motion of a disk.
 
     Attributes:

@@ -30,7 +30,7 @@ from polhode.motion.inputs import finite
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import about_body, accuracy, stability_values, verdicts
 from polhode.reports.answer import Answer, Group, Table
-from polhode.reports.base import AbstractReport
+from polhode.reports.base import AbstractMotionReport
 from polhode.reports.wording import FAST, angles, rate, vector
 from polhode.types import ArrayLike, Real
 
@@ -41,7 +41,7 @@ LARGEST = 1e200  # of energies and momenta in SI; products of the two stay withi
 
 
 @dataclass(frozen=True)
-class FreeBodyReport(AbstractReport):
+class FreeBodyReport(AbstractMotionReport):
     """Everything said about one body and its motion; undefined or infinite values are None.
 
     Attributes:

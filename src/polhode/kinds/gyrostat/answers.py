@@ -24,7 +24,7 @@ from polhode.motion.frame import BodyFrame
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import GIVEN, about_axes, about_body, accuracy, stability_values, verdicts
 from polhode.reports.answer import Answer, Group, Table
-from polhode.reports.base import AbstractReport
+from polhode.reports.base import AbstractMotionReport
 from polhode.reports.wording import distinct, vector
 from polhode.systems.body_with_rotor import RotorInBody, direction_of
 from polhode.systems.gyrostat import Gyrostat
@@ -32,7 +32,7 @@ from polhode.types import Array, Float64
 
 
 @dataclass(frozen=True)
-class GyrostatReport(AbstractReport):
+class GyrostatReport(AbstractMotionReport):
     """A body with a rotor.
 
     Attributes:

@@ -16,7 +16,7 @@ from polhode.kinds.point_vortices.table import VorticesTable
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import about_stability, accuracy
 from polhode.reports.answer import Answer, Group, Table
-from polhode.reports.base import AbstractReport
+from polhode.reports.base import AbstractMotionReport
 from polhode.reports.length import check_length, equal_steps
 from polhode.reports.wording import duration, number, rate, vector
 from polhode.simulation import simulate
@@ -32,7 +32,7 @@ LARGEST_VERDICT = 40  # vortices: second derivatives of all pairs are dense
 
 
 @dataclass(frozen=True)
-class VorticesReport(AbstractReport):
+class VorticesReport(AbstractMotionReport):
     """Point vortices: what they conserve, whether they turn as a whole and stay so, and where they go.
 
     Attributes:

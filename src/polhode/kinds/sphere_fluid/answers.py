@@ -16,7 +16,7 @@ from polhode.kinds.sphere_fluid.table import FluidTable
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import accuracy
 from polhode.reports.answer import Answer, Group, Table
-from polhode.reports.base import AbstractReport
+from polhode.reports.base import AbstractMotionReport
 from polhode.reports.length import check_length
 from polhode.reports.wording import duration, number, rate, vector
 from polhode.simulation import simulate
@@ -32,7 +32,7 @@ LISTED = 12  # degrees of the spectrum in the text
 
 
 @dataclass(frozen=True)
-class FluidReport(AbstractReport):
+class FluidReport(AbstractMotionReport):
     """A fluid on a sphere: what it keeps, and where its energy goes.
 
     Attributes:

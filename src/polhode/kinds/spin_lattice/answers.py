@@ -22,7 +22,7 @@ from polhode.kinds.spin_lattice.table import SpinLatticeTable
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import accuracy
 from polhode.reports.answer import Answer, Group, Table
-from polhode.reports.base import AbstractReport
+from polhode.reports.base import AbstractMotionReport
 from polhode.reports.length import check_length
 from polhode.reports.wording import duration, number, vector
 from polhode.simulation import simulate
@@ -40,7 +40,7 @@ BLOCKS = 10  # of a thermal average, whose scatter is its error
 
 
 @dataclass(frozen=True)
-class SpinLatticeReport(AbstractReport):
+class SpinLatticeReport(AbstractMotionReport):
     """Spins on a lattice: their energy, order and waves.
 
     Attributes:

@@ -18,7 +18,7 @@ from polhode.kinds.spin_orbit.table import SpinOrbitTable
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import about_body, accuracy
 from polhode.reports.answer import Answer, Group, Table
-from polhode.reports.base import AbstractReport
+from polhode.reports.base import AbstractMotionReport
 from polhode.reports.length import ADAPTIVE, ORBITING, check_length
 from polhode.reports.wording import number
 from polhode.simulation import simulate
@@ -35,7 +35,7 @@ TOLERANCE = 1e-12  # of the samples' adaptive steps
 
 
 @dataclass(frozen=True)
-class SpinOrbitReport(AbstractReport):
+class SpinOrbitReport(AbstractMotionReport):
     """Resonances of a body on its orbit, and what one spin does among them.
 
     Attributes:

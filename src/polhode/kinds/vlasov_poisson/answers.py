@@ -17,7 +17,7 @@ from polhode.kinds.vlasov_poisson.table import PlasmaTable
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import accuracy
 from polhode.reports.answer import Answer, Group, Table
-from polhode.reports.base import AbstractReport
+from polhode.reports.base import AbstractMotionReport
 from polhode.reports.length import check_length
 from polhode.reports.wording import number
 from polhode.simulation import simulate
@@ -32,7 +32,7 @@ REACH = 6.0  # thermal speeds up to which a beam has electrons
 
 
 @dataclass(frozen=True)
-class PlasmaReport(AbstractReport):
+class PlasmaReport(AbstractMotionReport):
     """A wave in a plasma: what linear theory says, what the run shows, and how long the two can agree.
 
     Attributes:
