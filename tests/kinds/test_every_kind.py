@@ -17,7 +17,7 @@ from polhode.figures.drawing import draw_all
 from polhode.formats.dataset import write_dataset
 from polhode.formats.dataset_reading import read_dataset
 from polhode.kinds import registry
-from polhode.kinds.page import page_of_report
+from polhode.kinds.page import page_of_report, write_page
 from polhode.kinds.reading import read_spec
 from polhode.kinds.registry import find_kind, kind_names
 from polhode.reports.answer import Table
@@ -44,6 +44,13 @@ def spec(kind, tmp_path_factory):
 @pytest.fixture(scope="module")
 def report(spec):
     return spec.report()
+
+
+@pytest.fixture(scope="module")
+def moving(kind, report):
+    if not kind.has_motion:
+        pytest.skip("has no motion")
+    return report
 
 
 def test_its_name(kind):
@@ -85,8 +92,8 @@ def test_its_json(report, kind):
         assert any(isinstance(row, dict) and last in row for row in rows), name
 
 
-def test_what_it_conserves(report):
-    trajectory = report.trajectory
+def test_what_it_conserves(moving):
+    trajectory = moving.trajectory
     assert trajectory.drift and max(float(np.max(x)) for x in trajectory.drift.values()) < KEPT
     assert all(name in trajectory.invariants or name in trajectory.balances for name in trajectory.drift)
     layout = trajectory.layout  # a point of a dual that is an array has no named parts
@@ -102,9 +109,9 @@ def test_its_figures(kind, report, tmp_path):
         kind.draw(report, "nonsense")
 
 
-def test_its_files(report, tmp_path):
-    found = read_dataset(write_dataset(report.trajectory, tmp_path / "motion.nc"))
-    wanted = report.trajectory
+def test_its_files(moving, tmp_path):
+    found = read_dataset(write_dataset(moving.trajectory, tmp_path / "motion.nc"))
+    wanted = moving.trajectory
     assert np.array_equal(found.times, wanted.times) and found.outcome == wanted.outcome
     for part in found.layout.parts:
         assert np.array_equal(found.part(part.name), wanted.part(part.name)), part.name
@@ -112,8 +119,8 @@ def test_its_files(report, tmp_path):
         assert found.quantity(name).unit == wanted.quantity(name).unit
 
 
-def test_its_page(kind, spec, report, tmp_path):
-    page = page_of_report(report, tmp_path / "page.html", name=spec.name, surface=spec.surface).read_text("utf-8")
+def test_its_page(kind, spec, moving, tmp_path):
+    page = page_of_report(moving, tmp_path / "page.html", name=spec.name, surface=spec.surface).read_text("utf-8")
     data = json.loads(re.search(r'id="motion">(.*?)</script>', page, re.DOTALL)[1])
     types = {panel["type"] for panel in data["panels"]}
     made = set(re.findall(r"polhodePanels \?\?= \{\}\)\.(\w+) =", page))
@@ -121,14 +128,14 @@ def test_its_page(kind, spec, report, tmp_path):
     assert data["name"] == spec.name and data["summary"]
 
 
-def test_its_motion_is_that_of_its_report(kind, spec, report):
+def test_its_motion_is_that_of_its_report(kind, spec, moving):
     moved = spec.motion()
-    assert np.array_equal(moved.trajectory.states, report.trajectory.states)
+    assert np.array_equal(moved.trajectory.states, moving.trajectory.states)
     assert (moved.trajectory.attitude is None) == (not kind.has_attitude)
-    assert (moved.mechanics is None) == (report.mechanics is None)
+    assert (moved.mechanics is None) == (moving.mechanics is None)
     if moved.mechanics is not None:
-        assert np.array_equal(moved.mechanics.inertia, report.mechanics.inertia)
-    frames = moved.trajectory.frame, report.trajectory.frame
+        assert np.array_equal(moved.mechanics.inertia, moving.mechanics.inertia)
+    frames = moved.trajectory.frame, moving.trajectory.frame
     assert frames == (None, None) or np.array_equal(frames[0].moments, frames[1].moments)
 
 
@@ -198,11 +205,28 @@ def test_the_pendulum_s_own_rule(tmp_path):
         read_spec(tmp_path / "still.toml")
 
 
-def test_it_can_be_kept(report):
+def test_it_can_be_kept(kind, report):
     """As commands keep it for the next."""
     again = pickle.loads(pickle.dumps(report))
     assert again.as_json_dict() == report.as_json_dict() and again.summary == report.summary
-    assert np.array_equal(again.trajectory.states, report.trajectory.states)
+    if kind.has_motion:
+        assert np.array_equal(again.trajectory.states, report.trajectory.states)
+
+
+def test_without_a_motion_what_needs_one_is_refused(kind, spec, report, tmp_path):
+    """In words, before anything is computed or written; nothing else is."""
+    path = tmp_path / "case.toml"
+    path.write_text(kind.example, "utf-8")
+    if kind.has_motion:
+        assert kind.next_steps(spec)[0].command == "view" and spec.motion_report
+        return
+    for refused in (spec.motion, spec.motion_report, lambda: write_page(spec, tmp_path / "page.html")):
+        with pytest.raises(InvalidInput, match="has no motion in time"):
+            refused()
+    for command in (["view"], ["report", "--html"], ["export", "--to", "csv"], ["export", "--to", "gltf"]):
+        with pytest.raises(SystemExit, match="2"):
+            main([*command, str(path)])
+    assert [file.name for file in tmp_path.iterdir()] == ["case.toml"] and not report.as_json_dict().get("drift")
 
 
 def test_a_misspelt_kind_is_one_mistake_with_a_hint(tmp_path):

@@ -123,7 +123,7 @@ CALLED_BY_OTHERS = {
     "systems.euler_disk.rolling_parts",
     "analysis.energy_casimir.Stability", "analysis.energy_casimir.energy_casimir", "analysis.spin_motion.steps_for",
     "analysis.spin_orbit.table_of", "analysis.spin_orbit.scaled_start", "analysis.spin_orbit.counted",
-    "analysis.stability.scaled_field", "bodies.atoms.atomic_masses",
+    "analysis.stability.scaled_field", "bodies.atoms.atomic_masses", "bodies.atoms.isotopic_masses",
     "bodies.atoms.is_element", "bodies.body.point_inertia",
     "bodies.body.check_is_body", "bodies.body.check_moments", "bodies.body.principal_axes",
     "bodies.mesh.volume_moments", "bodies.surface.cuboid", "bodies.surface.places", "bodies.surface.welded",

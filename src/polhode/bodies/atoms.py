@@ -56,7 +56,21 @@ def atomic_masses(symbols: Sequence[str]) -> Float64[Array, "n"]:
 
     Source: Meija et al., Pure Appl. Chem. 88 (2016) 265, as in ASE's tables.
     """
-    table = _atomic_weights()
+    return _looked_up(symbols, _atomic_weights())
+
+
+def isotopic_masses(symbols: Sequence[str]) -> Float64[Array, "n"]:
+    """Return the masses [kg] of the most common isotopes of chemical symbols, which a spectrum mostly shows.
+
+    Raises:
+        InvalidInput: for what is not a chemical element.
+
+    Source: Coursey et al., *Atomic Weights and Isotopic Compositions* 4.1 (NIST, 2015), as in ASE's tables.
+    """
+    return _looked_up(symbols, _isotope_masses())
+
+
+def _looked_up(symbols: Sequence[str], table: dict[str, float]) -> Float64[Array, "n"]:
     unknown = [symbol for symbol in symbols if symbol not in table]
     if unknown:
         raise InvalidInput(
@@ -73,5 +87,14 @@ def is_element(symbol: str) -> bool:
 
 @functools.cache
 def _atomic_weights() -> dict[str, float]:
-    lines = files("polhode.bodies").joinpath("atomic_weights.csv").read_text("ascii").splitlines()[1:]
-    return {symbol: float(weight) for symbol, weight in (line.split(",") for line in lines)}
+    return _table("atomic_weights.csv")
+
+
+@functools.cache
+def _isotope_masses() -> dict[str, float]:
+    return _table("isotope_masses.csv")
+
+
+def _table(name: str) -> dict[str, float]:
+    lines = files("polhode.bodies").joinpath(name).read_text("ascii").splitlines()[1:]
+    return {symbol: float(mass) for symbol, mass in (line.split(",") for line in lines)}

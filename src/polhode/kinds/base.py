@@ -28,6 +28,7 @@ from polhode.types import Array, Float64
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+    from polhode.quantum.rotor import Rotor
     from polhode.viewer.panels import Content
     from polhode.viewer.samples import Samples
 
@@ -42,6 +43,20 @@ class SpecMotion(NamedTuple):
 
     trajectory: Trajectory
     mechanics: Mechanics | None
+
+
+class SpecRotor(NamedTuple):
+    """The molecule of a spec, as a quantum rotor, and how far it is asked about.
+
+    Attributes:
+        rotor: its constants.
+        temperature: [K].
+        j_max: the largest J of levels and lines.
+    """
+
+    rotor: Rotor
+    temperature: float
+    j_max: int
 
 
 class NextStep(NamedTuple):
@@ -186,6 +201,16 @@ class AbstractKind:
                 f"the system {self.name} has no motion in time, with samples to show, write or compare. Ask for its "
                 "answers and figures by `polhode report`."
             )
+
+    def rotor(self, spec: Spec) -> SpecRotor:
+        """Return the quantum rotor that a spec's body is, of kinds that have constants of their own with these.
+
+        Raises:
+            InvalidInput: for a spec without [body], or a body that is no rotor.
+        """
+        from polhode.kinds.molecules import asked_of, rotor_of_body
+
+        return asked_of(rotor_of_body(spec))
 
     def ensemble(
         self, samples: ManySpecs, names: Sequence[str], times: Float64[Array, "time"]

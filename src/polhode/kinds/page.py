@@ -97,7 +97,9 @@ def _page(
     return page_of(moved, name=name, summary=summary, surface=surface, notes=notes, content=_content)
 
 
-def page_of_report(report: AbstractMotionReport, path: str | Path, *, name: str, surface: Surface | None = None) -> Path:
+def page_of_report(
+    report: AbstractMotionReport, path: str | Path, *, name: str, surface: Surface | None = None
+) -> Path:
     """Write the page of a report's motion, with what the report says of it.
 
     Args:

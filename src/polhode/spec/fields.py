@@ -158,6 +158,20 @@ def _rotational_constant(value: Any) -> float:
     return number
 
 
+@_in("Hz")
+def _spectroscopic(value: Any) -> float:
+    return parse_spectroscopic(value)
+
+
+def _constants(value: Any) -> Any:
+    if isinstance(value, list) and len(value) == 1:
+        return [value[0]]
+    if not isinstance(value, list) or len(value) != 3:
+        raise ValueError('needs three constants A ≥ B ≥ C in a list, like ["835.8 GHz", "435.4 GHz", "278.1 GHz"], or '
+                         f"one, of a linear molecule; got {shown(value)}")  # fmt: skip
+    return value
+
+
 @_in("rad/s")
 def _precession(value: Any) -> float | str:
     if isinstance(value, str) and value in ("slow", "fast"):
@@ -228,6 +242,13 @@ InertiaRow = Annotated[tuple[Moment, Moment, Moment], _three("kg*m^2")]
 Inertia = Annotated[tuple[InertiaRow, InertiaRow, InertiaRow], BeforeValidator(_rows)]
 RotationalConstant = Annotated[float, BeforeValidator(_rotational_constant)]
 RotationalConstants = Annotated[tuple[RotationalConstant, RotationalConstant, RotationalConstant], _three("1/m")]
+SpectroscopicConstant = Annotated[float, BeforeValidator(_spectroscopic)]
+RotorConstants = Annotated[
+    tuple[RotationalConstant] | tuple[RotationalConstant, RotationalConstant, RotationalConstant],
+    BeforeValidator(_constants),
+]
+DipoleComponent = Annotated[float, _reader("C*m")]
+Dipole = Annotated[tuple[DipoleComponent, DipoleComponent, DipoleComponent], _three("C*m")]
 Temperature = Annotated[float, _reader("K", positive=True)]
 Momentum = Annotated[tuple[MomentumComponent, MomentumComponent, MomentumComponent], _three("kg*m^2/s")]
 Rates = Annotated[tuple[Rate, Rate, Rate], _three("rad/s")]

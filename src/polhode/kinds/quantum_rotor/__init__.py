@@ -1,0 +1,43 @@
+"""A molecule as a quantum rotor: its levels and its lines."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Any, ClassVar
+
+from polhode.kinds.base import AbstractKind, NextStep, Spec, SpecRotor
+from polhode.kinds.quantum_rotor.table import QuantumRotorTable
+from polhode.spec.models import SystemTable
+from polhode.spec.rules import Mistake
+
+
+class QuantumRotorKind(AbstractKind):
+    """A molecule as a quantum rotor: its levels and its lines."""
+
+    name: ClassVar[str] = "quantum-rotor"
+    table: ClassVar[type[SystemTable]] = QuantumRotorTable
+    has_motion: ClassVar[bool] = False
+    has_attitude: ClassVar[bool] = False
+    figure_names: ClassVar[tuple[str, ...]] = ("levels", "spectrum", "energy_surface", "momentum_sphere")
+
+    def rules(self, tables: dict[str, Any]) -> Iterator[Mistake]:
+        from polhode.kinds.quantum_rotor.rules import rotor_rules
+
+        return rotor_rules(tables)
+
+    def rotor(self, spec: Spec) -> SpecRotor:
+        from polhode.kinds.quantum_rotor.build import built
+
+        return built(spec)
+
+    def next_steps(self, spec: Spec) -> Sequence[NextStep]:
+        found = [NextStep("levels", "lists the levels")]
+        return [*found, NextStep("lines", "the lines")] if any(spec.system.dipole) else found
+
+    def offers(self, spec: Spec) -> Sequence[NextStep]:
+        from polhode.kinds.molecules import is_molecule
+
+        return (NextStep("levels", "lists its quantum levels"),) if is_molecule(spec) else ()
+
+
+KIND = QuantumRotorKind()

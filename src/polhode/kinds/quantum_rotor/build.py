@@ -1,0 +1,30 @@
+"""From the spec of a molecule to its rotor."""
+
+from __future__ import annotations
+
+import math
+
+from polhode.kinds.base import Spec, SpecRotor
+from polhode.kinds.molecules import asked_of, rotor_of_body
+from polhode.kinds.quantum_rotor.table import QuantumRotorTable
+from polhode.quantum.rotor import Rotor
+
+
+def built(spec: Spec) -> SpecRotor:
+    """Return the molecule of a spec, its temperature, and how far its levels are wanted.
+
+    Raises:
+        InvalidInput: for constants that no rotor has.
+    """
+    table = spec.system
+    assert isinstance(table, QuantumRotorTable)
+    options = {
+        "distortion": table.distortion, "reduction": table.reduction, "representation": table.representation,
+        "dipole": table.dipole, "spin_weights": table.spin_weights, "spin_axis": table.spin_axis,
+    }  # fmt: skip
+    given = table.constants
+    if given is None:
+        rotor = rotor_of_body(spec, **options)
+    else:
+        rotor = Rotor((math.inf, given[0], given[0]) if len(given) == 1 else given, **options)
+    return asked_of(rotor, table.temperature, table.j_max)

@@ -1,0 +1,13 @@
+"""A molecule's levels and lines, and its levels as polhodes."""
+
+from polhode.figures.energy_surface_figure import energy_surface
+from polhode.figures.level_diagram_figure import level_diagram
+from polhode.figures.quantum_sphere_figure import quantum_sphere
+from polhode.figures.spectrum_figure import spectrum
+
+FIGURES = {
+    "levels": lambda report: level_diagram(report.rotor, report.J),
+    "spectrum": lambda report: None if report.lines is None else spectrum(report.lines),
+    "energy_surface": lambda report: None if report.polhodes is None else energy_surface(report.rotor, report.J),
+    "momentum_sphere": lambda report: None if report.polhodes is None else quantum_sphere(report.rotor, report.J),
+}

@@ -1,0 +1,26 @@
+"""What the keys of a quantum rotor ask of each other."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from polhode.spec.rules import Mistake
+
+
+def rotor_rules(tables: dict[str, Any]) -> Iterator[Mistake]:
+    """Yield where the raw tables of a file break a rule, and how it is said."""
+    system = tables["system"]
+    if ("constants" in system) == ("body" in tables):
+        both = "constants" in system
+        said = "is there, and [body] too, which has constants of its own; leave one out" if both else (
+            'is missing; give three, like ["835.8 GHz", "435.4 GHz", "278.1 GHz"], or molecule = "water.xyz" under '
+            "[body]"
+        )  # fmt: skip
+        yield ("system", "constants"), said
+    if system.get("distortion"):
+        for key, like in (("reduction", '"A" or "S"'), ("representation", '"Ir"')):
+            if key not in system:
+                yield ("system", key), (
+                    f"is missing; distortion constants are those of one, like {like}, which stands where they are from"
+                )

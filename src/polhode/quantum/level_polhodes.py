@@ -1,0 +1,69 @@
+"""The levels of one J next to the classical motion on their polhodes.
+
+Levels J_{K, J−K} and J_{K, J−K+1} are two ladders. Along each, next levels lie 2π/T apart in the middle between them:
+classical L goes round its polhode as often as the quantum frequency says. Only at the saddle, where T is infinite, do
+levels stay apart.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from polhode.quantum.orbits import orbit
+from polhode.quantum.rotor import Rotor
+from polhode.quantum.semiclassics import LOWEST_SECOND, doublet_splitting, semiclassical_levels
+from polhode.types import Array, Bool, Float64, Integer
+
+
+class LevelPolhodes(NamedTuple):
+    """Levels of a J of a rigid asymmetric rotor, ascending; each (2J+1,), energies as E/h in the unit of the constants.
+
+    Attributes:
+        Ka, Kc: quantum numbers.
+        energy: exact.
+        semiclassical: by quantised polhodes.
+        above: whether the polhode goes round the a axis, above the saddle, and not round the c axis.
+        step: to the next level of the same ladder; NaN of its last.
+        classical_step: 2π/T of the polhode at the energy between them, NaN where there is none.
+        splitting: of the pair that tunnelling splits, from the barrier.
+        saddle: B (J + ½)², ().
+    """
+
+    Ka: Integer[Array, "n"]
+    Kc: Integer[Array, "n"]
+    energy: Float64[Array, "n"]
+    semiclassical: Float64[Array, "n"]
+    above: Bool[Array, "n"]
+    step: Float64[Array, "n"]
+    classical_step: Float64[Array, "n"]
+    splitting: Float64[Array, "n"]
+    saddle: float
+
+
+def level_polhodes(constants: tuple[float, float, float], J: int) -> LevelPolhodes | None:
+    """Return the levels of one J with their polhodes; None of a symmetric or linear molecule, or J = 0.
+
+    Args:
+        constants: A ≥ B ≥ C, in any unit of energy.
+        J: a whole number.
+    """
+    A, B, C = constants
+    if not (math.isfinite(A) and A > B > C > 0.0) or J == 0:
+        return None
+    G = J + 0.5
+    exact = Rotor(constants).levels_of(J)
+    found = semiclassical_levels(constants, J, 2 if J >= LOWEST_SECOND else 1)
+    saddle = B * G * G
+    step = np.full(2 * J + 1, np.nan)
+    step[:-2] = exact.energy[2:] - exact.energy[:-2]  # every second level is of the same ladder
+    between = exact.energy[:-2] + 0.5 * step[:-2]
+    classical = np.full(2 * J + 1, np.nan)
+    off = between != saddle
+    classical[:-2][off] = 2.0 * math.pi / orbit(constants, G, between[off]).period
+    return LevelPolhodes(
+        exact.Ka, exact.Kc, exact.energy, found.energy, found.energy > saddle, step, classical,
+        doublet_splitting(constants, J, found.energy), saddle,
+    )  # fmt: skip

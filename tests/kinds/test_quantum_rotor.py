@@ -1,0 +1,130 @@
+"""Molecules as specs tell them: constants, levels, lines, and what classical motion has to do with them."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from polhode.cli.main import main
+from polhode.errors import InvalidInput
+from polhode.kinds.reading import read_spec
+from polhode.kinds.registry import next_steps
+from polhode.quantum.level_polhodes import level_polhodes
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+MHZ, WAVE_NUMBER = 1e6, 29979.2458e6
+WATER = """[system]
+kind = "quantum-rotor"
+constants = ["835840.288 MHz", "435351.717 MHz", "278138.700 MHz"]
+j_max = 3
+"""
+
+
+@pytest.fixture
+def spec_of(tmp_path):
+    def read(text):
+        (tmp_path / "case.toml").write_text(text)
+        return read_spec(tmp_path / "case.toml")
+
+    return read
+
+
+def test_units_of_energy_are_one(spec_of):
+    """Wave numbers are converted by hc: 1 cm⁻¹ is 29979.2458 MHz."""
+    in_waves = [f"{x / 29979.2458!r} cm^-1" for x in (835840.288, 435351.717, 278138.700)]
+    text = f'[system]\nkind = "quantum-rotor"\nj_max = 3\nconstants = {json.dumps(in_waves)}\n'
+    one, other = spec_of(WATER).report(), spec_of(text).report()
+    assert np.allclose(one.rotor.constants, other.rotor.constants, rtol=1e-15, atol=0.0)
+    assert one.rotor.constants[0] == 835840.288e6
+
+
+def test_measured_lines_of_formaldehyde():
+    """Three measured frequencies [MHz], within their errors; lg I of the CDMS."""
+    report = read_spec(EXAMPLES / "formaldehyde.toml").report()
+    lines = report.lines
+    for frequency, size, error in ((4829.660, -5.9024, 1e-3), (72837.948, -4.1792, 1e-2), (140839.502, -2.9775, 3e-2)):
+        k = int(np.argmin(np.abs(lines.frequency / MHZ - frequency)))
+        assert abs(lines.frequency[k] / MHZ - frequency) < error
+        assert np.log10(lines.intensity[k] * 1e12) == pytest.approx(size, abs=1e-4)
+    assert report.partition == pytest.approx(2883.0, rel=1e-4)
+
+
+def test_levels_and_missing_levels():
+    water = read_spec(EXAMPLES / "water_spectrum.toml").report()
+    assert water.levels.of(1, 0, 1) / WAVE_NUMBER == pytest.approx(23.79446251, abs=1e-8)
+    assert any("levels fall from J = 26 to 27" in note for note in water.notes)
+    dioxide = read_spec(EXAMPLES / "sulfur_dioxide.toml").report()
+    assert set(dioxide.levels.weight[dioxide.levels.J == 1]) == {0.0, 1.0}
+    line = np.flatnonzero((dioxide.lines.upper == (3, 1, 3)).all(1) & (dioxide.lines.lower == (2, 0, 2)).all(1))
+    assert dioxide.lines.frequency[line] / MHZ == pytest.approx([104029.4102], abs=1e-4)
+
+
+def test_a_geometry_has_isotopes(spec_of):
+    """Constants of water.xyz with the masses of H-1 and O-16; standard weights would give 150 MHz less."""
+    text = f'[system]\nkind = "quantum-rotor"\n[body]\nmolecule = "{(EXAMPLES / "water.xyz").as_posix()}"\n'
+    found = spec_of(text).report().rotor.constants
+    assert np.array(found) / MHZ == pytest.approx([822482.650, 437589.911, 285626.495], abs=1e-3)  # by hand
+    assert spec_of(text).kind.rotor(spec_of(text)).rotor.constants == found
+
+
+def test_body_and_constants_agree(spec_of):
+    """Rotational constants of [body] are the rotor's, though no rigid body has their inertial defect."""
+    steam = read_spec(EXAMPLES / "steam.toml")
+    rotor = steam.kind.rotor(steam).rotor
+    assert np.array(rotor.constants) / WAVE_NUMBER == pytest.approx([27.8806, 14.5216, 9.2778], rel=1e-14)
+
+
+def test_classical_and_quantum_name_each_other(spec_of):
+    classical = read_spec(EXAMPLES / "water.toml")
+    assert [step.command for step in next_steps(classical)] == ["view", "levels"]
+    assert [step.command for step in next_steps(read_spec(EXAMPLES / "book.toml"))] == ["view"]
+    back = spec_of(WATER).report().notes[-1]
+    assert "rotational_constants under [body]" in back and "classical motion" in back
+
+
+def test_steps_are_turns_of_classical_motion():
+    """2π/T at the energy between two levels of a ladder: to 9e-5 and 5e-6 at J = 100 (checked at 30 digits)."""
+    found = level_polhodes((27.0, 14.0, 9.0), 100)
+    ratio = found.step / found.classical_step
+    top = np.flatnonzero((found.Ka == 95) & (found.Kc == 5))[0]
+    assert abs(ratio[top] - 1.0) < 1e-5
+    middle = np.flatnonzero((found.Ka == 52) & (found.Kc == 48))[0]
+    assert abs(ratio[middle] - 1.0) < 2e-4
+    assert found.saddle == 14.0 * 100.5**2 and (found.above == (found.energy > found.saddle)).all()
+    assert np.isnan(found.step[-2:]).all() and np.abs(found.semiclassical - found.energy).max() < 1e-3
+
+
+def test_symmetric_and_linear_molecules(spec_of):
+    """Nothing of polhodes is said where they are circles; a linear molecule has one constant."""
+    linear = spec_of('[system]\nkind = "quantum-rotor"\nconstants = ["57.635968 GHz"]\n').report()
+    assert linear.rotor.is_linear and linear.summary.startswith("A linear molecule") and linear.polhodes is None
+    assert linear.partition == pytest.approx(300.0 * 20836.6191233 / 57635.968 + 1 / 3, rel=1e-4)
+    for constants, words in ((["9 GHz", "3 GHz", "3 GHz"], "prolate"), (["9 GHz", "9 GHz", "3 GHz"], "oblate"),
+                             (["9 GHz"] * 3, "spherical")):  # fmt: skip
+        text = f'[system]\nkind = "quantum-rotor"\nj_max = 2\nconstants = {json.dumps(constants)}\n'
+        assert words in spec_of(text).report().summary
+
+
+@pytest.mark.parametrize(("text", "said"), [
+    ('[system]\nkind = "quantum-rotor"\n', "system.constants: is missing"),
+    (WATER + '[body]\nmoments = ["1 kg*m^2", "1 kg*m^2", "1 kg*m^2"]\n', r"leave one out"),
+    (WATER + '[spin]\nrate = "1 rpm"\nabout = 1\n', r"spin: does not go with the system quantum-rotor"),
+    (WATER + '[system.distortion]\nDelta_J = "1 MHz"\n', r"(?s)system.reduction: is missing.*representation"),
+    (WATER.replace("835840.288 MHz", "835840.288 rpm"), "names an angle"),
+    (WATER.replace('"835840.288 MHz", ', ""), "needs three constants"),
+    (WATER + "spin_axis = 'd'\n", 'must be one of "a", "b", "c"'),
+    (WATER + "dipole = ['1 kg', '0 D', '0 D']\n", "has the wrong unit"),
+    (WATER.replace("j_max = 3", "j_max = 1000"), "must be at most 200"),
+])  # fmt: skip
+def test_mistakes(spec_of, text, said):
+    with pytest.raises(InvalidInput, match=said):
+        spec_of(text)
+
+
+def test_wrong_order_is_said_with_its_file(spec_of, tmp_path, capsys):
+    spec_of(WATER.replace('"835840.288 MHz", "435351.717 MHz"', '"435351.717 MHz", "835840.288 MHz"'))
+    with pytest.raises(SystemExit, match="2"):
+        main(["report", str(tmp_path / "case.toml")])
+    assert "case.toml: `constants` must be in the order" in capsys.readouterr().err
+    assert not (Path("case")).exists()
