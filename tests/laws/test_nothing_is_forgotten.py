@@ -32,7 +32,7 @@ INNER = {
     "integrators": {"accuracy", "adaptive", "composition", "difference", "either_mode", "embedded", "equal_steps",
                     "fixed_point", "group", "interrupts", "reversal", "sampled"},
     "motion": {"inputs", "invariants", "layout", "outcome", "trajectory"},
-    "quantum": {"operators", "orbits", "partition", "strengths", "wang"},
+    "quantum": {"level_polhodes", "operators", "orbits", "partition", "strengths", "wang"},
     "special": {"agm", "spherical_tensors", "circular", "doubledouble", "first_kind", "legendre"},
     "systems": {"agreement", "dipoles", "forward_only", "free_flow", "lattice_bonds",
                 "moser_veselov_table", "rolling_mechanics", "top_integrals"},

@@ -160,6 +160,54 @@ def body(spec: SpecPath, json: AsJson = False) -> None:
     run_body(spec, json)
 
 
+MoleculeFile = Annotated[
+    Path, typer.Argument(metavar="FILE", help="Spec in TOML, of any kind with a molecule, or atoms, such as an .xyz.")
+]
+LargestJ = Annotated[
+    int | None,
+    typer.Option("--j-max", metavar="J", parser=whole_number(0, 200), help="The largest J (default: the spec's own)."),
+]
+
+
+@app.command(cls=StrictCommand)
+def levels(file: MoleculeFile, json: AsJson = False, j_max: LargestJ = None) -> None:
+    """Print a molecule's rotational levels."""
+    from polhode.cli.spectra import run_levels
+
+    run_levels(file, j_max, json)
+
+
+@app.command(cls=StrictCommand)
+def lines(
+    file: MoleculeFile,
+    json: AsJson = False,
+    j_max: LargestJ = None,
+    temperature: Annotated[
+        str | None, typer.Option("--temperature", metavar="T", help='Like "50 K" (default: the spec\'s own, or 300 K).')
+    ] = None,
+    lowest: Annotated[
+        str | None, typer.Option("--from", metavar="FREQUENCY", help='Like "80 GHz" or "10 cm^-1".')
+    ] = None,
+    highest: Annotated[str | None, typer.Option("--to", metavar="FREQUENCY", help="The same.")] = None,
+    min_intensity: Annotated[
+        float | None, typer.Option("--min-intensity", metavar="I", help="Of the lines, in nm² MHz, like 1e-5.")
+    ] = None,
+    most: Annotated[
+        int,
+        typer.Option("--most", metavar="N", parser=whole_number(1, 10**7),
+                     help="How many, the strongest of them (default: 50)."),
+    ] = 50,
+    dipole: Annotated[
+        str | None,
+        typer.Option("--dipole", metavar="D,D,D", help="Along a, b, c in debye, in place of the spec's."),
+    ] = None,
+) -> None:
+    """Print a molecule's rotational lines by frequency, with intensities."""
+    from polhode.cli.spectra import LineOptions, run_lines
+
+    run_lines(file, LineOptions(j_max, temperature, lowest, highest, min_intensity, most, dipole), json)
+
+
 @app.command(cls=StrictCommand)
 def export(
     spec: SpecPath,

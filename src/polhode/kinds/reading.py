@@ -12,6 +12,7 @@ from pydantic import ValidationError
 
 from polhode.bodies.body import Body
 from polhode.errors import FormatError, InvalidInput, NotConverged, printable, shown
+from polhode.formats.molecule import FORMS
 from polhode.kinds.base import AbstractKind, Spec
 from polhode.kinds.registry import default_kind, find_kind, kind_names
 from polhode.reports.base import AbstractReport
@@ -36,6 +37,18 @@ def read_spec(path: str | Path) -> Spec:
     tables = read_tables(path)
     tables.pop(SWEEP, None)
     return spec_of_tables(tables, path)
+
+
+def read_spec_or_molecule(path: str | Path) -> Spec:
+    """Read a spec, or a structure file as the spec of its atoms alone.
+
+    Raises:
+        InvalidInput, FormatError: as ``read_spec`` does.
+    """
+    path = Path(path)
+    if path.suffix.lower().lstrip(".") in FORMS:
+        return spec_of_tables({"body": {"molecule": path.name}}, path)
+    return read_spec(path)
 
 
 def spec_of_tables(tables: dict[str, Any], path: Path) -> Spec:
