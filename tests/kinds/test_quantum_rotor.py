@@ -39,17 +39,6 @@ def test_units_of_energy_are_one(spec_of):
     assert one.rotor.constants[0] == 835840.288e6
 
 
-def test_measured_lines_of_formaldehyde():
-    """Three measured frequencies [MHz], within their errors; lg I of the CDMS."""
-    report = read_spec(EXAMPLES / "formaldehyde.toml").report()
-    lines = report.lines
-    for frequency, size, error in ((4829.660, -5.9024, 1e-3), (72837.948, -4.1792, 1e-2), (140839.502, -2.9775, 3e-2)):
-        k = int(np.argmin(np.abs(lines.frequency / MHZ - frequency)))
-        assert abs(lines.frequency[k] / MHZ - frequency) < error
-        assert np.log10(lines.intensity[k] * 1e12) == pytest.approx(size, abs=1e-4)
-    assert report.partition == pytest.approx(2883.0, rel=1e-4)
-
-
 def test_levels_and_missing_levels():
     water = read_spec(EXAMPLES / "water_spectrum.toml").report()
     assert water.levels.of(1, 0, 1) / WAVE_NUMBER == pytest.approx(23.79446251, abs=1e-8)
@@ -104,6 +93,19 @@ def test_symmetric_and_linear_molecules(spec_of):
                              (["9 GHz"] * 3, "spherical")):  # fmt: skip
         text = f'[system]\nkind = "quantum-rotor"\nj_max = 2\nconstants = {json.dumps(constants)}\n'
         assert words in spec_of(text).report().summary
+
+
+def test_a_flip(spec_of):
+    """Answers in seconds of constants in Hz: a rate of 4π(J + ½)√((A − B)(B − C))."""
+    system = '[system]\nkind = "quantum-rotor"\nconstants = ["27 GHz", "14 GHz", "9 GHz"]\nj_max = 2\nj = 25\n'
+    on_axis = spec_of(system + "racket = {}\n").report().values()["racket"]
+    assert on_axis["rate"] == pytest.approx(4e9 * np.pi * 25.5 * np.sqrt(65.0), rel=1e-14)
+    assert on_axis["half_time"] * on_axis["rate"] == pytest.approx(2.248491392218925, rel=1e-12)
+    assert on_axis["period"] is None and on_axis["revival_time"] is None
+    beside = spec_of(system + 'racket = { tilt = "15 deg" }\n').report().values()["racket"]
+    assert 0.0 < beside["first_reversal"]["time"] < beside["period"] < beside["revival_time"]
+    with pytest.raises(InvalidInput, match=r"system\.racket\.tilt: must be within 0 to 1\.5708"):
+        spec_of(system + 'racket = { tilt = "100 deg" }\n')
 
 
 @pytest.mark.parametrize(("text", "said"), [

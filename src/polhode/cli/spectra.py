@@ -13,14 +13,14 @@ import numpy as np
 
 from polhode.cli.render import as_json, print_report
 from polhode.errors import InvalidInput, shown
-from polhode.kinds.base import Spec, SpecRotor
-from polhode.kinds.molecules import asked_of
+from polhode.kinds.base import Spec
 from polhode.kinds.reading import read_spec_or_molecule
 from polhode.quantum.rotor import Rotor
 from polhode.quantum.strengths import DEBYE, Lines
 from polhode.reports.answer import Table, units_of, values_of
 from polhode.reports.base import plain
 from polhode.reports.spectra import AREA, frequency, level_table, line_table
+from polhode.spec.rotors import SpecRotor, asked_of
 from polhode.spec.units import parse_quantity, parse_spectroscopic
 
 

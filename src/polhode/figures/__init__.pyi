@@ -7,6 +7,7 @@ from .herpolhode_figure import herpolhode as herpolhode
 from .level_diagram_figure import level_diagram as level_diagram
 from .parts_figure import parts as parts
 from .quantum_sphere_figure import quantum_sphere as quantum_sphere
+from .racket_figure import racket_flip as racket_flip
 from .spectrum_figure import spectrum as spectrum
 from .sphere_figure import momentum_sphere as momentum_sphere
 from .style import save as save

@@ -28,7 +28,7 @@ from polhode.types import Array, Float64
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from polhode.quantum.rotor import Rotor
+    from polhode.spec.rotors import SpecRotor
     from polhode.viewer.panels import Content
     from polhode.viewer.samples import Samples
 
@@ -43,20 +43,6 @@ class SpecMotion(NamedTuple):
 
     trajectory: Trajectory
     mechanics: Mechanics | None
-
-
-class SpecRotor(NamedTuple):
-    """The molecule of a spec, as a quantum rotor, and how far it is asked about.
-
-    Attributes:
-        rotor: its constants.
-        temperature: [K].
-        j_max: the largest J of levels and lines.
-    """
-
-    rotor: Rotor
-    temperature: float
-    j_max: int
 
 
 class NextStep(NamedTuple):
@@ -208,9 +194,9 @@ class AbstractKind:
         Raises:
             InvalidInput: for a spec without [body], or a body that is no rotor.
         """
-        from polhode.kinds.molecules import asked_of, rotor_of_body
+        from polhode.spec.rotors import asked_of, rotor_of_body
 
-        return asked_of(rotor_of_body(spec))
+        return asked_of(rotor_of_body(spec.body, spec.source, spec.folder))
 
     def ensemble(
         self, samples: ManySpecs, names: Sequence[str], times: Float64[Array, "time"]

@@ -1,5 +1,6 @@
 from .operators import Reduction as Reduction
 from .operators import Representation as Representation
+from .racket import Racket as Racket
 from .rotor import Levels as Levels
 from .rotor import Rotor as Rotor
 from .semiclassics import SemiclassicalLevels as SemiclassicalLevels

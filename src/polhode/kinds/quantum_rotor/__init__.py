@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
-from polhode.kinds.base import AbstractKind, NextStep, Spec, SpecRotor
+from polhode.kinds.base import AbstractKind, NextStep, Spec
 from polhode.kinds.quantum_rotor.table import QuantumRotorTable
 from polhode.spec.models import SystemTable
 from polhode.spec.rules import Mistake
+
+if TYPE_CHECKING:
+    from polhode.spec.rotors import SpecRotor
 
 
 class QuantumRotorKind(AbstractKind):
@@ -18,7 +21,7 @@ class QuantumRotorKind(AbstractKind):
     table: ClassVar[type[SystemTable]] = QuantumRotorTable
     has_motion: ClassVar[bool] = False
     has_attitude: ClassVar[bool] = False
-    figure_names: ClassVar[tuple[str, ...]] = ("levels", "spectrum", "energy_surface", "momentum_sphere")
+    figure_names: ClassVar[tuple[str, ...]] = ("levels", "spectrum", "energy_surface", "momentum_sphere", "racket")
 
     def rules(self, tables: dict[str, Any]) -> Iterator[Mistake]:
         from polhode.kinds.quantum_rotor.rules import rotor_rules
@@ -35,9 +38,9 @@ class QuantumRotorKind(AbstractKind):
         return [*found, NextStep("lines", "the lines")] if any(spec.system.dipole) else found
 
     def offers(self, spec: Spec) -> Sequence[NextStep]:
-        from polhode.kinds.molecules import is_molecule
+        from polhode.spec.rotors import is_molecule
 
-        return (NextStep("levels", "lists its quantum levels"),) if is_molecule(spec) else ()
+        return (NextStep("levels", "lists its quantum levels"),) if is_molecule(spec.source) else ()
 
 
 KIND = QuantumRotorKind()

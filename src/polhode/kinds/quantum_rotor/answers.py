@@ -11,16 +11,19 @@ from typing import Any, ClassVar
 import numpy as np
 
 from polhode.bodies.atoms import ATOMIC_MASS_UNIT
-from polhode.kinds.base import Spec, SpecRotor
+from polhode.kinds.base import Spec
 from polhode.kinds.quantum_rotor.build import built
+from polhode.kinds.quantum_rotor.flip import about_flip
 from polhode.kinds.quantum_rotor.table import QuantumRotorTable
 from polhode.quantum.level_polhodes import LevelPolhodes, level_polhodes
 from polhode.quantum.partition import THERMAL
+from polhode.quantum.racket import Racket
 from polhode.quantum.rotor import PLANCK_OVER_8_PI_SQUARED, Levels, Rotor
 from polhode.quantum.strengths import DEBYE, Lines
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import AbstractReport
 from polhode.reports.spectra import WAVE_NUMBER, frequency, label, level_table, line_table, wave_number
+from polhode.spec.rotors import SpecRotor
 
 SHOWN_J = 3  # of the levels in the text; the JSON has all up to REPORTED_J, `polhode levels` all
 REPORTED_J = 10
@@ -42,6 +45,7 @@ class QuantumRotorReport(AbstractReport):
         partition: function at the temperature.
         polhodes: of the levels of one J; None of a symmetric molecule.
         J: of these.
+        racket: the flip that the spec asks for.
         has_body: whether the spec tells the molecule as a body.
         warned: what was warned of while these were computed.
     """
@@ -54,6 +58,7 @@ class QuantumRotorReport(AbstractReport):
     partition: float
     polhodes: LevelPolhodes | None
     J: int
+    racket: Racket | None
     has_body: bool
     warned: tuple[str, ...] = ()
 
@@ -98,7 +103,7 @@ class QuantumRotorReport(AbstractReport):
         found: list[Group | Table] = [self._molecule(), self._distortion(), *self._levels()]
         if self.lines is not None:
             found.append(self._strongest(self.lines))
-        return [*found, *self._as_polhodes()]
+        return [*found, *self._as_polhodes(), *([] if self.racket is None else [about_flip(self.racket)])]
 
     def _molecule(self) -> Group:
         rotor = self.rotor
@@ -230,7 +235,9 @@ def report_of(spec: Spec) -> QuantumRotorReport:
         lines = rotor.lines(j_max, temperature) if rotor.dipole.any() else None
         partition = float(rotor.partition_function(temperature))
         polhodes = level_polhodes(rotor.constants, table.j)
+        wanted = table.racket
+        racket = None if wanted is None else Racket(rotor.constants, table.j, wanted.tilt, wanted.towards)
     said = tuple(dict.fromkeys(str(warning.message) for warning in caught))
     return QuantumRotorReport(
-        spec.name, asked, levels, lines, partition, polhodes, table.j, spec.body is not None, said
+        spec.name, asked, levels, lines, partition, polhodes, table.j, racket, spec.body is not None, said
     )

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 
-from polhode.kinds.base import Spec, SpecRotor
-from polhode.kinds.molecules import asked_of, rotor_of_body
+from polhode.kinds.base import Spec
 from polhode.kinds.quantum_rotor.table import QuantumRotorTable
 from polhode.quantum.rotor import Rotor
+from polhode.spec.rotors import SpecRotor, asked_of, rotor_of_body
 
 
 def built(spec: Spec) -> SpecRotor:
@@ -24,7 +24,7 @@ def built(spec: Spec) -> SpecRotor:
     }  # fmt: skip
     given = table.constants
     if given is None:
-        rotor = rotor_of_body(spec, **options)
+        rotor = rotor_of_body(spec.body, spec.source, spec.folder, **options)
     else:
         rotor = Rotor((math.inf, given[0], given[0]) if len(given) == 1 else given, **options)
     return asked_of(rotor, table.temperature, table.j_max)

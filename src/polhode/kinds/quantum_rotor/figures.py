@@ -3,6 +3,7 @@
 from polhode.figures.energy_surface_figure import energy_surface
 from polhode.figures.level_diagram_figure import level_diagram
 from polhode.figures.quantum_sphere_figure import quantum_sphere
+from polhode.figures.racket_figure import racket_flip
 from polhode.figures.spectrum_figure import spectrum
 
 FIGURES = {
@@ -10,4 +11,5 @@ FIGURES = {
     "spectrum": lambda report: None if report.lines is None else spectrum(report.lines),
     "energy_surface": lambda report: None if report.polhodes is None else energy_surface(report.rotor, report.J),
     "momentum_sphere": lambda report: None if report.polhodes is None else quantum_sphere(report.rotor, report.J),
+    "racket": lambda report: None if report.racket is None else racket_flip(report.racket),
 }

@@ -6,12 +6,32 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field, StrictInt
 
-from polhode.spec.fields import Dipole, Plain, RotorConstants, SpectroscopicConstant, Temperature, one_of
-from polhode.spec.models import SystemTable
+from polhode.spec.fields import (
+    Dipole,
+    Plain,
+    RacketTilt,
+    RotorConstants,
+    SpectroscopicConstant,
+    Temperature,
+    one_of,
+)
+from polhode.spec.models import Strict, SystemTable
 
 AXES = ("a", "b", "c")
 REPRESENTATIONS = ("Ir", "Il", "IIr", "IIl", "IIIr", "IIIl")
 WholeJ = Annotated[StrictInt, Field(ge=0, le=200)]
+
+
+class RacketTable(Strict):
+    """A flip about the middle axis: the coherent state of this J points along b, or beside it.
+
+    Attributes:
+        tilt: of L from the b axis.
+        towards: which axis.
+    """
+
+    tilt: RacketTilt = 0.0
+    towards: Annotated[Literal["a", "c"], one_of("a", "c")] = "a"
 
 
 class QuantumRotorTable(SystemTable):
@@ -24,6 +44,7 @@ class QuantumRotorTable(SystemTable):
         spin_weights: of levels that a half turn about ``spin_axis`` leaves, and of those that it turns over.
         j_max: the largest J of levels and lines.
         j: whose levels are compared with classical motion, and drawn.
+        racket: a flip to follow, of this j.
     """
 
     takes: ClassVar[tuple[str, ...]] = ("body",)
@@ -40,3 +61,4 @@ class QuantumRotorTable(SystemTable):
     temperature: Temperature = 300.0
     j_max: WholeJ | None = None
     j: WholeJ = 10
+    racket: RacketTable | None = None
