@@ -87,6 +87,11 @@ class BodyTable(Strict):
     urdf: str | None = None
     link: str | None = None
 
+    @property
+    def is_molecule(self) -> bool:
+        """Whether it is told as molecules are, by atoms or by rotational constants."""
+        return self.molecule is not None or self.rotational_constants is not None
+
 
 class SpinTable(Strict):
     """How the body spins at the start: exactly one of angular_velocity, momentum, rate and temperature.

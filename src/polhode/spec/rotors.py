@@ -35,11 +35,6 @@ class SpecRotor(NamedTuple):
     j_max: int
 
 
-def is_molecule(source: BodyTable | None) -> bool:
-    """Whether a body is told as molecules are, by atoms or by rotational constants."""
-    return source is not None and (source.molecule is not None or source.rotational_constants is not None)
-
-
 def rotor_of_body(body: Body | None, source: BodyTable | None, folder: Path, **options: Any) -> Rotor:
     """Return the rotor of a body; paths count from the folder.
 

@@ -38,9 +38,8 @@ class QuantumRotorKind(AbstractKind):
         return [*found, NextStep("lines", "the lines")] if any(spec.system.dipole) else found
 
     def offers(self, spec: Spec) -> Sequence[NextStep]:
-        from polhode.spec.rotors import is_molecule
-
-        return (NextStep("levels", "lists its quantum levels"),) if is_molecule(spec.source) else ()
+        told = spec.source is not None and spec.source.is_molecule
+        return (NextStep("levels", "lists its quantum levels"),) if told else ()
 
 
 KIND = QuantumRotorKind()
