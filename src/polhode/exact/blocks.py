@@ -1,15 +1,16 @@
-"""Running closed forms over batches: NumPy in blocks that stay in cache."""
+"""Running closed forms over batches: NumPy in blocks that stay in cache, compiled kernels where they are worth it."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from types import ModuleType
 from typing import Any
 
 import numpy as np
 
 from polhode.arrays import is_jax, namespace, stop_gradient
-from polhode.types import Array, ArrayOrFloat, Float64, Shaped
+from polhode.types import Array, ArrayOrFloat, Bool, Float64, Shaped
 
 Vectors = tuple[Float64[Array, "..."], ...]
 Columns = tuple[Shaped[ArrayOrFloat, "..."], ...]  # numbers and whether something holds, for each body
@@ -20,6 +21,8 @@ JACOBIANS = 1024  # derivatives at a time, of which each is some ten states
 # glibc returns freed memory to the system above a threshold that it raises to the largest block freed so far; without
 # this one, every block's temporaries would be faulted in again, which costs a third of the time
 np.empty(4_000_000)
+MANY = 4096  # times of one body from which a compiled kernel is worth loading
+MANY_BODIES = 512  # likewise, of bodies
 LONG_RUN = 256  # consecutive times of one body from which its constants are worth handling as scalars
 
 
@@ -39,6 +42,48 @@ def columns_in_blocks(prepare: Callable[..., Columns], arguments: Vectors) -> Co
                 for column, values in zip(columns, part, strict=True):
                     column[start : start + BODIES] = values
     return tuple(np.asarray(column).reshape(shape) for column in columns)
+
+
+def columns_of_many(
+    set_up: Callable[..., tuple[Columns, Bool[Array, "body"]]], prepare: Callable[..., Columns], arguments: Vectors
+) -> Columns:
+    """Return what ``prepare`` makes of arrays (…, k), by a compiled ``set_up`` that may leave some bodies to it."""
+    shape = np.broadcast_shapes(*(v.shape[:-1] for v in arguments))
+    flat = tuple(np.broadcast_to(v, (*shape, v.shape[-1])).reshape(-1, v.shape[-1]) for v in arguments)
+    columns, left = set_up(*flat)
+    if left.any():
+        of_left = columns_in_blocks(prepare, tuple(v[left] for v in flat))
+        for column, values in zip(columns, of_left, strict=True):
+            column[left] = values
+    return tuple(column.reshape(shape) for column in columns)
+
+
+def are_many(arguments: Vectors) -> bool:
+    """Return whether NumPy arrays (…, k) are of so many bodies that a compiled kernel is worth loading."""
+    sizes = math.prod(np.broadcast_shapes(*(v.shape[:-1] for v in arguments)))
+    return sizes >= MANY_BODIES and all(isinstance(v, np.ndarray) for v in arguments)
+
+
+def state_by_kernel(
+    load: Callable[[], ModuleType | None], columns: Columns, elapsed: Float64[Array, "..."], rest: Float64[Array, "..."]
+) -> tuple[Float64[Array, "*batch 4"], Float64[Array, "*batch 3"]] | None:
+    """Return what ``state_in_blocks`` does, by a compiled kernel; None where it is not worth it or not there."""
+    batch = np.shape(columns[0])
+    shape = np.broadcast_shapes(batch, elapsed.shape)
+    one = math.prod(batch) == 1
+    many = isinstance(elapsed, np.ndarray | np.generic) and math.prod(shape) >= (MANY if one else MANY_BODIES)
+    kernel = load() if many else None
+    if kernel is None:
+        return None
+    times, rests = (
+        np.ascontiguousarray(np.broadcast_to(x, shape), dtype=float).reshape(-1) for x in (elapsed, rest)
+    )
+    if one:
+        found = kernel.states_of_one(tuple(np.asarray(column).item() for column in columns), times, rests)
+    else:
+        bodies = np.broadcast_to(np.arange(math.prod(batch)).reshape(batch), shape).reshape(-1)
+        found = kernel.states_of_many(tuple(np.ravel(column) for column in columns), bodies, times, rests)
+    return found[0].reshape(*shape, 4), found[1].reshape(*shape, 3)
 
 
 def state_in_blocks(
