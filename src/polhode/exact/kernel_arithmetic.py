@@ -36,7 +36,12 @@ Pair = tuple[float, float]
 
 
 def compiled(**options: Any) -> Callable[[Callable[..., Any]], Any]:
-    """Return Numba's decorator, applied to the function itself where the tests wrap it to check annotations."""
+    """Return Numba's decorator, applied to the function itself where the tests wrap it to check annotations.
+
+    Only what is kept is called from Python; what it calls needs no way in from there, which takes time to compile.
+    """
+    inner = {} if "cache" in options else {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+    options = inner | options
     return lambda function: function if njit is None else njit(error_model="numpy", **options)(inspect.unwrap(function))
 
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import Any
 
 from polhode.exact.kernel_arithmetic import (
+    Pair,
     add,
     bits_of,
     compiled,
@@ -35,6 +36,7 @@ from polhode.exact.lagrange_top.kernel_store import (
     L1,
     L2,
     L3,
+    NOME,
     NORM,
     RATE,
     S0,
@@ -106,14 +108,19 @@ def _load(w: Any, i: int, moments: Any, mgl: float, momentum: Any, attitude: Any
     return near
 
 
+@inlined
+def _spare(x: Pair, size: float) -> float:
+    """Return a number below zero if more has cancelled of terms of this size than ``NEAR`` allows."""
+    return abs(x[0]) - NEAR * size
+
+
 @compiled()
 def _sums(w: Any, count: int) -> None:
-    """Form the invariants of ``reduction._invariants`` in double-double; UP says where too much cancels."""
+    """Form |q|², S, T, in_phase, twist, c and c' of ``reduction._invariants``; UP is below zero if too much cancels."""
     for i in range(count):
         q0, q1, q2, q3 = w[E0 + i], w[E1 + i], w[E2 + i], w[E3 + i]
-        x, y, z, g = w[L1 + i], w[L2 + i], w[L3 + i], pair(w, G + i)
+        x, y, z = w[L1 + i], w[L2 + i], w[L3 + i]
         S, T = add(two_product(q1, q1), two_product(q2, q2)), add(two_product(q0, q0), two_product(q3, q3))
-        n = add(S, T)
         a, b, c, d = two_product(q1, q0), two_product(q2, q3), two_product(q1, q3), two_product(-q2, q0)
         real, imaginary = add(a, b), add(c, d)
         of_real, of_imaginary = abs(a[0]) + abs(b[0]), abs(c[0]) + abs(d[0])
@@ -121,31 +128,50 @@ def _sums(w: Any, count: int) -> None:
         twist = scale(add(multiply_float(real, y), multiply_float(imaginary, x)), 2.0)
         below, above = multiply_float(S, 2.0 * z), multiply_float(T, 2.0 * z)
         c, c_plus = subtract(twist, below), add(twist, above)
-        w2 = add(two_product(x, x), two_product(y, y))
-        kinetic, fall = multiply(n, w2), scale(multiply(g, S), 2.0)
-        energy = subtract(kinetic, fall)
-        F0 = subtract(energy, multiply_float(c, z))
-        full = subtract(scale(g, 2.0), two_product(z, z))
-        D0 = subtract(multiply(n, full), energy)
         of_twist = 2.0 * (of_real * abs(y) + of_imaginary * abs(x))
+        of_c = of_twist + abs(below[0])
+        spare = min(_spare(in_phase, of_real * abs(x) + of_imaginary * abs(y)), _spare(twist, of_twist))
+        put(w, NORM + i, add(S, T))
+        put(w, S0 + i, S)
+        put(w, T0 + i, T)
+        put(w, P + i, in_phase)
+        put(w, TWIST + i, twist)
+        put(w, C + i, c)
+        put(w, C_PLUS + i, c_plus)
+        w[UP + i] = min(spare, min(_spare(c, of_c), _spare(c_plus, of_twist + abs(above[0]))))
+        w[NOME + i] = of_c * abs(z)
+
+
+@compiled()
+def _energies(w: Any, count: int) -> None:
+    """Form |w|², F and D; NOME has the size of what is taken from F."""
+    for i in range(count):
+        x, y, z, n, g = w[L1 + i], w[L2 + i], w[L3 + i], pair(w, NORM + i), pair(w, G + i)
+        w2 = add(two_product(x, x), two_product(y, y))
+        kinetic, fall = multiply(n, w2), scale(multiply(g, pair(w, S0 + i)), 2.0)
+        energy = subtract(kinetic, fall)
+        F0 = subtract(energy, multiply_float(pair(w, C + i), z))
+        D0 = subtract(multiply(n, subtract(scale(g, 2.0), two_product(z, z))), energy)
         of_energy = kinetic[0] + fall[0]
-        lost = abs(in_phase[0]) < NEAR * (of_real * abs(x) + of_imaginary * abs(y))
-        lost |= (abs(c[0]) < NEAR * (of_twist + abs(below[0]))) | (abs(twist[0]) < NEAR * of_twist)
-        lost |= abs(c_plus[0]) < NEAR * (of_twist + abs(above[0]))
-        lost |= abs(F0[0]) < NEAR * (of_energy + (of_twist + abs(below[0])) * abs(z))
-        lost |= abs(D0[0]) < NEAR * (of_energy + n[0] * (2.0 * g[0] + z * z))
-        put(w, NORM + i, n)
+        of_D = of_energy + n[0] * (2.0 * g[0] + z * z)
+        put(w, W2 + i, w2)
+        put(w, F + i, F0)
+        put(w, D + i, D0)
+        w[UP + i] = min(w[UP + i], min(_spare(F0, of_energy + w[NOME + i]), _spare(D0, of_D)))
+
+
+@compiled()
+def _quotients(w: Any, count: int) -> None:
+    """Divide all by |q|²; products would need no fewer steps."""
+    for i in range(count):
+        n = pair(w, NORM + i)
+        S, T = pair(w, S0 + i), pair(w, T0 + i)
+        put(w, U0 + i, divide(subtract(T, S), n))
         put(w, S0 + i, divide(scale(S, 2.0), n))
         put(w, T0 + i, divide(scale(T, 2.0), n))
-        put(w, U0 + i, divide(subtract(T, S), n))
-        put(w, P + i, divide(scale(in_phase, -2.0), n))
-        put(w, C + i, divide(c, n))
-        put(w, C_PLUS + i, divide(c_plus, n))
-        put(w, TWIST + i, divide(twist, n))
-        put(w, F + i, divide(F0, n))
-        put(w, D + i, divide(D0, n))
-        put(w, W2 + i, w2)
-        w[UP + i] = 1.0 if lost else 0.0
+        put(w, P + i, divide(scale(pair(w, P + i), -2.0), n))
+        for k in (TWIST, C, C_PLUS, F, D):
+            put(w, k + i, divide(pair(w, k + i), n))
 
 
 # ---------------------------------------------------------------------- exact sums
@@ -257,8 +283,10 @@ def begin(moments: Any, mgl: Any, momentum: Any, attitude: Any, w: Any, place: A
             place[count] = i
             count += 1
     _sums(w, count)
+    _energies(w, count)
+    _quotients(w, count)
     for i in range(count):
-        if w[UP + i] != 0.0:
+        if w[UP + i] < 0.0:
             _exact(w, i, terms)
     for i in range(count):
         small = False
