@@ -54,7 +54,6 @@ from polhode.exact.kernel_arithmetic import (
     multiply_float,
     root,
     scale,
-    square,
     subtract,
     two_product,
 )

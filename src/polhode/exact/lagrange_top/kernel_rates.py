@@ -21,7 +21,6 @@ from polhode.exact.kernel_arithmetic import (
     root,
     scale,
     subtract,
-    two_product,
     two_sum,
 )
 from polhode.exact.lagrange_top.kernel_store import (

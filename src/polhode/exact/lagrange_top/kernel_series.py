@@ -20,7 +20,6 @@ from polhode.exact.kernel_arithmetic import (
     multiply,
     multiply_float,
     pair,
-    put,
     root,
     scale,
     sine_cosine,
@@ -44,7 +43,6 @@ from polhode.exact.lagrange_top.kernel_store import (
     NOME,
     NORM,
     NUTATION,
-    PARAMETER,
     R_ALPHA,
     R_BETA,
     RATE,
@@ -160,8 +158,10 @@ def _complementary_series(w: Any, count: int, m: Any) -> None:
         c, s = _multiples(2.0 * w[Y_BETA + i])
         theta4 = 1.0 - 2.0 * ((q * c[0] - q4 * c[1]) + q9 * c[2])
         size = np.sqrt(0.5 * w[S1 + i]) * (1.0 + q2 + q6 + q6 * q6) / theta4
-        m[20 * n + i], m[21 * n + i], m[22 * n + i], m[23 * n + i] = -size * c[0], size * c[1], -size * c[2], size * c[3]
-        m[24 * n + i], m[25 * n + i], m[26 * n + i], m[27 * n + i] = -size * s[0], size * s[1], -size * s[2], size * s[3]
+        m[20 * n + i], m[21 * n + i] = -size * c[0], size * c[1]
+        m[22 * n + i], m[23 * n + i] = -size * c[2], size * c[3]
+        m[24 * n + i], m[25 * n + i] = -size * s[0], size * s[1]
+        m[26 * n + i], m[27 * n + i] = -size * s[2], size * s[3]
         m[28 * n + i] = size
 
 

@@ -24,7 +24,7 @@ from polhode.exact.lagrange_top.kernel_rates import rates
 from polhode.exact.lagrange_top.kernel_reduction import TERMS, begin
 from polhode.exact.lagrange_top.kernel_roots import turning_points
 from polhode.exact.lagrange_top.kernel_series import phases, series
-from polhode.exact.lagrange_top.kernel_store import GAP, KEPT, ROWS, UP, A, B, G
+from polhode.exact.lagrange_top.kernel_store import GAP, KEPT, ROWS, UP, B, G
 from polhode.types import Bool, Float64
 
 WORTH = 1_000  # tops for which a thread is worth its start
