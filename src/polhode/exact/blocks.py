@@ -16,7 +16,8 @@ Vectors = tuple[Float64[Array, "..."], ...]
 Columns = tuple[Shaped[ArrayOrFloat, "..."], ...]  # numbers and whether something holds, for each body
 Evaluation = Callable[[Columns, Float64[Array, "block"], Float64[Array, "block"] | None], Columns]
 BLOCK = 4096  # states at a time: some thirty live arrays of this length fit a second-level cache
-BODIES = 16384  # bodies at a time: set-up is thousands of calls, whose overhead outweighs the cache
+RUN = 12500  # of one body, whose constants take no room there: the longer, the less the calls themselves cost
+BODIES = 16_384  # bodies at a time: set-up is thousands of calls, whose overhead outweighs the cache
 JACOBIANS = 1024  # derivatives at a time, of which each is some ten states
 # glibc returns freed memory to the system above a threshold that it raises to the largest block freed so far; without
 # this one, every block's temporaries would be faulted in again, which costs a third of the time
@@ -34,13 +35,15 @@ def columns_in_blocks(prepare: Callable[..., Columns], arguments: Vectors) -> Co
         return prepare(*stop_gradient(tuple(xp.broadcast_to(v, (*shape, v.shape[-1])) for v in arguments)))
     flat = [np.broadcast_to(v, (*shape, v.shape[-1])).reshape(-1, v.shape[-1]) for v in arguments]
     with np.errstate(all="ignore"):
-        columns = prepare(*(v[:BODIES] for v in flat))
-        if len(flat[0]) > BODIES:
-            first, columns = columns, tuple(np.empty(len(flat[0]), np.asarray(column).dtype) for column in columns)
-            for start in range(0, len(flat[0]), BODIES):
-                part = prepare(*(v[start : start + BODIES] for v in flat)) if start else first
+        count = len(flat[0])
+        length = math.ceil(count / max(1, math.ceil(count / BODIES)))  # equal parts
+        columns = prepare(*(v[:length] for v in flat))
+        if count > length:
+            first, columns = columns, tuple(np.empty(count, np.asarray(column).dtype) for column in columns)
+            for start in range(0, count, length):
+                part = prepare(*(v[start : start + length] for v in flat)) if start else first
                 for column, values in zip(columns, part, strict=True):
-                    column[start : start + BODIES] = values
+                    column[start : start + length] = values
     return tuple(np.asarray(column).reshape(shape) for column in columns)
 
 
@@ -105,14 +108,16 @@ def state_in_blocks(
 
     def columns_of(block: slice) -> Columns:
         if scalar:
-            return tuple(c[0 if index is None else index[block.start]] for c in flat)
+            which = 0 if index is None else index[block.start]
+            return tuple(c[which, ...] for c in flat)  # arrays without axes: NumPy takes twice as long to read a scalar
         return tuple(c[block if index is None else index[block]] for c in flat)
 
+    length = RUN if scalar else BLOCK
     with np.errstate(all="ignore"):
         for low in range(0, size, run if scalar else size):
             top = min(low + (run if scalar else size), size)
-            for start in range(low, top, BLOCK):
-                block = slice(start, min(start + BLOCK, top))
+            for start in range(low, top, length):
+                block = slice(start, min(start + length, top))
                 values = evaluate(columns_of(block), elapsed[block], None if rest is None else rest[block])
                 for k in range(4):
                     attitude[block, k] = values[k]
