@@ -132,13 +132,20 @@ def _complementary_spinor(
     q = root * root
     q2, q3, q4 = q * q, q * q * q, q * q * q * q
     g1 = q / (e0 + TINY)
-    g2 = g1 * g1 * q
-    g3 = g2 * g1 * q2
-    g4 = g3 * g1 * q3
-    e1 = q * e0 * e0
-    e2 = q2 * e1 * e0
-    e3 = q3 * e2 * e0
-    e4 = q4 * e3 * e0
+    g2 = g1 * g1
+    g2 *= q
+    g3 = g2 * g1
+    g3 *= q2
+    g4 = g3 * g1
+    g4 *= q3
+    e1 = q * e0
+    e1 *= e0
+    e2 = q2 * e1
+    e2 *= e0
+    e3 = q3 * e2
+    e3 *= e0
+    e4 = q4 * e3
+    e4 *= e0
     plus = (1.0 + e0, g1 + e1, g2 + e2, g3 + e3, g4 + e4)
     minus = (1.0 - e0, g1 - e1, g2 - e2, g3 - e3, g4 - e4)
     cosine, sine = series[:5], series[5:]
@@ -162,12 +169,19 @@ def _complementary_spinor(
 def _states(motion: Motion, spinor: Spinor) -> tuple[Array, ...]:
     xp = namespace(*spinor)
     a0, a1, b0, b1 = spinor
-    aa, bb = a0 * a0 + a1 * a1, b0 * b0 + b1 * b1
+    aa, bb = a0 * a0, b0 * b0
+    aa += a1 * a1
+    bb += b1 * b1
     x = 1.0 / (aa + bb)
     root = xp.sqrt(x)
-    x2 = x + x
-    n = (a0 * b0 + a1 * b1) * x2, (a0 * b1 - a1 * b0) * x2, (aa - bb) * x
-    scaled = tuple(v * root for v in spinor)
+    n0, n1, n2 = a0 * b0, a0 * b1, aa - bb
+    n0 += a1 * b1
+    n1 -= a1 * b0
+    n2 *= x
+    x += x
+    n0 *= x
+    n1 *= x
+    n, scaled = (n0, n1, n2), tuple(v * root for v in spinor)
     return (*(_product(row, scaled) for row in motion.to_attitude), *(_product(row, n) for row in motion.to_momentum))
 
 
