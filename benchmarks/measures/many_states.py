@@ -31,3 +31,7 @@ def rows(quick: bool) -> Iterator[Row]:
     top = ph.LagrangeMotion((1.0, 1.0, 0.5), 1.0, (0.1, 0.2, 2.5), (0.8, 0.6, 0.0, 0.0))
     found = compared(lambda: top.state(times), jacobi, repeats)
     yield Row(f"one Lagrange top, {count:,} times", PEER, None, None, *found, host)
+    bodies, attitudes = moments[:, [0, 0, 1]], rng.normal(size=(count, 4))
+    attitudes, mgl = attitudes / np.linalg.norm(attitudes, axis=1, keepdims=True), rng.uniform(0.2, 3.0, count)
+    found = compared(lambda: ph.LagrangeMotion(bodies, mgl, momenta, attitudes).state(times), jacobi, repeats)
+    yield Row(f"{count:,} Lagrange tops with set-up, one time each", PEER, None, None, *found, host)

@@ -1,4 +1,7 @@
-"""The top's kernel that Numba compiles: error bounds and answers of NumPy's evaluation, in every family."""
+"""The tops' kernels that Numba compiles: error bounds and answers of NumPy, in every family."""
+
+from collections import Counter
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
@@ -8,9 +11,17 @@ from oracle.lagrange_families import draw_tops
 from oracle.test_lagrange_motion import WORST_ERROR, errors
 
 pytest.importorskip("numba", reason="Numba is not installed; the extra `fast` has it")
-from polhode.exact.lagrange_top import evaluation, kernel
+from polhode.errors import InvalidInput
+from polhode.exact import blocks
+from polhode.exact.lagrange_top import evaluation, kernel, kernel_setup
 
-PER_FAMILY = 3
+PER_FAMILY, PER_FAMILY_OF_MANY, SWEEP_PER_FAMILY = 3, 20, 600
+AGREEMENT = 8e-15
+"""Between two evaluations that both are within ``WORST_ERROR`` of the truth, on the scale of the largest |L|."""
+WHOLLY = ("generic", "wide_ratio", "cusp", "fast_loop", "spherical_pendulum", "planar_pendulum", "through_top",
+          "through_bottom", "huge_spin")  # fmt: skip
+"""Families that the kernel takes whole; in others some tops are left to NumPy, and in these all:"""
+LEFT = ("steady", "sleeping", "hanging", "separatrix", "weightless_special")
 
 
 def test_states_are_exact_in_every_family(announce):
@@ -42,3 +53,145 @@ def test_long_runs_go_through_it_and_agree(momentum, lean, monkeypatch):
     assert len(calls) == 2 and found[0][0].shape == (2, 5000, 4)
     for top, states in zip(tops, found, strict=True):
         assert max(np.abs(a - b).max() for a, b in zip(states, top.state(times), strict=True)) < 6e-15
+
+
+def batch(cases):
+    """Return moments, mgl, momentum, attitude and times of the cases as arrays."""
+    return tuple(np.array([case[k] for case in cases]) for k in range(1, 6))
+
+
+@pytest.fixture
+def left(monkeypatch):
+    """What the set-up's kernel left to NumPy, of each call; batches of any size go to it."""
+    calls = []
+
+    def observed(*arguments, run=kernel_setup.columns_of_many):
+        found = run(*arguments)
+        calls.append(found[1])
+        return found
+
+    monkeypatch.setattr(blocks, "MANY_BODIES", 2)
+    monkeypatch.setattr(kernel_setup, "columns_of_many", observed)
+    return calls
+
+
+def numpy_alone(monkeypatch):
+    monkeypatch.setattr(evaluation, "_kernel", lambda: None)
+
+
+def check_many(per_family, seed, left, announce):
+    cases = draw_tops(per_family, seed)
+    *top, times = batch(cases)
+    attitude, momentum = ph.LagrangeMotion(*top).state(times)
+    worst, taken = {}, Counter()
+    for k, case in enumerate(cases):
+        worst[case.family] = max(worst.get(case.family, 0.0), *errors(attitude[k], momentum[k], case))
+        taken[case.family] += int(not left[0][k])
+    announce("\n".join(["many tops against the oracle, eps, and how many the kernel took:",
+                        *(f"  {name:26}{worst[name]:8.2f}{taken[name]:6}" for name in worst)]))  # fmt: skip
+    assert len(left) == 1 and len(worst) >= 27 and max(worst.values()) <= WORST_ERROR
+    assert all(taken[name] == per_family for name in WHOLLY) and all(taken[name] == 0 for name in LEFT)
+    assert taken["near_separatrix"] > 0
+
+
+def test_many_tops_are_exact_in_every_family(left, announce):
+    """Set-up too, of all tops at once; those that the kernel leaves to NumPy stand among them."""
+    check_many(PER_FAMILY_OF_MANY, 8, left, announce)
+
+
+@pytest.mark.sweep
+def test_sweep_of_many_tops(left, announce):
+    check_many(SWEEP_PER_FAMILY, 2025, left, announce)
+
+
+def test_columns_and_numbers_agree_with_numpy_in_every_family(left, monkeypatch):
+    """The form, the regime and the numbers of each top are the same, rates and states to rounding."""
+    *top, times = batch(draw_tops(PER_FAMILY_OF_MANY, 9))
+    motion = ph.LagrangeMotion(*top)
+    found, columns = motion.state(times), motion._columns
+    numpy_alone(monkeypatch)
+    alone = ph.LagrangeMotion(*top)
+    wanted = alone.state(times)
+    size = np.maximum(np.abs(wanted[1]).max(axis=1), np.abs(top[2]).max(axis=1)) + 1e-300
+    assert 0 < left[0].sum() < len(times) and len(left) == 1
+    assert np.abs(found[0] - wanted[0]).max() < AGREEMENT
+    assert (np.abs(found[1] - wanted[1]).max(axis=1) < 4.0 * AGREEMENT * size).all()
+    assert (columns[0] == alone._columns[0])[~left[0]].mean() > 0.99  # equal parameters may fall on either side
+    for first in (1, 4):
+        rate, other = (np.add.reduce(parts[first : first + 2]) for parts in (columns, alone._columns))
+        assert (np.abs(rate - other) <= 1e-15 * np.abs(other)).all()
+    names = ("regime", "nutation_limits", "nutation_period", "precession_per_period", "spin_per_period", "spin_rate")
+    assert len(set(motion.regime.tolist())) >= 9
+    for name in names:
+        np.testing.assert_array_equal(getattr(motion, name), getattr(alone, name))
+
+
+def many_tops(rng, count):
+    moments, attitude = rng.uniform(0.5, 3.0, (count, 3)), rng.normal(size=(count, 4))
+    moments[:, 1] = moments[:, 0]
+    mgl, momentum = rng.uniform(-3.0, 3.0, count), rng.normal(size=(count, 3))
+    momentum[::9, :2] = 0.0  # cusps
+    attitude /= np.linalg.norm(attitude, axis=1, keepdims=True)
+    attitude[3], attitude[4], attitude[5] = (1.0, 0.0, 0.0, 0.0), (0.0, 1.0, 0.0, 0.0), (0.6, 0.0, 0.0, 0.8)
+    momentum[4], momentum[5], momentum[6], mgl[7] = (0.0, 0.0, 1.0), (0.0, 0.0, -2.0), 0.0, 0.0
+    moments[8], momentum[8] = (1e-200, 1e-200, 3e-200), (1e-200, 2e-200, 0.0)
+    return moments, mgl, momentum, attitude
+
+
+def test_many_tops_agree_with_numpy(monkeypatch):
+    """With epochs, by several threads, in blocks that are not full; also at several times each."""
+    rng = np.random.default_rng(3)
+    arguments = many_tops(rng, 1500)
+    epoch, times = rng.normal(size=(500, 3)), rng.uniform(-50.0, 50.0, (4, 500, 3))
+    times[:, 2, 2] = 0.0  # the tiny top, whose rate is large
+    shaped = [x.reshape(500, 3, *x.shape[1:]) for x in arguments]
+    monkeypatch.setattr(kernel_setup, "WORTH", 400)
+    monkeypatch.setattr(kernel, "WORTH", 1000)
+
+    def states():
+        tops = ph.LagrangeMotion(*shaped, epoch=epoch), ph.LagrangeMotion(*(x[9:] for x in arguments))
+        return tops[0].state(times), tops[1].state(1.5)
+
+    found = states()
+    numpy_alone(monkeypatch)
+    assert found[0][0].shape == (4, 500, 3, 4) and found[1][1].shape == (1491, 3)
+    for a, b in zip(found, states(), strict=True):
+        scale = np.abs(b[1]).max(axis=-1, keepdims=True)
+        assert np.abs(a[0] - b[0]).max() < AGREEMENT
+        assert (np.abs(a[1] - b[1]) <= 4.0 * AGREEMENT * scale + 2e-323).all()
+
+
+def test_mistakes_among_many_are_refused_in_the_same_words(monkeypatch):
+    good = [np.array(x) for x in many_tops(np.random.default_rng(5), 600)]
+    changes = ((0, (10, 0), 0.1), (0, (10, 2), -1.0), (1, 11, np.nan), (2, (12, 1), np.inf), (3, (13, 0), 5.0))
+    said = []
+    for _ in range(2):
+        for which, where, value in changes:
+            wrong = [x.copy() for x in good]
+            wrong[which][where] = value
+            with pytest.raises(InvalidInput) as caught:
+                ph.LagrangeMotion(*wrong).state(1.0)
+            said.append(str(caught.value))
+        with pytest.raises(InvalidInput) as caught:
+            ph.LagrangeMotion(*good).state(1e300)
+        said.append(str(caught.value))
+        numpy_alone(monkeypatch)
+    assert said[:6] == said[6:] and len(set(said)) == 6
+
+
+def test_several_threads_may_set_up_at_once():
+    arguments = many_tops(np.random.default_rng(4), 700)
+    once = ph.LagrangeMotion(*arguments)._columns
+    with ThreadPoolExecutor(4) as pool:
+        for again in pool.map(lambda _: ph.LagrangeMotion(*arguments)._columns, range(8)):
+            assert all((a == b).all() for a, b in zip(again, once, strict=True))
+
+
+def test_a_wrong_column_is_noticed():
+    """The tests of agreement would see an error of a rate in its fourteenth digit."""
+    arguments = [x[9:] for x in many_tops(np.random.default_rng(6), 609)]
+    top = ph.LagrangeMotion(*arguments)
+    columns = list(top._columns)
+    columns[4] = columns[4] * (1.0 + 1e-14)
+    found = kernel.states_of_many(tuple(columns), np.arange(600), np.full(600, 20.0), np.zeros(600))
+    assert np.abs(found[0] - top.attitude(20.0)).max() > AGREEMENT

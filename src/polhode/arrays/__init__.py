@@ -20,6 +20,7 @@ from polhode.arrays.loops import (
     stack_last,
 )
 from polhode.arrays.namespaces import (
+    always,
     as_float64,
     in_jax_numpy,
     is_foreign,
@@ -28,11 +29,13 @@ from polhode.arrays.namespaces import (
     known_false,
     known_numbers_only,
     namespace,
+    nearest,
     refuse_single_precision,
 )
 
 __all__ = [
     "Elementwise",
+    "always",
     "as_float64",
     "barrier",
     "choose",
@@ -51,6 +54,7 @@ __all__ = [
     "known_false",
     "known_numbers_only",
     "namespace",
+    "nearest",
     "refuse_single_precision",
     "register_node",
     "split_halves",

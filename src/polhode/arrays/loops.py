@@ -54,8 +54,8 @@ def split_halves(a: Any) -> tuple[Any, Any]:
     their mantissa, as an integer, to its upper 26 bits.
     """
     if not is_jax(a):
-        c = 134217729.0 * a
-        high = c - (c - a)
+        high = 134217729.0 * a
+        high -= high - a
         return high, a - high
     import jax
 

@@ -73,6 +73,16 @@ def namespace(*values: Any) -> Any:
     return np
 
 
+def always(x: Any, value: float) -> bool:
+    """Return whether NumPy's x is a single number, and this one: what it does to arrays may then be left out."""
+    return isinstance(x, np.ndarray) and x.ndim == 0 and bool(x == value)
+
+
+def nearest(x: Any) -> Any:
+    """Return the nearest whole numbers, as ``round`` of the array's namespace, which in NumPy has a slow wrapper."""
+    return np.rint(x) if isinstance(x, np.ndarray | float) else namespace(x).round(x)
+
+
 def refuse_single_precision(**named: Any) -> None:
     """Refuse arrays, and nests of them, with fewer digits than float64: seven cannot carry a phase or an invariant.
 

@@ -12,5 +12,9 @@ def exponential_decay(x: Operand, rest: Operand, upper: Operand, lower: Operand)
     """Return exp(−(x + rest)(upper + lower)) with the exponent's product exact in its leading part."""
     xp = namespace(x)
     high, low = split_halves(x)
-    small = (high * lower + low * (upper + lower)) + rest * upper
-    return xp.exp(-(high * upper)) * (1.0 - small * (1.0 - 0.5 * small))
+    small = high * lower
+    small += low * (upper + lower)
+    small += rest * upper
+    decay = xp.exp(-(high * upper))
+    decay -= decay * (small * (1.0 - 0.5 * small))
+    return decay

@@ -25,6 +25,7 @@ except ImportError:  # plain functions then, which nothing calls
 
 _KERNELS = sorted(Path(__file__).parent.rglob("kernel*.py"))
 SOURCES = zlib.crc32(b"".join(path.read_bytes() for path in _KERNELS))
+BLOCK = 256  # states, bodies or tops at a time: what is kept of them stays in the first two levels of cache
 ROUNDING = 6755399441055744.0  # 1.5 · 2⁵²: added and taken away again, it leaves the nearest whole number
 SPLITTING = 134217729.0  # 2²⁷ + 1
 _S = [(-1) ** n * (2.0 * np.pi) ** (2 * n + 1) / float(np.prod(np.arange(1.0, 2 * n + 2))) for n in range(9)]
@@ -35,7 +36,12 @@ Pair = tuple[float, float]
 
 
 def compiled(**options: Any) -> Callable[[Callable[..., Any]], Any]:
-    """Return Numba's decorator, applied to the function itself where the tests wrap it to check annotations."""
+    """Return Numba's decorator, applied to the function itself where the tests wrap it to check annotations.
+
+    Only what is kept is called from Python; what it calls needs no way in from there, which takes time to compile.
+    """
+    inner = {} if "cache" in options else {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+    options = inner | options
     return lambda function: function if njit is None else njit(error_model="numpy", **options)(inspect.unwrap(function))
 
 
@@ -203,3 +209,21 @@ def root(x: Pair) -> Pair:
 @inlined
 def choice(condition: bool, x: Pair, y: Pair) -> Pair:
     return (x[0] if condition else y[0]), (x[1] if condition else y[1])
+
+
+# ---------------------------------------------------------------------- stores
+
+
+@inlined
+def pair(w: Any, k: int) -> Pair:
+    """Return the double-double number whose two parts stand BLOCK apart, in two rows of a store that follow.
+
+    One array holds all rows, so that LLVM knows which are apart and turns loops over them into vector instructions.
+    """
+    return w[k], w[k + BLOCK]
+
+
+@inlined
+def put(w: Any, k: int, x: Pair) -> None:
+    """Store a double-double number, as ``pair`` returns it."""
+    w[k], w[k + BLOCK] = x

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 import numpy as np
 
 from polhode import rotation
-from polhode.arrays import as_float64, compiled, is_jax, namespace, register_node
+from polhode.arrays import always, as_float64, compiled, is_jax, namespace, register_node
 from polhode.errors import InvalidInput
 from polhode.motion.inputs import (
     by_attributes,
@@ -37,7 +37,7 @@ Motion = TypeVar("Motion", bound="AbstractMotion")
 
 def _elapsed(t: Array, epoch: Array) -> tuple[Array, Array]:
     """Return the time since the epoch, in two parts."""
-    return two_sum(t, -epoch)
+    return (t, np.zeros(())) if always(epoch, 0.0) and isinstance(t, np.ndarray) else two_sum(t, -epoch)
 
 
 @dataclass(frozen=True, eq=False, init=False)

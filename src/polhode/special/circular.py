@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from polhode.arrays import is_jax, namespace, split_halves
+from polhode.arrays import is_jax, namespace, nearest, split_halves
 from polhode.special.doubledouble import two_sum
 from polhode.types import Array, ArrayOrFloat, Float64
 
@@ -25,8 +25,12 @@ def sine_cosine_turns(x: Operand) -> tuple[Result, Result]:
     xp = namespace(x)
     if not is_jax(x):
         t = xp.tan(x * math.pi)
-        d = 2.0 / (t * t + 1.0)
-        return t * d, d - 1.0
+        d = t * t
+        d += 1.0
+        d = 2.0 / d
+        t *= d
+        d -= 1.0
+        return t, d
     quarter = xp.round(4.0 * x)
     r = x - 0.25 * quarter
     rr = r * r
@@ -58,14 +62,33 @@ def reduced_phase(
     The products of halves are exact, so each is reduced exactly and nothing depends on how a compiler contracts
     products and sums. Exact to about 3e-17 turns while |rate · time| < 2⁵⁰.
     """
-    xp = namespace(*rate, *time_halves)
+    fraction, rest, (na, nb, nc, more) = _reduced(rate, time_halves)
+    return fraction, rest, na + (nb + nc) + more
+
+
+def phase_fraction(
+    rate: tuple[Operand, Operand, Operand], time_halves: tuple[Operand, Operand]
+) -> tuple[Result, Result]:
+    """Return ``reduced_phase`` without the turns."""
+    return _reduced(rate, time_halves)[:2]
+
+
+def _reduced(rate: tuple[Array, ...], time_halves: tuple[Array, ...]) -> tuple[Array, Array, tuple[Array, ...]]:
     upper, lower, low = rate
     high, rest = time_halves
     a, b, c = upper * high, upper * rest, lower * high
-    na, nb, nc = xp.round(a), xp.round(b), xp.round(c)
-    d = lower * rest + low * (high + rest)
+    na, nb, nc = nearest(a), nearest(b), nearest(c)
+    d = high + rest
+    d *= low
+    d += lower * rest
     # each remainder may reach half a turn: a plain sum would cost 1e-16 turns, and near the saddle 1e-13 of x
-    middle, middle_error = two_sum(b - nb, c - nc)
-    fraction, error = two_sum(a - na, middle)
-    more = xp.round(fraction)
-    return fraction - more, error + (middle_error + d), na + (nb + nc) + more
+    a -= na
+    b -= nb
+    c -= nc
+    middle, middle_error = two_sum(b, c)
+    fraction, error = two_sum(a, middle)
+    more = nearest(fraction)
+    fraction -= more
+    middle_error += d
+    error += middle_error
+    return fraction, error, (na, nb, nc, more)

@@ -32,7 +32,11 @@ def two_sum(a: Operand, b: Operand) -> Pairs:
     """Return fl(a + b) and its exact error [Knuth]."""
     s = a + b
     t = s - a
-    return s, (a - (s - t)) + (b - t)
+    e = b - t
+    t = s - t
+    t -= a  # in place, as all below: new arrays cost NumPy more than the sums themselves
+    e -= t
+    return s, e
 
 
 def fast_two_sum(a: Operand, b: Operand) -> Pairs:
@@ -52,8 +56,12 @@ def two_product(a: Operand, b: Operand) -> Pairs:
     bh, bl = split_halves(b)
     if is_jax(a, b):
         return _sum_of_partial_products(ah * bh, ah * bl, al * bh, al * bl)
-    p = a * b
-    return p, ((ah * bh - p) + ah * bl + al * bh) + al * bl
+    p, e = a * b, ah * bh
+    e -= p
+    e += ah * bl
+    e += al * bh
+    e += al * bl
+    return p, e
 
 
 def two_square(a: Operand) -> Pairs:
@@ -62,8 +70,11 @@ def two_square(a: Operand) -> Pairs:
     hl = h * l
     if is_jax(a):
         return _sum_of_partial_products(h * h, hl, hl, l * l)
-    p = a * a
-    return p, ((h * h - p) + (hl + hl)) + l * l
+    p, e = a * a, h * h
+    e -= p
+    e += hl + hl
+    e += l * l
+    return p, e
 
 
 def _sum_of_partial_products(most: Array, middle: Array, other: Array, least: Array) -> DoubleDouble:
@@ -90,7 +101,8 @@ def one_like(a: Operand) -> Pairs:
 def add(x: Pair, y: Pair) -> Pairs:
     """Return x + y."""
     s, e = two_sum(x[0], y[0])
-    return fast_two_sum(s, e + (x[1] + y[1]))
+    e += x[1] + y[1]
+    return fast_two_sum(s, e)
 
 
 def subtract(x: Pair, y: Pair) -> Pairs:
@@ -106,19 +118,24 @@ def negate(x: Pair) -> Pairs:
 def multiply(x: Pair, y: Pair) -> Pairs:
     """Return x y."""
     p, e = two_product(x[0], y[0])
-    return fast_two_sum(p, e + (x[0] * y[1] + x[1] * y[0]))
+    cross = x[0] * y[1]
+    cross += x[1] * y[0]
+    e += cross
+    return fast_two_sum(p, e)
 
 
 def multiply_float(x: Pair, factor: Operand) -> Pairs:
     """Return x times a float64 factor."""
     p, e = two_product(x[0], factor)
-    return fast_two_sum(p, e + x[1] * factor)
+    e += x[1] * factor
+    return fast_two_sum(p, e)
 
 
 def square(x: Pair) -> Pairs:
     """Return x²."""
     p, e = two_square(x[0])
-    return fast_two_sum(p, e + 2.0 * x[0] * x[1])
+    e += 2.0 * x[0] * x[1]
+    return fast_two_sum(p, e)
 
 
 def scale(x: Pair, power_of_two: Operand) -> Pairs:
@@ -130,8 +147,11 @@ def divide(x: Pair, y: Pair) -> Pairs:
     """Return x / y."""
     q = x[0] / y[0]
     p, e = two_product(q, y[0])
-    r = ((x[0] - p) - e) + (x[1] - q * y[1])
-    return fast_two_sum(q, r / y[0])
+    r = x[0] - p
+    r -= e
+    r += x[1] - q * y[1]
+    r /= y[0]
+    return fast_two_sum(q, r)
 
 
 def sqrt(x: Pair) -> Pairs:

@@ -2,14 +2,23 @@
 
 from __future__ import annotations
 
-import math
 from functools import cache
 from types import ModuleType
 
 import numpy as np
 
 from polhode.arrays import Elementwise, is_jax, namespace, stack_last
-from polhode.exact.blocks import Columns, Vectors, columns_in_blocks, in_blocks, state_in_blocks, units
+from polhode.exact.blocks import (
+    Columns,
+    Vectors,
+    are_many,
+    columns_in_blocks,
+    columns_of_many,
+    in_blocks,
+    state_by_kernel,
+    state_in_blocks,
+    units,
+)
 from polhode.exact.free_body import geometry
 from polhode.exact.free_body.derivative import state_tangent
 from polhode.exact.free_body.geometry_tangent import changed_numbers
@@ -17,8 +26,6 @@ from polhode.exact.free_body.preparation import prepare
 from polhode.exact.free_body.spinor import evaluate
 from polhode.types import Array, Float64
 
-MANY = 4096  # times of one body from which the compiled kernel is worth loading
-MANY_BODIES = 512  # likewise, of bodies
 IDENTITY = np.asarray([1.0, 0.0, 0.0, 0.0])
 
 
@@ -32,19 +39,11 @@ def motion_columns(arguments: Vectors) -> Columns:
 
 def _columns(arguments: Vectors) -> Columns:
     """Return the columns; those of many bodies by the compiled kernel, where Numba is installed."""
-    shape = np.broadcast_shapes(*(v.shape[:-1] for v in arguments))
-    many = math.prod(shape) >= MANY_BODIES and all(isinstance(v, np.ndarray) for v in arguments)
-    if not many or _kernel() is None:
+    if not are_many(arguments) or _kernel() is None:
         return columns_in_blocks(_columns_of_bodies, arguments)
-    from polhode.exact.free_body.kernel_setup import columns_of_many
+    from polhode.exact.free_body import kernel_setup
 
-    flat = tuple(np.broadcast_to(v, (*shape, v.shape[-1])).reshape(-1, v.shape[-1]) for v in arguments)
-    columns, left = columns_of_many(*flat)
-    if left.any():
-        of_left = columns_in_blocks(_columns_of_bodies, tuple(v[left] for v in flat))
-        for column, values in zip(columns, of_left, strict=True):
-            column[left] = values
-    return tuple(column.reshape(shape) for column in columns)
+    return columns_of_many(kernel_setup.columns_of_many, _columns_of_bodies, arguments)
 
 
 def _columns_of_bodies(moments: Array, momentum: Array, attitude: Array) -> tuple[Array, ...]:
@@ -69,22 +68,8 @@ def state(
 
 def _on_numpy(columns: Columns, elapsed: Array, rest: Array) -> tuple[Array, Array]:
     """Return the states; those of one body at many times, and of many bodies, by the compiled kernel if it is there."""
-    batch = np.shape(columns[0])
-    shape = np.broadcast_shapes(batch, elapsed.shape)
-    one = math.prod(batch) == 1
-    many = isinstance(elapsed, np.ndarray | np.generic) and math.prod(shape) >= (MANY if one else MANY_BODIES)
-    kernel = _kernel() if many else None
-    if kernel is None:
-        return state_in_blocks(evaluate, columns, elapsed, rest)
-    times, rests = (
-        np.ascontiguousarray(np.broadcast_to(x, shape), dtype=float).reshape(-1) for x in (elapsed, rest)
-    )
-    if one:
-        found = kernel.states_of_one(tuple(np.asarray(column).item() for column in columns), times, rests)
-    else:
-        bodies = np.broadcast_to(np.arange(math.prod(batch)).reshape(batch), shape).reshape(-1)
-        found = kernel.states_of_many(tuple(np.ravel(column) for column in columns), bodies, times, rests)
-    return found[0].reshape(*shape, 4), found[1].reshape(*shape, 3)
+    found = state_by_kernel(_kernel, columns, elapsed, rest)
+    return state_in_blocks(evaluate, columns, elapsed, rest) if found is None else found
 
 
 @cache

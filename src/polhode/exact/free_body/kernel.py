@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from polhode.exact.kernel_arithmetic import (
+    BLOCK,
     SOURCES,
     compiled,
     halves,
@@ -29,7 +30,6 @@ from polhode.types import Float64, Integer
 
 __all__ = ["BLOCK", "njit", "spinors", "states_of_many", "states_of_one"]
 
-BLOCK = 256  # states
 WORTH = 30_000  # states for which a thread is worth its start
 COLUMNS = 50  # of a flattened ``spinor.Motion``
 Spinor = tuple[float, float, float, float]

@@ -43,6 +43,7 @@ from polhode.exact.free_body.kernel_reduction import (
     S,
     V,
 )  # fmt: skip
+from polhode.exact.kernel_agm import start_mean, third_kind
 from polhode.exact.kernel_arithmetic import (
     add,
     choice,
@@ -53,18 +54,12 @@ from polhode.exact.kernel_arithmetic import (
     multiply_float,
     root,
     scale,
-    square,
     subtract,
     two_product,
 )
-from polhode.special.agm import CONVERGED, MOST_STEPS
 from polhode.special.doubledouble import INVERSE_TWO_PI
 
 TAU_HIGH, TAU_LOW = INVERSE_TWO_PI
-# of the arithmetic–geometric mean: its state, what closes it, and whether it may end
-(AA, AA_, BB, BB_, PP, PP_, QQ, QQ_, TT, TT_, CLOSED, CLOSED_, TOTAL, TOTAL_, DONE) = range(0, 15 * BLOCK, BLOCK)
-STATE, STEPS = 10, 15
-AT_ONCE = 3  # steps of all bodies, before the first is looked at
 
 
 @compiled()
@@ -85,74 +80,13 @@ def _begin(w: Any, count: int, s: Any) -> None:
         third = b[0] >= a[0]
         start = multiply(choice(third, q, b), c)
         g = multiply(root(c), root((-sign * S0, -sign * w[S_ + i])))
-        s[AA + i], s[AA_ + i] = fast
-        s[BB + i], s[BB_ + i] = g
-        s[PP + i], s[PP_ + i] = choice(third, start, multiply(start, gg))
-        s[QQ + i], s[QQ_ + i], s[TT + i], s[TT_ + i] = 1.0, 0.0, 1.0, 0.0
+        start_mean(s, i, fast, g, choice(third, start, multiply(start, gg)))
         w[A + i], w[B + i], w[P + i], w[Q + i], w[S + i] = a[0], b[0], p[0], q[0], abs(S0)
         w[LEAD + i], w[LEAD_ + i] = choice(third, a, p)
         w[X1 + i], w[X3 + i], w[LONG + i], w[HALF + i] = x1 * half_turn, x3 * half_turn, sign, half_turn
         w[G + i], w[G_ + i] = root(gg)
         w[FAST + i], w[FAST_ + i] = fast
         w[V + i], w[V_ + i] = multiply_float(two_product(w[I1 + i], w[I2 + i]), w[I3 + i])
-
-
-@compiled()
-def _agm_step(s: Any, count: int) -> None:
-    for i in range(count):
-        a, g, pp = (s[AA + i], s[AA_ + i]), (s[BB + i], s[BB_ + i]), (s[PP + i], s[PP_ + i])
-        q, total = (s[QQ + i], s[QQ_ + i]), (s[TT + i], s[TT_ + i])
-        ag = multiply(a, g)
-        both = add(pp, ag)
-        q = scale(multiply(q, divide(subtract(pp, ag), both)), 0.5)
-        s[PP + i], s[PP_ + i] = scale(divide(square(both), pp), 0.25)
-        s[QQ + i], s[QQ_ + i] = q
-        s[TT + i], s[TT_ + i] = add(total, q)
-        s[AA + i], s[AA_ + i] = scale(add(a, g), 0.5)
-        s[BB + i], s[BB_ + i] = root(ag)
-
-
-@compiled()
-def _agm_close(s: Any, count: int) -> None:
-    """Close as ``agm.third_kind_agm`` does, and say where that is exact."""
-    for i in range(count):
-        a, g, pp = (s[AA + i], s[AA_ + i]), (s[BB + i], s[BB_ + i]), (s[PP + i], s[PP_ + i])
-        middle = scale(add(a, g), 0.5)
-        half = 0.5 * ((a[0] - g[0]) + (a[1] - g[1]))
-        d = subtract(pp, square(middle))
-        e = d[0] + d[1] + half * half
-        x, e = half / middle[0], e / (2.0 * middle[0] * middle[0] + e)
-        last = 0.5 * s[QQ + i] * e
-        rest = last + last * (0.25 * (e * e - 0.5 * x * x))
-        s[CLOSED + i], s[CLOSED_ + i] = add(middle, (-0.25 * middle[0] * x * x, 0.0))
-        s[TOTAL + i], s[TOTAL_ + i] = add((s[TT + i], s[TT_ + i]), (rest, 0.0))
-        s[DONE + i] = 1.0 if abs(x) < CONVERGED and abs(e) < CONVERGED else 0.0
-
-
-@compiled()
-def _agm(w: Any, count: int, s: Any, who: Any) -> None:
-    """Put mean and third-kind sum into the store; who has converged makes room for who has not."""
-    for i in range(count):
-        who[i] = i
-    for step in range(1, MOST_STEPS + 1):
-        _agm_step(s, count)
-        if step < AT_ONCE:
-            continue
-        _agm_close(s, count)
-        left = 0
-        for i in range(count):
-            j = who[i]
-            if s[DONE + i] == 1.0 or step == MOST_STEPS:
-                w[MEAN + j], w[MEAN_ + j] = s[CLOSED + i], s[CLOSED_ + i]
-                w[SUM + j], w[SUM_ + j] = s[TOTAL + i], s[TOTAL_ + i]
-            else:
-                for k in range(STATE):
-                    s[k * BLOCK + left] = s[k * BLOCK + i]
-                who[left] = j
-                left += 1
-        count = left
-        if count == 0:
-            return
 
 
 @compiled()
@@ -189,5 +123,5 @@ def rates(w: Any, full: int, count: int, steps: Any, who: Any, m: Any) -> None:
         m: columns of the motion in rows of BLOCK.
     """
     _begin(w, count, steps)
-    _agm(w, count, steps, who)
+    third_kind(w, MEAN, SUM, count, steps, who)
     _put_rates(w, full, count, m)

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from polhode.exact.free_body.kernel import BLOCK, COLUMNS, spinors
-from polhode.exact.free_body.kernel_rates import STEPS, rates
+from polhode.exact.free_body.kernel_rates import rates
 from polhode.exact.free_body.kernel_reduction import (
     ACROSS,
     E0,
@@ -45,6 +45,7 @@ from polhode.exact.free_body.kernel_reduction import (
     S,
     begin,
 )  # fmt: skip
+from polhode.exact.kernel_agm import STEPS
 from polhode.exact.kernel_arithmetic import (
     SOURCES,
     Pair,

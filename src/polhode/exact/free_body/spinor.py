@@ -10,10 +10,10 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from polhode.arrays import choose, namespace, split_halves
+from polhode.arrays import always, choose, namespace, nearest, split_halves
 from polhode.exact.blocks import Columns
 from polhode.exact.decay import exponential_decay
-from polhode.special.circular import SplitRate, reduced_phase, sine_cosine_turns
+from polhode.special.circular import SplitRate, phase_fraction, reduced_phase, sine_cosine_turns
 from polhode.special.doubledouble import fast_two_sum, two_sum
 from polhode.types import Array, ArrayOrFloat, Bool, Float64
 
@@ -21,6 +21,7 @@ Number = Float64[Array, "*batch"]
 Flag = Bool[Array, "*batch"]
 Part = Float64[ArrayOrFloat, "*shape"]
 Spinor = tuple[Part, Part, Part, Part]
+TINY = 1e-300  # on the separatrix, where q1 = 0, E may vanish; elsewhere it is at least √q1
 
 
 class Motion(NamedTuple):
@@ -79,17 +80,16 @@ def start_spinor(motion: Motion) -> Spinor:
 
 def _full_of(*columns: Array) -> Spinor:
     first, second, start, series = columns[0:3], columns[3:6], columns[6], columns[8:18]
-    fraction_a, rest_a, _ = reduced_phase(first, columns[-2:])
-    fraction_b, rest_b, _ = reduced_phase(second, columns[-2:])
+    fraction_a, rest_a = phase_fraction(first, columns[-2:])
+    fraction_b, rest_b = phase_fraction(second, columns[-2:])
     return _full_spinor(series, fraction_a + (rest_a - start), fraction_b + (rest_b + start))
 
 
 def _full_spinor(series: tuple[Array, ...], turns_a: Array, turns_b: Array) -> Spinor:
     """Sum A and B as polynomials in X = cos 2z and Y = sin 2z, where z is the difference of their phases."""
-    xp = namespace(turns_a)
     a0, a1, a2, a3, a4, b0, b1, b2, b3, b4 = series
-    sa, ca = sine_cosine_turns(turns_a - xp.round(turns_a))
-    sb, cb = sine_cosine_turns(turns_b - xp.round(turns_b))
+    sa, ca = sine_cosine_turns(turns_a - nearest(turns_a))
+    sb, cb = sine_cosine_turns(turns_b - nearest(turns_b))
     cz, sz = ca * cb + sa * sb, sb * ca - cb * sa
     s2 = sz + sz
     X, Y = 1.0 - s2 * sz, s2 * cz
@@ -99,55 +99,69 @@ def _full_spinor(series: tuple[Array, ...], turns_a: Array, turns_b: Array) -> S
 
 
 def _complementary_of(*columns: Array) -> Spinor:
-    xp = namespace(columns[-1])
     first, second, start, series = columns[0:3], columns[3:6], columns[6:8], columns[8:18]
     root_nome, half_upper, half_lower, y_turns, periodic = columns[18:23]
-    fraction, rest, _ = reduced_phase(first, columns[-2:])
+    fraction, rest = phase_fraction(first, columns[-2:])
     f, g, whole = reduced_phase(second, columns[-2:])
-    # on the separatrix u runs to infinity: no period is taken out
-    sum_, first_error = two_sum((1.0 - periodic) * whole, f)
-    u, second_error = two_sum(sum_, start[0])
-    u, u_rest = fast_two_sum(u, g + (start[1] + (first_error + second_error)))
-    more = periodic * xp.round(u)
+    if always(periodic, 1.0):
+        u, error = two_sum(f, start[0])
+    else:  # on the separatrix u runs to infinity: no period is taken out
+        u, error = two_sum((1.0 - periodic) * whole, f)
+        u, second_error = two_sum(u, start[0])
+        error, whole = error + second_error, periodic * whole
+    u, u_rest = fast_two_sum(u, g + (start[1] + error))
+    more = periodic * nearest(u)
     u = u - more
-    count = columns[23] + (periodic * whole + more)
-    count = count - 4.0 * xp.round(0.25 * count)
+    count = columns[23] + (whole + more)
+    count = count - 4.0 * nearest(0.25 * count)
     turns = fraction - 0.25 * count
-    turns = (turns - xp.round(turns)) + (rest - u * y_turns)
-    return _complementary_spinor(series, (root_nome, half_upper, half_lower, periodic), (u, u_rest), turns, count)
+    turns = (turns - nearest(turns)) + (rest - u * y_turns)
+    return _complementary_spinor(series, (root_nome, half_upper, half_lower), (u, u_rest), turns, count)
 
 
 def _complementary_spinor(
     series: tuple[Number, ...], nome: tuple[Array, ...], u: tuple[Array, Array], turns: Array, count: Array
 ) -> Spinor:
-    """Sum A and B in the growing powers of R = √q1 e^|x| and the decaying ones of E = e^−|x|, x = πu/2K'."""
+    """Sum A and B in the growing powers of q1/E and the decaying ones of E = e^−|x|, x = πu/2K'."""
     xp = namespace(turns)
-    root, upper, lower, periodic = nome
+    root, upper, lower = nome
     side = xp.where(u[0] < 0, -1.0, 1.0)
     f, g = u[0] * side, u[1] * side
     e0 = exponential_decay(f, g, upper, lower)
-    distance = xp.maximum(0.5 - f, 0.0 * f)
-    R = periodic * exponential_decay(distance, ((0.5 - distance) - f) * periodic - g, upper, lower)
-    s, c = sine_cosine_turns(turns - xp.round(turns))
+    s, c = sine_cosine_turns(turns - nearest(turns))
     q = root * root
-    q2, q4 = q * q, q * q * q * q
-    g1 = root * R
-    g2 = g1 * g1 * q
-    g3 = g2 * g1 * q2
-    g4 = g3 * g1 * q2 * q
-    e1 = q * e0 * e0
-    e2 = q2 * e1 * e0
-    e3 = q2 * q * e2 * e0
-    e4 = q4 * e3 * e0
+    q2, q3, q4 = q * q, q * q * q, q * q * q * q
+    g1 = q / (e0 + TINY)
+    g2 = g1 * g1
+    g2 *= q
+    g3 = g2 * g1
+    g3 *= q2
+    g4 = g3 * g1
+    g4 *= q3
+    e1 = q * e0
+    e1 *= e0
+    e2 = q2 * e1
+    e2 *= e0
+    e3 = q3 * e2
+    e3 *= e0
+    e4 = q4 * e3
+    e4 *= e0
     plus = (1.0 + e0, g1 + e1, g2 + e2, g3 + e3, g4 + e4)
     minus = (1.0 - e0, g1 - e1, g2 - e2, g3 - e3, g4 - e4)
     cosine, sine = series[:5], series[5:]
     ar, ai = cosine[4] * plus[4], sine[4] * minus[4]
     br, bi = -sine[4] * plus[4], cosine[4] * minus[4]
-    for n, sign in ((3, 1.0), (2, -1.0), (1, 1.0), (0, -1.0)):
-        ar, ai = ar + cosine[n] * plus[n], ai + sine[n] * minus[n]
-        br, bi = br + (sign * sine[n]) * plus[n], bi - (sign * cosine[n]) * minus[n]
-    ai, bi = ai * side, bi * side
+    for n in (3, 2, 1, 0):  # in place, where arrays are written
+        ar += cosine[n] * plus[n]
+        ai += sine[n] * minus[n]
+        if n % 2:
+            br += sine[n] * plus[n]
+            bi -= cosine[n] * minus[n]
+        else:
+            br -= sine[n] * plus[n]
+            bi += cosine[n] * minus[n]
+    ai *= side
+    bi *= side
     odd = 1.0 - 2.0 * (count - 2.0 * xp.floor(0.5 * count))
     return c * ar - s * ai, c * ai + s * ar, odd * (c * br - s * bi), odd * (c * bi + s * br)
 
@@ -155,13 +169,28 @@ def _complementary_spinor(
 def _states(motion: Motion, spinor: Spinor) -> tuple[Array, ...]:
     xp = namespace(*spinor)
     a0, a1, b0, b1 = spinor
-    aa, bb = a0 * a0 + a1 * a1, b0 * b0 + b1 * b1
+    aa, bb = a0 * a0, b0 * b0
+    aa += a1 * a1
+    bb += b1 * b1
     x = 1.0 / (aa + bb)
     root = xp.sqrt(x)
-    x2 = x + x
-    n = (a0 * b0 + a1 * b1) * x2, (a0 * b1 - a1 * b0) * x2, (aa - bb) * x
-    scaled = tuple(v * root for v in spinor)
-    attitude = (((row[0] * scaled[0] + row[1] * scaled[1]) + row[2] * scaled[2]) + row[3] * scaled[3]
-                for row in motion.to_attitude)  # fmt: skip
-    momentum = ((row[0] * n[0] + row[1] * n[1]) + row[2] * n[2] for row in motion.to_momentum)
-    return (*attitude, *momentum)
+    n0, n1, n2 = a0 * b0, a0 * b1, aa - bb
+    n0 += a1 * b1
+    n1 -= a1 * b0
+    n2 *= x
+    x += x
+    n0 *= x
+    n1 *= x
+    n, scaled = (n0, n1, n2), tuple(v * root for v in spinor)
+    return (*(_product(row, scaled) for row in motion.to_attitude), *(_product(row, n) for row in motion.to_momentum))
+
+
+def _product(row: tuple[Array, ...], values: tuple[Array, ...]) -> Array:
+    """Return the sum of the products, without those that are known to vanish, as most of momentum's do."""
+    pairs = [(a, v) for a, v in zip(row, values, strict=True) if not always(a, 0.0)]
+    if not pairs:
+        return 0.0 * values[0]
+    total = pairs[0][0] * pairs[0][1]
+    for a, v in pairs[1:]:
+        total += a * v
+    return total

@@ -8,7 +8,17 @@ from types import ModuleType
 import numpy as np
 
 from polhode.arrays import Elementwise, is_jax, namespace, stack_last
-from polhode.exact.blocks import Columns, Vectors, columns_in_blocks, in_blocks, state_in_blocks, units
+from polhode.exact.blocks import (
+    Columns,
+    Vectors,
+    are_many,
+    columns_in_blocks,
+    columns_of_many,
+    in_blocks,
+    state_by_kernel,
+    state_in_blocks,
+    units,
+)
 from polhode.exact.lagrange_top import geometry
 from polhode.exact.lagrange_top.geometry_tangent import changed_numbers
 from polhode.exact.lagrange_top.preparation import prepare
@@ -16,7 +26,6 @@ from polhode.exact.lagrange_top.series import evaluate
 from polhode.exact.lagrange_top.tangent import state_tangent, tangent_data
 from polhode.types import Array, Float64
 
-MANY = 4096  # times of one top from which the compiled kernel is worth loading
 SIZES = (3, 1, 3, 4)  # of moments, mgl, momentum, attitude
 
 
@@ -25,7 +34,16 @@ def motion_columns(arguments: Vectors) -> Columns:
 
     JAX needs none: there set-up and evaluation are one operation.
     """
-    return () if is_jax(*arguments) else columns_in_blocks(_columns_of_tops, arguments)
+    return () if is_jax(*arguments) else _columns(arguments)
+
+
+def _columns(arguments: Vectors) -> Columns:
+    """Return the columns; those of many tops by the compiled kernel, where Numba is installed."""
+    if not are_many(arguments) or _kernel() is None:
+        return columns_in_blocks(_columns_of_tops, arguments)
+    from polhode.exact.lagrange_top import kernel_setup
+
+    return columns_of_many(kernel_setup.columns_of_many, _columns_of_tops, arguments)
 
 
 def _columns_of_tops(*arguments: Array) -> tuple[Array, ...]:
@@ -47,15 +65,9 @@ def state(
 
 
 def _on_numpy(columns: Columns, elapsed: Array, rest: Array) -> tuple[Array, Array]:
-    """Return the states; those of one top at many times by the compiled kernel, where Numba is installed."""
-    of_one = isinstance(elapsed, np.ndarray) and elapsed.size >= MANY and np.size(columns[0]) == 1
-    kernel = _kernel() if of_one else None
-    if kernel is None:
-        return state_in_blocks(evaluate, columns, elapsed, rest)
-    shape = np.broadcast_shapes(np.shape(columns[0]), elapsed.shape)
-    parts = (np.ascontiguousarray(np.broadcast_to(x, shape), dtype=float).reshape(-1) for x in (elapsed, rest))
-    attitude, momentum = kernel.states_of_one(tuple(np.asarray(column).item() for column in columns), *parts)
-    return attitude.reshape(*shape, 4), momentum.reshape(*shape, 3)
+    """Return the states; those of one top at many times, and of many tops, by the compiled kernel if it is there."""
+    found = state_by_kernel(_kernel, columns, elapsed, rest)
+    return state_in_blocks(evaluate, columns, elapsed, rest) if found is None else found
 
 
 @cache
@@ -75,9 +87,10 @@ def _symmetric(moments: Array) -> Array:
 
 def _state(*arguments: Array) -> tuple[Array, Array]:
     moments, *vectors, elapsed, rest = arguments
-    columns = columns_in_blocks(_columns_of_tops, (_symmetric(moments), *vectors))
+    moments = _symmetric(moments)
     if not is_jax(*arguments):
-        return _on_numpy(columns, elapsed, rest)
+        return _on_numpy(_columns((moments, *vectors)), elapsed, rest)
+    columns = columns_in_blocks(_columns_of_tops, (moments, *vectors))
     parts = evaluate(columns, elapsed, rest)
     return stack_last(parts[:4]), stack_last(parts[4:])
 

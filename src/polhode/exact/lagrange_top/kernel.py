@@ -1,4 +1,4 @@
-"""The evaluation of ``series`` for one top at many times, compiled by Numba (extra ``fast``).
+"""The evaluation of ``series`` for many times at once, compiled by Numba (extra ``fast``): of one top, and of many.
 
 The same arithmetic in blocks and in loops without branches, as of the free body's kernel.
 """
@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from polhode.exact.kernel_arithmetic import (
+    BLOCK,
     SOURCES,
     compiled,
     halves,
@@ -21,13 +22,14 @@ from polhode.exact.kernel_arithmetic import (
     two_sum,
     whole,
 )
-from polhode.types import Float64
+from polhode.types import Float64, Integer
 
-__all__ = ["njit", "states_of_one"]
+__all__ = ["COLUMNS", "WORK", "njit", "numerators", "states_of_many", "states_of_one"]
 
-BLOCK = 256  # states
 WORTH = 20_000  # states for which a thread is worth its start
+COLUMNS, WORK = 45, 17  # of a flattened ``series.Motion``, and rows that evaluating it takes
 Four = tuple[float, float, float, float]
+State = tuple[float, float, float, float, float, float, float]
 Numerators = tuple[float, float, float, float, float, float, float, float, float, float]
 
 
@@ -134,8 +136,8 @@ def _complementary_of(m: Any, side: float, turns_a: float, turns_b: float, e0: f
 
 
 @inlined
-def _put(m: Any, i: int, numerators: Numerators, out: Any) -> None:
-    """Store attitude and momentum, ``series._states``."""
+def _state_of(m: Any, numerators: Numerators) -> State:
+    """Return attitude and momentum, ``series._states``."""
     ar, ai, br, bi, dar, dai, dbr, dbi, turns_a, turns_b = numerators
     x = 1.0 / ((ar * ar + ai * ai) + (br * br + bi * bi))
     root = np.sqrt(x)
@@ -152,9 +154,18 @@ def _put(m: Any, i: int, numerators: Numerators, out: Any) -> None:
     wi = (m[37] * gain_i + m[38] * turn_i) * x
     cw, sw = cb * ca + sb * sa, sb * ca - cb * sa
     turned = m[44] < 0.0
-    out[0, i], out[1, i] = (br_t if turned else ar_t), (-ar_t if turned else br_t)
-    out[2, i], out[3, i] = (-ai_t if turned else bi_t), (bi_t if turned else ai_t)
-    out[4, i], out[5, i], out[6, i] = wr * cw - wi * sw, m[44] * (wr * sw + wi * cw), m[43]
+    return (
+        (br_t if turned else ar_t), (-ar_t if turned else br_t), (-ai_t if turned else bi_t),
+        (bi_t if turned else ai_t), wr * cw - wi * sw, m[44] * (wr * sw + wi * cw), m[43],
+    )  # fmt: skip
+
+
+# ---------------------------------------------------------------------- one top
+
+
+@inlined
+def _put(m: Any, i: int, numerators: Numerators, out: Any) -> None:
+    (out[0, i], out[1, i], out[2, i], out[3, i], out[4, i], out[5, i], out[6, i]) = _state_of(m, numerators)
 
 
 @compiled()
@@ -178,7 +189,7 @@ def _complementary(m: Any, times: Any, rests: Any, out: Any, work: Any) -> None:
         _put(m, i, _complementary_of(m, work[0, i], work[1, i], work[2, i], e0, R), out)
 
 
-def _entry(sources: int) -> Any:
+def _entry_of_one(sources: int) -> Any:
     """Return the compiled function, which Numba keeps as long as the sources of the kernels do not change."""
 
     @compiled(cache=True, nogil=True)
@@ -200,7 +211,114 @@ def _entry(sources: int) -> Any:
     return of_one
 
 
-_of_one = _entry(SOURCES)
+# ---------------------------------------------------------------------- many tops
+
+
+@inlined
+def _column(m: Any, i: int) -> Any:
+    """Return the numbers of one top from rows of BLOCK."""
+    n = BLOCK
+    return (
+        0.0, m[n + i], m[2 * n + i], m[3 * n + i], m[4 * n + i], m[5 * n + i], m[6 * n + i], m[7 * n + i],
+        m[8 * n + i], m[9 * n + i], m[10 * n + i], m[11 * n + i], m[12 * n + i], m[13 * n + i], m[14 * n + i],
+        m[15 * n + i], m[16 * n + i], m[17 * n + i], m[18 * n + i], m[19 * n + i], m[20 * n + i], m[21 * n + i],
+        m[22 * n + i], m[23 * n + i], m[24 * n + i], m[25 * n + i], m[26 * n + i], m[27 * n + i], m[28 * n + i],
+        m[29 * n + i], m[30 * n + i], m[31 * n + i], m[32 * n + i], m[33 * n + i], m[34 * n + i], m[35 * n + i],
+        m[36 * n + i], m[37 * n + i], m[38 * n + i], m[39 * n + i], m[40 * n + i], m[41 * n + i], m[42 * n + i],
+        m[43 * n + i], m[44 * n + i],
+    )  # fmt: skip
+
+
+@inlined
+def _keep(work: Any, i: int, x: Numerators) -> None:
+    n = BLOCK
+    work[i], work[n + i], work[2 * n + i], work[3 * n + i], work[4 * n + i] = x[0], x[1], x[2], x[3], x[4]
+    work[5 * n + i], work[6 * n + i], work[7 * n + i], work[8 * n + i], work[9 * n + i] = x[5], x[6], x[7], x[8], x[9]
+
+
+@compiled()
+def _full_of_many(m: Any, count: int, high: Any, low: Any, work: Any) -> None:
+    for i in range(count):
+        _keep(work, i, _full_of(_column(m, i), high[i], low[i]))
+
+
+@compiled()
+def _complementary_of_many(m: Any, count: int, high: Any, low: Any, work: Any) -> None:
+    n = BLOCK
+    for i in range(count):
+        (work[10 * n + i], work[11 * n + i], work[12 * n + i], work[13 * n + i], work[14 * n + i], work[15 * n + i],
+         work[16 * n + i]) = _argument_of(_column(m, i), high[i], low[i])  # fmt: skip
+    for i in range(count):
+        work[13 * n + i] = np.exp(work[13 * n + i])
+        work[15 * n + i] = np.exp(work[15 * n + i])
+    for i in range(count):
+        e0, R = work[13 * n + i] * work[14 * n + i], m[34 * n + i] * (work[15 * n + i] * work[16 * n + i])
+        found = _complementary_of(_column(m, i), work[10 * n + i], work[11 * n + i], work[12 * n + i], e0, R)
+        _keep(work, i, found)
+
+
+@compiled()
+def numerators(m: Any, full: int, count: int, high: Any, low: Any, work: Any) -> None:
+    """Put the numerators of a block into the first ten rows of ``work``, which has seventeen.
+
+    Args:
+        m: columns in rows of BLOCK; the first tops take the full form.
+        full: how many these are.
+        count: of all tops.
+        high, low: times in halves.
+        work: rows of BLOCK.
+    """
+    _full_of_many(m, full, high, low, work)
+    # loops from zero, or LLVM would not trust their indices
+    _complementary_of_many(m[full:], count - full, high[full:], low[full:], work[full:])
+
+
+@compiled()
+def _states(m: Any, count: int, work: Any) -> None:
+    """Put attitude and momentum into the first seven rows of ``work`` in place of the numerators."""
+    n = BLOCK
+    for i in range(count):
+        found = (work[i], work[n + i], work[2 * n + i], work[3 * n + i], work[4 * n + i], work[5 * n + i],
+                 work[6 * n + i], work[7 * n + i], work[8 * n + i], work[9 * n + i])  # fmt: skip
+        (work[i], work[n + i], work[2 * n + i], work[3 * n + i], work[4 * n + i], work[5 * n + i],
+         work[6 * n + i]) = _state_of(_column(m, i), found)  # fmt: skip
+
+
+def _entry_of_many(sources: int) -> Any:
+    @compiled(cache=True, nogil=True)
+    def of_many(full: Any, columns: Any, tops: Any, times: Any, rests: Any, attitude: Any, momentum: Any) -> int:
+        m, work = np.empty(COLUMNS * BLOCK), np.empty(WORK * BLOCK)
+        high, low, place = np.empty(BLOCK), np.empty(BLOCK), np.empty(BLOCK, np.int64)
+        for first in range(0, times.size, BLOCK):
+            count = min(BLOCK, times.size - first)
+            front, back = 0, count
+            for i in range(first, first + count):
+                if full[tops[i]]:
+                    place[front] = i
+                    front += 1
+                else:
+                    back -= 1
+                    place[back] = i
+            for i in range(count):
+                high[i], rest = halves(times[place[i]])
+                low[i] = rest + rests[place[i]]
+            for k in range(1, COLUMNS):
+                column = columns[k - 1]
+                for i in range(count):
+                    m[k * BLOCK + i] = column[tops[place[i]]]
+            numerators(m, front, count, high, low, work)
+            _states(m, count, work)
+            for i in range(count):
+                for k in range(4):
+                    attitude[place[i], k] = work[k * BLOCK + i]
+                for k in range(3):
+                    momentum[place[i], k] = work[(4 + k) * BLOCK + i]
+        return sources
+
+    return of_many
+
+
+_of_one, _of_many = _entry_of_one(SOURCES), _entry_of_many(SOURCES)
 
 
 def states_of_one(
@@ -219,6 +337,29 @@ def states_of_one(
     def fill(low: int, high: int) -> None:
         part = slice(low, high)
         _of_one(full, m, times[part], rests[part], attitude[part], momentum[part])
+
+    in_threads(fill, times.size, WORTH)
+    return attitude, momentum
+
+
+def states_of_many(
+    columns: tuple[np.ndarray, ...], tops: Integer[np.ndarray, "state"], times: Float64[np.ndarray, "state"],
+    rests: Float64[np.ndarray, "state"],
+) -> tuple[Float64[np.ndarray, "state 4"], Float64[np.ndarray, "state 3"]]:  # fmt: skip
+    """Return attitude and momentum of many tops, each at its times, given in two parts.
+
+    Args:
+        columns: the 45 arrays (N,) of a flattened ``series.Motion``.
+        tops: which of them each state is of.
+        times: since the epoch.
+        rests: what the floats leave of them.
+    """
+    full, *numbers = columns
+    attitude, momentum = np.empty((times.size, 4)), np.empty((times.size, 3))
+
+    def fill(low: int, high: int) -> None:
+        part = slice(low, high)
+        _of_many(full, tuple(numbers), tops[part], times[part], rests[part], attitude[part], momentum[part])
 
     in_threads(fill, times.size, WORTH)
     return attitude, momentum

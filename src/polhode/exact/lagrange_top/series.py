@@ -9,10 +9,10 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from polhode.arrays import choose, namespace, split_halves
+from polhode.arrays import choose, namespace, nearest, split_halves
 from polhode.exact.blocks import Columns
 from polhode.exact.decay import exponential_decay
-from polhode.special.circular import SplitRate, reduced_phase, sine_cosine_turns
+from polhode.special.circular import SplitRate, phase_fraction, reduced_phase, sine_cosine_turns
 from polhode.special.doubledouble import fast_two_sum, two_sum
 from polhode.types import Array, ArrayOrFloat, Bool, Float64
 
@@ -84,10 +84,9 @@ def start_numerators(motion: Motion) -> Numerators:
 def _full_of(*columns: Array) -> Numerators:
     series, (sa, sb), times = columns[11:27], columns[34:36], columns[-2:]
     turns_a, turns_b = (_turns(columns[k : k + 3], times) for k in (0, 3))
-    fraction, rest, _ = reduced_phase(columns[6:9], times)
-    xp = namespace(fraction, columns[9])
+    fraction, rest = phase_fraction(columns[6:9], times)
     z = fraction + (rest + columns[9])
-    cosines, sines = _multiples(*sine_cosine_turns(z - xp.round(z))[::-1], odd=True)
+    cosines, sines = _multiples(*sine_cosine_turns(z - nearest(z))[::-1], odd=True)
     a_sum, a_gap, b_sum, b_gap = (series[4 * k : 4 * k + 4] for k in range(4))
     odd = tuple(2.0 * n + 1.0 for n in range(TERMS))
     return (
@@ -138,22 +137,21 @@ def _reduced_argument(
 ) -> tuple[Array, Array, Array]:
     """Return x/2K within half a period as a pair, and the periods taken out; on the separatrix none is."""
     fraction, rest, whole = reduced_phase((rate[0], rate[1], rate[2]), (times[0], times[1]))
-    xp = namespace(fraction, periodic)
     sum_, first_error = two_sum((1.0 - periodic) * whole, fraction)
     u, second_error = two_sum(sum_, start[0])
     u, u_rest = fast_two_sum(u, rest + (start[1] + (first_error + second_error)))
-    more = periodic * xp.round(u)
+    more = periodic * nearest(u)
     count = periodic * whole + more
-    return u - more, u_rest, count - 4.0 * xp.round(0.25 * count)
+    return u - more, u_rest, count - 4.0 * nearest(0.25 * count)
 
 
 def _turns(rate: tuple[Array, ...], times: tuple[Array, ...]) -> Array:
-    fraction, rest, _ = reduced_phase((rate[0], rate[1], rate[2]), (times[0], times[1]))
+    fraction, rest = phase_fraction((rate[0], rate[1], rate[2]), (times[0], times[1]))
     return fraction + rest
 
 
 def _wrapped(turns: Array) -> Array:
-    return turns - namespace(turns).round(turns)
+    return turns - nearest(turns)
 
 
 def _multiples(cosine: Array, sine: Array, odd: bool) -> tuple[list[Array], list[Array]]:

@@ -1,0 +1,211 @@
+"""The integrals of the first kind of ``preparation`` for a block of tops, compiled by Numba.
+
+The places of the poles enter amplitudes alone, so float64 does; the start enters phases, and the logarithm that it is
+near the saddle wants some more digits.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from polhode.exact.kernel_arithmetic import (
+    BLOCK,
+    Pair,
+    add,
+    choice,
+    compiled,
+    divide,
+    inlined,
+    multiply,
+    pair,
+    put,
+    root,
+    scale,
+)
+from polhode.exact.lagrange_top.kernel_store import (
+    GAP,
+    LOWER,
+    S1,
+    S2,
+    T1,
+    T2,
+    UPPER,
+    V_ALPHA,
+    V_BETA,
+    W_ALPHA,
+    W_BETA,
+    X0,
+    Z_MINUS,
+    Z_PLUS,
+    A,
+    B,
+    G,
+    P,
+    Y,
+)  # fmt: skip
+
+MOST_STEPS = 40
+CLOSE, CLOSER = 1e-2, 2e-3  # of the spread, whose eighth power is what the closing formula leaves
+# rows of the duplication, those of the sharp one in pairs
+X, Y_, Z = 0, 2 * BLOCK, 4 * BLOCK
+STEPS = 6
+ONE = (1.0, 0.0)
+
+
+@inlined
+def _root(x: Pair) -> Pair:
+    """Return √x, zero for x = 0."""
+    zero = x[0] == 0.0
+    return choice(zero, (0.0, 0.0), root(choice(zero, ONE, x)))
+
+
+@inlined
+def _series(x: float, y: float) -> float:
+    """Return what Carlson's R_F is more than one over the root of the mean, of relative distances from it."""
+    z = -x - y
+    second, third = x * y - z * z, x * y * z
+    higher = second * second * (1.0 / 24.0 - second * (5.0 / 208.0)) - second * third * (3.0 / 44.0)
+    higher += third * (3.0 / 104.0 * third + 0.0625 * second * second)
+    return (higher + third * (1.0 / 14.0)) - 0.1 * second
+
+
+@inlined
+def _widest(x: float, y: float, z: float) -> float:
+    """Return the largest distance from the mean over it."""
+    mean = ((x + y) + z) / 3.0
+    return max(max(abs(mean - x), abs(mean - y)), abs(mean - z)) / mean
+
+
+@compiled()
+def _duplicate(s: Any, count: int) -> int:
+    """Take a step of the duplication; return how many need another."""
+    far = 0
+    for i in range(count):
+        x, y, z = s[X + i], s[Y_ + i], s[Z + i]
+        a, b, c = np.sqrt(x), np.sqrt(y), np.sqrt(z)
+        more = (a * b + b * c) + c * a
+        s[X + i], s[Y_ + i], s[Z + i] = 0.25 * (x + more), 0.25 * (y + more), 0.25 * (z + more)
+        far += 1 if _widest(x, y, z) > 4.0 * CLOSE else 0  # the step has divided it by four
+    return far
+
+
+@compiled()
+def _first_kind(s: Any, count: int) -> bool:
+    """Put R_F(x, y, 1) of what stands in two rows into the first; return whether it has converged."""
+    for i in range(count):
+        s[Z + i] = 1.0
+    left = MOST_STEPS
+    while _duplicate(s, count) > 0 and left > 0:
+        left -= 1
+    for i in range(count):
+        mean = ((s[X + i] + s[Y_ + i]) + s[Z + i]) / 3.0
+        s[X + i] = (1.0 + _series(1.0 - s[X + i] / mean, 1.0 - s[Y_ + i] / mean)) / np.sqrt(mean)
+    return left > 0
+
+
+@compiled()
+def _duplicate_sharply(s: Any, count: int) -> int:
+    """Take a step of the duplication in double-double; return how many need another."""
+    far = 0
+    for i in range(count):
+        x, y, z = pair(s, X + i), pair(s, Y_ + i), pair(s, Z + i)
+        a, b, c = _root(x), _root(y), root(z)
+        more = add(multiply(a, add(b, c)), multiply(b, c))
+        put(s, X + i, scale(add(x, more), 0.25))
+        put(s, Y_ + i, scale(add(y, more), 0.25))
+        put(s, Z + i, scale(add(z, more), 0.25))
+        far += 1 if _widest(x[0], y[0], z[0]) > 4.0 * CLOSER else 0
+    return far
+
+
+@compiled()
+def _first_kind_sharply(s: Any, count: int) -> bool:
+    """Put R_F(x, y, 1) of what stands in two pairs of rows into the first; return whether it has converged."""
+    for i in range(count):
+        put(s, Z + i, ONE)
+    left = MOST_STEPS
+    while _duplicate_sharply(s, count) > 0 and left > 0:
+        left -= 1
+    for i in range(count):
+        x, y, z = pair(s, X + i), pair(s, Y_ + i), pair(s, Z + i)
+        mean = divide(add(add(x, y), z), (3.0, 0.0))
+        apart = _series(1.0 - divide(x, mean)[0], 1.0 - divide(y, mean)[0])
+        put(s, X + i, divide(add(ONE, (apart, 0.0)), root(mean)))
+    return left > 0
+
+
+# ---------------------------------------------------------------------- poles and start
+
+
+@compiled()
+def _pole_of_alpha(w: Any, count: int, s: Any) -> bool:
+    for i in range(count):
+        d, t2 = w[GAP + i], w[T2 + i]
+        s[X + i], s[Y_ + i] = d / t2, d * w[Z_PLUS + i] / (w[A + i] * t2)
+    found = _first_kind(s, count)
+    for i in range(count):
+        w[V_ALPHA + i] = np.sqrt(w[T1 + i] / w[T2 + i]) * s[X + i]
+    return found
+
+
+@compiled()
+def _pole_of_beta(w: Any, count: int, s: Any) -> bool:
+    for i in range(count):
+        d, s1 = w[GAP + i], w[S1 + i]
+        s[X + i], s[Y_ + i] = d * w[Z_MINUS + i] / (s1 * w[B + i]), d / s1
+    found = _first_kind(s, count)
+    for i in range(count):
+        w[V_BETA + i] = np.sqrt(w[S2 + i] * w[A + i] / (w[S1 + i] * w[B + i])) * s[X + i]
+    return found
+
+
+@compiled()
+def _rest_of_alpha(w: Any, count: int, s: Any) -> bool:
+    for i in range(count):
+        g, z = w[G + i], w[Z_PLUS + i]
+        s[X + i], s[Y_ + i] = g * w[T1 + i] / z, g * w[T2 + i] / z
+    found = _first_kind(s, count)
+    for i in range(count):
+        w[W_ALPHA + i] = np.sqrt(w[A + i] / w[Z_PLUS + i]) * s[X + i]
+    return found
+
+
+@compiled()
+def _rest_of_beta(w: Any, count: int, s: Any) -> bool:
+    for i in range(count):
+        g, a, b = w[G + i], w[A + i], w[B + i]
+        s[X + i], s[Y_ + i] = g * w[S2 + i] / b, g * w[S1 + i] / a
+    found = _first_kind(s, count)
+    for i in range(count):
+        w[W_BETA + i] = np.sqrt(w[Z_MINUS + i] / w[B + i]) * s[X + i]
+    return found
+
+
+@compiled()
+def _start(w: Any, count: int, s: Any) -> bool:
+    for i in range(count):
+        d = pair(w, GAP + i)
+        put(s, X + i, divide(pair(w, UPPER + i), d))
+        put(s, Y_ + i, divide(pair(w, Y + i), pair(w, A + i)))
+    found = _first_kind_sharply(s, count)
+    for i in range(count):
+        x0 = multiply(_root(divide(pair(w, LOWER + i), pair(w, GAP + i))), pair(s, X + i))
+        put(w, X0 + i, scale(x0, 1.0 if w[P + i] >= 0.0 else -1.0))
+    return found
+
+
+@compiled()
+def integrals(w: Any, full: int, count: int, s: Any) -> bool:
+    """Put the places of the poles, and the start, into the store; return whether all have converged.
+
+    Args:
+        w: store of tops, those of the full form first; they alone need the distances of the poles from K'.
+        full: how many these are.
+        count: of all tops.
+        s: STEPS rows.
+    """
+    found = _pole_of_alpha(w, count, s) & _pole_of_beta(w, count, s)
+    found &= _rest_of_alpha(w, full, s) & _rest_of_beta(w, full, s)
+    return found & _start(w, count, s)
