@@ -86,6 +86,9 @@ class QuantizedSphere(AbstractMatrixAlgebra):
     def cayley_middle(self, x: Operand, mu: Operand) -> Element:
         return super().cayley_middle(x / self.hbar, mu)
 
+    def cayley_terms(self, x: Operand, mu: Operand) -> tuple[Element, Element, Element]:
+        return super().cayley_terms(x / self.hbar, mu)
+
     def exp_change(self, x: Operand, mu: Operand) -> Element:
         return self.project(AbstractLieAlgebra.exp_change(self, x, mu))
 
@@ -94,7 +97,10 @@ class QuantizedSphere(AbstractMatrixAlgebra):
         return (values[..., -1] - values[..., 0]) / self.hbar
 
     def project(self, matrix: Element) -> Element:
-        return traceless(0.5 * (matrix - adjoint(matrix)))
+        return traceless(self.odd_part(matrix))
+
+    def reversal(self, matrix: Element) -> Element:
+        return adjoint(matrix)
 
     # ------------------------------------------------------------------ harmonics
 
