@@ -35,7 +35,7 @@ INNER = {
     "quantum": {"operators", "orbits", "partition", "strengths", "wang"},
     "special": {"agm", "spherical_tensors", "circular", "doubledouble", "first_kind", "legendre"},
     "systems": {"agreement", "dipoles", "forward_only", "free_flow", "lattice_bonds",
-                "moser_veselov_table", "rolling_mechanics", "top_integrals"},
+                "moser_veselov_table", "rolling_mechanics", "sphere_harmonics", "top_integrals"},
 }  # fmt: skip
 """Modules by room; None for a whole room."""
 
