@@ -56,7 +56,8 @@ def argument(algebra, name):
     """Return how an argument is made of real coordinates, by its name."""
     return {
         "x": lambda v: algebra.from_vector(0.3 * v), "y": algebra.from_vector, "mu": algebra.from_dual_vector,
-        "g": lambda v: algebra.exp(algebra.from_vector(0.3 * v)), "vector": lambda v: v,
+        "g": lambda v: algebra.exp(algebra.from_vector(0.3 * v)),
+        "h": lambda v: algebra.exp(algebra.from_vector(0.2 * v)), "vector": lambda v: v,
         "gradient": algebra.from_dual_vector, "value": algebra.from_vector, "matrix": algebra.from_vector,
     }[name]  # fmt: skip
 

@@ -17,7 +17,7 @@ REFERENCE = Path(__file__).parents[2] / "docs" / "reference.md"
 TAKE_FILES_AND_WORDS = {"cli", "figures", "formats", "kinds", "reports", "spec", "sweeps", "viewer", "errors"}
 INNER = {
     "arrays": None,
-    "algebra": {"polynomial", "precision", "sphere_laplacian"},
+    "algebra": {"polynomial", "precision", "real_products", "sphere_laplacian"},
     "analysis": {"conserved", "conserved_function", "equilibrium_data", "mechanics", "periapsis_map", "power_law",
                  "reasons", "second_variation"},
     "bodies": {"mesh_crossing", "mesh_gate", "pivot", "turned"},
@@ -37,7 +37,7 @@ INNER = {
     "quantum": {"level_polhodes", "operators", "orbits", "partition", "strengths", "wang"},
     "special": {"agm", "spherical_tensors", "circular", "doubledouble", "first_kind", "legendre"},
     "systems": {"agreement", "dipoles", "forward_only", "free_flow", "lattice_bonds",
-                "moser_veselov_table", "rolling_mechanics", "top_integrals"},
+                "moser_veselov_table", "rolling_mechanics", "sphere_harmonics", "top_integrals"},
 }  # fmt: skip
 """Modules by room; None for a whole room."""
 
@@ -103,7 +103,8 @@ def of_classes(kinds):
 
 
 NO_ARRAYS = {
-    "AbstractLieAlgebra.batch_shape", "AbstractLieAlgebra.structure_constants", "has_cayley", "is_compact",
+    "AbstractLieAlgebra.batch_shape", "AbstractLieAlgebra.structure_constants", "has_cayley", "has_cayley_terms",
+    "is_compact",
     "from_scipy", "testing.algebras.check_algebra", "testing.systems.check_system",
     "testing.motion_table.reference_motions", "testing.motion_table.motions_of", "testing.engines.compare_engine",
     "ReferenceMotion", "MotionErrors", "EngineComparison", "Comparison", "SpinDown", "Resonance", "AttitudeHistory",

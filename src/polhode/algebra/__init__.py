@@ -9,6 +9,7 @@ from polhode.algebra.base import AbstractLieAlgebra  # noqa: E402
 from polhode.algebra.bidiagonal import Bidiagonal  # noqa: E402
 from polhode.algebra.casimirs import polynomial_casimirs  # noqa: E402
 from polhode.algebra.constants import ConstantsAlgebra, from_matrices, from_structure_constants  # noqa: E402
+from polhode.algebra.dual_numbers import DualNumbers  # noqa: E402
 from polhode.algebra.heisenberg import Heisenberg  # noqa: E402
 from polhode.algebra.matrix import SL, SO, SU, AbstractMatrixAlgebra, Sp  # noqa: E402
 from polhode.algebra.power import Power  # noqa: E402
@@ -34,6 +35,7 @@ __all__ = [
     "AffineLine",
     "Bidiagonal",
     "ConstantsAlgebra",
+    "DualNumbers",
     "Heisenberg",
     "Power",
     "Product",

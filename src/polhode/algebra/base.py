@@ -196,9 +196,10 @@ class AbstractLieAlgebra(HashableModule):
 
         # reverse mode needs a known number of terms, of which most vanish
         def rule(primals: Any, tangents: Any) -> tuple[Array, Array]:
-            return summed(*primals, False), jax.jvp(lambda x, mu: summed(x, mu, True), primals, tangents)[1]  # pyright: ignore[reportCallIssue]
+            return moved(*primals), jax.jvp(lambda x, mu: summed(x, mu, True), primals, tangents)[1]  # pyright: ignore[reportCallIssue]
 
-        return custom_derivative(lambda x, mu: summed(x, mu, False), rule)(jnp.asarray(x), jnp.asarray(mu))
+        moved = custom_derivative(lambda x, mu: summed(x, mu, False), rule)
+        return moved(jnp.asarray(x), jnp.asarray(mu))
 
     def cayley_change(self, x: Double[Array, "..."], mu: Double[Array, "..."]) -> Double[Array, "..."]:
         """Return Ad*_{cay x} μ − μ."""

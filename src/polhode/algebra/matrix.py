@@ -16,6 +16,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode.algebra.base import AbstractLieAlgebra
+from polhode.algebra.real_products import product
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, Double, Float64
 
@@ -109,10 +110,35 @@ class AbstractMatrixAlgebra(AbstractLieAlgebra):
         return self.coadjoint(x, self.cayley_middle(x, mu))
 
     def cayley_middle(self, x: Operand, mu: Operand) -> Element:
-        """Return W̃ with μ = (1 − x†/2) W̃ (1 + x†/2) and Ad*_{cay x} μ = (1 + x†/2) W̃ (1 − x†/2)."""
+        """Return W̃ with μ = (1 − x†/2) W̃ (1 + x†/2) and Ad*_{cay x} μ = (1 + x†/2) W̃ (1 − x†/2).
+
+        In algebras of traceless matrices it may have a trace, which is no part of a dual element.
+        """
         one, half = jnp.eye(self.size), 0.5 * adjoint(x)
         found = adjoint(jnp.linalg.solve(one + adjoint(half), adjoint(jnp.linalg.solve(one - half, mu))))
-        return self.project(found)  # rounding must not leave the algebra, step after step
+        return self.odd_part(found)  # rounding must not leave the algebra, step after step
+
+    def cayley_terms(self, x: Operand, mu: Operand) -> tuple[Element, Element, Element]:
+        """Return y μ, [y, μ] and y μ y with y = x†/2, by two products of matrices.
+
+        W̃ = W + [y, W̃] + y W̃ y is the W̃ of ``cayley_middle`` for W, and Ad*_{cay x} W = W + 2[y, W̃]. Both terms are
+        odd under ``reversal`` to the last digit.
+        """
+        half = 0.5 * adjoint(x)
+        one_sided = product(half, mu)
+        return one_sided, one_sided - self.reversal(one_sided), self.odd_part(product(one_sided, half))
+
+    def reversal(self, matrix: Element) -> Element:
+        """Return σ(M), linear with σ(AB) = σ(B)σ(A), which takes every x of a quadratic algebra to −x.
+
+        Raises:
+            InvalidInput: if the algebra is not quadratic.
+        """
+        raise InvalidInput(f"{self.name} is not an algebra of a quadratic group, of which Cayley's map needs one.")
+
+    def odd_part(self, matrix: Element) -> Element:
+        """Return (M − σ(M))/2, M's part in a quadratic algebra but for the trace."""
+        return 0.5 * (matrix - self.reversal(matrix))
 
     def _power_traces(self, mu: Array, powers: tuple[int, ...]) -> list[Array]:
         traces, power, known = [], mu, 1
@@ -148,8 +174,10 @@ class AbstractOrthogonalAlgebra(AbstractMatrixAlgebra):
         return basis
 
     def project(self, matrix: Element) -> Element:
-        signs = self.form[:, None] * self.form
-        return 0.5 * (matrix - signs * jnp.swapaxes(matrix, -1, -2))
+        return self.odd_part(matrix)
+
+    def reversal(self, matrix: Element) -> Element:
+        return self.form[:, None] * self.form * jnp.swapaxes(matrix, -1, -2)
 
     @property
     def _pfaffian_name(self) -> str:
@@ -228,7 +256,10 @@ class SU(AbstractMatrixAlgebra):
         return np.array(matrices)
 
     def project(self, matrix: Element) -> Element:
-        return traceless(0.5 * (matrix - adjoint(matrix)))
+        return traceless(self.odd_part(matrix))
+
+    def reversal(self, matrix: Element) -> Element:
+        return adjoint(matrix)
 
     @property
     def casimir_names(self) -> tuple[str, ...]:
@@ -319,9 +350,12 @@ class Sp(AbstractMatrixAlgebra):
         return np.array(matrices)
 
     def project(self, matrix: Element) -> Element:
+        return self.odd_part(matrix)
+
+    def reversal(self, matrix: Element) -> Element:
         n = self.n
         form = np.block([[np.zeros((n, n)), np.eye(n)], [-np.eye(n), np.zeros((n, n))]])
-        return 0.5 * (matrix + form @ adjoint(matrix) @ form)
+        return -form @ adjoint(matrix) @ form
 
     @property
     def casimir_names(self) -> tuple[str, ...]:

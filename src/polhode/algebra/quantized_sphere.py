@@ -21,7 +21,7 @@ from polhode.arrays import is_traced
 from polhode.special.spherical_tensors import spherical_tensor
 from polhode.types import Array, ArrayLike, Complex128, Float64, Real
 
-POWERS = (2, 3, 4)  # of W whose traces are named among the Casimirs; ``spectrum`` has them all
+POWERS = (2, 3, 4)  # of −iμ whose traces are named among the Casimirs; ``spectrum`` has them all
 
 
 class QuantizedSphere(AbstractMatrixAlgebra):
@@ -59,7 +59,7 @@ class QuantizedSphere(AbstractMatrixAlgebra):
 
     @property
     def casimir_names(self) -> tuple[str, ...]:
-        return tuple(f"tr (−iW)^{k}" for k in POWERS[: self.n - 1])
+        return tuple(f"tr (−iμ)^{k}" for k in POWERS[: self.n - 1])
 
     def casimirs(self, mu: Element) -> Float64[Array, "*batch k"]:
         traces = self._power_traces(-1j * jnp.asarray(mu), POWERS[: self.n - 1])
@@ -86,6 +86,9 @@ class QuantizedSphere(AbstractMatrixAlgebra):
     def cayley_middle(self, x: Operand, mu: Operand) -> Element:
         return super().cayley_middle(x / self.hbar, mu)
 
+    def cayley_terms(self, x: Operand, mu: Operand) -> tuple[Element, Element, Element]:
+        return super().cayley_terms(x / self.hbar, mu)
+
     def exp_change(self, x: Operand, mu: Operand) -> Element:
         return self.project(AbstractLieAlgebra.exp_change(self, x, mu))
 
@@ -94,7 +97,10 @@ class QuantizedSphere(AbstractMatrixAlgebra):
         return (values[..., -1] - values[..., 0]) / self.hbar
 
     def project(self, matrix: Element) -> Element:
-        return traceless(0.5 * (matrix - adjoint(matrix)))
+        return traceless(self.odd_part(matrix))
+
+    def reversal(self, matrix: Element) -> Element:
+        return adjoint(matrix)
 
     # ------------------------------------------------------------------ harmonics
 

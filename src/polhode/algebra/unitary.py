@@ -40,7 +40,10 @@ class U(AbstractMatrixAlgebra):
         return np.concatenate([SU(self.n).basis, centre]) if self.n > 1 else centre
 
     def project(self, matrix: Element) -> Element:
-        return 0.5 * (matrix - adjoint(matrix))
+        return self.odd_part(matrix)
+
+    def reversal(self, matrix: Element) -> Element:
+        return adjoint(matrix)
 
     @property
     def casimir_names(self) -> tuple[str, ...]:

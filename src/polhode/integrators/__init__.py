@@ -1,7 +1,8 @@
 """Integrators that keep what a Lie–Poisson system keeps, as diffrax solvers."""
 
 from polhode.integrators.base import AbstractOrbitSolver
-from polhode.integrators.lie_midpoint import IsospectralMidpoint, LieMidpoint
+from polhode.integrators.isospectral_midpoint import IsospectralMidpoint
+from polhode.integrators.lie_midpoint import LieMidpoint
 from polhode.integrators.moser_veselov import MoserVeselov
 from polhode.integrators.munthe_kaas import MuntheKaas
 from polhode.integrators.spherical_midpoint import SphericalMidpoint

@@ -39,12 +39,16 @@ class Change(NamedTuple):
 
 
 class Memory(NamedTuple):
-    """What a solver carries along: what the last sums lost, steps and iterations so far, whether all went well."""
+    """What a solver carries along: what the last sums lost, steps and iterations so far, whether all went well.
+
+    ``hint`` is what past steps tell the next one about where to start its search; results depend on it by rounding.
+    """
 
     lost: Double[Array, "*shape"]
     steps: Integer[Array, ""]
     iterations: Integer[Array, ""]
     fine: Bool[Array, ""]
+    hint: Any = ()
 
 
 class AbstractOrbitSolver(diffrax.AbstractSolver):
@@ -73,13 +77,22 @@ class AbstractOrbitSolver(diffrax.AbstractSolver):
     def change(self, t: Scalar, h: Scalar, state: Double[Array, "..."]) -> Change:
         """Return what a step of length h from time t does to the state."""
 
+    def change_with_hint(self, t: Scalar, h: Scalar, state: Double[Array, "..."], hint: Any) -> tuple[Change, Any]:
+        """Return what a step does, and the hint for the next one, where the method has hints."""
+        return self.change(t, h, state), hint
+
+    def no_hint(self, state: Double[Array, "..."]) -> Any:
+        """Return the hint of a first step, a nest of arrays; empty for methods without hints."""
+        return ()
+
     @abc.abstractmethod
     def order(self, terms: Any) -> int:
         """Return the order of convergence."""
 
     def memory(self, state: Double[Array, "..."]) -> Memory:
         """Return what is carried along from a start."""
-        return Memory(jnp.zeros_like(state), jnp.zeros((), int), jnp.zeros((), int), jnp.asarray(True))
+        zero = jnp.zeros((), int)
+        return Memory(jnp.zeros_like(state), zero, zero, jnp.asarray(True), self.no_hint(state))
 
     def advance(
         self, start: Scalar, span: Scalar, state: Double[Array, "*shape"], memory: Memory
@@ -90,18 +103,18 @@ class AbstractOrbitSolver(diffrax.AbstractSolver):
         """
         count = step_count(jnp, span, self.step_size).astype(int)
 
-        def step(t: Array, h: Array, now: Array, lost: Array) -> tuple[Array, Array, Array, Array]:
-            found = self.change(t, h, now)
+        def step(t: Array, h: Array, now: Array, lost: Array, hint: Any) -> tuple[Array, Array, Array, Array, Any]:
+            found, hint = self.change_with_hint(t, h, now, hint)
             wanted = found.state + lost
             later = now + wanted
-            return later, (now - later) + wanted, found.iterations, found.converged
+            return later, (now - later) + wanted, found.iterations, found.converged, hint
 
         given = Given([], count, jnp.asarray(start, float), jnp.asarray(span / count), state, memory.lost,
-                      memory.iterations, memory.fine)  # fmt: skip
+                      memory.iterations, memory.fine, memory.hint)  # fmt: skip
         parts = parts_with_units(self.system, state)
         found = repeated(step, given, parts, self.symmetric, type(self).__name__)
         fine = found.fine & jnp.all(jnp.isfinite(found.state))
-        later = Memory(found.lost, memory.steps + found.steps, found.iterations, fine)
+        later = Memory(found.lost, memory.steps + found.steps, found.iterations, fine, found.hint)
         return jnp.where(fine, found.state, jnp.inf), later
 
     def init(self, terms: Any, t0: Scalar, t1: Scalar, y0: Double[Array, "..."], args: Any) -> Memory:

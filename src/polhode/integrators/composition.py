@@ -8,6 +8,7 @@ nine stages, s9odr6a; order 8, seventeen stages, s17odr8a); Blanes & Moan, J. Co
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 import jax
 import jax.numpy as jnp
@@ -18,6 +19,7 @@ from polhode.integrators.base import Change, Scalar
 from polhode.types import Array, Double, Float64
 
 Stage = Callable[[Scalar, Scalar, Double[Array, "..."]], Change]
+HintedStage = Callable[[Scalar, Scalar, Double[Array, "..."], Any], tuple[Change, Any]]
 _SUZUKI = 1.0 / (4.0 - 4.0 ** (1.0 / 3.0))
 _KAHAN_LI = (0.39216144400731413928, 0.33259913678935943860, -0.70624617255763935981, 0.08221359629355080023)
 _KAHAN_LI_8 = (
@@ -72,17 +74,34 @@ def stage_times(order: int) -> Float64[np.ndarray, "stages"]:
 
 def composed(stage: Stage, order: int, t: Scalar, h: Scalar, state: Double[Array, "..."]) -> Change:
     """Return the change by stages of t, their length and state that make a step of the order."""
+    return composed_with_hints(lambda t, h, state, _: (stage(t, h, state), ()), order, t, h, state, ())[0]
+
+
+def composed_with_hints(
+    stage: HintedStage, order: int, t: Scalar, h: Scalar, state: Double[Array, "..."], hints: Any
+) -> tuple[Change, Any]:
+    """Return the change by stages that tell each other, from step to step, where to start their search.
+
+    Args:
+        stage: (t, length, state, hint) → its change, and the hint for the same stage of the next step.
+        order: of the step.
+        t: its start [s].
+        h: its length [s].
+        state: at its start.
+        hints: a nest of arrays, the stages along their first axes.
+    """
     if order == 2:
-        return stage(t, h, state)
+        found, hint = stage(t, h, state, jax.tree.map(lambda x: x[0], hints))
+        return found, jax.tree.map(lambda x: x[None], hint)
     fractions, begins = jnp.asarray(stages(order)), jnp.asarray(stage_times(order))
 
-    def add(k: Array, carried: tuple[Array, Change]) -> tuple[Array, Change]:
-        now, total = carried
-        found = stage(t + begins[k] * h, fractions[k] * h, now)
+    def add(k: Array, carried: tuple[Array, Change, Any]) -> tuple[Array, Change, Any]:
+        now, total, hints = carried
+        found, hint = stage(t + begins[k] * h, fractions[k] * h, now, jax.tree.map(lambda x: x[k], hints))
         total = Change(
             total.state + found.state, total.iterations + found.iterations, total.converged & found.converged
         )
-        return now + found.state, total
+        return now + found.state, total, jax.tree.map(lambda xs, x: xs.at[k].set(x), hints, hint)
 
     none = Change(jnp.zeros_like(state), jnp.zeros((), int), jnp.asarray(True))
-    return jax.lax.fori_loop(0, len(fractions), add, (state, none))[1]
+    return jax.lax.fori_loop(0, len(fractions), add, (state, none, hints))[1:]

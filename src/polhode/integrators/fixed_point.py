@@ -7,6 +7,7 @@ time to run with a dense matrix of 3000 unknowns.
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from typing import NamedTuple
 
 import jax
@@ -18,68 +19,134 @@ MOST = 100
 ROUNDING = 4e-16  # of the unknown's size: a change below it is none
 NEAR = 1e-11  # of the unknown's size: below it, a change that no longer shrinks is rounding too
 NOTHING = 1e-15  # rad: where the group hardly moves, changes below it that no longer shrink are rounding as well
+LUCKY = 0.1  # a change that shrank by more may have done so by chance: the next one is not promised to shrink so much
+BLOWN_UP = 10.0  # times the first change: a quick map that diverges
+
+Map = Callable[[Array], Array]
 
 
 class Found(NamedTuple):
-    """The last iterate, how many were needed, and whether they settled."""
+    """The last iterate, how many were needed, and whether they settled; of a batch, by the copy that needed most."""
 
     value: Double[Array, "*shape"]
     iterations: Integer[Array, ""]
     converged: Bool[Array, ""]
 
 
-def fixed_point(function: Callable[[Array], Array], start: Double[Array, "..."], scale: Float64[Array, ""]) -> Found:
+class _Run(NamedTuple):
+    """An iteration: how many iterates and the last; of each copy its change, the most it may be, and how it stands."""
+
+    count: Array
+    value: Array
+    change: Array
+    limit: Array
+    settled: Array
+    active: Array
+
+
+def fixed_point(
+    function: Map, start: Double[Array, "..."], scale: Float64[Array, "*batch"], quick: Map | None = None
+) -> Found:
     """Iterate x = function(x) until the changes are negligible in ``scale``, or are rounding and shrink no more.
 
     Args:
         function: a contraction for steps that are short enough.
-        start: first guess.
-        scale: size of the unknown, so that the tolerance goes with the state.
+        start: (batch…, …) first guesses.
+        scale: (batch…) sizes of the unknowns, so that the tolerance goes with the state. Every copy of the batch ends
+            by its own, and stays as it is then.
+        quick: a cheaper map with the same fixed points, iterated first; copies where that fails go on by ``function``.
 
     Its derivative solves dx = (∂f/∂x) dx + df by the same iteration, whatever the loop to the point itself did.
     """
+    everyone = jnp.ones(jnp.shape(scale), bool)
 
-    def settled(change: Array, last: Array) -> Array:
-        return (change <= ROUNDING * scale) | ((change <= NEAR * scale + NOTHING) & (change >= last))
-
-    def unfinished(carried: tuple[Array, ...]) -> Array:
-        count, _, change, last = carried
-        return (count < MOST) & ~settled(change, last) & jnp.isfinite(change)
-
-    def improve(carried: tuple[Array, ...]) -> tuple[Array, ...]:
-        count, x, change, _ = carried
-        better = function(x)
-        return count + 1, better, jnp.max(jnp.abs(better - x)), change
-
-    def iterated(_: Callable[[Array], Array], start: Array) -> tuple[Array, tuple[Array, Array]]:
-        first = function(start)
-        state = (jnp.ones((), int), first, jnp.max(jnp.abs(first - start)), jnp.asarray(jnp.inf))
-        count, x, change, last = jax.lax.while_loop(unfinished, improve, state)
+    def iterated(_: Map, start: Array) -> tuple[Array, tuple[Array, Array]]:
+        if quick is None:
+            run = _iterated(function, start, scale, everyone)
+            count, settled = run.count, run.settled
+        else:
+            first = _iterated(quick, start, scale, everyone, BLOWN_UP, ahead=True)
+            # from where the quick map began, as it may have gone far
+            again = jnp.where(_wide(first.settled, start), first.value, start)
+            run = _iterated(function, again, scale, ~first.settled)
+            count, settled = first.count + run.count, jnp.logical_or(first.settled, run.settled)
         # as floats, since custom_root has no derivatives of whole numbers
-        return x, (count.astype(float), settled(change, last).astype(float))
+        return run.value, (count.astype(float), jnp.all(settled).astype(float))
 
-    x, (count, converged) = jax.lax.custom_root(lambda x: function(x) - x, start, iterated, _linear, has_aux=True)
+    root = jax.lax.custom_root(
+        lambda x: function(x) - x, start, iterated, partial(_linear, jnp.ndim(scale)), has_aux=True)  # fmt: skip
+    x, (count, converged) = root
     return Found(x, count.astype(int), converged > 0.5)
 
 
-def _linear(residual: Callable[[Array], Array], wanted: Array) -> Array:
+def _iterated(
+    function: Map, start: Array, scale: Array, active: Array, most: float = jnp.inf, ahead: bool = False
+) -> _Run:
+    """Iterate in the active copies (batch…), as long as changes are within so many times the first.
+
+    With ``ahead`` they end where the next change would be negligible, if changes go on shrinking in proportion.
+    """
+    batch = jnp.ndim(scale)
+
+    def settled(change: Array, last: Array) -> Array:
+        small = change <= ROUNDING * scale
+        if ahead:
+            next_one = change * jnp.maximum(change / jnp.where(last > 0.0, last, 1.0), LUCKY)
+            small |= (change < 0.5 * last) & (next_one <= ROUNDING * scale)
+        return small | ((change <= NEAR * scale + NOTHING) & (change >= last))
+
+    def improved(run: _Run) -> _Run:
+        better = function(run.value)
+        change = _size(better - run.value, batch)
+        if batch:
+            better = jnp.where(_wide(run.active, better), better, run.value)
+            change = jnp.where(run.active, change, run.change)
+        done = settled(change, run.change)
+        limit = jnp.where(run.count == 0, most * change, run.limit)
+        going = run.active & ~done & jnp.isfinite(change) & (change <= limit)
+        return _Run(run.count + 1, better, change, limit, jnp.where(run.active, done, run.settled), going)
+
+    def unfinished(run: _Run) -> Array:
+        return jnp.any(run.active) & (run.count < MOST)
+
+    endless = jnp.full(jnp.shape(scale), jnp.inf)
+    begun = _Run(jnp.zeros((), int), start, endless, endless, jnp.zeros(jnp.shape(scale), bool), active)
+    return jax.lax.while_loop(unfinished, improved, begun)
+
+
+def _size(x: Array, batch: int) -> Array:
+    """Return the largest absolute value of each copy (batch…)."""
+    own = tuple(range(batch, jnp.ndim(x)))
+    if jnp.iscomplexobj(x):  # real and imaginary parts by themselves, without a root for every entry
+        return jnp.maximum(*(jnp.max(jnp.abs(part), axis=own, initial=0.0) for part in (x.real, x.imag)))
+    return jnp.max(jnp.abs(x), axis=own, initial=0.0)
+
+
+def _wide(of_copies: Array, like: Array) -> Array:
+    """Return what is said of each copy (batch…) with axes to go along with an array (batch…, …)."""
+    return of_copies.reshape(*of_copies.shape, *[1] * (jnp.ndim(like) - of_copies.ndim))
+
+
+def _linear(batch: int, residual: Map, wanted: Array) -> Array:
     """Return v with J v − v = wanted, forward, or with Jᵀ in its transpose."""
-    return jax.lax.custom_linear_solve(residual, wanted, _by_iteration, _by_iteration)
+    solve = partial(_by_iteration, batch)
+    return jax.lax.custom_linear_solve(residual, wanted, solve, solve)
 
 
-def _by_iteration(residual: Callable[[Array], Array], wanted: Array) -> Array:
-    """Return v with J v − v = wanted, by v ← J v − wanted."""
+def _by_iteration(batch: int, residual: Map, wanted: Array) -> Array:
+    """Return v with J v − v = wanted, by v ← J v − wanted, each copy until it is found."""
 
     def unfinished(carried: tuple[Array, ...]) -> Array:
         count, v, change, last = carried
-        size = jnp.max(jnp.abs(v))
+        size = _size(v, batch)
         moving = (change > ROUNDING * size) & ((change > NEAR * size) | (change < last))
-        return (count < MOST) & moving & jnp.isfinite(change)
+        return (count < MOST) & jnp.any(moving & jnp.isfinite(change))
 
     def improve(carried: tuple[Array, ...]) -> tuple[Array, ...]:
         count, v, change, _ = carried
         better = v + residual(v) - wanted
-        return count + 1, better, jnp.max(jnp.abs(better - v)), change
+        return count + 1, better, _size(better - v, batch), change
 
-    start = (jnp.zeros((), int), -wanted, jnp.max(jnp.abs(wanted)), jnp.asarray(jnp.inf))
+    size = _size(wanted, batch)
+    start = (jnp.zeros((), int), -wanted, size, jnp.full(jnp.shape(size), jnp.inf))
     return jax.lax.while_loop(unfinished, improve, start)[1]

@@ -1,4 +1,4 @@
-"""Symmetric midpoint methods that move along the coadjoint orbit by construction."""
+"""The symmetric midpoint method that moves along any coadjoint orbit by construction."""
 
 from __future__ import annotations
 
@@ -8,7 +8,6 @@ import equinox as eqx
 import jax
 import jax.numpy as jnp
 
-from polhode.algebra.matrix import AbstractMatrixAlgebra
 from polhode.errors import InvalidInput, shown
 from polhode.integrators.base import AbstractOrbitSolver, Change, Scalar
 from polhode.integrators.composition import DEFAULT_ORDER, composed, stages
@@ -72,53 +71,14 @@ class LieMidpoint(AbstractOrbitSolver):
 
         half_way = t + 0.5 * h
         start = h * self.system.generator(half_way, point)
-        found = fixed_point(lambda x: h * self.system.generator(half_way, middle(x)), start, jnp.max(jnp.abs(start)))
+        scale = jnp.max(jnp.abs(start), axis=tuple(range(-len(algebra.element_shape), 0)))
+        found = fixed_point(lambda x: h * self.system.generator(half_way, middle(x)), start, scale)
         x = found.value
         if self.coordinates == "cayley":
             moved = joined(attitude_by_cayley(attitude, x), algebra.cayley_change(x, point))
         else:
             moved = joined(attitude_by_exp(attitude, x), algebra.exp_change(x, point))
         return Change(moved, found.iterations, found.converged)
-
-
-class IsospectralMidpoint(AbstractOrbitSolver):
-    """W₀ = (1 − x†/2) W̃ (1 + x†/2), W₁ = (1 + x†/2) W̃ (1 − x†/2), x = h ξ(W̃), composed to order 2, 4, 6 or 8; implicit.
-
-    For matrix algebras of quadratic groups, so(n), su(n), sp(n); symplectic on the orbit.
-
-    Source: Modin & Viviani, Found. Comput. Math. 20 (2020) 889.
-    """
-
-    system: AbstractLiePoissonSystem
-    step_size: Float64[Array, ""]
-    own_order: int = eqx.field(static=True)
-    keeps: ClassVar[str] = "the spectrum, hence every Casimir; the Poisson structure; time reversal"
-
-    def __init__(self, system: AbstractLiePoissonSystem, step_size: Scalar, order: int = DEFAULT_ORDER) -> None:
-        stages(order)
-        if not (isinstance(system.algebra, AbstractMatrixAlgebra) and has_cayley(system)):
-            raise InvalidInput(
-                f"`IsospectralMidpoint` needs so(n), su(n) or sp(n) as matrices; got {system.algebra.name}. "
-                "Take LieMidpoint."
-            )
-        self.system, self.step_size, self.own_order = system, step_size, order
-
-    def order(self, terms: Any) -> int:
-        return self.own_order
-
-    def change(self, t: Scalar, h: Scalar, state: Double[Array, "..."]) -> Change:
-        return composed(self._stage, self.own_order, t, h, state)
-
-    def _stage(self, t: Array, h: Array, state: Array) -> Change:
-        algebra: Any = self.system.algebra
-        half_way = t + 0.5 * h
-        start = h * self.system.generator(half_way, state)
-
-        def improved(x: Array) -> Array:
-            return h * self.system.generator(half_way, algebra.cayley_middle(x, state))
-
-        found = fixed_point(improved, start, jnp.max(jnp.abs(start)))
-        return Change(algebra.cayley_change(found.value, state), found.iterations, found.converged)
 
 
 def has_cayley(system: AbstractLiePoissonSystem) -> bool:

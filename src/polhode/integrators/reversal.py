@@ -34,7 +34,7 @@ SHORTER = 8  # by which segments are shorter, at least, where one was not regain
 POWERS = BRANCHES ** np.arange(18)  # of which the last is more steps than there are hours for
 PLACES = (BRANCHES - 1) * len(POWERS) + 1
 
-Step = Callable[[Any, Any, Any, Any], tuple[Array, Array, Array, Array]]
+Step = Callable[[Any, Any, Any, Any, Any], tuple[Array, Array, Array, Array, Any]]
 Pair = tuple[Array, Array]
 
 
@@ -50,6 +50,7 @@ class Given(NamedTuple):
         lost: by the sums so far.
         iterations: so far.
         fine: whether all went well so far.
+        hint: of the steps before, which nothing is differentiated by.
     """
 
     held: list[Array]
@@ -60,34 +61,38 @@ class Given(NamedTuple):
     lost: Double[Array, "*shape"]
     iterations: Integer[Array, ""]
     fine: Bool[Array, ""]
+    hint: Any
 
 
 class Reached(NamedTuple):
-    """How many steps were taken, the state then, what the sums lost, iterations, and whether all went well."""
+    """How many steps were taken, the state then, what the sums lost, iterations, whether all went well, the hint."""
 
     steps: Integer[Array, ""]
     state: Double[Array, "*shape"]
     lost: Double[Array, "*shape"]
     iterations: Integer[Array, ""]
     fine: Bool[Array, ""]
+    hint: Any
 
 
 def repeated(step: Step, given: Given, parts: Sequence[Any], symmetric: bool, name: str) -> Reached:
     """Return where equal steps lead, with derivatives of either mode; ``held`` is found here, whatever is given.
 
     Args:
-        step: (t, h, state, lost) → the same pair after a step, its iterations, whether it went well.
+        step: (t, h, state, lost, hint) → the same pair after a step, its iterations, whether it went well, the hint for
+            the next one.
         given: from where, and how many steps; they end where one fails.
         parts: indices of a state's parts, each with a size of its own.
         symmetric: whether a step of length −h undoes one of length h.
         name: of the method.
     """
-    made = jax.make_jaxpr(step)(given.start, given.h, given.state, given.lost)
+    made = jax.make_jaxpr(step)(given.start, given.h, given.state, given.lost, given.hint)
     given = given._replace(held=[jnp.asarray(x) for x in made.consts])
-    jaxpr = made.jaxpr
+    jaxpr, hints = made.jaxpr, jax.tree.structure(given.hint)
 
-    def stepped(held: Any, t: Array, h: Array, state: Array, lost: Array) -> tuple[Array, Array, Array, Array]:
-        return tuple(jax.core.eval_jaxpr(jaxpr, held, t, h, state, lost))  # type: ignore[return-value]
+    def stepped(held: Any, t: Array, h: Array, state: Array, lost: Array, hint: Any) -> tuple[Any, ...]:
+        out = jax.core.eval_jaxpr(jaxpr, held, t, h, state, lost, *jax.tree.leaves(hint))  # type: ignore[attr-defined]
+        return *out[:4], jax.tree.map(jax.lax.stop_gradient, jax.tree.unflatten(hints, out[4:]))
 
     def forward(given: Given) -> Reached:
         def unfinished(now: Reached) -> Array:
@@ -95,10 +100,11 @@ def repeated(step: Step, given: Given, parts: Sequence[Any], symmetric: bool, na
 
         def once(now: Reached) -> Reached:
             t = given.start + now.steps * given.h
-            state, lost, iterations, fine = stepped(given.held, t, given.h, now.state, now.lost)
-            return Reached(now.steps + 1, state, lost, now.iterations + iterations, fine)
+            state, lost, iterations, fine, hint = stepped(given.held, t, given.h, now.state, now.lost, now.hint)
+            return Reached(now.steps + 1, state, lost, now.iterations + iterations, fine, hint)
 
-        first = Reached(jnp.zeros((), int), given.state, given.lost, given.iterations, given.fine)
+        hint = jax.tree.map(jax.lax.stop_gradient, given.hint)
+        first = Reached(jnp.zeros((), int), given.state, given.lost, given.iterations, given.fine, hint)
         return jax.lax.while_loop(unfinished, once, first)
 
     def back(whole: Callable[[Any], Given], moved: Any, reached: Reached, weights: Any) -> Any:
@@ -130,11 +136,13 @@ class _Way:
     def __init__(self, stepped: Any, whole: Callable[[Any], Given], moved: Any, parts: Sequence[Any]) -> None:
         self.stepped, self.whole, self.moved, self.parts = stepped, whole, moved, parts
         self.given = whole(moved)
+        # on the way back no step knows what those before it knew
+        self.no_hint = jax.tree.map(jnp.zeros_like, self.given.hint)
 
     def one(self, moved: Any, k: Array, state: Array, lost: Array) -> Pair:
         """Return the state after the k-th step as a function of what moves and the state before."""
         given = self.whole(moved)
-        return self.stepped(given.held, given.start + k * given.h, given.h, state, lost)[:2]
+        return self.stepped(given.held, given.start + k * given.h, given.h, state, lost, self.no_hint)[:2]
 
     def back(self, reached: Reached, weights: Any, longest: int) -> Any:
         """Return the cotangents of what moves from those of the state at the end."""
@@ -145,10 +153,11 @@ class _Way:
         )  # fmt: skip
         # a motion that failed has no derivative to bring back
         fine = reached.fine & jnp.all(jnp.isfinite(reached.state))
-        end = _Back(
-            jnp.where(fine, reached.steps, 0), (reached.state, reached.lost), tuple(weights),
-            [jnp.zeros_like(x) for x in self.moved],
-        )  # fmt: skip
+        count, last = jnp.where(fine, reached.steps, 0), (reached.state, reached.lost)
+        if jax.tree.leaves(given.hint):
+            # the end without hints, from which the states before can be regained to rounding
+            last = self._ahead(jnp.zeros((), int), count, (given.state, given.lost))
+        end = _Back(count, last, tuple(weights[:2]), [jnp.zeros_like(x) for x in self.moved])
 
         def unfinished(carried: tuple[_Back, _Saved, Array]) -> Array:
             return carried[0].at > 0
@@ -191,7 +200,7 @@ class _Way:
         def once(carried: tuple[_Back, Array, Array]) -> tuple[_Back, Array, Array]:
             now, sizes, _ = carried
             k = now.at - 1
-            state = self.stepped(given.held, given.start + now.at * given.h, -given.h, *now.state)[:2]
+            state = self.stepped(given.held, given.start + now.at * given.h, -given.h, *now.state, self.no_hint)[:2]
             sizes = jnp.maximum(sizes, self._sizes(state[0]))
             gaps = self._sizes((state[0] - first[0]) + (state[1] - first[1]))
             # at the segment's start the state is known, and counts instead of what was regained

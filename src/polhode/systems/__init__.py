@@ -28,6 +28,7 @@ from polhode.systems.rolling_dissipation import (
     ViscousContourFriction,
 )
 from polhode.systems.sphere_fluid import SphereFluid
+from polhode.systems.sphere_mhd import SphereMHD
 from polhode.systems.spin_lattice import SpinLattice
 from polhode.systems.spin_orbit import SpinOrbit
 from polhode.systems.toda import Toda
@@ -73,6 +74,7 @@ __all__ = [
     "Rotor",
     "RotorInBody",
     "SphereFluid",
+    "SphereMHD",
     "SphereVortices",
     "SphericalSlug",
     "SpinLattice",

@@ -8,13 +8,19 @@ from typing import Any, ClassVar
 import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
-from scipy.special import sph_harm_y
 
 from polhode.algebra.quantized_sphere import QuantizedSphere
 from polhode.algebra.sphere_laplacian import inverse_laplacian
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
 from polhode.systems.base import AbstractLiePoissonSystem, Function
+from polhode.systems.sphere_harmonics import (
+    checked_coefficients,
+    checked_energies,
+    inverse_squares,
+    on_map,
+    random_coefficients,
+)
 from polhode.types import Array, ArrayLike, Complex128, Float64, Real
 
 Matrices = Complex128[Array, "*batch n n"]
@@ -106,22 +112,7 @@ class SphereFluid(AbstractLiePoissonSystem):
         Raises:
             InvalidInput: for degrees and orders outside, f_l0 that are not real, or values that are not finite.
         """
-        n = self.size
-        if isinstance(coefficients, dict):
-            table = np.zeros((n, n), complex)
-            for place, value in coefficients.items():
-                pair = isinstance(place, tuple) and len(place) == 2
-                if not (pair and 1 <= place[0] < n and 0 <= place[1] <= place[0]):
-                    raise InvalidInput(
-                        f"`coefficients` must be by (l, m) with 1 ≤ l < {n} and 0 ≤ m ≤ l; got {shown(place)}."
-                    )
-                table[place] = value
-        else:
-            table = np.array(coefficients, complex)
-        if table.shape != (n, n) or not np.isfinite(table).all():
-            raise InvalidInput(f"`coefficients` must be finite, of shape ({n}, {n}); got shape {table.shape}.")
-        if np.imag(table[:, 0]).any() or table[0].any():
-            raise InvalidInput("`coefficients` must be real for m = 0, and none for l = 0: the vorticity has no mean.")
+        table = checked_coefficients(self.size, coefficients)
         return self.algebra.from_harmonics(jnp.asarray(table)) + self.planetary
 
     def to_harmonics(self, state: Matrices) -> Complex128[Array, "*batch n n"]:
@@ -139,16 +130,8 @@ class SphereFluid(AbstractLiePoissonSystem):
         Raises:
             InvalidInput: for energies that are negative or not finite, or too many.
         """
-        wanted = np.asarray(spectrum, float)
-        if wanted.ndim != 1 or len(wanted) > self.size or not (np.isfinite(wanted).all() and (wanted >= 0).all()):
-            raise InvalidInput(f"`spectrum` must be at most {self.size} energies, not negative; got {shown(spectrum)}.")
-        rng = np.random.default_rng(seed)
-        table = np.zeros((self.size, self.size), complex)
-        for degree in range(1, len(wanted)):
-            row = rng.normal(size=degree + 1) + 1j * rng.normal(size=degree + 1) * (np.arange(degree + 1) > 0)
-            energy = 0.5 * (row[0].real ** 2 + 2.0 * np.sum(np.abs(row[1:]) ** 2)) / (degree * (degree + 1.0))
-            table[degree, : degree + 1] = row * math.sqrt(wanted[degree] / energy)
-        return self.from_harmonics(table)
+        wanted, rng = checked_energies(self.size, spectrum), np.random.default_rng(seed)
+        return self.from_harmonics(random_coefficients(self.size, wanted, inverse_squares(self.size), rng))
 
     @known_numbers_only
     def vortex(self, strength: float, direction: Real[ArrayLike, "3"]) -> Complex128[Array, "n n"]:
@@ -174,8 +157,7 @@ class SphereFluid(AbstractLiePoissonSystem):
         """Return the energies E_l (…, N) by degree; they add up to ``energy``."""
         f = self.to_harmonics(state)
         squares = jnp.abs(f[..., 0]) ** 2 + 2.0 * jnp.sum(jnp.abs(f[..., 1:]) ** 2, axis=-1)
-        degree = np.arange(self.size)
-        return 0.5 * squares / np.where(degree > 0, degree * (degree + 1.0), np.inf)
+        return 0.5 * squares * inverse_squares(self.size)
 
     def energy_transfer(self, state: Matrices) -> Float64[Array, "*batch n"]:
         """Return the rates (…, N) at which each degree's E_l gains energy from the others; they add up to zero.
@@ -202,12 +184,4 @@ class SphereFluid(AbstractLiePoissonSystem):
         self, state: Matrices, colatitude: Real[ArrayLike, "rows"], azimuth: Real[ArrayLike, "columns"]
     ) -> Float64[Array, "*batch rows columns"]:
         """Return the relative vorticity (…, rows, columns) at colatitudes and azimuths [rad]."""
-        f = np.asarray(self.to_harmonics(state))
-        theta, phi = np.asarray(colatitude, float), np.asarray(azimuth, float)
-        degree = np.arange(self.size)
-        total = np.zeros((*f.shape[:-2], len(theta), len(phi)))
-        for m in range(self.size):
-            along = f[..., m:, m] @ sph_harm_y(degree[m:, None], m, theta[None, :], 0.0)
-            waves = along[..., None] * np.exp(1j * m * phi)
-            total += (1.0 if m == 0 else 2.0) * waves.real
-        return total
+        return on_map(self.to_harmonics(state), colatitude, azimuth)
