@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import polhode as ph
-from oracle.lagrange_families import draw_tops
+from oracle.lagrange_families import TopCase, draw_tops
 from oracle.test_lagrange_motion import WORST_ERROR, errors
 
 pytest.importorskip("numba", reason="Numba is not installed; the extra `fast` has it")
@@ -97,6 +97,34 @@ def check_many(per_family, seed, left, announce):
 def test_many_tops_are_exact_in_every_family(left, announce):
     """Set-up too, of all tops at once; those that the kernel leaves to NumPy stand among them."""
     check_many(PER_FAMILY_OF_MANY, 8, left, announce)
+
+
+def tops_next_to_the_separatrix(count):
+    """Tops of any attitude on the separatrix, were it not for the rounding of their momenta; times up to 1e12 turns."""
+    rng = np.random.default_rng(1)
+    for _ in range(count):
+        attitude = rng.normal(size=4)
+        attitude /= np.linalg.norm(attitude)
+        I1, I3, mgl = *rng.uniform(0.2, 2.0, 2), 10.0 ** rng.uniform(-1.0, 1.0)
+        alpha, beta, G = complex(*attitude[[0, 3]]), complex(*attitude[[1, 2]]), 2.0 * mgl * I1
+        s, t = abs(beta) ** 2, abs(alpha) ** 2
+        # p_φ = L3 makes Im β̄αw = s L3, and |w|² = 2 G s the rest
+        spin = rng.uniform(-1.0, 1.0) * np.sqrt(2.0 * t * G)
+        w = complex(np.sqrt(2.0 * s * s * t * G - (s * spin) ** 2), s * spin) / (beta.conjugate() * alpha)
+        momentum = (w.real, w.imag, float(spin))
+        rate = np.abs(momentum).max() / I1 + np.sqrt(mgl / I1)
+        time = float(10.0 ** rng.uniform(2.0, 12.0) / rate)
+        yield TopCase("rounded separatrix", (I1, I1, I3), float(mgl), momentum, tuple(map(float, attitude)), time)
+
+
+def test_what_rounding_leaves_of_the_separatrix_is_summed_exactly(left):
+    """Double-double alone is wrong by 1e7 eps here: c, F and D vanish together, and how long tops linger tells them."""
+    cases = list(tops_next_to_the_separatrix(60))
+    *top, times = batch(cases)
+    motion = ph.LagrangeMotion(*top)
+    attitude, momentum = motion.state(times)
+    assert not left[0].any() and np.median(motion.nutation_period * np.sqrt(top[1] / top[0][:, 0])) > 30.0
+    assert max(max(errors(attitude[k], momentum[k], case)) for k, case in enumerate(cases)) <= WORST_ERROR
 
 
 @pytest.mark.sweep
