@@ -265,3 +265,39 @@ def test_bad_input(more, words):
 def test_simulate_refuses_functions_and_says_who_takes_them():
     with pytest.raises(InvalidInput, match=r"polhode\.solve.* takes functions"):
         ph.simulate(BODY, START, TIMES, save=lambda t, L: L)  # pyright: ignore[reportArgumentType]
+
+
+def fluid_in_three_parts():
+    fluid = systems.SphereFluid(6)
+    return fluid, fluid.random([0.0, 1.0, 1.0, 0.5], seed=1), ph.integrators.IsospectralMidpoint, {"order": 2}
+
+
+def body_in_three_parts():
+    return BODY, np.stack([START, 3.0 * START]), None, {}
+
+
+@pytest.mark.parametrize("given", [fluid_in_three_parts, pytest.param(body_in_three_parts, marks=pytest.mark.sweep)])
+def test_a_run_goes_on_from_what_was_saved_to_the_same_bits(given, tmp_path):
+    system, state, method, more = given()
+    times = np.linspace(0.0, 3.0, 31)
+    whole = ph.solve(system, state, times, method, 0.05, **more)
+    now, memory, steps = state, None, 0
+    for begin, end in ((0, 7), (7, 18), (18, 30)):
+        found = ph.solve(system, now, times[begin : end + 1], method, 0.05, memory=memory, **more)
+        eqx.tree_serialise_leaves(tmp_path / "run.eqx", (found.end_state, found.memory))
+        now, memory = eqx.tree_deserialise_leaves(tmp_path / "run.eqx", (found.end_state, found.memory))
+        steps = found.steps
+    assert np.array_equal(now, whole.end_state) and np.array_equal(steps, whole.steps)
+    for one, other in zip(jax.tree.leaves(memory), jax.tree.leaves(whole.memory), strict=True):
+        assert np.array_equal(one, other)
+    afresh = ph.solve(system, found.end_state, times[:2], method, 0.05, **more).memory
+    assert not np.array_equal(afresh.steps, steps)
+
+
+def test_the_memory_of_another_method_is_refused():
+    system, state, method, _ = fluid_in_three_parts()
+    memory = ph.solve(BODY, START, TIMES).memory
+    with pytest.raises(InvalidInput, match="`memory` must be that of a run of IsospectralMidpoint"):
+        ph.solve(system, state, TIMES, method, 0.05, order=2, memory=memory)
+    with pytest.raises(InvalidInput, match="begin anew"):
+        ph.solve(BODY, START, TIMES, ADAPTIVE, memory=memory)

@@ -19,7 +19,7 @@ from polhode.algebra.so3 import SO3
 from polhode.arrays import in_jax_numpy, is_traced, refuse_single_precision
 from polhode.errors import InvalidInput, shown
 from polhode.integrators.adaptive import TOLERANCE
-from polhode.integrators.base import AbstractOrbitSolver
+from polhode.integrators.base import AbstractOrbitSolver, Memory
 from polhode.integrators.lie_midpoint import LieMidpoint
 from polhode.integrators.sampled import Observe, Sampled, as_floats, sampled_by_either_mode
 from polhode.integrators.spherical_midpoint import SphericalMidpoint
@@ -58,6 +58,8 @@ class Solution(NamedTuple):
         end_state: (batch…, …) the state then.
         steps: (batch…) how many were taken.
         iterations: (batch…) evaluations in implicit steps.
+        memory: what a method of ours carries along, a nest of arrays; with ``end_state`` all that it takes to go on to
+            the same bits. None of diffrax's solvers.
     """
 
     times: Float64[Array, "kept"]
@@ -69,6 +71,7 @@ class Solution(NamedTuple):
     end_state: Double[Array, "..."]
     steps: Integer[Array, "*batch"]
     iterations: Integer[Array, "*batch"]
+    memory: Memory | None = None
 
 
 def solve(
@@ -80,6 +83,7 @@ def solve(
     order: int | None = None,
     tolerance: Real[ArrayLike, ""] | None = None,
     save: int | Observe | Fold | None = None,
+    memory: Memory | None = None,
 ) -> Solution:
     """Return the motion of a system from a state at the first time, as a pure function of arrays.
 
@@ -105,6 +109,9 @@ def solve(
         tolerance: of a step of diffrax's solvers, relative; by default 1e-12.
         save: every how many-th of the times to save; or a function of time and one state, whose values are saved
             instead; or a ``Fold``, whose result does not grow with the times, and which needs one of our methods.
+        memory: that of an earlier run by the same method and step, whose ``end_state`` is given as the state: then the
+            motion goes on as if it had not been interrupted. Saved with ``equinox.tree_serialise_leaves``, it serves
+            another day. ``steps`` and ``iterations`` count on.
 
     Raises:
         InvalidInput: for wrong shapes and arguments, and for known numbers that are wrong: times out of order, a step
@@ -126,7 +133,9 @@ def solve(
         if goes_along_orbit(system, method):
             if tolerance is not None:
                 raise InvalidInput("`tolerance` goes with diffrax's solvers; give `step`, or let `simulate` choose it.")
-            return _by_equal_steps(system, state, times, method, step, order, every, observe)
+            return _by_equal_steps(system, state, times, method, step, order, every, observe, memory)
+        if memory is not None:
+            raise InvalidInput("`memory` goes with the methods of polhode.integrators; diffrax's solvers begin anew.")
         solver = adaptive_solver(system, method, order)
         if isinstance(observe, Fold):
             raise InvalidInput(
@@ -202,7 +211,7 @@ def _adaptively(
 
 def _by_equal_steps(
     system: Any, state: Array, times: Array, method: Any, step: Array | None, order: int | None, every: int,
-    observe: Any,
+    observe: Any, memory: Memory | None,
 ) -> Solution:  # fmt: skip
     if isinstance(method, AbstractOrbitSolver):
         if step is not None or order is not None:
@@ -212,13 +221,30 @@ def _by_equal_steps(
         solver, step = eqx.tree_at(lambda s: s.system, method, system), method.step_size
     else:
         solver = orbit_solver(system, method, order)
-    return _run(solver, state, jnp.asarray(times), step, every, observe)
+    if memory is not None:
+        _check_memory(solver, state, memory)
+    return _run(solver, state, jnp.asarray(times), step, every, observe, memory)
+
+
+def _check_memory(solver: AbstractOrbitSolver, state: Array, memory: Memory) -> None:
+    """Refuse a memory that is not of this method and these states."""
+    fresh = solver.memory
+    for _ in range(jnp.ndim(state) - solver.system.state_axes):
+        fresh = jax.vmap(fresh)
+    wanted, given = jax.eval_shape(fresh, jnp.asarray(state)), jax.tree.map(jnp.asarray, memory)
+    shapes = [[(x.shape, x.dtype) for x in jax.tree.leaves(nest)] for nest in (wanted, given)]
+    if jax.tree.structure(wanted) != jax.tree.structure(given) or shapes[0] != shapes[1]:
+        raise InvalidInput(
+            f"`memory` must be that of a run of {type(solver).__name__} from states of the same shape, at the same "
+            "order; leave it out to begin anew."
+        )
 
 
 @eqx.filter_jit
 def _run(
-    solver: AbstractOrbitSolver, state: Array, times: Array, step: Array | None, every: int, observe: Any
-) -> Solution:
+    solver: AbstractOrbitSolver, state: Array, times: Array, step: Array | None, every: int, observe: Any,
+    memory: Memory | None,
+) -> Solution:  # fmt: skip
     system, state = solver.system, jnp.asarray(state)
     batch = state.ndim - system.state_axes
     if step is None:
@@ -227,16 +253,18 @@ def _run(
         sizes = jnp.where(jnp.asarray(step) > 0.0, step, jnp.nan) * jnp.ones(state.shape[:batch])
     sizes = jnp.minimum(jax.lax.stop_gradient(sizes), jnp.max(jnp.abs(jnp.diff(times))))
 
-    def one(state: Array, size: Array) -> Solution:
-        return _run_one(solver, state, size, times, every, observe)
+    def one(state: Array, size: Array, memory: Memory | None) -> Solution:
+        return _run_one(solver, state, size, times, every, observe, memory)
 
     for _ in range(batch):
         one = jax.vmap(one)
-    found = one(state, sizes)
+    found = one(state, sizes, memory)
     return found._replace(times=times[::every])
 
 
-def _run_one(solver: Any, state: Array, size: Array, times: Array, every: int, observe: Any) -> Solution:
+def _run_one(
+    solver: Any, state: Array, size: Array, times: Array, every: int, observe: Any, memory: Memory | None
+) -> Solution:
     solver = eqx.tree_at(lambda s: s.step_size, solver, size)
     state = jnp.where(size > 0.0, state, jnp.nan)
     fold = isinstance(observe, Fold)
@@ -259,15 +287,16 @@ def _run_one(solver: Any, state: Array, size: Array, times: Array, every: int, o
     whole = jax.tree.map(lambda x: x[: groups * every].reshape(groups, every), intervals)
     rest = jax.tree.map(lambda x: x[groups * every :], intervals)
     value = observe.function(observe.start, times[0], state) if fold else None
-    carried, saved = jax.lax.scan(together, (state, solver.memory(state), value), whole)
-    (last, memory, value), _ = jax.lax.scan(over, carried, rest)
+    begun = solver.memory(state) if memory is None else memory
+    carried, saved = jax.lax.scan(together, (state, begun, value), whole)
+    (last, after, value), _ = jax.lax.scan(over, carried, rest)
     if not fold:
         first = seen(times[0], state)
         value = jax.tree.map(lambda x, xs: jnp.concatenate([x[None], xs]), first, saved)
-    fine = memory.fine
+    fine = after.fine
     return Solution(
         times, value, {}, jnp.where(fine, Status.COMPLETED, Status.NOT_CONVERGED), jnp.asarray(-1),
-        jnp.where(fine, times[-1], jnp.nan), last, memory.steps, memory.iterations,
+        jnp.where(fine, times[-1], jnp.nan), last, after.steps, after.iterations, after,
     )  # fmt: skip
 
 

@@ -60,6 +60,7 @@ LEFT_OUT = {
     "random": "refuses traced numbers, see test_refused_when_traced",
     "on_grid": "refuses traced numbers, see test_refused_when_traced",
     "vortex": "refuses traced numbers, see test_refused_when_traced",
+    "SphereFluid.cost": "takes whole numbers, and is tested in tests/systems/test_sphere_fluid.py",
     "layout": "says what numbers mean, and returns none",
     "part": "takes the name of a part of a state",
     "parts": "takes a state apart, and is called by the others",

@@ -208,13 +208,31 @@ def test_energies_add_up_and_maps_show_the_function():
     assert fluid.on_grid(single, theta, phi) == pytest.approx(exact, abs=1e-13)
 
 
+@pytest.mark.parametrize("samples", [2, pytest.param(21, marks=pytest.mark.sweep)])
+def test_memory_is_what_was_said_beforehand(samples):
+    n = 16
+    fluid, state = flow(n)
+
+    def run(state):
+        return ph.solve(fluid, state, np.linspace(0.0, 1.0, samples), IsospectralMidpoint, 0.01, order=2)
+
+    told = jax.jit(run).lower(state).compile().memory_analysis()
+    held = told.temp_size_in_bytes + told.output_size_in_bytes + told.argument_size_in_bytes
+    assert fluid.cost(100, samples).bytes == pytest.approx(held, rel=0.15)
+    assert fluid.cost(100).seconds == pytest.approx(100 * fluid.cost().seconds)
+    # eight times the work and four times the memory at twice N, where N is large
+    ratio = np.array(SphereFluid(2048).cost()) / SphereFluid(1024).cost()
+    assert ratio == pytest.approx([8.0, 4.0], rel=0.05)
+
+
 @pytest.mark.parametrize(
     ("call", "said"),
     [(lambda: SphereFluid(2), "`n`"), (lambda: SphereFluid(8, np.nan), "`rotation`"),
      (lambda: SphereFluid(8).from_harmonics({(8, 0): 1.0}), "1 ≤ l < 8"),
      (lambda: SphereFluid(8).from_harmonics({(2, 0): 1j}), "real for m = 0"),
      (lambda: SphereFluid(8).random([0.0, -1.0]), "`spectrum`"), (lambda: QuantizedSphere(1), "whole number"),
-     (lambda: SphereFluid(8).vortex(1.0, (0, 0, 0)), "`direction`")],
+     (lambda: SphereFluid(8).vortex(1.0, (0, 0, 0)), "`direction`"),
+     (lambda: SphereFluid(8).cost(0), "`steps`"), (lambda: SphereFluid(8).cost(1, 0), "`samples`")],
 )  # fmt: skip
 def test_what_is_refused(call, said):
     with pytest.raises(InvalidInput, match=said):

@@ -27,7 +27,6 @@ from polhode.types import Array, Float64
 ANGLE = 0.25  # rad that the fastest rotation turns in a step: shorter steps cost more iterations in all than they save
 TURNOVERS = 15.0  # of eddies, unless the spec says how long
 MEMORY = 2**27  # bytes of states that are kept: of large matrices fewer samples
-FIXED, CUBIC = 2e-4, 1.2e-8  # s that a step takes, and for each N³, measured at N = 64 and 128
 LISTED = 12  # degrees of the spectrum in the text
 
 
@@ -179,7 +178,7 @@ def report_of(spec: Spec) -> FluidReport:
     # the fastest planetary wave goes round at Ω, however slow the flow is
     fastest = max(float(turning_rates(fluid, state, times)), abs(table.rotation))
     step = ANGLE / fastest if fastest else until
-    shown = check_length(spec.until, times, until / step, FIXED + CUBIC * fluid.size**3,
+    shown = check_length(spec.until, times, until / step, fluid.cost().seconds,
                          "A lower `resolution` is quicker.")  # fmt: skip
     trajectory = simulate(
         fluid, state, times, IsospectralMidpoint, step=step, order=2, progress=shown, estimate_error=False
