@@ -81,7 +81,7 @@ def test_errors_cover_the_truth():
 @pytest.mark.sweep
 @pytest.mark.parametrize(("truth", "names"), [(BENT, S_NAMES), (WATER, A_NAMES)], ids=["S", "A"])
 def test_coverage_in_five_hundred_runs(truth, names):
-    covered = check_coverage(truth, names, measured(truth, 10, 1e5, 250, 5e12), 500, 0.93, 0.97)
+    covered = check_coverage(truth, names, measured(truth, 8, 1e5, 150, 5e12), 500, 0.93, 0.97)
     assert (covered > 0.92).all() and (covered < 0.98).all()
 
 
