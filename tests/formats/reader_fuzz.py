@@ -26,6 +26,7 @@ import numpy as np
 import polhode as ph
 from polhode import formats
 from polhode.errors import InvalidInput
+from polhode.quantum import DEBYE, MeasuredLines, Rotor
 
 CPU_SECONDS, WALL_SECONDS = 10, 300  # a case may take; the second is for what waits
 MORE_MEMORY = 10**9  # bytes that a case may add to the process
@@ -223,10 +224,27 @@ def read_molecule(path: Path) -> None:
         pass
 
 
+def read_catalogue(path: Path) -> None:
+    found = formats.read_cat(path)
+    assert np.isfinite([found.frequency, found.error, found.log_intensity, found.lower_energy]).all()
+    assert len(found.frequency) == len(found.upper) == len(found.lower) == len(found.text or ())
+
+
+def read_lines(path: Path) -> None:
+    found = formats.read_lin(path)
+    assert np.isfinite([found.value, found.error, found.weight]).all() and found.upper.shape == found.lower.shape
+
+
+def read_constants(path: Path) -> None:
+    found = formats.read_par(path)
+    assert np.isfinite([found.value, found.error]).all() and len(found.code) == len(found.label)
+
+
 PDB = "".join(f"ATOM  {k:5d}  {s}   HOH A   1    {x:8.3f}{0:8.3f}{1:8.3f}  1.00  0.00           {s}\n"
               for k, (s, x) in enumerate((("O", 0.0), ("H", 0.7), ("H", -0.7)), 1)) + "END\n"  # fmt: skip
 MOL = "a\n\n\n  2  1  0  0  0  0  0  0  0  0999 V2000\n" + "".join(
     f"    0.0000    0.0000{z:10.4f} H   0  0\n" for z in (0.0, 0.74)) + "  1  2  1  0\nM  END\n"  # fmt: skip
+ROTOR = Rotor((27e9, 14e9, 9e9), {"D_J": 1e3, "d1": -20.0}, "S", "Ir", dipole=(0.0, DEBYE, 0.0))
 EXTXYZ = '2\nProperties=species:S:1:pos:R:3:masses:R:1 energy=-1.5 pbc="F F F"\nH 0 0 0 2.014\nH 0 0 0.74 1.008\n'
 
 
@@ -248,6 +266,11 @@ def specimens(folder: Path, names: list[str]) -> dict[str, Specimen]:
     formats.write_urdf_inertial(ph.shapes.box(12.0, (1.0, 2.0, 3.0)), folder / "a.urdf", principal=True)
     formats.write_aem(motion, folder / "a.aem", LABELS, rates="angular velocity")
     formats.write_csv(motion, folder / "a.csv")
+    lines = ROTOR.lines(3, 300.0)
+    formats.write_cat(formats.catalogue_of(lines), folder / "a.cat")
+    seen = MeasuredLines(lines.upper, lines.lower, lines.frequency, np.full(len(lines.frequency), 1e4))
+    formats.write_lin(formats.line_list(seen), folder / "a.lin")
+    formats.write_par(formats.constant_table(ROTOR), folder / "a.par")
     shutil.copy(folder / "a.csv", folder / "columns.csv")
     motion = replace(motion, frame=frame)
     formats.write_dataset(motion, folder / "a.nc")
@@ -261,6 +284,9 @@ def specimens(folder: Path, names: list[str]) -> dict[str, Specimen]:
     found = binary | texts | molecules | {
         "a.urdf": Specimen(folder / "a.urdf", in_text, read_body),
         "a.aem": Specimen(folder / "a.aem", in_text, read_trajectory(formats.read_aem)),
+        "a.cat": Specimen(folder / "a.cat", in_text, read_catalogue),
+        "a.lin": Specimen(folder / "a.lin", in_text, read_lines),
+        "a.par": Specimen(folder / "a.par", in_text, read_constants),
         "a.csv": Specimen(folder / "a.csv", in_text, read_trajectory(formats.read_csv)),
         "columns.csv": Specimen(folder / "columns.csv", in_text, read_trajectory(read_table)),
         "a.nc": Specimen(folder / "a.nc", in_hdf5, read_trajectory(formats.read_dataset)),

@@ -17,7 +17,8 @@ from formats.reader_fuzz import Specimen, complaint
 from polhode.errors import FormatError
 
 WORKER = Path(reader_fuzz.__file__)
-TEXTS = ["ascii.stl", "ascii.ply", "a.obj", "a.off", "a.gltf", "water.xyz", "ext.xyz", "a.pdb", "a.mol", "a.urdf"]
+TEXTS = ["ascii.stl", "ascii.ply", "a.obj", "a.off", "a.gltf", "water.xyz", "ext.xyz", "a.pdb", "a.mol", "a.urdf",
+         "a.cat", "a.lin", "a.par"]  # fmt: skip
 DATASETS = ["a.nc", "a.zarr"]  # forty milliseconds a file, ten times the others
 
 

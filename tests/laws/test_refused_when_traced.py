@@ -158,6 +158,8 @@ REFUSED = {
     "Racket.ensemble": (THREE, quantum.Racket((3.0, 2.0, 1.0), 3).ensemble),
     "Rotor.partition_function": (300.0, quantum.Rotor((3.0, 2.0, 1.0)).partition_function),
     "Rotor.lines": (300.0, lambda x: quantum.Rotor((3.0, 2.0, 1.0), dipole=AXIS).lines(1, x)),
+    "fit_rotor": (1.0, lambda x: quantum.fit_rotor(quantum.Rotor((3.0, 2.0, 1.0)), quantum.MeasuredLines(
+        np.array([[1, 0, 1]]), np.array([[0, 0, 0]]), x * np.ones(1), np.ones(1)), ["B"])),
     "find_equilibria": (AXIS, lambda x: ph.find_equilibria(BODY, x)),
     "simulate": (THREE, lambda x: ph.simulate(BODY, x, (0.0, 1.0))),
     "first_method": (EYE, first_method.first_method),

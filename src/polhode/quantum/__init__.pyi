@@ -1,3 +1,6 @@
+from .fitting import RotorFit as RotorFit
+from .fitting import fit_rotor as fit_rotor
+from .measured import MeasuredLines as MeasuredLines
 from .operators import Reduction as Reduction
 from .operators import Representation as Representation
 from .racket import Racket as Racket

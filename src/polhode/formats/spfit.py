@@ -1,0 +1,141 @@
+"""Lists of measured lines, ``.lin``, as SPFIT takes them: twelve fields of three columns, then free numbers.
+
+Source: Pickett, J. Mol. Spectrosc. 148 (1991) 371.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from polhode.errors import FormatError, InvalidInput, shown
+from polhode.formats.fixed_columns import Field, rows_of, text_of
+from polhode.formats.numerals import read_number
+from polhode.formats.opening import MB, read_text
+from polhode.formats.paths import written_whole
+from polhode.formats.spcat import HERTZ_OF_WAVE_NUMBER
+from polhode.quantum import MeasuredLines
+from polhode.types import Array, Float64, Integer
+
+LARGEST_FILE = 128 * MB
+NUMBERS = [Field(f"quantum number {k + 1}", 3 * k, 3) for k in range(12)]
+FREE = 36  # where the fixed columns end
+HERTZ_OF_MEGAHERTZ = 1e6
+Row = tuple[tuple[int, ...], tuple[int, ...], float, float, float]
+
+
+@dataclass(frozen=True, eq=False)
+class LineList:
+    """Measured lines as a ``.lin`` file has them.
+
+    Attributes:
+        upper, lower: (n, k) quantum numbers, such as J, K_a, K_c.
+        value, error: (n,) frequencies and their errors [MHz]; both [cm⁻¹] where the error is negative.
+        weight: (n,) of the member of a blend. Neighbours of the same value and error are one.
+        text: the lines as they were read; ``write_lin`` keeps those that still say the same.
+    """
+
+    upper: Integer[Array, "n k"]
+    lower: Integer[Array, "n k"]
+    value: Float64[Array, "n"]
+    error: Float64[Array, "n"]
+    weight: Float64[Array, "n"]
+    text: tuple[str, ...] | None = None
+
+    def measured(self) -> MeasuredLines:
+        """Return the lines of an asymmetric top in Hz, for ``fit_rotor``.
+
+        Raises:
+            InvalidInput: for levels that are not J, K_a, K_c.
+        """
+        if self.upper.shape[1] != 3:
+            raise InvalidInput(
+                f"the lines must have three quantum numbers for each level, J, Ka, Kc; these have "
+                f"{self.upper.shape[1]}. Only rotors without vibration and spins are fitted."
+            )
+        unit = np.where(self.error < 0.0, HERTZ_OF_WAVE_NUMBER, HERTZ_OF_MEGAHERTZ)
+        return MeasuredLines(self.upper, self.lower, self.value * unit, np.abs(self.error) * unit, self.weight)
+
+
+def read_lin(path: str | Path) -> LineList:
+    """Return the lines of a ``.lin`` file.
+
+    Raises:
+        InvalidInput: if it is missing.
+        FormatError: naming line and columns of what is not as it must be.
+    """
+    path = Path(path)
+    remedy = "A list of lines has twelve fields of three columns, then frequency, error and perhaps a weight."
+    found = list(rows_of(path, read_text(path, "list of lines", LARGEST_FILE), _row, remedy))
+    rows = [row for row, _ in found]
+    for k, row in enumerate(rows):
+        if len(row[0]) != len(rows[0][0]):
+            raise FormatError(f"{path}, entry {k + 1}: has {len(row[0])} quantum numbers for each level, and the first "
+                              f"has {len(rows[0][0])}. Write as many in every line.")  # fmt: skip
+    upper, lower, value, error, weight = (np.array(column) for column in zip(*rows, strict=True))
+    return LineList(upper, lower, value, error, weight, tuple(text for _, text in found))
+
+
+def write_lin(lines: LineList, path: str | Path) -> None:
+    """Write a ``.lin`` file; numbers have as many digits as they need to be read back as they are.
+
+    What was read by ``read_lin`` and not changed is written as it was, byte for byte, comments included.
+
+    Raises:
+        InvalidInput: for quantum numbers that do not fit into their columns, or a place that cannot be written to.
+    """
+    ends = ([tuple(row) for row in np.asarray(part).tolist()] for part in (lines.upper, lines.lower))
+    numbers = (np.asarray(part, float).tolist() for part in (lines.value, lines.error, lines.weight))
+    rows: list[Row] = list(zip(*ends, *numbers, strict=True))
+    text = text_of(rows, lines.text, _row, _line)
+    with written_whole(path) as draft:
+        draft.write_bytes(text.encode())
+
+
+def line_list(lines: MeasuredLines) -> LineList:
+    """Return measured lines as a ``.lin`` file has them, in MHz."""
+    weight = np.ones(len(lines.frequency)) if lines.weight is None else lines.weight
+    return LineList(lines.upper, lines.lower, lines.frequency / HERTZ_OF_MEGAHERTZ, lines.error / HERTZ_OF_MEGAHERTZ,
+                    weight)  # fmt: skip
+
+
+def _row(line: str) -> Row:
+    """Return the numbers of a line.
+
+    Raises:
+        ValueError: naming columns.
+    """
+    words = [line[field.begin : field.begin + 3].strip() for field in NUMBERS]
+    filled = [k for k, word in enumerate(words) if word]
+    count = len(filled)
+    if not count or count % 2 or filled != list(range(count)):
+        raise ValueError(f"columns 1 to 36: must hold as many upper as lower quantum numbers, one after the other; got "
+                         f"{shown(line[:FREE].rstrip())}")  # fmt: skip
+    found = [field.whole(line) for field in NUMBERS[:count]]
+    free = [word for word in re.split(r"[\s,]+", line[FREE:].split("/")[0]) if word]
+    try:
+        value, error = (read_number(word) for word in free[:2])
+    except ValueError as problem:
+        why = f"must be a frequency and its error; got {shown(line[FREE:].strip())}"
+        raise ValueError(f"columns {FREE + 1} and on: {why}: each {problem}" if len(free) > 1 else
+                         f"columns {FREE + 1} and on: {why}") from None  # fmt: skip
+    try:
+        weight = read_number(free[2]) if len(free) > 2 else 1.0
+    except ValueError:
+        weight = 1.0  # a comment
+    return tuple(found[: count // 2]), tuple(found[count // 2 :]), value, error, weight
+
+
+def _line(row: Row) -> str:
+    """Return a line of numbers.
+
+    Raises:
+        ValueError: naming columns that are too narrow.
+    """
+    upper, lower, *numbers = row
+    fixed = "".join(field.written(value) for field, value in zip(NUMBERS, (*upper, *lower), strict=False))
+    value, error, weight = (repr(number) for number in numbers)
+    return f"{fixed.ljust(FREE)} {value:>18} {error:>12} {weight:>6}"

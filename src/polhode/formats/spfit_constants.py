@@ -1,0 +1,213 @@
+"""Constants of molecules, ``.par`` and ``.var``, as SPFIT and SPCAT take them: codes of operators and their numbers.
+
+Codes: 10000, 20000, 30000 A, B, C; 1000 n + 100 m times J^{2m} J_z^{2n}; 10000 (q + 3) more times J₊^{2q} + J₋^{2q}.
+The numbers are those of the operators, so that 200 is −D_J. Source: Pickett, J. Mol. Spectrosc. 148 (1991) 371.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from polhode.errors import FormatError, InvalidInput, shown
+from polhode.formats.numerals import read_number
+from polhode.formats.opening import MB, read_text
+from polhode.formats.paths import written_whole
+from polhode.quantum import Reduction, Representation, Rotor
+from polhode.quantum.operators import TERMS, Term
+from polhode.types import Array, Float64, Integer, Real
+
+LARGEST_FILE = 16 * MB
+FIXED = 1e-37  # MHz; an error by which SPFIT leaves a constant as it is
+AXES = {10000: (1.0, 0.0, 0.0), 20000: (0.0, 1.0, 0.0), 30000: (0.0, 0.0, 1.0),
+        100: (1.0, 1.0, 1.0), 1000: (1.0, 0.0, 0.0), 40000: (0.0, 2.0, -2.0)}  # fmt: skip
+"""What codes add to A, B, C in I^r; the second three are ½(B+C), A − ½(B+C) and ¼(B−C)."""
+
+
+@dataclass(frozen=True, eq=False)
+class ConstantTable:
+    """Constants as a ``.par`` or ``.var`` file has them.
+
+    Attributes:
+        title: the first line.
+        reduction: "A" or "S".
+        options: those of the third line after the letter, None where the program's own default is meant: degeneracy of
+            spins, states of vibration (negative for an oblate basis), least and largest K, interactions left out, axis
+            and weights of even and odd levels, symmetry, …
+        code: (n,) of operators; negative ones keep their ratio to the one before.
+        value, error: (n,) [MHz].
+        label: (n,) names in the file.
+    """
+
+    title: str
+    reduction: str
+    options: tuple[float | None, ...]
+    code: Integer[Array, "n"]
+    value: Float64[Array, "n"]
+    error: Float64[Array, "n"]
+    label: tuple[str, ...]
+
+    def rotor(self, dipole: Real[Array, "3"] | tuple[float, float, float] = (0.0, 0.0, 0.0)) -> Rotor:
+        """Return the rotor with these constants, in I^r.
+
+        Raises:
+            InvalidInput: for spins, several states of vibration, an oblate basis, or operators that Watson's reduction
+                does not have.
+        """
+        spins, states, _, _, _, axis, even, odd = (*self.options, *[None] * 8)[:8]
+        if abs(1.0 if spins is None else spins) != 1.0 or abs(1.0 if states is None else states) != 1.0:
+            raise InvalidInput("the constants must be of one state without spins: the first two options must be 1; got "
+                               f"{shown(spins)} and {shown(states)}.")  # fmt: skip
+        if states is not None and states < 0.0:
+            raise InvalidInput("the constants must be in the prolate basis, I^r; a negative number of states says that "
+                               "these are in the oblate one. Convert them first.")  # fmt: skip
+        weights = (1.0 if even is None else even, 1.0 if odd is None else odd)
+        about = "a" if axis in (None, 0.0) else "abc"[int(axis) - 1] if axis in (1.0, 2.0, 3.0) else None
+        if about is None and weights[0] != weights[1]:
+            raise InvalidInput(f"the axis of spin weights must be 1, 2 or 3; got {shown(axis)}.")
+        names = {code_of(term): (name, term.sign) for name, term in TERMS[Reduction[self.reduction]].items()}
+        rigid, distortion = np.zeros(3), {}
+        for code, value, label in zip(np.abs(self.code).tolist(), self.value.tolist(), self.label, strict=True):
+            bare = code - 99 if code % 100 == 99 else code  # 99: in all states of vibration
+            if bare in AXES:
+                rigid += value * 1e6 * np.array(AXES[bare])
+            elif bare in names:
+                name, sign = names[bare]
+                distortion[name] = distortion.get(name, 0.0) + sign * value * 1e6
+            else:
+                raise InvalidInput(f"the {self.reduction} reduction has no operator {code} ({label}). Leave it out, if "
+                                   "it is small enough.")  # fmt: skip
+        return Rotor(rigid, distortion, self.reduction, "Ir", dipole, weights, about or "a")
+
+
+def code_of(term: Term) -> int:
+    """Return the code of an operator.
+
+    >>> code_of(TERMS[Reduction.S]["D_J"]), code_of(TERMS[Reduction.S]["d2"]), code_of(TERMS[Reduction.A]["delta_K"])
+    (200, 50000, 41000)
+    """
+    return (10000 * (term.of_ladder + 3) if term.of_ladder else 0) + 1000 * term.of_Jz + 100 * term.of_J
+
+
+def constant_table(rotor: Rotor, sigma: Mapping[str, float] | None = None, title: str = "") -> ConstantTable:
+    """Return a rotor's constants as a ``.par`` file has them.
+
+    Args:
+        rotor: in I^r.
+        sigma: errors by name [Hz], such as ``dict(zip(fit.names, fit.sigma))``; other constants are fixed.
+        title: one line.
+
+    Raises:
+        InvalidInput: for linear molecules, other representations, and spin weights that are not whole numbers.
+    """
+    if rotor.is_linear:
+        raise InvalidInput("`rotor` must not be linear: these files would need other codes.")
+    if rotor.representation not in (None, Representation.Ir):
+        raise InvalidInput(f"`rotor` must be in the representation Ir; got {rotor.representation.name}. Fit its lines "
+                           "in Ir.")  # fmt: skip
+    if any(weight % 1.0 for weight in rotor.spin_weights):
+        raise InvalidInput(f"`spin_weights` must be whole numbers in a file; got {shown(rotor.spin_weights)}.")
+    reduction = rotor.reduction or Reduction.S
+    rows = [(10000 * (k + 1), value, "ABC"[k]) for k, value in enumerate(rotor.constants)]
+    for name, value in rotor.distortion.items():
+        term = TERMS[reduction][name]
+        rows.append((code_of(term), term.sign * value, name))
+    error = [max((sigma or {}).get(name, 0.0) / 1e6, FIXED) for _, _, name in rows]
+    axis = float("abc".index(rotor.spin_axis) + 1)
+    options = (1.0, 1.0, 0.0, 99.0, 0.0, axis, *rotor.spin_weights, 0.0, 0.0, 0.0, 0.0)
+    code, value, label = zip(*rows, strict=True)
+    return ConstantTable(title, reduction.name, options, np.array(code), np.array(value) / 1e6, np.array(error), label)
+
+
+def read_par(path: str | Path) -> ConstantTable:
+    """Return the constants of a ``.par`` or ``.var`` file; the correlations that end the latter are not read.
+
+    Raises:
+        InvalidInput: if it is missing.
+        FormatError: naming the line that is not as it must be.
+    """
+    path = Path(path)
+    lines = read_text(path, "file of constants", LARGEST_FILE).split("\n")
+    if len(lines) < 4:
+        raise FormatError(f"{path}: must have a title, two lines of options, and a line for each constant; it has "
+                          f"{len(lines)}. Check the path.")  # fmt: skip
+    count = _options(path, 2, lines[1])[0]
+    letter = re.match(r"\s*([A-Za-z])\w*\s*,?", lines[2])
+    reduction = letter[1].upper() if letter else "A"
+    if reduction not in ("A", "S"):
+        raise FormatError(f"{path}, line 3: must begin with a or s, the reduction; got {shown(lines[2].strip())}.")
+    options = _options(path, 3, lines[2][letter.end() :] if letter else lines[2])
+    if count is None or not 1 <= count <= 1e6 or count % 1.0:
+        raise FormatError(f"{path}, line 2: must begin with the number of constants; got {shown(lines[1].strip())}.")
+    rows = []
+    for number, line in enumerate(lines[3:], 4):
+        if len(rows) == count or not line.strip():
+            break
+        rows.append(_constant(path, number, line))
+    if not rows:
+        raise FormatError(f"{path}, line 4: must be a constant: code, value, error. It is empty.")
+    code, value, error, label = zip(*rows, strict=True)
+    return ConstantTable(lines[0].rstrip(), reduction, tuple(options), np.array(code), np.array(value),
+                         np.array(error), tuple(label))  # fmt: skip
+
+
+def write_par(table: ConstantTable, path: str | Path) -> None:
+    """Write a ``.par`` file, which SPFIT takes, and SPCAT as a ``.var`` without correlations.
+
+    Raises:
+        InvalidInput: for a place that cannot be written to, or a title of several lines.
+    """
+    if "\n" in table.title or "\r" in table.title:
+        raise InvalidInput(f"`title` must be one line; got {shown(table.title)}.")
+    given = ["" if option is None else f"{option:g}" for option in table.options]
+    numbers = " ".join(given) if all(given) else ",".join(given)  # only commas can leave one out
+    lines = [table.title, f"{len(table.code):5d}{99999:6d}{20:5d}{0:5d}    0.0000E+00    1.0000E+06    1.0000E+00 1.0",
+             f"{table.reduction.lower()} {numbers}"]  # fmt: skip
+    for code, value, error, label in zip(table.code, table.value, table.error, table.label, strict=True):
+        lines.append(f"{code:13d} {value: .15E} {error:.8E} /{label}")
+    with written_whole(path) as draft:
+        draft.write_bytes(("\n".join(lines) + "\n").encode())
+
+
+def _options(path: Path, number: int, line: str) -> list[float | None]:
+    """Return the numbers of a line, None between commas that have nothing between them.
+
+    Raises:
+        FormatError: for other words.
+    """
+    found: list[float | None] = []
+    waits = True  # for a number, so that a comma leaves one out
+    for word in re.findall(r",|[^\s,]+", line):
+        if word == ",":
+            if waits:
+                found.append(None)
+            waits = True
+            continue
+        try:
+            found.append(read_number(word))
+        except ValueError as error:
+            raise FormatError(f"{path}, line {number}: each option {error}; got {shown(word)}.") from None
+        waits = False
+    return found or [None]
+
+
+def _constant(path: Path, number: int, line: str) -> tuple[int, float, float, str]:
+    """Return code, value, error [MHz] and label of a line.
+
+    Raises:
+        FormatError: for others.
+    """
+    numbers, _, label = line.partition("/")
+    words = re.split(r"[\s,]+", numbers.strip())
+    try:
+        if len(words) < 2 or not re.fullmatch(r"-?\d{1,15}", words[0], re.ASCII):
+            raise ValueError("must begin with a whole code and a value")
+        value, error = read_number(words[1]), read_number(words[2]) if len(words) > 2 else 0.0
+    except ValueError as problem:
+        raise FormatError(f"{path}, line {number}: {problem}; got {shown(line.strip())}. A constant is a code, a "
+                          "value and an error.") from None  # fmt: skip
+    return int(words[0]), value, error, label.strip()

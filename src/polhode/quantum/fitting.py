@@ -1,0 +1,200 @@
+"""Constants of a rotor from measured lines, by least squares.
+
+Source: Albritton, Schmeltekopf & Zare, in *Molecular Spectroscopy: Modern Research* 2 (1976) 1; Belsley, Kuh & Welsch,
+*Regression Diagnostics* (1980) for leverage and for what is determined.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from scipy.optimize import least_squares
+
+from polhode.arrays import known_numbers_only
+from polhode.errors import InvalidInput, NotConverged
+from polhode.quantum.derivatives import AXES, LevelModel, checked_names, value_of
+from polhode.quantum.measured import MeasuredLines, Observations, checked_labels, observations
+from polhode.quantum.rotor import Rotor
+from polhode.types import Array, Float64, Integer
+
+UNDETERMINED = 1e-10  # of the largest singular value, with columns of length one
+SHARE = 0.1  # of an undetermined combination, from which on a constant is named
+SMALL = 1e-9  # of a last step and of what it gains: in units of σ, far below them
+ROUNDING = 1e-13  # of the terms of ∂E'/∂p − ∂E''/∂p
+
+
+@dataclass(frozen=True)
+class RotorFit:
+    """A rotor fitted to measured lines; an observation is a line or a blend, in the order of the lines.
+
+    Attributes:
+        rotor: with the fitted constants.
+        names: the p free constants.
+        values, sigma: (p,) [Hz]; σ from the errors of the lines, not scaled by how well these are met.
+        correlation: (p, p).
+        observation: (n,) to which observation each line belongs.
+        calculated: (n,) frequency of each line [Hz].
+        residual: (m,) observed less calculated [Hz].
+        weighted: (m,) residual over error.
+        leverage: (m,) from 0 to 1, how far each observation determines its own calculated value; they add up to p.
+        standardized: (m,) weighted residual over its standard deviation √(1 − leverage); NaN where nothing but this
+            observation determines something, so that its residual is zero whatever was measured.
+        rms: of the weighted residuals.
+    """
+
+    rotor: Rotor
+    names: tuple[str, ...]
+    values: Float64[Array, "p"]
+    sigma: Float64[Array, "p"]
+    correlation: Float64[Array, "p p"]
+    observation: Integer[Array, "n"]
+    calculated: Float64[Array, "n"]
+    residual: Float64[Array, "m"]
+    weighted: Float64[Array, "m"]
+    leverage: Float64[Array, "m"]
+    standardized: Float64[Array, "m"]
+    rms: float
+
+    @property
+    def covariance(self) -> Float64[Array, "p p"]:
+        """Of the free constants [Hz²]."""
+        return self.correlation * np.outer(self.sigma, self.sigma)
+
+    def worst(self, count: int = 10) -> Integer[Array, "k"]:
+        """Return which observations fit worst, by standardised residual, the worst first."""
+        return np.argsort(-np.nan_to_num(np.abs(self.standardized)), kind="stable")[:count]
+
+    def predict(
+        self, upper: Integer[Array, "k 3"], lower: Integer[Array, "k 3"]
+    ) -> tuple[Float64[Array, "k"], Float64[Array, "k"]]:
+        """Return frequencies (k,) [Hz] of lines, and their σ as the fitted constants leave them.
+
+        Args:
+            upper, lower: (k, 3) J, K_a, K_c.
+
+        Raises:
+            InvalidInput: for labels that no level has.
+        """
+        ends = checked_labels("upper", upper), checked_labels("lower", lower)
+        frequency, slope, _ = _LineModel(self.rotor, list(self.names), *ends)(self.values)
+        # by the scaled correlation: entries of the covariance differ by thirty powers of ten
+        scaled = slope * self.sigma
+        return frequency, np.sqrt(np.maximum(np.einsum("ij,jk,ik->i", scaled, self.correlation, scaled), 0.0))
+
+
+@known_numbers_only
+def fit_rotor(rotor: Rotor, lines: MeasuredLines, free: Sequence[str]) -> RotorFit:
+    """Fit constants of a rotor to measured lines by weighted least squares, from the rotor's own as a start.
+
+    Derivatives are exact; Levenberg and Marquardt's damping leads there from far away, if the labels fit the start's.
+
+    Args:
+        rotor: the start; its constants that are not free stay.
+        lines: measured.
+        free: names of constants, "A", "B", "C" and those of the rotor's reduction, such as "D_J".
+
+    Raises:
+        InvalidInput: for constants that the lines do not determine, which are named; lines or names that are none;
+            linear molecules.
+        NotConverged: if no minimum is found.
+
+    >>> rotor = Rotor((27e9, 14e9, 9e9), dipole=(0.0, 1e-30, 0.0))
+    >>> found = rotor.lines(4)
+    >>> lines = MeasuredLines(found.upper, found.lower, found.frequency, np.full(len(found.frequency), 1e4))
+    >>> fit = fit_rotor(Rotor((27.1e9, 13.9e9, 9e9)), lines, ["A", "B", "C"])
+    >>> bool(np.allclose(fit.values, rotor.constants, rtol=1e-12)), fit.names
+    (True, ('A', 'B', 'C'))
+    """
+    if rotor.is_linear:
+        raise InvalidInput("`rotor` must not be linear: its lines are a polynomial in J + 1, which `np.polyfit` fits.")
+    names, seen = checked_names(rotor, free), observations(lines)
+    model = _LineModel(rotor, names, seen.upper, seen.lower)
+    start = np.array([value_of(rotor, name) for name in names])
+    _, scale, _, _ = _decomposed(*_at(model, seen, start)[1:], names)
+
+    def residual(steps: Array) -> Array:
+        return _at(model, seen, start + steps * scale)[0]
+
+    def jacobian(steps: Array) -> Array:
+        return -_at(model, seen, start + steps * scale)[1] * scale
+
+    ways: Any = {"jac": jacobian}
+    found = least_squares(residual, np.zeros(len(names)), **ways, method="lm", xtol=SMALL, ftol=SMALL, gtol=SMALL)
+    values = start + found.x * scale
+    if found.status <= 0 or not np.isfinite(values).all():
+        raise NotConverged("the fit found no minimum. Start nearer, check the labels, or free fewer constants.")
+    return _fit_at(rotor, names, values, model, seen)
+
+
+class _LineModel:
+    """Frequencies of lines as a function of constants."""
+
+    def __init__(self, rotor: Rotor, names: list[str], upper: Array, lower: Array) -> None:
+        levels, place = np.unique(np.concatenate([upper, lower]), axis=0, return_inverse=True)
+        self._levels, self._ends = LevelModel(rotor, names, levels), place.reshape(2, -1)
+
+    def __call__(self, values: Array) -> tuple[Array, Array, Array]:
+        """Return frequencies (n,), derivatives (n, p), and the sizes of the terms these are differences of."""
+        energy, slope = self._levels(values)
+        high, low = self._ends
+        return energy[high] - energy[low], slope[high] - slope[low], np.abs(slope[high]) + np.abs(slope[low])
+
+
+def _at(model: _LineModel, seen: Observations, values: Array) -> tuple[Array, Array, Array]:
+    """Return weighted residuals (m,), weighted derivatives of the calculated (m, p), and the size of their terms."""
+    frequency, slope, size = (seen.means(part) for part in model(values))
+    error = seen.error[:, None]
+    return (seen.frequency - frequency) / seen.error, slope / error, size / error
+
+
+def _decomposed(slope: Array, size: Array, names: list[str]) -> tuple[Array, Array, Array, Array]:
+    """Return U, the scale, S and Vᵀ of slope · scale = U S Vᵀ, whose columns have length one.
+
+    Raises:
+        InvalidInput: naming constants without which S has no zeros.
+    """
+    length = np.linalg.norm(slope, axis=0)
+    alone = length <= ROUNDING * np.linalg.norm(size, axis=0)  # nothing but rounding
+    scale = 1.0 / np.where(alone, 1.0, length)
+    U, S, V = np.linalg.svd(slope * scale * ~alone)
+    S = np.concatenate([S, np.zeros(len(names) - len(S))])
+    lost = V[S <= UNDETERMINED * S.max()]
+    if alone.any() or len(lost):
+        named = [name for k, name in enumerate(names) if alone[k] or np.abs(lost[:, k]).max(initial=0.0) > SHARE]
+        raise InvalidInput(
+            f"the free constants {', '.join(named)} are not determined by these {len(slope)} observations; fix "
+            f"{'it' if len(named) == 1 else 'one of them'}, or add lines."
+        )
+    return U[:, : len(names)], scale, S, V
+
+
+def _fit_at(rotor: Rotor, names: list[str], values: Array, model: _LineModel, seen: Observations) -> RotorFit:
+    weighted, slope, size = _at(model, seen, values)
+    U, scale, S, V = _decomposed(slope, size, names)
+    spread = (V.T / S) * scale[:, None]
+    sigma = np.linalg.norm(spread, axis=1)
+    unit = spread / sigma[:, None]
+    leverage = np.sum(U**2, axis=1)
+    left = 1.0 - leverage
+    standardized = np.where(left > 1e-9, weighted / np.sqrt(np.maximum(left, 1e-9)), np.nan)
+    return RotorFit(
+        _with(rotor, names, values), tuple(names), values, sigma, unit @ unit.T, seen.member, model(values)[0],
+        weighted * seen.error, weighted, leverage, standardized, float(np.sqrt(np.mean(weighted**2))),
+    )  # fmt: skip
+
+
+def _with(rotor: Rotor, names: list[str], values: Array) -> Rotor:
+    """Return the rotor with other constants."""
+    fitted = dict(zip(names, values.tolist(), strict=True))
+    A, B, C = (fitted.get(axis, value) for axis, value in zip(AXES, rotor.constants, strict=True))
+    if not A >= B >= C >= 0.0:
+        raise InvalidInput(
+            f"the lines lead to A, B, C = {A:.9g}, {B:.9g}, {C:.9g} Hz, which are not in the order A ≥ B ≥ C ≥ 0. "
+            "Check the labels of the lines, or start nearer."
+        )
+    distortion = rotor.distortion | {name: value for name, value in fitted.items() if name not in AXES}
+    reduction, representation = (kind.name if kind else None for kind in (rotor.reduction, rotor.representation))
+    return Rotor((A, B, C), distortion, reduction, representation, rotor.dipole, rotor.spin_weights, rotor.spin_axis)
