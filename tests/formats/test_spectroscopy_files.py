@@ -4,7 +4,7 @@ import dataclasses
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from polhode import formats
@@ -97,7 +97,7 @@ def catalogues(draw):
         draw(numbers)]  # fmt: skip
 
 
-@settings(max_examples=30)
+@settings(max_examples=30, deadline=None, suppress_health_check=[HealthCheck.too_slow])  # on busy machines
 @given(catalogues())
 def test_catalogues_come_back(tmp_path_factory, columns):
     catalogue = formats.Catalogue(*columns)
@@ -110,7 +110,7 @@ def test_catalogues_come_back(tmp_path_factory, columns):
     assert (folder / "a.cat").read_bytes() == (folder / "b.cat").read_bytes()
 
 
-@settings(max_examples=30)
+@settings(max_examples=30, deadline=None, suppress_health_check=[HealthCheck.too_slow])  # on busy machines
 @given(st.integers(1, 6).flatmap(lambda k: st.lists(st.tuples(
     st.lists(st.integers(-99, 999), min_size=2 * k, max_size=2 * k),
     st.floats(-1e9, 1e9).filter(lambda x: x == 0.0 or abs(x) > 1e-9), st.floats(1e-9, 1e3), st.floats(0.01, 9.0)),
@@ -127,6 +127,7 @@ def test_lists_of_lines_come_back(tmp_path_factory, rows):
         value.tolist(), error.tolist(), weight.tolist()]  # fmt: skip
 
 
+@settings(deadline=None)
 @given(st.integers(-269, 359))
 def test_long_numbers_in_two_columns(number):
     word = write_coded(number, 2)

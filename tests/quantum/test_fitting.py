@@ -165,8 +165,10 @@ def test_constants_that_lines_do_not_determine_are_named():
     zero = np.zeros_like(J)
     lines = MeasuredLines(np.column_stack([J + 1, zero, J + 1]), np.column_stack([J, zero, J]), 18e9 * (J + 1.0),
                           np.full(4, 1e4))  # fmt: skip
-    for free, said in ((["A", "D_J"], "constants A are not"), (["B", "C"], "constants B, C are not"),
-                       (["B", "D_K", "D_J"], "constants D_K are not")):  # fmt: skip
+    for free, said in (
+        (["A", "D_J"], "free constant A is not determined by these 4 observations; fix it, or add lines"),
+        (["B", "C"], "constants B, C are not.*fix 1 of them"), (["B", "D_K", "D_J"], "constant D_K is not"),
+    ):  # fmt: skip
         with pytest.raises(InvalidInput, match=said):
             fit_rotor(top, lines, free)
     one = MeasuredLines(np.array([[1, 0, 1]]), np.array([[0, 0, 0]]), np.array([23e9]), np.array([1e3]))

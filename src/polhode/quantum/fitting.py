@@ -162,11 +162,12 @@ def _decomposed(slope: Array, size: Array, names: list[str]) -> tuple[Array, Arr
     U, S, V = np.linalg.svd(slope * scale * ~alone)
     S = np.concatenate([S, np.zeros(len(names) - len(S))])
     lost = V[S <= UNDETERMINED * S.max()]
-    if alone.any() or len(lost):
-        named = [name for k, name in enumerate(names) if alone[k] or np.abs(lost[:, k]).max(initial=0.0) > SHARE]
+    if len(lost):
+        named = [name for k, name in enumerate(names) if np.abs(lost[:, k]).max() > SHARE]
+        one = len(named) == 1
         raise InvalidInput(
-            f"the free constants {', '.join(named)} are not determined by these {len(slope)} observations; fix "
-            f"{'it' if len(named) == 1 else 'one of them'}, or add lines."
+            f"the free constant{' ' if one else 's '}{', '.join(named)} {'is' if one else 'are'} not determined by "
+            f"these {len(slope)} observations; fix {'it' if one else f'{len(lost)} of them'}, or add lines."
         )
     return U[:, : len(names)], scale, S, V
 
