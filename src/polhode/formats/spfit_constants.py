@@ -156,7 +156,7 @@ def read_par(path: str | Path) -> ConstantTable:
 
 
 def write_par(table: ConstantTable, path: str | Path) -> None:
-    """Write a ``.par`` file, which SPFIT takes, and SPCAT as a ``.var`` without correlations.
+    """Write a ``.par`` file; the correlations that a ``.var`` ends with are not written.
 
     Raises:
         InvalidInput: for a place that cannot be written to, or a title of several lines.
