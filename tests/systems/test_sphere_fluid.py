@@ -232,7 +232,8 @@ def test_memory_is_what_was_said_beforehand(samples):
      (lambda: SphereFluid(8).from_harmonics({(2, 0): 1j}), "real for m = 0"),
      (lambda: SphereFluid(8).random([0.0, -1.0]), "`spectrum`"), (lambda: QuantizedSphere(1), "whole number"),
      (lambda: SphereFluid(8).vortex(1.0, (0, 0, 0)), "`direction`"),
-     (lambda: SphereFluid(8).cost(0), "`steps`"), (lambda: SphereFluid(8).cost(1, 0), "`samples`")],
+     (lambda: SphereFluid(8).cost(0), "`steps`"), (lambda: SphereFluid(8).cost(1, 0), "`samples`"),
+     (lambda: SphereFluid(8).cost(1, 1, 0.0), "`iterations`")],
 )  # fmt: skip
 def test_what_is_refused(call, said):
     with pytest.raises(InvalidInput, match=said):
