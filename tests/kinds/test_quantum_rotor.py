@@ -8,6 +8,8 @@ import pytest
 
 from polhode.cli.main import main
 from polhode.errors import InvalidInput
+from polhode.figures import level_diagram
+from polhode.figures.level_curves import level_curves
 from polhode.kinds.reading import read_spec
 from polhode.kinds.registry import next_steps
 from polhode.quantum.level_polhodes import level_polhodes
@@ -104,7 +106,7 @@ def test_a_flip(spec_of):
     assert on_axis["period"] is None and on_axis["revival_time"] is None
     beside = spec_of(system + 'racket = { tilt = "15 deg" }\n').report().values()["racket"]
     assert 0.0 < beside["first_reversal"]["time"] < beside["period"] < beside["revival_time"]
-    with pytest.raises(InvalidInput, match=r"system\.racket\.tilt: must be within 0 to 1\.5708"):
+    with pytest.raises(InvalidInput, match=r"system\.racket\.tilt: must be within 0 to 1\.48353"):
         spec_of(system + 'racket = { tilt = "100 deg" }\n')
 
 
@@ -130,3 +132,35 @@ def test_wrong_order_is_said_with_its_file(spec_of, tmp_path, capsys):
         main(["report", str(tmp_path / "case.toml")])
     assert "case.toml: `constants` must be in the order" in capsys.readouterr().err
     assert not (Path("case")).exists()
+
+
+@pytest.mark.parametrize(("old", "new", "said"), [
+    ("j_max = 3", 'temperature = "1e9 K"', "levels up to J = .* count, and sums go to 600"),
+    ('"835840.288 MHz"', '"1e25 Hz"', "constants must be below 1e.20 Hz"),
+    ("j_max = 3", "spin_weights = [0.0, 0.0]", "not both zero"),
+    ("j_max = 3", "racket = {}\nj = 0", "`J` must be from 1"),
+])  # fmt: skip
+def test_what_cannot_be_summed_is_refused(spec_of, old, new, said):
+    with pytest.raises(InvalidInput, match=said):
+        spec_of(WATER.replace(old, new)).report()
+
+
+@pytest.mark.parametrize("constants", [
+    ["27 GHz", "14.0000000001 GHz", "14 GHz"], ["27 GHz", "14 GHz", "14 GHz"], ["27 GHz", "27 GHz", "9 GHz"],
+    ["14 GHz"],
+])  # fmt: skip
+@pytest.mark.parametrize("j", [0, 3])
+def test_diagrams_of_any_molecule(spec_of, constants, j):
+    text = f'[system]\nkind = "quantum-rotor"\nj_max = 3\ntemperature = "3 K"\nconstants = {json.dumps(constants)}\n'
+    report = spec_of(f"{text}j = {j}\n").report()
+    assert report.as_json_dict()["notes"]
+    assert level_diagram(report.rotor, report.J).axes[0].get_ylim()[1] > 0.0
+    assert (report.polhodes is None) == (not list(_curves(report)))
+
+
+def _curves(report):
+    """Polhodes as unit vectors, where the molecule has three different constants."""
+    if report.polhodes is not None:
+        for level in level_curves(report.rotor, report.J):
+            assert np.linalg.norm(level.unit, axis=-1) == pytest.approx(1.0, abs=1e-12)
+            yield level

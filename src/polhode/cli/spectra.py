@@ -20,7 +20,7 @@ from polhode.quantum.strengths import DEBYE, Lines
 from polhode.reports.answer import Table, units_of, values_of
 from polhode.reports.base import plain
 from polhode.reports.spectra import AREA, frequency, level_table, line_table
-from polhode.spec.rotors import SpecRotor, asked_of
+from polhode.spec.rotors import SpecRotor, asked_of, check_summable
 from polhode.spec.units import parse_quantity, parse_spectroscopic
 
 
@@ -64,6 +64,7 @@ def run_lines(path: Path, options: LineOptions, json: bool) -> None:
         asked = _asked(spec.kind.rotor(spec), temperature, options.j_max, dipole)
         if not asked.rotor.dipole.any():
             raise InvalidInput('there is no dipole, and no lines without one. Give it, like --dipole "0,1.857,0".')
+        check_summable(asked)
         found = asked.rotor.lines(asked.j_max, asked.temperature)
         partition = float(asked.rotor.partition_function(asked.temperature))
     if asked.rotor.spin_weights == (1.0, 1.0):

@@ -57,11 +57,15 @@ def moments_of(rotor: Rotor) -> Float64[Array, "3"]:
 
 
 def level_curves(rotor: Rotor, J: int) -> Iterator[LevelCurve]:
-    """Yield both polhodes of each level of one J, of a rigid asymmetric rotor, |L| = J + ½."""
+    """Yield both polhodes of each level of one J, of a rigid asymmetric rotor, |L| = J + ½.
+
+    Their energies are those of the quantised polhodes: exact ones of nearly symmetric molecules may lie below C |L|².
+    """
     A, _, C = rotor.constants
     found = polhodes_of(rotor, J)
-    for energy, above in zip(found.energy.tolist(), found.above.tolist(), strict=True):
+    for energy, above in zip(found.semiclassical.tolist(), found.above.tolist(), strict=True):
         along = (A - energy / (J + 0.5) ** 2) / (A - C)  # cos² of the angle to c where it crosses the plane of a and c
+        along = min(max(along, 0.0), 1.0)
         motion = FreeMotion(moments_of(rotor), (math.sqrt(1.0 - along), 0.0, math.sqrt(along)))
         curve = polhode(motion, POINTS)
         if curve is not None:

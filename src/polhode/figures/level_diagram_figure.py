@@ -12,7 +12,6 @@ from matplotlib.figure import Figure
 from polhode.figures import style
 from polhode.figures.level_curves import CROWDED, ROUND_A, ROUND_C, side_colour
 from polhode.quantum.level_polhodes import level_polhodes
-from polhode.quantum.orbits import orbit
 from polhode.quantum.rotor import Rotor
 from polhode.types import Array
 
@@ -22,7 +21,6 @@ HALF = 0.33  # of a column's width: the ticks of its two ladders
 MOST_COLUMNS = 12
 APART = 0.028  # of the height: labels nearer to each other are left out
 PAIRED = 0.01  # of the height: two levels that lie together
-BESIDE_SADDLE = 1.0 - 1e-9
 
 
 def level_diagram(rotor: Rotor, j_max: int, *, axes: Any = None) -> Figure:
@@ -51,6 +49,7 @@ def level_diagram(rotor: Rotor, j_max: int, *, axes: Any = None) -> Figure:
         axes = figure.subplots()
     else:
         figure, (axes,) = style.axes_for(axes)
+    top = top or 1.0
     above = np.concatenate([_above(rotor, J) for J in range(j_max + 1)])
     left = levels.Kc == levels.J - levels.Ka
     start = levels.Ka + np.where(left & (levels.Ka > 0), -HALF, np.where(levels.Ka > 0, 0.04, -0.5 * HALF))
@@ -105,7 +104,7 @@ def _draw_saddle(axes: Any, rotor: Rotor, columns: int, top: float) -> None:
     A, B, C = rotor.constants
     if not (math.isfinite(A) and A > B > C > 0.0):
         return
-    share = float(orbit((A, B, C), 1.0, np.array(B * BESIDE_SADDLE)).action) / math.pi
+    share = 2.0 / math.pi * math.atan2(math.sqrt(B - C), math.sqrt(A - B))  # of a lune between the separatrix's planes
     K = np.linspace(0.0, min(columns + 0.75, share * math.sqrt(1.04 * top * WAVE_NUMBER / B)), 200)
     line = axes.plot(K, B * (K / share) ** 2 / WAVE_NUMBER, color=style.VERMILION, lw=0.9, ls="--", label="saddle")[0]
     handles = [axes.plot([], [], color=colour, lw=1.2, label=label)[0]

@@ -61,7 +61,7 @@ def level_polhodes(constants: tuple[float, float, float], J: int) -> LevelPolhod
     step[:-2] = exact.energy[2:] - exact.energy[:-2]  # every second level is of the same ladder
     between = exact.energy[:-2] + 0.5 * step[:-2]
     classical = np.full(2 * J + 1, np.nan)
-    off = between != saddle
+    off = (between != saddle) & (between > C * G * G) & (between < A * G * G)
     classical[:-2][off] = 2.0 * math.pi / orbit(constants, G, between[off]).period
     return LevelPolhodes(
         exact.Ka, exact.Kc, exact.energy, found.energy, found.energy > saddle, step, classical,

@@ -30,6 +30,7 @@ MIDDLE_IS_Z = Representation.IIr  # x, y, z = c, a, b
 SIDES = ("a", "c")
 MEMBERS = 2000  # of an ensemble
 LARGEST_J = 4000  # whose chains take some seconds
+STEEPEST = math.radians(85.0)  # on another axis L rests, without a period
 NEAR = 1e-5  # of the range of energies: the step by which a period's slope is found
 SCANNED = 600  # times among which the first reversal is looked for
 GOLDEN = 0.5 * (math.sqrt(5.0) - 1.0)
@@ -69,7 +70,7 @@ class Racket:
     Args:
         constants: A > B > C, as E/h [Hz].
         J: of its levels, from 1 to 4,000.
-        tilt: of L from b [rad], from 0 to π/2.
+        tilt: of L from b [rad], from 0 to 85°.
         towards: "a" or "c".
 
     Attributes:
@@ -95,8 +96,8 @@ class Racket:
         self.constants, self.J = (A, B, C), checked_j("J", J)
         if not 1 <= self.J <= LARGEST_J:
             raise InvalidInput(f"`J` must be from 1 to {LARGEST_J:,}; got {self.J}.")
-        if not 0.0 <= tilt <= 0.5 * math.pi:
-            raise InvalidInput(f"`tilt` must be from 0 to π/2 [rad]; got {shown(tilt)}.")
+        if not 0.0 <= tilt <= STEEPEST:
+            raise InvalidInput(f"`tilt` must be from 0 to {STEEPEST:.4f} rad, 85°; got {shown(tilt)}.")
         if towards not in SIDES:
             raise InvalidInput(f"`towards` must be a or c; got {shown(towards)}.")
         self.tilt, self.towards = float(tilt), towards

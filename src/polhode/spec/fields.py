@@ -271,7 +271,7 @@ SpinRatio = Annotated[Plain, AfterValidator(within(-30.0, 30.0, "turns per orbit
 Orbits = Annotated[StrictInt, Field(ge=1, le=100_000)]
 Thickness = Annotated[float, _reader("m"), AfterValidator(_thickness)]
 Lean = Annotated[Angle, AfterValidator(_lean)]
-RacketTilt = Annotated[Angle, AfterValidator(within(0.0, 0.5 * math.pi, "0 to 90 deg"))]
+RacketTilt = Annotated[Angle, AfterValidator(within(0.0, math.radians(85.0), "85 deg"))]
 Tilt = Annotated[Angle, AfterValidator(_standing)]
 Power = Annotated[float, _reader("W", positive=True)]
 Viscosity = Annotated[float, _reader("Pa*s", positive=True)]

@@ -12,12 +12,15 @@ from polhode.bodies.atoms import from_atoms, isotopic_masses
 from polhode.bodies.body import Body
 from polhode.errors import InvalidInput
 from polhode.formats.molecule import read_molecule
-from polhode.quantum.partition import THERMAL
+from polhode.quantum.partition import NEGLIGIBLE, THERMAL
 from polhode.quantum.rotor import Rotor
+from polhode.quantum.strengths import DEBYE
 from polhode.spec.models import BodyTable
 
 ROOM_TEMPERATURE = 300.0  # K
 RARE = 8.0  # E/kT of the lowest level of a J beyond which lines are weak
+MOST_SUMMED_J = 600  # of a partition function, whose time grows as its cube: some seconds
+LARGEST = 1e20  # Hz and debye, beyond any molecule; intensities have cubes of frequencies
 FEWEST_J, MOST_J = 10, 60  # of the largest J where a spec does not say it; lines grow as its cube
 
 
@@ -67,6 +70,27 @@ def asked_of(rotor: Rotor, temperature: float | None = None, j_max: int | None =
     """Return a rotor with temperature and largest J, those that are usual where they are not given."""
     found = ROOM_TEMPERATURE if temperature is None else temperature
     return SpecRotor(rotor, found, usual_j(rotor, found) if j_max is None else j_max)
+
+
+def check_summable(asked: SpecRotor) -> None:
+    """Refuse molecules whose levels cannot be summed: so many count, or so large, at this temperature.
+
+    Raises:
+        InvalidInput: with what would do.
+    """
+    rotor, temperature, _ = asked
+    smallest = rotor.constants[2]
+    largest = max(rotor.constants[1], 0.0 if rotor.is_linear else rotor.constants[0])
+    largest = max(largest, *map(abs, rotor.distortion.values())) if rotor.distortion else largest
+    if largest > LARGEST or np.abs(rotor.dipole).max() > LARGEST * DEBYE:
+        raise InvalidInput(f"constants must be below {LARGEST:g} Hz, and a dipole below {LARGEST:g} D. Check units.")
+    with np.errstate(over="ignore"):
+        most = math.sqrt(min(NEGLIGIBLE * THERMAL * temperature / max(smallest, 1e-300), 1e300))
+    if most > MOST_SUMMED_J:
+        raise InvalidInput(
+            f"at {temperature:g} K levels up to J = {most:.3g} count, and sums go to {MOST_SUMMED_J}. Give a lower "
+            "temperature; a body so large or hot turns as a classical one."
+        )
 
 
 def usual_j(rotor: Rotor, temperature: float) -> int:

@@ -23,7 +23,7 @@ from polhode.quantum.strengths import DEBYE, Lines
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import AbstractReport
 from polhode.reports.spectra import WAVE_NUMBER, frequency, label, level_table, line_table, wave_number
-from polhode.spec.rotors import SpecRotor
+from polhode.spec.rotors import SpecRotor, check_summable
 
 SHOWN_J = 3  # of the levels in the text; the JSON has all up to REPORTED_J, `polhode levels` all
 REPORTED_J = 10
@@ -230,6 +230,7 @@ def report_of(spec: Spec) -> QuantumRotorReport:
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", UserWarning)
         asked = built(spec)
+        check_summable(asked)
         rotor, temperature, j_max = asked
         levels = rotor.levels(j_max)
         lines = rotor.lines(j_max, temperature) if rotor.dipole.any() else None
