@@ -37,7 +37,7 @@ class Observations(NamedTuple):
     member: Integer[Array, "n"]
     share: Float64[Array, "n"]
 
-    def means(self, of_lines: Array) -> Array:
+    def means(self, of_lines: Float64[Array, "lines ..."]) -> Float64[Array, "observations ..."]:
         """Return what lines have as what observations have: means over blends."""
         total = np.zeros((len(self.frequency), *of_lines.shape[1:]))
         np.add.at(total, self.member, self.share.reshape(-1, *[1] * (of_lines.ndim - 1)) * of_lines)
