@@ -3,9 +3,13 @@
 import json
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from polhode.cli.main import main
+from polhode.formats import line_list, read_cat, read_par, write_lin
+from polhode.kinds.reading import read_spec
+from polhode.quantum import MeasuredLines
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 MHZ, WAVE_NUMBER = 1e6, 29979245800.0
@@ -82,3 +86,67 @@ def test_a_dipole_for_atoms(run):
 def test_mistakes(run, arguments, said):
     told = run(*arguments, code="2")
     assert said in told.err.replace("\n│ ", "") and not told.out and "Traceback" not in told.err
+
+
+@pytest.fixture
+def measured(tmp_path):
+    """Lines of sulfur dioxide's own constants, with errors of 20 kHz."""
+    spec = read_spec(EXAMPLES / "sulfur_dioxide.toml")
+    found, rng = spec.kind.rotor(spec).rotor.lines(8), np.random.default_rng(2)
+    kept = np.sort(rng.choice(len(found.frequency), 60, replace=False))
+    error = np.full(60, 20e3)
+    path = tmp_path / "measured.lin"
+    frequency = found.frequency[kept] + error * rng.normal(size=60)
+    write_lin(line_list(MeasuredLines(found.upper[kept], found.lower[kept], frequency, error)), path)
+    return path
+
+
+def test_a_fit_comes_back_to_the_constants(run, measured, tmp_path):
+    """From rigid constants that are off, by chance within four of the errors."""
+    start = tmp_path / "start.toml"
+    text = (EXAMPLES / "sulfur_dioxide.toml").read_text("utf-8")
+    start.write_text(text.replace("60778.5522", "60779.5").replace("10318.0722", "10318.5"), "utf-8")
+    out = tmp_path / "fitted.par"
+    found = json.loads(run("fit", start, measured, "--json", "--out", out).out)
+    rotor = (spec := read_spec(EXAMPLES / "sulfur_dioxide.toml")).kind.rotor(spec).rotor
+    wanted = dict(zip("ABC", rotor.constants, strict=True)) | dict(rotor.distortion)
+    assert set(found["constants"]) == set(wanted) and found["units"]["constants.value"] == "Hz"
+    for name, row in found["constants"].items():
+        assert abs(row["value"] - wanted[name]) < 4.0 * row["standard_error"], name
+    assert 0.7 < found["rms"] < 1.3 and found["degrees_of_freedom"] == 60 - len(wanted)
+    assert np.allclose(np.diag(found["correlation"]), 1.0) and found["files"] == [str(out)]
+    kept = read_par(out)
+    assert kept.value[0] * MHZ == pytest.approx(found["constants"]["A"]["value"], rel=1e-14)
+    assert kept.error[0] * MHZ == pytest.approx(found["constants"]["A"]["standard_error"], rel=1e-6)
+
+
+def test_a_fit_in_words(run, measured):
+    said = run("fit", EXAMPLES / "sulfur_dioxide.toml", measured, "--free", "A,B,C").out
+    assert "3 constants from 60 observations" in said and "Observations that fit worst" in said
+
+
+def test_lines_and_constants_for_other_programs(run, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    said = run("export", EXAMPLES / "formaldehyde.toml", "--to", "cat", "--to", "par").out
+    assert "formaldehyde.cat: rotational lines" in said and "formaldehyde.par" in said
+    catalogue = read_cat(tmp_path / "formaldehyde.cat")
+    nearest = int(np.argmin(np.abs(catalogue.frequency - 72837.948)))
+    assert catalogue.log_intensity[nearest] == pytest.approx(-4.1792, abs=1e-4)
+    assert catalogue.frequency.max() < 1e8
+    assert read_par(tmp_path / "formaldehyde.par").value[0] == pytest.approx(281970.5780043, rel=1e-14)
+
+
+def test_mistakes_of_fits_and_exports(run, measured, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    path = EXAMPLES / "sulfur_dioxide.toml"
+    for arguments, said in (
+        (("fit", path, tmp_path / "none.lin"), "none.lin"),
+        (("fit", path, measured, "--free", "A,X"), "got 'X'"),
+        (("fit", path, measured, "--free", "A,,B"), "--free must be names"),
+        (("fit", path, measured, "--out", measured), "is the file that is read"),
+        (("export", EXAMPLES / "euler_disk.toml", "--to", "cat"), "there is no molecule"),
+        (("export", EXAMPLES / "water.toml", "--to", "cat"), "no lines without one"),
+    ):  # fmt: skip
+        told = run(*arguments, code="2")
+        assert said in told.err.replace("\n│ ", "") and "Traceback" not in told.err
+    assert not (tmp_path / "euler_disk.cat").exists()

@@ -209,11 +209,33 @@ def lines(
 
 
 @app.command(cls=StrictCommand)
+def fit(
+    spec: Annotated[
+        Path, typer.Argument(metavar="SPEC", help="Spec of a molecule, whose constants are the start, or atoms.")
+    ],
+    lines: Annotated[Path, typer.Argument(metavar="LINES", help="Measured lines, a .lin file.")],
+    json: AsJson = False,
+    free: Annotated[
+        str | None,
+        typer.Option("--free", metavar="NAMES", help="Like A,B,C,D_J (default: all constants that the spec gives)."),
+    ] = None,
+    out: Annotated[
+        Path | None, typer.Option("--out", metavar="FILE.par", help="Also write the constants as other programs do.")
+    ] = None,
+) -> None:
+    """Fit a molecule's constants to measured lines."""
+    from polhode.cli.fit import run_fit
+
+    run_fit(spec, lines, free, out, json)
+
+
+@app.command(cls=StrictCommand)
 def export(
     spec: SpecPath,
     to: Annotated[
         list[str],
-        typer.Option("--to", metavar="FORM", help="netcdf, zarr, csv, aem, ck, gltf or urdf; may be repeated."),
+        typer.Option("--to", metavar="FORM",
+                     help="netcdf, zarr, csv, aem, ck, gltf, urdf, cat or par; may be repeated."),
     ],
     out: Annotated[
         Path | None,

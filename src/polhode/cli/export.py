@@ -52,6 +52,10 @@ FORMS = {
                  "glTF 2.0 animation of the body; angles to 1e-7, as it holds single precision", sampled=False),
     "urdf": Form((_HERE, "export_urdf"), ".urdf", "mass, centre of mass and inertia along the given axes; every digit",
                  sampled=False, of_motion=False),
+    "cat": Form((_HERE, "export_cat"), ".cat", "rotational lines of a molecule; frequencies to 100 Hz", sampled=False,
+                of_motion=False),
+    "par": Form((_HERE, "export_par"), ".par", "rotational constants of a molecule; every digit", sampled=False,
+                of_motion=False),
 }  # fmt: skip
 
 
@@ -160,3 +164,26 @@ def export_urdf(report: AbstractReport, spec: Spec, path: Path) -> Path:
     if spec.body is None:
         raise InvalidInput("a URDF link needs a body, and this spec has no [body]. Give one, or choose another form.")
     return write_urdf_inertial(spec.body, path, spec.name)
+
+
+def export_cat(report: AbstractReport, spec: Spec, path: Path) -> Path:
+    """Write a molecule's lines as a catalogue."""
+    from polhode.formats.spcat import catalogue_of, write_cat
+    from polhode.spec.rotors import check_summable
+
+    asked = spec.kind.rotor(spec)
+    if not asked.rotor.dipole.any():
+        raise InvalidInput("there is no dipole, and no lines without one. Give it, like "
+                           'dipole = ["0 D", "1.857 D", "0 D"].')  # fmt: skip
+    check_summable(asked)
+    lines = asked.rotor.lines(asked.j_max, asked.temperature)
+    write_cat(catalogue_of(lines, degrees=2 if asked.rotor.is_linear else 3), path)
+    return path
+
+
+def export_par(report: AbstractReport, spec: Spec, path: Path) -> Path:
+    """Write a molecule's constants as the field's programs read them."""
+    from polhode.formats.spfit_constants import constant_table, write_par
+
+    write_par(constant_table(spec.kind.rotor(spec).rotor, title=spec.name), path)
+    return path

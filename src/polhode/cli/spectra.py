@@ -38,7 +38,7 @@ class LineOptions(NamedTuple):
 
 def run_levels(path: Path, j_max: int | None, json: bool) -> None:
     """Print the levels of a molecule."""
-    with _told(path) as notes:
+    with told_of(path) as notes:
         spec = read_spec_or_molecule(path)
         rotor, _, usual = spec.kind.rotor(spec)
         last = usual if j_max is None else j_max
@@ -59,7 +59,7 @@ def run_lines(path: Path, options: LineOptions, json: bool) -> None:
     if not 0.0 <= weakest < math.inf:
         raise InvalidInput(f"--min-intensity must be a number of nm² MHz, not negative; got {shown(weakest)}.")
     dipole = None if options.dipole is None else _dipole(options.dipole)
-    with _told(path) as notes:
+    with told_of(path) as notes:
         spec = read_spec_or_molecule(path)
         asked = _asked(spec.kind.rotor(spec), temperature, options.j_max, dipole)
         if not asked.rotor.dipole.any():
@@ -99,7 +99,7 @@ def _asked(
 
 
 @contextmanager
-def _told(path: Path) -> Iterator[list[str]]:
+def told_of(path: Path) -> Iterator[list[str]]:
     """Name the file in what is refused, and take warnings as notes."""
     notes: list[str] = []
     with warnings.catch_warnings(record=True) as caught:

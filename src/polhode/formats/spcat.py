@@ -28,6 +28,7 @@ UPPER, LOWER = ([Field(f"{name} quantum number {k + 1}", begin + 2 * k, 2) for k
 ASYMMETRIC_TOP = 303  # J, Ka, Kc
 LARGEST_ERROR = 999.9999  # MHz, where SPCAT ends too
 FAINTEST = -99.0  # lg of nm² MHz, of lines that are still written
+HIGHEST = 1e14 - 1e2  # Hz: F13.4 of MHz
 HERTZ_OF_WAVE_NUMBER = 29979.2458e6
 
 
@@ -114,7 +115,8 @@ def catalogue_of(
 ) -> Catalogue:
     """Return computed lines as a catalogue.
 
-    Lines that nothing can be seen of, of intensity zero or below 1e-99 nm² MHz, are left out.
+    Lines that nothing can be seen of, of intensity zero or below 1e-99 nm² MHz, are left out, and those from 10⁸ MHz
+    on, for which the columns have no room.
 
     Args:
         lines: of ``Rotor.lines`` at a temperature, by custom 300 K.
@@ -137,7 +139,7 @@ def catalogue_of(
         raise InvalidInput(f"`error` must be finite and not negative [Hz]; got {shown(error)}.")
     with np.errstate(divide="ignore"):
         brightness = np.log10(lines.intensity * 1e12)
-    kept = brightness >= FAINTEST
+    kept = (brightness >= FAINTEST) & (lines.frequency < HIGHEST)
     weight = lines.weight * (2 * lines.upper[:, 0] + 1)
     if (weight % 1.0 != 0.0).any():
         raise InvalidInput(f"spin weights must be whole numbers in a catalogue; got {shown(lines.weight)}.")
