@@ -89,6 +89,19 @@ def test_what_is_refused(spec, system, words):
         spec(system)
 
 
+def test_poles_and_the_equator_rest(spec):
+    """What rounding leaves of their turn is none, and both are proved stable."""
+    for places in ('ring_latitude = "0 deg"', 'coordinates = [["90 deg", "0 deg"], ["-90 deg", "0 deg"]]'):
+        strong = strengths(1, 1) if "coordinates" in places else strengths(1, 1, 1)
+        found = spec(f"{strong}\n{places}").report()
+        assert found.turn.rate == 0.0 and found.summary.endswith("rest, which is proved stable.")
+
+
+def test_a_report_without_a_verdict(spec):
+    found = spec(strengths(1e-200, 1) + '\nring_radius = "1 m"', '[time]\nuntil = "1 s"\nsamples = 3\n').report()
+    assert found.turn is not None and found.verdict is None and any("no verdict" in note for note in found.notes)
+
+
 def test_two_at_one_place(spec):
     with pytest.raises(InvalidInput, match="at one"):
         spec(strengths(1, 1) + '\npositions = [["0 m", "0 m"], ["0 m", "0 m"]]').report()

@@ -85,10 +85,18 @@ RANDOM = 'random = {degrees = [2, 3], vorticity = "1 rad/s"}'
     ('resolution = 6\nrandom = {degrees = [4, 2], vorticity = "1 rad/s"}', "must ascend"),
     ('resolution = 6\nwaves = [{degree = 2, order = 3, vorticity = "1 rad/s"}]', "order ≤ degree"),
     ('resolution = 6\nwaves = [{degree = 2, order = 1}]', "vorticity"),
+    ('resolution = 6\nwaves = [{degree = 2, order = 1, vorticity = "0 rad/s"}]', "vorticity: must not be zero"),
+    ('resolution = 6\nvortices = [{strength = "1 m^2/s", latitude = "100 deg"}]', "must lie from -90 to 90 deg"),
 ])  # fmt: skip
 def test_what_is_refused(spec, system, words):
     with pytest.raises(InvalidInput, match=re.escape(words)):
         spec(system)
+
+
+@pytest.mark.parametrize("size", ["1e-200", "1e200"])
+def test_vorticities_beyond_the_numbers(spec, size):
+    with pytest.raises(InvalidInput, match="the vorticity at the start must be within"):
+        spec(f'resolution = 6\nwaves = [{{degree = 2, order = 1, vorticity = "{size} rad/s"}}]').report()
 
 
 def test_a_file_that_is_missing(spec):

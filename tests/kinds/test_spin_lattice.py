@@ -84,6 +84,11 @@ def test_opposed_neighbours_need_two_sites(spec):
     assert report.gap[0] / MILLI == pytest.approx(2.0 * np.sqrt(1.5**2 - 1.0), rel=1e-8)
 
 
+def test_bonds_without_energies(spec):
+    with pytest.raises(InvalidInput, match="must not all be zero"):
+        spec('vectors = [[1]]\ncells = [4]\nbonds = [{ cell = [1], exchange = "0 meV" }]').report()
+
+
 BONDS = 'bonds = [{ cell = [1], exchange = "1 meV" }]'
 
 

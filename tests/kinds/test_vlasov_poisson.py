@@ -67,6 +67,12 @@ def test_the_wave_that_grows_fastest():
     assert abs(below[-1] - below[0]) > 5.0
 
 
+def test_no_wave_where_newton_s_method_runs_away():
+    """For k = 50 it ends far out in the upper half plane, where D is one and rounding stops it."""
+    wave = fastest_growing_wave(MAXWELLIAN, 50.0)
+    assert wave is None or wave.growth < 0.0
+
+
 def test_fits_of_known_growth():
     t = np.linspace(0.0, 40.0, 401)
     growing = PlasmaWave(0.3, 0.0, 0.2, 1.0, 0.0)
@@ -88,7 +94,9 @@ GOOD = "wavenumber = 0.5\namplitude = 0.01"
     (GOOD + "\nbeams = [{share = 0.5}]", "shares that add up to one; got 0.5"),
     (GOOD + "\nbeams = [{spread = 0}]", "beams"),
     (GOOD + "\nvelocities = 4096\nparticles_per_velocity = 4096", "must be at most"),
-    (GOOD + "\nstep = -1", "step"),
+    (GOOD + "\nstep = -1", "step: must be within"),
+    ("wavenumber = 50\namplitude = 0.01", "wavenumber: must be within 0.001 to 10"),
+    ("wavenumber = 0.5\namplitude = 0", "amplitude: must not be zero"),
 ])  # fmt: skip
 def test_what_is_refused(spec, system, words):
     with pytest.raises(InvalidInput, match=re.escape(words)):

@@ -17,6 +17,7 @@ from polhode.types import Array, Float64
 
 MOST_STEPS = 60
 ROUNDING = 1e-13  # of |ω|: a smaller real part is none
+ZERO = 1e-6  # of D where all of it is one: what is left at a root
 SOLVED = 1e-13  # of the frequency: the last step of Newton's method
 
 
@@ -131,7 +132,9 @@ def plasma_wave(beams: Sequence[Beam], wavenumber: float, guess: complex | None 
         if not (math.isfinite(omega.real) and math.isfinite(omega.imag)):
             break
         if abs(step) <= SOLVED * abs(omega):
-            return _with_response(beams, k, omega)
+            if abs(_dispersion(beams, k, omega)[0]) < ZERO:
+                return _with_response(beams, k, omega)
+            break  # far away, where numbers do not change any more
     raise NotConverged(
         f"Newton's method from ω = {shown(guess)} finds no mode at k = {k:g}. Give another `guess`, nearer to one."
     )

@@ -17,6 +17,7 @@ from polhode.systems.point_vortices import PlaneVortices, SphereVortices
 from polhode.types import Array, ArrayLike, Complex128, Float64, Real
 
 ALONG = 1e-12  # singular values of the turns, relative: two poles fix no turn about their own line
+RESTING = 1e-14  # of the field's terms: a slower turn is their rounding
 TURNING = 1e-8  # of the field: what is left of it besides a turn is rounding, up to the solver that found the state
 
 
@@ -172,7 +173,9 @@ def _turn_on_sphere(system: SphereVortices, point: Array) -> tuple[VortexTurn, f
     turns = np.cross(np.eye(3)[:, None], state).reshape(3, -1).T  # (3n, 3), of unit rate about each axis
     omega = np.linalg.lstsq(turns, field.ravel(), rcond=ALONG)[0]
     rate = float(np.linalg.norm(omega))
-    axis = omega / rate if rate else np.zeros(3)
+    if rate * float(np.linalg.norm(state)) <= RESTING * float(np.linalg.norm(_terms(system, point))):
+        return VortexTurn(0.0, axis=np.zeros(3)), float(np.linalg.norm(field))
+    axis = omega / rate
     return VortexTurn(rate, axis=axis), float(np.linalg.norm(field.ravel() - turns @ omega))
 
 

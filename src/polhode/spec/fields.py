@@ -190,9 +190,15 @@ def _lean(value: float) -> float:
     return value
 
 
-def _not_zero(value: float) -> float:
+def not_zero(value: float) -> float:
     if value == 0.0:
-        raise ValueError("must not be zero; leave such a vortex out")
+        raise ValueError("must not be zero; leave it out, or give another number")
+    return value
+
+
+def _latitude(value: float) -> float:
+    if not abs(value) <= 0.5 * math.pi * (1.0 + 1e-15):
+        raise ValueError(f"must lie from -90 to 90 deg; got {math.degrees(value):g} deg. Check it")
     return value
 
 
@@ -279,5 +285,6 @@ Speed = Annotated[float, _reader("m/s")]
 Energy = Annotated[float, _reader("J")]
 MagneticFlux = Annotated[float, _reader("T")]
 MagneticField = Annotated[tuple[MagneticFlux, MagneticFlux, MagneticFlux], _three("T")]
-Circulation = Annotated[float, _reader("m^2/s"), AfterValidator(_not_zero)]
+Latitude = Annotated[Angle, AfterValidator(_latitude)]
+Circulation = Annotated[float, _reader("m^2/s"), AfterValidator(not_zero)]
 Velocity = Annotated[tuple[Speed, Speed, Speed], _three("m/s")]

@@ -40,7 +40,8 @@ class VorticesReport(AbstractMotionReport):
         sphere_radius: [m]; None in a plane.
         trajectory: samples of the motion.
         turn: of the whole; None where distances between vortices change.
-        verdict: on that turn; None without one, or of too many vortices.
+        verdict: on that turn; None without one, or where there is none to be had.
+        no_verdict: why there is none, though they turn; empty otherwise.
     """
 
     kind: ClassVar[str] = "point-vortices"
@@ -49,6 +50,7 @@ class VorticesReport(AbstractMotionReport):
     trajectory: Trajectory
     turn: VortexTurn | None
     verdict: Stability | None
+    no_verdict: str = ""
 
     @property
     def strengths(self) -> Float64[Array, "n"]:
@@ -106,8 +108,8 @@ class VorticesReport(AbstractMotionReport):
             found.append("a uniform vorticity over the sphere makes up for the sum of the strengths; it moves nothing.")
         if self.turn is None and len(self.strengths) > 3:
             found.append("more than three vortices may move chaotically: small differences of the start then grow.")
-        if self.turn is not None and self.verdict is None:
-            found.append(f"verdicts are given for at most {LARGEST_VERDICT} vortices.")
+        if self.no_verdict:
+            found.append(f"no verdict: {self.no_verdict}")
         return found
 
     def answers(self) -> list[Group | Table]:
@@ -209,8 +211,8 @@ def report_of(spec: Spec) -> VorticesReport:
     shown = check_length(spec.until, times, steps, EACH + PAIR * count * count)
     trajectory = simulate(system, state, times, order=ORDER, progress=shown)
     turn = _turn_of(system, state)
-    verdict = vortex_stability(system, state) if turn is not None and count <= LARGEST_VERDICT else None
-    return VorticesReport(system, radius, trajectory, turn, verdict)
+    verdict, why = _verdict_of(system, state, turn)
+    return VorticesReport(system, radius, trajectory, turn, verdict, why)
 
 
 def _start(table: VorticesTable) -> tuple[SphereVortices | PlaneVortices, Array, float | None]:
@@ -235,6 +237,20 @@ def _usual_end(system: SphereVortices | PlaneVortices, state: Array) -> float:
     places = np.asarray(system.positions(state))
     size = float(np.linalg.norm(places - places.mean(axis=0), axis=-1).mean())
     return TURNOVERS * 4.0 * math.pi**2 * size**2 / float(np.abs(np.asarray(system.strengths)).sum())
+
+
+def _verdict_of(
+    system: SphereVortices | PlaneVortices, state: Array, turn: VortexTurn | None
+) -> tuple[Stability | None, str]:
+    """Return the verdict, or why there is none."""
+    if turn is None:
+        return None, ""
+    if len(system.strengths) > LARGEST_VERDICT:
+        return None, f"it is given for at most {LARGEST_VERDICT} vortices."
+    try:
+        return vortex_stability(system, state), ""
+    except InvalidInput as error:  # strengths or distances so unlike that derivatives are lost
+        return None, str(error)
 
 
 def _turn_of(system: SphereVortices | PlaneVortices, state: Array) -> VortexTurn | None:

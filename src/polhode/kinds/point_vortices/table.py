@@ -6,12 +6,12 @@ from typing import Annotated, ClassVar
 
 from pydantic import Field
 
-from polhode.spec.fields import Angle, Circulation, Coordinate, Length
+from polhode.spec.fields import Angle, Circulation, Coordinate, Latitude, Length
 from polhode.spec.models import SystemTable
 
 MOST = 2000  # vortices: a step goes over all pairs
 Place = tuple[Coordinate, Coordinate]
-LatitudeAndLongitude = tuple[Angle, Angle]
+LatitudeAndLongitude = tuple[Latitude, Angle]
 
 
 class VorticesTable(SystemTable):
@@ -25,5 +25,5 @@ class VorticesTable(SystemTable):
     positions: list[Place] | None = None
     ring_radius: Length | None = None
     coordinates: list[LatitudeAndLongitude] | None = None
-    ring_latitude: Angle | None = None
+    ring_latitude: Latitude | None = None
     sphere_radius: Length | None = None

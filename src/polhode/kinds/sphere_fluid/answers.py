@@ -9,6 +9,7 @@ from typing import ClassVar
 
 import numpy as np
 
+from polhode.errors import InvalidInput
 from polhode.integrators import IsospectralMidpoint
 from polhode.kinds.base import Spec
 from polhode.kinds.sphere_fluid.start import start_of
@@ -27,6 +28,7 @@ from polhode.types import Array, Float64
 ANGLE = 0.25  # rad that the fastest rotation turns in a step: shorter steps cost more iterations in all than they save
 TURNOVERS = 15.0  # of eddies, unless the spec says how long
 MEMORY = 2**27  # bytes of states that are kept: of large matrices fewer samples
+EXTREME = 1e100  # rad/s: squares stay within the range of numbers
 LISTED = 12  # degrees of the spectrum in the text
 
 
@@ -162,7 +164,7 @@ def report_of(spec: Spec) -> FluidReport:
     """Return the report on a fluid on a sphere.
 
     Raises:
-        InvalidInput: for a fluid at rest, or a time that takes too many steps.
+        InvalidInput: for a fluid at rest or a vorticity beyond the numbers, or a time that takes too many steps.
     """
     table = spec.system
     assert isinstance(table, FluidTable)
@@ -170,9 +172,12 @@ def report_of(spec: Spec) -> FluidReport:
     state = start_of(fluid, table, spec.folder)
     relative = np.asarray(state - fluid.planetary)
     vorticity = math.sqrt(float(fluid.algebra.pairing(relative, relative)) / (4.0 * math.pi))
-    until = spec.until
-    if until is None:
-        until = TURNOVERS * 2.0 * math.pi / vorticity if vorticity else 1.0
+    if not 1.0 / EXTREME <= vorticity <= EXTREME:
+        raise InvalidInput(
+            f"the vorticity at the start must be within {1.0 / EXTREME:g} to {EXTREME:g} rad/s, root mean square; it "
+            f"is {vorticity:.3g} rad/s. Check `random`, `vortices` and `waves`, which may cancel each other."
+        )
+    until = TURNOVERS * 2.0 * math.pi / vorticity if spec.until is None else spec.until
     kept = max(2, min(spec.samples, MEMORY // (16 * fluid.size**2)))
     times = np.linspace(0.0, until, kept)
     # the fastest planetary wave goes round at Ω, however slow the flow is

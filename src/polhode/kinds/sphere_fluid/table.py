@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Annotated, ClassVar
 
-from pydantic import Field, StrictInt
+from pydantic import AfterValidator, Field, StrictInt
 
-from polhode.spec.fields import Angle, Circulation, Length, PositiveRate, Rate
+from polhode.spec.fields import Angle, Circulation, Latitude, Length, PositiveRate, Rate, not_zero
 from polhode.spec.models import Strict, SystemTable
 
 Degree = Annotated[StrictInt, Field(ge=1, le=511)]
@@ -24,7 +24,7 @@ class VortexTable(Strict):
     """The smallest vortex that the resolution has room for."""
 
     strength: Circulation = Field(description='give the circulation, like "1 m^2/s"')
-    latitude: Angle = Field(description='give it like "45 deg"')
+    latitude: Latitude = Field(description='give it like "45 deg"')
     longitude: Angle = 0.0
 
 
@@ -33,7 +33,9 @@ class WaveTable(Strict):
 
     degree: Degree = Field(description="give it like 4")
     order: Annotated[StrictInt, Field(ge=0, le=511)] = Field(description="give it like 3; zero is a zonal flow")
-    vorticity: Rate = Field(description='give the root mean square over the sphere, like "1 rad/s"')
+    vorticity: Annotated[Rate, AfterValidator(not_zero)] = Field(
+        description='give the root mean square over the sphere, like "1 rad/s"'
+    )
     longitude: Angle = 0.0
 
 

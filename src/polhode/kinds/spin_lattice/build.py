@@ -7,6 +7,7 @@ import math
 import numpy as np
 from scipy.constants import hbar, physical_constants
 
+from polhode.errors import InvalidInput
 from polhode.kinds.spin_lattice.table import BondTable, SpinLatticeTable
 from polhode.systems.lattice import Bond, Lattice, exchange_matrix
 from polhode.systems.spin_lattice import SpinLattice
@@ -16,7 +17,14 @@ BOHR_MAGNETON = physical_constants["Bohr magneton"][0]  # J/T
 
 
 def lattice_of(table: SpinLatticeTable) -> SpinLattice:
-    """Return the spins, energies over ħ in rad/s, so that times are in seconds."""
+    """Return the spins, energies over ħ in rad/s, so that times are in seconds.
+
+    Raises:
+        InvalidInput: for bonds without energies, or vectors and places that make no lattice.
+    """
+    bonds = [_bond(bond) for bond in table.bonds]
+    if not any(np.any(bond.matrix) for bond in bonds):
+        raise InvalidInput("`bonds` must not all be zero: spins without exchange are no lattice. Give one an energy.")
     vectors = [[*row] for row in table.vectors]
     lattice = Lattice(vectors, table.basis, tuple(table.cells), table.periodic)
     onsite = None
@@ -26,7 +34,7 @@ def lattice_of(table: SpinLatticeTable) -> SpinLattice:
         onsite = table.anisotropy.energy / hbar * np.outer(axis, axis)
     field = np.zeros(3) if table.field is None else np.asarray(table.field)
     return SpinLattice(
-        lattice, table.spin, [_bond(bond) for bond in table.bonds], onsite,
+        lattice, table.spin, bonds, onsite,
         table.g_factor * BOHR_MAGNETON / hbar * field,
         0.0 if table.dipolar is None else table.dipolar / hbar,
         0.0 if table.temperature is not None else table.damping,

@@ -6,10 +6,13 @@ from typing import Annotated, ClassVar
 
 from pydantic import AfterValidator, Field, StrictInt
 
-from polhode.spec.fields import Plain, PositivePlain, within
+from polhode.spec.fields import Plain, PositivePlain, not_zero, within
 from polhode.spec.models import Strict, SystemTable
 
-Disturbance = Annotated[Plain, AfterValidator(within(-0.99, 0.99, "a share of the density"))]
+Disturbance = Annotated[Plain, AfterValidator(within(-0.99, 0.99, "a share of the density")),
+                        AfterValidator(not_zero)]  # fmt: skip
+Wavenumber = Annotated[Plain, AfterValidator(within(1e-3, 10.0, "in inverse Debye lengths"))]
+Step = Annotated[Plain, AfterValidator(within(1e-6, 1.0, "a fraction of a plasma oscillation"))]
 
 
 class BeamTable(Strict):
@@ -25,7 +28,7 @@ class PlasmaTable(SystemTable):
 
     takes: ClassVar[tuple[str, ...]] = ("time",)
     needs: ClassVar[tuple[str, ...]] = ()
-    wavenumber: PositivePlain = Field(
+    wavenumber: Wavenumber = Field(
         description="give that of the box's longest wave, in inverse Debye lengths, like 0.5"
     )
     amplitude: Disturbance = Field(description="give the density's share that is moved, like 0.01")
@@ -34,4 +37,4 @@ class PlasmaTable(SystemTable):
     velocities: Annotated[StrictInt, Field(ge=8, le=4096)] = 256
     particles_per_velocity: Annotated[StrictInt, Field(ge=2, le=4096)] = 32
     fastest: PositivePlain | None = None
-    step: PositivePlain = 0.1
+    step: Step = 0.1
