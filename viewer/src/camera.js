@@ -1,7 +1,7 @@
 // One direction of view for all panels: a drag, or the arrow keys, in one of them turns them all.
 import { PerspectiveCamera, Vector3 } from "three";
 
-const FIELD = 26; // degrees; narrow, so that shapes look as they are
+export const FIELD = 26; // degrees; narrow, so that shapes look as they are
 const STEP = 0.1; // rad per key
 const HIGHEST = 1.55;
 const [FARTHEST, CLOSEST] = [0.4, 6];

@@ -1,7 +1,7 @@
 // One WebGL context draws all panels, and each picture is copied to the panel's own canvas. Browsers allow few
 // contexts, and so panels scroll and stack as any element does; names are written over the copy, where text is sharp.
 import { AmbientLight, DirectionalLight, Scene, Vector3, WebGLRenderer } from "three";
-import { newCamera, ORIGIN } from "./camera.js";
+import { FIELD, newCamera, ORIGIN } from "./camera.js";
 
 const APART = 17; // pixels that a name is high
 const MOST_DOTS = 2; // device pixels per pixel drawn at most
@@ -32,7 +32,7 @@ export class Stage {
   render(panel, left, width, height) {
     const { renderer } = this;
     if (!panel.flat) this.view.place(panel.camera, panel.target ?? ORIGIN, panel.radius, width / height);
-    else panel.flat(panel.camera, width / height);
+    else lookDown(panel.camera, panel.flat, width / height);
     panel.lamp.position.copy(panel.camera.position).add(LAMP.clone().applyQuaternion(panel.camera.quaternion));
     panel.lamp.target.position.copy(panel.target ?? ORIGIN);
     panel.lamp.target.updateMatrixWorld();
@@ -103,6 +103,19 @@ function free([x, y], [width, height], taken, [across, down]) {
     }
   }
   return [...first, width, height];
+}
+
+/** Look along −z, so that half widths and heights about a place on the x axis are in sight. */
+function lookDown(camera, { wide, high, x = 0 }, aspect) {
+  const distance = Math.max(high, wide / aspect) / Math.tan((FIELD * Math.PI) / 360);
+  camera.position.set(x, 0, distance);
+  camera.up.set(0, 1, 0);
+  camera.aspect = aspect;
+  camera.near = distance / 2;
+  camera.far = 2 * distance;
+  camera.lookAt(x, 0, 0);
+  camera.updateProjectionMatrix();
+  camera.updateMatrixWorld();
 }
 
 const LAMP = new Vector3(-2, 3, 1);

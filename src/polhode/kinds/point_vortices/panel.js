@@ -1,7 +1,6 @@
 // Point vortices with their tracks, on a globe or in a plane; their sense by colour, their strength by size.
 (globalThis.polhodePanels ??= {}).vortices = (motion, data, theme, tools) => {
   const { Vector3, circle, dot, drawUpTo, globe, newPanel, path, unpacked } = tools;
-  const FIELD = 13; // degrees from the middle to the upper edge, as in the other pictures
   const [LEAST, MOST] = [0.018, 0.045]; // radii of dots
   const places = unpacked(data.place);
   const strengths = unpacked(data.strength);
@@ -21,19 +20,7 @@
     { color: colors[0], text: "anticlockwise" },
     ...([...strengths].some((x) => x < 0) ? [{ color: colors[1], text: "clockwise" }] : []),
   ];
-  if (data.flat) {
-    panel.flat = (camera, aspect) => {
-      const distance = Math.max(1.12, 1.12 / aspect) / Math.tan((FIELD * Math.PI) / 180);
-      camera.position.set(0, 0, distance);
-      camera.up.set(0, 1, 0);
-      camera.aspect = aspect;
-      camera.near = distance / 2;
-      camera.far = 2 * distance;
-      camera.lookAt(0, 0, 0);
-      camera.updateProjectionMatrix();
-      camera.updateMatrixWorld();
-    };
-  }
+  if (data.flat) panel.flat = { wide: 1.12, high: 1.12 };
   panel.update = (now) => {
     const k = Math.floor(now.position);
     const part = now.position - k;

@@ -1,7 +1,6 @@
 // Spins on a lattice from above: arrows in the plane, coloured by the component towards the reader.
 (globalThis.polhodePanels ??= {}).spins = (motion, data, theme, tools) => {
   const { Color, ConeGeometry, InstancedMesh, Matrix4, MeshBasicMaterial, Quaternion, Vector3, newPanel, unpacked } = tools;
-  const FIELD = 13; // degrees from the middle to the upper edge, as in the other pictures
   const places = unpacked(data.place);
   const frames = unpacked(data.frames);
   const levels = unpacked(data.spins);
@@ -19,18 +18,7 @@
     { color: "#b2182b", text: "towards the reader" },
     { color: "#2166ac", text: "away" },
   ];
-  panel.flat = (camera, aspect) => {
-    const room = Math.max(reach[1], reach[0] / aspect) + 2 * length;
-    const distance = room / Math.tan((FIELD * Math.PI) / 180);
-    camera.position.set(0, 0, distance);
-    camera.up.set(0, 1, 0);
-    camera.aspect = aspect;
-    camera.near = distance / 2;
-    camera.far = 2 * distance;
-    camera.lookAt(0, 0, 0);
-    camera.updateProjectionMatrix();
-    camera.updateMatrixWorld();
-  };
+  panel.flat = { wide: reach[0] + 2 * length, high: reach[1] + 2 * length };
   panel.update = (now) => {
     let k = 0;
     while (k < frames.length - 2 && frames[k + 1] <= now.position) k++;

@@ -4,7 +4,6 @@
   const { Group, Mesh, MeshLambertMaterial, SphereGeometry, dot, line, newPanel, unpacked } = tools;
   const [MOON, PLANET] = [0.2, 0.1]; // sizes, in semi-major axes
   const ROOM = 0.55; // of the least distance, that the moon may fill; half as much the planet
-  const FIELD = 13; // degrees from the middle to the upper edge, as in the other pictures
 
   function orbitPanel(motion, data, theme) {
     const panel = newPanel(theme, { title: "Spin on the orbit", words: "seen from above; the moon is drawn large", radius: 1.3 });
@@ -30,18 +29,7 @@
     moon.add(rock, mark, line([-size, 0, size, 1.5 * size, 0, size], theme.motion, 2.5));
     const ray = line([0, 0, 0, 1, 0, 0], theme.ring, 1.2);
     scene.add(line(ellipse, theme.family, 1.4), planet, moon, ray);
-    panel.flat = (camera, aspect) => {
-      const [wide, high] = [1 + 1.7 * size, Math.sqrt(1 - e * e) + 1.7 * size];
-      const distance = Math.max(high, wide / aspect) / Math.tan((FIELD * Math.PI) / 180);
-      camera.position.set(-e, 0, distance);
-      camera.up.set(0, 1, 0);
-      camera.aspect = aspect;
-      camera.near = distance / 2;
-      camera.far = 2 * distance;
-      camera.lookAt(-e, 0, 0);
-      camera.updateProjectionMatrix();
-      camera.updateMatrixWorld();
-    };
+    panel.flat = { wide: 1 + 1.7 * size, high: Math.sqrt(1 - e * e) + 1.7 * size, x: -e };
     panel.legend = [
       { color: theme.motion, text: "long axis" },
       { color: theme.axes[1], text: "planet" },

@@ -1,7 +1,6 @@
 // Phase space of a plasma: position to the right, velocity upwards, bright where electrons are.
 (globalThis.polhodePanels ??= {}).phase_space = (motion, data, theme, tools) => {
   const { DataTexture, LinearFilter, Mesh, MeshBasicMaterial, PlaneGeometry, newPanel, unpacked } = tools;
-  const FIELD = 13; // degrees from the middle to the upper edge, as in the other pictures
   const { rows, columns } = data;
   const levels = unpacked(data.levels);
   const frames = unpacked(data.frames);
@@ -24,17 +23,7 @@
     { color: "rgb(253, 231, 37)", text: "many electrons" },
     { color: "rgb(68, 1, 84)", text: "few" },
   ];
-  panel.flat = (camera, aspect) => {
-    const distance = Math.max(1.0, 1.25 / aspect) / Math.tan((FIELD * Math.PI) / 180);
-    camera.position.set(0, 0, distance);
-    camera.up.set(0, 1, 0);
-    camera.aspect = aspect;
-    camera.near = distance / 2;
-    camera.far = 2 * distance;
-    camera.lookAt(0, 0, 0);
-    camera.updateProjectionMatrix();
-    camera.updateMatrixWorld();
-  };
+  panel.flat = { wide: 1.25, high: 1 };
   let drawn = -1;
   panel.update = (now) => {
     let k = 0;
