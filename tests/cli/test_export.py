@@ -99,7 +99,7 @@ def test_one_file_may_be_named(run, tmp_path):
 
 
 @pytest.mark.parametrize(("arguments", "words"), [
-    (("--to", "aen"), "must be one of netcdf, zarr, csv, aem, ck, gltf, urdf; got 'aen'. Did you mean aem?"),
+    (("--to", "aen"), "must be one of netcdf, zarr, csv, aem, ck, gltf, urdf, cat, par; got 'aen'. Did you mean aem?"),
     (("--to", "NetCDF"), "got 'NetCDF'. Did you mean netcdf?"),
     (("--to", "aem", "--to", "csv", "--out", "one"), "--out names one file, and 2 forms"),
     (("--to", "csv", "--out", "missing/motion.csv"), "csv: missing/motion.csv: cannot be written"),
