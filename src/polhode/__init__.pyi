@@ -8,6 +8,9 @@ from . import (
     errors as errors,
 )
 from . import (
+    estimation as estimation,
+)
+from . import (
     figures as figures,
 )
 from . import (
