@@ -5,10 +5,12 @@ import subprocess
 import sys
 import tracemalloc
 
+import jax.numpy as jnp
 import numpy as np
 import pytest
 
 from polhode import algebra as lie
+from polhode import systems
 from polhode.errors import InvalidInput
 
 EPSILON = lie.SO3().structure_constants()
@@ -99,6 +101,29 @@ def test_semidirect_sum_of_turns_and_vectors_is_se3():
 def test_sizes_that_are_refused(make):
     with pytest.raises(InvalidInput, match="must be"):
         make()
+
+
+@pytest.mark.parametrize("weights", [(1.0, 2.0), (1.0, 0.0, 1.0), (1.0, float("nan"), 1.0), ((1.0,), (2.0,), (3.0,))])
+def test_weights_that_are_refused(weights):
+    with pytest.raises(InvalidInput, match="`weights` must be"):
+        lie.Power(lie.SO3(), 3, weights)
+
+
+def test_weights_are_the_strengths_of_vortices():
+    """Unit vectors whose weights are Γ move as μ = Γx of the vortices do; with other weights they do not."""
+    strengths = np.array([1.0, -0.7, 0.4])
+
+    def energy(x):
+        apart = 2.0 - 2.0 * jnp.einsum("ik,jk->ij", x, x) + jnp.eye(3)
+        return -jnp.sum(np.outer(strengths, strengths) * jnp.log(apart)) / (8.0 * np.pi)
+
+    x = np.random.default_rng(1).normal(size=(3, 3))
+    x /= np.linalg.norm(x, axis=-1, keepdims=True)
+    wanted = systems.SphereVortices(strengths).vector_field(0.0, strengths[:, None] * x) / strengths[:, None]
+    moved = {signs: systems.LiePoisson(lie.Power(lie.SO3(), 3, strengths * signs), energy, sign=1).vector_field(0.0, x)
+             for signs in (1.0, 2.0)}  # fmt: skip
+    np.testing.assert_allclose(moved[1.0], wanted, atol=1e-14)
+    assert np.abs(moved[2.0] - wanted).max() > 0.01
 
 
 def test_wrong_shapes_are_named():

@@ -7,10 +7,12 @@ from typing import Any
 
 import equinox as eqx
 import jax.numpy as jnp
+import numpy as np
 
 from polhode.algebra.base import AbstractLieAlgebra
+from polhode.arrays import is_traced
 from polhode.errors import InvalidInput, shown
-from polhode.types import Array, Double, Float64
+from polhode.types import Array, ArrayLike, Double, Float64, Real
 
 
 class Power(AbstractLieAlgebra):
@@ -19,13 +21,33 @@ class Power(AbstractLieAlgebra):
     ``count`` is their number, or the shape of an array of them: elements are ``(…, *shape, *element_shape)``. What is
     said of every copy is listed along one axis, in the order of that array.
 
+    With ``weights`` w_k the pairing is Σ w_k ⟨μ_k, x_k⟩, so that {F, G} = Σ ⟨μ_k, [∂F/∂μ_k, ∂G/∂μ_k]⟩ / w_k: a vortex
+    of strength Γ is then a unit vector of weight Γ, a particle of mass m a velocity and a place of weight m.
+
+    Args:
+        algebra: of which there are copies.
+        count: their number, or the shape of an array of them.
+        weights: of that shape, finite and not zero; by default one each.
+
     >>> from polhode.algebra import SO3
     >>> Power(SO3(), (4, 2)).element_shape, Power(SO3(), (4, 2)).copies
     ((4, 2, 3), 8)
+    >>> float(Power(SO3(), 2, (1.0, -3.0)).pairing(jnp.ones((2, 3)), jnp.ones((2, 3))))
+    -6.0
     """
 
     algebra: AbstractLieAlgebra
     count: int | tuple[int, ...] = eqx.field(static=True)
+    weights: Float64[Array, "*shape"] | None
+
+    def __init__(
+        self,
+        algebra: AbstractLieAlgebra,
+        count: int | tuple[int, ...],
+        weights: Real[ArrayLike, "*shape"] | None = None,
+    ) -> None:
+        self.algebra, self.count = algebra, count
+        self.weights = None if weights is None else jnp.asarray(weights, dtype=float)
 
     def __check_init__(self) -> None:
         if not self.shape or not all(isinstance(n, int) and n >= 1 for n in self.shape):
@@ -33,6 +55,12 @@ class Power(AbstractLieAlgebra):
                 "`count` must be a whole number of copies, at least 1, or a tuple of such numbers; "
                 f"got {shown(self.count)}."
             )
+        if self.weights is None:
+            return
+        if self.weights.shape != self.shape:
+            raise InvalidInput(f"`weights` must be {self.shape}, one for each copy; got {self.weights.shape}.")
+        if not is_traced(self.weights) and not bool(jnp.all(jnp.isfinite(self.weights) & (self.weights != 0))):
+            raise InvalidInput(f"`weights` must be finite and not zero; got {shown(np.asarray(self.weights))}.")
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -71,7 +99,8 @@ class Power(AbstractLieAlgebra):
         return self.algebra.coadjoint(x, mu)
 
     def pairing(self, mu: Double[Array, "..."], x: Double[Array, "..."]) -> Float64[Array, "..."]:
-        return jnp.sum(self.algebra.pairing(mu, x), axis=self._axes)
+        paired = self.algebra.pairing(mu, x)
+        return jnp.sum(paired if self.weights is None else self.weights * paired, axis=self._axes)
 
     def casimirs(self, mu: Double[Array, "..."]) -> Float64[Array, "... k"]:
         return self._flat(self.algebra.casimirs(mu))
@@ -87,13 +116,18 @@ class Power(AbstractLieAlgebra):
         return self.algebra.from_vector(self._split(vector))
 
     def to_dual_vector(self, mu: Double[Array, "..."]) -> Float64[Array, "... {self.dim}"]:
-        return self._flat(self.algebra.to_dual_vector(mu))
+        values = self.algebra.to_dual_vector(mu)
+        return self._flat(values if self.weights is None else values * self.weights[..., None])
 
     def from_dual_vector(self, vector: Float64[Array, "... {self.dim}"]) -> Double[Array, "..."]:
-        return self.algebra.from_dual_vector(self._split(vector))
+        values = self._split(vector)
+        return self.algebra.from_dual_vector(values if self.weights is None else values / self.weights[..., None])
 
     def from_gradient(self, gradient: Double[Array, "..."]) -> Double[Array, "..."]:
-        return self.algebra.from_gradient(gradient)
+        element = self.algebra.from_gradient(gradient)
+        if self.weights is None:
+            return element
+        return element / self.weights.reshape(*self.shape, *(1,) * len(self.algebra.element_shape))
 
     def rate(self, x: Double[Array, "..."]) -> Float64[Array, "..."]:
         return jnp.max(self.algebra.rate(x), axis=self._axes)
