@@ -33,7 +33,7 @@ INNER = {
               "lagrange_top.periods", "lagrange_top.preparation", "lagrange_top.reduction", "lagrange_top.roots",
               "lagrange_top.series", "lagrange_top.standing", "lagrange_top.symmetry", "lagrange_top.tangent"},
     "integrators": {"accuracy", "adaptive", "composition", "difference", "either_mode", "embedded", "equal_steps",
-                    "fixed_point", "group", "interrupts", "reversal", "sampled"},
+                    "fixed_point", "group", "interrupts", "reversal", "sampled", "step_noise"},
     "motion": {"inputs", "invariants", "layout", "outcome", "trajectory"},
     "quantum": {"derivatives", "level_polhodes", "measured", "operators", "orbits", "partition", "strengths", "wang"},
     "special": {"agm", "spherical_tensors", "circular", "doubledouble", "first_kind", "legendre"},

@@ -23,10 +23,11 @@ SOLVERS = [
     integrators.MuntheKaas(BODY, H, SECOND), integrators.SphericalMidpoint(CHAIN, H, SECOND),
     integrators.SublatticeTurns(LATTICE, H, np.arange(4).reshape(4, 1, 1, 1) % 2),
     integrators.NoiseDriftNoise(CHAIN, H, integrators.Bath(0.3, 0.2, 1)),
+    integrators.TransportNoise(BODY, H, 0.2 * np.eye(3)),
     integrators.IsospectralMidpoint(systems.Manakov((1.0, 2.0, 3.0)), H, SECOND),
 ]  # fmt: skip
-NO_ARRAYS = {"order", "memory", "init", "func"}
-"""What is a number, zeros, or diffrax's own term."""
+NO_ARRAYS = {"order", "memory", "init", "func", "change_by"}
+"""What is a number, zeros, or diffrax's own term; and ``change``, from which ``change_by`` differs by the noise."""
 
 
 def named(solver):
@@ -42,7 +43,7 @@ def at_once(solvers, every=SOLVERS):
     return [pytest.param(s, id=named(s), marks=[] if s in solvers else [pytest.mark.sweep]) for s in every]
 
 
-SMOOTH = [s for s in SOLVERS if not isinstance(s, integrators.NoiseDriftNoise)]
+SMOOTH = [s for s in SOLVERS if not isinstance(s, integrators.NoiseDriftNoise | integrators.TransportNoise)]
 """Noise is keyed by time, of which it is no continuous function."""
 
 

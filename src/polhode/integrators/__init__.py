@@ -9,6 +9,7 @@ from polhode.integrators.spherical_midpoint import SphericalMidpoint
 from polhode.integrators.splitting import Splitting
 from polhode.integrators.sublattice_turns import SublatticeTurns
 from polhode.integrators.thermal_noise import Bath, NoiseDriftNoise
+from polhode.integrators.transport_noise import TransportNoise
 
 __all__ = [
     "AbstractOrbitSolver",
@@ -21,4 +22,5 @@ __all__ = [
     "SphericalMidpoint",
     "Splitting",
     "SublatticeTurns",
+    "TransportNoise",
 ]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import Any, ClassVar, NamedTuple
 
-import jax
 import jax.numpy as jnp
 
 from polhode.algebra.power import Power
@@ -13,11 +12,9 @@ from polhode.arrays import is_traced
 from polhode.errors import InvalidInput, shown
 from polhode.integrators.base import AbstractOrbitSolver, Change, Scalar
 from polhode.integrators.fixed_point import fixed_point
+from polhode.integrators.step_noise import normals_of_step
 from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.types import Array, ArrayLike, Double, Float64, Real
-
-TICKS = 1024  # of a largest step: steps that are not shorter have keys of their own
-HALF_KEY = 2**31
 
 
 class Bath(NamedTuple):
@@ -82,11 +79,7 @@ class NoiseDriftNoise(AbstractOrbitSolver):
     def change(self, t: Scalar, h: Scalar, state: Double[Array, "..."]) -> Change:
         if self.system.parts(state).attitude is not None:
             raise InvalidInput("`NoiseDriftNoise` moves momenta only, not an attitude.")
-        place = jnp.round(jnp.asarray(t) / self.largest * TICKS).astype(int)
-        key = jax.random.key(self.bath.seed)
-        for part in (place // HALF_KEY, place % HALF_KEY):
-            key = jax.random.fold_in(key, part.astype(jnp.uint32))
-        one, other = jax.random.normal(key, (2, *jnp.shape(state)))
+        one, other = normals_of_step(self.bath.seed, t, self.largest, (2, *jnp.shape(state)))
         length = scaled_norm(state)[..., None]
         variance = self.bath.damping * self.bath.kT * jnp.abs(h) / jnp.where(length > 0, length, 1.0)
         # one turn by a normal vector of variance v spreads like the many small ones of variance v (1 + v/12), as turns
