@@ -23,6 +23,7 @@ SOLVERS = [
     integrators.MuntheKaas(BODY, H, SECOND), integrators.SphericalMidpoint(CHAIN, H, SECOND),
     integrators.SublatticeTurns(LATTICE, H, np.arange(4).reshape(4, 1, 1, 1) % 2),
     integrators.NoiseDriftNoise(CHAIN, H, integrators.Bath(0.3, 0.2, 1)),
+    integrators.IsospectralQR(systems.Toda(3), H),
     integrators.TransportNoise(BODY, H, 0.2 * np.eye(3)),
     integrators.IsospectralMidpoint(systems.Manakov((1.0, 2.0, 3.0)), H, SECOND),
 ]  # fmt: skip

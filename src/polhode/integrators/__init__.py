@@ -2,6 +2,7 @@
 
 from polhode.integrators.base import AbstractOrbitSolver
 from polhode.integrators.isospectral_midpoint import IsospectralMidpoint
+from polhode.integrators.isospectral_qr import IsospectralQR
 from polhode.integrators.lie_midpoint import LieMidpoint
 from polhode.integrators.moser_veselov import MoserVeselov
 from polhode.integrators.munthe_kaas import MuntheKaas
@@ -15,6 +16,7 @@ __all__ = [
     "AbstractOrbitSolver",
     "Bath",
     "IsospectralMidpoint",
+    "IsospectralQR",
     "LieMidpoint",
     "MoserVeselov",
     "MuntheKaas",
