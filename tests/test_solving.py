@@ -93,6 +93,7 @@ def test_derivatives_of_either_mode_are_those_of_the_closed_form(method):
     assert np.abs(change - np.sum(wanted * ways, axis=1)).max() < CLOSE
 
 
+@pytest.mark.sweep
 def test_derivatives_of_a_batch_within():
     states = np.stack([START, -0.5 * START])
     slopes = jax.grad(lambda s: jnp.sum(solved(s).saved * WEIGHTS))(jnp.asarray(states))
@@ -117,6 +118,7 @@ def test_derivatives_by_the_arrays_in_a_system_and_by_times():
     assert np.abs(jax.jacfwd(last)(numbers) - wanted).max() < CLOSE
 
 
+@pytest.mark.sweep
 def test_derivatives_by_default_steps_and_second_ones():
     """The default step is a number of the state, by which the steps are counted and not differentiated."""
     by_default = lambda s: ph.solve(BODY, s, TIMES, LieMidpoint, order=2).saved[-1, 0]  # noqa: E731

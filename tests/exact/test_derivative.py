@@ -194,6 +194,7 @@ def test_epoch_and_time_are_opposite():
         assert np.abs(np.asarray(by_time + by_epoch)).max() < SAME
 
 
+@pytest.mark.sweep
 def test_second_derivatives_against_differences_of_the_first():
     """Central differences of order eight at a step of their own, from a generic start and beside the saddle."""
     for momentum in (MOMENTUM, (1e-4, 2.0, -1e-4)):

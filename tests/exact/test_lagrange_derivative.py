@@ -138,6 +138,7 @@ def test_standing_tops_at_any_time_follow_their_linear_equations(drawn):
         assert error_of(case, jacobian, standing_jacobian(case)) < WORST, case
 
 
+@pytest.mark.sweep
 def test_derivatives_stay_finite_where_a_top_goes_upright_for_ever_or_falls(drawn):
     cases = [*drawn[0], *standing_tops()]
     cases = [case._replace(time=(1e4, -1e12)[k % 2]) if endless(case) or case.family in FALLS else case
@@ -162,6 +163,7 @@ def test_reverse_mode_under_vmap_and_jit_agrees_with_forward_mode(drawn):
 FEW = (0, 1, 2, 5, 7, 10)
 
 
+@pytest.mark.sweep
 def test_second_derivatives_against_differences_of_the_first():
     """Central differences of order eight, at a step of its own, of a top with I1 = I2 as one quantity."""
     point = np.array([1.0, 3.0, 0.7, 0.3, 0.8, 1.5, 0.5, 0.5, -0.5, 0.5, 7.0])

@@ -25,6 +25,7 @@ def path(system, start, count):
     return reconstruct_group(system.algebra, found.times, found.states, system.velocity, system.sign)
 
 
+@pytest.mark.sweep
 def test_the_attitude_of_a_body_comes_back():
     body = ph.systems.FreeRigidBody((1.0, 2.0, 3.0))
     start = np.array([0.3, 1.8, 1.5])
