@@ -8,6 +8,7 @@ import pytest
 import polhode as ph
 from polhode import analysis, systems
 from polhode.analysis.energy_casimir import energy_casimir
+from sweeping import only
 
 BODY = systems.FreeRigidBody((1.0, 2.0, 3.0))
 TOP = systems.HeavyTop((1.0, 1.0, 0.5), 1.0, (0.0, 0.0, 1.0))
@@ -51,7 +52,7 @@ def judged(name):
     return found, function_of(system, found), jnp.asarray(point)
 
 
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize("name", only(("sleeping top", "intermediate axis", "rotor"), CASES))
 def test_it_is_critical_and_definite_where_it_says_so(name):
     found, function, point = judged(name)
     assert float(jnp.abs(jax.grad(function)(point)).max()) < CRITICAL * (1.0 + float(jnp.abs(point).max()))

@@ -117,7 +117,7 @@ def test_no_method_is_forgotten(kind):
 
 
 @pytest.mark.parametrize("where", ["host", pytest.param("compiled", marks=pytest.mark.sweep)])
-@pytest.mark.parametrize("code", [VALUES, SLOPES], ids=["values", "slopes"])
+@pytest.mark.parametrize("code", [VALUES, pytest.param(SLOPES, marks=pytest.mark.sweep)], ids=["values", "slopes"])
 @pytest.mark.parametrize("kind", KINDS)
 def test_alone_in_a_compiled_batch(kind, code, where):
     names, numbers = (sorted(found) for found in public(KINDS[kind]))

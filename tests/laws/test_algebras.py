@@ -9,7 +9,7 @@ from polhode.testing import LawBroken, check_algebra
 from specimens import ALGEBRAS
 from sweeping import first
 
-SLOW = (lie.Product, lie.Semidirect, lie.SO, lie.SL, lie.Sp, lie.AffineLine, lie.DualNumbers)
+SLOW = (lie.Product, lie.Semidirect, lie.SO, lie.SL, lie.Sp, lie.AffineLine, lie.DualNumbers, lie.SOpq)
 
 
 def one_of_each_class_at_once():
