@@ -1,5 +1,6 @@
 """simulate: what it chooses, warns of, refuses, and reports."""
 
+import functools
 import warnings
 
 import diffrax
@@ -11,7 +12,9 @@ import polhode as ph
 from polhode import algebra as lie
 from polhode import systems
 from polhode.errors import InvalidInput, NotConverged
-from polhode.integrators import LieMidpoint, MoserVeselov, SphericalMidpoint, Splitting
+from polhode.formats.dataset import write_dataset
+from polhode.formats.dataset_reading import read_dataset
+from polhode.integrators import LieMidpoint, MoserVeselov, MuntheKaas, SphericalMidpoint, Splitting
 from polhode.motion import Ending
 from specimens import in_su3, spins
 from sweeping import first
@@ -163,3 +166,31 @@ def test_as_dataset_and_netcdf(tmp_path):
 def test_bad_input(call, words):
     with pytest.raises(InvalidInput, match=words):
         call()
+
+
+@pytest.mark.parametrize("copies", [(), (3,)])
+def test_a_trajectory_goes_on_to_the_same_bits(copies, tmp_path):
+    """Through a file where there is one copy; without its memory the same steps end in other roundings."""
+    state = np.random.default_rng(2).normal(size=(*copies, 3))
+    times = np.linspace(0.0, 6.0, 25)
+    run = functools.partial(ph.simulate, body, method=LieMidpoint, step=0.05, order=2, estimate_error=False)
+    whole, half = run(state, times), run(state, times[:13], resumable=True)
+    if not copies:
+        half = read_dataset(write_dataset(half, tmp_path / "half.nc"))
+    last = half.states[..., -1, :]
+    assert np.array_equal(run(last, times[12:], memory=half.memory).states, whole.states[..., 12:, :])
+    assert not np.array_equal(run(last, times[12:]).states, whole.states[..., 12:, :])
+    assert run(state, times).memory is None
+
+
+def test_what_cannot_go_on_is_refused():
+    memory = ph.simulate(body, (0.1, 1.0, 0.3), (0.0, 1.0), LieMidpoint, 0.1, resumable=True).memory
+    for given, words in (
+        ({"method": MuntheKaas, "step": 0.1, "memory": memory[:-1]}, "must be that of a run of MuntheKaas"),
+        ({"method": diffrax.Dopri8(), "memory": memory}, "diffrax's solvers begin anew"),
+        ({"method": diffrax.Dopri8(), "resumable": True}, "diffrax's solvers begin anew"),
+        ({"method": LieMidpoint, "tolerance": 1e-6, "memory": memory}, "goes with the earlier run's `step`"),
+        ({"resumable": True, "save": 2}, "needs the last time among"),
+    ):
+        with pytest.raises(InvalidInput, match=words):
+            ph.simulate(body, (0.1, 1.0, 0.3), (0.0, 0.4, 0.7, 1.0), **given)

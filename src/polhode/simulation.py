@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 import sys
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import Any, NamedTuple
 
 import diffrax
@@ -29,6 +30,7 @@ from polhode.solving import (
     checked_every,
     goes_along_orbit,
     is_adaptive,
+    memory_of,
     orbit_solver,
     step_angle,
     turning_rates,
@@ -48,6 +50,8 @@ class _Asked(NamedTuple):
     tolerance: float | None
     estimate_error: bool
     every: int
+    resumable: bool
+    memory: Sequence[Array] | None
 
 
 TINY = 1e-150  # a state whose squares lose digits, or are zero
@@ -68,6 +72,8 @@ def simulate(
     tolerance: float | None = None,
     estimate_error: bool = True,
     save: int = 1,
+    resumable: bool = False,
+    memory: Sequence[Array] | None = None,
 ) -> Trajectory:
     """Return the motion of a system from a state at the first time, sampled at all times.
 
@@ -98,6 +104,10 @@ def simulate(
             the true one. The second run costs half as much as the first; twice as much where samples are a step apart.
         save: every how many-th of the times is kept as a sample, so that a long run need not fill the memory; the steps
             are those to all times.
+        resumable: whether the trajectory keeps its ``memory``, which needs a method of ours and a last time that is
+            saved.
+        memory: that of an earlier trajectory by the same method and step, whose last state is given: the motion then
+            goes on as if it had not been interrupted, to the last bit. ``write_dataset`` keeps it.
 
     Returns:
         Trajectory with ``invariants``, ``balances`` and their ``drift``, ``statistics`` of steps and iterations (the
@@ -123,7 +133,10 @@ def simulate(
         )
     if step is not None and tolerance is not None and not is_adaptive(method):
         raise InvalidInput("give `step` or `tolerance`, which chooses the step, not both.")
-    asked = _Asked(step, order, progress, throw, tolerance, estimate_error, checked_every(save, len(times)))
+    every = checked_every(save, len(times))
+    asked = _Asked(step, order, progress, throw, tolerance, estimate_error, every, resumable, memory)
+    if resumable and (len(times) - 1) % every:
+        raise InvalidInput(f"`resumable` needs the last time among the saved ones; `save` {every} leaves it out.")
     with warnings.catch_warnings():
         # diffrax warns of complex states in general; our solvers' arithmetic is tested on them
         warnings.filterwarnings("ignore", message="Complex dtype support in Diffrax")
@@ -131,6 +144,10 @@ def simulate(
             check_agreement(system, state, times, by_flows=_would_split(system, method))
             if goes_along_orbit(system, method):
                 return _by_equal_steps(system, state, times, method, asked)
+        if resumable or memory is not None:
+            raise InvalidInput(
+                "`resumable` and `memory` go with the methods of polhode.integrators; diffrax's solvers begin anew."
+            )
         return _by_adaptive_steps(system, state, times, method, asked)
 
 
@@ -187,12 +204,15 @@ def _by_equal_steps(
     counts = step_counts(times, sizes).sum(axis=-1)
     shown = asked.progress if asked.progress is not None else counts.max() > LONG_RUN and sys.stderr.isatty()
     given = solver, state, times, sizes, rates
+    memory = None if asked.memory is None else memory_of(solver, state, asked.memory)
     if asked.tolerance is not None:
+        if memory is not None:
+            raise InvalidInput("`memory` goes with the earlier run's `step`; `tolerance` would choose another.")
         run, sizes, error = run_to_tolerance(*given, asked.tolerance, _meter(bool(shown)), _meter(False), asked.every)
     elif asked.estimate_error:
-        run, sizes, error = measured_run(*given, _meter(bool(shown)), _meter(False), asked.every)
+        run, sizes, error = measured_run(*given, _meter(bool(shown)), _meter(False), asked.every, memory)
     else:
-        run, error = run_by_equal_steps(*given, _meter(bool(shown)), asked.every), None
+        run, error = run_by_equal_steps(*given, _meter(bool(shown)), asked.every, memory), None
     steps = step_counts(times, sizes).sum(axis=-1)
     statistics = {"steps": int(steps.max()), "iterations": int(run.iterations.max())}
     name, failed = type(solver).__name__, np.argwhere(~run.fine)
@@ -210,7 +230,8 @@ def _by_equal_steps(
     if run.fine.ndim:
         status = np.where(run.fine, Status.COMPLETED, Status.NOT_CONVERGED)
         ends = Ends(status, np.full(status.shape, -1), np.where(run.fine, times[-1], np.nan), run.last)
-    return trajectory_of(system, times[:: asked.every], run.states, outcome, statistics, {}, error, ends)
+    found = trajectory_of(system, times[:: asked.every], run.states, outcome, statistics, {}, error, ends)
+    return replace(found, memory=tuple(jax.tree.leaves(run.memory))) if asked.resumable else found
 
 
 def _indices(where: np.ndarray) -> str:

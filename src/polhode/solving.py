@@ -222,22 +222,29 @@ def _by_equal_steps(
     else:
         solver = orbit_solver(system, method, order)
     if memory is not None:
-        _check_memory(solver, state, memory)
+        memory = memory_of(solver, state, memory)
     return _run(solver, state, jnp.asarray(times), step, every, observe, memory)
 
 
-def _check_memory(solver: AbstractOrbitSolver, state: Array, memory: Memory) -> None:
-    """Refuse a memory that is not of this method and these states."""
+def memory_of(solver: AbstractOrbitSolver, state: Double[Array, "..."], arrays: Any) -> Memory:
+    """Return a method's memory from its arrays.
+
+    Raises:
+        InvalidInput: for arrays that are not of this method and these states.
+    """
     fresh = solver.memory
     for _ in range(jnp.ndim(state) - solver.system.state_axes):
         fresh = jax.vmap(fresh)
-    wanted, given = jax.eval_shape(fresh, jnp.asarray(state)), jax.tree.map(jnp.asarray, memory)
-    shapes = [[(x.shape, x.dtype) for x in jax.tree.leaves(nest)] for nest in (wanted, given)]
-    if jax.tree.structure(wanted) != jax.tree.structure(given) or shapes[0] != shapes[1]:
+    wanted, given = jax.eval_shape(fresh, jnp.asarray(state)), [jnp.asarray(x) for x in jax.tree.leaves(arrays)]
+    shapes = [[x.shape for x in nest] for nest in (jax.tree.leaves(wanted), given)]
+    if shapes[0] != shapes[1] or any(jnp.iscomplexobj(x) and not jnp.issubdtype(w.dtype, jnp.complexfloating)
+                                     for w, x in zip(jax.tree.leaves(wanted), given, strict=True)):  # fmt: skip
         raise InvalidInput(
             f"`memory` must be that of a run of {type(solver).__name__} from states of the same shape, at the same "
             "order; leave it out to begin anew."
         )
+    leaves = [x.astype(w.dtype) for w, x in zip(jax.tree.leaves(wanted), given, strict=True)]
+    return jax.tree.unflatten(jax.tree.structure(wanted), leaves)
 
 
 @eqx.filter_jit

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from polhode.errors import InvalidInput, not_installed
-from polhode.formats.dataset_rules import COMPLEX_PART, UNITS
+from polhode.formats.dataset_rules import COMPLEX_PART, COUNTED, MEMORY, UNITS
 from polhode.formats.given_axes import along_principal_axes
 from polhode.formats.labels import AttitudeLabels, labels_of
 from polhode.formats.paths import written_whole
@@ -46,7 +46,7 @@ def as_dataset(trajectory: Trajectory, attributes: dict[str, str] | None = None)
     return xr.Dataset(*_described(trajectory, attributes))
 
 
-def _described(trajectory: Trajectory, attributes: dict[str, str] | None) -> tuple[Named, Named, dict[str, str]]:
+def _described(trajectory: Trajectory, attributes: dict[str, str] | None) -> tuple[Named, Named, dict[str, Any]]:
     """Return variables and coordinates, each (dimensions, values, attributes), and global attributes."""
     frame = trajectory.frame
     if frame is not None:
@@ -59,13 +59,14 @@ def _described(trajectory: Trajectory, attributes: dict[str, str] | None) -> tup
         coordinates["quaternion"] = ("quaternion", ["w", "x", "y", "z"])
     if "momentum_space" in trajectory.invariants | trajectory.balances:
         coordinates["space_axis"] = ("space_axis", ["x", "y", "z"])
-    if np.iscomplexobj(trajectory.states):
+    if any(map(np.iscomplexobj, (trajectory.states, *(trajectory.memory or ())))):
         coordinates[COMPLEX_PART] = (COMPLEX_PART, ["real", "imaginary"])
     variables = _state_variables(trajectory, batch) | _balance_variables(trajectory, batch)
     if trajectory.error_estimate is not None and np.isfinite(trajectory.error_estimate).all():
         meaning = "estimated largest error of the states, relative to the size of attitude and momentum"
         note = {"units": "1", "long_name": meaning, "role": "error estimate"}
         variables["error_estimate"] = (batch, np.asarray(trajectory.error_estimate, dtype=float), note)
+    variables |= _memory_variables(trajectory)
     if frame is not None:
         variables |= _frame_variables(frame)
         coordinates["given_axis"] = ("given_axis", ["x", "y", "z"])
@@ -73,6 +74,7 @@ def _described(trajectory: Trajectory, attributes: dict[str, str] | None) -> tup
             if name in variables:
                 variables[name][2]["comment"] = "body axes are the principal ones; principal_axes has them"
     header = {"Conventions": "CF-1.11", "source": "polhode", **_outcome_attributes(trajectory.outcome)}
+    header |= {f"{COUNTED}{name}": count for name, count in trajectory.statistics.items()}
     return variables, coordinates, header | label_attributes(labels_of(trajectory)) | (attributes or {})
 
 
@@ -125,6 +127,19 @@ def _balance_variables(trajectory: Trajectory, batch: list[str]) -> Named:
     return variables
 
 
+def _memory_variables(trajectory: Trajectory) -> Named:
+    """Return what the method carries along, each array along dimensions of its own."""
+    variables: Named = {}
+    for k, values in enumerate(trajectory.memory or ()):
+        name, values = f"{MEMORY}{k}", np.asarray(values)
+        dims, more = [f"{name}_axis_{j}" for j in range(values.ndim)], []
+        if np.iscomplexobj(values):
+            more, values = [COMPLEX_PART], np.stack([np.real(values), np.imag(values)], axis=-1)
+        note = {"long_name": "what the method carries along at the last time", "role": "memory"}
+        variables[name] = ([*dims, *more], values.astype(float), note)
+    return variables
+
+
 def _outcome_attributes(outcome: Outcome) -> dict[str, str]:
     """Return how the motion ended, in words and, for reading back, part by part."""
     found = {"status": str(outcome), "outcome": outcome.ending.value}
@@ -173,7 +188,7 @@ def write_dataset(trajectory: Trajectory, path: str | Path, attributes: dict[str
     return path
 
 
-def _pack(file: BytesIO, variables: Named, coordinates: Named, header: dict[str, str]) -> None:
+def _pack(file: BytesIO, variables: Named, coordinates: Named, header: dict[str, Any]) -> None:
     """Write NetCDF as xarray would, whose import takes longer than most reports."""
     import h5netcdf
     import h5py

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from polhode.errors import FormatError, InvalidInput, not_installed, shown
-from polhode.formats.dataset_rules import COMPLEX_PART, ROLES, check_variables
+from polhode.formats.dataset_rules import COMPLEX_PART, COUNTED, MEMORY, ROLES, check_variables
 from polhode.formats.given_axes import DAMAGED, check_recorded
 from polhode.formats.hdf5_gate import check_hdf5
 from polhode.formats.labels import AttitudeLabels, Recording
@@ -76,7 +76,25 @@ def read_dataset(path: str | Path) -> Trajectory:
         },
         outcome=_outcome(path, dataset.attrs),
         error_estimate=next((arrays[name] for name in roles["error estimate"]), None),
+        statistics=_statistics(path, dataset.attrs),
+        memory=_memory({name: variables[name] for name in roles["memory"]}),
     )
+
+
+def _statistics(path: Path, attributes: Any) -> dict[str, int]:
+    found = {str(key).removeprefix(COUNTED): x for key, x in attributes.items() if str(key).startswith(COUNTED)}
+    for name, count in found.items():
+        if not isinstance(count, int | np.integer) or count < 0:
+            raise FormatError(f"{path}: the number of {name} must be a whole number; got {shown(count)}. {DAMAGED}")
+    return {name: int(count) for name, count in found.items()}
+
+
+def _memory(variables: dict[str, Any]) -> tuple[Array, ...] | None:
+    found = []
+    for name in sorted(variables, key=lambda name: int(name.removeprefix(MEMORY))):
+        values = _doubles(variables[name].values)
+        found.append(values[..., 0] + 1j * values[..., 1] if variables[name].dims[-1:] == (COMPLEX_PART,) else values)
+    return tuple(found) or None
 
 
 def _of_copies(variable: Any) -> bool:

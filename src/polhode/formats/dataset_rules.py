@@ -12,7 +12,7 @@ from polhode.errors import FormatError, shown
 if TYPE_CHECKING:
     import xarray
 
-ROLES = ("invariant", "balance", "received", "state", "error estimate")
+ROLES = ("invariant", "balance", "received", "state", "error estimate", "memory")
 VECTORS = {"attitude": ("quaternion", 4), "momentum": ("axis", 3), "angular_velocity": ("axis", 3)}
 FRAME = {  # name → dimensions and shape
     "principal_moments": (("axis",), (3,)),
@@ -26,6 +26,8 @@ UNITS = {
     "principal_axes": "1", "center_of_mass": "m", "pivot": "m", "mass": "kg",
 }  # fmt: skip
 NEEDED_OF_FRAME = ("principal_moments", "principal_axes", "center_of_mass")
+COUNTED = "number_of_"  # attributes: steps and iterations
+MEMORY = "memory_"  # variables of what a method carries along, with their number behind it
 COMPLEX_PART = "complex_part"  # last dimension of complex states: real, imaginary
 ORTHOGONAL = 1e-6  # how far principal axes of a file may be from orthogonal, as quaternions from unit length
 
@@ -74,6 +76,9 @@ def _check_along_time(path: Path, name: str, variable: Any, along: tuple[str, ..
         fits = dims == along
     elif role == "error estimate":
         fits = dims == along[:-1]
+    elif role == "memory":
+        own = dims[:-1] if dims[-1:] == (COMPLEX_PART,) and variable.shape[-1] == 2 else dims
+        fits = name.removeprefix(MEMORY).isdecimal() and own == tuple(f"{name}_axis_{k}" for k in range(len(own)))
     elif role is not None:
         fits = dims[: len(along)] == along and len(dims) <= len(along) + 1
     elif name == "state":

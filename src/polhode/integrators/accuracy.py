@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from polhode.errors import NotConverged
-from polhode.integrators.base import AbstractOrbitSolver
+from polhode.integrators.base import AbstractOrbitSolver, Memory
 from polhode.integrators.difference import EPS, LARGE, difference
 from polhode.integrators.equal_steps import Run, run_by_equal_steps, step_counts
 from polhode.types import Array, Double, Float64
@@ -35,13 +35,14 @@ class Measured(NamedTuple):
 def measured_run(
     solver: AbstractOrbitSolver, state: Double[Array, "..."], times: Float64[np.ndarray, "time"],
     sizes: Float64[Array, "*batch"], rates: Float64[Array, "*batch"], meter: Any, quiet: Any, every: int = 1,
+    memory: Memory | None = None,
 ) -> Measured:  # fmt: skip
     """Return a run and its error, relative to the size of attitude, momentum and what else the state holds.
 
     The second run takes steps twice as long, at half the cost; or half as long, at twice the cost, where samples are a
     step apart and steps cannot be longer, or the longer ones failed.
     """
-    run = run_by_equal_steps(solver, state, times, sizes, rates, meter, every)
+    run = run_by_equal_steps(solver, state, times, sizes, rates, meter, every, memory)
     counts = step_counts(times, sizes)
     others = np.where(counts.min(axis=-1) > 1, 2.0, 0.5) * sizes
     second = run_by_equal_steps(solver, state, times, others, rates, quiet, every)

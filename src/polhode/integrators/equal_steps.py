@@ -37,17 +37,20 @@ class Run(NamedTuple):
         iterations: (batch…) evaluations in implicit steps.
         fine: (batch…) whether the end was reached.
         last: (batch…, …) the state at the last time.
+        memory: of the solver at the last time, with the batch in front of each array.
     """
 
     states: Double[np.ndarray, "..."]
     iterations: Integer[np.ndarray, "*batch"]
     fine: Bool[np.ndarray, "*batch"]
     last: Double[np.ndarray, "..."]
+    memory: Memory
 
 
 def run_by_equal_steps(
     solver: AbstractOrbitSolver, state: Double[Array, "..."], times: Float64[np.ndarray, "time"],
     sizes: Float64[Array, "*batch"], rates: Float64[Array, "*batch"], meter: Any, every: int = 1,
+    memory: Memory | None = None,
 ) -> Run:  # fmt: skip
     """Return the motion at times.
 
@@ -59,6 +62,7 @@ def run_by_equal_steps(
         rates: (batch…) of the copies, by which they are sorted.
         meter: of diffrax, for progress.
         every: which of the times are saved.
+        memory: of a run that ended at this start; without it the run begins afresh.
 
     Raises:
         InvalidInput: for a run of too many steps.
@@ -78,12 +82,13 @@ def run_by_equal_steps(
         shown = meter.step(shown, jnp.asarray(share))
 
     if not batch:
-        run = _run_block(_go_one, solver, state, times, np.asarray(sizes), show, every)
+        run = _run_block(_go_one, solver, state, times, np.asarray(sizes), show, every, memory)
         meter.close(shown)
         return run
     flat = np.asarray(state).reshape(-1, *jnp.shape(state)[len(batch) :])
     order = np.argsort(np.ravel(rates), kind="stable")
     flat, ordered = flat[order], np.ravel(sizes)[order]
+    kept = jax.tree.map(lambda x: np.asarray(x).reshape(-1, *np.shape(x)[len(batch) :])[order], memory)
     width = min(BLOCK, 1 << (len(flat) - 1).bit_length())
     found = []
     for first in range(0, len(flat), width):
@@ -91,11 +96,13 @@ def run_by_equal_steps(
         chosen = np.minimum(np.arange(first, first + width), len(flat) - 1)
         before, share = first / len(flat), width / len(flat)
         show_block = lambda x, a=before, b=share: show(min(1.0, a + b * x))  # noqa: E731
-        block = _run_block(_go_block, solver, flat[chosen], times, ordered[chosen], show_block, every)
-        found.append([x[: len(flat) - first] for x in block])
+        begun = jax.tree.map(lambda x, k=chosen: x[k], kept)
+        block = _run_block(_go_block, solver, flat[chosen], times, ordered[chosen], show_block, every, begun)
+        rest = len(flat) - first
+        found.append(jax.tree.map(lambda x, n=rest: x[:n], block))
     meter.close(shown)
     back = np.argsort(order)
-    return Run(*(np.concatenate(x)[back].reshape(*batch, *x[0].shape[1:]) for x in zip(*found, strict=True)))
+    return jax.tree.map(lambda *x: np.concatenate(x)[back].reshape(*batch, *x[0].shape[1:]), *found)
 
 
 def step_counts(
@@ -105,7 +112,9 @@ def step_counts(
     return np.asarray(step_count(np, np.diff(times), np.asarray(sizes)[..., None]))
 
 
-def _run_block(go: Any, solver: Any, state: Array, times: np.ndarray, sizes: Array, show: Any, every: int) -> Run:
+def _run_block(
+    go: Any, solver: Any, state: Array, times: np.ndarray, sizes: Array, show: Any, every: int, memory: Memory | None
+) -> Run:
     """Return the motion of one copy or of a block of them, stretch by stretch."""
     longest = STRETCH // -(-sizes.size // AS_ONE)
     parts = int(np.ceil(step_counts(times, sizes).max() / longest))  # of every interval between samples
@@ -113,20 +122,23 @@ def _run_block(go: Any, solver: Any, state: Array, times: np.ndarray, sizes: Arr
     stretches = _stretches(step_counts(fine, sizes).reshape(-1, len(fine) - 1).max(axis=0), longest)
     state, grid = jnp.asarray(state), (jnp.asarray(fine[:-1]), jnp.asarray(np.diff(fine)))
     start, axis = state, sizes.ndim
-    memory = jax.vmap(solver.memory)(state) if axis else solver.memory(state)
+    if memory is None:
+        memory = jax.vmap(solver.memory)(state) if axis else solver.memory(state)
+    carried: Any = jax.tree.map(jnp.asarray, memory)
     # a place for every n-th sample, which those before it hold until it comes, and one for the samples behind the last
     places = -(-(len(times) - 1) // every)
     saved = jnp.zeros((*sizes.shape, places, *state.shape[axis:]), state.dtype)
     with interrupts_kept() as check:
         for first, last in stretches:
             limits = jnp.asarray(first), jnp.asarray(last), jnp.asarray(parts * every)
-            state, memory, saved = go(solver, jnp.asarray(sizes), state, memory, saved, grid, limits)
+            state, carried, saved = go(solver, jnp.asarray(sizes), state, carried, saved, grid, limits)
             jax.block_until_ready(state)
             check()
             show(last / (len(fine) - 1))
     whole = np.take(np.asarray(saved), np.arange((len(times) - 1) // every), axis=axis)
     states = np.concatenate([np.expand_dims(start, axis), whole], axis=axis)
-    return Run(states, np.asarray(memory.iterations), np.asarray(memory.fine), np.asarray(state))
+    carried = jax.tree.map(np.asarray, carried)
+    return Run(states, carried.iterations, carried.fine, np.asarray(state), carried)
 
 
 def _stretches(counts: Array, longest: int) -> list[tuple[int, int]]:

@@ -45,6 +45,8 @@ class Trajectory(Plotted):
             infinite where it is not known, None where it was not asked for or the motion is exact.
         frame: the body's principal axes, along which momentum and angular velocity are, and its mass properties; None
             where the components are along the given axes, or the body is not known.
+        memory: with the last state all that it takes to go on to the same bits: the arrays that the method carries
+            along, for ``simulate``; None unless asked for.
         ends: how each copy of an integrated batch came to its end, and when; None otherwise.
 
     >>> import polhode as ph
@@ -69,6 +71,7 @@ class Trajectory(Plotted):
     statistics: dict[str, int] = field(default_factory=dict)
     error_estimate: Float64[ArrayOrFloat, "*batch"] | None = None
     ends: Ends | None = None
+    memory: tuple[Array, ...] | None = None
     frame: BodyFrame | None = None
 
     def __len__(self) -> int:

@@ -12,7 +12,7 @@ import numpy as np
 from polhode.errors import InvalidInput
 from polhode.integrators import IsospectralMidpoint
 from polhode.kinds.base import Spec
-from polhode.kinds.sphere_fluid.start import start_of
+from polhode.kinds.sphere_fluid.start import earlier_run, start_of
 from polhode.kinds.sphere_fluid.table import FluidTable
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import accuracy
@@ -169,7 +169,8 @@ def report_of(spec: Spec) -> FluidReport:
     table = spec.system
     assert isinstance(table, FluidTable)
     fluid = SphereFluid(table.resolution, table.rotation)
-    state = start_of(fluid, table, spec.folder)
+    earlier = None if table.start_from is None else earlier_run(spec.folder / table.start_from, fluid)
+    state = start_of(fluid, table) if earlier is None else earlier.states[-1]
     relative = np.asarray(state - fluid.planetary)
     vorticity = math.sqrt(float(fluid.algebra.pairing(relative, relative)) / (4.0 * math.pi))
     if not 1.0 / EXTREME <= vorticity <= EXTREME:
@@ -183,9 +184,13 @@ def report_of(spec: Spec) -> FluidReport:
     # the fastest planetary wave goes round at Ω, however slow the flow is
     fastest = max(float(turning_rates(fluid, state, times)), abs(table.rotation))
     step = ANGLE / fastest if fastest else until
+    memory = None if earlier is None else earlier.memory
+    if earlier is not None and memory is not None and earlier.statistics.get("steps"):
+        step = float(np.ptp(earlier.times)) / earlier.statistics["steps"]  # the same one leads on to the same bits
     shown = check_length(spec.until, times, until / step, fluid.cost().seconds,
                          "A lower `resolution` is quicker.")  # fmt: skip
     trajectory = simulate(
-        fluid, state, times, IsospectralMidpoint, step=step, order=2, progress=shown, estimate_error=False
-    )
+        fluid, state, times, IsospectralMidpoint, step=step, order=2, progress=shown, estimate_error=False,
+        resumable=True, memory=memory,
+    )  # fmt: skip
     return FluidReport(fluid, table, trajectory, spec.samples)

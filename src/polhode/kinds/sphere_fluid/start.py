@@ -6,25 +6,18 @@ import cmath
 import math
 from pathlib import Path
 
-import jax.numpy as jnp
 import numpy as np
 
 from polhode.errors import InvalidInput
 from polhode.formats.dataset_reading import read_dataset
 from polhode.kinds.sphere_fluid.table import FluidTable, RandomTable, WaveTable
+from polhode.motion.trajectory import Trajectory
 from polhode.systems.sphere_fluid import SphereFluid
 from polhode.types import Array, Complex128
 
 
-def start_of(fluid: SphereFluid, table: FluidTable, folder: Path) -> Complex128[Array, "n n"]:
-    """Return the matrix of the absolute vorticity [rad/s].
-
-    Raises:
-        InvalidInput: for an earlier run of another resolution.
-        FormatError: for a file that is no dataset of polhode's.
-    """
-    if table.start_from is not None:
-        return _last_of(folder / table.start_from, fluid)
+def start_of(fluid: SphereFluid, table: FluidTable) -> Complex128[Array, "n n"]:
+    """Return the matrix of the absolute vorticity [rad/s]."""
     state = fluid.planetary
     if table.random is not None:
         state = state + _random(fluid, table.random)
@@ -55,7 +48,13 @@ def _coefficient(wave: WaveTable) -> complex:
     return wave.vorticity * math.sqrt(2.0 * math.pi) * cmath.exp(-1j * wave.order * wave.longitude)
 
 
-def _last_of(path: Path, fluid: SphereFluid) -> Array:
+def earlier_run(path: Path, fluid: SphereFluid) -> Trajectory:
+    """Return the run that is to go on.
+
+    Raises:
+        InvalidInput: for one of another resolution.
+        FormatError: for a file that is no dataset of polhode's.
+    """
     found = read_dataset(path)
     states, n = np.asarray(found.states), fluid.size
     if states.ndim != 3 or states.shape[1:] != (n, n):
@@ -63,4 +62,4 @@ def _last_of(path: Path, fluid: SphereFluid) -> Array:
             f"`start_from` must be the motion.nc of a fluid of resolution {n}; states in {path} have shape "
             f"{states.shape[1:]}. Give its resolution, or another file."
         )
-    return jnp.asarray(states[-1])
+    return found
