@@ -18,6 +18,7 @@ export {
   SphereGeometry,
   Vector3,
 } from "three";
+export { mapGlobe } from "./map_globe.js";
 export { unpacked } from "./motion.js";
 export { circle, dot, drawUpTo, floor, globe, line, path, specks } from "./shapes.js";
 export { newPanel } from "./stage.js";

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import cmath
 import math
 from pathlib import Path
 
@@ -10,8 +9,9 @@ import numpy as np
 
 from polhode.errors import InvalidInput
 from polhode.formats.dataset_reading import read_dataset
-from polhode.kinds.sphere_fluid.table import FluidTable, RandomTable, WaveTable
+from polhode.kinds.sphere_fluid.table import FluidTable
 from polhode.motion.trajectory import Trajectory
+from polhode.spec.sphere_start import RandomTable, coefficient
 from polhode.systems.sphere_fluid import SphereFluid
 from polhode.types import Array, Complex128
 
@@ -29,7 +29,7 @@ def start_of(fluid: SphereFluid, table: FluidTable) -> Complex128[Array, "n n"]:
     waves: dict[tuple[int, int], complex] = {}
     for wave in table.waves or []:
         place = wave.degree, wave.order
-        waves[place] = waves.get(place, 0.0) + _coefficient(wave)
+        waves[place] = waves.get(place, 0.0) + coefficient(wave, wave.vorticity)
     return state + (fluid.from_harmonics(waves) - fluid.planetary) if waves else state
 
 
@@ -39,13 +39,6 @@ def _random(fluid: SphereFluid, table: RandomTable) -> Array:
     found = fluid.random((degree >= first).astype(float), seed=table.seed) - fluid.planetary
     size = math.sqrt(float(fluid.algebra.pairing(found, found)) / (4.0 * math.pi))
     return found * (table.vorticity / size)
-
-
-def _coefficient(wave: WaveTable) -> complex:
-    """Return f_lm of a wave whose mean square over the sphere is that of the table."""
-    if wave.order == 0:
-        return wave.vorticity * math.sqrt(4.0 * math.pi)
-    return wave.vorticity * math.sqrt(2.0 * math.pi) * cmath.exp(-1j * wave.order * wave.longitude)
 
 
 def earlier_run(path: Path, fluid: SphereFluid) -> Trajectory:
