@@ -1,1 +1,9 @@
 from .estimate import Estimate as Estimate
+from .flight import Window as Window
+from .flight import free_flights as free_flights
+from .gyro_log import GyroLog as GyroLog
+from .gyro_log import clean_log as clean_log
+from .throw import FittedThrow as FittedThrow
+from .throw import ModelScore as ModelScore
+from .throw import ThrowFit as ThrowFit
+from .throw import fit_throw as fit_throw
