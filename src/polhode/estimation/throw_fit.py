@@ -13,6 +13,9 @@ from polhode.types import Array, Float64
 
 ROBUST = 3.0  # standard deviations, beyond which residuals count linearly (Huber)
 LIMITS = {"shape": ([-1.0, 0.0], [1.0, 2.0]), "drag": ([-0.2] * 3, [1.0] * 3), "gain": ([0.7] * 3, [1.3] * 3)}
+BIAS_SPREAD = 0.1  # rad/s, twice what the worst gyros of phones have
+DRAG_SPREAD = 0.1  # a thin plate in air has about a tenth of that
+MAX_ROUNDS = 10
 UNLIMITED = ([-np.inf] * 3, [np.inf] * 3)
 
 
@@ -62,6 +65,19 @@ class Model:
     def name(self) -> str:
         """What the model adds to the free motion with a bias."""
         return " and ".join([*["drag"] * self.drag, *["gain"] * self.gain]) or "neither"
+
+    def known_before(self) -> tuple[Array, Array, Array]:
+        """Return which parameters are known beforehand, their means and standard deviations.
+
+        Bias and drag are known so loosely that no good log feels it; it keeps the iteration out of the long valleys
+        where a large bias does the work of drag.
+        """
+        spreads = {"bias": BIAS_SPREAD, "gain": self.gain_spread, "drag": DRAG_SPREAD}
+        places = self.places
+        names = [name for name in spreads if name in places]
+        which = np.concatenate([np.r_[places[name]] for name in names])
+        means = np.repeat([float(name == "gain") for name in names], 3)
+        return which, means, np.repeat([spreads[name] for name in names], 3)
 
     def limits(self) -> tuple[Array, Array]:
         """Return the bounds of the parameters."""
@@ -217,25 +233,26 @@ def fitted(model: Model, x: Array, axes0: Array, throws: list[Throw], noise: tup
         sigma, jitter = float(np.median(np.abs(data - values)) * 1.5 + 1e-9), 0.0
     else:
         sigma, jitter = noise
-    done = None
-    for _ in range(6):
+    converged = False
+    for _ in range(MAX_ROUNDS):
         system = _System(model, axes0, throws, data, sigma, jitter)
         done = least_squares(
             system.residuals, x, jac=system.jacobian, bounds=(low, high), loss="huber", f_scale=ROBUST,
-            x_scale="jac", xtol=1e-9, ftol=1e-7, gtol=1e-12, max_nfev=25,
+            x_scale="jac", xtol=1e-9, ftol=1e-6, gtol=1e-12, max_nfev=40,
         )  # fmt: skip
         x = done.x
         values, slopes, fast = predicted(model, x, axes0, throws)
         before = sigma
         sigma, jitter, cost = noise_of(data - values, fast, lost)
-        if abs(sigma / before - 1.0) < 0.05:
+        converged = done.status > 0 and abs(sigma / before - 1.0) < 0.02
+        if converged:
             break
     white = whitening(fast, sigma, jitter)
     J = (white @ slopes).reshape(-1, model.size)
     z = (white @ (data - values)[..., None]).ravel()
-    if model.gain:
-        J = np.concatenate([J, np.eye(model.size)[places["gain"]] / model.gain_spread])
-        cost += float((((x[places["gain"]] - 1.0) / model.gain_spread) ** 2).sum())
+    which, means, spreads = model.known_before()
+    J = np.concatenate([J, np.eye(model.size)[which] / spreads[:, None]])
+    cost += float((((x[which] - means) / spreads) ** 2).sum())
     count, size = data.size, lost + 3 * model.gain + 2
     covariance = covariance_of(J) / np.mean(np.abs(z) < ROBUST) ** 2
     turn = places["turn"]
@@ -245,7 +262,7 @@ def fitted(model: Model, x: Array, axes0: Array, throws: list[Throw], noise: tup
     return Solution(
         model, x, axes, change @ covariance @ change.T, data - values, sigma, jitter, -0.5 * cost,
         cost + 2 * size * count / max(count - size - 1, 1), cost + size * np.log(count),
-        float(max(count - lost, 1)), bool(done is not None and done.status > 0),
+        float(max(count - lost, 1)), converged,
     )  # fmt: skip
 
 
@@ -277,10 +294,9 @@ class _System:
             self.white = whitening(fast, *self.noise)
         r = (self.white @ (values - self.data)[..., None]).ravel()
         K = (self.white @ J).reshape(-1, model.size)
-        if model.gain:
-            gains = model.places["gain"]
-            r = np.concatenate([r, (x[gains] - 1.0) / model.gain_spread])
-            K = np.concatenate([K, np.eye(model.size)[gains] / model.gain_spread])
+        which, means, spreads = model.known_before()
+        r = np.concatenate([r, (x[which] - means) / spreads])
+        K = np.concatenate([K, np.eye(model.size)[which] / spreads[:, None]])
         self.at, self.r, self.K = x.copy(), np.nan_to_num(r, nan=1e6), np.nan_to_num(K)
 
     def residuals(self, x: Array) -> Array:
