@@ -18,6 +18,7 @@ SPAN = 0.3  # s, over which a stretch is judged
 LEVER_ARM = 0.05  # m, how far from the centre of mass an accelerometer is expected to sit
 FELT = 3.0  # m/s², what a free accelerometer may feel beyond its own turning; one that is held feels 9.8
 UNEVEN = 0.03  # change of angular momentum relative to its size, within SPAN
+TORQUE = 1.0  # 1/s, of the angular momentum; hands give several, drag and a gyro's bias some tenths
 SLOWEST = 1.0  # rad/s: slower turning says nothing of inertia
 
 
@@ -77,9 +78,10 @@ def free_flights(log: GyroLog) -> list[Window]:
     calm = inside & (left < FELT**2) & (np.linalg.norm(place, axis=1) < 4 * LEVER_ARM)
     if not calm.any():
         return []
-    # one place serves the whole log: that of the calm span where the turning says most of it
-    known = np.where(calm, np.linalg.det(normal), -1.0)
-    beyond = np.linalg.norm(felt - lever @ place[np.argmax(known)], axis=1)
+    # one place serves the whole log: that which explains a calm span best, of those whose turning tells enough of it
+    known = np.linalg.det(normal)
+    telling = calm & (known >= 0.1 * known[calm].max())
+    beyond = np.linalg.norm(felt - lever @ place[np.argmin(np.where(telling, left, np.inf))], axis=1)
     free = binary_closing((beyond < FELT) & inside, np.ones(3))
     free = binary_opening(free, np.ones(max(3, _samples_of(t, SHORTEST) - 1)))
     return [
@@ -128,10 +130,21 @@ def _longest_stretch(log: GyroLog) -> list[Window]:
     momentum = np.linalg.norm(mean @ vectors[:, :, :1], axis=(1, 2))
     change = np.sqrt(np.maximum(values[:, 0], 0.0)) / np.maximum(momentum, 1e-12)
     speed = uniform_filter1d(np.linalg.norm(log.rates, axis=1), size)[size // 2 :][: len(change)]
-    good = np.zeros(len(t), dtype=bool)
     even = (change < UNEVEN) & (speed > SLOWEST)
-    for i in np.flatnonzero(even):  # a good span is good in all its samples
-        good[i : i + size] = True
+    if not even.any():
+        return []
+    # the hand can keep some momentum for a moment; the span that tells one inertia from all others best is in flight
+    sure = np.where(even, values[:, 1] / (values[:, 0] + 1e-6 * values[:, -1]), 0.0)
+    best = int(np.argmax(sure))
+    along = maps @ vectors[best, :, 0]
+    hops = max(2, size // 4)
+    torque = np.linalg.norm(along[hops:] - along[:-hops], axis=1) / (t[hops:] - t[:-hops])
+    size_of = np.maximum(np.linalg.norm(along, axis=1), 1e-12)
+    quiet = torque / np.minimum(size_of[hops:], size_of[:-hops]) < TORQUE
+    good = np.zeros(len(t), dtype=bool)
+    for i in np.flatnonzero(binary_opening(quiet, np.ones(hops + 1))):
+        good[i : i + hops + 1] = True
+    good &= uniform_filter1d(np.linalg.norm(log.rates, axis=1), hops) > SLOWEST
     runs = [(i, j) for i, j in _runs(good) if t[j] - t[i] >= SHORTEST]
     if not runs:
         return []

@@ -1,4 +1,4 @@
-"""From the parameters of a fit to what is told: sorted ratios and axes with their errors, and what is not determined."""
+"""From the parameters of a fit to sorted ratios and axes with their errors, and what is not determined."""
 
 from __future__ import annotations
 
@@ -7,7 +7,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from polhode.estimation.estimate import Estimate
-from polhode.estimation.throw_fit import Solution
 from polhode.estimation.throw_models import D_MOMENTS, moments_of
 from polhode.types import Array, Float64
 
@@ -23,6 +22,7 @@ class Principal:
         moments: (3,) over the largest.
         axes: (3, 3) by columns [device frame].
         turn: error of the axes [rad, principal axes].
+        joint: ratios and turn together, with all their correlations.
         drag: c_i/I3 along the sorted axes, or None.
         order: (3, 3) columns are the sorted axes along the fit's own.
         equal: neighbours that are equal within their errors, or None.
@@ -33,37 +33,49 @@ class Principal:
     moments: Float64[Array, "3"]
     axes: Float64[Array, "3 3"]
     turn: Estimate
+    joint: Estimate
     drag: Estimate | None
     order: Float64[Array, "3 3"]
     equal: str | None
     determined: bool
 
 
-def principal(solution: Solution) -> Principal:
-    """Return moments ascending over the largest, with axes, drag and errors in their order."""
-    places, covariance = solution.model.places, solution.covariance
-    given = moments_of(solution.parameters[places["shape"]])
+def principal(
+    parameters: Float64[Array, "p"], covariance: Float64[Array, "p p"], places: dict[str, slice],
+    axes: Float64[Array, "3 3"], freedom: float,
+) -> Principal:  # fmt: skip
+    """Return moments ascending over the largest, with axes, drag and errors in their order.
+
+    Args:
+        parameters: of the fit.
+        covariance: of these, the turn along the fit's principal axes.
+        places: where "shape", "turn" and perhaps "drag" stand among them.
+        axes: the fit's principal axes by columns [device frame].
+        freedom: degrees of freedom of the residuals.
+    """
+    given = moments_of(parameters[places["shape"]])
     which = np.argsort(given, kind="stable")
     order = np.eye(3)[:, which]
     order[:, 2] *= np.linalg.det(order)
     largest = given[which[2]]
     moments = given[which] / largest
     slopes = (D_MOMENTS[:, which].T - np.outer(moments, D_MOMENTS[:, which[2]])) / largest
-    shape = covariance[places["shape"], places["shape"]]
-    ratios = Estimate(("I1/I3", "I2/I3"), moments[:2], (slopes @ shape @ slopes.T)[:2, :2], solution.freedom)
-    turned = covariance[places["turn"], places["turn"]]
-    turn = Estimate(("turn about 1", "turn about 2", "turn about 3"), np.zeros(3), order.T @ turned @ order,
-                    solution.freedom)  # fmt: skip
+    by = np.zeros((5, 5))
+    by[:2, :2], by[2:, 2:] = slopes[:2], order.T
+    both = np.r_[places["shape"], places["turn"]]
+    names = ("I1/I3", "I2/I3", "turn about 1", "turn about 2", "turn about 3")
+    joint = Estimate(names, np.r_[moments[:2], np.zeros(3)], by @ covariance[np.ix_(both, both)] @ by.T, freedom)
+    ratios = Estimate(names[:2], moments[:2], joint.covariance[:2, :2], freedom)
+    turn = Estimate(names[2:], np.zeros(3), joint.covariance[2:, 2:], freedom)
     drag = None
-    if solution.model.drag:
+    if "drag" in places:
         both = np.r_[places["drag"], places["shape"]]
-        values = solution.parameters[places["drag"]][which] / largest
+        values = parameters[places["drag"]][which] / largest
         # the fit's drag is over its own third moment
         by = np.concatenate([np.eye(3)[which] / largest, -np.outer(values, D_MOMENTS[:, which[2]]) / largest], axis=1)
-        drag = Estimate(("c1/I3", "c2/I3", "c3/I3"), values, by @ covariance[np.ix_(both, both)] @ by.T,
-                        solution.freedom)  # fmt: skip
+        drag = Estimate(("c1/I3", "c2/I3", "c3/I3"), values, by @ covariance[np.ix_(both, both)] @ by.T, freedom)
     half = 0.5 * np.diff(ratios.interval(), axis=1)[:, 0]
-    return Principal(ratios, moments, solution.axes @ order, turn, drag, order, _equal(ratios),
+    return Principal(ratios, moments, axes @ order, turn, joint, drag, order, _equal(ratios),
                      bool(np.isfinite(half).all() and half.max() < WIDEST))  # fmt: skip
 
 

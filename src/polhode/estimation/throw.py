@@ -21,6 +21,8 @@ from polhode.exact.free_body.motion import FreeMotion
 from polhode.types import Array, Float64
 
 SATURATED = 3  # samples of one axis at exactly the largest size are a gyro at its limit
+MISFIT = 2.0  # times the noise of the samples: larger residuals ask for other starts
+RESTARTS = np.array([[0.6, 0.05], [0.3, 0.05], [0.3, 0.3]])  # shapes s and c: rod-like, plate-like, round
 MIN_TURN = 0.5  # rad: of less nothing can be said
 
 
@@ -70,6 +72,7 @@ class ThrowFit:
         axes: (3, 3) principal axes by columns [device frame], right-handed; None where the fit is degenerate.
         axes_error: turn of the axes about themselves [rad, principal axes], zero with its covariance. That about the
             odd axis of a body with two equal moments is not determined, and its error large.
+        joint: ratios and turn of the axes together, with all their correlations.
         equal: which neighbours, "I1 = I2" or "I2 = I3", are equal within their errors, so that the axes between them
             are not determined; None for none.
         bias: of the gyro [rad/s, device axes].
@@ -89,6 +92,7 @@ class ThrowFit:
     ratios: Estimate | None
     axes: Float64[Array, "3 3"] | None
     axes_error: Estimate | None
+    joint: Estimate | None
     equal: str | None
     bias: Estimate
     gain: Estimate | None
@@ -117,7 +121,7 @@ class ThrowFit:
 @known_numbers_only
 def fit_throw(
     logs: GyroLog | Sequence[GyroLog], windows: Sequence[Sequence[Window]] | None = None, drag: bool | str = "auto",
-    gain: bool | str = "auto", clip: float | None = None, gain_spread: float = 0.01,
+    gain: bool | str = True, clip: float | None = None, gain_spread: float = 0.01,
 ) -> ThrowFit:  # fmt: skip
     """Fit the inertia of one body to gyro logs of its free throws.
 
@@ -130,8 +134,9 @@ def fit_throw(
         logs: from ``clean_log``, one or several of the same thing.
         windows: of each log, the stretches of free flight; by default those that ``free_flights`` finds.
         drag: quadratic drag, the torque −c_i |ω| ω_i along the principal axes; "auto" lets Akaike's criterion choose.
-        gain: a gain of each axis of the gyro; likewise. Gains that are too small to be seen still move the ratios by
-            about as much: True makes the intervals account for them.
+        gain: a gain of each axis of the gyro. "auto" lets the criterion choose, but gains that are too small to be
+            seen still move the ratios by about as much: only True makes the intervals account for them. False for a
+            calibrated gyro.
         clip: largest rate that the gyro can tell [rad/s]; by default a value that comes three times at an axis's end.
         gain_spread: standard deviation of gains about 1, as far as known beforehand.
 
@@ -262,7 +267,24 @@ def _tried(
             model = Model(bool(wanted_drag), bool(wanted_gain), len(throws), spread)
             noise = (base.sigma, base.jitter)
             solutions[wanted_drag, wanted_gain] = fitted(model, _carried(base, model), base.axes, throws, noise)
-    return [solutions[d, g] for d in choices(drag) for g in choices(gain)]
+    return [_retried(solutions[d, g], start, throws) for d in choices(drag) for g in choices(gain)]
+
+
+def _retried(solution: Solution, start: _Start, throws: list[Throw]) -> Solution:
+    """Return the best of several starts, where one ended in a valley: residuals larger than the samples' own noise."""
+    if not solution.model.drag or np.median(np.abs(solution.residuals)) < MISFIT * 0.6745 * start.noise:
+        return solution
+    begin = _carried(solution, solution.model)
+    for name, place in solution.model.places.items():
+        if name in ("bias", "drag"):
+            begin[place] = 0.0
+    for k, throw in enumerate(throws):
+        begin[solution.model.places[f"start {k}"]] = start.axes.T @ throw.rates[len(throw.rates) // 2]
+    found = [solution]
+    for shape in (start.shape, *RESTARTS):
+        begin[solution.model.places["shape"]] = shape
+        found.append(fitted(solution.model, begin, start.axes, throws, None))
+    return max(found, key=lambda one: one.log_likelihood)
 
 
 def _carried(base: Solution, model: Model) -> Array:
@@ -290,7 +312,7 @@ def _result(
     best: Solution, scores: list[ModelScore], cut: list[Any], start: _Start, level: float | None
 ) -> ThrowFit:
     throws = [throw for *_, throw in cut]
-    found = principal(best)
+    found = principal(best.parameters, best.covariance, best.model.places, best.axes, best.freedom)
     reason = None
     if not found.determined:
         reason = why_undetermined([throw.rates for throw in throws], found)
@@ -304,8 +326,9 @@ def _result(
     sure = reason is None
     return ThrowFit(
         found.ratios if sure else None, found.axes if sure else None, found.turn if sure else None,
-        found.equal if sure else None, bias, gain, found.drag if sure else None, scores, told, best.residuals,
-        _rms(best.residuals), best.sigma, best.jitter, reason, start.singular_values, level,
+        found.joint if sure else None, found.equal if sure else None, bias, gain, found.drag if sure else None,
+        scores, told, best.residuals, _rms(best.residuals), best.sigma, best.jitter, reason, start.singular_values,
+        level,
     )  # fmt: skip
 
 
@@ -331,5 +354,5 @@ def _nothing(cut: list[Any], start: _Start, level: float | None) -> ThrowFit:
     told = [FittedThrow(k, window, times, throw.rates, np.full_like(throw.rates, np.nan), None, None)
             for k, window, times, throw in cut]  # fmt: skip
     unknown = Estimate(("bias x", "bias y", "bias z"), np.full(3, np.nan), np.full((3, 3), np.nan))
-    return ThrowFit(None, None, None, None, unknown, None, None, [], told, np.empty((0, 3)), float("nan"), start.noise,
-                    0.0, start.degenerate, start.singular_values, level)  # fmt: skip
+    return ThrowFit(None, None, None, None, None, unknown, None, None, [], told, np.empty((0, 3)), float("nan"),
+                    start.noise, 0.0, start.degenerate, start.singular_values, level)  # fmt: skip

@@ -13,9 +13,10 @@ from polhode.types import Array, Float64
 
 ROBUST = 3.0  # standard deviations, beyond which residuals count linearly (Huber)
 LIMITS = {"shape": ([-1.0, 0.0], [1.0, 2.0]), "drag": ([-0.2] * 3, [1.0] * 3), "gain": ([0.7] * 3, [1.3] * 3)}
-BIAS_SPREAD = 0.1  # rad/s, twice what the worst gyros of phones have
-DRAG_SPREAD = 0.1  # a thin plate in air has about a tenth of that
+BIAS_SPREAD = 0.05  # rad/s, what the worst gyros of phones have
+DRAG_SPREAD = 0.03  # of c/I3; thin plates in air have 0.01
 MAX_ROUNDS = 10
+LATEST = 0.1  # of the time between samples: a clock that is worse would explain anything
 UNLIMITED = ([-np.inf] * 3, [np.inf] * 3)
 
 
@@ -182,13 +183,14 @@ def whitening(fast: Array, sigma: float, jitter: float) -> Array:
     return np.eye(3) / sigma + (along - 1.0 / sigma)[:, None, None] * u[:, :, None] * u[:, None, :]
 
 
-def noise_of(residuals: Array, fast: Array, lost: float) -> tuple[float, float, float]:
+def noise_of(residuals: Array, fast: Array, lost: float, latest: float) -> tuple[float, float, float]:
     """Return σ, τ and −2 ln(likelihood) by maximum likelihood, with what lies far out drawn in.
 
     Args:
         residuals: (n, 3).
         fast: (n, 3) the device's angular acceleration.
         lost: degrees of freedom that the fit took.
+        latest: largest τ that is believed [s].
     """
     size2 = (fast * fast).sum(axis=1)
     along2 = np.einsum("ij,ij->i", residuals, fast) ** 2 / np.maximum(size2, 1e-300)
@@ -208,6 +210,10 @@ def noise_of(residuals: Array, fast: Array, lost: float) -> tuple[float, float, 
     ratio = float(np.exp(found.x) / typical) if found.fun < parts(0.0)[1] else 0.0
     variance, cost = parts(ratio)
     sigma = float(np.sqrt(variance * count / max(count - lost, 1.0)))
+    if np.sqrt(ratio) * sigma > latest:
+        ratio = 0.0
+        variance, cost = parts(ratio)
+        sigma = float(np.sqrt(variance * count / max(count - lost, 1.0)))
     return max(sigma, 1e-12), float(np.sqrt(ratio) * sigma), float(cost + count * (1 + np.log(2 * np.pi)))
 
 
@@ -233,20 +239,9 @@ def fitted(model: Model, x: Array, axes0: Array, throws: list[Throw], noise: tup
         sigma, jitter = float(np.median(np.abs(data - values)) * 1.5 + 1e-9), 0.0
     else:
         sigma, jitter = noise
-    converged = False
-    for _ in range(MAX_ROUNDS):
-        system = _System(model, axes0, throws, data, sigma, jitter)
-        done = least_squares(
-            system.residuals, x, jac=system.jacobian, bounds=(low, high), loss="huber", f_scale=ROBUST,
-            x_scale="jac", xtol=1e-9, ftol=1e-6, gtol=1e-12, max_nfev=40,
-        )  # fmt: skip
-        x = done.x
-        values, slopes, fast = predicted(model, x, axes0, throws)
-        before = sigma
-        sigma, jitter, cost = noise_of(data - values, fast, lost)
-        converged = done.status > 0 and abs(sigma / before - 1.0) < 0.02
-        if converged:
-            break
+    x, noise, cost, converged = _descended(model, x, axes0, throws, data, (sigma, jitter))
+    sigma, jitter = noise
+    values, slopes, fast = predicted(model, x, axes0, throws)
     white = whitening(fast, sigma, jitter)
     J = (white @ slopes).reshape(-1, model.size)
     z = (white @ (data - values)[..., None]).ravel()
@@ -264,6 +259,29 @@ def fitted(model: Model, x: Array, axes0: Array, throws: list[Throw], noise: tup
         cost + 2 * size * count / max(count - size - 1, 1), cost + size * np.log(count),
         float(max(count - lost, 1)), converged,
     )  # fmt: skip
+
+
+def _descended(
+    model: Model, x: Array, axes0: Array, throws: list[Throw], data: Array, noise: tuple[float, float]
+) -> tuple[Array, tuple[float, float], float, bool]:
+    """Return parameters, noise, −2 ln(likelihood) and whether they settled: least squares and noise in turn."""
+    lost = model.size - 3 * model.gain
+    cost = np.inf
+    latest = LATEST * float(np.median(np.concatenate([np.diff(throw.elapsed) for throw in throws])))
+    for _ in range(MAX_ROUNDS):
+        system = _System(model, axes0, throws, data, *noise)
+        done = least_squares(
+            system.residuals, x, jac=system.jacobian, bounds=model.limits(),  # pyright: ignore[reportArgumentType]
+            loss=system.loss, f_scale=ROBUST, x_scale="jac", xtol=1e-9, ftol=1e-6, gtol=1e-12, max_nfev=40,
+        )  # fmt: skip
+        x = done.x
+        values, _, fast = predicted(model, x, axes0, throws)
+        before = noise[0]
+        sigma, jitter, cost = noise_of(data - values, fast, lost, latest)
+        noise = sigma, jitter
+        if done.status > 0 and abs(noise[0] / before - 1.0) < 0.02:
+            return x, noise, cost, True
+    return x, noise, cost, False
 
 
 def covariance_of(J: Array) -> Array:
@@ -298,6 +316,12 @@ class _System:
         r = np.concatenate([r, (x[which] - means) / spreads])
         K = np.concatenate([K, np.eye(model.size)[which] / spreads[:, None]])
         self.at, self.r, self.K = x.copy(), np.nan_to_num(r, nan=1e6), np.nan_to_num(K)
+
+    def loss(self, z: Array) -> Array:
+        """Return Huber's function of the squares and its two derivatives, but squares for what is known beforehand."""
+        far = (z > 1.0) & (np.arange(len(z)) < self.data.size)
+        root = np.sqrt(np.where(far, z, 1.0))
+        return np.stack([np.where(far, 2 * root - 1, z), 1 / root, np.where(far, -0.5 / root**3, 0.0)])
 
     def residuals(self, x: Array) -> Array:
         self._evaluate(x)
