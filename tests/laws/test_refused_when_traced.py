@@ -66,7 +66,6 @@ def scaled(system, factor):
 
 REFUSED = {
     "clean_log": (TIMES, lambda x: estimation.clean_log(x, np.ones((12, 3)))),
-    "free_flights": (TIMES, lambda x: estimation.free_flights(estimation.GyroLog(x, np.ones((12, 3))))),
     "fit_throw": (TIMES, lambda x: estimation.fit_throw(estimation.GyroLog(x, np.ones((12, 3))), gain_spread=x)),
     "fit_attitude": (TIMES, lambda x: estimation.fit_attitude(x, TURNS)),
     "moments_from_one": (0.3, lambda x: estimation.moments_from_one(None, 1, x)),

@@ -33,10 +33,12 @@ def moments_from_one(
         InvalidInput: for a degenerate fit, or a moment that is not positive.
 
     Example:
-        >>> from types import SimpleNamespace
         >>> import numpy as np
-        >>> fit = SimpleNamespace(joint=Estimate(("I1/I3", "I2/I3"), np.array([0.2, 0.8]), 1e-6 * np.eye(2)))
-        >>> moments_from_one(fit, 3, 2.0).value.tolist()
+        >>> from polhode import FreeMotion
+        >>> from polhode.estimation import fit_attitude
+        >>> t = np.arange(0.0, 2.0, 0.02)
+        >>> turns = FreeMotion((0.2, 0.8, 1.0), angular_velocity=(1.0, 5.0, 1.0)).attitude(t)
+        >>> moments_from_one(fit_attitude(t, turns), 3, 2.0).value.round(6).tolist()
         [0.4, 1.6, 2.0]
     """
     joint = _joint(fit)
