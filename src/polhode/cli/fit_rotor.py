@@ -27,7 +27,7 @@ WORST = 8  # observations that are listed
 CLOSE = 0.95  # correlation from which two constants are said to go together
 
 
-def run_fit(path: Path, lines: Path, free: str | None, out: Path | None, json: bool) -> None:
+def run_fit_rotor(path: Path, lines: Path, free: str | None, out: Path | None, json: bool) -> None:
     """Fit constants, print them with their errors, and write them as a ``.par`` file if asked for."""
     if out is not None:
         for given in (path, lines):
