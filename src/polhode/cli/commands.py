@@ -210,23 +210,61 @@ def lines(
 
 @app.command(cls=StrictCommand)
 def fit(
-    spec: Annotated[
-        Path, typer.Argument(metavar="SPEC", help="Spec of a molecule, whose constants are the start, or atoms.")
+    files: Annotated[
+        list[Path],
+        typer.Argument(metavar="LOG… | SPEC LINES", help="Gyro logs of throws (CSV, a folder, a zip); or a molecule, by "
+                       "a spec or atoms, and its measured lines, a .lin file."),
     ],
-    lines: Annotated[Path, typer.Argument(metavar="LINES", help="Measured lines, a .lin file.")],
     json: AsJson = False,
     free: Annotated[
         str | None,
-        typer.Option("--free", metavar="NAMES", help="Like A,B,C,D_J (default: all constants that the spec gives)."),
+        typer.Option("--free", metavar="NAMES",
+                     help="Of a molecule: like A,B,C,D_J (default: all constants that the spec gives)."),
     ] = None,
     out: Annotated[
-        Path | None, typer.Option("--out", metavar="FILE.par", help="Also write the constants as other programs do.")
+        Path | None,
+        typer.Option("--out", metavar="FILE", help="Of logs: dataset of the fit, .nc; of a molecule: constants, .par."),
     ] = None,
+    figures: Annotated[
+        Path | None, typer.Option("--figures", metavar="DIR", help="Of logs: folder to draw figures into.")
+    ] = None,
+    window: Annotated[
+        list[str] | None,
+        typer.Option("--window", metavar="START,END",
+                     help="Of logs: free flight [s], in place of what is found; once for each throw."),
+    ] = None,
+    drag: Annotated[
+        bool | None, typer.Option("--drag/--no-drag", help="Of logs: with drag or without (default: by a criterion).")
+    ] = None,
+    gain: Annotated[
+        bool | None, typer.Option("--gain/--no-gain", help="Of logs: with gains of the gyro's axes, likewise.")
+    ] = None,
+    clip: Annotated[
+        str | None, typer.Option("--clip", metavar="RATE", help='Of logs: the gyro\'s limit, like "2000 deg/s".')
+    ] = None,
+    moment: Annotated[
+        str | None,
+        typer.Option("--moment", metavar="MOMENT", help='Of logs: one that is known, like "I3 = 1.2e-4 kg m^2".'),
+    ] = None,
+    mapping: MappingFile = None,
+    time: TimeColumn = None,
+    time_unit: TimeUnit = None,
+    gyro: GyroColumns = None,
+    unit: ColumnUnit = None,
+    decimal: Decimal = None,
 ) -> None:
-    """Fit a molecule's constants to measured lines."""
-    from polhode.cli.fit import run_fit
+    """Fit the inertia of a thrown body to gyro logs, or a molecule's constants to measured lines.
 
-    run_fit(spec, lines, free, out, json)
+    Logs of phyphox, Sensor Logger, AndroSensor and Betaflight are known by their headers; of others say which columns
+    are what, like --time t --time-unit s --gyro gx,gy,gz --unit deg/s. Several logs are of the same thing.
+    """
+    from polhode.cli.columns import ColumnOptions
+    from polhode.cli.fit import FitFiles, run_fit
+    from polhode.cli.fit_throw import ThrowOptions
+
+    columns = ColumnOptions(mapping, time, time_unit, gyro=gyro, unit=unit, decimal=decimal)
+    throw = ThrowOptions(window or [], drag, gain, clip, moment, figures)
+    run_fit(FitFiles(files, free, out, json), throw, columns)
 
 
 @app.command(cls=StrictCommand)

@@ -1,0 +1,148 @@
+"""``polhode fit LOG…``: the inertia of a thrown body from the log of a gyro on it."""
+
+from __future__ import annotations
+
+import re
+import sys
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+from polhode.cli.columns import ColumnOptions, table_to_import
+from polhode.cli.destinations import check_spares
+from polhode.cli.render import as_json, print_report
+from polhode.errors import InvalidInput, shown
+from polhode.estimation.flight import Window
+from polhode.estimation.throw import ThrowFit, fit_throw
+from polhode.formats.gyro_logs import ReadLog, read_gyro_log
+from polhode.formats.numerals import read_number
+from polhode.reports.answer import units_of, values_of
+from polhode.reports.base import plain
+from polhode.reports.throw import KnownMoment, throw_groups, throw_notes, throw_summary
+from polhode.spec.units import parse_quantity
+
+EVERY = 1_000_000  # lines, after which progress is told
+_MOMENT = re.compile(r"\s*I([123])\s*=\s*(.+)")
+
+
+class ThrowOptions(NamedTuple):
+    """The options of a fit of throws, as they are given; None and empty where they are not."""
+
+    windows: list[str]
+    drag: bool | None = None
+    gain: bool | None = None
+    clip: str | None = None
+    moment: str | None = None
+    figures: Path | None = None
+
+    @property
+    def given(self) -> list[str]:
+        """The options that are given."""
+        names = {"windows": "--window"}
+        return [names.get(name, f"--{name}") for name, value in self._asdict().items() if value not in (None, [])]
+
+
+def run_fit_throw(
+    paths: Sequence[Path], options: ThrowOptions, columns: ColumnOptions, out: Path | None, json: bool
+) -> None:
+    """Fit the logs together, print what they say, and write data and figures where asked for."""
+    table = table_to_import(columns)
+    mapping = None if table is None else table.mapping
+    if mapping is not None and mapping.attitude:
+        raise InvalidInput("a fit takes the angular velocities of gyro logs, and the columns of an attitude are given. "
+                           "Give --gyro alone.")  # fmt: skip
+    if out is not None:
+        for path in paths:
+            check_spares(out, path)
+    known = None if options.moment is None else _moment(options.moment)
+    clip = None if options.clip is None else _quantity("--clip", options.clip, "rad/s")
+    logs = [read_gyro_log(path, mapping, _progress(path)) for path in paths]
+    fit = fit_throw(
+        [each.log for each in logs], _windows(options.windows, len(paths)), drag=_choice(options.drag),
+        gain=_choice(options.gain), clip=clip,
+    )  # fmt: skip
+    names = [path.name or str(path) for path in paths]
+    groups = throw_groups(fit, names, logs, known)
+    notes = throw_notes(fit, names, logs, known)
+    files = _written(fit, logs, names, out, options.figures)
+    if json:
+        told = {"name": ", ".join(names), **values_of(groups), "units": units_of(groups)}
+        print(as_json(plain({**told, "notes": notes, "files": files})))
+        return
+    print_report(", ".join(names), throw_summary(fit), groups, notes, files)
+
+
+def _written(
+    fit: ThrowFit, logs: Sequence[ReadLog], names: Sequence[str], out: Path | None, figures: Path | None
+) -> list[str]:
+    files = []
+    if out is not None:
+        from polhode.formats.throw_dataset import write_throw
+
+        files.append(str(write_throw(fit, names, out)))
+    if figures is not None:
+        from polhode.figures.style import save
+        from polhode.figures.throw_figure import throw_figures
+        from polhode.formats.paths import written_together
+
+        with written_together(figures) as draft:
+            for name, figure in throw_figures(fit).items():
+                save(figure, draft / f"{name}.png")
+                files.append(str(figures / f"{name}.png"))
+    return files
+
+
+def _windows(given: Sequence[str], logs: int) -> list[list[Window]] | None:
+    """Return the windows of each log: all are of a single log, otherwise one is for each."""
+    if not given:
+        return None
+    windows = [_window(text) for text in given]
+    if logs == 1:
+        return [windows]
+    if len(windows) != logs:
+        raise InvalidInput(f"--window must be given once for each log, in their order: {logs} logs, and "
+                           f"{len(windows)} windows.")  # fmt: skip
+    return [[window] for window in windows]
+
+
+def _window(text: str) -> Window:
+    try:
+        start, end = map(read_number, text.split(","))
+    except ValueError:
+        raise InvalidInput(f"--window must be two times in seconds with a comma, like 1.2,1.9; got {shown(text)}."
+                           ) from None  # fmt: skip
+    return Window(start, end)
+
+
+def _choice(given: bool | None) -> bool | str:
+    return "auto" if given is None else given
+
+
+def _moment(text: str) -> KnownMoment:
+    found = _MOMENT.fullmatch(text)
+    if found is None:
+        raise InvalidInput(f'--moment must be like "I3 = 1.2e-4 kg m^2", the largest being I3; got {shown(text)}.')
+    return KnownMoment(int(found[1]), _quantity("--moment", found[2].strip(), "kg*m^2"))
+
+
+def _quantity(name: str, text: str, unit: str) -> float:
+    try:
+        value = parse_quantity(text, unit)
+    except ValueError as error:
+        raise InvalidInput(f"{name} {error}.") from None
+    if not value > 0:
+        raise InvalidInput(f"{name} must be positive; got {shown(text)}.")
+    return value
+
+
+def _progress(path: Path) -> Callable[[int], None]:
+    """Return what tells a person who waits how far the reading is; files of few lines tell nothing."""
+    told = 0
+
+    def tell(line: int) -> None:
+        nonlocal told
+        if line - told >= EVERY:
+            told = line
+            print(f"{path.name}: {line} lines read", file=sys.stderr, flush=True)
+
+    return tell
