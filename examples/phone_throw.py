@@ -1,4 +1,4 @@
-"""Makes phone_throw.csv: a SYNTHETIC log of a phone that is tossed, as phyphox would export it. Nothing in it is measured.
+"""Makes phone_throw.csv: a SYNTHETIC log of a phone that is tossed, as phyphox would export it; nothing is measured.
 
 The moments are those of a box of 150 g, 147 × 71 × 7.8 mm; the flight is exact free motion, the gyro has a bias and
 noise, and the accelerometer sits off the centre of mass.
@@ -36,7 +36,7 @@ def main() -> None:
     felt = held + lever + FELT_NOISE * random.normal(size=lever.shape)
     gyro = rates + BIAS + NOISE * random.normal(size=rates.shape)
     names = ["Time (s)", *(f"Gyroscope {x} (rad/s)" for x in "xyz"), *(f"Acceleration {x} (m/s^2)" for x in "xyz")]
-    lines = ["# SYNTHETIC, made by phone_throw.py: nothing in this file was measured", ",".join(f'"{x}"' for x in names)]
+    lines = ["# SYNTHETIC, made by phone_throw.py: nothing here was measured", ",".join(f'"{x}"' for x in names)]
     lines += [",".join(f"{x:.6g}" for x in row) for row in np.column_stack([t, gyro, felt])]
     Path(__file__).with_name("phone_throw.csv").write_text("\n".join(lines) + "\n")
 

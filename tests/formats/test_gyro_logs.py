@@ -30,7 +30,8 @@ def written(folder, text, name="log.csv", encoding="utf-8"):
 
 
 @pytest.mark.parametrize(("sign", "comma", "encoding"), [
-    (",", False, "utf-8"), (",", False, "utf-8-sig"), ("\t", False, "utf-8"), ("\t", True, "utf-8"), (";", True, "utf-8-sig"),
+    (",", False, "utf-8"), (",", False, "utf-8-sig"), ("\t", False, "utf-8"), ("\t", True, "utf-8"),
+    (";", True, "utf-8-sig"),
 ])  # fmt: skip
 def test_phyphox_with_any_signs(tmp_path, sign, comma, encoding):
     text = table(PHYPHOX, [TIMES, RATES], sign, comma)
@@ -97,7 +98,7 @@ def test_betaflight_in_microseconds_and_degrees_below_other_lines(tmp_path, unit
 
 def test_any_table_by_a_mapping(tmp_path):
     path = written(tmp_path, table(["t_ms", "p", "q", "r"], [1e3 * TIMES, np.degrees(RATES)]))
-    with pytest.raises(FormatError, match=r"log\.csv: has the columns t_ms, p, q, r, which are not a gyro log of .*--gyro"):
+    with pytest.raises(FormatError, match=r"log\.csv: has the columns t_ms, p, q, r, which are not .*--gyro"):
         read_gyro_log(path)
     found = read_gyro_log(path, ColumnMapping("t_ms", gyro="p,q,r", unit="deg/s"))
     np.testing.assert_allclose(found.log.rates, RATES, atol=1e-11)

@@ -212,7 +212,7 @@ def lines(
 def fit(
     files: Annotated[
         list[Path],
-        typer.Argument(metavar="LOG… | SPEC LINES", help="Gyro logs of throws (CSV, a folder, a zip); or a molecule, by "
+        typer.Argument(metavar="LOG… | SPEC LINES", help="Gyro logs of throws (CSV, a folder, a zip), or a molecule by "
                        "a spec or atoms, and its measured lines, a .lin file."),
     ],
     json: AsJson = False,
@@ -223,7 +223,7 @@ def fit(
     ] = None,
     out: Annotated[
         Path | None,
-        typer.Option("--out", metavar="FILE", help="Of logs: dataset of the fit, .nc; of a molecule: constants, .par."),
+        typer.Option("--out", metavar="FILE", help="Of logs: dataset, .nc; of a molecule: constants, .par."),
     ] = None,
     figures: Annotated[
         Path | None, typer.Option("--figures", metavar="DIR", help="Of logs: folder to draw figures into.")
@@ -234,10 +234,10 @@ def fit(
                      help="Of logs: free flight [s], in place of what is found; once for each throw."),
     ] = None,
     drag: Annotated[
-        bool | None, typer.Option("--drag/--no-drag", help="Of logs: with drag or without (default: by a criterion).")
+        bool | None, typer.Option("--drag/--no-drag", help="Of logs: drag or none (default: by a criterion).")
     ] = None,
     gain: Annotated[
-        bool | None, typer.Option("--gain/--no-gain", help="Of logs: with gains of the gyro's axes, likewise.")
+        bool | None, typer.Option("--gain/--no-gain", help="Of logs: gains of the axes or none, likewise.")
     ] = None,
     clip: Annotated[
         str | None, typer.Option("--clip", metavar="RATE", help='Of logs: the gyro\'s limit, like "2000 deg/s".')

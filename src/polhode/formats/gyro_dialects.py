@@ -76,7 +76,8 @@ def dialect_of(names: Sequence[str]) -> GyroDialect | None:
     >>> dialect_of(["time", "seconds_elapsed", "z", "y", "x"]).name, dialect_of(["t", "a", "b", "c"])
     ('Sensor Logger', None)
     """
-    return next((each for each in DIALECTS if places_of(names, each.gyro) and time_place(names, each) is not None), None)
+    known = (each for each in DIALECTS if places_of(names, each.gyro) and time_place(names, each) is not None)
+    return next(known, None)
 
 
 def time_place(names: Sequence[str], dialect: GyroDialect) -> int | None:

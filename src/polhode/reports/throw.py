@@ -19,7 +19,7 @@ BARELY = 2.0  # AICc less than this apart: the criterion hardly prefers one mode
 class KnownMoment(NamedTuple):
     """A principal moment that is known: which, from 1 for the smallest, and its value [kg m²]."""
 
-    index: int
+    which: int
     value: float
 
 
@@ -72,8 +72,9 @@ def _inertia(fit: ThrowFit) -> Group:
     intervals = fit.ratios.interval()
     answers = []
     for (name, value, error), (low, high) in zip(_each(fit.ratios), intervals.tolist(), strict=True):
-        answers.append(Answer(f"ratios.{name}", {"value": value, "standard_error": error, "interval": [low, high]}, "",
-                              name, "interval of 95 %", f"{uncertain(value, error)}, 95 %: {low:.5g} to {high:.5g}"))  # fmt: skip
+        words = f"{uncertain(value, error)}, 95 %: {low:.5g} to {high:.5g}"
+        found = {"value": value, "standard_error": error, "interval": [low, high]}
+        answers.append(Answer(f"ratios.{name}", found, "", name, "interval of 95 %", words))
     return Group("Inertia", [
         *answers, Answer("degenerate", None), Answer("equal", fit.equal, "", "equal within errors"),
     ])  # fmt: skip
@@ -85,15 +86,15 @@ def _moments(fit: ThrowFit, known: KnownMoment | None) -> list[Group]:
         return []
     value, covariance = np.append(fit.ratios.value, 1.0), np.zeros((3, 3))
     covariance[:2, :2] = fit.ratios.covariance
-    k = known.index - 1
+    k = known.which - 1
     # I_i = M r_i / r_k, whose slopes are M/r_k along r_i and −M r_i/r_k² along r_k
     slopes = known.value / value[k] * (np.eye(3) - np.outer(value, np.eye(3)[k]) / value[k])
     error = np.sqrt(np.maximum(np.diagonal(slopes @ covariance @ slopes.T), 0.0))
     moments = known.value * value / value[k]
     words = [uncertain(float(m), float(e) if e > 0 else None) for m, e in zip(moments, error, strict=True)]
     return [Group("Moments", [
-        Answer("moments.value", moments.tolist(), "kg m²", "I1, I2, I3", f"I{known.index} is the given one",
-               f"{', '.join(words)} kg m² (I{known.index} given)"),
+        Answer("moments.value", moments.tolist(), "kg m²", "I1, I2, I3", f"I{known.which} is the given one",
+               f"{', '.join(words)} kg m² (I{known.which} given)"),
         Answer("moments.standard_error", error.tolist(), "kg m²"),
     ])]  # fmt: skip
 
