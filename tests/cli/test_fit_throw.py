@@ -45,7 +45,7 @@ def test_the_example_gives_the_ratios_it_was_made_with(run, tmp_path):
     found = json.loads(said.out)
     for name, true in zip(("I1/I3", "I2/I3"), TRUE, strict=False):
         one = found["ratios"][name]
-        assert abs(one["value"] - true) < 3 * one["standard_error"] < 0.01
+        assert abs(one["value"] - true) < 3 * one["standard_error"] < 0.03
         assert one["interval"][0] < one["value"] < one["interval"][1]
     assert found["window"] == pytest.approx([1.2, 1.9], abs=0.02) and found["degenerate"] is None
     assert found["drag"] is None and found["regime"] == "short-axis"

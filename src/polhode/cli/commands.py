@@ -237,7 +237,7 @@ def fit(
         bool | None, typer.Option("--drag/--no-drag", help="Of logs: drag or none (default: by a criterion).")
     ] = None,
     gain: Annotated[
-        bool | None, typer.Option("--gain/--no-gain", help="Of logs: gains of the axes or none, likewise.")
+        bool | None, typer.Option("--gain/--no-gain", help="Of logs: gains of the axes or none (default: gains).")
     ] = None,
     clip: Annotated[
         str | None, typer.Option("--clip", metavar="RATE", help='Of logs: the gyro\'s limit, like "2000 deg/s".')

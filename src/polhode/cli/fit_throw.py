@@ -58,8 +58,8 @@ def run_fit_throw(
     clip = None if options.clip is None else _quantity("--clip", options.clip, "rad/s")
     logs = [read_gyro_log(path, mapping, _progress(path)) for path in paths]
     fit = fit_throw(
-        [each.log for each in logs], _windows(options.windows, len(paths)), drag=_choice(options.drag),
-        gain=_choice(options.gain), clip=clip,
+        [each.log for each in logs], _windows(options.windows, len(paths)), drag="auto" if options.drag is None else options.drag,
+        gain=options.gain is not False, clip=clip,
     )  # fmt: skip
     names = [path.name or str(path) for path in paths]
     groups = throw_groups(fit, names, logs, known)
@@ -112,10 +112,6 @@ def _window(text: str) -> Window:
         raise InvalidInput(f"--window must be two times in seconds with a comma, like 1.2,1.9; got {shown(text)}."
                            ) from None  # fmt: skip
     return Window(start, end)
-
-
-def _choice(given: bool | None) -> bool | str:
-    return "auto" if given is None else given
 
 
 def _moment(text: str) -> KnownMoment:

@@ -55,8 +55,8 @@ def throw_notes(
         if chosen and others and min(score.aicc for score in others) - chosen.aicc < BARELY:
             notes.append("the criterion hardly prefers the chosen model to the next one; see the table of models.")
         if fit.gain is None:
-            notes.append("no gains of the axes were fitted; a gain that is 1 % off moves the ratios by about as much, "
-                         "and --gain puts that into the intervals.")  # fmt: skip
+            notes.append("no gains of the axes were fitted, so the intervals hold for a calibrated gyro only: a gain that is "
+                         "1 % off moves the ratios by about as much.")  # fmt: skip
     elif known is not None:
         notes.append("the known moment is not used, as the ratios are not known.")
     return notes
