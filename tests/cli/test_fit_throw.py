@@ -27,10 +27,11 @@ def run(capsys):
     return of
 
 
-def log(path, moments, rates, noise=1e-3, seed=1):
+def log(path, moments, rates, noise=1e-3, seed=1, axes=None):
     times = np.arange(0.0, 0.9, 0.01)
     motion = ph.FreeMotion(moments, angular_velocity=rates)
-    seen = motion.angular_velocity(times) + noise * np.random.default_rng(seed).normal(size=(len(times), 3))
+    body = motion.angular_velocity(times)
+    seen = (body if axes is None else body @ axes.T) + noise * np.random.default_rng(seed).normal(size=(len(times), 3))
     rows = [f"{t:.4f};{x:.8f};{y:.8f};{z:.8f}".replace(".", ",") for t, (x, y, z) in zip(times, seen, strict=True)]
     path.write_text("t_s;gx;gy;gz\n" + "\n".join(rows) + "\n")
     return path
@@ -91,6 +92,34 @@ def test_a_sphere_and_a_steady_spin_give_no_number(run, tmp_path, moments, rates
     assert [path.name for path in (tmp_path / "f").iterdir()] == ["data_and_fit.png"]
     said = run("fit", path, *COLUMNS, "--window", "0,0.89").out
     assert "cannot be told" in said
+
+
+def test_an_added_weight_gives_the_moments(run, tmp_path):
+    """The body alone, and with a point of 20 g at r: inertia μ (|r|² − r rᵀ) more, about the common centre of mass."""
+    moments, place, mass, weight = np.array([1e-4, 3e-4, 3.6e-4]), np.array([0.05, 0.03, 0.02]), 0.15, 0.02
+    added = mass * weight / (mass + weight) * (place @ place * np.eye(3) - np.outer(place, place))
+    heavier, axes = np.linalg.eigh(np.diag(moments) + added)
+    axes = axes * np.linalg.det(axes)
+    rates = np.array([3.0, 9.0, 2.0])
+    alone = log(tmp_path / "alone.csv", moments, rates, 1e-4)
+    with_it = log(tmp_path / "with.csv", heavier, axes.T @ rates, 1e-4, seed=2, axes=axes)
+    given = ("--mass", "150 g", "--added-weight", "20 g at 50, 30, 20 mm", "--weighted", with_it)
+    found = json.loads(run("fit", alone, *COLUMNS, *given, "--no-gain", "--no-drag", "--json").out)["moments"]
+    assert np.all(abs(np.array(found["value"]) - moments) < 4 * np.array(found["standard_error"]) + 1e-9)
+    assert np.all(np.array(found["standard_error"]) < 0.05 * moments)
+    assert "belong together" in run("fit", alone, *COLUMNS, *given[:4], code="2").err
+
+
+def test_a_log_of_attitudes(run, tmp_path):
+    times = np.arange(0.0, 2.0, 0.01)
+    attitude = ph.FreeMotion((0.2, 0.8, 1.0), angular_velocity=(1.0, 5.0, 1.0)).attitude(times)
+    rows = [",".join(f"{x:.9f}" for x in row) for row in np.column_stack([times, attitude])]
+    path = tmp_path / "a.csv"
+    path.write_text("t_s,q_w,q_x,q_y,q_z\n" + "\n".join(rows) + "\n")
+    columns = ("--time", "t_s", "--quat", "q_w,q_x,q_y,q_z")
+    found = json.loads(run("fit", path, *columns, "--json").out)
+    assert [found["ratios"][name]["value"] for name in ("I1/I3", "I2/I3")] == pytest.approx([0.2, 0.8], abs=1e-6)
+    assert "is for gyro logs" in run("fit", path, *columns, "--drag", code="2").err
 
 
 @pytest.mark.parametrize(("arguments", "said"), [

@@ -7,6 +7,7 @@ from typing import Annotated
 
 import typer
 
+from polhode.cli import fit_options as options
 from polhode.cli.arguments import StrictCommand, whole_number
 
 app = typer.Typer(
@@ -210,45 +211,27 @@ def lines(
 
 @app.command(cls=StrictCommand)
 def fit(
-    files: Annotated[
-        list[Path],
-        typer.Argument(metavar="LOG… | SPEC LINES", help="Gyro logs of throws (CSV, a folder, a zip), or a molecule by "
-                       "a spec or atoms, and its measured lines, a .lin file."),
-    ],
+    files: options.FitFiles,
     json: AsJson = False,
-    free: Annotated[
-        str | None,
-        typer.Option("--free", metavar="NAMES",
-                     help="Of a molecule: like A,B,C,D_J (default: all constants that the spec gives)."),
-    ] = None,
-    out: Annotated[
-        Path | None,
-        typer.Option("--out", metavar="FILE", help="Of logs: dataset, .nc; of a molecule: constants, .par."),
-    ] = None,
-    figures: Annotated[
-        Path | None, typer.Option("--figures", metavar="DIR", help="Of logs: folder to draw figures into.")
-    ] = None,
-    window: Annotated[
-        list[str] | None,
-        typer.Option("--window", metavar="START,END",
-                     help="Of logs: free flight [s], in place of what is found; once for each throw."),
-    ] = None,
-    drag: Annotated[
-        bool | None, typer.Option("--drag/--no-drag", help="Of logs: drag or none (default: by a criterion).")
-    ] = None,
-    gain: Annotated[
-        bool | None, typer.Option("--gain/--no-gain", help="Of logs: gains of the axes or none (default: gains).")
-    ] = None,
-    clip: Annotated[
-        str | None, typer.Option("--clip", metavar="RATE", help='Of logs: the gyro\'s limit, like "2000 deg/s".')
-    ] = None,
-    moment: Annotated[
-        str | None,
-        typer.Option("--moment", metavar="MOMENT", help='Of logs: one that is known, like "I3 = 1.2e-4 kg m^2".'),
-    ] = None,
+    free: options.FreeNames = None,
+    out: options.FitOut = None,
+    figures: options.FitFigures = None,
+    window: options.FitWindows = None,
+    drag: options.WithDrag = None,
+    gain: options.WithGain = None,
+    clip: options.ClipRate = None,
+    moment: options.OneMoment = None,
+    mass: options.BodyMass = None,
+    added_weight: options.AddedWeight = None,
+    weighted: options.WeightedLogs = None,
     mapping: MappingFile = None,
     time: TimeColumn = None,
     time_unit: TimeUnit = None,
+    quat: QuatColumns = None,
+    order: QuatOrder = None,
+    direction: Direction = None,
+    euler: EulerColumns = None,
+    sequence: EulerSequence = None,
     gyro: GyroColumns = None,
     unit: ColumnUnit = None,
     decimal: Decimal = None,
@@ -260,11 +243,13 @@ def fit(
     """
     from polhode.cli.columns import ColumnOptions
     from polhode.cli.fit import FitFiles, run_fit
+    from polhode.cli.fit_scale import ScaleOptions
     from polhode.cli.fit_throw import ThrowOptions
 
-    columns = ColumnOptions(mapping, time, time_unit, gyro=gyro, unit=unit, decimal=decimal)
-    throw = ThrowOptions(window or [], drag, gain, clip, moment, figures)
-    run_fit(FitFiles(files, free, out, json), throw, columns)
+    columns = ColumnOptions(mapping, time, time_unit, quat, order, direction, euler, sequence, gyro, unit, decimal)
+    scale = ScaleOptions(moment, mass, added_weight, weighted or [])
+    throw = ThrowOptions(window or [], drag, gain, clip, figures)
+    run_fit(FitFiles(files, free, out, json), throw, scale, columns)
 
 
 @app.command(cls=StrictCommand)

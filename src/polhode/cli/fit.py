@@ -6,7 +6,8 @@ from pathlib import Path
 from typing import NamedTuple
 
 from polhode.cli.columns import ColumnOptions
-from polhode.cli.fit_throw import ThrowOptions, run_fit_throw
+from polhode.cli.fit_scale import ScaleOptions, scale_of
+from polhode.cli.fit_throw import ThrowOptions, named, run_fit_throw
 from polhode.errors import InvalidInput
 
 LINES = ".lin"
@@ -23,14 +24,14 @@ class FitFiles(NamedTuple):
     json: bool
 
 
-def run_fit(given: FitFiles, throw: ThrowOptions, columns: ColumnOptions) -> None:
+def run_fit(given: FitFiles, throw: ThrowOptions, scale: ScaleOptions, columns: ColumnOptions) -> None:
     """Fit what the files are of: a molecule where the first is a spec or atoms, a thrown body otherwise."""
     files = given.files
     if files[0].suffix.lower() in STARTS or files[-1].suffix.lower() == LINES:
         if len(files) != 2:
             raise InvalidInput(f"{files[0]}: a molecule is fitted to one file of lines; got {len(files) - 1}. Write "
                                f"polhode fit SPEC LINES{LINES}.")  # fmt: skip
-        if wrong := [*throw.given, *(f"--{name.replace('_', '-')}" for name in columns.words)]:
+        if wrong := [*named(throw), *named(scale), *(f"--{name.replace('_', '-')}" for name in columns.words)]:
             raise InvalidInput(f"{', '.join(wrong)} is for gyro logs, and {files[0]} is a molecule. Leave it out.")
         from polhode.cli.fit_rotor import run_fit_rotor
 
@@ -38,4 +39,4 @@ def run_fit(given: FitFiles, throw: ThrowOptions, columns: ColumnOptions) -> Non
         return
     if given.free is not None:
         raise InvalidInput("--free names constants of a molecule, and gyro logs are given. Leave it out.")
-    run_fit_throw(files, throw, columns, given.out, given.json)
+    run_fit_throw(files, throw, scale_of(scale), scale.weighted, columns, given.out, given.json)

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-import re
 import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from polhode.cli.columns import ColumnOptions, table_to_import
 from polhode.cli.destinations import check_spares
+from polhode.cli.fit_attitude import has_attitude, run_fit_attitude
+from polhode.cli.fit_scale import KnownScale, quantity
 from polhode.cli.render import as_json, print_report
 from polhode.errors import InvalidInput, shown
 from polhode.estimation.flight import Window
@@ -18,11 +19,9 @@ from polhode.formats.gyro_logs import ReadLog, read_gyro_log
 from polhode.formats.numerals import read_number
 from polhode.reports.answer import units_of, values_of
 from polhode.reports.base import plain
-from polhode.reports.throw import KnownMoment, throw_groups, throw_notes, throw_summary
-from polhode.spec.units import parse_quantity
+from polhode.reports.throw import throw_groups, throw_notes, throw_summary
 
 EVERY = 1_000_000  # lines, after which progress is told
-_MOMENT = re.compile(r"\s*I([123])\s*=\s*(.+)")
 
 
 class ThrowOptions(NamedTuple):
@@ -32,38 +31,45 @@ class ThrowOptions(NamedTuple):
     drag: bool | None = None
     gain: bool | None = None
     clip: str | None = None
-    moment: str | None = None
     figures: Path | None = None
 
-    @property
-    def given(self) -> list[str]:
-        """The options that are given."""
-        names = {"windows": "--window"}
-        return [names.get(name, f"--{name}") for name, value in self._asdict().items() if value not in (None, [])]
+
+def named(options: Any) -> list[str]:
+    """Return the options that are given, as they are called."""
+    given = [name for name, value in options._asdict().items() if value not in (None, [])]
+    return [f"--{name.replace('_', '-')}".replace("--windows", "--window") for name in given]
 
 
 def run_fit_throw(
-    paths: Sequence[Path], options: ThrowOptions, columns: ColumnOptions, out: Path | None, json: bool
-) -> None:
+    paths: Sequence[Path], options: ThrowOptions, known: KnownScale, weighted: Sequence[Path], columns: ColumnOptions,
+    out: Path | None, json: bool,
+) -> None:  # fmt: skip
     """Fit the logs together, print what they say, and write data and figures where asked for."""
     table = table_to_import(columns)
     mapping = None if table is None else table.mapping
-    if mapping is not None and mapping.attitude:
-        raise InvalidInput("a fit takes the angular velocities of gyro logs, and the columns of an attitude are given. "
-                           "Give --gyro alone.")  # fmt: skip
+    if has_attitude(paths[0], table):
+        wrong = named(options._replace(windows=[])) + (["--weighted"] if weighted else []) + (["--out"] if out else [])
+        if wrong or len(paths) > 1:
+            what = f"{', '.join(wrong)} is for gyro logs" if wrong else f"got {len(paths)} logs"
+            raise InvalidInput(f"{paths[0]}: is a log of attitudes, which is fitted alone, and {what}. Leave it out.")
+        run_fit_attitude(paths[0], table, [_window(text) for text in options.windows], known, json)
+        return
     if out is not None:
-        for path in paths:
+        for path in (*paths, *weighted):
             check_spares(out, path)
-    known = None if options.moment is None else _moment(options.moment)
-    clip = None if options.clip is None else _quantity("--clip", options.clip, "rad/s")
+    clip = None if options.clip is None else quantity("--clip", options.clip, "rad/s")
     logs = [read_gyro_log(path, mapping, _progress(path)) for path in paths]
-    fit = fit_throw(
-        [each.log for each in logs], _windows(options.windows, len(paths)), drag="auto" if options.drag is None else options.drag,
-        gain=options.gain is not False, clip=clip,
-    )  # fmt: skip
+    windows = _windows(options.windows, len(paths))
+    drag: bool | str = "auto" if options.drag is None else options.drag
+    fit = fit_throw([each.log for each in logs], windows, drag, options.gain is not False, clip)
+    heavier = None
+    if weighted:
+        more = [read_gyro_log(path, mapping, _progress(path)).log for path in weighted]
+        heavier = fit_throw(more, None, drag, options.gain is not False, clip)
+    moments = known.moments(fit, heavier)
     names = [path.name or str(path) for path in paths]
-    groups = throw_groups(fit, names, logs, known)
-    notes = throw_notes(fit, names, logs, known)
+    groups = throw_groups(fit, names, logs, moments)
+    notes = throw_notes(fit, names, logs)
     files = _written(fit, logs, names, out, options.figures)
     if json:
         told = {"name": ", ".join(names), **values_of(groups), "units": units_of(groups)}
@@ -112,23 +118,6 @@ def _window(text: str) -> Window:
         raise InvalidInput(f"--window must be two times in seconds with a comma, like 1.2,1.9; got {shown(text)}."
                            ) from None  # fmt: skip
     return Window(start, end)
-
-
-def _moment(text: str) -> KnownMoment:
-    found = _MOMENT.fullmatch(text)
-    if found is None:
-        raise InvalidInput(f'--moment must be like "I3 = 1.2e-4 kg m^2", the largest being I3; got {shown(text)}.')
-    return KnownMoment(int(found[1]), _quantity("--moment", found[2].strip(), "kg*m^2"))
-
-
-def _quantity(name: str, text: str, unit: str) -> float:
-    try:
-        value = parse_quantity(text, unit)
-    except ValueError as error:
-        raise InvalidInput(f"{name} {error}.") from None
-    if not value > 0:
-        raise InvalidInput(f"{name} must be positive; got {shown(text)}.")
-    return value
 
 
 def _progress(path: Path) -> Callable[[int], None]:

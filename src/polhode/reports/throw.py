@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
+from polhode.estimation.attitude_fit import AttitudeFit
 from polhode.estimation.estimate import Estimate
 from polhode.estimation.throw import ThrowFit
 from polhode.formats.gyro_logs import ReadLog
@@ -14,13 +15,6 @@ from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.wording import counted, uncertain
 
 BARELY = 2.0  # AICc less than this apart: the criterion hardly prefers one model
-
-
-class KnownMoment(NamedTuple):
-    """A principal moment that is known: which, from 1 for the smallest, and its value [kg m²]."""
-
-    which: int
-    value: float
 
 
 def throw_summary(fit: ThrowFit) -> str:
@@ -33,16 +27,14 @@ def throw_summary(fit: ThrowFit) -> str:
 
 
 def throw_groups(
-    fit: ThrowFit, names: Sequence[str], logs: Sequence[ReadLog], known: KnownMoment | None
+    fit: ThrowFit, names: Sequence[str], logs: Sequence[ReadLog], moments: Estimate | None
 ) -> list[Group | Table]:
     """Return what a fit says, by groups."""
-    return [_inertia(fit), *_moments(fit, known), _axes(fit), _gyro(fit), _quality(fit), _throws(fit, names),
+    return [_inertia(fit), *_moments(moments), _axes(fit), _gyro(fit), _quality(fit), _throws(fit, names),
             _models(fit), _logs(names, logs)]  # fmt: skip
 
 
-def throw_notes(
-    fit: ThrowFit, names: Sequence[str], logs: Sequence[ReadLog], known: KnownMoment | None
-) -> list[str]:
+def throw_notes(fit: ThrowFit, names: Sequence[str], logs: Sequence[ReadLog]) -> list[str]:
     """Return what a reader should know of files and fit."""
     notes = [f"{name}: {note}" for name, read in zip(names, logs, strict=True) for note in read.notes]
     if fit.clip is not None:
@@ -55,14 +47,32 @@ def throw_notes(
         if chosen and others and min(score.aicc for score in others) - chosen.aicc < BARELY:
             notes.append("the criterion hardly prefers the chosen model to the next one; see the table of models.")
         if fit.gain is None:
-            notes.append("no gains of the axes were fitted, so the intervals hold for a calibrated gyro only: a gain that is "
-                         "1 % off moves the ratios by about as much.")  # fmt: skip
-    elif known is not None:
-        notes.append("the known moment is not used, as the ratios are not known.")
+            notes.append("no gains of the axes were fitted, so the intervals hold for a calibrated gyro only: a gain that "
+                         "is 1 % off moves the ratios by about as much.")  # fmt: skip
     return notes
 
 
-def _inertia(fit: ThrowFit) -> Group:
+def attitude_summary(fit: AttitudeFit) -> str:
+    """Return the answer of a log of attitudes in a sentence."""
+    if fit.degenerate is not None or fit.ratios is None:
+        return f"The inertia cannot be told. {_sentence(fit.degenerate or '')}"
+    said = ", ".join(f"{name} = {uncertain(value, error)}" for name, value, error in _each(fit.ratios))
+    return f"{said}; {_named(fit.regime)}, residuals {fit.rms:.2g} rad rms."
+
+
+def attitude_groups(fit: AttitudeFit, moments: Estimate | None) -> list[Group | Table]:
+    """Return what a fit of attitudes says, by groups."""
+    span = [float(fit.times[0]), float(fit.times[-1])]
+    return [_inertia(fit), *_moments(moments), _axes(fit), Group("Fit", [
+        Answer("rms", fit.rms, "rad", "residuals", "root mean square", f"{fit.rms:.3g} rad rms"),
+        Answer("sigma", fit.sigma, "rad", "noise of an attitude", "about each axis", f"{fit.sigma:.3g} rad"),
+        Answer("samples", len(fit.times), "", "samples used"),
+        Answer("window", span, "s", "times", "", f"{span[0]:.6g} to {span[1]:.6g} s"),
+        Answer("regime", fit.regime, "", "regime"),
+    ])]  # fmt: skip
+
+
+def _inertia(fit: ThrowFit | AttitudeFit) -> Group:
     if fit.ratios is None:
         return Group("Inertia", [
             Answer("ratios", None),
@@ -80,26 +90,16 @@ def _inertia(fit: ThrowFit) -> Group:
     ])  # fmt: skip
 
 
-def _moments(fit: ThrowFit, known: KnownMoment | None) -> list[Group]:
-    """Return the moments in kg m², by one that is known; their errors are those of the ratios."""
-    if known is None or fit.ratios is None:
+def _moments(moments: Estimate | None) -> list[Group]:
+    if moments is None:
         return []
-    value, covariance = np.append(fit.ratios.value, 1.0), np.zeros((3, 3))
-    covariance[:2, :2] = fit.ratios.covariance
-    k = known.which - 1
-    # I_i = M r_i / r_k, whose slopes are M/r_k along r_i and −M r_i/r_k² along r_k
-    slopes = known.value / value[k] * (np.eye(3) - np.outer(value, np.eye(3)[k]) / value[k])
-    error = np.sqrt(np.maximum(np.diagonal(slopes @ covariance @ slopes.T), 0.0))
-    moments = known.value * value / value[k]
-    words = [uncertain(float(m), float(e) if e > 0 else None) for m, e in zip(moments, error, strict=True)]
     return [Group("Moments", [
-        Answer("moments.value", moments.tolist(), "kg m²", "I1, I2, I3", f"I{known.which} is the given one",
-               f"{', '.join(words)} kg m² (I{known.which} given)"),
-        Answer("moments.standard_error", error.tolist(), "kg m²"),
+        Answer("moments.value", moments.value.tolist(), "kg m²", "I1, I2, I3", "", f"{_listed(moments)} kg m²"),
+        Answer("moments.standard_error", moments.standard_error.tolist(), "kg m²"),
     ])]  # fmt: skip
 
 
-def _axes(fit: ThrowFit) -> Group:
+def _axes(fit: ThrowFit | AttitudeFit) -> Group:
     axes, turn = fit.axes, fit.axes_error
     named = []
     for k in range(3):
