@@ -47,7 +47,7 @@ def throw_notes(fit: ThrowFit, names: Sequence[str], logs: Sequence[ReadLog]) ->
         if chosen and others and min(score.aicc for score in others) - chosen.aicc < BARELY:
             notes.append("the criterion hardly prefers the chosen model to the next one; see the table of models.")
         if fit.gain is None:
-            notes.append("no gains of the axes were fitted, so the intervals hold for a calibrated gyro only: a gain that "
+            notes.append("no gains were fitted, so the intervals hold for a calibrated gyro: a gain that "
                          "is 1 % off moves the ratios by about as much.")  # fmt: skip
     return notes
 
