@@ -21,7 +21,7 @@ INNER = {
     "analysis": {"conserved", "conserved_function", "equilibrium_data", "mechanics", "periapsis_map", "power_law",
                  "reasons", "second_variation"},
     "bodies": {"mesh_crossing", "mesh_gate", "pivot", "turned"},
-    "estimation": {"estimate"},
+    "estimation": {"estimate", "linear_start", "principal", "throw_fit", "throw_models"},
     "exact": {"blocks", "decay", "kernel_agm", "kernel_arithmetic", "free_body.derivative", "free_body.evaluation",
               "free_body.frequencies", "free_body.geometry", "free_body.geometry_tangent", "free_body.kernel",
               "free_body.kernel_rates", "free_body.kernel_reduction", "free_body.kernel_setup", "free_body.preparation",
@@ -116,6 +116,8 @@ NO_ARRAYS = {
     "rotor_misfit", "damped_motion.time_constant", "predicted_exponents",
     "SpinMotion.predictable_time", "SpinMotion.regular_exponent", "DiskPath.part",
     "Lattice.positions",
+    "GyroLog", "estimation.flight.free_flights", "estimation.flight.Window", "FittedThrow", "ModelScore", "ThrowFit",
+    "AttitudeFit",
     "disk_turns.first_turns", "disk_turns.last_turns", "disk_turns.filled_to_its_end",
 }  # fmt: skip
 """Functions of objects, words and whole numbers, and records of known answers."""
@@ -138,6 +140,7 @@ CALLED_BY_OTHERS = {
     "simulation.fastest_rate", "simulation.trajectory_of", "solving.adaptive_solver", "solving.checked_every",
     "solving.goes_along_orbit", "solving.is_adaptive", "solving.orbit_solver", "solving.step_angle",
     "solving.turning_rates",
+    "estimation.flight.check_windows",
     "systems.base.as_finite_state", "systems.base.check_unit_attitude", "systems.base.components",
     "systems.point_vortices.rounds_of_pairs",
     "systems.spin_lattice.damped", "systems.base.joined", "systems.base.attitude_change",

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import polhode as ph
-from polhode import algebra, analysis, poisson, quantum, systems
+from polhode import algebra, analysis, estimation, poisson, quantum, systems
 from polhode.analysis import (
     alignment,
     comparison,
@@ -65,6 +65,11 @@ def scaled(system, factor):
 
 
 REFUSED = {
+    "clean_log": (TIMES, lambda x: estimation.clean_log(x, np.ones((12, 3)))),
+    "fit_throw": (TIMES, lambda x: estimation.fit_throw(estimation.GyroLog(x, np.ones((12, 3))), gain_spread=x)),
+    "fit_attitude": (TIMES, lambda x: estimation.fit_attitude(x, TURNS)),
+    "moments_from_one": (0.3, lambda x: estimation.moments_from_one(None, 1, x)),
+    "moments_from_weight": (AXIS, lambda x: estimation.moments_from_weight(None, None, 1.0, 1.0, x)),
     "FreeRigidBody": (THREE, systems.FreeRigidBody),
     "HeavyTop": (AXIS, lambda x: systems.HeavyTop(THREE, 1.0, x)),
     "HeavyTop.upright": (0.0, TOP.upright),

@@ -7,6 +7,7 @@ from typing import Annotated
 
 import typer
 
+from polhode.cli import fit_options as options
 from polhode.cli.arguments import StrictCommand, whole_number
 
 app = typer.Typer(
@@ -210,23 +211,45 @@ def lines(
 
 @app.command(cls=StrictCommand)
 def fit(
-    spec: Annotated[
-        Path, typer.Argument(metavar="SPEC", help="Spec of a molecule, whose constants are the start, or atoms.")
-    ],
-    lines: Annotated[Path, typer.Argument(metavar="LINES", help="Measured lines, a .lin file.")],
+    files: options.FitFiles,
     json: AsJson = False,
-    free: Annotated[
-        str | None,
-        typer.Option("--free", metavar="NAMES", help="Like A,B,C,D_J (default: all constants that the spec gives)."),
-    ] = None,
-    out: Annotated[
-        Path | None, typer.Option("--out", metavar="FILE.par", help="Also write the constants as other programs do.")
-    ] = None,
+    free: options.FreeNames = None,
+    out: options.FitOut = None,
+    figures: options.FitFigures = None,
+    window: options.FitWindows = None,
+    drag: options.WithDrag = None,
+    gain: options.WithGain = None,
+    clip: options.ClipRate = None,
+    moment: options.OneMoment = None,
+    mass: options.BodyMass = None,
+    added_weight: options.AddedWeight = None,
+    weighted: options.WeightedLogs = None,
+    mapping: MappingFile = None,
+    time: TimeColumn = None,
+    time_unit: TimeUnit = None,
+    quat: QuatColumns = None,
+    order: QuatOrder = None,
+    direction: Direction = None,
+    euler: EulerColumns = None,
+    sequence: EulerSequence = None,
+    gyro: GyroColumns = None,
+    unit: ColumnUnit = None,
+    decimal: Decimal = None,
 ) -> None:
-    """Fit a molecule's constants to measured lines."""
-    from polhode.cli.fit import run_fit
+    """Fit the inertia of a thrown body to gyro logs, or a molecule's constants to measured lines.
 
-    run_fit(spec, lines, free, out, json)
+    Logs of phyphox, Sensor Logger, AndroSensor and Betaflight are known by their headers; of others say which columns
+    are what, like --time t --time-unit s --gyro gx,gy,gz --unit deg/s. Several logs are of the same thing.
+    """
+    from polhode.cli.columns import ColumnOptions
+    from polhode.cli.fit import FitFiles, run_fit
+    from polhode.cli.fit_scale import ScaleOptions
+    from polhode.cli.fit_throw import ThrowOptions
+
+    columns = ColumnOptions(mapping, time, time_unit, quat, order, direction, euler, sequence, gyro, unit, decimal)
+    scale = ScaleOptions(moment, mass, added_weight, weighted or [])
+    throw = ThrowOptions(window or [], drag, gain, clip, figures)
+    run_fit(FitFiles(files, free, out, json), throw, scale, columns)
 
 
 @app.command(cls=StrictCommand)

@@ -1,1 +1,13 @@
+from .attitude_fit import AttitudeFit as AttitudeFit
+from .attitude_fit import fit_attitude as fit_attitude
 from .estimate import Estimate as Estimate
+from .flight import Window as Window
+from .flight import free_flights as free_flights
+from .gyro_log import GyroLog as GyroLog
+from .gyro_log import clean_log as clean_log
+from .scale import moments_from_one as moments_from_one
+from .scale import moments_from_weight as moments_from_weight
+from .throw import FittedThrow as FittedThrow
+from .throw import ModelScore as ModelScore
+from .throw import ThrowFit as ThrowFit
+from .throw import fit_throw as fit_throw

@@ -10,6 +10,8 @@ from .dataset import write_zarr as write_zarr
 from .dataset_reading import read_dataset as read_dataset
 from .given_axes import along_given_axes as along_given_axes
 from .gltf import write_gltf as write_gltf
+from .gyro_logs import ReadLog as ReadLog
+from .gyro_logs import read_gyro_log as read_gyro_log
 from .labels import AttitudeLabels as AttitudeLabels
 from .labels import Recording as Recording
 from .mesh import read_mesh as read_mesh

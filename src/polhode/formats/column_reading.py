@@ -32,7 +32,7 @@ from polhode.motion.trajectory import Trajectory
 COLUMNS_SHOWN = 12  # in a message
 
 
-class _Resolved(NamedTuple):
+class Resolved(NamedTuple):
     """A mapping on a file: columns from 0, and every word that it leaves to the header."""
 
     time: int
@@ -74,7 +74,7 @@ def read_columns(path: str | Path, mapping: ColumnMapping) -> Trajectory:
     """
     path = Path(path)
     form = table_form(path)
-    resolved = _resolved(path, form, mapping)
+    resolved = resolved_on(path, form, mapping)
     wanted = (resolved.time, *resolved.attitude, *resolved.gyro)
     table = read_cells(path, form, wanted, mapping.decimal or "point")
     table, left_out = _filled(path, form, wanted, table)
@@ -104,7 +104,7 @@ def read_columns(path: str | Path, mapping: ColumnMapping) -> Trajectory:
     )  # fmt: skip
 
 
-def _resolved(path: Path, form: TableForm, mapping: ColumnMapping) -> _Resolved:
+def resolved_on(path: Path, form: TableForm, mapping: ColumnMapping) -> Resolved:
     """Return what a mapping means for a file.
 
     Raises:
@@ -148,7 +148,7 @@ def _resolved(path: Path, form: TableForm, mapping: ColumnMapping) -> _Resolved:
         problems.append("decimal commas cannot be told from the commas between the columns. Save it with semicolons.")
     if problems:
         raise InvalidInput(*(f"{path}: {problem}" for problem in problems))
-    return _Resolved(found["time"][0], time_unit, found["attitude"], letters, angle_unit, found["gyro"], rate_unit,
+    return Resolved(found["time"][0], time_unit, found["attitude"], letters, angle_unit, found["gyro"], rate_unit,
                      tuple(notes))  # fmt: skip
 
 
@@ -222,11 +222,11 @@ def _header(form: TableForm) -> str:
     return f"in line {form.named_in}" if form.named_in else "none; columns by number"
 
 
-def _time_words(form: TableForm, resolved: _Resolved) -> str:
+def _time_words(form: TableForm, resolved: Resolved) -> str:
     return f"{column_named(form, resolved.time)}, in {resolved.time_unit}"
 
 
-def _attitude_words(form: TableForm, resolved: _Resolved, mapping: ColumnMapping) -> str | None:
+def _attitude_words(form: TableForm, resolved: Resolved, mapping: ColumnMapping) -> str | None:
     if not resolved.attitude:
         return None
     direction = "from space to body" if mapping.is_backward else "from body to space"
@@ -240,7 +240,7 @@ def _attitude_words(form: TableForm, resolved: _Resolved, mapping: ColumnMapping
     return f"turns about {axes}, {turns}, in {resolved.angle_unit}; {direction}"
 
 
-def _gyro_words(form: TableForm, resolved: _Resolved) -> str | None:
+def _gyro_words(form: TableForm, resolved: Resolved) -> str | None:
     if not resolved.gyro:
         return None
     parts = ", ".join(f"{axis} = {column_named(form, place)}" for axis, place in zip("xyz", resolved.gyro, strict=True))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import io
 import re
 import warnings
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from itertools import islice
 from pathlib import Path
 from typing import NamedTuple
@@ -46,10 +46,31 @@ def table_form(path: Path) -> TableForm:
         InvalidInput: for what is missing, not a regular file, or cannot be read.
         FormatError: for what is not text, or not a table.
     """
-    return form_of(path, list(islice(_lines_of(path), MOST_COMMENTS + HEAD)))
+    return form_of(path, first_lines(path))
 
 
-def read_cells(path: Path, form: TableForm, columns: Sequence[int], decimal: str) -> PlainTable:
+def first_lines(path: Path) -> list[Line]:
+    """Return the lines from which the form is found; raises as ``table_form`` does."""
+    return list(islice(_lines_of(path), MOST_COMMENTS + HEAD))
+
+
+def decimal_of(path: Path, form: TableForm) -> str:
+    """Return "comma" where the first numbers have commas and none has a point, else "point"; of blanks neither is told.
+
+    Raises:
+        InvalidInput, FormatError: as ``table_form`` does.
+    """
+    if form.delimiter == ",":
+        return "point"
+    texts = [line.text for line in first_lines(path) if line.number >= form.first and not is_comment(line.text)]
+    cells = [cell.strip(' "') for text in texts[:HEAD] for cell in text.split(form.delimiter)]
+    commas = any(map(_DECIMAL_COMMA.fullmatch, cells))
+    return "comma" if commas and not any("." in cell for cell in cells) else "point"
+
+
+def read_cells(
+    path: Path, form: TableForm, columns: Sequence[int], decimal: str, told: Callable[[int], None] | None = None
+) -> PlainTable:
     """Return the numbers of some columns.
 
     Args:
@@ -57,6 +78,7 @@ def read_cells(path: Path, form: TableForm, columns: Sequence[int], decimal: str
         form: how it is laid out.
         columns: which, from 0.
         decimal: "point" or "comma".
+        told: called with how many lines are read, now and then.
 
     Raises:
         InvalidInput: as ``table_form`` does.
@@ -69,6 +91,8 @@ def read_cells(path: Path, form: TableForm, columns: Sequence[int], decimal: str
         found = _by_numpy(block, form, columns, decimal)
         numbers.append(_line_by_line(path, block, form, columns, decimal) if found is None else found)
         places.append(np.array([line.number for line in block]))
+        if told is not None:
+            told(block[-1].number)
     return PlainTable(np.concatenate(numbers), np.concatenate(places))
 
 

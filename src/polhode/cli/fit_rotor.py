@@ -1,0 +1,127 @@
+"""``polhode fit SPEC LINES``: a molecule's constants from measured lines."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from polhode.cli.destinations import check_spares
+from polhode.cli.render import as_json, print_report
+from polhode.cli.spectra import told_of
+from polhode.errors import InvalidInput, shown
+from polhode.formats.spfit import read_lin
+from polhode.kinds.reading import read_spec_or_molecule
+from polhode.quantum.derivatives import value_of
+from polhode.quantum.fitting import RotorFit, fit_rotor
+from polhode.quantum.measured import MeasuredLines
+from polhode.quantum.rotor import Rotor
+from polhode.reports.answer import Answer, Group, Table, units_of, values_of
+from polhode.reports.base import plain
+from polhode.reports.spectra import label
+from polhode.reports.wording import uncertain
+
+MEGA = 1e6  # Hz
+WORST = 8  # observations that are listed
+CLOSE = 0.95  # correlation from which two constants are said to go together
+
+
+def run_fit_rotor(path: Path, lines: Path, free: str | None, out: Path | None, json: bool) -> None:
+    """Fit constants, print them with their errors, and write them as a ``.par`` file if asked for."""
+    if out is not None:
+        for given in (path, lines):
+            check_spares(out, given)
+    with told_of(path) as notes:
+        spec = read_spec_or_molecule(path)
+        start = spec.kind.rotor(spec).rotor
+    with told_of(lines) as more:
+        measured = read_lin(lines).measured()
+    with told_of(path) as others:
+        names = _names(start) if free is None else [name.strip() for name in free.split(",")]
+        if not all(names):
+            raise InvalidInput(f"--free must be names of constants with commas, like A,B,C,D_J; got {shown(free)}.")
+        fit = fit_rotor(start, measured, names)
+        if out is not None:
+            _write(fit, out, spec.name)
+    notes += [*more, *others, *_remarks(fit)]
+    groups = [_quality(fit, measured), _constants(fit, start), _worst(fit, measured)]
+    if json:
+        told = {"name": spec.name, **values_of(groups), "correlation": fit.correlation, "units": units_of(groups)}
+        print(as_json(plain({**told, "notes": notes, "files": [] if out is None else [str(out)]})))
+        return
+    count = len(fit.residual)
+    said = f"{len(fit.names)} constants from {count} observations, which they meet to {fit.rms:.3g} of their errors."
+    print_report(spec.name, said, groups, notes, [] if out is None else [str(out)])
+
+
+def _names(rotor: Rotor) -> list[str]:
+    """Return all constants that the spec gives."""
+    return ["A", "B", "C", *rotor.distortion]
+
+
+def _write(fit: RotorFit, out: Path, title: str) -> None:
+    from polhode.formats.spfit_constants import constant_table, write_par
+
+    write_par(constant_table(fit.rotor, dict(zip(fit.names, fit.sigma.tolist(), strict=True)), title), out)
+
+
+def _quality(fit: RotorFit, measured: MeasuredLines) -> Group:
+    count = len(fit.residual)
+    freedom = count - len(fit.names)
+    rms = float(np.sqrt(np.mean(fit.residual**2)))
+    return Group("Fit", [
+        Answer("lines", len(measured.frequency), "", "lines"),
+        Answer("observations", count, "", "observations", "blends are one each"),
+        Answer("degrees_of_freedom", freedom, "", "degrees of freedom"),
+        Answer("rms", fit.rms, "", "residuals, of their errors", "root mean square", f"{fit.rms:.6g}"),
+        Answer("rms_frequency", rms, "Hz", "residuals", "root mean square", f"{rms / MEGA:.6g} MHz"),
+    ])  # fmt: skip
+
+
+def _constants(fit: RotorFit, start: Rotor) -> Table:
+    columns = zip(fit.names, fit.values.tolist(), fit.sigma.tolist(), strict=True)
+    rows = [{"constant": name, "value": value, "standard_error": sigma, "start": value_of(start, name)}
+            for name, value, sigma in columns]  # fmt: skip
+    return Table("constants", "Constants", {
+        "constant": lambda row: row["constant"],
+        "MHz": lambda row: uncertain(row["value"] / MEGA, row["standard_error"] / MEGA),
+        "change": lambda row: f"{(row['value'] - row['start']) / MEGA:+.4g} MHz",
+    }, rows, {"value": "Hz", "standard_error": "Hz", "start": "Hz"}, key="constant")  # fmt: skip
+
+
+def _worst(fit: RotorFit, measured: MeasuredLines) -> Table:
+    first = [int(np.flatnonzero(fit.observation == k)[0]) for k in range(len(fit.residual))]
+    rows: list[dict[str, Any]] = []
+    for k in fit.worst(WORST).tolist():
+        line = first[k]
+        rows.append({
+            "upper": measured.upper[line].tolist(), "lower": measured.lower[line].tolist(),
+            "frequency": float(measured.frequency[line]), "residual": float(fit.residual[k]),
+            "standardized": float(fit.standardized[k]), "leverage": float(fit.leverage[k]),
+        })  # fmt: skip
+    return Table("worst", "Observations that fit worst", {
+        "line": lambda row: f"{label(*row['upper'])} – {label(*row['lower'])}",
+        "MHz": lambda row: f"{row['frequency'] / MEGA:.4f}",
+        "observed − calculated": lambda row: f"{row['residual'] / MEGA:+.4f} MHz",
+        "of its spread": lambda row: f"{row['standardized']:+.2f}" if np.isfinite(row["standardized"]) else "–",
+        "leverage": lambda row: f"{row['leverage']:.3f}",
+    }, rows, {"upper": "J, K_a, K_c", "lower": "J, K_a, K_c", "frequency": "Hz", "residual": "Hz"})  # fmt: skip
+
+
+def _remarks(fit: RotorFit) -> list[str]:
+    """Return what a reader should know of errors that go together, and of lines that decide alone."""
+    found = []
+    pairs = np.argwhere(np.triu(np.abs(fit.correlation), 1) > CLOSE)
+    if len(pairs):
+        one, other = pairs[np.argmax([abs(fit.correlation[i, j]) for i, j in pairs])].tolist()
+        more = f", and of {len(pairs) - 1} other pairs" if len(pairs) > 1 else ""
+        size = fit.correlation[one, other]
+        found.append(f"errors of {fit.names[one]} and {fit.names[other]} go together, correlation {size:.3f}{more}.")
+    alone = int((fit.leverage > 1.0 - 1e-6).sum())
+    if alone:
+        found.append(f"{alone} observations determine something alone: their residuals are zero whatever was measured.")
+    if fit.rms > 2.0:
+        found.append("residuals are larger than the lines' errors: labels, errors or missing constants are wrong, and "
+                     "so are the errors of the constants.")  # fmt: skip
+    return found

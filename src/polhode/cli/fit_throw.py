@@ -1,0 +1,133 @@
+"""``polhode fit LOG…``: the inertia of a thrown body from the log of a gyro on it."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from polhode.cli.columns import ColumnOptions, table_to_import
+from polhode.cli.destinations import check_spares
+from polhode.cli.fit_attitude import has_attitude, run_fit_attitude
+from polhode.cli.fit_scale import KnownScale, quantity
+from polhode.cli.render import as_json, print_report
+from polhode.errors import InvalidInput, shown
+from polhode.estimation.flight import Window
+from polhode.estimation.throw import ThrowFit, fit_throw
+from polhode.formats.gyro_logs import ReadLog, read_gyro_log
+from polhode.formats.numerals import read_number
+from polhode.reports.answer import units_of, values_of
+from polhode.reports.base import plain
+from polhode.reports.throw import throw_groups, throw_notes, throw_summary
+
+EVERY = 1_000_000  # lines, after which progress is told
+
+
+class ThrowOptions(NamedTuple):
+    """The options of a fit of throws, as they are given; None and empty where they are not."""
+
+    windows: list[str]
+    drag: bool | None = None
+    gain: bool | None = None
+    clip: str | None = None
+    figures: Path | None = None
+
+
+def named(options: Any) -> list[str]:
+    """Return the options that are given, as they are called."""
+    given = [name for name, value in options._asdict().items() if value not in (None, [])]
+    return [f"--{name.replace('_', '-')}".replace("--windows", "--window") for name in given]
+
+
+def run_fit_throw(
+    paths: Sequence[Path], options: ThrowOptions, known: KnownScale, weighted: Sequence[Path], columns: ColumnOptions,
+    out: Path | None, json: bool,
+) -> None:  # fmt: skip
+    """Fit the logs together, print what they say, and write data and figures where asked for."""
+    table = table_to_import(columns)
+    mapping = None if table is None else table.mapping
+    if has_attitude(paths[0], table):
+        wrong = named(options._replace(windows=[])) + (["--weighted"] if weighted else []) + (["--out"] if out else [])
+        if wrong or len(paths) > 1:
+            what = f"{', '.join(wrong)} is for gyro logs" if wrong else f"got {len(paths)} logs"
+            raise InvalidInput(f"{paths[0]}: is a log of attitudes, which is fitted alone, and {what}. Leave it out.")
+        run_fit_attitude(paths[0], table, [_window(text) for text in options.windows], known, json)
+        return
+    if out is not None:
+        for path in (*paths, *weighted):
+            check_spares(out, path)
+    clip = None if options.clip is None else quantity("--clip", options.clip, "rad/s")
+    logs = [read_gyro_log(path, mapping, _progress(path)) for path in paths]
+    windows = _windows(options.windows, len(paths))
+    drag: bool | str = "auto" if options.drag is None else options.drag
+    fit = fit_throw([each.log for each in logs], windows, drag, options.gain is not False, clip)
+    heavier = None
+    if weighted:
+        more = [read_gyro_log(path, mapping, _progress(path)).log for path in weighted]
+        heavier = fit_throw(more, None, drag, options.gain is not False, clip)
+    moments = known.moments(fit, heavier)
+    names = [path.name or str(path) for path in paths]
+    groups = throw_groups(fit, names, logs, moments)
+    notes = throw_notes(fit, names, logs)
+    files = _written(fit, logs, names, out, options.figures)
+    if json:
+        told = {"name": ", ".join(names), **values_of(groups), "units": units_of(groups)}
+        print(as_json(plain({**told, "notes": notes, "files": files})))
+        return
+    print_report(", ".join(names), throw_summary(fit), groups, notes, files)
+
+
+def _written(
+    fit: ThrowFit, logs: Sequence[ReadLog], names: Sequence[str], out: Path | None, figures: Path | None
+) -> list[str]:
+    files = []
+    if out is not None:
+        from polhode.formats.throw_dataset import write_throw
+
+        files.append(str(write_throw(fit, names, out)))
+    if figures is not None:
+        from polhode.figures.style import save
+        from polhode.figures.throw_figure import throw_figures
+        from polhode.formats.paths import written_together
+
+        with written_together(figures) as draft:
+            for name, figure in throw_figures(fit).items():
+                save(figure, draft / f"{name}.png")
+                files.append(str(figures / f"{name}.png"))
+    return files
+
+
+def _windows(given: Sequence[str], logs: int) -> list[list[Window]] | None:
+    """Return the windows of each log: all are of a single log, otherwise one is for each."""
+    if not given:
+        return None
+    windows = [_window(text) for text in given]
+    if logs == 1:
+        return [windows]
+    if len(windows) != logs:
+        raise InvalidInput(f"--window must be given once for each log, in their order: {logs} logs, and "
+                           f"{len(windows)} windows.")  # fmt: skip
+    return [[window] for window in windows]
+
+
+def _window(text: str) -> Window:
+    try:
+        start, end = map(read_number, text.split(","))
+    except ValueError:
+        raise InvalidInput(f"--window must be two times in seconds with a comma, like 1.2,1.9; got {shown(text)}."
+                           ) from None  # fmt: skip
+    return Window(start, end)
+
+
+def _progress(path: Path) -> Callable[[int], None]:
+    """Return what tells a person who waits how far the reading is; files of few lines tell nothing."""
+    told = 0
+
+    def tell(line: int) -> None:
+        nonlocal told
+        if line - told >= EVERY:
+            told = line
+            print(f"{path.name}: {line} lines read", file=sys.stderr, flush=True)
+
+    return tell

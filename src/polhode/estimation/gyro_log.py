@@ -1,0 +1,87 @@
+"""Logs of gyroscopes and accelerometers as clean arrays."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from polhode.arrays import known_numbers_only
+from polhode.errors import InvalidInput, shown
+from polhode.types import Array, ArrayLike, Float64, Real
+
+MIN_SAMPLES = 8
+
+
+@dataclass(frozen=True)
+class GyroLog:
+    """Angular rates of a device, and what its accelerometer felt, each with its own clock readings.
+
+    Attributes:
+        times: (n,) increasing [s].
+        rates: (n, 3) [rad/s, device frame].
+        acceleration_times: (m,) increasing [s], or None.
+        acceleration: (m, 3) proper acceleration [m/s², device frame], or None.
+        dropped: samples of the gyro that were left out because they were not finite.
+        repeats: samples of the gyro that were left out because their time had come before.
+        reordered: whether the samples did not come in the order of time.
+    """
+
+    times: Float64[Array, "n"]
+    rates: Float64[Array, "n 3"]
+    acceleration_times: Float64[Array, "m"] | None = None
+    acceleration: Float64[Array, "m 3"] | None = None
+    dropped: int = 0
+    repeats: int = 0
+    reordered: bool = False
+
+
+@known_numbers_only
+def clean_log(
+    times: Real[ArrayLike, "n"], rates: Real[ArrayLike, "n 3"],
+    acceleration_times: Real[ArrayLike, "m"] | None = None, acceleration: Real[ArrayLike, "m 3"] | None = None,
+) -> GyroLog:  # fmt: skip
+    """Return a log whose samples are finite and in the order of time.
+
+    Rows with NaN are dropped samples and are left out; of samples of one time the first is kept; both are counted.
+
+    Args:
+        times: of the gyro's samples [s].
+        rates: [rad/s, device frame].
+        acceleration_times: of the accelerometer's samples [s], if there is one; they need not be those of the gyro.
+        acceleration: proper acceleration [m/s², device frame]; one that rests on a table feels about 9.8 upwards.
+
+    Raises:
+        InvalidInput: for wrong shapes, or fewer than eight usable samples of the gyro.
+
+    Example:
+        >>> import numpy as np
+        >>> times, rates = np.arange(10.0), np.ones((10, 3))
+        >>> rates[4] = np.nan
+        >>> log = clean_log(times, rates)
+        >>> len(log.times), log.dropped
+        (9, 1)
+    """
+    t, x, dropped, repeats, reordered = _cleaned("rates", times, rates)
+    if len(t) < MIN_SAMPLES:
+        raise InvalidInput(f"a gyro log must have {MIN_SAMPLES} finite samples at different times; got {len(t)}.")
+    if (acceleration is None) != (acceleration_times is None):
+        raise InvalidInput("acceleration and acceleration_times must be given together; got only one of them.")
+    if acceleration is None or acceleration_times is None:
+        return GyroLog(t, x, None, None, dropped, repeats, reordered)
+    ta, a, *_ = _cleaned("acceleration", acceleration_times, acceleration)
+    some = len(ta) > 0
+    return GyroLog(t, x, ta if some else None, a if some else None, dropped, repeats, reordered)
+
+
+def _cleaned(name: str, times: ArrayLike, values: ArrayLike) -> tuple[Array, Array, int, int, bool]:
+    t, x = (np.asarray(v, dtype=np.float64) for v in (times, values))
+    if t.ndim != 1 or x.shape != (*t.shape, 3):
+        raise InvalidInput(
+            f"times of shape (n,) and {name} of shape (n, 3) are needed; got {shown(t.shape)} and {shown(x.shape)}."
+        )
+    whole = np.isfinite(t) & np.isfinite(x).all(axis=1)
+    t, x = t[whole], x[whole]
+    reordered = bool((np.diff(t) < 0).any())
+    unique, first = np.unique(t, return_index=True)
+    return unique, x[first], int((~whole).sum()), len(t) - len(unique), reordered

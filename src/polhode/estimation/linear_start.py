@@ -1,0 +1,97 @@
+"""Inertia by a linear map: R J ω is constant in space, so what is left of it after centring has J in its null space."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from polhode.types import Array, Float64, Integer
+
+FLATTEST = 0.02  # of (I1 + I2 − I3)/2I3, to start within what a body can be
+ROOT = np.sqrt(2.0)
+OFF_DIAGONAL = ((0, 1), (0, 2), (1, 2))
+
+
+class LinearInertia(NamedTuple):
+    """What the linear method finds.
+
+    Attributes:
+        moments: (3,) ascending, the largest 1.
+        axes: (3, 3) principal axes by columns [device frame], right-handed.
+        singular_values: (6,) descending, of the centred map [rad/s times the root of the number of samples].
+    """
+
+    moments: Float64[Array, "3"]
+    axes: Float64[Array, "3 3"]
+    singular_values: Float64[Array, "6"]
+
+
+def turned_by(times: Float64[Array, "n"], rates: Float64[Array, "n 3"]) -> Float64[Array, "n 4"]:
+    """Return the attitude quaternions xyzw that the rates add up to, from the unit one on.
+
+    Each step is the Magnus expansion of rates that are linear in time between samples.
+    """
+    h = np.diff(times)[:, None]
+    step = 0.5 * h * (rates[:-1] + rates[1:]) + h * h / 12.0 * np.cross(rates[:-1], rates[1:])
+    parts = np.concatenate([[[0.0, 0.0, 0.0, 1.0]], Rotation.from_rotvec(step).as_quat()])
+    reach = 1
+    while reach < len(parts):  # products of 2, 4, 8, … neighbours
+        parts[reach:] = (Rotation.from_quat(parts[:-reach]) * Rotation.from_quat(parts[reach:])).as_quat()
+        reach *= 2
+    return parts
+
+
+def momentum_map(attitudes: Float64[Array, "n 4"], rates: Float64[Array, "n 3"]) -> Float64[Array, "n 3 6"]:
+    """Return the maps from J11, J22, J33, √2 J12, √2 J13, √2 J23 to the momentum R J ω in space."""
+    n = len(rates)
+    columns = np.zeros((n, 3, 6))
+    for i in range(3):
+        columns[:, i, i] = rates[:, i]
+    for k, (i, j) in enumerate(OFF_DIAGONAL, start=3):
+        columns[:, i, k] = rates[:, j] / ROOT
+        columns[:, j, k] = rates[:, i] / ROOT
+    return np.matmul(Rotation.from_quat(attitudes).as_matrix(), columns)
+
+
+def inertia_matrix(entries: Float64[Array, "6"]) -> Float64[Array, "3 3"]:
+    """Return the symmetric matrix of six entries, those off the diagonal times √2."""
+    J = np.diag(entries[:3])
+    for k, (i, j) in enumerate(OFF_DIAGONAL, start=3):
+        J[i, j] = J[j, i] = entries[k] / ROOT
+    return J
+
+
+def linear_inertia(
+    rates: list[Float64[Array, "n 3"]], attitudes: list[Float64[Array, "n 4"]],
+    kept: list[Integer[Array, "k"]] | None = None,
+) -> LinearInertia:  # fmt: skip
+    """Return moments and axes from one or several throws of one body.
+
+    Args:
+        rates: of each throw [rad/s, device frame].
+        attitudes: of each throw, quaternions xyzw, device → any frame at rest.
+        kept: which samples of each throw to use, by default all.
+    """
+    rows = []
+    for k, (rate, attitude) in enumerate(zip(rates, attitudes, strict=True)):
+        maps = momentum_map(attitude, rate)
+        maps = maps if kept is None else maps[kept[k]]
+        rows.append((maps - maps.mean(axis=0)).reshape(-1, 6))
+    _, values, right = np.linalg.svd(np.concatenate(rows), full_matrices=True)
+    values = np.concatenate([values, np.zeros(6 - len(values))])
+    J = inertia_matrix(right[-1])
+    moments, axes = np.linalg.eigh(J * np.sign(np.trace(J) or 1.0))
+    axes[:, 2] = np.cross(axes[:, 0], axes[:, 1])
+    return LinearInertia(possible_moments(moments), axes, values)
+
+
+def possible_moments(moments: Float64[Array, "3"]) -> Float64[Array, "3"]:
+    """Return moments over the largest, ascending, moved to where they keep the triangle inequality."""
+    # of a flat body's, (b + c, a + c, a + b) with a ≥ b ≥ c ≥ 0 the spreads of mass along the axes
+    a, b, c = (0.5 * moments.sum() - moments).tolist()
+    largest = max(a, 1e-300)
+    b, c = max(b, 0.02 * largest), max(c, FLATTEST * largest)
+    found = np.sort(np.array([b + c, largest + c, largest + b]))
+    return found / found[2]

@@ -1,0 +1,117 @@
+"""From the parameters of a fit to sorted ratios and axes with their errors, and what is not determined."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from polhode.estimation.estimate import Estimate
+from polhode.estimation.throw_models import D_MOMENTS, moments_of
+from polhode.types import Array, Float64
+
+WIDEST = 0.1  # half an interval of a ratio that still says something
+
+
+@dataclass(frozen=True)
+class Principal:
+    """Sorted moments and axes of a solution.
+
+    Attributes:
+        ratios: I1/I3, I2/I3.
+        moments: (3,) over the largest.
+        axes: (3, 3) by columns [device frame].
+        turn: error of the axes [rad, principal axes].
+        joint: ratios and turn together, with all their correlations.
+        drag: c_i/I3 along the sorted axes, or None.
+        order: (3, 3) columns are the sorted axes along the fit's own.
+        equal: neighbours that are equal within their errors, or None.
+        determined: whether the intervals of the ratios say something.
+    """
+
+    ratios: Estimate
+    moments: Float64[Array, "3"]
+    axes: Float64[Array, "3 3"]
+    turn: Estimate
+    joint: Estimate
+    drag: Estimate | None
+    order: Float64[Array, "3 3"]
+    equal: str | None
+    determined: bool
+
+
+def principal(
+    parameters: Float64[Array, "p"], covariance: Float64[Array, "p p"], places: dict[str, slice],
+    axes: Float64[Array, "3 3"], freedom: float,
+) -> Principal:  # fmt: skip
+    """Return moments ascending over the largest, with axes, drag and errors in their order.
+
+    Args:
+        parameters: of the fit.
+        covariance: of these, the turn along the fit's principal axes.
+        places: where "shape", "turn" and perhaps "drag" stand among them.
+        axes: the fit's principal axes by columns [device frame].
+        freedom: degrees of freedom of the residuals.
+    """
+    given = moments_of(parameters[places["shape"]])
+    which = np.argsort(given, kind="stable")
+    order = np.eye(3)[:, which]
+    order[:, 2] *= np.linalg.det(order)
+    largest = given[which[2]]
+    moments = given[which] / largest
+    slopes = (D_MOMENTS[:, which].T - np.outer(moments, D_MOMENTS[:, which[2]])) / largest
+    by = np.zeros((5, 5))
+    by[:2, :2], by[2:, 2:] = slopes[:2], order.T
+    both = np.r_[places["shape"], places["turn"]]
+    names = ("I1/I3", "I2/I3", "turn about 1", "turn about 2", "turn about 3")
+    joint = Estimate(names, np.r_[moments[:2], np.zeros(3)], by @ covariance[np.ix_(both, both)] @ by.T, freedom)
+    ratios = Estimate(names[:2], moments[:2], joint.covariance[:2, :2], freedom)
+    turn = Estimate(names[2:], np.zeros(3), joint.covariance[2:, 2:], freedom)
+    drag = None
+    if "drag" in places:
+        both = np.r_[places["drag"], places["shape"]]
+        values = parameters[places["drag"]][which] / largest
+        # the fit's drag is over its own third moment
+        by = np.concatenate([np.eye(3)[which] / largest, -np.outer(values, D_MOMENTS[:, which[2]]) / largest], axis=1)
+        drag = Estimate(("c1/I3", "c2/I3", "c3/I3"), values, by @ covariance[np.ix_(both, both)] @ by.T, freedom)
+    half = 0.5 * np.diff(ratios.interval(), axis=1)[:, 0]
+    return Principal(ratios, moments, axes @ order, turn, joint, drag, order, _equal(ratios),
+                     bool(np.isfinite(half).all() and half.max() < WIDEST))  # fmt: skip
+
+
+def _equal(ratios: Estimate) -> str | None:
+    between = np.array([-1.0, 1.0])
+    gap = float(between @ ratios.value)
+    if gap < 2 * np.sqrt(between @ ratios.covariance @ between):
+        return "I1 = I2"
+    return "I2 = I3" if 1.0 - ratios.value[1] < 2 * ratios.standard_error[1] else None
+
+
+def why_undetermined(rates: list[Float64[Array, "n 3"]], found: Principal | None) -> str:
+    """Return why throws do not determine the inertia, in a sentence.
+
+    Args:
+        rates: of each throw [rad/s, device frame].
+        found: the fit that came out too wide, or None where the linear method already said so.
+    """
+    sizes = [float(np.linalg.norm(r, axis=1).mean()) for r in rates]
+    means = [r.mean(axis=0) for r in rates]
+    away = []
+    for r, mean in zip(rates, means, strict=True):
+        cosine = (r @ mean) / np.maximum(np.linalg.norm(r, axis=1) * np.linalg.norm(mean), 1e-300)
+        away.append(float(np.degrees(np.arccos(np.clip(cosine, -1, 1)).max())))
+    k = int(np.argmax(away))
+    toward = means[k] / max(float(np.linalg.norm(means[k])), 1e-300)
+    text = ", ".join(f"{x:.2f}" for x in toward)
+    start = (
+        f"the rates ({sizes[k]:.3g} rad/s) stay within {away[k]:.2g}° of one direction of the device, ({text}): the "
+        "body spins about a principal axis, or is a sphere; either way the log does not determine the moments. "
+        "Throw it with a tumble, best about its middle axis."
+    )
+    if found is None or away[k] < 5.0:
+        return start
+    half = 0.5 * np.diff(found.ratios.interval(), axis=1)[:, 0]
+    return (
+        f"the intervals of I1/I3 and I2/I3 are ±{half[0]:.2g} and ±{half[1]:.2g}, too wide to say something; the rates "
+        f"stay within {away[k]:.0f}° of ({text}). Throw it longer, or with a tumble about its middle axis."
+    )

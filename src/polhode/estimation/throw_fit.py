@@ -1,0 +1,333 @@
+"""The least squares of a throw: which parameters there are, what they predict, and how noisy the samples are."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.optimize import least_squares, minimize_scalar
+from scipy.spatial.transform import Rotation
+
+from polhode.estimation.throw_models import dragged_rates, free_rates, moments_of
+from polhode.types import Array, Float64
+
+ROBUST = 3.0  # standard deviations, beyond which residuals count linearly (Huber)
+LIMITS = {"shape": ([-1.0, 0.0], [1.0, 2.0]), "drag": ([-0.2] * 3, [1.0] * 3), "gain": ([0.7] * 3, [1.3] * 3)}
+BIAS_SPREAD = 0.05  # rad/s, what the worst gyros of phones have
+DRAG_SPREAD = 0.03  # of c/I3; thin plates in air have 0.01
+MAX_ROUNDS = 10
+LATEST = 0.1  # of the time between samples: a clock that is worse would explain anything
+UNLIMITED = ([-np.inf] * 3, [np.inf] * 3)
+
+
+@dataclass(frozen=True)
+class Throw:
+    """Samples of one throw: times from its epoch (n,) [s], and rates (n, 3) [rad/s, device frame]."""
+
+    elapsed: Float64[Array, "n"]
+    rates: Float64[Array, "n 3"]
+    epoch: float
+
+
+@dataclass(frozen=True)
+class Model:
+    """Which parameters are fitted, and where they stand.
+
+    Attributes:
+        drag: whether there is a quadratic drag.
+        gain: whether the gyro's axes have gains.
+        throws: how many.
+        gain_spread: standard deviation of gains about 1, known beforehand.
+    """
+
+    drag: bool
+    gain: bool
+    throws: int
+    gain_spread: float
+
+    @property
+    def places(self) -> dict[str, slice]:
+        """Where each group of parameters stands."""
+        names = ["shape", "turn", "bias", *["gain"] * self.gain, *["drag"] * self.drag]
+        names += [f"start {k}" for k in range(self.throws)]
+        found, at = {}, 0
+        for name in names:
+            size = 2 if name == "shape" else 3
+            found[name] = slice(at, at + size)
+            at += size
+        return found
+
+    @property
+    def size(self) -> int:
+        """How many parameters there are."""
+        return 8 + 3 * (self.gain + self.drag + self.throws)
+
+    @property
+    def name(self) -> str:
+        """What the model adds to the free motion with a bias."""
+        return " and ".join([*["drag"] * self.drag, *["gain"] * self.gain]) or "neither"
+
+    def known_before(self) -> tuple[Array, Array, Array]:
+        """Return which parameters are known beforehand, their means and standard deviations.
+
+        Bias and drag are known so loosely that no good log feels it; it keeps the iteration out of the long valleys
+        where a large bias does the work of drag.
+        """
+        spreads = {"bias": BIAS_SPREAD, "gain": self.gain_spread, "drag": DRAG_SPREAD}
+        places = self.places
+        names = [name for name in spreads if name in places]
+        which = np.concatenate([np.r_[places[name]] for name in names])
+        means = np.repeat([float(name == "gain") for name in names], 3)
+        return which, means, np.repeat([spreads[name] for name in names], 3)
+
+    def limits(self) -> tuple[Array, Array]:
+        """Return the bounds of the parameters."""
+        pairs = [LIMITS.get(name, UNLIMITED) for name in self.places]
+        low, high = (np.concatenate([pair[k] for pair in pairs]) for k in (0, 1))
+        return low, high
+
+
+@dataclass(frozen=True)
+class Solution:
+    """A fitted model.
+
+    Attributes:
+        model: what was fitted.
+        parameters: (p,).
+        axes: (3, 3) device from principal.
+        covariance: (p, p) of the parameters, the turn along the principal axes.
+        residuals: (n, 3) of all throws [rad/s, device frame].
+        sigma: noise of a sample [rad/s].
+        jitter: of the clock [s], rms.
+        log_likelihood: with the priors of the gains.
+        aicc: Akaike's criterion, corrected for few samples.
+        bic: Schwarz's criterion.
+        freedom: degrees of freedom.
+        converged: whether the iteration ended.
+    """
+
+    model: Model
+    parameters: Float64[Array, "p"]
+    axes: Float64[Array, "3 3"]
+    covariance: Float64[Array, "p p"]
+    residuals: Float64[Array, "n 3"]
+    sigma: float
+    jitter: float
+    log_likelihood: float
+    aicc: float
+    bic: float
+    freedom: float
+    converged: bool
+
+
+def cross_matrix(v: Array) -> Array:
+    """Return hat(v), hat(v) x = v × x."""
+    x, y, z = v
+    return np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
+
+
+def right_jacobian(turn: Array) -> Array:
+    """Return M with exp(turn + δ) = exp(turn) exp(M δ)."""
+    size = float(np.linalg.norm(turn))
+    hat = cross_matrix(turn)
+    if size < 1e-6:
+        return np.eye(3) - 0.5 * hat
+    return np.eye(3) - (1 - np.cos(size)) / size**2 * hat + (size - np.sin(size)) / size**3 * hat @ hat
+
+
+def predicted(model: Model, x: Array, axes0: Array, throws: list[Throw]) -> tuple[Array, Array, Array]:
+    """Return rates (n, 3), their derivatives (n, 3, p), and the device's angular acceleration (n, 3).
+
+    Args:
+        model: which parameters there are.
+        x: (p,) parameters.
+        axes0: (3, 3) device from principal, before the turn.
+        throws: the samples, one throw after another.
+    """
+    places = model.places
+    axes = axes0 @ Rotation.from_rotvec(x[places["turn"]]).as_matrix()
+    moved = right_jacobian(x[places["turn"]])
+    shape = x[places["shape"]]
+    moments = moments_of(shape)
+    gain = x[places["gain"]] if model.gain else np.ones(3)
+    values, slopes, fast = [], [], []
+    for k, throw in enumerate(throws):
+        start = x[places[f"start {k}"]]
+        if model.drag:
+            rates, d = dragged_rates(shape, start, x[places["drag"]], throw.elapsed)
+        else:
+            rates, d = free_rates(shape, start, throw.elapsed)
+        J = np.zeros((len(rates), 3, model.size))
+        to_device = gain[:, None] * axes
+        J[:, :, places["shape"]] = np.einsum("ij,pnj->nip", to_device, d[:2])
+        J[:, :, places[f"start {k}"]] = np.einsum("ij,pnj->nip", to_device, d[2:5])
+        if model.drag:
+            J[:, :, places["drag"]] = np.einsum("ij,pnj->nip", to_device, d[5:])
+        hats = np.stack([cross_matrix(-w) for w in rates])
+        J[:, :, places["turn"]] = to_device @ hats @ moved
+        J[:, :, places["bias"]] = np.eye(3)
+        seen = rates @ axes.T
+        if model.gain:
+            J[:, [0, 1, 2], [places["gain"].start + i for i in range(3)]] = seen
+        values.append(gain * seen + x[places["bias"]])
+        slopes.append(J)
+        fast.append(gain * (np.cross(rates * moments, rates) / moments @ axes.T))
+    return np.concatenate(values), np.concatenate(slopes), np.concatenate(fast)
+
+
+def whitening(fast: Array, sigma: float, jitter: float) -> Array:
+    """Return Σ^(−1/2) (n, 3, 3) of Σ = σ² + τ² ω̇ ω̇ᵀ: a clock's error shows along the acceleration."""
+    size = np.linalg.norm(fast, axis=1)
+    u = fast / np.maximum(size, 1e-300)[:, None]
+    along = 1.0 / np.hypot(sigma, jitter * size)
+    return np.eye(3) / sigma + (along - 1.0 / sigma)[:, None, None] * u[:, :, None] * u[:, None, :]
+
+
+def noise_of(residuals: Array, fast: Array, lost: float, latest: float) -> tuple[float, float, float]:
+    """Return σ, τ and −2 ln(likelihood) by maximum likelihood, with what lies far out drawn in.
+
+    Args:
+        residuals: (n, 3).
+        fast: (n, 3) the device's angular acceleration.
+        lost: degrees of freedom that the fit took.
+        latest: largest τ that is believed [s].
+    """
+    size2 = (fast * fast).sum(axis=1)
+    along2 = np.einsum("ij,ij->i", residuals, fast) ** 2 / np.maximum(size2, 1e-300)
+    across2 = np.maximum((residuals**2).sum(axis=1) - along2, 0.0)
+    count = residuals.size
+
+    def parts(ratio: float) -> tuple[float, float]:
+        grown = 1.0 + ratio * size2
+        z2 = across2 + along2 / grown
+        middle = np.median(z2) / 2.366 + 1e-300  # of the sum of three squares
+        variance = np.minimum(z2, 16.0 * middle).sum() / count
+        return variance, count * np.log(variance + 1e-300) + np.log(grown).sum()
+
+    # ratios of the clock's part to the gyro's, from nothing to a thousand times
+    typical = max(float(np.median(size2)), 1e-300)
+    found = minimize_scalar(lambda v: parts(np.exp(v) / typical)[1], bounds=(-9.0, 7.0), method="bounded")
+    ratio = float(np.exp(found.x) / typical) if found.fun < parts(0.0)[1] else 0.0
+    variance, cost = parts(ratio)
+    sigma = float(np.sqrt(variance * count / max(count - lost, 1.0)))
+    if np.sqrt(ratio) * sigma > latest:
+        ratio = 0.0
+        variance, cost = parts(ratio)
+        sigma = float(np.sqrt(variance * count / max(count - lost, 1.0)))
+    return max(sigma, 1e-12), float(np.sqrt(ratio) * sigma), float(cost + count * (1 + np.log(2 * np.pi)))
+
+
+def fitted(model: Model, x: Array, axes0: Array, throws: list[Throw], noise: tuple[float, float] | None) -> Solution:
+    """Return the robust least squares of a model from a start.
+
+    Args:
+        model: which parameters to fit.
+        x: (p,) their start.
+        axes0: (3, 3) device from principal at zero turn.
+        throws: the samples.
+        noise: σ and τ to begin with; None to take the start's own residuals.
+    """
+    data = np.concatenate([throw.rates for throw in throws])
+    places = model.places
+    lost = model.size - 3 * model.gain
+    low, high = model.limits()
+    inside = np.isfinite(low)
+    x = x.copy()
+    x[inside] = np.clip(x[inside], low[inside] + 1e-6, high[inside] - 1e-6)
+    if noise is None:
+        values, _, fast = predicted(model, x, axes0, throws)
+        sigma, jitter = float(np.median(np.abs(data - values)) * 1.5 + 1e-9), 0.0
+    else:
+        sigma, jitter = noise
+    x, noise, cost, converged = _descended(model, x, axes0, throws, data, (sigma, jitter))
+    sigma, jitter = noise
+    values, slopes, fast = predicted(model, x, axes0, throws)
+    white = whitening(fast, sigma, jitter)
+    J = (white @ slopes).reshape(-1, model.size)
+    z = (white @ (data - values)[..., None]).ravel()
+    which, means, spreads = model.known_before()
+    J = np.concatenate([J, np.eye(model.size)[which] / spreads[:, None]])
+    cost += float((((x[which] - means) / spreads) ** 2).sum())
+    count, size = data.size, lost + 3 * model.gain + 2
+    covariance = covariance_of(J) / np.mean(np.abs(z) < ROBUST) ** 2
+    turn = places["turn"]
+    change = np.eye(model.size)
+    change[turn, turn] = right_jacobian(x[turn])
+    axes = axes0 @ Rotation.from_rotvec(x[turn]).as_matrix()
+    return Solution(
+        model, x, axes, change @ covariance @ change.T, data - values, sigma, jitter, -0.5 * cost,
+        cost + 2 * size * count / max(count - size - 1, 1), cost + size * np.log(count),
+        float(max(count - lost, 1)), converged,
+    )  # fmt: skip
+
+
+def _descended(
+    model: Model, x: Array, axes0: Array, throws: list[Throw], data: Array, noise: tuple[float, float]
+) -> tuple[Array, tuple[float, float], float, bool]:
+    """Return parameters, noise, −2 ln(likelihood) and whether they settled: least squares and noise in turn."""
+    lost = model.size - 3 * model.gain
+    cost = np.inf
+    latest = LATEST * float(np.median(np.concatenate([np.diff(throw.elapsed) for throw in throws])))
+    for _ in range(MAX_ROUNDS):
+        system = _System(model, axes0, throws, data, *noise)
+        done = least_squares(
+            system.residuals, x, jac=system.jacobian, bounds=model.limits(),  # pyright: ignore[reportArgumentType]
+            loss=system.loss,  # pyright: ignore[reportArgumentType]
+            f_scale=ROBUST, x_scale="jac", xtol=1e-9, ftol=1e-6, gtol=1e-12, max_nfev=40,
+        )  # fmt: skip
+        x = done.x
+        values, _, fast = predicted(model, x, axes0, throws)
+        before = noise[0]
+        sigma, jitter, cost = noise_of(data - values, fast, lost, latest)
+        noise = sigma, jitter
+        if done.status > 0 and abs(noise[0] / before - 1.0) < 0.02:
+            return x, noise, cost, True
+    return x, noise, cost, False
+
+
+def covariance_of(J: Array) -> Array:
+    """Return (JᵀJ)⁻¹, very large along directions that nothing determines."""
+    scale = np.linalg.norm(J, axis=0)
+    scale = np.where(scale > 0, scale, 1.0)
+    _, values, right = np.linalg.svd(J / scale, full_matrices=False)
+    root = right.T / np.maximum(values, 1e-9 * values[0]) / scale[:, None]
+    return root @ root.T
+
+
+class _System:
+    """Residuals over their noise and their Jacobian, of one evaluation for both."""
+
+    def __init__(
+        self, model: Model, axes0: Array, throws: list[Throw], data: Array, sigma: float, jitter: float
+    ) -> None:
+        self.given = model, axes0, throws
+        self.data, self.noise = data, (sigma, jitter)
+        self.at: Array | None = None
+
+    def _evaluate(self, x: Array) -> None:
+        if self.at is not None and np.array_equal(self.at, x):
+            return
+        model, axes0, throws = self.given
+        values, J, fast = predicted(model, x, axes0, throws)
+        if self.at is None:  # the weights stay as they are, or the sum of squares would reward fast motion
+            self.white = whitening(fast, *self.noise)
+        r = (self.white @ (values - self.data)[..., None]).ravel()
+        K = (self.white @ J).reshape(-1, model.size)
+        which, means, spreads = model.known_before()
+        r = np.concatenate([r, (x[which] - means) / spreads])
+        K = np.concatenate([K, np.eye(model.size)[which] / spreads[:, None]])
+        self.at, self.r, self.K = x.copy(), np.nan_to_num(r, nan=1e6), np.nan_to_num(K)
+
+    def loss(self, z: Array) -> Array:
+        """Return Huber's function of the squares and its two derivatives, but squares for what is known beforehand."""
+        far = (z > 1.0) & (np.arange(len(z)) < self.data.size)
+        root = np.sqrt(np.where(far, z, 1.0))
+        return np.stack([np.where(far, 2 * root - 1, z), 1 / root, np.where(far, -0.5 / root**3, 0.0)])
+
+    def residuals(self, x: Array) -> Array:
+        self._evaluate(x)
+        return self.r
+
+    def jacobian(self, x: Array) -> Array:
+        self._evaluate(x)
+        return self.K

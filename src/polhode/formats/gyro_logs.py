@@ -1,0 +1,224 @@
+"""Logs of gyroscopes and accelerometers from the files of phones and flight controllers, or from any table."""
+
+from __future__ import annotations
+
+import shutil
+import tempfile
+import zipfile
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+from polhode.errors import FormatError, InvalidInput, PolhodeError
+from polhode.estimation.gyro_log import GyroLog, clean_log
+from polhode.formats.column_mapping import ColumnMapping
+from polhode.formats.column_reading import COLUMNS_SHOWN, resolved_on
+from polhode.formats.gyro_dialects import (
+    DIALECTS,
+    GYRO_FILES,
+    GyroDialect,
+    acceleration_unit,
+    dialect_of,
+    places_of,
+    time_place,
+)  # fmt: skip
+from polhode.formats.header_words import IN_RADIANS, IN_SECONDS, PER_SECOND, RATE_UNITS, TIME_UNITS, unit_in
+from polhode.formats.opening import check_is_file, is_folder
+from polhode.formats.plain_table import LARGEST_FILE, decimal_of, first_lines, read_cells
+from polhode.formats.table_form import DELIMITERS, Line, TableForm, cells_of, form_of
+from polhode.types import Array
+
+Told = Callable[[int], None] | None
+"""Called with how many lines are read, now and then."""
+EXAMPLE = "--time t --time-unit s --gyro gx,gy,gz --unit deg/s"
+
+
+class ReadLog(NamedTuple):
+    """A log, and how its file was understood.
+
+    Attributes:
+        log: samples in the order of time.
+        dialect: whose header it has; "a mapping" where the columns were said.
+        rate_unit: of the file.
+        acceleration_from: the file with the accelerations; None without them.
+        notes: what a reader should know.
+    """
+
+    log: GyroLog
+    dialect: str
+    rate_unit: str
+    acceleration_from: str | None
+    notes: tuple[str, ...]
+
+
+def read_gyro_log(path: str | Path, mapping: ColumnMapping | None = None, told: Told = None) -> ReadLog:
+    """Return a gyro log from a table, a folder with one, or a zip archive with one.
+
+    The program that wrote it is told by the header: phyphox, Sensor Logger, AndroSensor, Betaflight. Lines before the
+    header are skipped, decimal commas are noticed, lines need not be in the order of time, and lines without values
+    are dropped samples. An accelerometer with its own clock readings is read from its own file in the same folder.
+
+    Args:
+        path: of the table, the folder or the archive.
+        mapping: what the columns are, for tables of other programs.
+        told: called with how many lines are read, now and then.
+
+    Raises:
+        InvalidInput: for what is missing, is not a file, or has no usable samples.
+        FormatError: naming file and line, for what is not a log.
+
+    >>> path = Path(tempfile.mkdtemp()) / "Gyroscope.csv"
+    >>> rows = "".join(f"{k},{k / 100},3,2,{k}\\n" for k in range(9))
+    >>> _ = path.write_text("time,seconds_elapsed,z,y,x\\n" + rows)
+    >>> found = read_gyro_log(path)
+    >>> found.dialect, found.log.rates[-1].tolist()
+    ('Sensor Logger', [8.0, 2.0, 3.0])
+    """
+    path = Path(path)
+    if is_folder(path):
+        return _read_table(_gyro_file(path), mapping, told)
+    check_is_file(path, "log", LARGEST_FILE)
+    if not zipfile.is_zipfile(path):
+        return _read_table(path, mapping, told)
+    with tempfile.TemporaryDirectory() as place:
+        _unpack(path, Path(place))
+        try:
+            return _read_table(_gyro_file(Path(place)), mapping, told)
+        except PolhodeError as error:
+            raise type(error)(*(str(line).replace(place, str(path)) for line in error.args)) from None
+
+
+def _gyro_file(folder: Path) -> Path:
+    found = [folder / name for name in GYRO_FILES if (folder / name).is_file()]
+    if not found:
+        raise InvalidInput(f"{folder}: has no {', '.join(GYRO_FILES)}. Name the file with the angular velocities.")
+    return found[0]
+
+
+def _unpack(path: Path, place: Path) -> None:
+    """Take the tables that are known out of an archive, and nothing else."""
+    wanted = {*GYRO_FILES, *(name for dialect in DIALECTS for name in dialect.beside)}
+    try:
+        with zipfile.ZipFile(path) as archive:
+            for member in archive.infolist():
+                name = Path(member.filename).name
+                if name not in wanted or (place / name).exists():
+                    continue
+                if member.file_size > LARGEST_FILE:
+                    raise FormatError(f"{path}: {name} in it has more than {LARGEST_FILE // 10**6} MB. Unpack it.")
+                with archive.open(member) as source, (place / name).open("wb") as target:
+                    shutil.copyfileobj(source, target)
+    except (zipfile.BadZipFile, RuntimeError, NotImplementedError, EOFError) as error:
+        raise FormatError(f"{path}: is not an archive that can be unpacked ({error}). Unpack it, and name the "
+                          "folder.") from None  # fmt: skip
+
+
+def _read_table(path: Path, mapping: ColumnMapping | None, told: Told) -> ReadLog:
+    form, dialect = _form(path, mapping)
+    notes: list[str] = []
+    if mapping is None:
+        assert dialect is not None
+        mapping = _mapping(form, dialect)
+    if not mapping.gyro:
+        raise InvalidInput(f"{path}: its angular velocities are needed. Say their columns by --gyro.")
+    resolved = resolved_on(path, form, mapping)
+    decimal = mapping.decimal or decimal_of(path, form)
+    felt = _acceleration(form, dialect, notes) if dialect else None
+    columns = (resolved.time, *resolved.gyro, *(felt[0] if felt else ()))
+    numbers = read_cells(path, form, columns, decimal, told).numbers
+    times = _seconds(numbers[:, 0], resolved.time_unit)
+    rates = numbers[:, 1:4] * IN_RADIANS[resolved.rate_unit]
+    acceleration, clock, source = (numbers[:, 4:] * felt[1], times, path.name) if felt else (None, None, None)
+    if not felt and dialect:
+        clock, acceleration, source = _beside(path, dialect, told)
+    try:
+        log = clean_log(times, rates, clock, acceleration)
+    except InvalidInput as error:
+        raise InvalidInput(f"{path}: {error}") from None
+    notes += [*resolved.notes, *_remarks(log)]
+    return ReadLog(log, dialect.name if dialect else "a mapping", resolved.rate_unit, source, tuple(notes))
+
+
+def _seconds(values: Array, unit: str) -> Array:
+    return values / PER_SECOND[unit] if unit in PER_SECOND else values * IN_SECONDS[unit]
+
+
+def _form(path: Path, mapping: ColumnMapping | None) -> tuple[TableForm, GyroDialect | None]:
+    """Return how the table is laid out, from the line on whose names are known, if there is one."""
+    lines = first_lines(path)
+    if mapping is not None:
+        return form_of(path, lines), None
+    for k, line in enumerate(lines):
+        for delimiter in DELIMITERS:
+            try:
+                dialect = dialect_of(cells_of(line.text, delimiter))
+            except ValueError:
+                dialect = None
+            if dialect is not None:
+                return form_of(path, _below(path, lines[k:])), dialect
+    form = form_of(path, lines)
+    more = ", …" if len(form.names) > COLUMNS_SHOWN else ""
+    names = ", ".join(name or "(no name)" for name in form.names[:COLUMNS_SHOWN]) + more
+    columns = f"has the columns {names}" if form.names else f"has {form.width} columns without names"
+    known = ", ".join(dict.fromkeys(dialect.name.split(",")[0] for dialect in DIALECTS))
+    raise FormatError(f"{path}: {columns}, which are not a gyro log of {known}. Say what they are, like {EXAMPLE}.")
+
+
+def _below(path: Path, lines: Sequence[Line]) -> Sequence[Line]:
+    """Return a header and the lines below it, of which one at least must have something."""
+    if not any(line.text.strip(" \t;,") for line in lines[1:]):
+        raise FormatError(f"{path}, line {lines[0].number}: no sample stands below the header. Log again.")
+    return lines
+
+
+def _mapping(form: TableForm, dialect: GyroDialect) -> ColumnMapping:
+    time, gyro = time_place(form.names, dialect), places_of(form.names, dialect.gyro)
+    assert time is not None and gyro is not None
+    named = unit_in(form.names[time], TIME_UNITS), unit_in(form.names[gyro[0]], RATE_UNITS)
+    return ColumnMapping(
+        time + 1, time_unit=None if named[0] else dialect.time_unit, gyro=tuple(place + 1 for place in gyro),
+        unit=None if named[1] else dialect.rate_unit,
+    )  # fmt: skip
+
+
+def _acceleration(form: TableForm, dialect: GyroDialect, notes: list[str]) -> tuple[tuple[int, ...], float] | None:
+    """Return the columns of accelerations in the gyro's own table, and their unit in m/s²; None without them."""
+    found = (places_of(form.names, names) for names in dialect.acceleration if names != dialect.gyro)
+    places = next(filter(None, found), None)
+    if places is None:
+        return None
+    unit = acceleration_unit(form.names[places[0]], dialect)
+    if unit is None:
+        notes.append("accelerations are left out, as their unit is not known; decode the log with --unit-acceleration "
+                     "m/s2 to use them.")  # fmt: skip
+        return None
+    return places, unit
+
+
+def _beside(path: Path, dialect: GyroDialect, told: Told) -> tuple[Array | None, Array | None, str | None]:
+    """Return times [s] and accelerations [m/s²] from the file next to the gyro's, None without one, and its name."""
+    for name in dialect.beside:
+        other = path.with_name(name)
+        if other == path or not other.is_file():
+            continue
+        form = form_of(other, first_lines(other))
+        time = time_place(form.names, dialect)
+        places = next(filter(None, (places_of(form.names, names) for names in dialect.acceleration)), None)
+        unit = acceleration_unit(form.names[places[0]], dialect) if places else None
+        if time is None or places is None or unit is None:
+            continue
+        numbers = read_cells(other, form, (time, *places), decimal_of(other, form), told).numbers
+        clock = unit_in(form.names[time], TIME_UNITS) or dialect.time_unit
+        return _seconds(numbers[:, 0], clock), numbers[:, 1:] * unit, name
+    return None, None, None
+
+
+def _remarks(log: GyroLog) -> list[str]:
+    found = []
+    if log.reordered:
+        found.append("lines are not in the order of time; they were sorted.")
+    if log.repeats:
+        found.append(f"{log.repeats} samples come at a time that was there already; the first of each is kept.")
+    if log.dropped:
+        found.append(f"{log.dropped} lines without finite values are left out.")
+    return found

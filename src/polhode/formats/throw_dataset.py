@@ -1,0 +1,79 @@
+"""The fit of throws as a NetCDF dataset."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from io import BytesIO
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from polhode.estimation.estimate import Estimate
+from polhode.estimation.throw import ThrowFit
+from polhode.formats.dataset import pack
+from polhode.formats.paths import written_whole
+
+
+def write_throw(fit: ThrowFit, names: Sequence[str], path: str | Path) -> Path:
+    """Write measured and fitted rates of all throws, and the parameters; the file appears whole or not at all.
+
+    Args:
+        fit: as ``fit_throw`` returns it.
+        names: of the logs.
+        path: of the dataset.
+
+    Raises:
+        InvalidInput: if the file cannot be written there.
+    """
+    path = Path(path)
+    packed = BytesIO()  # HDF5 would crash on a disk that is full
+    pack(packed, *_described(fit, names))
+    with written_whole(path) as draft:
+        draft.write_bytes(packed.getbuffer())
+    return path
+
+
+def _described(fit: ThrowFit, names: Sequence[str]) -> tuple[dict[str, Any], dict[str, Any], dict[str, str]]:
+    counts = [len(throw.times) for throw in fit.throws]
+    joined = lambda name: np.concatenate([getattr(throw, name) for throw in fit.throws])  # noqa: E731
+    rates = {"units": "rad s-1", "long_name": "angular velocity along the device axes, measured"}
+    variables: dict[str, Any] = {
+        "time": ("sample", joined("times"), {"units": "s", "long_name": "time in the log"}),
+        "throw": ("sample", np.repeat(np.arange(len(counts)), counts), {"units": "1", "long_name": "throw, from 0"}),
+        "angular_velocity": (("sample", "device_axis"), joined("rates"), rates),
+        "window": (("throw_index", "end"), np.array([[w.start, w.end] for w in fit.windows]),
+                   {"units": "s", "long_name": "start and end of free flight"}),
+        "log": ("throw_index", np.array([names[throw.log] for throw in fit.throws]), {"long_name": "file"}),
+    }  # fmt: skip
+    if fit.degenerate is None and fit.ratios is not None and fit.axes is not None:
+        variables["fitted_angular_velocity"] = (
+            ("sample", "device_axis"), joined("predicted"),
+            {"units": "rad s-1", "long_name": "angular velocity along the device axes, fitted, with bias and gains"},
+        )  # fmt: skip
+        variables["principal_axes"] = (
+            ("device_axis", "axis"), fit.axes, {"units": "1", "long_name": "principal axes, by columns, in the device"}
+        )
+        variables |= _parts(fit)
+    coordinates = {"device_axis": ("device_axis", np.array(["x", "y", "z"]), {}), "axis": ("axis", [1, 2, 3], {})}
+    header = {"Conventions": "CF-1.11", "source": "polhode", "title": "inertia of a thrown body from gyro logs"}
+    return variables, coordinates, header | ({} if fit.degenerate is None else {"degenerate": fit.degenerate})
+
+
+def _parts(fit: ThrowFit) -> dict[str, Any]:
+    """Return estimates with their covariances."""
+    found: dict[str, Any] = {}
+    named: list[tuple[str, Estimate | None, str, str, str]] = [
+        ("ratios", fit.ratios, "ratio", "1", "I1/I3 and I2/I3"),
+        ("bias", fit.bias, "device_axis", "rad s-1", "bias of the gyro"),
+        ("gain", fit.gain, "device_axis", "1", "gain of the gyro"),
+        ("drag", fit.drag, "axis", "1", "drag over I3, of the torque -c |w| w"),
+    ]
+    for name, estimate, axis, units, meaning in named:
+        if estimate is None:
+            continue
+        squared = "1" if units == "1" else "rad2 s-2"
+        found[name] = (axis, estimate.value, {"units": units, "long_name": meaning})
+        found[f"{name}_covariance"] = ((axis, f"{axis}_2"), estimate.covariance,
+                                       {"units": squared, "long_name": f"covariance of {name}"})  # fmt: skip
+    return found

@@ -1,0 +1,226 @@
+"""What a fit of throws says, as answers."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from polhode.estimation.attitude_fit import AttitudeFit
+from polhode.estimation.estimate import Estimate
+from polhode.estimation.throw import ThrowFit
+from polhode.formats.gyro_logs import ReadLog
+from polhode.reports.answer import Answer, Group, Table
+from polhode.reports.wording import counted, uncertain
+
+BARELY = 2.0  # AICc less than this apart: the criterion hardly prefers one model
+
+
+def throw_summary(fit: ThrowFit) -> str:
+    """Return the answer in a sentence."""
+    what = counted(len(fit.throws), "throw")
+    if fit.degenerate is not None or fit.ratios is None:
+        return f"{what}: the inertia cannot be told. {_sentence(fit.degenerate or '')}"
+    said = ", ".join(f"{name} = {uncertain(value, error)}" for name, value, error in _each(fit.ratios))
+    return f"{what}: {said}; {_named(fit.throws[0].regime)}, residuals {fit.rms:.2g} rad/s rms."
+
+
+def throw_groups(
+    fit: ThrowFit, names: Sequence[str], logs: Sequence[ReadLog], moments: Estimate | None
+) -> list[Group | Table]:
+    """Return what a fit says, by groups."""
+    return [_inertia(fit), *_moments(moments), _axes(fit), _gyro(fit), _quality(fit), _throws(fit, names),
+            _models(fit), _logs(names, logs)]  # fmt: skip
+
+
+def throw_notes(fit: ThrowFit, names: Sequence[str], logs: Sequence[ReadLog]) -> list[str]:
+    """Return what a reader should know of files and fit."""
+    notes = [f"{name}: {note}" for name, read in zip(names, logs, strict=True) for note in read.notes]
+    if fit.clip is not None:
+        notes.append(f"samples at the gyro's limit, {fit.clip:.6g} rad/s, are left out.")
+    if fit.equal:
+        notes.append(f"{fit.equal} within their errors: the axes between them are not determined.")
+    if fit.degenerate is None:
+        chosen = next((score for score in fit.criterion if score.chosen), None)
+        others = [score for score in fit.criterion if not score.chosen]
+        if chosen and others and min(score.aicc for score in others) - chosen.aicc < BARELY:
+            notes.append("the criterion hardly prefers the chosen model to the next one; see the table of models.")
+        if fit.gain is None:
+            notes.append("no gains were fitted, so the intervals hold for a calibrated gyro: a gain that "
+                         "is 1 % off moves the ratios by about as much.")  # fmt: skip
+    return notes
+
+
+def attitude_summary(fit: AttitudeFit) -> str:
+    """Return the answer of a log of attitudes in a sentence."""
+    if fit.degenerate is not None or fit.ratios is None:
+        return f"The inertia cannot be told. {_sentence(fit.degenerate or '')}"
+    said = ", ".join(f"{name} = {uncertain(value, error)}" for name, value, error in _each(fit.ratios))
+    return f"{said}; {_named(fit.regime)}, residuals {fit.rms:.2g} rad rms."
+
+
+def attitude_groups(fit: AttitudeFit, moments: Estimate | None) -> list[Group | Table]:
+    """Return what a fit of attitudes says, by groups."""
+    span = [float(fit.times[0]), float(fit.times[-1])]
+    return [_inertia(fit), *_moments(moments), _axes(fit), Group("Fit", [
+        Answer("rms", fit.rms, "rad", "residuals", "root mean square", f"{fit.rms:.3g} rad rms"),
+        Answer("sigma", fit.sigma, "rad", "noise of an attitude", "about each axis", f"{fit.sigma:.3g} rad"),
+        Answer("samples", len(fit.times), "", "samples used"),
+        Answer("window", span, "s", "times", "", f"{span[0]:.6g} to {span[1]:.6g} s"),
+        Answer("regime", fit.regime, "", "regime"),
+    ])]  # fmt: skip
+
+
+def _inertia(fit: ThrowFit | AttitudeFit) -> Group:
+    if fit.ratios is None:
+        return Group("Inertia", [
+            Answer("ratios", None),
+            Answer("degenerate", fit.degenerate, "", "not determined", "", _sentence(fit.degenerate or "")),
+            Answer("equal", None),
+        ])  # fmt: skip
+    intervals = fit.ratios.interval()
+    answers = []
+    for (name, value, error), (low, high) in zip(_each(fit.ratios), intervals.tolist(), strict=True):
+        words = f"{uncertain(value, error)}, 95 %: {low:.5g} to {high:.5g}"
+        found = {"value": value, "standard_error": error, "interval": [low, high]}
+        answers.append(Answer(f"ratios.{name}", found, "", name, "interval of 95 %", words))
+    return Group("Inertia", [
+        *answers, Answer("degenerate", None), Answer("equal", fit.equal, "", "equal within errors"),
+    ])  # fmt: skip
+
+
+def _moments(moments: Estimate | None) -> list[Group]:
+    if moments is None:
+        return []
+    return [Group("Moments", [
+        Answer("moments.value", moments.value.tolist(), "kg m²", "I1, I2, I3", "", f"{_listed(moments)} kg m²"),
+        Answer("moments.standard_error", moments.standard_error.tolist(), "kg m²"),
+    ])]  # fmt: skip
+
+
+def _axes(fit: ThrowFit | AttitudeFit) -> Group:
+    axes, turn = fit.axes, fit.axes_error
+    named = []
+    for k in range(3):
+        words = None
+        if axes is not None:
+            words = ", ".join(f"{x:+.4f}" for x in axes[:, k])
+            if turn is not None:  # an axis tilts by the turns about the other two
+                tilt = float(np.sqrt(np.sum(np.delete(turn.standard_error, k) ** 2)))
+                words += f"  ± {np.degrees(tilt):.2g}°" if tilt < 1.0 else "  (direction not determined)"
+        named.append(Answer("", None, "", f"axis {k + 1} along x, y, z", "", words))
+    error = None if turn is None else turn.standard_error.tolist()
+    return Group("Principal axes in the device", [
+        *named,
+        Answer("axes", None if axes is None else axes.tolist(), "", "", "principal axes by columns, in device axes"),
+        Answer("axes_error", error, "rad", "", "standard deviations of turns about the axes themselves"),
+    ])  # fmt: skip
+
+
+def _gyro(fit: ThrowFit) -> Group:
+    sure = fit.degenerate is None
+    gain, drag = fit.gain, fit.drag
+    return Group("Gyro and air", [
+        Answer("bias", _values(fit.bias) if sure else None, "rad/s", "bias", "along the device's x, y, z",
+               f"{_listed(fit.bias)} rad/s" if sure else None),
+        Answer("gain", None if gain is None else _values(gain), "", "gains", "along the device's x, y, z",
+               None if gain is None else _listed(gain)),
+        Answer("drag", None if drag is None else _values(drag), "",  "drag c/I3",
+               "of the torque −c_i |ω| ω_i along the principal axes; null where there is none",
+               _listed(drag) if drag is not None else "none" if sure else None),
+    ])  # fmt: skip
+
+
+def _quality(fit: ThrowFit) -> Group:
+    sure = fit.degenerate is None and len(fit.residuals) > 0
+    first = fit.throws[0]
+    how = "as given" if first.window.reason == "given" else first.window.reason
+    how += f"; {counted(len(fit.throws) - 1, 'more throw')} below" if len(fit.throws) > 1 else ""
+    return Group("Fit", [
+        Answer("rms", fit.rms if sure else None, "rad/s", "residuals", "root mean square",
+               f"{fit.rms:.3g} rad/s rms"),
+        Answer("sigma", fit.sigma if sure else None, "rad/s", "noise of a sample", "", f"{fit.sigma:.3g} rad/s"),
+        Answer("jitter", fit.jitter if sure else None, "s", "jitter of the clock" if fit.jitter > 0 else "", "",
+               f"{fit.jitter:.2g} s rms"),
+        Answer("samples", sum(len(throw.times) for throw in fit.throws), "", "samples used"),
+        Answer("clip", fit.clip, "rad/s", "gyro's limit"),
+        Answer("window", [first.window.start, first.window.end], "s", "free flight", "of the first throw",
+               f"{first.window.start:.6g} to {first.window.end:.6g} s, {how}"),
+        Answer("regime", first.regime, "", "", "of the first throw"),
+    ])  # fmt: skip
+
+
+def _throws(fit: ThrowFit, names: Sequence[str]) -> Table:
+    rows: list[dict[str, Any]] = []
+    for throw in fit.throws:
+        motion = throw.motion
+        rows.append({
+            "log": names[throw.log], "window": [throw.window.start, throw.window.end],
+            "found_by": throw.window.reason, "samples": len(throw.times), "regime": throw.regime,
+            "period": None if motion is None else float(motion.period),
+            "fastest": float(np.linalg.norm(throw.rates, axis=1).max()),
+        })  # fmt: skip
+    return Table("throws", "Throws", {
+        "log": lambda row: row["log"],
+        "from – to": lambda row: f"{row['window'][0]:.4g} – {row['window'][1]:.4g} s",
+        "samples": lambda row: str(row["samples"]),
+        "motion": lambda row: row["regime"] or "–",
+        "polhode period": lambda row: f"{row['period']:.4g} s" if row["period"] and np.isfinite(row["period"]) else "–",
+        "up to": lambda row: f"{row['fastest']:.3g} rad/s",
+    }, rows, {"window": "s", "period": "s", "fastest": "rad/s"})  # fmt: skip
+
+
+def _models(fit: ThrowFit) -> Table:
+    least = min((score.aicc for score in fit.criterion), default=0.0)
+    rows = [{"drag": s.drag, "gain": s.gain, "parameters": s.parameters, "aicc": s.aicc, "bic": s.bic, "rms": s.rms,
+             "chosen": s.chosen} for s in fit.criterion]  # fmt: skip
+    return Table("models", "Models, by Akaike's corrected criterion", {
+        "model": lambda row: "bias" + (", drag" if row["drag"] else "") + (", gains" if row["gain"] else ""),
+        "parameters": lambda row: str(row["parameters"]),
+        "AICc above the least": lambda row: f"{row['aicc'] - least:.1f}",
+        "residuals": lambda row: f"{row['rms']:.3g} rad/s",
+        "": lambda row: "chosen" if row["chosen"] else "",
+    }, rows, {"rms": "rad/s"})  # fmt: skip
+
+
+def _logs(names: Sequence[str], logs: Sequence[ReadLog]) -> Table:
+    rows: list[dict[str, Any]] = []
+    for name, read in zip(names, logs, strict=True):
+        log = read.log
+        rows.append({
+            "file": name, "header_of": read.dialect, "samples": len(log.times), "first": float(log.times[0]),
+            "last": float(log.times[-1]), "usual_step": float(np.median(np.diff(log.times))), "unit": read.rate_unit,
+            "acceleration_from": read.acceleration_from, "dropped": log.dropped, "repeated": log.repeats,
+        })  # fmt: skip
+    return Table("logs", "Logs", {
+        "log": lambda row: row["file"],
+        "header of": lambda row: row["header_of"],
+        "samples": lambda row: f"{row['samples']}, {row['first']:.4g} to {row['last']:.4g} s",
+        "rate": lambda row: f"{1.0 / row['usual_step']:.4g} Hz",
+        "unit": lambda row: row["unit"],
+        "accelerations": lambda row: row["acceleration_from"] or "none",
+    }, rows, {"first": "s", "last": "s", "usual_step": "s"})  # fmt: skip
+
+
+def _named(regime: str | None) -> str:
+    words = {"short-axis": "turning about the axis of the largest moment", "separatrix": "on the separatrix",
+             "long-axis": "turning about the axis of the smallest moment", "permanent": "a steady spin"}  # fmt: skip
+    return words.get(regime or "", regime or "–")
+
+
+def _each(estimate: Estimate) -> list[tuple[str, float, float]]:
+    return list(zip(estimate.names, estimate.value.tolist(), estimate.standard_error.tolist(), strict=True))
+
+
+def _values(estimate: Estimate) -> dict[str, Any]:
+    return {"value": estimate.value.tolist(), "standard_error": estimate.standard_error.tolist()}
+
+
+def _listed(estimate: Estimate) -> str:
+    return ", ".join(uncertain(value, error) for _, value, error in _each(estimate))
+
+
+def _sentence(text: str) -> str:
+    text = text.strip()
+    return text[:1].upper() + text[1:] + ("" if text.endswith(".") else ".")

@@ -1,0 +1,218 @@
+"""What free throws say of a body: true values within the errors, and nothing where nothing can be said."""
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+from scipy.spatial.transform import Rotation
+
+from estimation.thrown import BODIES, SPINS, euler, throw
+from polhode import estimation
+from polhode.errors import InvalidInput
+from polhode.estimation import Window, clean_log, fit_throw, throw_fit
+from polhode.estimation.throw_models import dragged_rates, free_rates
+
+WHOLE = [[Window(-1.0, 99.0)]]
+PHONE = BODIES["phone"]
+CALM = dict(bias=0.0, gain=0.0, drag=0.0, dropped=0.0, jitter=0.0)
+FAR = 5.0  # standard errors, which one in a million passes
+
+
+def made(seed, spin="long", body="phone", **how):
+    times, rates, axes = throw(np.random.default_rng(seed), BODIES[body], SPINS[spin], **how)
+    return clean_log(times, rates), axes
+
+
+def off(fit, true):
+    return np.abs(fit.ratios.value - true[:2]) / fit.ratios.standard_error
+
+
+@pytest.mark.parametrize("drag", [None, (0.01, 0.02, 0.03)])
+def test_rates_and_their_derivatives(drag):
+    shape, start, t = np.array([0.25, 0.1]), np.array([2.0, 9.0, 1.0]), np.linspace(-0.3, 0.3, 7)
+    of = (lambda p: free_rates(p[:2], p[2:], t)) if drag is None else (lambda p: dragged_rates(p[:2], p[2:5], p[5:], t))
+    at = np.concatenate([shape, start, [] if drag is None else drag])
+    rates, slopes = of(at)
+    moments = ((1 - 0.25) / 2 + 0.1, (1 + 0.25) / 2 + 0.1, 1.0)
+    field = euler(moments, drag or 0.0)
+    for k in (0, 6):
+        there = solve_ivp(field, (0.0, t[k]), start, rtol=1e-11, atol=1e-11, method="DOP853").y[:, -1]
+        assert np.allclose(rates[k], there, atol=2e-6)
+    step = 1e-4
+    changes = [(of(at + step * e)[0] - of(at - step * e)[0]) / (2 * step) for e in np.eye(len(at))]
+    assert np.allclose(slopes, changes, atol=1e-3, rtol=1e-4)
+
+
+def test_a_throw_with_all_that_goes_wrong():
+    log, axes = made(3, "long", "book", gain=0.0)
+    fit = fit_throw(log, WHOLE, gain=False)
+    assert log.dropped > 0
+    assert (off(fit, BODIES["book"]) < FAR).all()
+    assert fit.drag is not None and next(s for s in fit.criterion if s.chosen).drag
+    turn = Rotation.from_matrix(fit.axes.T @ (axes * np.sign((fit.axes * axes).sum(axis=0)))).magnitude()
+    assert turn < 0.01
+    assert np.isclose(fit.sigma, 1e-3, rtol=0.3)
+    assert np.isclose(fit.jitter, 1e-4, rtol=0.6)
+    assert fit.regimes == ["long-axis"]
+    assert fit.rms < 2.5e-3
+
+
+def test_ignoring_the_bias_misses_the_truth(monkeypatch):
+    log, _ = made(3, "long", "book", gain=0.0, drag=0.0)
+    assert (off(fit_throw(log, WHOLE, drag=False, gain=False), BODIES["book"]) < FAR).all()
+    monkeypatch.setattr(throw_fit, "BIAS_SPREAD", 1e-6)
+    assert off(fit_throw(log, WHOLE, drag=False, gain=False), BODIES["book"]).max() > FAR
+
+
+@pytest.mark.sweep
+def test_gains_are_found_with_a_wide_prior():
+    log, _ = made(5, "long", "book", drag=0.0)
+    moved = clean_log(log.times, log.rates * [1.05, 1.0, 0.97])
+    fit = fit_throw(moved, WHOLE, drag=False, gain=True, gain_spread=0.05)
+    assert (off(fit, BODIES["book"]) < FAR).all()
+    assert fit.gain is not None and fit.gain.value[0] > fit.gain.value[2] + 0.03
+
+
+@pytest.mark.parametrize("body, spin", [((0.3, 0.7, 1.0), (0, 0, 9.0)), ((1.0, 1.0, 1.0), (3.0, 4.0, 5.0))])
+def test_what_spins_steadily_says_nothing(body, spin):
+    times, rates, _ = throw(np.random.default_rng(1), body, spin, drag=0.0)
+    fit = fit_throw(clean_log(times, rates), WHOLE)
+    assert fit.ratios is None and fit.axes is None and fit.regimes == [None]
+    assert "principal axis, or is a sphere" in fit.degenerate
+
+
+@pytest.mark.sweep
+def test_equal_moments_are_told():
+    times, rates, _ = throw(np.random.default_rng(2), (0.4, 1.0, 1.0), (6.0, 5.0, 0.0), **CALM)
+    fit = fit_throw(clean_log(times, rates), WHOLE, drag=False, gain=False)
+    assert fit.equal == "I2 = I3"
+    assert (off(fit, (0.4, 1.0)) < FAR).all()
+    assert fit.axes_error.standard_error[0] > 10 * fit.axes_error.standard_error[1]
+
+
+def test_throws_of_one_body_are_fitted_together():
+    axes = Rotation.random(rng=1).as_matrix()
+    logs = [clean_log(*throw(np.random.default_rng(k), PHONE, SPINS[s], axes=axes, **CALM)[:2])
+            for k, s in enumerate(("long", "short"))]  # fmt: skip
+    both = fit_throw(logs, WHOLE * 2, drag=False, gain=False)
+    one = fit_throw(logs[0], WHOLE, drag=False, gain=False)
+    assert (off(both, PHONE) < FAR).all()
+    assert (both.ratios.standard_error < one.ratios.standard_error).all()
+    assert both.regimes == ["long-axis", "short-axis"]
+
+
+def test_saturated_samples_and_outliers():
+    log, _ = made(7, "long", **CALM)
+    rates = np.clip(log.rates, -8.0, 8.0)
+    assert (np.abs(rates) == 8.0).any(axis=1).sum() >= 3
+    rates[20] += 3.0
+    fit = fit_throw(clean_log(log.times, rates), WHOLE, drag=False, gain=False)
+    assert fit.clip == 8.0
+    assert (off(fit, PHONE) < FAR).all()
+
+
+def held_then_thrown(seed, lever=(0.02, -0.01, 0.005)):
+    """A device that is turned in the hand, thrown at 1 s, caught at 1.7 s; its accelerometer has its own clock."""
+    rng = np.random.default_rng(seed)
+    t, flight, _ = throw(rng, PHONE, SPINS["long"], seconds=0.7, start=1.0, **CALM)
+    before, after = np.arange(0.0, 1.0, 0.01), np.arange(1.7, 2.5, 0.01)
+    held = lambda x, a: a * np.stack([np.sin(9 * x), np.cos(7 * x + 1), np.sin(5 * x)], axis=1)  # noqa: E731
+    times = np.concatenate([before, t, after])
+    rates = np.concatenate([held(before, 4.0), flight, held(after, 4.0)])
+    felt_at = np.arange(0.003, 2.49, 0.016)
+    w = np.stack([np.interp(felt_at, times, column) for column in rates.T], axis=1)
+    slopes = np.stack([np.interp(felt_at, times, c) for c in np.gradient(rates, times, axis=0).T], axis=1)
+    felt = np.cross(w, np.cross(w, lever)) + np.cross(slopes, lever) + 0.05 * rng.normal(size=w.shape)
+    hands = (felt_at < 1.0) | (felt_at > 1.7)
+    felt[hands] += 9.8 * np.stack([np.sin(3 * felt_at), np.cos(3 * felt_at), 0 * felt_at], axis=1)[hands]
+    return times, rates, felt_at, felt
+
+
+def test_the_flight_is_found_by_the_accelerometer_off_the_centre():
+    found = estimation.free_flights(clean_log(*held_then_thrown(1)))
+    assert len(found) == 1
+    assert abs(found[0].start - 1.0) < 0.05 and abs(found[0].end - 1.7) < 0.05
+
+
+def test_the_flight_is_found_without_accelerometer():
+    times, rates, *_ = held_then_thrown(1)
+    [found] = estimation.free_flights(clean_log(times, rates))
+    assert abs(found.start - 1.0) < 0.06 and abs(found.end - 1.7) < 0.06
+
+
+def test_attitudes_tell_the_same():
+    field = euler(PHONE, 0.0)
+
+    def with_attitude(t, y):
+        q, w = y[:4], y[4:]
+        dq = 0.5 * np.r_[-q[1:] @ w, q[0] * w + np.cross(q[1:], w)]
+        return np.r_[dq, field(t, w)]
+
+    t = np.linspace(0.0, 2.0, 150)
+    y = solve_ivp(with_attitude, (0, 2), [1, 0, 0, 0, 1.0, 5.0, 1.0], t_eval=t, rtol=1e-10, atol=1e-11).y.T
+    rng = np.random.default_rng(4)
+    axes = Rotation.random(rng=rng)
+    noisy = Rotation.from_quat(y[:, :4], scalar_first=True) * axes.inv()
+    noisy = noisy * Rotation.from_rotvec(2e-3 * rng.normal(size=(150, 3)))
+    fit = estimation.fit_attitude(t, noisy.as_quat(scalar_first=True))
+    assert (off(fit, PHONE) < FAR).all()
+    assert np.isclose(fit.sigma, 2e-3, rtol=0.2)
+    device = Rotation.from_quat(fit.motion.attitude(t), scalar_first=True) * Rotation.from_matrix(fit.axes).inv()
+    assert ((device.inv() * noisy).magnitude() < 0.012).all()
+    still = Rotation.from_rotvec(np.outer(t, [0, 0, 3.0]))
+    assert estimation.fit_attitude(t, still.as_quat(scalar_first=True)).degenerate
+
+
+def test_absolute_moments():
+    scale, mass, weight, place = 4e-4, 0.2, 0.02, np.array([0.05, 0.03, 0.01])
+    axes = Rotation.random(rng=6).as_matrix()
+    alone = scale * axes @ np.diag(PHONE) @ axes.T
+    added = mass * weight / (mass + weight) * (place @ place * np.eye(3) - np.outer(place, place))
+    moments, turned = np.linalg.eigh(alone + added)
+    turned[:, 2] = np.cross(turned[:, 0], turned[:, 1])
+    fits = [fit_throw(clean_log(*throw(np.random.default_rng(k), m / m[2], (6.0, 6.0, 4.0), axes=a, **CALM)[:2]), WHOLE,
+                      drag=False, gain=False)
+            for k, (m, a) in enumerate(((np.array(PHONE), axes), (moments, turned)))]  # fmt: skip
+    found = estimation.moments_from_weight(*fits, mass, weight, place)
+    true = scale * np.array(PHONE)
+    assert (np.abs(found.value - true) < FAR * found.standard_error).all()
+    assert (found.standard_error < 0.1 * true).all()
+    known = estimation.moments_from_one(fits[0], 2, true[1])
+    assert known.standard_error[1] < 1e-12 * true[1]
+    assert (np.abs(known.value - true) <= FAR * known.standard_error + 1e-15).all()
+
+
+@pytest.mark.parametrize("call, said", [
+    (lambda: clean_log([0.0, 1.0], np.ones((2, 3))), "8 finite samples"),
+    (lambda: clean_log(np.arange(9.0), np.ones((9, 2))), "shape"),
+    (lambda: fit_throw(made(1)[0], [[Window(5.0, 6.0)]]), "window must start"),
+    (lambda: fit_throw(made(1)[0], WHOLE, drag="yes"), "drag must be"),
+    (lambda: fit_throw(clean_log(np.arange(99) / 100, 0.01 * np.ones((99, 3)))), "no free flight"),
+    (lambda: estimation.fit_attitude(np.arange(20.0), np.ones((20, 4))), "unit length"),
+])  # fmt: skip
+def test_bad_input_is_refused(call, said):
+    with pytest.raises(InvalidInput, match=said):
+        call()
+
+
+def coverage(count, **choice):
+    """Return for which ratios of many throws the interval holds the truth, and the errors of the determined ones."""
+    inside, errors, nothing = [], [], 0
+    cases = [(body, spin) for body in BODIES for spin in SPINS]
+    for i in range(count):
+        body, spin = cases[i % 9]
+        times, rates, _ = throw(np.random.default_rng([5, i]), BODIES[body], SPINS[spin])
+        fit = fit_throw(clean_log(times, rates), WHOLE, **choice)
+        if fit.ratios is None:
+            nothing += 1
+            continue
+        true, ends = np.array(BODIES[body][:2]), fit.ratios.interval()
+        inside.append((ends[:, 0] <= true) & (true <= ends[:, 1]))
+        errors.append(np.abs(fit.ratios.value - true))
+    return np.array(inside), np.array(errors), nothing
+
+
+@pytest.mark.sweep
+def test_intervals_hold_the_truth_as_often_as_they_say():
+    inside, _, nothing = coverage(500, gain=True)
+    assert nothing < 25
+    assert 0.93 <= inside.mean() <= 0.97
