@@ -57,10 +57,15 @@ def test_a_throw_with_all_that_goes_wrong():
 
 
 def test_ignoring_the_bias_misses_the_truth(monkeypatch):
-    log, _ = made(3, "long", "book", gain=0.0, drag=0.0)
-    assert (off(fit_throw(log, WHOLE, drag=False, gain=False), BODIES["book"]) < FAR).all()
+    plain, _ = made(3, "long", "book", **CALM)
+    log = clean_log(plain.times, plain.rates + np.array([0.05, -0.05, 0.05]))
+    fit = fit_throw(log, WHOLE, drag=False, gain=False)
+    assert (off(fit, BODIES["book"]) < FAR).all()
+    assert np.allclose(fit.bias.value, [0.05, -0.05, 0.05], atol=5 * fit.bias.standard_error.max())
     monkeypatch.setattr(throw_fit, "BIAS_SPREAD", 1e-6)
-    assert off(fit_throw(log, WHOLE, drag=False, gain=False), BODIES["book"]).max() > FAR
+    blind = fit_throw(log, WHOLE, drag=False, gain=False)
+    assert blind.rms > 3 * fit.rms  # which widens the intervals, and yet not by enough
+    assert off(blind, BODIES["book"]).max() > 3.0
 
 
 @pytest.mark.sweep

@@ -10,7 +10,7 @@ from scipy.ndimage import binary_closing, binary_opening, uniform_filter1d
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.estimation.gyro_log import GyroLog
-from polhode.estimation.linear_start import momentum_map, turned_by
+from polhode.estimation.linear_start import OFF_DIAGONAL, ROOT, momentum_map, turned_by
 from polhode.types import Array
 
 SHORTEST = 0.25  # s
@@ -19,6 +19,8 @@ LEVER_ARM = 0.05  # m, how far from the centre of mass an accelerometer is expec
 FELT = 3.0  # m/s², what a free accelerometer may feel beyond its own turning; one that is held feels 9.8
 UNEVEN = 0.03  # change of angular momentum relative to its size, within SPAN
 TORQUE = 1.0  # 1/s, of the angular momentum; hands give several, drag and a gyro's bias some tenths
+TURN = 2.0  # rad, of which a span holds at least so much
+MOST_SPANS = 40
 SLOWEST = 1.0  # rad/s: slower turning says nothing of inertia
 
 
@@ -115,42 +117,60 @@ def _rates_at(log: GyroLog, t: Array) -> tuple[Array, Array]:
 
 
 def _longest_stretch(log: GyroLog) -> list[Window]:
-    t = log.times
-    size = _samples_of(t, SPAN)
-    if len(t) < 2 * size:
-        size = max(6, len(t) // 2)
+    """Return the longest stretch over which one inertia, that of some span within it, keeps R J ω."""
+    t, speeds = log.times, np.linalg.norm(log.rates, axis=1)
+    fast = max(float(np.quantile(speeds, 0.9)), SLOWEST)
+    size = min(_samples_of(t, max(SPAN, TURN / fast)), max(6, len(t) // 2))
     maps = momentum_map(turned_by(t, log.rates), log.rates)
-    total = np.zeros((len(t) + 1, 3, 6))
-    squares = np.zeros((len(t) + 1, 6, 6))
+    inertias, change = _kept_by_spans(maps, size)
+    slow = uniform_filter1d(speeds, size)[size // 2 :][: len(change)] < SLOWEST
+    change = np.where(slow | ~_possible(inertias), np.inf, change)
+    hops = max(2, _samples_of(t, 0.07))
+    found: list[tuple[float, int, int]] = []
+    # the hand can keep a momentum for a moment too, by an inertia of no use elsewhere: several spans are asked
+    for part in np.array_split(np.arange(len(change)), max(1, min(MOST_SPANS, len(change) // size))):
+        best = part[np.argmin(change[part])]
+        if change[best] > UNEVEN:
+            continue
+        along = maps @ inertias[best]
+        torque = np.linalg.norm(along[hops:] - along[:-hops], axis=1) / (t[hops:] - t[:-hops])
+        momentum = np.maximum(np.linalg.norm(along, axis=1), 1e-12)
+        quiet = torque / np.minimum(momentum[hops:], momentum[:-hops]) < TORQUE
+        good = np.zeros(len(t), dtype=bool)
+        for i in np.flatnonzero(binary_opening(quiet, np.ones(hops + 1))):
+            good[i : i + hops + 1] = True
+        good &= uniform_filter1d(speeds, hops) > SLOWEST
+        found += [(float(t[j] - t[i]), i, j) for i, j in _runs(good) if t[j] - t[i] >= SHORTEST]
+    if not found:
+        return []
+    _, i, j = max(found)
+    inside = change[i : max(j - size + 1, i + 1)]
+    score = float(np.median(inside[np.isfinite(inside)])) if np.isfinite(inside).any() else UNEVEN
+    return [Window(float(t[i]), float(t[j]), "the longest stretch that keeps an angular momentum", score)]
+
+
+def _kept_by_spans(maps: Array, size: int) -> tuple[Array, Array]:
+    """Return the inertia (6,) that each span of samples keeps best, and the momentum's change relative to its size."""
+    total = np.zeros((len(maps) + 1, 3, 6))
+    squares = np.zeros((len(maps) + 1, 6, 6))
     total[1:] = np.cumsum(maps, axis=0)
     squares[1:] = np.cumsum(np.matmul(np.swapaxes(maps, 1, 2), maps), axis=0)
     mean = (total[size:] - total[:-size]) / size
     spread = (squares[size:] - squares[:-size]) / size - np.matmul(np.swapaxes(mean, 1, 2), mean)
     values, vectors = np.linalg.eigh(spread)
-    momentum = np.linalg.norm(mean @ vectors[:, :, :1], axis=(1, 2))
-    change = np.sqrt(np.maximum(values[:, 0], 0.0)) / np.maximum(momentum, 1e-12)
-    speed = uniform_filter1d(np.linalg.norm(log.rates, axis=1), size)[size // 2 :][: len(change)]
-    even = (change < UNEVEN) & (speed > SLOWEST)
-    if not even.any():
-        return []
-    # the hand can keep some momentum for a moment; the span that tells one inertia from all others best is in flight
-    sure = np.where(even, values[:, 1] / (values[:, 0] + 1e-6 * values[:, -1]), 0.0)
-    best = int(np.argmax(sure))
-    along = maps @ vectors[best, :, 0]
-    hops = max(2, size // 4)
-    torque = np.linalg.norm(along[hops:] - along[:-hops], axis=1) / (t[hops:] - t[:-hops])
-    size_of = np.maximum(np.linalg.norm(along, axis=1), 1e-12)
-    quiet = torque / np.minimum(size_of[hops:], size_of[:-hops]) < TORQUE
-    good = np.zeros(len(t), dtype=bool)
-    for i in np.flatnonzero(binary_opening(quiet, np.ones(hops + 1))):
-        good[i : i + hops + 1] = True
-    good &= uniform_filter1d(np.linalg.norm(log.rates, axis=1), hops) > SLOWEST
-    runs = [(i, j) for i, j in _runs(good) if t[j] - t[i] >= SHORTEST]
-    if not runs:
-        return []
-    i, j = max(runs, key=lambda run: t[run[1]] - t[run[0]])
-    score = float(np.median(change[i : max(j - size + 1, i + 1)]))
-    return [Window(float(t[i]), float(t[j]), "the longest stretch that keeps an angular momentum", score)]
+    inertias = vectors[:, :, 0]
+    momentum = np.linalg.norm(mean @ inertias[..., None], axis=(1, 2))
+    return inertias, np.sqrt(np.maximum(values[:, 0], 0.0)) / np.maximum(momentum, 1e-12)
+
+
+def _possible(inertias: Array) -> Array:
+    """Return which inertias some body nearly has, as far as a biased gyro tells."""
+    J = np.zeros((len(inertias), 3, 3))
+    J[:, [0, 1, 2], [0, 1, 2]] = inertias[:, :3]
+    for k, (i, j) in enumerate(OFF_DIAGONAL, start=3):
+        J[:, i, j] = J[:, j, i] = inertias[:, k] / ROOT
+    moments = np.linalg.eigvalsh(J * np.sign(np.trace(J, axis1=1, axis2=2))[:, None, None])
+    return (moments[:, 0] > 0.03 * moments[:, 2]) & (moments[:, 0] + moments[:, 1] > 0.8 * moments[:, 2])
 
 
 def _runs(flags: Array) -> list[tuple[int, int]]:

@@ -79,8 +79,7 @@ def linear_inertia(
         maps = momentum_map(attitude, rate)
         maps = maps if kept is None else maps[kept[k]]
         rows.append((maps - maps.mean(axis=0)).reshape(-1, 6))
-    _, values, right = np.linalg.svd(np.concatenate(rows), full_matrices=True)
-    values = np.concatenate([values, np.zeros(6 - len(values))])
+    _, values, right = np.linalg.svd(np.concatenate(rows), full_matrices=False)  # at least 24 rows
     J = inertia_matrix(right[-1])
     moments, axes = np.linalg.eigh(J * np.sign(np.trace(J) or 1.0))
     axes[:, 2] = np.cross(axes[:, 0], axes[:, 1])

@@ -254,11 +254,11 @@ def _tried(
 ) -> list[Solution]:
     """Return the models that are asked for, each started from the one before it that it contains."""
     choices = lambda x: (False, True) if x == "auto" else (x,)  # noqa: E731
-    plain = Model(False, False, len(throws), spread)
+    plain = Model(False, gain is True, len(throws), spread)
     begin = [start.axes.T @ throw.rates[len(throw.rates) // 2] for throw in throws]
-    x = np.concatenate([start.shape, np.zeros(6), *begin])
-    first = fitted(plain, x, start.axes, throws, None)
-    solutions = {(False, False): first}
+    x = np.concatenate([start.shape, np.zeros(6), *[np.ones(3)] * plain.gain, *begin])
+    first = _grown(plain, x, start.axes, throws)
+    solutions = {(False, plain.gain): first}
     for wanted_drag in choices(drag):
         for wanted_gain in choices(gain):
             if (wanted_drag, wanted_gain) in solutions:
@@ -268,6 +268,22 @@ def _tried(
             noise = (base.sigma, base.jitter)
             solutions[wanted_drag, wanted_gain] = fitted(model, _carried(base, model), base.axes, throws, noise)
     return [_retried(solutions[d, g], start, throws) for d in choices(drag) for g in choices(gain)]
+
+
+def _grown(model: Model, x: Array, axes: Array, throws: list[Throw]) -> Solution:
+    """Return a fit that begins with the middles of long throws, where a rough start keeps the count of turns."""
+    for samples in (500, 2500):
+        if max(len(throw.elapsed) for throw in throws) > 2 * samples:
+            middles = [_middle(throw, samples) for throw in throws]
+            found = fitted(model, x, axes, middles, None)
+            x, axes = _carried(found, model), found.axes
+    return fitted(model, x, axes, throws, None)
+
+
+def _middle(throw: Throw, samples: int) -> Throw:
+    centre = int(np.argmin(np.abs(throw.elapsed)))
+    part = slice(max(centre - samples // 2, 0), centre + samples // 2)
+    return Throw(throw.elapsed[part], throw.rates[part], throw.epoch)
 
 
 def _retried(solution: Solution, start: _Start, throws: list[Throw]) -> Solution:

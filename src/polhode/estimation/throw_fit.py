@@ -13,8 +13,8 @@ from polhode.types import Array, Float64
 
 ROBUST = 3.0  # standard deviations, beyond which residuals count linearly (Huber)
 LIMITS = {"shape": ([-1.0, 0.0], [1.0, 2.0]), "drag": ([-0.2] * 3, [1.0] * 3), "gain": ([0.7] * 3, [1.3] * 3)}
-BIAS_SPREAD = 0.05  # rad/s, what the worst gyros of phones have
-DRAG_SPREAD = 0.03  # of c/I3; thin plates in air have 0.01
+BIAS_SPREAD = 0.03  # rad/s, of offsets anywhere within ±0.05, as gyros of phones have them
+DRAG_SPREAD = 0.02  # of c/I3; thin plates in air have 0.01
 MAX_ROUNDS = 10
 LATEST = 0.1  # of the time between samples: a clock that is worse would explain anything
 UNLIMITED = ([-np.inf] * 3, [np.inf] * 3)
