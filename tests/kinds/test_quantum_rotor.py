@@ -119,7 +119,7 @@ def test_a_flip(spec_of):
     (WATER.replace('"835840.288 MHz", ', ""), "needs three constants"),
     (WATER + "spin_axis = 'd'\n", 'must be one of "a", "b", "c"'),
     (WATER + "dipole = ['1 kg', '0 D', '0 D']\n", "has the wrong unit"),
-    (WATER.replace("j_max = 3", "j_max = 1000"), "must be at most 200"),
+    (WATER.replace("j_max = 3", "j_max = 1001"), "must be at most 1000"),
 ])  # fmt: skip
 def test_mistakes(spec_of, text, said):
     with pytest.raises(InvalidInput, match=said):

@@ -182,13 +182,13 @@ def write_dataset(trajectory: Trajectory, path: str | Path, attributes: dict[str
     _check_finite(trajectory)
     # HDF5 would try again to write what a full disk refused, and crash as Python ends: it gets memory, not the disk
     packed = BytesIO()
-    _pack(packed, *_described(trajectory, attributes))
+    pack(packed, *_described(trajectory, attributes))
     with written_whole(path) as draft:
         draft.write_bytes(packed.getbuffer())
     return path
 
 
-def _pack(file: BytesIO, variables: Named, coordinates: Named, header: dict[str, Any]) -> None:
+def pack(file: BytesIO, variables: Named, coordinates: Named, header: dict[str, Any]) -> None:
     """Write NetCDF as xarray would, whose import takes longer than most reports."""
     import h5netcdf
     import h5py
