@@ -5,11 +5,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import xarray as xr
 
 from polhode.cli.main import main
-from polhode.formats import line_list, read_cat, read_par, write_lin
+from polhode.errors import InvalidInput
+from polhode.formats import line_list, read_cat, read_par, spectrum_dataset, write_lin
 from polhode.kinds.reading import read_spec
-from polhode.quantum import MeasuredLines
+from polhode.quantum import MeasuredLines, Rotor
+from polhode.spec.rotors import SpecRotor, check_summable
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 MHZ, WAVE_NUMBER = 1e6, 29979245800.0
@@ -53,6 +56,42 @@ def test_lines_between_frequencies(run):
     assert frequencies == sorted(frequencies) and len(frequencies) == found["lines_within"]
 
 
+def test_levels_and_lines_as_netcdf(run, tmp_path):
+    """What is written is what is printed; levels of J = 1 are sums of two constants."""
+    path, files = EXAMPLES / "water_spectrum.toml", (tmp_path / "levels.nc", tmp_path / "lines.nc")
+    run("levels", EXAMPLES / "water.xyz", "--j-max", "1", "--out", files[0])
+    said = json.loads(run("lines", path, "--json", "--j-max", "3", "--most", "4", "--out", files[1]).out)
+    with xr.open_dataset(files[0]) as found:
+        A, B, C = found.attrs["rotational_constants_hertz"]
+        assert found.energy.units == "Hz" and found.symmetry.values.tolist() == ["A", "Ba", "Bb", "Bc"]
+        assert found.energy.values == pytest.approx([0.0, B + C, A + C, A + B], rel=1e-14)
+        assert found.Ka.values.tolist() == [0, 0, 1, 1]
+    with xr.open_dataset(files[1]) as found:
+        assert found.line_frequency.values.tolist() == [line["frequency"] for line in said["lines"]]
+        assert found.line_upper.sel(quantum_number="Ka").values.tolist() == [x["upper"][1] for x in said["lines"]]
+        assert (found.line_intensity.units, found.attrs["temperature_kelvin"]) == ("m2 Hz", 300.0)
+        assert found.attrs["reduction"] == "A" and found.attrs["representation"] == "Ir"
+    assert said["files"] == [str(files[1])]
+    with pytest.raises(InvalidInput, match="`levels` or `lines`"):
+        spectrum_dataset()
+
+
+def test_nothing_half_written(run, tmp_path):
+    missing, taken = tmp_path / "none" / "levels.nc", tmp_path / "copy.xyz"
+    taken.write_text((EXAMPLES / "water.xyz").read_text())
+    assert "none" in run("levels", taken, "--out", missing, code="[^0]").err
+    assert "would destroy it" in run("levels", taken, "--out", taken, code="[^0]").err
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["copy.xyz"]
+
+
+def test_too_many_lines_are_refused_before_they_are_computed(run):
+    """J³/2 for each component of the dipole: counted 510,045 at J = 100 for one."""
+    said = run("lines", EXAMPLES / "formaldehyde.toml", "--j-max", "1000", code="[^0]").err
+    assert "about 500 million lines" in said and "Lower `j_max` to 296" in said
+    with pytest.raises(InvalidInput, match="Lower `j_max` to 205"):
+        check_summable(SpecRotor(Rotor((27e9, 14e9, 9e9), dipole=(1e-30, 1e-30, 1e-30)), 10.0, 206))
+
+
 def test_the_strongest_lines(run):
     """--most keeps the strongest; what is colder is weaker in what is hot."""
     path = EXAMPLES / "sulfur_dioxide.toml"
@@ -79,7 +118,7 @@ def test_a_dipole_for_atoms(run):
     (("lines", EXAMPLES / "formaldehyde.toml", "--from", "3 GHz", "--to", "2 GHz"), "must not be above --to"),
     (("lines", EXAMPLES / "formaldehyde.toml", "--temperature", "3 m"), "--temperature has the wrong unit"),
     (("lines", EXAMPLES / "formaldehyde.toml", "--min-intensity", "nan"), "--min-intensity must be a number"),
-    (("levels", EXAMPLES / "formaldehyde.toml", "--j-max", "2.5"), "must be a whole number from 0 to 200"),
+    (("levels", EXAMPLES / "formaldehyde.toml", "--j-max", "2.5"), "must be a whole number from 0 to 1000"),
     (("levels", EXAMPLES / "euler_disk.toml"), "there is no molecule"),
     (("levels", EXAMPLES / "none.xyz"), "no such molecule file"),
 ])  # fmt: skip

@@ -2,6 +2,7 @@
 
 import json
 
+import numpy as np
 import pytest
 
 from polhode.cli.main import main
@@ -87,3 +88,23 @@ def test_sensitivities(run, tmp_path):
 def test_mistakes(run, arguments, words):
     code, said, errors = run(*arguments)
     assert code == 2 and words in errors and "Traceback" not in errors and not said
+
+
+def test_a_molecule_has_answers_and_no_motion(run, tmp_path):
+    (tmp_path / "case.toml").write_text("""[system]
+kind = "quantum-rotor"
+constants = ["27 GHz", "14 GHz", "9 GHz"]
+j_max = 1
+j = 1
+[sweep]
+outputs = ["partition_function"]
+[sweep.inputs]
+"system.temperature" = { grid = ["10 K", "40 K"] }
+""")
+    code, said, errors = run("--no-figures")
+    assert code == 0, errors
+    assert "2 of 2 samples are computed" in said
+    found = json.loads(run("--no-figures", "--json")[1])["statistics"][0]
+    # √π (kT/h)^(3/2)/√(ABC), to 0.5 % here
+    classical = [np.sqrt(np.pi / (27.0 * 14.0 * 9.0)) * (20.8366191233 * T) ** 1.5 for T in (10.0, 40.0)]
+    assert found["mean"] == pytest.approx(np.mean(classical), rel=5e-3)

@@ -115,11 +115,13 @@ def test_a_flip(spec_of):
     (WATER + '[body]\nmoments = ["1 kg*m^2", "1 kg*m^2", "1 kg*m^2"]\n', r"leave one out"),
     (WATER + '[spin]\nrate = "1 rpm"\nabout = 1\n', r"spin: does not go with the system quantum-rotor"),
     (WATER + '[system.distortion]\nDelta_J = "1 MHz"\n', r"(?s)system.reduction: is missing.*representation"),
+    (WATER.replace("278138.700 MHz", "-278138.700 MHz"), r"has 1 mistake:\n  system\.constants\[2\]: must be positive"),
+    (WATER.replace("278138.700 MHz", "0 MHz"), r"has 1 mistake:\n  system\.constants\[2\]: must be positive"),
     (WATER.replace("835840.288 MHz", "835840.288 rpm"), "names an angle"),
     (WATER.replace('"835840.288 MHz", ', ""), "needs three constants"),
     (WATER + "spin_axis = 'd'\n", 'must be one of "a", "b", "c"'),
     (WATER + "dipole = ['1 kg', '0 D', '0 D']\n", "has the wrong unit"),
-    (WATER.replace("j_max = 3", "j_max = 1000"), "must be at most 200"),
+    (WATER.replace("j_max = 3", "j_max = 1001"), "must be at most 1000"),
 ])  # fmt: skip
 def test_mistakes(spec_of, text, said):
     with pytest.raises(InvalidInput, match=said):

@@ -159,6 +159,7 @@ REFUSED = {
     "quantum.rotor.Rotor": (THREE[::-1], quantum.Rotor),
     "quantum.racket.Racket": (THREE[::-1], lambda x: quantum.Racket(x, 3)),
     "Racket.quantum": (THREE, quantum.Racket((3.0, 2.0, 1.0), 3).quantum),
+    "Racket.states": (THREE, quantum.Racket((3.0, 2.0, 1.0), 3).states),
     "Racket.classical": (THREE, quantum.Racket((3.0, 2.0, 1.0), 3).classical),
     "Racket.ensemble": (THREE, quantum.Racket((3.0, 2.0, 1.0), 3).ensemble),
     "Rotor.partition_function": (300.0, quantum.Rotor((3.0, 2.0, 1.0)).partition_function),

@@ -25,6 +25,24 @@ def test_the_flip_takes_the_logarithm_of_J(J, half, first, depth):
     assert math.isinf(racket.period) and racket.revival_time is None
 
 
+@pytest.mark.parametrize("towards", ["a", "c"])
+def test_states_move_as_classical_momentum_does(towards):
+    """Of a coherent state d⟨L⟩/dt is Euler's, with G replaced by J − ½: ⟨L_a L_b + L_b L_a⟩ = 2J(J − ½) n_a n_b."""
+    J, time = 6, 1e-7
+    A, B, C = W
+    racket = Racket(W, J, 0.4, towards)
+    a, b, c = racket.direction
+    states = racket.states(np.array([0.0, time]))
+    assert np.allclose(np.linalg.norm(states, axis=1), 1.0, rtol=1e-14)
+    found = np.einsum("ti,kij,tj->tk", states.conj(), spin_matrices(J), states).real / J  # along c, a, b
+    assert np.allclose(found[0], (c, a, b), atol=1e-14)
+    euler = 4.0 * math.pi * (J - 0.5) * np.array([(B - A) * a * b, (C - B) * b * c, (A - C) * c * a])
+    assert np.allclose((found[1] - found[0]) / time, euler, atol=2e-3 * np.abs(euler).max())
+    later = np.array([0.3, 1.7]) / racket.rate
+    along = np.abs(racket.states(later)) ** 2 @ np.arange(J, -J - 1, -1.0) / J
+    assert np.allclose(along, racket.quantum(later), atol=1e-12)
+
+
 def test_half_times_grow_by_half_of_the_logarithm():
     racket = Racket(W, 400)
     assert racket.half_time * racket.rate == pytest.approx(3.608388, abs=3e-6)

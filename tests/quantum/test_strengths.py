@@ -99,3 +99,17 @@ def test_lines_of_a_linear_molecule():
     lines = carbon_monoxide.lines(3, 300.0)
     assert lines.frequency == pytest.approx(2.0 * 57.6e9 * np.arange(1, 4), rel=1e-14)
     assert lines.strength / (0.11 * DEBYE) ** 2 == pytest.approx([1.0, 2.0, 3.0])
+
+
+@pytest.mark.parametrize(("constants", "dipole"), [
+    ((9e9, 3e9, 3e9), (1e-30, 0.0, 0.0)), ((9e9, 9e9, 3e9), (0.0, 0.0, 1e-30)), ((9e9, 9e9, 9e9), (0.0, 0.0, 1e-30)),
+])  # fmt: skip
+def test_lines_of_symmetric_tops(constants, dipole):
+    """ΔK = 0 along the figure axis: ν = 2B(J + 1), and nothing that only rounding allows; S = ((J+1)² − K²)/(J+1)."""
+    found = Rotor(constants, dipole=dipole).lines(8)
+    B = constants[1]
+    assert found.frequency == pytest.approx(2.0 * B * found.upper[:, 0], rel=1e-12)
+    assert (found.upper[:, 0] == found.lower[:, 0] + 1).all()
+    for J in range(8):
+        own = found.strength[found.lower[:, 0] == J].sum() / 1e-60
+        assert own == pytest.approx(sum(((J + 1) ** 2 - K * K) / (J + 1) for K in range(-J, J + 1)), rel=1e-10)

@@ -166,16 +166,21 @@ MoleculeFile = Annotated[
 ]
 LargestJ = Annotated[
     int | None,
-    typer.Option("--j-max", metavar="J", parser=whole_number(0, 200), help="The largest J (default: the spec's own)."),
+    typer.Option("--j-max", metavar="J", parser=whole_number(0, 1000), help="The largest J (default: the spec's own)."),
+]
+
+
+SpectrumFile = Annotated[
+    Path | None, typer.Option("--out", metavar="FILE.nc", help="Also write them as NetCDF, with units.")
 ]
 
 
 @app.command(cls=StrictCommand)
-def levels(file: MoleculeFile, json: AsJson = False, j_max: LargestJ = None) -> None:
+def levels(file: MoleculeFile, json: AsJson = False, j_max: LargestJ = None, out: SpectrumFile = None) -> None:
     """Print a molecule's rotational levels."""
     from polhode.cli.spectra import run_levels
 
-    run_levels(file, j_max, json)
+    run_levels(file, j_max, json, out)
 
 
 @app.command(cls=StrictCommand)
@@ -202,11 +207,12 @@ def lines(
         str | None,
         typer.Option("--dipole", metavar="D,D,D", help="Along a, b, c in debye, in place of the spec's."),
     ] = None,
+    out: SpectrumFile = None,
 ) -> None:
     """Print a molecule's rotational lines by frequency, with intensities."""
     from polhode.cli.spectra import LineOptions, run_lines
 
-    run_lines(file, LineOptions(j_max, temperature, lowest, highest, min_intensity, most, dipole), json)
+    run_lines(file, LineOptions(j_max, temperature, lowest, highest, min_intensity, most, dipole), json, out)
 
 
 @app.command(cls=StrictCommand)

@@ -11,8 +11,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from polhode.cli.destinations import check_spares
 from polhode.cli.render import as_json, print_report
 from polhode.errors import InvalidInput, shown
+from polhode.formats.rotor_dataset import write_spectrum
 from polhode.kinds.base import Spec
 from polhode.kinds.reading import read_spec_or_molecule
 from polhode.quantum.rotor import Rotor
@@ -36,19 +38,24 @@ class LineOptions(NamedTuple):
     dipole: str | None
 
 
-def run_levels(path: Path, j_max: int | None, json: bool) -> None:
+def run_levels(path: Path, j_max: int | None, json: bool, out: Path | None = None) -> None:
     """Print the levels of a molecule."""
+    _check_out(out, path)
     with told_of(path) as notes:
         spec = read_spec_or_molecule(path)
         rotor, _, usual = spec.kind.rotor(spec)
         last = usual if j_max is None else j_max
-        table = level_table(rotor.levels(last), last, last)
+        found = rotor.levels(last)
+        table = level_table(found, last, last)
+        if out is not None:
+            write_spectrum(out, levels=found, attributes=_attributes(spec, rotor))
     said = f"Constants {_constants(rotor)}; {len(table.rows)} levels to J = {last}."
-    _print(spec, said, table, {"constants": rotor.constants, "j_max": last}, notes, json)
+    _print(spec, said, table, {"constants": rotor.constants, "j_max": last}, notes, json, out)
 
 
-def run_lines(path: Path, options: LineOptions, json: bool) -> None:
+def run_lines(path: Path, options: LineOptions, json: bool, out: Path | None = None) -> None:
     """Print the strongest lines of a molecule within bounds, by frequency."""
+    _check_out(out, path)
     temperature = _read("--temperature", options.temperature, lambda text: parse_quantity(text, "K"))
     lowest = _read("--from", options.lowest, parse_spectroscopic)
     highest = _read("--to", options.highest, parse_spectroscopic)
@@ -74,13 +81,15 @@ def run_lines(path: Path, options: LineOptions, json: bool) -> None:
     inside = np.flatnonzero(within)
     strongest = inside[np.argsort(-found.intensity[inside], kind="stable")[: options.most]]
     chosen = Lines(*(column[np.sort(strongest)] for column in found))
+    if out is not None:
+        write_spectrum(out, lines=chosen, attributes=_attributes(spec, asked.rotor, asked.temperature))
     of_all = f"the {len(strongest)} strongest of {len(inside)}" if len(strongest) < len(inside) else f"{len(inside)}"
     said = f"{of_all} lines at {asked.temperature:g} K, to J = {asked.j_max}."
     told = {
         "constants": asked.rotor.constants, "temperature": asked.temperature, "j_max": asked.j_max,
         "partition_function": partition, "lines_within": len(inside),
     }  # fmt: skip
-    _print(spec, said[0].upper() + said[1:], line_table(chosen, ""), told, notes, json)
+    _print(spec, said[0].upper() + said[1:], line_table(chosen, ""), told, notes, json, out)
 
 
 def _asked(
@@ -111,13 +120,35 @@ def told_of(path: Path) -> Iterator[list[str]]:
     notes += dict.fromkeys(str(warning.message) for warning in caught)
 
 
-def _print(spec: Spec, said: str, table: Table, told: dict[str, object], notes: list[str], json: bool) -> None:
+def _check_out(out: Path | None, path: Path) -> None:
+    if out is not None:
+        check_spares(out, path)
+
+
+def _attributes(spec: Spec, rotor: Rotor, temperature: float | None = None) -> dict[str, object]:
+    """Return what a dataset says of the molecule: constants and dipole in SI units, and how distortion is meant."""
+    found: dict[str, object] = {"title": spec.name, "rotational_constants_hertz": np.array(rotor.constants)}
+    if rotor.dipole.any():
+        found["dipole_coulomb_metre"] = rotor.dipole
+    if temperature is not None:
+        found["temperature_kelvin"] = temperature
+    if rotor.reduction is not None and rotor.representation is not None:
+        found |= {"reduction": rotor.reduction.value, "representation": rotor.representation.name}
+        found |= {f"distortion_{name}_hertz": value for name, value in rotor.distortion.items()}
+    return found
+
+
+def _print(
+    spec: Spec, said: str, table: Table, told: dict[str, object], notes: list[str], json: bool, out: Path | None
+) -> None:
+    files = [] if out is None else [str(out)]
     if json:
         units = {"constants": "Hz", "temperature": "K", **units_of([table])}
         units = {name: unit for name, unit in units.items() if name.partition(".")[0] in {*told, table.name}}
-        print(as_json(plain({"name": spec.name, **told, **values_of([table]), "units": units, "notes": notes})))
+        last = {"units": units, "notes": notes, "files": files}
+        print(as_json(plain({"name": spec.name, **told, **values_of([table]), **last})))
     else:
-        print_report(spec.name, said, [table], notes, [])
+        print_report(spec.name, said, [table], notes, files)
 
 
 def _constants(rotor: Rotor) -> str:

@@ -13,3 +13,5 @@ from .sphere_figure import momentum_sphere as momentum_sphere
 from .style import save as save
 from .tilt_figure import top_motion as top_motion
 from .top_figure import spinning_top as spinning_top
+from .wigner_figure import level_wigner as level_wigner
+from .wigner_figure import racket_wigner as racket_wigner

@@ -41,7 +41,7 @@ class Chain(NamedTuple):
 
     Attributes:
         K: (n,).
-        energy: (n,) E/h [Hz], less a constant.
+        energy: (n,) E/h [Hz], less a constant, the same of both parts.
         vectors: (n, n) states by columns.
         weights: (n,) of these in the state at the start.
     """
@@ -151,6 +151,26 @@ class Racket:
             found += np.abs((phases * chain.weights) @ chain.vectors.T) ** 2 @ chain.K
         return found / self.J
 
+    @known_numbers_only
+    def states(self, times: Real[ArrayLike, "time"]) -> Complex128[Array, "time n"]:
+        """Return the state (T, 2J+1), as a spin whose x, y, z are c, a, b and whose symbols move as classical L does.
+
+        The components of L along the body obey the minus bracket, those of a spin the plus bracket: an H of squares
+        turns the spin the other way round, so that the spin's time counts back here.
+
+        Args:
+            times: (T,) [s] from the start.
+
+        Raises:
+            InvalidInput: for times that are not finite.
+        """
+        t = _checked_times(times)
+        found = np.zeros((len(t), 2 * self.J + 1), complex)
+        for chain in self._chains:
+            phases = np.exp(2j * math.pi * np.remainder(np.multiply.outer(t, chain.energy), 1.0))
+            found[:, np.round(self.J - chain.K).astype(int)] = (phases * chain.weights) @ chain.vectors.T
+        return found
+
     @property
     def half_time(self) -> float | None:
         """When ⟨L_b⟩ has fallen to J/2 for the first time [s]; None where it starts below, or turns back before."""
@@ -186,12 +206,14 @@ class Racket:
         terms = rigid_terms(self.constants, MIDDLE_IS_Z)
         a, b, c = self.direction
         start, found = coherent_state(self.J, (c, a, b)), []
+        # one constant for both chains, whose phases against each other move ⟨L_a⟩ and ⟨L_c⟩
+        middle = matrix_elements(terms, self.J, np.arange(self.J, -self.J - 1, -1.0), 0).mean()
         for first in (0, 1):
             psi = start[first::2]  # index 0 is K = J
             if np.abs(psi).max() > 0.0:
                 K = np.arange(self.J - first, -self.J - 1, -2.0)
                 diagonal = matrix_elements(terms, self.J, K, 0)
-                energy, vectors = _diagonalised(diagonal - diagonal.mean(), matrix_elements(terms, self.J, K[1:], 1))
+                energy, vectors = _diagonalised(diagonal - middle, matrix_elements(terms, self.J, K[1:], 1))
                 found.append(Chain(K, energy, vectors, vectors.T @ psi))
         return found
 

@@ -23,6 +23,7 @@ INTENSITY = 2.0 * math.pi**2 / (3.0 * constants.epsilon_0 * constants.h * consta
 EINSTEIN = 16.0 * math.pi**3 / (3.0 * constants.epsilon_0 * constants.h * constants.c**3)
 RULES = {"a": (0, 1), "b": (1, 1), "c": (1, 0)}
 """Change of K_a and K_c, even or odd, in lines of each component of the dipole."""
+ROUNDING = 16.0 * float(np.finfo(float).eps)  # of amplitudes and of energies
 
 
 class Lines(NamedTuple):
@@ -124,7 +125,10 @@ def lines_between(
     strength = strengths(low, high, dipole, representation)
     if J == above:
         strength = np.triu(strength)  # each pair once
-    i, k = np.nonzero(strength * (high.energy != low.energy[:, None]))
+    # of symmetric tops neither what is forbidden nor what is equal comes out as exactly zero
+    seen = strength > (2 * J + 1) * (ROUNDING**2 * np.dot(dipole, dipole))
+    apart = np.abs(high.energy - low.energy[:, None]) > ROUNDING * np.abs(high.energy).max()
+    i, k = np.nonzero(seen & apart)
     one = np.column_stack([np.full(len(i), J), low.Ka[i], low.Kc[i]])
     other = np.column_stack([np.full(len(k), above), high.Ka[k], high.Kc[k]])
     difference = high.energy[k] - low.energy[i]

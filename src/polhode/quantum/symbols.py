@@ -80,11 +80,22 @@ def symbol(
     n = unit_vectors("directions", directions)
     coefficients = symbol_coefficients(operator, kind)
     theta, phi = np.arctan2(np.hypot(n[..., 0], n[..., 1]), n[..., 2]), np.arctan2(n[..., 1], n[..., 0])
+    return summed(coefficients, theta, phi)
+
+
+def summed(coefficients: Array, colatitude: Array, azimuth: Array) -> Array:
+    """Return Σ c_kq Y_kq at angles that broadcast, those of a grid as (n, 1) and (1, m), which is quickest.
+
+    Args:
+        coefficients: of ``symbol_coefficients``.
+        colatitude, azimuth: [rad].
+    """
     count = len(coefficients)
-    total = np.zeros(theta.shape, complex)
-    for k in range(count):
-        for q in range(-k, k + 1):
-            value = coefficients[k, count - 1 + q]
-            if value:
-                total = total + value * sph_harm_y(k, q, theta, phi)
+    total = np.zeros(np.broadcast_shapes(colatitude.shape, azimuth.shape), complex)
+    for q in range(1 - count, count):
+        column = coefficients[:, count - 1 + q]
+        ks = np.flatnonzero(column)
+        if len(ks):
+            along = sum(column[k] * sph_harm_y(k, q, colatitude, 0.0) for k in ks)
+            total = total + along * np.exp(1j * q * azimuth)
     return total

@@ -249,10 +249,7 @@ Inertia = Annotated[tuple[InertiaRow, InertiaRow, InertiaRow], BeforeValidator(_
 RotationalConstant = Annotated[float, BeforeValidator(_rotational_constant)]
 RotationalConstants = Annotated[tuple[RotationalConstant, RotationalConstant, RotationalConstant], _three("1/m")]
 SpectroscopicConstant = Annotated[float, BeforeValidator(_spectroscopic)]
-RotorConstants = Annotated[
-    tuple[RotationalConstant] | tuple[RotationalConstant, RotationalConstant, RotationalConstant],
-    BeforeValidator(_constants),
-]
+RotorConstants = Annotated[tuple[RotationalConstant, ...], BeforeValidator(_constants)]  # one or three
 DipoleComponent = Annotated[float, _reader("C*m")]
 Dipole = Annotated[tuple[DipoleComponent, DipoleComponent, DipoleComponent], _three("C*m")]
 Temperature = Annotated[float, _reader("K", positive=True)]

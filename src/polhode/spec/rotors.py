@@ -19,6 +19,7 @@ from polhode.spec.models import BodyTable
 
 ROOM_TEMPERATURE = 300.0  # K
 RARE = 8.0  # E/kT of the lowest level of a J beyond which lines are weak
+MOST_LINES = 13_000_000  # of a list, which takes some gigabytes
 MOST_SUMMED_J = 600  # of a partition function, whose time grows as its cube: some seconds
 LARGEST = 1e20  # Hz and debye, beyond any molecule; intensities have cubes of frequencies
 FEWEST_J, MOST_J = 10, 60  # of the largest J where a spec does not say it; lines grow as its cube
@@ -78,7 +79,8 @@ def check_summable(asked: SpecRotor) -> None:
     Raises:
         InvalidInput: with what would do.
     """
-    rotor, temperature, _ = asked
+    rotor, temperature, j_max = asked
+    _check_countable(rotor, j_max)
     smallest = rotor.constants[2]
     largest = max(rotor.constants[1], 0.0 if rotor.is_linear else rotor.constants[0])
     largest = max(largest, *map(abs, rotor.distortion.values())) if rotor.distortion else largest
@@ -90,6 +92,19 @@ def check_summable(asked: SpecRotor) -> None:
         raise InvalidInput(
             f"at {temperature:g} K levels up to J = {most:.3g} count, and sums go to {MOST_SUMMED_J}. Give a lower "
             "temperature; a body so large or hot turns as a classical one."
+        )
+
+
+def _check_countable(rotor: Rotor, j_max: int) -> None:
+    """Refuse more lines than memory holds: J³/2 for each component of the dipole."""
+    components = 1 if rotor.is_linear else np.count_nonzero(rotor.dipole)
+    each = j_max if rotor.is_linear else 0.5 * j_max**3
+    if components * each > MOST_LINES:
+        highest = math.floor((2.0 * MOST_LINES / components) ** (1.0 / 3.0))
+        raise InvalidInput(
+            f"to J = {j_max} there are about {components * each / 1e6:.3g} million lines, and at most "
+            f"{MOST_LINES / 1e6:g} million are computed. Lower `j_max` to {highest}, or ask for levels alone, by "
+            "`polhode levels` or without a dipole."
         )
 
 

@@ -13,6 +13,7 @@ import numpy as np
 from scipy.stats import binomtest
 
 from polhode.errors import InvalidInput, shown
+from polhode.kinds.registry import find_kind
 from polhode.reports.answer import Answer, Group, Table, units_of, values_of
 from polhode.reports.base import plain
 from polhode.reports.wording import uncertain
@@ -97,7 +98,9 @@ class SweepReport:
     def summary(self) -> str:
         count, done = self.sweep.plan.design.count, self.status.get(DONE, 0)
         rest = ", ".join(f"{number:,} {word}" for word, number in self.status.items() if word != DONE)
-        return f"{done:,} of {count:,} samples have a motion" + (f"; {rest}." if rest else ".")
+        kind = find_kind(str(self.sweep.plan.tables.get("system", {}).get("kind", "")))
+        done_what = "have a motion" if kind is None or kind.has_motion else "are computed"
+        return f"{done:,} of {count:,} samples {done_what}" + (f"; {rest}." if rest else ".")
 
     @property
     def notes(self) -> list[str]:

@@ -21,7 +21,9 @@ class QuantumRotorKind(AbstractKind):
     table: ClassVar[type[SystemTable]] = QuantumRotorTable
     has_motion: ClassVar[bool] = False
     has_attitude: ClassVar[bool] = False
-    figure_names: ClassVar[tuple[str, ...]] = ("levels", "spectrum", "energy_surface", "momentum_sphere", "racket")
+    figure_names: ClassVar[tuple[str, ...]] = (
+        "levels", "spectrum", "energy_surface", "momentum_sphere", "racket", "wigner", "racket_wigner",
+    )  # fmt: skip
 
     def rules(self, tables: dict[str, Any]) -> Iterator[Mistake]:
         from polhode.kinds.quantum_rotor.rules import rotor_rules

@@ -5,6 +5,7 @@ from polhode.figures.level_diagram_figure import level_diagram
 from polhode.figures.quantum_sphere_figure import quantum_sphere
 from polhode.figures.racket_figure import racket_flip
 from polhode.figures.spectrum_figure import spectrum
+from polhode.figures.wigner_figure import LARGEST_J, level_wigner, racket_wigner
 
 FIGURES = {
     "levels": lambda report: level_diagram(report.rotor, report.J),
@@ -12,4 +13,8 @@ FIGURES = {
     "energy_surface": lambda report: None if report.polhodes is None else energy_surface(report.rotor, report.J),
     "momentum_sphere": lambda report: None if report.polhodes is None else quantum_sphere(report.rotor, report.J),
     "racket": lambda report: None if report.racket is None else racket_flip(report.racket),
-}
+    "wigner": lambda report: None if report.polhodes is None or report.J > LARGEST_J else level_wigner(
+        report.rotor, report.J),
+    "racket_wigner": lambda report: None if report.racket is None or report.J > LARGEST_J else racket_wigner(
+        report.racket),
+}  # fmt: skip

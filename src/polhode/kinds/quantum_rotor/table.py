@@ -20,6 +20,7 @@ from polhode.spec.models import Strict, SystemTable
 AXES = ("a", "b", "c")
 REPRESENTATIONS = ("Ir", "Il", "IIr", "IIl", "IIIr", "IIIl")
 WholeJ = Annotated[StrictInt, Field(ge=0, le=200)]
+LargestJ = Annotated[StrictInt, Field(ge=0, le=1000)]  # a million levels; lines are counted before they are computed
 
 
 class RacketTable(Strict):
@@ -59,6 +60,6 @@ class QuantumRotorTable(SystemTable):
     spin_weights: tuple[Plain, Plain] = (1.0, 1.0)
     spin_axis: Annotated[Literal["a", "b", "c"], one_of(*AXES)] = "b"
     temperature: Temperature = 300.0
-    j_max: WholeJ | None = None
+    j_max: LargestJ | None = None
     j: WholeJ = 10
     racket: RacketTable | None = None
