@@ -35,7 +35,7 @@ def reports(tmp_path_factory):
 def test_all_are_there(reports):
     free = "t_handle t_handle_parts book smartphone water steam earth apophis spacecraft cubesat"
     others = {"top", "precessing_top", "gyroscope", "explorer_1", "dual_spin", "hyperion", "euler_disk",
-              "jupiter_cyclones", "sphere_turbulence", "two_stream", "skyrmions", "water_spectrum",
+              "jupiter_cyclones", "sphere_turbulence", "joint_instability", "two_stream", "skyrmions", "water_spectrum",
               "sulfur_dioxide", "formaldehyde", "quantum_racket"}  # fmt: skip
     assert set(reports) == set(free.split()) | others
 

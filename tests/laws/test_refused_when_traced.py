@@ -100,6 +100,7 @@ REFUSED = {
     "PlaneVortices": (THREE, systems.PlaneVortices),
     "vortex_turn": (VORTICES.ring(1.0), lambda x: analysis.vortex_turn(VORTICES, x)),
     "vortex_stability": (VORTICES.ring(1.0), lambda x: analysis.vortex_stability(VORTICES, x)),
+    "zonal_growth": (np.zeros((4, 4)), lambda x: analysis.zonal_growth(systems.SphereFluid(4), x, 1)),
     "ring_exponents": (1.0, lambda x: analysis.ring_exponents(5, x)),
     "polygon_exponents": (1.0, lambda x: analysis.polygon_exponents(5, x)),
     "VlasovPoisson": (1.0, lambda x: systems.VlasovPoisson(x, 1, 4)),

@@ -191,3 +191,5 @@ from .vortex_equilibria import polygon_exponents as polygon_exponents
 from .vortex_equilibria import ring_exponents as ring_exponents
 from .vortex_equilibria import vortex_stability as vortex_stability
 from .vortex_equilibria import vortex_turn as vortex_turn
+from .zonal_growth import ZonalGrowth as ZonalGrowth
+from .zonal_growth import zonal_growth as zonal_growth

@@ -47,7 +47,7 @@ def zonal_growth(system: SphereFluid | SphereMHD, state: Real[ArrayLike, "..."],
     >>> fluid = SphereFluid(16)
     >>> jet = fluid.from_harmonics({(3, 0): math.sqrt(4.0 * math.pi)})           # √7 P₃ of the sine of latitude
     >>> round(zonal_growth(fluid, jet, 2).rate, 3)
-    0.256
+    0.261
 
     Source: Baines, J. Fluid Mech. 73 (1976) 193; Gilman & Fox, Astrophys. J. 484 (1997) 439.
     """

@@ -95,6 +95,9 @@ class SphereMHD(AbstractLiePoissonSystem):
         of_fluid = self.fluid.extra_invariants
         return {name: lambda point, f=f: f(jnp.asarray(point)[..., 1, :, :]) for name, f in of_fluid.items()}
 
+    def invariant_sizes(self, state: Pairs) -> dict[str, Float64[Array, "*batch"]]:
+        return self.fluid.invariant_sizes(jnp.asarray(state)[..., 1, :, :])
+
     # ------------------------------------------------------------------ starts, and what a state looks like
 
     @known_numbers_only
