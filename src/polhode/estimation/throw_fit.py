@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from scipy.optimize import least_squares, minimize_scalar
@@ -206,7 +207,7 @@ def noise_of(residuals: Array, fast: Array, lost: float, latest: float) -> tuple
 
     # ratios of the clock's part to the gyro's, from nothing to a thousand times
     typical = max(float(np.median(size2)), 1e-300)
-    found = minimize_scalar(lambda v: parts(np.exp(v) / typical)[1], bounds=(-9.0, 7.0), method="bounded")
+    found: Any = minimize_scalar(lambda v: parts(np.exp(v) / typical)[1], bounds=(-9.0, 7.0), method="bounded")
     ratio = float(np.exp(found.x) / typical) if found.fun < parts(0.0)[1] else 0.0
     variance, cost = parts(ratio)
     sigma = float(np.sqrt(variance * count / max(count - lost, 1.0)))
