@@ -147,6 +147,21 @@ def test_strong_damping_peaks_as_published():
     np.testing.assert_allclose(np.log(amplitudes[peaks]), [-0.813, -1.425], atol=0.02)
 
 
+@pytest.mark.sweep
+def test_a_strong_wave_decays_grows_and_leaves_a_plateau():
+    """Cheng & Knorr, J. Comput. Phys. 22 (1976) 330: −0.281 and 0.084; others have −0.29 for the first."""
+    system, times = VlasovPoisson(4.0 * np.pi, 4, 128 * 64), np.arange(0.0, 60.05, 0.1)
+    motion = first_field(system, quiet_start(system, maxwellian, 128, 0.5, fastest=7.0), times, 0.1)[1]
+    field = np.asarray(system.field_amplitudes(motion))[:, 0]
+    peaks = np.flatnonzero((field[1:-1] > field[:-2]) & (field[1:-1] > field[2:])) + 1
+    rising = peaks[(times[peaks] > 20.0) & (times[peaks] < 40.0)]
+    decay, growth = (np.polyfit(times[i], np.log(field[i]), 1)[0] for i in (peaks[:2], rising))
+    assert decay == pytest.approx(-0.281, abs=0.015) and growth == pytest.approx(0.084, abs=0.006)
+    states = np.asarray(motion)[400:]
+    near, far = (np.mean(1.0 / states[..., 2] * (np.abs(np.abs(states[..., 0]) - v) < 0.15)) for v in (2.5, 3.2))
+    assert near / far < 2.0 < 5.0 < maxwellian(2.5) / maxwellian(3.2)
+
+
 class Attracted(VlasovPoisson):
     def velocity(self, point):
         return super().velocity(point) * jnp.array([1.0, -1.0, 1.0])
