@@ -6,6 +6,7 @@ import { newPanel } from "./stage.js";
 
 const ENDS = [[33, 102, 172], [178, 24, 43]]; // of the colours, blue for negative and red for positive
 const MIDDLE = 247;
+const FINER = 6; // pixels a point of the map, along each side, where lines are drawn
 
 function palette() {
   const colors = new Uint8Array(4 * 256);
@@ -18,15 +19,44 @@ function palette() {
   return colors;
 }
 
-/** Return a panel of maps: `levels` of frames, and where given `lines`, bands of another function whose borders show. */
+/** Return a function that fills `found`, `scale` times as fine as a map, between its points; the map closes eastward. */
+function refining(rows, columns, scale) {
+  const wide = columns * scale;
+  const places = (count, length, closes) =>
+    Array.from({ length: count }, (_, j) => {
+      const at = (j + 0.5) / scale - 0.5;
+      const low = Math.floor(at);
+      const within = (k) => (closes ? (k + length) % length : Math.min(Math.max(k, 0), length - 1));
+      return [within(low), within(low + 1), at - low];
+    });
+  const across = places(wide, columns, true);
+  const up = places(rows * scale, rows, false);
+  return (map, start, found) => {
+    up.forEach(([below, above, high], i) => {
+      const first = start + below * columns;
+      const second = start + above * columns;
+      for (let j = 0; j < wide; j++) {
+        const [left, right, far] = across[j];
+        const lower = map[first + left] + far * (map[first + right] - map[first + left]);
+        const upper = map[second + left] + far * (map[second + right] - map[second + left]);
+        found[i * wide + j] = lower + high * (upper - lower);
+      }
+    });
+  };
+}
+
+/** Return a panel of maps: `levels` of frames, and where given `lines` of another function, drawn between its `bands`. */
 export function mapGlobe(data, theme, { title, words, legend }) {
-  const { rows, columns } = data;
+  const scale = data.lines ? FINER : 1;
+  const [rows, columns] = [data.rows * scale, data.columns * scale];
   const levels = unpacked(data.levels);
   const lines = data.lines ? unpacked(data.lines) : null;
   const frames = unpacked(data.frames);
-  const size = rows * columns;
+  const [own, size] = [data.rows * data.columns, rows * columns];
+  const refined = refining(data.rows, data.columns, scale);
   const colors = palette();
   const pixels = new Uint8Array(4 * size);
+  const [before, after] = [new Float32Array(size), new Float32Array(size)];
   const texture = new DataTexture(pixels, columns, rows);
   texture.magFilter = texture.minFilter = LinearFilter;
   texture.colorSpace = "srgb";
@@ -40,11 +70,18 @@ export function mapGlobe(data, theme, { title, words, legend }) {
     { color: `rgb(${ENDS[1].join(", ")})`, text: legend[1] },
     { color: `rgb(${ENDS[0].join(", ")})`, text: legend[0] },
   ];
-  const darken = (start) => {
+  const blend = (map, k, next, part) => {
+    refined(map, own * k, before);
+    if (part === 0) return;
+    refined(map, own * next, after);
+    for (let j = 0; j < size; j++) before[j] += part * (after[j] - before[j]);
+  };
+  const darken = () => {
+    const band = (j) => Math.floor((before[j] / 256) * data.bands);
     for (let j = 0; j < size; j++) {
       const right = j % columns === columns - 1 ? j + 1 - columns : j + 1;
       const above = j + columns < size ? j + columns : j;
-      if (lines[start + j] === lines[start + right] && lines[start + j] === lines[start + above]) continue;
+      if (band(j) === band(right) && band(j) === band(above)) continue;
       for (let i = 0; i < 3; i++) pixels[4 * j + i] *= 0.35;
     }
   };
@@ -56,11 +93,15 @@ export function mapGlobe(data, theme, { title, words, legend }) {
     while (k < frames.length - 2 && frames[k + 1] <= now.position) k++;
     const next = Math.min(k + 1, frames.length - 1);
     const part = next > k ? Math.min(1, (now.position - frames[k]) / (frames[next] - frames[k])) : 0;
+    blend(levels, k, next, part);
     for (let j = 0; j < size; j++) {
-      const level = Math.round((1 - part) * levels[size * k + j] + part * levels[size * next + j]);
+      const level = Math.round(before[j]);
       pixels.set(colors.subarray(4 * level, 4 * level + 4), 4 * j);
     }
-    if (lines) darken(size * (part < 0.5 ? k : next));
+    if (lines) {
+      blend(lines, k, next, part);
+      darken();
+    }
     texture.needsUpdate = true;
   };
   panel.probe = () => ({ shown: drawn, pixels: [...pixels.subarray(0, 16)] });

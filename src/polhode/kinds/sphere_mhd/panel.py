@@ -31,8 +31,9 @@ def panels_of(trajectory: Trajectory, samples: Samples, surface: Surface | None)
     potential, vorticity = np.moveaxis(np.asarray(system.on_grid(states, theta, phi)), 1, 0)
     current = np.asarray(system.fluid.on_grid(system.current(states) + system.fluid.planetary, theta, phi))
     reach = float(np.abs(potential).max()) or 1.0
-    bands = np.clip(np.floor((0.5 + 0.5 * potential / reach) * BANDS), 0, BANDS - 1)
-    common = {"rows": rows, "columns": 2 * rows, "frames": packed(frames, "u4"), "lines": packed(bands, "u1")}
+    lines = np.round(127.5 + 127.5 * potential / reach)
+    common = {"rows": rows, "columns": 2 * rows, "frames": packed(frames, "u4"), "lines": packed(lines, "u1"),
+              "bands": BANDS}  # fmt: skip
     return [{"type": f"magnetic_{name}", **common, **_levels(field)}
             for name, field in (("vorticity", vorticity), ("current", current))]  # fmt: skip
 
