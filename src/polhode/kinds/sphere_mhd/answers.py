@@ -119,6 +119,8 @@ class MagneticReport(AbstractMotionReport):
         if self.table.alfven_wave is not None:
             speed = wave_speed(self.system, self.table.alfven_wave)
             return f"The wave keeps its form and goes round at {speed:.9g} rad/s, at any height."
+        if not magnetic:
+            return "There is no magnetic field, and none arises; the fluid moves as one that does not conduct."
         moved = "gained energy from the flow" if field > magnetic + 0.01 * whole else (
             "lost energy to the flow" if field < magnetic - 0.01 * whole else "kept its energy")  # fmt: skip
         return (
