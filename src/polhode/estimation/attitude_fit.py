@@ -175,10 +175,10 @@ class _System:
         J[:, :, 8:11] = A @ np.swapaxes(since.as_matrix(), 1, 2) @ right_jacobian(x[8:11])
         self.at, self.J = x.copy(), -J.reshape(-1, 11)
 
-    def residuals(self, x: Array) -> Array:
+    def residuals(self, x: Array) -> Float64[Array, "m"]:
         self._evaluate(x)
         return self.r
 
-    def jacobian(self, x: Array) -> Array:
+    def jacobian(self, x: Array) -> Float64[Array, "m 11"]:
         self._evaluate(x)
         return self.J

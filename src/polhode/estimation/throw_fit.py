@@ -10,7 +10,7 @@ from scipy.optimize import least_squares, minimize_scalar
 from scipy.spatial.transform import Rotation
 
 from polhode.estimation.throw_models import dragged_rates, free_rates, moments_of
-from polhode.types import Array, Float64
+from polhode.types import Array, Float64, Integer
 
 ROBUST = 3.0  # standard deviations, beyond which residuals count linearly (Huber)
 LIMITS = {"shape": ([-1.0, 0.0], [1.0, 2.0]), "drag": ([-0.2] * 3, [1.0] * 3), "gain": ([0.7] * 3, [1.3] * 3)}
@@ -68,7 +68,7 @@ class Model:
         """What the model adds to the free motion with a bias."""
         return " and ".join([*["drag"] * self.drag, *["gain"] * self.gain]) or "neither"
 
-    def known_before(self) -> tuple[Array, Array, Array]:
+    def known_before(self) -> tuple[Integer[Array, "k"], Float64[Array, "k"], Float64[Array, "k"]]:
         """Return which parameters are known beforehand, their means and standard deviations.
 
         Bias and drag are known so loosely that no good log feels it; it keeps the iteration out of the long valleys
@@ -81,7 +81,7 @@ class Model:
         means = np.repeat([float(name == "gain") for name in names], 3)
         return which, means, np.repeat([spreads[name] for name in names], 3)
 
-    def limits(self) -> tuple[Array, Array]:
+    def limits(self) -> tuple[Float64[Array, "p"], Float64[Array, "p"]]:
         """Return the bounds of the parameters."""
         pairs = [LIMITS.get(name, UNLIMITED) for name in self.places]
         low, high = (np.concatenate([pair[k] for pair in pairs]) for k in (0, 1))
@@ -121,13 +121,13 @@ class Solution:
     converged: bool
 
 
-def cross_matrix(v: Array) -> Array:
+def cross_matrix(v: Array) -> Float64[Array, "3 3"]:
     """Return hat(v), hat(v) x = v × x."""
     x, y, z = v
     return np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
 
 
-def right_jacobian(turn: Array) -> Array:
+def right_jacobian(turn: Array) -> Float64[Array, "3 3"]:
     """Return M with exp(turn + δ) = exp(turn) exp(M δ)."""
     size = float(np.linalg.norm(turn))
     hat = cross_matrix(turn)
@@ -136,7 +136,9 @@ def right_jacobian(turn: Array) -> Array:
     return np.eye(3) - (1 - np.cos(size)) / size**2 * hat + (size - np.sin(size)) / size**3 * hat @ hat
 
 
-def predicted(model: Model, x: Array, axes0: Array, throws: list[Throw]) -> tuple[Array, Array, Array]:
+def predicted(
+    model: Model, x: Array, axes0: Array, throws: list[Throw]
+) -> tuple[Float64[Array, "n 3"], Float64[Array, "n 3 p"], Float64[Array, "n 3"]]:
     """Return rates (n, 3), their derivatives (n, 3, p), and the device's angular acceleration (n, 3).
 
     Args:
@@ -176,7 +178,7 @@ def predicted(model: Model, x: Array, axes0: Array, throws: list[Throw]) -> tupl
     return np.concatenate(values), np.concatenate(slopes), np.concatenate(fast)
 
 
-def whitening(fast: Array, sigma: float, jitter: float) -> Array:
+def whitening(fast: Array, sigma: float, jitter: float) -> Float64[Array, "n 3 3"]:
     """Return Σ^(−1/2) (n, 3, 3) of Σ = σ² + τ² ω̇ ω̇ᵀ: a clock's error shows along the acceleration."""
     size = np.linalg.norm(fast, axis=1)
     u = fast / np.maximum(size, 1e-300)[:, None]
@@ -286,7 +288,7 @@ def _descended(
     return x, noise, cost, False
 
 
-def covariance_of(J: Array) -> Array:
+def covariance_of(J: Array) -> Float64[Array, "p p"]:
     """Return (JᵀJ)⁻¹, very large along directions that nothing determines."""
     scale = np.linalg.norm(J, axis=0)
     scale = np.where(scale > 0, scale, 1.0)
@@ -319,16 +321,16 @@ class _System:
         K = np.concatenate([K, np.eye(model.size)[which] / spreads[:, None]])
         self.at, self.r, self.K = x.copy(), np.nan_to_num(r, nan=1e6), np.nan_to_num(K)
 
-    def loss(self, z: Array) -> Array:
+    def loss(self, z: Array) -> Float64[Array, "3 m"]:
         """Return Huber's function of the squares and its two derivatives, but squares for what is known beforehand."""
         far = (z > 1.0) & (np.arange(len(z)) < self.data.size)
         root = np.sqrt(np.where(far, z, 1.0))
         return np.stack([np.where(far, 2 * root - 1, z), 1 / root, np.where(far, -0.5 / root**3, 0.0)])
 
-    def residuals(self, x: Array) -> Array:
+    def residuals(self, x: Array) -> Float64[Array, "m"]:
         self._evaluate(x)
         return self.r
 
-    def jacobian(self, x: Array) -> Array:
+    def jacobian(self, x: Array) -> Float64[Array, "m p"]:
         self._evaluate(x)
         return self.K

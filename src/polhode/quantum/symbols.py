@@ -83,7 +83,7 @@ def symbol(
     return summed(coefficients, theta, phi)
 
 
-def summed(coefficients: Array, colatitude: Array, azimuth: Array) -> Array:
+def summed(coefficients: Array, colatitude: Array, azimuth: Array) -> Complex128[Array, "..."]:
     """Return Σ c_kq Y_kq at angles that broadcast, those of a grid as (n, 1) and (1, m), which is quickest.
 
     Args:
