@@ -117,7 +117,7 @@ NO_ARRAYS = {
     "SpinMotion.predictable_time", "SpinMotion.regular_exponent", "DiskPath.part",
     "Lattice.positions",
     "GyroLog", "estimation.flight.free_flights", "estimation.flight.Window", "FittedThrow", "ModelScore", "ThrowFit",
-    "AttitudeFit",
+    "AttitudeFit", "Tumbling", "TumblingInterval",
     "disk_turns.first_turns", "disk_turns.last_turns", "disk_turns.filled_to_its_end",
 }  # fmt: skip
 """Functions of objects, words and whole numbers, and records of known answers."""

@@ -59,6 +59,7 @@ LEFT_OUT = {
     "from_harmonics": "refuses traced numbers, see test_refused_when_traced",
     "random": "refuses traced numbers, see test_refused_when_traced",
     "on_grid": "refuses traced numbers, see test_refused_when_traced",
+    "zonal_velocity": "refuses traced numbers, see test_refused_when_traced",
     "vortex": "refuses traced numbers, see test_refused_when_traced",
     "SphereFluid.cost": "takes whole numbers, and is tested in tests/systems/test_sphere_fluid.py",
     "layout": "says what numbers mean, and returns none",
@@ -112,6 +113,8 @@ def arguments(system, method):
         values["rate"] = RNG.normal(size=(3, 3) if system is SLUG else 3)
     if isinstance(system, AbstractLiePoissonSystem):
         values["point"] = points(system)
+    flat = isinstance(system, systems.PlaneVortices)
+    values["places"] = 3.0 + RNG.normal(size=(3, 2)) if flat else unit(RNG.normal(size=(3, 3)))
     names = list(inspect.signature(method).parameters)
     if method.__name__ == "pack":  # angular velocity or momentum; mounts at rest
         names = [name for name in names if name not in ("momentum", "rates", "actuators")]

@@ -43,6 +43,10 @@ from .gyrostat_rotations import steady_rotations as steady_rotations
 from .gyrostat_rotations import symmetric_rates as symmetric_rates
 from .hysteresis import HysteresisLoop as HysteresisLoop
 from .hysteresis import hysteresis_loop as hysteresis_loop
+from .light_curves import LightCurveLines as LightCurveLines
+from .light_curves import ellipsoid_brightness as ellipsoid_brightness
+from .light_curves import light_curve as light_curve
+from .light_curves import light_curve_lines as light_curve_lines
 from .manakov_rotations import plane_rotation_exponents as plane_rotation_exponents
 from .mechanics import Mechanics as Mechanics
 from .mechanics import invariants_along as invariants_along
@@ -186,6 +190,8 @@ from .top_rests import TopRests as TopRests
 from .top_rests import top_stability as top_stability
 from .top_start import steady_precession_at as steady_precession_at
 from .top_start import top_velocity as top_velocity
+from .tumblers import equivalent_ellipsoid as equivalent_ellipsoid
+from .tumblers import internal_damping_time as internal_damping_time
 from .twist import racket_twist as racket_twist
 from .vortex_equilibria import polygon_exponents as polygon_exponents
 from .vortex_equilibria import ring_exponents as ring_exponents

@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 from polhode.cli import fit_options as options
+from polhode.cli import tumble_options as tumbling
 from polhode.cli.arguments import StrictCommand, whole_number
 
 app = typer.Typer(
@@ -383,3 +384,37 @@ def sweep(
     from polhode.cli.sweep import SweepOptions, run_sweep
 
     run_sweep(spec, SweepOptions(out, workers, scheduler, dry_run, json, no_figures))
+
+
+@app.command(cls=StrictCommand)
+def tumble(
+    body: tumbling.Body = None,
+    precession: tumbling.Precession = None,
+    rotation: tumbling.Rotation = None,
+    moments: tumbling.Moments = None,
+    semi_axes: tumbling.SemiAxes = None,
+    axis: tumbling.Axis = None,
+    mode: tumbling.Mode = None,
+    diameter: tumbling.Diameter = None,
+    density: tumbling.Density = None,
+    rigidity: tumbling.Rigidity = None,
+    shape_factor: tumbling.ShapeFactor = None,
+    aspect: tumbling.Aspect = None,
+    phase: tumbling.Phase = None,
+    figures: tumbling.Figures = None,
+    out: tumbling.Out = None,
+    list_bodies: tumbling.ListBodies = False,
+    json: AsJson = False,
+) -> None:
+    """Tell how an asteroid tumbles, from its two periods and the ratios of its moments of inertia.
+
+    Energy, mode and tilt, what the moments admit, the time of damping, and the light curve of an ellipsoid with the
+    frequencies of which it is made.
+    """
+    from polhode.cli.tumble import TumbleOptions, run_list, run_tumble
+
+    if list_bodies:
+        run_list(json)
+        return
+    run_tumble(body, TumbleOptions(precession, rotation, moments, semi_axes, axis, mode, diameter, density, rigidity,
+                                   shape_factor, aspect, phase, figures, out), json)  # fmt: skip

@@ -11,3 +11,7 @@ from .throw import FittedThrow as FittedThrow
 from .throw import ModelScore as ModelScore
 from .throw import ThrowFit as ThrowFit
 from .throw import fit_throw as fit_throw
+from .tumbling import Tumbling as Tumbling
+from .tumbling import TumblingInterval as TumblingInterval
+from .tumbling import fit_tumbling as fit_tumbling
+from .tumbling import least_period_ratios as least_period_ratios

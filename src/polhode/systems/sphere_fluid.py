@@ -214,6 +214,7 @@ class SphereFluid(AbstractLiePoissonSystem):
         products = (jnp.conj(stream) * changes).real
         return -products[..., 0] - 2.0 * jnp.sum(products[..., 1:], axis=-1)
 
+    @known_numbers_only
     def zonal_velocity(
         self, state: Matrices, colatitude: Real[ArrayLike, "rows"]
     ) -> Float64[Array, "*batch rows"]:

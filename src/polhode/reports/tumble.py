@@ -1,0 +1,209 @@
+"""What two periods say of a tumbling body, as answers."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from polhode.analysis.light_curves import LightCurveLines
+from polhode.estimation.tumbling import Tumbling
+from polhode.reports.answer import Answer, Group, Table
+from polhode.reports.wording import angle, duration, in_its_unit, uncertain
+from polhode.types import Array, Float64
+
+CALM = {"short-axis": 3, "long-axis": 1}
+WORDS = {"short-axis": "short-axis mode (SAM)", "long-axis": "long-axis mode (LAM)"}
+
+
+class Damping(NamedTuple):
+    """Time of damping [s], and what was assumed: diameter [m], density [kg/m³], μQ [Pa], K₃²."""
+
+    time: float
+    diameter: float
+    density: float
+    rigidity: float
+    shape_factor: float
+
+
+class LightCurve(NamedTuple):
+    """A synthetic light curve: semi-axes over the longest, geometry [rad], its frequencies, and its range [mag]."""
+
+    semi_axes: Float64[Array, "3"]
+    aspect: float
+    phase: float
+    lines: LightCurveLines
+    times: Float64[Array, "time"]
+    magnitudes: Float64[Array, "time"]
+
+
+class Tumbler(NamedTuple):
+    """All that the command says."""
+
+    name: str
+    source: str
+    motion: Tumbling
+    others: tuple[Tumbling, ...]
+    limits: tuple[float, float]
+    light: LightCurve | None
+    damping: Damping | None
+
+
+def tumble_summary(found: Tumbler) -> str:
+    """Return the answer in a sentence."""
+    motion = found.motion
+    low, high = (f"{np.degrees(x):.4g}°" for x in motion.tilts)
+    mode = WORDS[motion.mode]
+    return (
+        f"{mode[0].upper()}{mode[1:]}: the energy is {_energy(motion)} times the least for "
+        f"this angular momentum, and axis {CALM[motion.mode]} is tilted against L by {low} to {high}."
+    )
+
+
+def tumble_notes(found: Tumbler) -> list[str]:
+    """Return what a reader should know beside the numbers."""
+    notes = []
+    if found.others:
+        notes.append(f"the {WORDS[found.others[0].mode]} has the same periods; a light curve or an image must tell "
+                     f"which it is. --mode {found.others[0].mode} takes the other.")  # fmt: skip
+    interval = found.motion.interval
+    if interval is not None and interval.admissible < 0.975:
+        notes.append(f"only {100 * interval.admissible:.0f} % of the periods and moments within the errors have a "
+                     "motion in this mode; the intervals are of those.")  # fmt: skip
+    if found.light is None:
+        notes.append("I1 + I2 = I3: the body is flat, and there is no ellipsoid to draw a light curve of.")
+    return notes
+
+
+def tumble_groups(found: Tumbler) -> list[Group | Table]:
+    """Return what is said, by groups."""
+    return [_state(found.motion), _periods(found.motion), _body(found), *_damping(found.damping),
+            *_others(found.others), *_light(found)]  # fmt: skip
+
+
+def _energy(motion: Tumbling) -> str:
+    error = None if motion.interval is None else float(motion.interval.estimate.standard_error[0])
+    return uncertain(motion.energy_ratio, error) if error else f"{motion.energy_ratio:.7g}"
+
+
+def _state(motion: Tumbling) -> Group:
+    axis = CALM[motion.mode]
+    interval = motion.interval
+    error = None if interval is None else interval.estimate.standard_error.tolist()
+    calm = 2 * np.pi / motion.momentum_rate
+    answers = [
+        Answer("mode", motion.mode, "", "mode", "", f"{WORDS[motion.mode]}, the polhode runs round axis {axis}"),
+        Answer("energy_ratio", motion.energy_ratio, "", "energy over the least", "E/E0, E0 = L²/2I3", _energy(motion)),
+        Answer("cone_angle", motion.cone_angle, "rad", f"tilt of axis {axis} where L₂ = 0", "against L",
+               _degrees(motion.cone_angle, None if error is None else error[1])),
+        Answer("tilt", list(motion.tilts), "rad", f"tilt of axis {axis}", "least and greatest, against L",
+               f"{np.degrees(motion.tilts[0]):.6g}° to {np.degrees(motion.tilts[1]):.6g}°"),
+        Answer("momentum_rate", motion.momentum_rate, "rad/s", "L/I3", "the spin after all free energy has gone",
+               f"{motion.momentum_rate:.6g} rad/s: one turn in {in_its_unit(calm)} when the body has calmed down"),
+    ]  # fmt: skip
+    if interval is not None and error is not None:
+        for k, name in enumerate(("energy_ratio", "cone_angle", "momentum_rate")):
+            spread = {"standard_error": error[k], "interval": [interval.low[k], interval.high[k]]}
+            answers.append(Answer(f"errors.{name}", spread, "", "", "interval of 95 %"))
+        low, high = interval.low[0], interval.high[0]
+        answers.append(Answer("", None, "", "95 % of the energy ratio", "", f"{low:.6g} to {high:.6g}"))
+        answers.append(Answer("admissible", interval.admissible, "", "",
+                              "share of the draws within the errors that have a motion in this mode"))  # fmt: skip
+    return Group("State", answers)
+
+
+def _degrees(value: float, error: float | None) -> str | None:
+    return angle(value) if not error else f"{uncertain(np.degrees(value), np.degrees(error))}°"
+
+
+def _periods(motion: Tumbling) -> Group:
+    named = {
+        "precession": (motion.precession, "P_φ, the encircled axis about L"),
+        "rotation": (motion.rotation, "P_ψ, along the body's axes"),
+        "long_axis": (motion.long_axis, "the long axis about L"),
+        "short_axis": (motion.short_axis, "the short axis about L"),
+    }
+    return Group("Mean periods", [
+        Answer(f"periods.{name}", value, "s", words, "", duration(value)) for name, (value, words) in named.items()
+    ])  # fmt: skip
+
+
+def _body(found: Tumbler) -> Group:
+    motion = found.motion
+    short, long = found.limits
+    ratio = motion.rotation / motion.precession
+    axes = None if found.light is None else found.light.semi_axes.tolist()
+    said = [f"{limit:.4g} ({name})" for limit, name in ((short, "SAM"), (long, "LAM")) if np.isfinite(limit)]
+    return Group("Body", [
+        Answer("moments", motion.moments.tolist(), "", "I1, I2, I3 over I3", "over I3",
+               ", ".join(f"{x:.6g}" for x in motion.moments)),
+        Answer("semi_axes", axes, "", "equivalent ellipsoid a : b : c", "over a, of the uniform ellipsoid",
+               None if axes is None else " : ".join(f"{x:.4g}" for x in axes)),
+        Answer("period_ratio", ratio, "", "P_ψ/P_φ", "", f"{ratio:.5g}; possible: above {', '.join(said)}"),
+        Answer("least_period_ratios", {"short-axis": _or_none(short), "long-axis": _or_none(long)}),
+        Answer("source", found.source or None, "", "source"),
+    ])  # fmt: skip
+
+
+def _damping(damping: Damping | None) -> list[Group]:
+    if damping is None:
+        return []
+    assumed = (f"D = {damping.diameter:.4g} m, ρ = {damping.density:.4g} kg/m³, μQ = {damping.rigidity:.3g} Pa, "
+               f"K₃² = {damping.shape_factor:.3g}")  # fmt: skip
+    return [Group("Internal friction", [
+        Answer("damping_time", damping.time, "s", "time of damping", "μQ/(ρ K₃² R² ω³), Burns & Safronov 1973",
+               f"{duration(damping.time)}, within a factor of ten or so"),
+        Answer("", None, "", "with", "", assumed),
+        Answer("damping.diameter", damping.diameter, "m"), Answer("damping.density", damping.density, "kg/m³"),
+        Answer("damping.rigidity", damping.rigidity, "Pa"), Answer("damping.shape_factor", damping.shape_factor),
+    ])]  # fmt: skip
+
+
+def _others(others: tuple[Tumbling, ...]) -> list[Table]:
+    rows = [{"mode": other.mode, "energy_ratio": other.energy_ratio, "cone_angle": other.cone_angle,
+             "tilt": list(other.tilts), "momentum_rate": other.momentum_rate} for other in others]  # fmt: skip
+    return [Table("others", "Other motions with these periods", {
+        "mode": lambda row: WORDS[row["mode"]],
+        "E/E0": lambda row: f"{row['energy_ratio']:.6g}",
+        "tilt of the encircled axis": lambda row: " to ".join(f"{np.degrees(x):.4g}°" for x in row["tilt"]),
+    }, rows, {"cone_angle": "rad", "tilt": "rad", "momentum_rate": "rad/s"})]  # fmt: skip
+
+
+def _light(found: Tumbler) -> list[Group | Table]:
+    light = found.light
+    if light is None:
+        return [Group("Light curve", [Answer("light_curve", None)])]
+    spread = float(np.ptp(light.magnitudes))
+    columns = zip(*(column.tolist() for column in light.lines), strict=True)
+    rows = [{"precession_order": m, "rotation_order": n, "frequency": f, "amplitude": a} for m, n, f, a in columns]
+    return [
+        Group("Light curve of the ellipsoid", [
+            Answer("aspect", light.aspect, "rad", "angle between L and the observer", "",
+                   f"{np.degrees(light.aspect):.6g}°"),
+            Answer("phase", light.phase, "rad", "phase angle", "", f"{np.degrees(light.phase):.6g}°"),
+            Answer("range", spread, "mag", "range", "", f"{spread:.3g} mag, by the law of Lommel and Seeliger"),
+        ]),
+        Table("frequencies", "Frequencies, strongest first", {
+            "frequency": lambda row: order_words(row["precession_order"], row["rotation_order"]),
+            "period": lambda row: duration(1.0 / row["frequency"]) or "–",
+            "amplitude": lambda row: f"{row['amplitude']:.4f} mag",
+        }, rows, {"frequency": "1/s", "amplitude": "mag"}),
+    ]  # fmt: skip
+
+
+def order_words(m: int, n: int) -> str:
+    """Return a frequency as a sum of the two.
+
+    >>> order_words(2, -2), order_words(1, 0), order_words(0, 2), order_words(-1, 3)
+    ('2/P_φ − 2/P_ψ', '1/P_φ', '2/P_ψ', '3/P_ψ − 1/P_φ')
+    """
+    parts = [(m, "P_φ"), (n, "P_ψ")]
+    if m < 0:
+        parts.reverse()
+    parts = [(k, name) for k, name in parts if k]
+    words = f"{'−' if parts[0][0] < 0 else ''}{abs(parts[0][0])}/{parts[0][1]}"
+    return words + "".join(f" {'−' if k < 0 else '+'} {abs(k)}/{name}" for k, name in parts[1:])
+
+
+def _or_none(value: float) -> float | None:
+    return value if np.isfinite(value) else None
