@@ -47,6 +47,7 @@ CHAIN = systems.SpinLattice(systems.Lattice([[1.0]], shape=(4,)), bonds=[systems
 SPINS = np.ones((12, 4, 1, 1, 1, 3))
 DAMPED_SPIN = systems.SpinLattice(systems.Lattice([[1.0]]), field=(0.0, 0.1, 1.0), damping=0.5)
 VORTICES, PLASMA = systems.SphereVortices(THREE), systems.VlasovPoisson(1.0, 1, 4)
+NO_FLOW = np.zeros((4, 4), complex)
 ROTATING = systems.Manakov(THREE)
 HISTORY = comparison.AttitudeHistory("b", TIMES, TURNS)
 
@@ -91,7 +92,7 @@ REFUSED = {
     "SphereFluid.from_harmonics": (np.zeros((4, 4)), systems.SphereFluid(4).from_harmonics),
     "SphereFluid.random": (THREE, systems.SphereFluid(4).random),
     "SphereFluid.vortex": (AXIS, lambda x: systems.SphereFluid(4).vortex(1.0, x)),
-    "SphereFluid.zonal_velocity": (THREE, lambda x: systems.SphereFluid(4).zonal_velocity(np.zeros((4, 4), complex), x)),
+    "SphereFluid.zonal_velocity": (THREE, lambda x: systems.SphereFluid(4).zonal_velocity(NO_FLOW, x)),
     "SphereFluid.on_grid": (THREE, lambda x: systems.SphereFluid(4).on_grid(np.zeros((4, 4), complex), x, x)),
     "SphereMHD": (0.3, lambda x: systems.SphereMHD(4, x)),
     "SphereMHD.from_harmonics": (np.zeros((4, 4)), lambda x: systems.SphereMHD(4).from_harmonics(x, x)),
