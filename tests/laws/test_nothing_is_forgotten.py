@@ -21,7 +21,7 @@ INNER = {
     "analysis": {"conserved", "conserved_function", "equilibrium_data", "mechanics", "periapsis_map", "power_law",
                  "reasons", "second_variation"},
     "bodies": {"mesh_crossing", "mesh_gate", "pivot", "turned"},
-    "estimation": {"estimate", "linear_start", "principal", "throw_fit", "throw_models"},
+    "estimation": {"estimate", "linear_start", "principal", "throw_fit", "throw_models", "torqued_states"},
     "exact": {"blocks", "decay", "kernel_agm", "kernel_arithmetic", "free_body.derivative", "free_body.evaluation",
               "free_body.frequencies", "free_body.geometry", "free_body.geometry_tangent", "free_body.kernel",
               "free_body.kernel_rates", "free_body.kernel_reduction", "free_body.kernel_setup", "free_body.preparation",

@@ -225,6 +225,7 @@ def fit(
     figures: options.FitFigures = None,
     window: options.FitWindows = None,
     drag: options.WithDrag = None,
+    torque: options.WithTorque = None,
     gain: options.WithGain = None,
     clip: options.ClipRate = None,
     moment: options.OneMoment = None,
@@ -255,7 +256,7 @@ def fit(
 
     columns = ColumnOptions(mapping, time, time_unit, quat, order, direction, euler, sequence, gyro, unit, decimal)
     scale = ScaleOptions(moment, mass, added_weight, weighted or [])
-    throw = ThrowOptions(window or [], drag, gain, clip, figures)
+    throw = ThrowOptions(window or [], drag, gain, clip, figures, torque)
     run_fit(FitFiles(files, free, out, json), throw, scale, columns)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
@@ -11,11 +12,11 @@ from polhode.cli.fit_scale import KnownScale
 from polhode.cli.render import as_json, print_report
 from polhode.cli.sources import Kernels, kind_of, source_of
 from polhode.errors import InvalidInput
-from polhode.estimation.attitude_fit import fit_attitude
+from polhode.estimation.attitude_fit import AttitudeFit, fit_attitude
 from polhode.estimation.flight import Window
 from polhode.reports.answer import units_of, values_of
 from polhode.reports.base import plain
-from polhode.reports.throw import attitude_groups, attitude_summary
+from polhode.reports.throw import attitude_groups, attitude_notes, attitude_summary
 
 KINDS = ("aem", "ck", "dataset", "csv")
 
@@ -27,22 +28,49 @@ def has_attitude(path: Path, table: Table | None) -> bool:
     return path.is_file() and kind_of(path, table) in KINDS
 
 
-def run_fit_attitude(path: Path, table: Table | None, windows: list[Window], known: KnownScale, json: bool) -> None:
-    """Fit the attitudes, and print what they say."""
+class AttitudeOptions(NamedTuple):
+    """Windows [s], whether there is a torque, and where figures go."""
+
+    windows: list[Window]
+    torque: bool | str
+    figures: Path | None
+
+
+def run_fit_attitude(
+    path: Path, table: Table | None, options: AttitudeOptions, known: KnownScale, json: bool
+) -> None:
+    """Fit the attitudes and the rates that are with them, print what they say, and draw figures where asked for."""
     trajectory = source_of(path, Kernels(), table).trajectory
     times, attitude = np.asarray(trajectory.times), np.asarray(trajectory.attitude)
+    rates = None if trajectory.angular_velocity is None else np.asarray(trajectory.angular_velocity)
+    windows = options.windows
     if len(windows) > 1:
         raise InvalidInput(f"--window must be given once at most for a log of attitudes; got {len(windows)}.")
     for window in windows:
         inside = (times >= window.start) & (times <= window.end)
-        times, attitude = times[inside], attitude[inside]
+        times, attitude, rates = times[inside], attitude[inside], None if rates is None else rates[inside]
     try:
-        fit = fit_attitude(times, attitude)
+        fit = fit_attitude(times, attitude, rates, options.torque)
     except InvalidInput as error:
         raise InvalidInput(f"{path}: {error}") from None
     groups = attitude_groups(fit, known.moments(fit, None))
+    notes = attitude_notes(fit)
+    files = [] if options.figures is None else _drawn(fit, options.figures)
     if json:
         told = {"name": path.name, **values_of(groups), "units": units_of(groups)}
-        print(as_json(plain({**told, "notes": [], "files": []})))
+        print(as_json(plain({**told, "notes": notes, "files": files})))
         return
-    print_report(path.name, attitude_summary(fit), groups, [], [])
+    print_report(path.name, attitude_summary(fit), groups, notes, files)
+
+
+def _drawn(fit: AttitudeFit, folder: Path) -> list[str]:
+    from polhode.figures.style import save
+    from polhode.figures.throw_figure import attitude_figures
+    from polhode.formats.paths import written_together
+
+    files = []
+    with written_together(folder) as draft:
+        for name, figure in attitude_figures(fit).items():
+            save(figure, draft / f"{name}.png")
+            files.append(str(folder / f"{name}.png"))
+    return files

@@ -32,6 +32,11 @@ FitWindows = Annotated[
 WithDrag = Annotated[
     bool | None, typer.Option("--drag/--no-drag", help="Of logs: drag or none (default: by a criterion).")
 ]
+WithTorque = Annotated[
+    bool | None,
+    typer.Option("--torque/--no-torque", help="Of a log of attitudes: a constant torque in the body, or none "
+                 "(default: by a criterion)."),
+]  # fmt: skip
 WithGain = Annotated[
     bool | None, typer.Option("--gain/--no-gain", help="Of logs: gains of the axes or none (default: gains).")
 ]

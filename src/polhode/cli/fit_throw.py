@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 from polhode.cli.columns import ColumnOptions, table_to_import
 from polhode.cli.destinations import check_spares
-from polhode.cli.fit_attitude import has_attitude, run_fit_attitude
+from polhode.cli.fit_attitude import AttitudeOptions, has_attitude, run_fit_attitude
 from polhode.cli.fit_scale import KnownScale, quantity
 from polhode.cli.render import as_json, print_report
 from polhode.errors import InvalidInput, shown
@@ -32,6 +32,7 @@ class ThrowOptions(NamedTuple):
     gain: bool | None = None
     clip: str | None = None
     figures: Path | None = None
+    torque: bool | None = None
 
 
 def named(options: Any) -> list[str]:
@@ -48,12 +49,18 @@ def run_fit_throw(
     table = table_to_import(columns)
     mapping = None if table is None else table.mapping
     if has_attitude(paths[0], table):
-        wrong = named(options._replace(windows=[])) + (["--weighted"] if weighted else []) + (["--out"] if out else [])
+        wrong = named(options._replace(windows=[], figures=None, torque=None))
+        wrong += (["--weighted"] if weighted else []) + (["--out"] if out else [])
         if wrong or len(paths) > 1:
             what = f"{', '.join(wrong)} is for gyro logs" if wrong else f"got {len(paths)} logs"
             raise InvalidInput(f"{paths[0]}: is a log of attitudes, which is fitted alone, and {what}. Leave it out.")
-        run_fit_attitude(paths[0], table, [_window(text) for text in options.windows], known, json)
+        windows = [_window(text) for text in options.windows]
+        asked = AttitudeOptions(windows, "auto" if options.torque is None else options.torque, options.figures)
+        run_fit_attitude(paths[0], table, asked, known, json)
         return
+    if options.torque is not None:
+        raise InvalidInput(f"{paths[0]}: --torque and --no-torque are for a log of attitudes, and this is a gyro's. "
+                           "Leave it out.")  # fmt: skip
     if out is not None:
         for path in (*paths, *weighted):
             check_spares(out, path)

@@ -1,8 +1,9 @@
-"""The inertia of a free body from a log of its attitude: by tracking, motion capture, or a spacecraft's ephemeris."""
+"""The inertia of a body from a log of its attitude: by tracking, motion capture, or a spacecraft's ephemeris."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from scipy.optimize import least_squares
@@ -12,20 +13,23 @@ from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.estimation.estimate import Estimate
 from polhode.estimation.linear_start import linear_inertia
-from polhode.estimation.principal import principal, why_undetermined
-from polhode.estimation.throw_fit import ROBUST, covariance_of, right_jacobian
-from polhode.estimation.throw_models import free_states, shape_of
+from polhode.estimation.principal import Principal, principal, why_undetermined
+from polhode.estimation.throw_fit import ROBUST, covariance_of, cross_matrix, right_jacobian
+from polhode.estimation.throw_models import D_MOMENTS, free_states, moments_of, shape_of
+from polhode.estimation.torqued_states import torqued_start, torqued_states
 from polhode.exact.free_body.motion import FreeMotion
 from polhode.types import Array, ArrayLike, Float64, Real
 
 STEP = 0.3  # rad, over which rates are taken for the start, so that noise of the attitude does not swamp them
 PLACES = {"shape": slice(0, 2), "turn": slice(2, 5), "start": slice(5, 8), "attitude": slice(8, 11)}
-LIMITS = ([-1.0, 0.0, *[-np.inf] * 9], [1.0, 2.0, *[np.inf] * 9])
+TORQUE = slice(11, 14)
+LIMITS = ([-1.0, 0.0, *[-np.inf] * 12], [1.0, 2.0, *[np.inf] * 12])
+ROUNDS = 6
 
 
 @dataclass(frozen=True)
 class AttitudeFit:
-    """What a log of attitudes says of a free body.
+    """What a log of attitudes says of a body.
 
     Attributes:
         ratios: I1/I3 and I2/I3, I1 ≤ I2 ≤ I3; None where the fit is degenerate.
@@ -33,13 +37,17 @@ class AttitudeFit:
         axes_error: turn of the axes about themselves [rad], zero with its covariance.
         joint: ratios and turn together, with all their correlations.
         equal: which neighbours are equal within their errors, or None.
-        motion: along the principal axes, moments over the largest; its attitude principal → space.
+        torque: constant torque over I3 [rad/s², device frame]; None where there is none.
+        motion: free motion along the principal axes, moments over the largest; its attitude principal → space. With a
+            torque it is the one that touches the motion at its epoch.
         regime: of the motion.
         times: (n,) [s].
         residuals: (n, 3) turns from the fitted to the measured attitude [rad, device frame].
         rms: of the residuals [rad].
         sigma: noise of an attitude about each axis [rad].
-        degenerate: why the inertia is not determined; None where it is.
+        rate_sigma: noise of a rate along each axis [rad/s]; None where no rates were given.
+        aicc: Akaike's corrected criterion of each model that was tried: "free" and "torque".
+        degenerate: why the log does not determine the inertia; None where it does.
         singular_values: (6,) of the linear method.
     """
 
@@ -48,23 +56,36 @@ class AttitudeFit:
     axes_error: Estimate | None
     joint: Estimate | None
     equal: str | None
+    torque: Estimate | None
     motion: FreeMotion | None
     regime: str | None
     times: Float64[Array, "n"]
     residuals: Float64[Array, "n 3"]
     rms: float
     sigma: float
+    rate_sigma: float | None
+    aicc: dict[str, float]
     degenerate: str | None
     singular_values: Float64[Array, "6"]
 
 
 @known_numbers_only
-def fit_attitude(times: Real[ArrayLike, "n"], quaternions: Real[ArrayLike, "n 4"]) -> AttitudeFit:
-    """Fit the inertia of a free body to its measured attitude, by robust least squares on the exact motion.
+def fit_attitude(
+    times: Real[ArrayLike, "n"],
+    quaternions: Real[ArrayLike, "n 4"],
+    rates: Real[ArrayLike, "n 3"] | None = None,
+    torque: bool | str = False,
+) -> AttitudeFit:
+    """Fit the inertia of a body to its measured attitude, by robust least squares on the motion.
+
+    Without a torque the motion is the exact free one, with its exact derivatives; with one, which is constant in the
+    body as of a leaking thruster, Euler's equations and their variations are integrated.
 
     Args:
         times: (n,) increasing [s]; equal steps are not needed, but less than half a turn from each to the next.
         quaternions: (n, 4) unit wxyz, device → space. Rows with NaN are left out.
+        rates: (n, 3) measured rates, if there are [rad/s, device frame]; they count by their own noise.
+        torque: whether there is a constant torque; "auto" for what Akaike's criterion prefers.
 
     Raises:
         InvalidInput: for wrong shapes, times that do not increase, quaternions of length zero, or fewer than 12 rows.
@@ -77,60 +98,130 @@ def fit_attitude(times: Real[ArrayLike, "n"], quaternions: Real[ArrayLike, "n 4"
         >>> fit_attitude(t, motion.attitude(t)).ratios.value.round(6).tolist()
         [0.2, 0.8]
     """
-    t, measured = _cleaned(times, quaternions)
+    if torque not in (True, False, "auto"):
+        raise InvalidInput(f'torque must be True, False or "auto"; got {shown(torque)}.')
+    t, measured, gyro = _cleaned(times, quaternions, rates)
     middle = len(t) // 2
     epoch = float(t[middle])
-    rates, turned = _differenced(t, measured)
-    linear = linear_inertia([rates], [turned])
-    axes0, attitude0 = linear.axes, measured[middle] * Rotation.from_matrix(linear.axes)
-    k = int(np.argmin(np.abs(np.linspace(0, len(t) - 1, len(rates)) - middle)))
-    x = np.concatenate([shape_of(linear.moments), np.zeros(3), axes0.T @ rates[k], np.zeros(3)])
-    system = _System(t - epoch, measured, axes0, attitude0)
-    x, sigma, freedom = _descended(system, x)
-    r, J = system.residuals(x), system.jacobian(x)
-    covariance = covariance_of(J / sigma) / np.mean(np.abs(r) < ROBUST * sigma) ** 2
+    slow, turned, at = _differenced(t, measured)
+    linear = linear_inertia([slow], [turned])
+    k = int(np.argmin(np.abs(at - epoch)))
+    samples = _Samples(t - epoch, measured, gyro)
+
+    def begun(moments: Array, axes: Array, push: Array) -> _Solution:
+        x = np.concatenate([shape_of(moments), np.zeros(3), axes.T @ slow[k], np.zeros(3), push])
+        return _descended(_System(samples, axes, measured[middle] * Rotation.from_matrix(axes), len(push) > 0), x)
+
+    tried: dict[str, _Solution] = {}
+    if torque is not True:
+        tried["free"] = begun(linear.moments, linear.axes, np.zeros(0))
+    if torque:
+        starts = [begun(*torqued_start(at, slow, turned)), begun(linear.moments, linear.axes, np.zeros(3))]
+        tried["torque"] = min(starts, key=lambda solution: solution.aicc)
+    best = min(tried.values(), key=lambda solution: solution.aicc)
+    scores = {name: solution.aicc for name, solution in tried.items()}
+    return _told(best, t, epoch, slow, scores, linear.singular_values)
+
+
+class _Samples(NamedTuple):
+    """What was measured: times from the epoch, attitudes, and perhaps rates."""
+
+    elapsed: Array
+    measured: Rotation
+    rates: Array | None
+
+
+class _Solution(NamedTuple):
+    """Parameters with their covariance, the noise of attitudes and rates, and how good the fit is."""
+
+    system: _System
+    x: Array
+    covariance: Array
+    noise: Array
+    freedom: float
+    aicc: float
+
+
+def _told(
+    solution: _Solution, t: Array, epoch: float, rates: Array, scores: dict[str, float], singular: Array
+) -> AttitudeFit:
+    system, x = solution.system, solution.x
     change = np.eye(len(x))
     change[2:5, 2:5] = right_jacobian(x[2:5])
-    axes = axes0 @ Rotation.from_rotvec(x[2:5]).as_matrix()
-    found = principal(x, change @ covariance @ change.T, PLACES, axes, freedom)
-    residuals, rms = r.reshape(-1, 3), float(np.sqrt(np.mean(r * r)))
+    covariance = change @ solution.covariance @ change.T
+    axes = system.axes0 @ Rotation.from_rotvec(x[2:5]).as_matrix()
+    found = principal(x[:11], covariance[:11, :11], PLACES, axes, solution.freedom)
+    residuals = system.blocks(x)[0][0]
+    rms = float(np.sqrt(np.mean(residuals**2)))
+    sigma, rate_sigma = float(solution.noise[0]), float(solution.noise[1]) if len(solution.noise) > 1 else None
     if not found.determined:
         reason = why_undetermined([rates], found)
-        return AttitudeFit(None, None, None, None, None, None, None, t, residuals, rms, sigma, reason,
-                           linear.singular_values)  # fmt: skip
+        return AttitudeFit(None, None, None, None, None, None, None, None, t, residuals, rms, sigma, rate_sigma, scores,
+                           reason, singular)  # fmt: skip
     start = found.order.T @ x[PLACES["start"]]
-    there = attitude0 * Rotation.from_rotvec(x[PLACES["attitude"]]) * Rotation.from_matrix(found.order)
+    there = system.attitude0 * Rotation.from_rotvec(x[PLACES["attitude"]]) * Rotation.from_matrix(found.order)
     motion = FreeMotion(found.moments, found.moments * start, there.as_quat(scalar_first=True), epoch)
-    return AttitudeFit(found.ratios, found.axes, found.turn, found.joint, found.equal, motion, motion.regime, t,
-                       residuals, rms, sigma, None, linear.singular_values)  # fmt: skip
+    torque = _torque(x, covariance, axes, found, solution.freedom) if system.torque else None
+    return AttitudeFit(found.ratios, found.axes, found.turn, found.joint, found.equal, torque, motion, motion.regime, t,
+                       residuals, rms, sigma, rate_sigma, scores, None, singular)  # fmt: skip
 
 
-def _descended(system: _System, x: Array) -> tuple[Array, float, float]:
-    """Return parameters, the noise of an attitude and degrees of freedom: least squares and noise in turn."""
-    sigma = float(np.median(np.abs(system.residuals(x)))) * 1.5 + 1e-9
-    freedom = float(max(len(system.residuals(x)) - len(x), 1))
-    for _ in range(6):
+def _torque(x: Array, covariance: Array, axes: Array, found: Principal, freedom: float) -> Estimate:
+    """Return the torque over the largest moment along the device's axes, errors of moments and axes included."""
+    third = int(np.argmax(found.order[:, 2] != 0))
+    largest = float(moments_of(x[PLACES["shape"]])[third])
+    own = x[TORQUE]
+    value = axes @ own / largest
+    by = np.zeros((3, len(x)))
+    by[:, TORQUE] = axes / largest
+    by[:, PLACES["shape"]] = -np.outer(value, D_MOMENTS[:, third]) / largest
+    by[:, PLACES["turn"]] = -axes @ cross_matrix(own) / largest
+    return Estimate(("Nx/I3", "Ny/I3", "Nz/I3"), value, by @ covariance @ by.T, freedom)
+
+
+def _descended(system: _System, x: Array) -> _Solution:
+    """Return the solution from a start: least squares and the noise of each kind of data in turn."""
+    size = len(x)
+    data = sum(r.size for r, _ in system.blocks(x))
+    freedom = float(max(data - size, 1))
+    noise = np.array([float(np.median(np.abs(r))) * 1.5 + 1e-9 for r, _ in system.blocks(x)])
+    for _ in range(ROUNDS):
+        system.noise = noise
         done = least_squares(
-            system.residuals, x, jac=system.jacobian, bounds=LIMITS,  # pyright: ignore[reportArgumentType]
-            loss="huber", f_scale=ROBUST * sigma, x_scale="jac", xtol=1e-10, ftol=1e-8, gtol=1e-15, max_nfev=60,
+            system.residuals, x, jac=system.jacobian,  # pyright: ignore[reportArgumentType]
+            bounds=(LIMITS[0][:size], LIMITS[1][:size]),  # pyright: ignore[reportArgumentType]
+            loss="huber", f_scale=ROBUST, x_scale="jac", xtol=1e-10, ftol=1e-8, gtol=1e-15, max_nfev=60,
         )  # fmt: skip
-        x, before = done.x, sigma
-        sizes = np.abs(system.residuals(x))
-        # residuals far out are drawn in, or one of them would make all the others seem small
-        drawn = np.minimum(sizes, 4 * 1.4826 * np.median(sizes))
-        sigma = max(float(np.sqrt((drawn**2).sum() / freedom)), 1e-13)
-        if done.status > 0 and abs(sigma / before - 1.0) < 0.02:
+        x, before = done.x, noise
+        noise = np.array([_noise(r, freedom / data) for r, _ in system.blocks(x)])
+        if done.status > 0 and np.abs(noise / before - 1.0).max() < 0.02:
             break
-    return x, sigma, freedom
+    system.noise = noise
+    z, J = system.residuals(x), system.jacobian(x)
+    covariance = covariance_of(J) / np.mean(np.abs(z) < ROBUST) ** 2
+    cost = sum(2.0 * r.size * np.log(s) for (r, _), s in zip(system.blocks(x), noise, strict=True))
+    count = size + len(noise)
+    return _Solution(system, x, covariance, noise, freedom, float(cost + 2 * count * data / max(data - count - 1, 1)))
 
 
-def _cleaned(times: ArrayLike, quaternions: ArrayLike) -> tuple[Array, Rotation]:
+def _noise(r: Array, share: float) -> float:
+    # residuals far out are drawn in, or one of them would make all the others seem small
+    sizes = np.abs(r)
+    drawn = np.minimum(sizes, 4 * 1.4826 * np.median(sizes))
+    return max(float(np.sqrt(np.mean(drawn**2) / share)), 1e-13)
+
+
+def _cleaned(times: ArrayLike, quaternions: ArrayLike, rates: ArrayLike | None) -> tuple[Array, Rotation, Array | None]:
     t, q = np.asarray(times, dtype=np.float64), np.asarray(quaternions, dtype=np.float64)
     if t.ndim != 1 or q.shape != (len(t), 4):
         raise InvalidInput(f"times of shape (n,) and quaternions of shape (n, 4) are needed; got {shown(t.shape)} and "
                            f"{shown(q.shape)}.")  # fmt: skip
+    gyro = None if rates is None else np.asarray(rates, dtype=np.float64)
+    if gyro is not None and gyro.shape != (len(t), 3):
+        raise InvalidInput(f"rates must have the shape (n, 3), one for each time; got {shown(gyro.shape)}.")
     whole = np.isfinite(t) & np.isfinite(q).all(axis=1)
-    t, q = t[whole], q[whole]
+    whole &= True if gyro is None else np.isfinite(gyro).all(axis=1)
+    t, q, gyro = t[whole], q[whole], None if gyro is None else gyro[whole]
     if len(t) < 12 or not (np.diff(t) > 0).all():
         raise InvalidInput(f"at least 12 attitudes at increasing times are needed; got {len(t)}. Sort them by time and "
                            "leave out repeated times.")  # fmt: skip
@@ -138,47 +229,66 @@ def _cleaned(times: ArrayLike, quaternions: ArrayLike) -> tuple[Array, Rotation]
     if (np.abs(lengths - 1.0) > 0.01).any():
         worst = lengths[np.argmax(np.abs(lengths - 1.0))]
         raise InvalidInput(f"quaternions must be of unit length; got one of length {worst:g}.")
-    return t, Rotation.from_quat(q, scalar_first=True)
+    return t, Rotation.from_quat(q, scalar_first=True), gyro
 
 
-def _differenced(t: Array, measured: Rotation) -> tuple[Array, Array]:
-    """Return rates over steps of some tenths of a radian, and the attitudes xyzw in their middles."""
+def _differenced(t: Array, measured: Rotation) -> tuple[Array, Array, Array]:
+    """Return rates over steps of some tenths of a radian, and the attitudes xyzw and times in their middles."""
     turn = float(np.median((measured[:-1].inv() * measured[1:]).magnitude()))
     stride = int(np.clip(round(STEP / max(turn, 1e-12)), 1, max(len(t) // 8, 1)))
     steps = (measured[:-stride].inv() * measured[stride:]).as_rotvec()
     middles = measured[:-stride] * Rotation.from_rotvec(0.5 * steps)
-    return steps / (t[stride:] - t[:-stride])[:, None], middles.as_quat()
+    rates = steps / (t[stride:] - t[:-stride])[:, None]
+    return rates, middles.as_quat(), 0.5 * (t[stride:] + t[:-stride])
 
 
 class _System:
-    """Turns from predicted to measured attitudes, and their derivatives."""
+    """Residuals of attitudes and rates, and their derivatives; one evaluation serves both."""
 
-    def __init__(self, elapsed: Array, measured: Rotation, axes0: Array, attitude0: Rotation) -> None:
-        self.elapsed, self.measured, self.axes0, self.attitude0 = elapsed, measured, axes0, attitude0
+    def __init__(self, samples: _Samples, axes0: Array, attitude0: Rotation, torque: bool) -> None:
+        self.samples, self.axes0, self.attitude0, self.torque = samples, axes0, attitude0, torque
+        self.noise = np.ones(1 if samples.rates is None else 2)
         self.at: Array | None = None
 
-    def _evaluate(self, x: Array) -> None:
+    def _motion(self, x: Array) -> tuple[Array, Array, Array, Array]:
+        if self.torque:
+            return torqued_states(x[:2], x[5:8], x[TORQUE], self.samples.elapsed)
+        q, rates, dq, d_rates = free_states(x[:2], x[5:8], self.samples.elapsed)
+        w, v, dw, dv = q[:, :1], q[:, 1:], dq[..., :1], dq[..., 1:]
+        return q, rates, 2.0 * (w * dv - dw * v - np.cross(v, dv)), d_rates  # of δq, the turn is 2 vec(q* δq)
+
+    def blocks(self, x: Array) -> list[tuple[Array, Array]]:
+        """Return residuals (n, 3) and their derivatives (n, 3, p), of attitudes and perhaps of rates."""
         if self.at is not None and np.array_equal(self.at, x):
-            return
-        q, _, dq, _ = free_states(x[:2], x[5:8], self.elapsed)
-        since = Rotation.from_quat(q, scalar_first=True)
+            return self.found
+        q, rates, turns, slopes = self._motion(x)
+        since = Rotation.from_quat(np.nan_to_num(q, nan=1.0), scalar_first=True)
         own = Rotation.from_matrix(self.axes0) * Rotation.from_rotvec(x[2:5])
         A = own.as_matrix()
         begin = self.attitude0 * Rotation.from_rotvec(x[8:11])
-        self.r = ((begin * since * own.inv()).inv() * self.measured).as_rotvec().ravel()
-        # predicted attitudes R exp(hat η): of δq, η = 2 vec(q* δq) along the principal axes
-        w, v, dw, dv = q[:, :1], q[:, 1:], dq[..., :1], dq[..., 1:]
-        eta = 2.0 * (w * dv - dw * v - np.cross(v, dv)) @ A.T
-        J = np.empty((len(q), 3, 11))
-        J[:, :, [0, 1, 5, 6, 7]] = np.moveaxis(eta, 0, 2)
-        J[:, :, 2:5] = -A @ right_jacobian(x[2:5])
+        r = ((begin * since * own.inv()).inv() * self.samples.measured).as_rotvec()
+        moved = right_jacobian(x[2:5])
+        columns = [0, 1, 5, 6, 7, *range(11, len(x))]  # shape, start, torque
+        J = np.zeros((len(q), 3, len(x)))
+        # predicted attitudes change by R exp(hat η) along the principal axes
+        J[:, :, columns] = np.moveaxis(turns @ A.T, 0, 2)
+        J[:, :, 2:5] = -A @ moved
         J[:, :, 8:11] = A @ np.swapaxes(since.as_matrix(), 1, 2) @ right_jacobian(x[8:11])
-        self.at, self.J = x.copy(), -J.reshape(-1, 11)
+        found = [(np.nan_to_num(r, nan=1e3), -np.nan_to_num(J))]
+        if self.samples.rates is not None:
+            K = np.zeros_like(J)
+            K[:, :, columns] = np.moveaxis(slopes @ A.T, 0, 2)
+            K[:, :, 2:5] = A @ np.stack([cross_matrix(-w) for w in rates]) @ moved
+            found.append((np.nan_to_num(self.samples.rates - rates @ A.T, nan=1e3), -np.nan_to_num(K)))
+        self.at, self.found = x.copy(), found
+        return found
 
     def residuals(self, x: Array) -> Float64[Array, "m"]:
-        self._evaluate(x)
-        return self.r
+        """Return all residuals over their noise."""
+        return np.concatenate([r.ravel() / s for (r, _), s in zip(self.blocks(x), self.noise, strict=True)])
 
-    def jacobian(self, x: Array) -> Float64[Array, "m 11"]:
-        self._evaluate(x)
-        return self.J
+    def jacobian(self, x: Array) -> Float64[Array, "m p"]:
+        """Return their derivatives."""
+        return np.concatenate([
+            J.reshape(-1, len(x)) / s for (_, J), s in zip(self.blocks(x), self.noise, strict=True)
+        ])  # fmt: skip

@@ -9,6 +9,8 @@ from matplotlib.figure import Figure
 
 from polhode.analysis.polhodes import polhode_family, separatrix
 from polhode.errors import InvalidInput, shown
+from polhode.estimation.attitude_fit import AttitudeFit
+from polhode.estimation.estimate import Estimate
 from polhode.estimation.throw import FittedThrow, ThrowFit
 from polhode.exact.free_body import FreeMotion
 from polhode.figures import style
@@ -35,8 +37,35 @@ def throw_figures(fit: ThrowFit) -> dict[str, Figure]:
         raise InvalidInput(f"`fit` must be a ThrowFit, as fit_throw returns it; got {shown(fit)}.")
     found = {"data_and_fit": _data(fit)}
     if fit.degenerate is None and fit.ratios is not None and fit.axes is not None:
-        found |= {"residuals": _residuals(fit), "polhode": _polhode(fit), "corner": _corner(fit)}
+        known = [part for part in (fit.ratios, fit.drag) if part is not None]
+        found |= {"residuals": _residuals(fit), "polhode": _polhode(fit), "corner": _corner(known)}
     return found
+
+
+def attitude_figures(fit: AttitudeFit) -> dict[str, Figure]:
+    """Return the figures of a fit of attitudes by name; only the residuals where the inertia is not determined.
+
+    Args:
+        fit: as ``polhode.estimation.fit_attitude`` returns it.
+
+    Raises:
+        InvalidInput: for anything else.
+    """
+    if not isinstance(fit, AttitudeFit):
+        raise InvalidInput(f"`fit` must be an AttitudeFit, as fit_attitude returns it; got {shown(fit)}.")
+    figure = style.new_figure(width=1.5 * style.COLUMN, height=2.4)
+    axes = figure.subplots()
+    for k, colour in enumerate(style.AXIS_COLOURS):
+        axes.plot(fit.times, 1e3 * fit.residuals[:, k], ".-", ms=2.5, lw=0.4, color=colour, label=f"about {'xyz'[k]}")
+    axes.axhline(0.0, color=style.GREY, lw=0.6)
+    axes.set_xlabel("time  [s]")
+    axes.set_ylabel("fitted → measured  [mrad]")
+    style.tidy(axes)
+    handles, labels = axes.get_legend_handles_labels()
+    figure.legend(handles, labels, loc="outside upper center", ncols=3, fontsize=style.FONT - 1, frameon=False,
+                  title=f"residuals, {1e3 * fit.rms:.3g} mrad rms", title_fontsize=style.FONT - 1)  # fmt: skip
+    found = {"residuals": figure}
+    return found if fit.ratios is None else found | {"corner": _corner([fit.ratios])}
 
 
 def _panels(fit: ThrowFit, height: float) -> tuple[Figure, list[Any]]:
@@ -126,10 +155,8 @@ def _samples(fit: ThrowFit, throw: FittedThrow, moments: Array) -> Array:
     return momentum / np.linalg.norm(momentum, axis=1, keepdims=True)
 
 
-def _corner(fit: ThrowFit) -> Figure:
-    """Return densities of the ratios and the drag, and the ellipses of each two, as the covariances tell."""
-    assert fit.ratios is not None
-    parts = [part for part in (fit.ratios, fit.drag) if part is not None]
+def _corner(parts: list[Estimate]) -> Figure:
+    """Return densities of the estimates, and the ellipses of each two, as the covariances tell."""
     names = [name for part in parts for name in part.names]
     value = np.concatenate([part.value for part in parts])
     covariance = np.zeros((len(value), len(value)))

@@ -13,7 +13,9 @@ from polhode.estimation.throw import ThrowFit
 from polhode.formats.gyro_logs import ReadLog
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.wording import counted, uncertain
+from polhode.types import Array
 
+ALIKE = 0.5  # correlation of neighbouring residuals, above which a fit does not explain its data
 BARELY = 2.0  # AICc less than this apart: the criterion hardly prefers one model
 
 
@@ -42,6 +44,8 @@ def throw_notes(fit: ThrowFit, names: Sequence[str], logs: Sequence[ReadLog]) ->
     if fit.equal:
         notes.append(f"{fit.equal} within their errors: the axes between them are not determined.")
     if fit.degenerate is None:
+        misses = [throw.rates - throw.predicted for throw in fit.throws]
+        notes += _misfit(misses, "Look at the residuals by --figures, and give the free flight by --window")
         chosen = next((score for score in fit.criterion if score.chosen), None)
         others = [score for score in fit.criterion if not score.chosen]
         if chosen and others and min(score.aicc for score in others) - chosen.aicc < BARELY:
@@ -50,6 +54,26 @@ def throw_notes(fit: ThrowFit, names: Sequence[str], logs: Sequence[ReadLog]) ->
             notes.append("no gains were fitted, so the intervals hold for a calibrated gyro: a gain that "
                          "is 1 % off moves the ratios by about as much.")  # fmt: skip
     return notes
+
+
+def attitude_notes(fit: AttitudeFit) -> list[str]:
+    """Return what a reader should know of a fit of attitudes."""
+    if fit.degenerate is not None:
+        return []
+    notes = _misfit([fit.residuals], "Look at the residuals by --figures: a torque may act that changes in the body")
+    if fit.equal:
+        notes.append(f"{fit.equal} within their errors: the axes between them are not determined.")
+    return notes
+
+
+def _misfit(residuals: Sequence[Array], remedy: str) -> list[str]:
+    """Return a note where neighbouring residuals are alike: then the model does not explain the data."""
+    pairs = [(r[:-1], r[1:]) for r in residuals if len(r) > 2]
+    alike = sum(float((a * b).sum()) for a, b in pairs) / max(sum(float((a * a).sum()) for a, _ in pairs), 1e-300)
+    if alike < ALIKE:
+        return []
+    said = f"neighbouring residuals are alike (correlation {alike:.2f}): the fitted motion does not explain the data"
+    return [f"{said}, and the intervals are too narrow. {remedy}."]
 
 
 def attitude_summary(fit: AttitudeFit) -> str:
@@ -63,12 +87,34 @@ def attitude_summary(fit: AttitudeFit) -> str:
 def attitude_groups(fit: AttitudeFit, moments: Estimate | None) -> list[Group | Table]:
     """Return what a fit of attitudes says, by groups."""
     span = [float(fit.times[0]), float(fit.times[-1])]
-    return [_inertia(fit), *_moments(moments), _axes(fit), Group("Fit", [
+    return [_inertia(fit), *_moments(moments), _axes(fit), *_torque(fit, moments), Group("Fit", [
         Answer("rms", fit.rms, "rad", "residuals", "root mean square", f"{fit.rms:.3g} rad rms"),
         Answer("sigma", fit.sigma, "rad", "noise of an attitude", "about each axis", f"{fit.sigma:.3g} rad"),
+        Answer("rate_sigma", fit.rate_sigma, "rad/s", "noise of a rate", "along each axis",
+               None if fit.rate_sigma is None else f"{fit.rate_sigma:.3g} rad/s"),
         Answer("samples", len(fit.times), "", "samples used"),
         Answer("window", span, "s", "times", "", f"{span[0]:.6g} to {span[1]:.6g} s"),
         Answer("regime", fit.regime, "", "regime"),
+    ])]  # fmt: skip
+
+
+def _torque(fit: AttitudeFit, moments: Estimate | None) -> list[Group]:
+    """Return the constant torque, in N m too where a moment is known, and how the criterion decided."""
+    both = len(fit.aicc) > 1
+    better = fit.aicc["free"] - fit.aicc["torque"] if both else 0.0
+    said = f"AICc {'prefers' if better > 0 else 'speaks against'} a torque by {abs(better):.3g}" if both else None
+    torque, absolute = fit.torque, None
+    if torque is not None and moments is not None:
+        largest, error = float(moments.value[2]), float(moments.standard_error[2])
+        size = np.hypot(torque.standard_error * largest, torque.value * error)
+        absolute = Estimate(("Nx", "Ny", "Nz"), torque.value * largest, np.diag(size**2), torque.degrees_of_freedom)
+    return [Group("Torque", [
+        Answer("torque", None if torque is None else _values(torque), "rad/s²", "N/I3 along x, y, z",
+               "constant in the body, over the largest moment; null where there is none",
+               "none" if torque is None else f"{_listed(torque)} rad/s²"),
+        Answer("torque_absolute", None if absolute is None else _values(absolute), "N m",
+               "N along x, y, z", "", None if absolute is None else f"{_listed(absolute)} N m"),
+        Answer("aicc", fit.aicc, "", "criterion" if both else "", "", said),
     ])]  # fmt: skip
 
 
