@@ -257,7 +257,7 @@ class _System:
         w, v, dw, dv = q[:, :1], q[:, 1:], dq[..., :1], dq[..., 1:]
         return q, rates, 2.0 * (w * dv - dw * v - np.cross(v, dv)), d_rates  # of δq, the turn is 2 vec(q* δq)
 
-    def blocks(self, x: Array) -> list[tuple[Array, Array]]:
+    def blocks(self, x: Array) -> list[tuple[Float64[Array, "n 3"], Float64[Array, "n 3 p"]]]:
         """Return residuals (n, 3) and their derivatives (n, 3, p), of attitudes and perhaps of rates."""
         if self.at is not None and np.array_equal(self.at, x):
             return self.found

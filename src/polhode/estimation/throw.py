@@ -267,7 +267,11 @@ def _tried(
             model = Model(bool(wanted_drag), bool(wanted_gain), len(throws), spread)
             noise = (base.sigma, base.jitter)
             solutions[wanted_drag, wanted_gain] = fitted(model, _carried(base, model), base.axes, throws, noise)
-    return [_retried(solutions[d, g], start, throws) for d in choices(drag) for g in choices(gain)]
+    asked = [solutions[d, g] for d in choices(drag) for g in choices(gain)]
+    best = min(asked, key=lambda one: one.aicc)
+    if np.median(np.abs(best.residuals)) < MISFIT * 0.6745 * start.noise:
+        return asked
+    return [_retried(solution, start, throws) for solution in asked]
 
 
 def _grown(model: Model, x: Array, axes: Array, throws: list[Throw]) -> Solution:
@@ -287,9 +291,7 @@ def _middle(throw: Throw, samples: int) -> Throw:
 
 
 def _retried(solution: Solution, start: _Start, throws: list[Throw]) -> Solution:
-    """Return the best of several starts, where one ended in a valley: residuals larger than the samples' own noise."""
-    if not solution.model.drag or np.median(np.abs(solution.residuals)) < MISFIT * 0.6745 * start.noise:
-        return solution
+    """Return the best of several starts, as one ended in a valley: residuals larger than the samples' own noise."""
     begin = _carried(solution, solution.model)
     for name, place in solution.model.places.items():
         if name in ("bias", "drag"):
