@@ -6,7 +6,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from polhode.arrays.namespaces import is_traced
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, Complex128, Float64, Real
 
@@ -41,9 +40,6 @@ def pole_of(times: Real[ArrayLike, "n"], x: Real[ArrayLike, "n"], y: Real[ArrayL
     Raises:
         InvalidInput: for arrays that are not finite, of different lengths, too few, not ascending, or not in radians.
     """
-    if any(is_traced(each) for each in (times, x, y)):
-        raise InvalidInput("`times`, `x` and `y` must be plain arrays: estimates of polar motion are not traced by JAX. "
-                           "Call them outside `jit` and derivatives.")  # fmt: skip
     found = []
     for name, given in (("times", times), ("x", x), ("y", y)):
         try:
