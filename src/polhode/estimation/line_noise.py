@@ -1,10 +1,10 @@
 """Noise about a line of a spectrum, by what a fit leaves there, and what it does to the fit.
 
-White noise of ordinary formulas is not what polar motion leaves: its residuals are red, and the excitation shakes the wobble
-itself, so that amplitude and phase walk. Close to a line such noise is a constant plus what falls off as the square of the
-distance, here in the time domain: white noise of variance ``white``, and a line whose complex amplitude takes random
-steps of variance ``walk``. The least squares themselves remove noise next to the line, the more the closer; that is
-accounted for by taking the expectation of what is *left* in each frequency.
+White noise of ordinary formulas is not what polar motion leaves: its residuals are red, and the excitation shakes
+the wobble itself, so that amplitude and phase walk. Close to a line such noise is a constant plus what falls off as
+the square of the distance, here in the time domain: white noise of variance ``white``, and a line whose complex
+amplitude takes random steps of variance ``walk``. The least squares themselves remove noise next to the line, the
+more the closer; that is accounted for by taking the expectation of what is *left* in each frequency.
 """
 
 from __future__ import annotations
@@ -90,7 +90,8 @@ def noise_about(
 def level_at(
     times: Float64[Array, "n"], left: Complex128[Array, "n"], removed: Complex128[Array, "n r"], rate: float
 ) -> float:
-    """Return the variance of a complex sample of white noise that is as strong as what is left next to a rate [rad/s]."""
+    """Return the variance of a complex sample of white noise that is as strong as what is left next to a rate
+    [rad/s]."""
     span = times[-1] - times[0]
     k = np.concatenate([np.arange(-NEXT, 0), np.arange(1, NEXT + 1)])
     power, white, _ = _expected(times, left, removed, rate + 2.0 * np.pi * k / span, rate)

@@ -10,7 +10,6 @@ Adv. Space Res. 59 (2017) 1395.
 
 from __future__ import annotations
 
-import functools
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
@@ -18,7 +17,7 @@ import numpy as np
 from scipy.optimize import minimize_scalar
 
 from polhode.arrays import known_numbers_only
-from polhode.errors import InvalidInput, shown
+from polhode.errors import InvalidInput
 from polhode.estimation.estimate import Estimate
 from polhode.estimation.line_noise import LineNoise, level_at, noise_about, walked
 from polhode.estimation.pole_series import DAY, YEAR, Pole, averaged, pole_of
@@ -39,7 +38,8 @@ class ChandlerFit:
 
     Attributes:
         estimate: ``period`` [s], ``amplitude`` [rad] and ``phase`` [rad] at ``epoch`` of the prograde wobble. The
-            amplitude is that of the *mean* wobble over the span, which is what one line can say of a wobble that changes.
+            amplitude is that of the *mean* wobble over the span, which is what one line can say of a wobble that
+            changes.
         terms: real and imaginary part [rad] of each term at ``epoch``, as ``annual_prograde_re``, and of position
             (``mean``) and ``drift`` [rad/s].
         rates: name of a term → its rate [rad/s].
@@ -89,12 +89,12 @@ class _Model(NamedTuple):
 def chandler_fit(times: Real[ArrayLike, "n"], x: Real[ArrayLike, "n"], y: Real[ArrayLike, "n"]) -> ChandlerFit:
     """Fit the Chandler wobble, its rate included, with drift and seasons, by least squares.
 
-    Errors allow for coloured noise and for a wobble whose amplitude and phase walk, as told by what is left on both sides
-    of each line (``line_noise``); simulations of both cover the true period as often as they should.
+    Errors allow for coloured noise and for a wobble whose amplitude and phase walk, as told by what is left on both
+    sides of each line (``line_noise``); simulations of both cover the true period as often as they should.
 
-    The wobble and the year beat in 6.39 a, and two beats are asked for. Over one, the seasons enlarge the variance of the
-    rate by half. In windows of 7 years of series C04 the period scatters by 7 d, more than twice its error there, since
-    what is left is too little to tell the noise; in windows of 13 years by 3.5 d, as its errors say.
+    The wobble and the year beat in 6.39 a, and two beats are asked for. Over one, the seasons enlarge the variance
+    of the rate by half. In windows of 7 years of series C04 the period scatters by 7 d, more than twice its error
+    there, since what is left is too little to tell the noise; in windows of 13 years by 3.5 d, as its errors say.
 
     Args:
         times: [s], ascending; gaps are allowed.
@@ -117,7 +117,8 @@ def chandler_fit(times: Real[ArrayLike, "n"], x: Real[ArrayLike, "n"], y: Real[A
     pole = averaged(pole_of(times, x, y), STEP)
     if pole.span < BEATS:
         raise InvalidInput(f"the series must last {BEATS / YEAR:.1f} years, twice the beat of the wobble and the year, "
-                           f"to tell the two apart; got {pole.span / YEAR:.2f} years. Give a longer series.")  # fmt: skip
+                           f"to tell the two apart; got {pole.span / YEAR:.2f} years. Give a longer series."
+                           )  # fmt: skip
     epoch = 0.5 * float(pole.times[0] + pole.times[-1])
     clock = pole.times - epoch
     rate = _best_rate(clock, pole)

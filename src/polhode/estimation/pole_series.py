@@ -62,7 +62,8 @@ def pole_of(times: Real[ArrayLike, "n"], x: Real[ArrayLike, "n"], y: Real[ArrayL
         raise InvalidInput(f"`times` must ascend; entry {bad} is {t[bad]:g} after {t[bad - 1]:g}. Sort the samples.")
     if max(np.abs(east).max(), np.abs(west).max()) > LARGEST:
         raise InvalidInput(f"`x` and `y` must be in radians, {LARGEST:g} at most; got "
-                           f"{max(np.abs(east).max(), np.abs(west).max()):g}. Divide arcseconds by 206264.8.")  # fmt: skip
+                           f"{max(np.abs(east).max(), np.abs(west).max()):g}. Divide arcseconds by 206264.8."
+                           )  # fmt: skip
     return Pole(t, east - 1j * west, np.ones(len(t)))
 
 
@@ -89,8 +90,8 @@ def even(pole: Pole, step: float) -> Pole:
     sizes = np.bincount(place, minlength=steps)
     if (sizes == 0).any():
         bad = int(np.argmax(sizes == 0))
-        raise InvalidInput(f"the series must have no gap longer than the step of {step / DAY:g} d; nothing stands in the "
-                           f"{step / DAY:g} d from {(pole.times[0] + bad * step) / DAY:g} d on. Choose a span without "
+        raise InvalidInput(f"the series must have no gap longer than the step of {step / DAY:g} d; nothing stands in "
+                           f"the {step / DAY:g} d from {(pole.times[0] + bad * step) / DAY:g} d on. Choose a span without "
                            "the gap, or a longer step.")  # fmt: skip
     mean = lambda values: np.bincount(place, values[inside], minlength=steps) / sizes  # noqa: E731
     half = 0.5 * (step - usual)  # the mean of samples at the start of each interval stands here

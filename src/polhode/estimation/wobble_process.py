@@ -1,10 +1,11 @@
 """The Chandler wobble as a damped free motion that white excitation keeps going: period and Q by likelihood.
 
-The wobble is the Gauss–Markov process ds = iσ_c s dt + dw of ṁ = iσ_c(m − ψ), σ_c = σ(1 + i/2Q), with a white excitation ψ.
-All else that moves the pole is far from white from the lowest frequencies to the highest, so the likelihood looks at the
-wobble's band alone: the pole, turned back at a rate near σ, is averaged over a wobble's period, which also takes out position
-and drift. The means z_k of the process have the autocovariance of a damped walk averaged over steps, exactly; in the band
-the rest is white noise of the means. The annual term is integrated out (restricted likelihood).
+The wobble is the Gauss–Markov process ds = iσ_c s dt + dw of ṁ = iσ_c(m − ψ), σ_c = σ(1 + i/2Q), with a white
+excitation ψ. All else that moves the pole is far from white from the lowest frequencies to the highest, so the
+likelihood looks at the wobble's band alone: the pole, turned back at a rate near σ, is averaged over a wobble's
+period, which also takes out position and drift. The means z_k of the process have the autocovariance of a damped
+walk averaged over steps, exactly; in the band the rest is white noise of the means. The annual term is integrated
+out (restricted likelihood).
 
 References: C. R. Wilson, R. O. Vicente, Geophys. J. Int. 103 (1990) 743; M. Furuya, B. F. Chao, Geophys. J. Int. 127
 (1996) 693; H. Working, Econometrica 28 (1960) 916 for a walk's averages.
@@ -39,10 +40,11 @@ class ChandlerProcess:
     """Period and Q of the Chandler wobble by likelihood, and the wobble itself.
 
     Attributes:
-        estimate: ``period`` [s] and ``quality_factor``, with errors by the curvature of the likelihood.
+        estimate: ``period`` [s] and ``quality_factor``, with errors by the curvature of the likelihood; Q has an
+            infinite one where its interval of one standard deviation has no upper end.
         period_intervals: probability → ends of the interval of the period [s], by the likelihood's profile.
-        quality_intervals: the same of Q, wider above than below. The upper end is infinite where the likelihood does not
-            refuse a wobble without damping.
+        quality_intervals: the same of Q, wider above than below. The upper end is infinite where the likelihood does
+            not refuse a wobble without damping.
         excitation: spectral density of the excitation at the wobble's rate, two-sided [rad² s].
         noise: standard deviation of what is not the wobble, of a complex mean over a step [rad].
         step: over which means are taken [s].
@@ -85,9 +87,9 @@ def chandler_process(
 ) -> ChandlerProcess:
     """Estimate period and Q of the Chandler wobble as a Gauss–Markov process, by restricted likelihood.
 
-    Unlike a fitted line, the process expects amplitude and phase to change, so that its errors hold for the free wobble.
-    Intervals are by the likelihood's profile. Q is known badly: 64 years of a wobble with Q = 100 leave it open by a
-    factor of two or more.
+    Unlike a fitted line, the process expects amplitude and phase to change, so that its errors hold for the free
+    wobble. Intervals are by the likelihood's profile. Q is known badly: 64 years of a wobble with Q = 100 leave it
+    open by a factor of two or more.
 
     Args:
         times: [s], ascending, without gaps longer than 5 d or the usual step.
@@ -119,6 +121,8 @@ def chandler_process(
     quality = float(np.exp(best.x[1]))
     slopes = np.array([UNIT, quality])
     covariance = np.linalg.pinv(_curvature(cost, best.x), hermitian=True)[:2, :2] * np.outer(slopes, slopes)
+    if (np.diagonal(covariance) <= 0.0).any() or not np.isfinite(intervals[1][LEVELS[0]][1]):  # Q has no upper bound
+        covariance = np.diag([(0.5 * UNIT * np.subtract(*intervals[0][LEVELS[0]])) ** 2, np.inf])
     estimate = Estimate(("period", "quality_factor"), np.array([best.x[0] * UNIT, quality]), covariance)
     wobble, error = _smoothed(best.x, band, filtered)
     rate = 2.0 * np.pi / estimate.value[0]
@@ -202,7 +206,8 @@ def _intervals(
     found = {}
     for level in LEVELS:
         height = 0.5 * float(chi2.ppf(level, 1))
-        found[level] = (_end(rise, best[k], -reach, height, BOUNDS[k][0]), _end(rise, best[k], reach, height, BOUNDS[k][1]))
+        low, high = (_end(rise, best[k], side * reach, height, limit) for side, limit in zip((-1, 1), BOUNDS[k], strict=True))
+        found[level] = (low, high)
     return found
 
 
