@@ -69,13 +69,13 @@ class ChandlerFit:
         return float(abs(self.term("chandler_retrograde")) ** 2 / abs(self.term("chandler_prograde")) ** 2)
 
     def term(self, name: str) -> complex:
-        """Return the complex amplitude of a term at ``epoch`` [rad]."""
-        k = 2 * [*self.rates].index(name)
+        """Return the complex amplitude of a term at ``epoch``, ``mean`` [rad] or ``drift`` [rad/s]."""
+        k = self.terms.names.index(f"{name}_re")
         return complex(self.terms.value[k], self.terms.value[k + 1])
 
     def amplitude(self, name: str) -> tuple[float, float]:
         """Return the amplitude of a term and its standard error [rad]."""
-        k = 2 * [*self.rates].index(name)
+        k = self.terms.names.index(f"{name}_re")
         return _polar(self.terms.value[k : k + 2], self.terms.covariance[k : k + 2, k : k + 2])
 
 

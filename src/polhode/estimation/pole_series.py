@@ -91,8 +91,8 @@ def even(pole: Pole, step: float) -> Pole:
     if (sizes == 0).any():
         bad = int(np.argmax(sizes == 0))
         raise InvalidInput(f"the series must have no gap longer than the step of {step / DAY:g} d; nothing stands in "
-                           f"the {step / DAY:g} d from {(pole.times[0] + bad * step) / DAY:g} d on. Choose a span without "
-                           "the gap, or a longer step.")  # fmt: skip
+                           f"the {step / DAY:g} d from {(pole.times[0] + bad * step) / DAY:g} d on. Choose a span "
+                           "without the gap.")  # fmt: skip
     mean = lambda values: np.bincount(place, values[inside], minlength=steps) / sizes  # noqa: E731
     half = 0.5 * (step - usual)  # the mean of samples at the start of each interval stands here
     times = pole.times[0] + half + step * np.arange(steps)

@@ -206,8 +206,8 @@ def _intervals(
     found = {}
     for level in LEVELS:
         height = 0.5 * float(chi2.ppf(level, 1))
-        low, high = (_end(rise, best[k], side * reach, height, limit) for side, limit in zip((-1, 1), BOUNDS[k], strict=True))
-        found[level] = (low, high)
+        low, high = BOUNDS[k]
+        found[level] = (_end(rise, best[k], -reach, height, low), _end(rise, best[k], reach, height, high))
     return found
 
 
