@@ -9,7 +9,13 @@ from scipy.stats import multivariate_normal
 from estimation.wobbling import AMPLITUDE, ANNUAL, DAY, MAS, PERIOD, RATE, YEAR, kicked, lines, white
 from polhode.errors import InvalidInput
 from polhode.estimation import (
-    chandler_fit, chandler_process, chandler_windows, euler_chain, polar_excitation, pole_spectrum, wobble_process,
+    chandler_fit,
+    chandler_process,
+    chandler_windows,
+    euler_chain,
+    polar_excitation,
+    pole_spectrum,
+    wobble_process,
 )  # fmt: skip
 from polhode.formats import read_polar_motion
 
@@ -47,7 +53,7 @@ def test_errors_that_take_the_noise_for_white_are_too_small():
 @pytest.mark.parametrize("broken", [lambda x, y: (x, -y), lambda x, y: (y, x)], ids=["flipped", "swapped"])
 def test_a_wrong_sense_is_noticed(broken):
     times, x, y = lines(rng(3), 14.0)
-    with pytest.raises(InvalidInput, match="turns against the Earth's spin.*sign of y"):
+    with pytest.raises(InvalidInput, match=r"turns against the Earth's spin.*sign of y"):
         chandler_fit(times, *broken(x, y))
 
 
@@ -72,7 +78,7 @@ def test_refused(spoil, words):
 def test_noise_alone_has_no_wobble():
     times = 10 * DAY * np.arange(700)
     m = MAS * white(rng(5), 700)
-    with pytest.raises(InvalidInput, match="no Chandler wobble|turns against"):
+    with pytest.raises(InvalidInput, match=r"no Chandler wobble|turns against"):
         chandler_fit(times, m.real, -m.imag)
 
 
@@ -177,7 +183,7 @@ def test_the_chain_from_euler_to_chandler():
     half = solve_ivp(euler, (0, 400), [1e-6, 0, rate], rtol=1e-10, atol=1e-13, dense_output=True, method="DOP853").sol
     turned = brentq(lambda t: half(t)[1], 250, 350)  # the axis is back on its side after a period
     assert turned * sidereal / DAY == pytest.approx(periods[0], rel=1e-5)
-    with pytest.raises(InvalidInput, match="Love number from 0 to below 0.938"):
+    with pytest.raises(InvalidInput, match=r"Love number from 0 to below 0.938"):
         euler_chain(elastic=0.95)
 
 

@@ -113,9 +113,8 @@ def _carried() -> tuple[Path, str]:
 
 
 def _is_data(line: str) -> bool:
-    """Whether a line is not empty and not one of the words above the numbers."""
-    words = line.split(None, 1)
-    return bool(words) and not words[0].startswith("#") and not words[0][0].isalpha() and words[0] != "(0h"
+    """Whether a line begins with a number, unlike the words above the numbers."""
+    return line.strip()[:1].isdigit()
 
 
 def _c04_rows(path: Path, lines: list[str], first: str) -> tuple[str, list[tuple[float, ...]]]:

@@ -152,7 +152,7 @@ def _windows(windows: ChandlerWindows) -> Table:
     ]  # fmt: skip
     every = max(1, round(ROWS / (windows.centres[1] - windows.centres[0]))) if len(rows) > 1 else 1
     shown = {row["centre"] for row in rows[::every]}
-    return Table("windows", f"In windows of {windows.window / YEAR:.3g} years, at the line's period", {
+    return Table("windows", f"Windows of {windows.window / YEAR:.3g} years", {
         "middle": lambda row: row["centre"],
         "amplitude": lambda row: uncertain(row["amplitude_mas"], row["amplitude_mas_error"], "mas"),
         "phase": lambda row: uncertain(math.degrees(row["phase"]), math.degrees(row["phase_error"]), "°"),
