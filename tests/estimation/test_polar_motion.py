@@ -43,8 +43,8 @@ def test_lines_in_red_noise():
 
 def test_errors_that_take_the_noise_for_white_are_too_small():
     """Red noise of a memory of 100 d is 2.5 times as large at the wobble's rate as white noise of its size."""
-    fits = [chandler_fit(*lines(rng(seed))) for seed in range(5)]
-    fit = sorted(fits, key=lambda fit: fit.estimate.standard_error[0])[2]
+    fits = [chandler_fit(*lines(rng(seed))) for seed in range(9)]
+    fit = sorted(fits, key=lambda fit: fit.estimate.standard_error[0])[4]
     plain = np.sqrt(6.0 * 2.0 * fit.rms**2 / len(fit.times)) / AMPLITUDE / (fit.times[-1] - fit.times[0])
     plain *= PERIOD**2 / (2 * np.pi)
     assert 1.8 * plain < fit.estimate.standard_error[0] < 5.0 * plain
@@ -163,6 +163,7 @@ def test_covariance_of_the_excitation():
 def test_the_spectrum_holds_all_power():
     times, x, y = lines(rng(11), 40.0)
     found = pole_spectrum(times, x, y)
+    bin_ = found.frequencies[1] - found.frequencies[0]
     lobe = lambda f: np.sum(found.density[np.abs(found.frequencies - f) < 0.06 / YEAR]) * np.diff(found.frequencies)[0]  # noqa: E731
     assert lobe(1 / PERIOD) == pytest.approx(AMPLITUDE**2, rel=0.1)
     assert lobe(1 / YEAR) == pytest.approx(ANNUAL**2, rel=0.1)
