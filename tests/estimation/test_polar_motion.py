@@ -132,7 +132,8 @@ def test_windows_follow_what_changes():
     assert found.centres[0] == pytest.approx(3 * YEAR, abs=10 * DAY)
 
 
-@pytest.mark.parametrize(("window", "words"), [(3 * YEAR, "from 4 years"), (40 * YEAR, "20.0|19.9"), (np.nan, "window")])
+@pytest.mark.parametrize(("window", "words"), [
+    (3 * YEAR, "from 4 years"), (40 * YEAR, "20.0|19.9"), (np.nan, "window")])  # fmt: skip
 def test_windows_that_cannot_be(window, words):
     with pytest.raises(InvalidInput, match=words):
         chandler_windows(*lines(rng(9), 20.0), window=window, period=PERIOD)
@@ -163,7 +164,6 @@ def test_covariance_of_the_excitation():
 def test_the_spectrum_holds_all_power():
     times, x, y = lines(rng(11), 40.0)
     found = pole_spectrum(times, x, y)
-    bin_ = found.frequencies[1] - found.frequencies[0]
     lobe = lambda f: np.sum(found.density[np.abs(found.frequencies - f) < 0.06 / YEAR]) * np.diff(found.frequencies)[0]  # noqa: E731
     assert lobe(1 / PERIOD) == pytest.approx(AMPLITUDE**2, rel=0.1)
     assert lobe(1 / YEAR) == pytest.approx(ANNUAL**2, rel=0.1)

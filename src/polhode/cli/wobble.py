@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
 
@@ -64,8 +65,8 @@ def _between(series: PoleSeries, start: float | None, end: float | None) -> Pole
         raise InvalidInput(f"nothing of {series.source} stands between --from and --to: it has days from "
                            f"{date_of(float(series.days[0]))} to {date_of(float(series.days[-1]))}. Choose among these."
                            )  # fmt: skip
-    parts = (series.days, series.x, series.y, series.x_error, series.y_error)
-    return PoleSeries(*(part[inside] for part in parts), series.form, series.source, series.predicted)
+    names = ("days", "x", "y", "x_error", "y_error")
+    return replace(series, **{name: getattr(series, name)[inside] for name in names})
 
 
 def _found(series: PoleSeries, window: float) -> Wobble:

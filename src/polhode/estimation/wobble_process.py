@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from scipy.linalg import cho_solve, cholesky, solve_triangular, toeplitz
@@ -169,7 +169,7 @@ def _filtered(p: Float64[Array, "3"], band: _Band) -> _Filtered:
     left = target - q @ inside
     free = len(left) - basis.shape[1]
     scale = float(np.vdot(left, left).real) / free
-    logs = 2.0 * np.sum(np.log(np.diagonal(factor).real)) + 2.0 * np.sum(np.log(np.abs(np.diagonal(r))))
+    logs = 2.0 * np.sum(np.log(np.real(np.diagonal(factor)))) + 2.0 * np.sum(np.log(np.abs(np.diagonal(r))))
     return _Filtered(free * np.log(scale) + logs, scale, np.linalg.solve(r, inside), left / np.sqrt(scale))
 
 
@@ -218,7 +218,8 @@ def _end(rise: Callable[[float], float], start: float, reach: float, height: flo
         if (outer - limit) * np.sign(reach) >= 0.0:
             outer = limit
         if rise(outer) > height:
-            return float(brentq(lambda value: rise(value) - height, inner, outer, xtol=0.02 * abs(reach)))
+            found: Any = brentq(lambda value: rise(value) - height, inner, outer, xtol=0.02 * abs(reach))
+            return float(found)
         if outer == limit:
             break
         inner, outer = outer, outer + 2.0 * (outer - start)
@@ -233,7 +234,7 @@ def _smoothed(
     factor = cholesky(wobble + np.exp(p[2]) * np.eye(len(wobble)), lower=True)
     mean = wobble @ cho_solve((factor, True), band.data[:, 0] - band.data[:, 1:] @ filtered.values)
     told = solve_triangular(factor, wobble, lower=True)
-    variance = np.diagonal(wobble).real - np.sum(np.abs(told) ** 2, axis=0)
+    variance = np.real(np.diagonal(wobble)) - np.sum(np.abs(told) ** 2, axis=0)
     return mean, np.sqrt(0.5 * filtered.scale * np.maximum(variance, 0.0))
 
 

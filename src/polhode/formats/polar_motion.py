@@ -97,7 +97,8 @@ def read_polar_motion(path: str | Path | None = None) -> PoleSeries:
         raise FormatError(f"{path}: has no measured pole, only predictions or empty columns. {_REMEDY}.")
     table = np.array(rows)
     table[:, 1:] *= ARCSECOND
-    return PoleSeries(*table.T, form, source, predicted)
+    days, x, y, x_error, y_error = table.T
+    return PoleSeries(days, x, y, x_error, y_error, form, source, predicted)
 
 
 def _carried() -> tuple[Path, str]:
