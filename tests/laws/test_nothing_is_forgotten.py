@@ -21,7 +21,8 @@ INNER = {
     "analysis": {"conserved", "conserved_function", "equilibrium_data", "mechanics", "periapsis_map", "power_law",
                  "reasons", "second_variation"},
     "bodies": {"mesh_crossing", "mesh_gate", "pivot", "turned"},
-    "estimation": {"estimate", "linear_start", "principal", "throw_fit", "throw_models", "torqued_states"},
+    "estimation": {"estimate", "line_noise", "linear_start", "pole_series", "principal", "throw_fit", "throw_models",
+                   "torqued_states"},
     "exact": {"blocks", "decay", "kernel_agm", "kernel_arithmetic", "free_body.derivative", "free_body.evaluation",
               "free_body.frequencies", "free_body.geometry", "free_body.geometry_tangent", "free_body.kernel",
               "free_body.kernel_rates", "free_body.kernel_reduction", "free_body.kernel_setup", "free_body.preparation",
@@ -118,6 +119,8 @@ NO_ARRAYS = {
     "Lattice.positions",
     "GyroLog", "estimation.flight.free_flights", "estimation.flight.Window", "FittedThrow", "ModelScore", "ThrowFit",
     "AttitudeFit", "Tumbling", "TumblingInterval",
+    "ChandlerFit", "ChandlerFit.term", "ChandlerFit.amplitude", "ChandlerProcess", "ChandlerWindows",
+    "PoleSpectrum", "PolarExcitation", "EulerPeriod",
     "disk_turns.first_turns", "disk_turns.last_turns", "disk_turns.filled_to_its_end",
 }  # fmt: skip
 """Functions of objects, words and whole numbers, and records of known answers."""

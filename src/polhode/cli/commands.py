@@ -419,3 +419,34 @@ def tumble(
         return
     run_tumble(body, TumbleOptions(precession, rotation, moments, semi_axes, axis, mode, diameter, density, rigidity,
                                    shape_factor, aspect, phase, figures, out), json)  # fmt: skip
+
+
+@app.command(cls=StrictCommand)
+def wobble(
+    file: Annotated[
+        Path | None,
+        typer.Argument(metavar="[FILE]", help="IERS C04 or finals2000A (default: C04 of the extra `data`)."),
+    ] = None,
+    start: Annotated[
+        str | None, typer.Option("--from", metavar="DAY", help="First day to use, like 1976-01-01.")
+    ] = None,
+    end: Annotated[str | None, typer.Option("--to", metavar="DAY", help="Day before which to stop.")] = None,
+    window: Annotated[
+        str | None, typer.Option("--window", metavar="YEARS", help="Length of sliding windows (default: 6).")
+    ] = None,
+    figures: Annotated[
+        Path | None, typer.Option("--figures", metavar="DIR", help="Folder to draw figures into.")
+    ] = None,
+    json: AsJson = False,
+    out: Annotated[
+        Path | None, typer.Option("--out", metavar="FILE.nc", help="Dataset of windows, process and excitation.")
+    ] = None,
+) -> None:
+    """Say how the Earth's pole wobbles, from measured polar motion.
+
+    Printed are the Chandler wobble's period, amplitude and Q with errors, the seasons, the wobble in sliding
+    windows, and why its period is not Euler's 304 days.
+    """
+    from polhode.cli.wobble import WobbleOptions, run_wobble
+
+    run_wobble(file, WobbleOptions(start, end, window, figures, out), json)

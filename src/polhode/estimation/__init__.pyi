@@ -1,10 +1,16 @@
 from .attitude_fit import AttitudeFit as AttitudeFit
 from .attitude_fit import fit_attitude as fit_attitude
 from .estimate import Estimate as Estimate
+from .euler_periods import EulerPeriod as EulerPeriod
+from .euler_periods import euler_chain as euler_chain
+from .excitation import PolarExcitation as PolarExcitation
+from .excitation import polar_excitation as polar_excitation
 from .flight import Window as Window
 from .flight import free_flights as free_flights
 from .gyro_log import GyroLog as GyroLog
 from .gyro_log import clean_log as clean_log
+from .polar_motion import ChandlerFit as ChandlerFit
+from .polar_motion import chandler_fit as chandler_fit
 from .scale import moments_from_one as moments_from_one
 from .scale import moments_from_weight as moments_from_weight
 from .throw import FittedThrow as FittedThrow
@@ -15,3 +21,9 @@ from .tumbling import Tumbling as Tumbling
 from .tumbling import TumblingInterval as TumblingInterval
 from .tumbling import fit_tumbling as fit_tumbling
 from .tumbling import least_period_ratios as least_period_ratios
+from .wobble_process import ChandlerProcess as ChandlerProcess
+from .wobble_process import chandler_process as chandler_process
+from .wobble_windows import ChandlerWindows as ChandlerWindows
+from .wobble_windows import PoleSpectrum as PoleSpectrum
+from .wobble_windows import chandler_windows as chandler_windows
+from .wobble_windows import pole_spectrum as pole_spectrum

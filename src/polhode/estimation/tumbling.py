@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -82,7 +81,7 @@ def fit_tumbling(
     rotation: float,
     moments: Real[ArrayLike, "3"],
     axis: PrecessingAxis = "encircled",
-    errors: Sequence[float] | None = None,
+    errors: Real[ArrayLike, "5"] | None = None,
     seed: int = 0,
 ) -> tuple[Tumbling, ...]:
     """Return the motions with given periods, the one of least energy first; there are one or two.
@@ -168,7 +167,7 @@ def _checked_moments(moments: ArrayLike) -> Float64[Array, "3"]:
     return values / i3
 
 
-def _checked_errors(errors: Sequence[float] | None) -> Float64[Array, "5"] | None:
+def _checked_errors(errors: ArrayLike | None) -> Float64[Array, "5"] | None:
     if errors is None:
         return None
     sizes = np.asarray(errors, dtype=np.float64)

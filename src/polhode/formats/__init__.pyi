@@ -16,6 +16,8 @@ from .labels import AttitudeLabels as AttitudeLabels
 from .labels import Recording as Recording
 from .mesh import read_mesh as read_mesh
 from .molecule import read_molecule as read_molecule
+from .polar_motion import PoleSeries as PoleSeries
+from .polar_motion import read_polar_motion as read_polar_motion
 from .rotor_dataset import spectrum_dataset as spectrum_dataset
 from .rotor_dataset import write_spectrum as write_spectrum
 from .scipy_rotation import as_rotation as as_rotation

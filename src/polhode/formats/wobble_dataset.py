@@ -1,0 +1,57 @@
+"""The wobble's series, in windows, as a process and what excites it, as a NetCDF dataset."""
+
+from __future__ import annotations
+
+from io import BytesIO
+from pathlib import Path
+from typing import Any
+
+from polhode.estimation.excitation import PolarExcitation
+from polhode.estimation.wobble_process import ChandlerProcess
+from polhode.estimation.wobble_windows import ChandlerWindows
+from polhode.formats.dataset import pack
+from polhode.formats.paths import written_whole
+
+CLOCK = {"units": "s", "long_name": "time since modified Julian date 0, UTC"}
+
+
+def write_wobble(
+    windows: ChandlerWindows, process: ChandlerProcess, excitation: PolarExcitation, source: str, path: str | Path
+) -> Path:
+    """Write what sliding windows, the process and deconvolution say; the file appears whole or not at all.
+
+    Args:
+        windows: as ``chandler_windows`` returns them.
+        process: as ``chandler_process`` returns it.
+        excitation: as ``polar_excitation`` returns it.
+        source: of the data.
+        path: of the dataset.
+
+    Raises:
+        InvalidInput: if the file cannot be written there.
+    """
+    path = Path(path)
+    variables: dict[str, Any] = {}
+
+    def add(name: str, axis: str, values: Any, units: str, meaning: str) -> None:
+        variables[name] = (axis, values, {"units": units, "long_name": meaning})
+
+    add("amplitude", "window", windows.amplitude, "rad", "amplitude of the Chandler wobble in a window")
+    add("amplitude_error", "window", windows.amplitude_error, "rad", "its standard deviation")
+    add("phase", "window", windows.phase, "rad", f"phase against exp(i {windows.rate:.12g} (t - {windows.epoch:.12g}))")
+    add("phase_error", "window", windows.phase_error, "rad", "its standard deviation")
+    for name, axis, values, meaning in (
+        ("wobble", "step", process.wobble, "Chandler wobble as a process, mean over a step"),
+        ("psi", "excitation", excitation.psi, "excitation of polar motion"),
+    ):
+        add(f"{name}_greenwich", axis, values.real, "rad", f"{meaning}, towards Greenwich")
+        add(f"{name}_east", axis, values.imag, "rad", f"{meaning}, towards 90 degrees East")
+    add("wobble_error", "step", process.wobble_error, "rad", "standard deviation of each of its components")
+    coordinates = {"window": ("window", windows.centres, CLOCK), "step": ("step", process.times, CLOCK),
+                   "excitation": ("excitation", excitation.times, CLOCK)}  # fmt: skip
+    header = {"Conventions": "CF-1.11", "source": source, "title": "the Chandler wobble from polar motion"}
+    packed = BytesIO()  # HDF5 would crash on a disk that is full
+    pack(packed, variables, coordinates, header)
+    with written_whole(path) as draft:
+        draft.write_bytes(packed.getbuffer())
+    return path

@@ -1,0 +1,194 @@
+"""What polar motion says of the Chandler wobble, as answers."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from polhode.estimation.euler_periods import EulerPeriod
+from polhode.estimation.excitation import PolarExcitation
+from polhode.estimation.polar_motion import ChandlerFit
+from polhode.estimation.wobble_process import ChandlerProcess
+from polhode.estimation.wobble_windows import ChandlerWindows, PoleSpectrum
+from polhode.formats.polar_motion import PoleSeries, date_of
+from polhode.reports.answer import Answer, Group, Table
+from polhode.reports.wording import uncertain
+
+DAY, YEAR = 86_400.0, 365.25 * 86_400.0
+MAS = math.pi / 648_000_000.0  # rad
+ROWS = 3.0 * YEAR  # between the windows that the text shows
+STRAIGHT = 0.01  # of energy that may be retrograde, as the Earth's wobble is a circle but for a thousandth
+AT_ODDS = 2.0  # standard errors between two estimates of the period
+CORRELATED = 0.01  # probability of the innovations, below which the process does not describe the data
+
+
+@dataclass(frozen=True)
+class Wobble:
+    """All that is found from one series of polar motion."""
+
+    series: PoleSeries
+    line: ChandlerFit
+    process: ChandlerProcess
+    windows: ChandlerWindows
+    excitation: PolarExcitation
+    spectrum: PoleSpectrum
+    chain: Sequence[EulerPeriod]
+
+
+def wobble_summary(found: Wobble) -> str:
+    """Return the answer in a sentence."""
+    period, amplitude = found.line.estimate.value[:2]
+    errors = found.line.estimate.standard_error
+    low, high = found.process.quality_intervals[0.6827]
+    return (f"The Chandler wobble: {uncertain(period / DAY, errors[0] / DAY, 'd')}, "
+            f"{uncertain(amplitude / MAS, errors[1] / MAS, 'mas')} on the mean, Q = {_quality(found)} "
+            f"({_q(low)} to {_q(high)}); a rigid Earth would take {found.chain[0].period / DAY:.1f} d.")  # fmt: skip
+
+
+def wobble_groups(found: Wobble) -> list[Group | Table]:
+    """Return what is found, by groups."""
+    return [_line(found), _process(found), _terms(found), _windows(found.windows), _excitation(found), _chain(found),
+            _data(found)]  # fmt: skip
+
+
+def wobble_notes(found: Wobble) -> list[str]:
+    """Return what a reader should know of data and estimates."""
+    notes = []
+    series, line, process = found.series, found.line, found.process
+    if series.predicted:
+        notes.append(f"{series.predicted} lines are predictions and were left out.")
+    if line.energy_ratio > STRAIGHT:
+        notes.append(f"the retrograde Chandler energy is {100.0 * line.energy_ratio:.2g} % of the prograde one; "
+                     "the Earth's is below 1 %. Check signs and units of x and y.")  # fmt: skip
+    amplitudes = found.windows.amplitude
+    if amplitudes.max() > 2.0 * amplitudes.min():
+        notes.append(f"the amplitude changed from {amplitudes.min() / MAS:.0f} to {amplitudes.max() / MAS:.0f} mas: "
+                     "that of the single line is the mean of a wobble that changes, not what it is at any time."
+                     )  # fmt: skip
+    apart = abs(line.estimate.value[0] - process.estimate.value[0])
+    if apart > AT_ODDS * math.hypot(line.estimate.standard_error[0], process.estimate.standard_error[0]):
+        notes.append("line and process disagree on the period by more than their errors allow.")
+    if process.whiteness < CORRELATED:
+        notes.append("what the process does not foresee is correlated (Ljung–Box): its errors are too small.")
+    if not math.isfinite(process.quality_intervals[0.95][1]):
+        notes.append("the series does not refuse a wobble without damping: Q has no upper end at 95 %.")
+    return notes
+
+
+def _q(value: float) -> str:
+    return f"{value:.0f}" if math.isfinite(value) else "infinite"
+
+
+def _quality(found: Wobble) -> str:
+    return _q(float(found.process.estimate.value[1]))
+
+
+def _line(found: Wobble) -> Group:
+    fit = found.line
+    period, amplitude, phase = fit.estimate.value
+    errors = fit.estimate.standard_error
+    ends = fit.estimate.interval()[0] / DAY
+    return Group("The Chandler wobble, as one line by least squares", [
+        Answer("chandler_period_days", period / DAY, "d", "period", "", uncertain(period / DAY, errors[0] / DAY, "d")),
+        Answer("chandler_period_days_error", errors[0] / DAY, "d", "", "standard error"),
+        Answer("chandler_period_days_interval", ends, "d", "period, 95 %", "", f"{ends[0]:.1f} to {ends[1]:.1f} d"),
+        Answer("chandler_amplitude_mas", amplitude / MAS, "mas", "amplitude", "of the mean wobble",
+               uncertain(amplitude / MAS, errors[1] / MAS, "mas")),
+        Answer("chandler_amplitude_mas_error", errors[1] / MAS, "mas", "", "standard error"),
+        Answer("chandler_phase", phase, "rad", "", "at the middle of the span, from Greenwich eastward"),
+        Answer("chandler_phase_error", errors[2], "rad", "", "standard error"),
+        Answer("retrograde_energy_ratio", fit.energy_ratio, "", "retrograde energy", "over the prograde one",
+               f"{100.0 * fit.energy_ratio:.2g} % of the prograde one"),
+        Answer("residual_rms_mas", fit.rms / MAS, "mas", "residuals", "of a coordinate",
+               f"{fit.rms / MAS:.3g} mas rms"),
+    ])  # fmt: skip
+
+
+def _process(found: Wobble) -> Group:
+    process = found.process
+    period, quality = process.estimate.value
+    errors = process.estimate.standard_error
+    spans = {level: np.array(ends) / DAY for level, ends in process.period_intervals.items()}
+    near, far = (process.quality_intervals[level] for level in (0.6827, 0.95))
+    return Group("The same as a damped wobble kept going by white excitation, by likelihood", [
+        Answer("quality_factor", quality, "", "Q", "", f"{_q(quality)}, 68 %: {_q(near[0])} to {_q(near[1])}"),
+        Answer("quality_factor_error", errors[1], "", "", "by the curvature of the likelihood; the interval says more"),
+        Answer("quality_factor_interval", list(near), "", "", "of 68 %"),
+        Answer("quality_factor_interval_95", list(far), "", "Q, 95 %", "", f"{_q(far[0])} to {_q(far[1])}"),
+        Answer("process_period_days", period / DAY, "d", "period", "", uncertain(period / DAY, errors[0] / DAY, "d")),
+        Answer("process_period_days_error", errors[0] / DAY, "d", "", "standard error"),
+        Answer("process_period_days_interval", spans[0.95], "d", "period, 95 %", "",
+               f"{spans[0.95][0]:.1f} to {spans[0.95][1]:.1f} d"),
+        Answer("damping_time", quality * period / math.pi, "s", "dies away to 1/e in"),
+        Answer("whiteness", process.whiteness, "", "", "probability of innovations so correlated, were they white"),
+    ])  # fmt: skip
+
+
+def _terms(found: Wobble) -> Table:
+    fit = found.line
+    rows: list[dict[str, Any]] = []
+    for name, rate in fit.rates.items():
+        size, error = fit.amplitude(name)
+        rows.append({"term": name, "period_days": 2.0 * math.pi / abs(rate) / DAY, "amplitude_mas": size / MAS,
+                     "amplitude_mas_error": error / MAS, "phase": float(np.angle(fit.term(name)))})  # fmt: skip
+    return Table("terms", "Terms of the fit", {
+        "term": lambda row: row["term"].replace("_", " "),
+        "period": lambda row: f"{row['period_days']:.2f} d",
+        "amplitude": lambda row: uncertain(row["amplitude_mas"], row["amplitude_mas_error"], "mas"),
+    }, rows, {"period_days": "d", "amplitude_mas": "mas", "amplitude_mas_error": "mas", "phase": "rad"},
+        "term")  # fmt: skip
+
+
+def _windows(windows: ChandlerWindows) -> Table:
+    rows: list[dict[str, Any]] = [
+        {"centre": date_of(centre / DAY), "amplitude_mas": a / MAS, "amplitude_mas_error": b / MAS, "phase": p,
+         "phase_error": q}
+        for centre, a, b, p, q in zip(windows.centres, windows.amplitude, windows.amplitude_error, windows.phase,
+                                      windows.phase_error, strict=True)
+    ]  # fmt: skip
+    every = max(1, round(ROWS / (windows.centres[1] - windows.centres[0]))) if len(rows) > 1 else 1
+    shown = {row["centre"] for row in rows[::every]}
+    return Table("windows", f"Windows of {windows.window / YEAR:.3g} years", {
+        "middle": lambda row: row["centre"],
+        "amplitude": lambda row: uncertain(row["amplitude_mas"], row["amplitude_mas_error"], "mas"),
+        "phase": lambda row: uncertain(math.degrees(row["phase"]), math.degrees(row["phase_error"]), "°"),
+    }, rows, {"amplitude_mas": "mas", "amplitude_mas_error": "mas", "phase": "rad", "phase_error": "rad"},
+        shown=lambda row: row["centre"] in shown)  # fmt: skip
+
+
+def _excitation(found: Wobble) -> Group:
+    excitation = found.excitation
+    density = found.process.excitation / MAS**2 / YEAR
+    rms = float(np.sqrt(0.5 * np.mean(np.abs(excitation.psi - excitation.psi.mean()) ** 2)) / MAS)
+    return Group("Excitation, by deconvolution", [
+        Answer("excitation.rms_mas", rms, "mas", "of a component", f"means over {excitation.step / DAY:g} d",
+               f"{rms:.3g} mas rms, means over {excitation.step / DAY:g} d"),
+        Answer("excitation.density", density, "mas²/(1/a)", "density at the wobble's rate",
+               "two-sided, that keeps the wobble going", f"{density:.3g} mas² per cycle a year"),
+    ])  # fmt: skip
+
+
+def _chain(found: Wobble) -> Table:
+    rows: list[dict[str, Any]] = [
+        {"stage": stage.name, "period_days": stage.period / DAY, "cause": stage.cause} for stage in found.chain
+    ]
+    return Table("euler_chain", "From Euler's period to Chandler's", {
+        "Earth": lambda row: row["stage"].replace("_", " "),
+        "period": lambda row: f"{row['period_days']:.1f} d",
+        "cause": lambda row: row["cause"],
+    }, rows, {"period_days": "d"})  # fmt: skip
+
+
+def _data(found: Wobble) -> Group:
+    days = found.series.days
+    span = [date_of(float(days[0])), date_of(float(days[-1]))]
+    return Group("Data", [
+        Answer("source", found.series.source, "", "source"),
+        Answer("form", found.series.form, "", "form"),
+        Answer("span", span, "", "days", "", f"{span[0]} to {span[1]}, {len(days)} of them"),
+        Answer("samples", len(days)),
+    ])  # fmt: skip
