@@ -21,8 +21,10 @@ from polhode.exact.free_body.motion import FreeMotion
 from polhode.types import Array, Float64
 
 SATURATED = 3  # samples of one axis at exactly the largest size are a gyro at its limit
-MISFIT = 2.0  # times the noise of the samples: larger residuals ask for other starts
-RESTARTS = np.array([[0.6, 0.05], [0.3, 0.05], [0.3, 0.3]])  # shapes s and c: rod-like, plate-like, round
+MISFIT = 1.4  # times the noise of the samples: larger residuals ask for other starts
+NEAR = 1e-4  # of a bound of the shape or the drag: a fit that ends there may be in a wrong valley
+ROD = 0.98  # of s: hardly a body is so long and thin
+RESTARTS = np.array([[0.3, 0.05], [0.6, 0.05], [0.85, 0.02], [0.3, 0.3]])  # shapes s and c: plates, a rod, round
 MIN_TURN = 0.5  # rad: of less nothing can be said
 
 
@@ -268,10 +270,23 @@ def _tried(
             noise = (base.sigma, base.jitter)
             solutions[wanted_drag, wanted_gain] = fitted(model, _carried(base, model), base.axes, throws, noise)
     asked = [solutions[d, g] for d in choices(drag) for g in choices(gain)]
-    best = min(asked, key=lambda one: one.aicc)
-    if np.median(np.abs(best.residuals)) < MISFIT * 0.6745 * start.noise:
-        return asked
-    return [_retried(solution, start, throws) for solution in asked]
+    if _in_a_valley(min(asked, key=lambda one: one.aicc), start):
+        asked[-1] = _retried(asked[-1], start, throws)  # it contains the others
+    return asked
+
+
+def _in_a_valley(solution: Solution, start: _Start) -> bool:
+    """Whether a fit may have ended at a wrong place: at a bound, or with residuals beyond the samples' own noise."""
+    return bool(np.median(np.abs(solution.residuals)) > MISFIT * 0.6745 * start.noise) or _at_bound(solution)
+
+
+def _at_bound(solution: Solution) -> bool:
+    """Whether the shape or the drag ran to a bound, where drag may do the work of a wrong shape."""
+    low, high = solution.model.limits()
+    near = np.minimum(solution.parameters - low, high - solution.parameters) < NEAR
+    near[0] = abs(solution.parameters[0]) > ROD
+    places = solution.model.places
+    return any(bool(near[places[name]].any()) for name in ("shape", "drag") if name in places)
 
 
 def _grown(model: Model, x: Array, axes: Array, throws: list[Throw]) -> Solution:
@@ -291,18 +306,27 @@ def _middle(throw: Throw, samples: int) -> Throw:
 
 
 def _retried(solution: Solution, start: _Start, throws: list[Throw]) -> Solution:
-    """Return the best of several starts, as one ended in a valley: residuals larger than the samples' own noise."""
-    begin = _carried(solution, solution.model)
-    for name, place in solution.model.places.items():
+    """Return the best of several starts: shapes by the axes of the linear method and by those of the rates themselves.
+
+    The linear method knows of no bias. Where the body turns about its middle axis, that may exchange its axes.
+    """
+    model = solution.model
+    begin = _carried(solution, model)
+    for name, place in model.places.items():
         if name in ("bias", "drag"):
             begin[place] = 0.0
-    for k, throw in enumerate(throws):
-        begin[solution.model.places[f"start {k}"]] = start.axes.T @ throw.rates[len(throw.rates) // 2]
+    one, two, three = np.linalg.svd(np.concatenate([throw.rates for throw in throws]), full_matrices=False)[2]
     found = [solution]
-    for shape in (start.shape, *RESTARTS):
-        begin[solution.model.places["shape"]] = shape
-        found.append(fitted(solution.model, begin, start.axes, throws, None))
-    return max(found, key=lambda one: one.log_likelihood)
+    for axes in (np.stack([three, one, np.cross(three, one)], axis=1), start.axes,
+                 np.stack([two, one, np.cross(two, one)], axis=1)):  # fmt: skip
+        for k, throw in enumerate(throws):
+            begin[model.places[f"start {k}"]] = axes.T @ throw.rates[len(throw.rates) // 2]
+        for shape in RESTARTS:
+            begin[model.places["shape"]] = shape
+            found.append(fitted(model, begin, axes, throws, None))
+            if not _in_a_valley(found[-1], start):
+                return max(found, key=lambda each: each.log_likelihood)
+    return max(found, key=lambda each: each.log_likelihood)
 
 
 def _carried(base: Solution, model: Model) -> Array:
