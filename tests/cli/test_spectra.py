@@ -189,3 +189,17 @@ def test_mistakes_of_fits_and_exports(run, measured, tmp_path, monkeypatch):
         told = run(*arguments, code="2")
         assert said in told.err.replace("\n│ ", "") and "Traceback" not in told.err
     assert not (tmp_path / "euler_disk.cat").exists()
+
+
+def test_a_molecule_is_exported_as_netcdf(tmp_path, capsys):
+    spec = Path(__file__).parents[2] / "examples" / "water_spectrum.toml"
+    with pytest.raises(SystemExit, match="0"):
+        main(["export", str(spec), "--to", "netcdf", "--out", str(tmp_path / "w.nc")])
+    with xr.open_dataset(tmp_path / "w.nc") as found:
+        rotor = read_spec(spec).kind.rotor(read_spec(spec))
+        assert np.array_equal(found.energy.values, rotor.rotor.levels(rotor.j_max).energy)
+        assert found.attrs["reduction"] == "A"
+        assert "line_frequency" in found
+    said = capsys.readouterr()
+    assert "levels and lines" in said.out
+    assert "UserWarning" not in said.err

@@ -5,6 +5,7 @@ from __future__ import annotations
 import difflib
 import math
 import sys
+import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass
 from importlib import import_module
@@ -18,6 +19,8 @@ from polhode.kinds.base import Spec
 from polhode.kinds.reading import read_spec
 from polhode.reports.base import AbstractMotionReport, AbstractReport
 
+_HERE = "polhode.cli.export"
+
 
 @dataclass(frozen=True)
 class Form:
@@ -30,6 +33,7 @@ class Form:
         holds: what is in it, and with how many digits.
         sampled: whether it holds the samples of the report.
         of_motion: whether it needs a motion.
+        spectrum: what writes the levels and lines of a kind without motion in its place, if it can.
     """
 
     home: tuple[str, str]
@@ -37,11 +41,16 @@ class Form:
     holds: str
     sampled: bool = True
     of_motion: bool = True
+    spectrum: str = ""
+
+    def writer(self, spec: Spec) -> tuple[str, str]:
+        """Return the module and function that write the file of a spec."""
+        return (_HERE, self.spectrum) if self.spectrum and not spec.kind.has_motion else self.home
 
 
-_HERE = "polhode.cli.export"
 FORMS = {
-    "netcdf": Form((_HERE, "export_netcdf"), ".nc", "all that is known, along the principal axes; bit for bit"),
+    "netcdf": Form((_HERE, "export_netcdf"), ".nc", "all that is known, along the principal axes; bit for bit",
+                   spectrum="export_spectrum"),
     "zarr": Form((_HERE, "export_zarr"), ".zarr", "all that is known, along the principal axes; bit for bit"),
     "csv": Form((_HERE, "export_csv"), ".csv", "a table along the given axes; every digit"),
     "aem": Form((_HERE, "export_aem"), ".aem",
@@ -72,22 +81,28 @@ def run_export(path: Path, forms: Sequence[str], out: Path | None) -> None:
     if out is not None:
         check_spares(out, path)
     spec = read_spec(path)
-    moving = any(FORMS[form].of_motion for form in wanted)
+    moving = any(FORMS[form].of_motion and FORMS[form].writer(spec) == FORMS[form].home for form in wanted)
     report = moving_report_of(path, spec) if moving else report_of(path, spec)
     for form in wanted:
-        module, function = FORMS[form].home
+        module, function = FORMS[form].writer(spec)
         place = out or Path(f"{path.stem}{FORMS[form].ending}")
         try:
-            written = getattr(import_module(module), function)(report, spec, place)
+            with warnings.catch_warnings(record=True) as caught:
+                warnings.simplefilter("always", UserWarning)
+                written = getattr(import_module(module), function)(report, spec, place)
         except FormatError:
             raise
         except InvalidInput as error:
             raise InvalidInput(f"{form}: {error}") from None
+        for said in dict.fromkeys(str(warning.message) for warning in caught):
+            print(f"polhode: {form}: {said}", file=sys.stderr)
+        ours = function == FORMS[form].home[1]
+        holds = FORMS[form].holds if ours else "levels and lines with their units; bit for bit"
         count = part = ""
         if isinstance(report, AbstractMotionReport):
             count = f"{len(report.trajectory.times)} samples, " if FORMS[form].sampled else ""
             part = _shown_part(report) if form == "gltf" else ""
-        print(one_line(f"{written}: {count}{FORMS[form].holds}{part}"))
+        print(one_line(f"{written}: {count}{holds}{part}"))
         if form in ("aem", "ck") and isinstance(report, AbstractMotionReport):
             _warn_of_long_turns(report, form)
 
@@ -164,6 +179,21 @@ def export_urdf(report: AbstractReport, spec: Spec, path: Path) -> Path:
     if spec.body is None:
         raise InvalidInput("a URDF link needs a body, and this spec has no [body]. Give one, or choose another form.")
     return write_urdf_inertial(spec.body, path, spec.name)
+
+
+def export_spectrum(report: AbstractReport, spec: Spec, path: Path) -> Path:
+    """Write a molecule's levels, and its lines if it has a dipole, as NetCDF."""
+    from polhode.formats.rotor_dataset import rotor_attributes, write_spectrum
+    from polhode.spec.rotors import check_summable
+
+    asked = spec.kind.rotor(spec)
+    lines = None
+    if asked.rotor.dipole.any():
+        check_summable(asked)
+        lines = asked.rotor.lines(asked.j_max, asked.temperature)
+    known = rotor_attributes(asked.rotor, spec.name, asked.temperature)
+    write_spectrum(path, levels=asked.rotor.levels(asked.j_max), lines=lines, attributes=known)
+    return path
 
 
 def export_cat(report: AbstractReport, spec: Spec, path: Path) -> Path:

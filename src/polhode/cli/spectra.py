@@ -14,7 +14,7 @@ import numpy as np
 from polhode.cli.destinations import check_spares
 from polhode.cli.render import as_json, print_report
 from polhode.errors import InvalidInput, shown
-from polhode.formats.rotor_dataset import write_spectrum
+from polhode.formats.rotor_dataset import rotor_attributes, write_spectrum
 from polhode.kinds.base import Spec
 from polhode.kinds.reading import read_spec_or_molecule
 from polhode.quantum.rotor import Rotor
@@ -48,7 +48,7 @@ def run_levels(path: Path, j_max: int | None, json: bool, out: Path | None = Non
         found = rotor.levels(last)
         table = level_table(found, last, last)
         if out is not None:
-            write_spectrum(out, levels=found, attributes=_attributes(spec, rotor))
+            write_spectrum(out, levels=found, attributes=rotor_attributes(rotor, spec.name))
     said = f"Constants {_constants(rotor)}; {len(table.rows)} levels to J = {last}."
     _print(spec, said, table, {"constants": rotor.constants, "j_max": last}, notes, json, out)
 
@@ -82,7 +82,7 @@ def run_lines(path: Path, options: LineOptions, json: bool, out: Path | None = N
     strongest = inside[np.argsort(-found.intensity[inside], kind="stable")[: options.most]]
     chosen = Lines(*(column[np.sort(strongest)] for column in found))
     if out is not None:
-        write_spectrum(out, lines=chosen, attributes=_attributes(spec, asked.rotor, asked.temperature))
+        write_spectrum(out, lines=chosen, attributes=rotor_attributes(asked.rotor, spec.name, asked.temperature))
     of_all = f"the {len(strongest)} strongest of {len(inside)}" if len(strongest) < len(inside) else f"{len(inside)}"
     said = f"{of_all} lines at {asked.temperature:g} K, to J = {asked.j_max}."
     told = {
@@ -123,19 +123,6 @@ def told_of(path: Path) -> Iterator[list[str]]:
 def _check_out(out: Path | None, path: Path) -> None:
     if out is not None:
         check_spares(out, path)
-
-
-def _attributes(spec: Spec, rotor: Rotor, temperature: float | None = None) -> dict[str, object]:
-    """Return what a dataset says of the molecule: constants and dipole in SI units, and how distortion is meant."""
-    found: dict[str, object] = {"title": spec.name, "rotational_constants_hertz": np.array(rotor.constants)}
-    if rotor.dipole.any():
-        found["dipole_coulomb_metre"] = rotor.dipole
-    if temperature is not None:
-        found["temperature_kelvin"] = temperature
-    if rotor.reduction is not None and rotor.representation is not None:
-        found |= {"reduction": rotor.reduction.value, "representation": rotor.representation.name}
-        found |= {f"distortion_{name}_hertz": value for name, value in rotor.distortion.items()}
-    return found
 
 
 def _print(

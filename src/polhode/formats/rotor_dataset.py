@@ -11,7 +11,7 @@ import numpy as np
 from polhode.errors import InvalidInput
 from polhode.formats.dataset import pack
 from polhode.formats.paths import written_whole
-from polhode.quantum import Levels, Lines
+from polhode.quantum import Levels, Lines, Rotor
 
 if TYPE_CHECKING:
     import xarray
@@ -105,3 +105,21 @@ def _described(
             note = {"units": unit, "long_name": meaning}
             variables[f"line_{name}"] = ("line", np.asarray(getattr(lines, name)), note)
     return variables, coordinates, {"Conventions": "CF-1.11", "source": "polhode", **(attributes or {})}
+
+
+def rotor_attributes(rotor: Rotor, name: str, temperature: float | None = None) -> dict[str, Any]:
+    """Return what a dataset says of a molecule: constants and dipole in SI units, and how distortion is meant.
+
+    >>> import polhode as ph
+    >>> rotor_attributes(ph.Rotor((27e9, 14e9, 9e9)), "molecule")["title"]
+    'molecule'
+    """
+    found: dict[str, Any] = {"title": name, "rotational_constants_hertz": np.array(rotor.constants)}
+    if rotor.dipole.any():
+        found["dipole_coulomb_metre"] = rotor.dipole
+    if temperature is not None:
+        found["temperature_kelvin"] = temperature
+    if rotor.reduction is not None and rotor.representation is not None:
+        found |= {"reduction": rotor.reduction.value, "representation": rotor.representation.name}
+        found |= {f"distortion_{name}_hertz": value for name, value in rotor.distortion.items()}
+    return found
