@@ -292,3 +292,33 @@ def test_constants_that_are_no_plain_rotor(tmp_path, change, said):
 def test_what_files_cannot_hold(make, said):
     with pytest.raises(InvalidInput, match=said):
         make()
+
+
+def test_a_var_file_keeps_correlations(tmp_path):
+    """As SPFIT documents it: the lower Cholesky factor, packed by rows in 8F10.6."""
+    names = ("A", "B", "C", "D_K")
+    root = np.array([[1, 0, 0, 0], [0.6, 0.8, 0, 0], [-0.3, 0.5, 0.66**0.5, 0], [0.1, -0.7, 0.5, 0.5]])
+    sigma = dict.fromkeys(names, 1e4)
+    table = formats.constant_table(FORMALDEHYDE, sigma, "H2CO", root @ root.T)
+    formats.write_par(table, tmp_path / "a.var")
+    rows = (tmp_path / "a.var").read_text().splitlines()[3 + len(table.code) :]
+    count = len(table.code)
+    numbers = [float(row[k : k + 10]) for row in rows for k in range(0, len(row), 10)]
+    assert len(numbers) == count * (count + 1) // 2
+    assert max(map(len, rows)) == 80
+    assert numbers[:6] == pytest.approx([1.0, 0.6, 0.8, -0.3, 0.5, 0.66**0.5], abs=2e-6)
+    again = formats.read_par(tmp_path / "a.var")
+    assert np.abs(again.correlation - table.correlation).max() < 2e-6
+    where = [again.label.index(name) for name in names]
+    sign = np.array([1, 1, 1, -1])  # D_K's operator has the other sign in these files
+    assert np.abs(again.correlation[np.ix_(where, where)] - root @ root.T * np.outer(sign, sign)).max() < 2e-6
+    formats.write_par(table, tmp_path / "a.par")
+    assert formats.read_par(tmp_path / "a.par").correlation is None
+    text = (tmp_path / "a.var").read_text()
+    (tmp_path / "b.var").write_text(text[:-30])
+    assert formats.read_par(tmp_path / "b.var").correlation is None  # incomplete: as SPFIT, none
+    (tmp_path / "c.var").write_text(text.replace("  0.600000", "  0.900000"))
+    with pytest.raises(FormatError, match="length 1"):
+        formats.read_par(tmp_path / "c.var")
+    with pytest.raises(InvalidInput, match="must be square"):
+        formats.constant_table(FORMALDEHYDE, sigma, "", np.eye(3))

@@ -10,6 +10,23 @@ import typer
 from polhode.cli import fit_options as options
 from polhode.cli import tumble_options as tumbling
 from polhode.cli.arguments import StrictCommand, whole_number
+from polhode.cli.source_options import (
+    ClockKernel,
+    ColumnUnit,
+    Decimal,
+    Direction,
+    EulerColumns,
+    EulerSequence,
+    FrameKernel,
+    GyroColumns,
+    LeapSeconds,
+    MappingFile,
+    QuatColumns,
+    QuatOrder,
+    SpiceId,
+    TimeColumn,
+    TimeUnit,
+)
 
 app = typer.Typer(
     name="polhode",
@@ -22,63 +39,6 @@ app = typer.Typer(
 SpecPath = Annotated[Path, typer.Argument(metavar="SPEC", help="TOML file: what body, how it spins, when.")]
 AsJson = Annotated[bool, typer.Option("--json", help="Print one JSON object (SI values) on standard output.")]
 BodySpec = Annotated[Path | None, typer.Option("--spec", metavar="SPEC", help="Whose body it is, for its moments.")]
-ClockKernel = Annotated[
-    Path | None, typer.Option("--sclk", metavar="FILE", help="Clock kernel of a C-kernel (default: next to it, .tsc).")
-]
-FrameKernel = Annotated[
-    Path | None, typer.Option("--fk", metavar="FILE", help="Frame kernel of a C-kernel (default: next to it, .tf).")
-]
-LeapSeconds = Annotated[
-    Path | None, typer.Option("--lsk", metavar="FILE", help="Leap-seconds kernel (default: next to it, .tls, or ours).")
-]
-SpiceId = Annotated[
-    int | None,
-    typer.Option("--spice-id", metavar="N", parser=whole_number(-(2**31), 2**31 - 1),
-                 help="Whose attitude, of several in a kernel."),
-]  # fmt: skip
-
-
-TimeColumn = Annotated[
-    str | None, typer.Option("--time", metavar="COLUMN", help="Of a table: column of the times, by name or number.")
-]
-TimeUnit = Annotated[
-    str | None,
-    typer.Option("--time-unit", metavar="UNIT", help="s, ms, us, ns or min, unless the column's name says it."),
-]
-QuatColumns = Annotated[
-    str | None, typer.Option("--quat", metavar="C,C,C,C", help="Columns of the attitude quaternion.")
-]
-QuatOrder = Annotated[
-    str | None,
-    typer.Option("--order", metavar="ORDER", help="wxyz or xyzw, unless the columns' names end in these letters."),
-]
-Direction = Annotated[
-    str | None,
-    typer.Option("--direction", metavar="WAY", help="body-to-space (default) or space-to-body, of the attitude."),
-]
-EulerColumns = Annotated[
-    str | None,
-    typer.Option("--euler", metavar="C,C,C", help="Columns of Euler angles, in the order of --sequence."),
-]
-EulerSequence = Annotated[
-    str | None,
-    typer.Option("--sequence", metavar="AXES", help="Like ZYX about the body's own axes, xyz about those of space."),
-]
-GyroColumns = Annotated[
-    str | None,
-    typer.Option("--gyro", metavar="C,C,C", help="Columns of the angular velocity along the body's x, y, z."),
-]
-ColumnUnit = Annotated[
-    str | None,
-    typer.Option("--unit", metavar="UNIT", help="deg/s, rad/s or rpm of --gyro, deg or rad of --euler; or deg,deg/s."),
-]
-Decimal = Annotated[
-    str | None, typer.Option("--decimal", metavar="SIGN", help="point (default) or comma, of the numbers.")
-]
-MappingFile = Annotated[
-    Path | None,
-    typer.Option("--mapping", metavar="FILE", help="TOML file with these words; [a] and [b] for one file each."),
-]
 
 
 @app.callback(invoke_without_command=True)

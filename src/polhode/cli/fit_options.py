@@ -19,8 +19,9 @@ FreeNames = Annotated[
 ]  # fmt: skip
 FitOut = Annotated[
     Path | None,
-    typer.Option("--out", metavar="FILE", help="Of logs: dataset, .nc; of a molecule: constants, .par."),
-]
+    typer.Option("--out", metavar="FILE",
+                 help="Of logs: dataset, .nc; of a molecule: constants, .par, or .var with correlations."),
+]  # fmt: skip
 FitFigures = Annotated[
     Path | None, typer.Option("--figures", metavar="DIR", help="Of logs: folder to draw figures into.")
 ]

@@ -28,7 +28,7 @@ CLOSE = 0.95  # correlation from which two constants are said to go together
 
 
 def run_fit_rotor(path: Path, lines: Path, free: str | None, out: Path | None, json: bool) -> None:
-    """Fit constants, print them with their errors, and write them as a ``.par`` file if asked for."""
+    """Fit constants, print them with their errors, and write them as a ``.par`` or ``.var`` file if asked for."""
     if out is not None:
         for given in (path, lines):
             check_spares(out, given)
@@ -63,7 +63,8 @@ def _names(rotor: Rotor) -> list[str]:
 def _write(fit: RotorFit, out: Path, title: str) -> None:
     from polhode.formats.spfit_constants import constant_table, write_par
 
-    write_par(constant_table(fit.rotor, dict(zip(fit.names, fit.sigma.tolist(), strict=True)), title), out)
+    sigma = dict(zip(fit.names, fit.sigma.tolist(), strict=True))
+    write_par(constant_table(fit.rotor, sigma, title, fit.correlation), out)
 
 
 def _quality(fit: RotorFit, measured: MeasuredLines) -> Group:

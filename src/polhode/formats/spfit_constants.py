@@ -22,6 +22,8 @@ from polhode.quantum.operators import TERMS, Term
 from polhode.types import Array, Float64, Integer, Real
 
 LARGEST_FILE = 16 * MB
+WIDTH, IN_A_ROW = 10, 8  # of the factor of the correlations
+ROUNDING = 1e-12  # added to correlations, which may be singular within rounding
 FIXED = 1e-37  # MHz; an error by which SPFIT leaves a constant as it is
 AXES = {10000: (1.0, 0.0, 0.0), 20000: (0.0, 1.0, 0.0), 30000: (0.0, 0.0, 1.0),
         100: (1.0, 1.0, 1.0), 1000: (1.0, 0.0, 0.0), 40000: (0.0, 2.0, -2.0)}  # fmt: skip
@@ -41,6 +43,7 @@ class ConstantTable:
         code: (n,) of operators; negative ones keep their ratio to the one before.
         value, error: (n,) [MHz].
         label: (n,) names in the file.
+        correlation: (n, n) of the errors; None where the file does not have it.
     """
 
     title: str
@@ -50,6 +53,7 @@ class ConstantTable:
     value: Float64[Array, "n"]
     error: Float64[Array, "n"]
     label: tuple[str, ...]
+    correlation: Float64[Array, "n n"] | None = None
 
     def rotor(self, dipole: Real[Array, "3"] | tuple[float, float, float] = (0.0, 0.0, 0.0)) -> Rotor:
         """Return the rotor with these constants, in I^r.
@@ -93,16 +97,21 @@ def code_of(term: Term) -> int:
     return (10000 * (term.of_ladder + 3) if term.of_ladder else 0) + 1000 * term.of_Jz + 100 * term.of_J
 
 
-def constant_table(rotor: Rotor, sigma: Mapping[str, float] | None = None, title: str = "") -> ConstantTable:
+def constant_table(
+    rotor: Rotor, sigma: Mapping[str, float] | None = None, title: str = "",
+    correlation: Real[Array, "k k"] | None = None,
+) -> ConstantTable:  # fmt: skip
     """Return a rotor's constants as a ``.par`` file has them.
 
     Args:
         rotor: in I^r.
         sigma: errors by name [Hz], such as ``dict(zip(fit.names, fit.sigma))``; other constants are fixed.
         title: one line.
+        correlation: (k, k) of the k errors in the order of ``sigma``, such as ``fit.correlation``.
 
     Raises:
-        InvalidInput: for linear molecules, other representations, and spin weights that are not whole numbers.
+        InvalidInput: for a correlation that does not go with ``sigma``, linear molecules, other
+            representations, and spin weights that are not whole numbers.
     """
     if rotor.is_linear:
         raise InvalidInput("`rotor` must not be linear: these files would need other codes.")
@@ -111,6 +120,10 @@ def constant_table(rotor: Rotor, sigma: Mapping[str, float] | None = None, title
                            "in Ir.")  # fmt: skip
     if any(weight % 1.0 for weight in rotor.spin_weights):
         raise InvalidInput(f"`spin_weights` must be whole numbers in a file; got {shown(rotor.spin_weights)}.")
+    names = list(sigma or {})
+    if correlation is not None and np.shape(correlation) != (len(names), len(names)):
+        raise InvalidInput(f"`correlation` must be square, with a row for each of the {len(names)} errors of `sigma`; "
+                           f"got the shape {shown(np.shape(correlation))}.")  # fmt: skip
     reduction = rotor.reduction or Reduction.S
     rows = [(10000 * (k + 1), value, "ABC"[k]) for k, value in enumerate(rotor.constants)]
     for name, value in rotor.distortion.items():
@@ -120,11 +133,23 @@ def constant_table(rotor: Rotor, sigma: Mapping[str, float] | None = None, title
     axis = float("abc".index(rotor.spin_axis) + 1)
     options = (1.0, 1.0, 0.0, 99.0, 0.0, axis, *rotor.spin_weights, 0.0, 0.0, 0.0, 0.0)
     code, value, label = zip(*rows, strict=True)
-    return ConstantTable(title, reduction.name, options, np.array(code), np.array(value) / 1e6, np.array(error), label)
+    together = None
+    if correlation is not None:
+        signs = {name: TERMS[reduction][name].sign for name in rotor.distortion}
+        together = np.eye(len(rows))
+        fitted = [k for k, name in enumerate(label) if name in names]
+        there = [names.index(label[k]) for k in fitted]
+        sign = np.array([signs.get(label[k], 1) for k in fitted])
+        together[np.ix_(fitted, fitted)] = np.asarray(correlation)[np.ix_(there, there)] * np.outer(sign, sign)
+    return ConstantTable(title, reduction.name, options, np.array(code), np.array(value) / 1e6, np.array(error), label,
+                         together)  # fmt: skip
 
 
 def read_par(path: str | Path) -> ConstantTable:
-    """Return the constants of a ``.par`` or ``.var`` file; the correlations that end the latter are not read.
+    """Return the constants of a ``.par`` or ``.var`` file, with the correlations that the latter ends with.
+
+    They stand there as the lower triangular Cholesky factor V of their matrix, V Vᵀ, in rows of 8F10.6. Codes below
+    zero, which keep their ratio to the one before, have none of their own. As SPFIT does, an incomplete V is left out.
 
     Raises:
         InvalidInput: if it is missing.
@@ -151,12 +176,14 @@ def read_par(path: str | Path) -> ConstantTable:
     if not rows:
         raise FormatError(f"{path}, line 4: must be a constant: code, value, error. It is empty.")
     code, value, error, label = zip(*rows, strict=True)
-    return ConstantTable(lines[0].rstrip(), reduction, tuple(options), np.array(code), np.array(value),
-                         np.array(error), tuple(label))  # fmt: skip
+    codes = np.array(code)
+    together = _correlation(path, 4 + len(rows), lines[3 + len(rows) :], codes)
+    return ConstantTable(lines[0].rstrip(), reduction, tuple(options), codes, np.array(value), np.array(error),
+                         tuple(label), together)  # fmt: skip
 
 
 def write_par(table: ConstantTable, path: str | Path) -> None:
-    """Write a ``.par`` file; the correlations that a ``.var`` ends with are not written.
+    """Write a ``.par`` file, or with the ending ``.var`` one that ends with the correlations, if there are any.
 
     Raises:
         InvalidInput: for a place that cannot be written to, or a title of several lines.
@@ -169,8 +196,41 @@ def write_par(table: ConstantTable, path: str | Path) -> None:
              f"{table.reduction.lower()} {numbers}"]  # fmt: skip
     for code, value, error, label in zip(table.code, table.value, table.error, table.label, strict=True):
         lines.append(f"{code:13d} {value: .15E} {error:.8E} /{label}")
+    if table.correlation is not None and Path(path).suffix.lower() == ".var":
+        own = table.code >= 0
+        factor = np.linalg.cholesky(table.correlation[np.ix_(own, own)] + ROUNDING * np.eye(int(own.sum())))
+        packed = [f"{x:10.6f}" for x in factor[np.tril_indices(len(factor))].tolist()]
+        lines += ["".join(packed[k : k + IN_A_ROW]) for k in range(0, len(packed), IN_A_ROW)]
     with written_whole(path) as draft:
         draft.write_bytes(("\n".join(lines) + "\n").encode())
+
+
+def _correlation(path: Path, number: int, lines: list[str], code: Array) -> Array | None:
+    """Return the matrix that a ``.var`` ends with; None where there is none, or not all of it.
+
+    Raises:
+        FormatError: for a matrix that is not of correlations.
+    """
+    found: list[float] = []
+    for line in lines:
+        for at in range(0, len(line.rstrip()), WIDTH):
+            try:
+                found.append(read_number(line[at : at + WIDTH].strip()))
+            except ValueError:
+                return None  # as SPFIT does; it may be a comment
+    own = np.flatnonzero(code >= 0)
+    which = next((each for each in (np.arange(len(code)), own) if len(found) == len(each) * (len(each) + 1) // 2), None)
+    if which is None or not found:
+        return None
+    factor = np.zeros((len(which), len(which)))
+    factor[np.tril_indices(len(which))] = found
+    matrix = factor @ factor.T
+    if np.abs(np.diagonal(matrix) - 1.0).max() > 1e-3:
+        raise FormatError(f"{path}, line {number}: the rows of the correlations' factor must have length 1; got "
+                          f"{np.sqrt(np.diagonal(matrix)).max():g}. Write the file again by SPFIT.")  # fmt: skip
+    full = np.eye(len(code))
+    full[np.ix_(which, which)] = matrix / np.sqrt(np.outer(np.diagonal(matrix), np.diagonal(matrix)))
+    return full
 
 
 def _options(path: Path, number: int, line: str) -> list[float | None]:
