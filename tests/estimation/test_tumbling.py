@@ -5,7 +5,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import polhode as ph
-from polhode.estimation import fit_tumbling, least_period_ratios
+from polhode.estimation import fit_tumbling, least_period_ratios, tumbling
 from polhode.formats.known_tumblers import known_tumbler
 
 APOPHIS = (27.38, 263.0, [0.61, 0.965, 1.0])
@@ -132,13 +132,15 @@ def test_bad_input_is_refused(change, words):
 
 @pytest.mark.sweep
 @pytest.mark.parametrize("mode", ["short-axis", "long-axis"])
-def test_intervals_cover_the_truth(mode):
+def test_intervals_cover_the_truth(mode, monkeypatch):
+    monkeypatch.setattr(tumbling, "DRAWS", 512)  # enough for ends of 95 %, and four times as quick
     rng = np.random.default_rng(7)
     inside, runs = np.zeros(3), 500
     for run in range(runs):
-        i1, i2 = np.sort(rng.uniform(0.55, 0.9, 2))
+        i1, i2 = rng.uniform(0.55, 0.7), rng.uniform(0.76, 0.9)
         moments = np.array([i1, i2, 1.0])
-        ratio = least_period_ratios(moments)[0 if mode == "short-axis" else 1] * rng.uniform(1.25, 2.0)
+        short, long = least_period_ratios(moments)
+        ratio = short * rng.uniform(1.25, 2.0) if mode == "short-axis" else (long + 1) * rng.uniform(1.25, 2.0) - 1
         true = of_mode(fit_tumbling(1.0, ratio, moments), mode)
         sizes = np.array([1e-3, 1e-2 * ratio, 2e-3, 2e-3, 0.0])
         seen = np.array([1.0, ratio, *moments]) + sizes * rng.standard_normal(5)

@@ -9,7 +9,7 @@ import typer
 
 Body = Annotated[
     str | None,
-    typer.Argument(metavar="[BODY]", show_default=False, help="A known tumbler, like apophis; --list shows them."),
+    typer.Argument(metavar="BODY", show_default=False, help="A known tumbler, like apophis; --list shows them."),
 ]
 ListBodies = Annotated[bool, typer.Option("--list", help="Print the known tumblers with their sources.")]
 Precession = Annotated[
