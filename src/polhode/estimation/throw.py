@@ -23,6 +23,7 @@ from polhode.types import Array, Float64
 SATURATED = 3  # samples of one axis at exactly the largest size are a gyro at its limit
 MISFIT = 1.4  # times the noise of the samples: larger residuals ask for other starts
 NEAR = 1e-4  # of a bound of the shape or the drag: a fit that ends there may be in a wrong valley
+SAME, AGREED = 5.0, 3  # of the logarithm of the likelihood, and how many starts that end alike are believed
 ROD = 0.98  # of s: hardly a body is so long and thin
 RESTARTS = np.array([[0.3, 0.05], [0.6, 0.05], [0.85, 0.02], [0.3, 0.3]])  # shapes s and c: plates, a rod, round
 MIN_TURN = 0.5  # rad: of less nothing can be said
@@ -326,6 +327,9 @@ def _retried(solution: Solution, start: _Start, throws: list[Throw]) -> Solution
             found.append(fitted(model, begin, axes, throws, None))
             if not _in_a_valley(found[-1], start):
                 return max(found, key=lambda each: each.log_likelihood)
+        likelihoods = np.array([each.log_likelihood for each in found])
+        if (likelihoods > likelihoods.max() - SAME).sum() >= AGREED:
+            break  # the data are not of this model, wherever one starts
     return max(found, key=lambda each: each.log_likelihood)
 
 
