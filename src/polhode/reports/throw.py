@@ -12,9 +12,10 @@ from polhode.estimation.estimate import Estimate
 from polhode.estimation.throw import ThrowFit
 from polhode.formats.gyro_logs import ReadLog
 from polhode.reports.answer import Answer, Group, Table
-from polhode.reports.wording import counted, uncertain
+from polhode.reports.wording import counted, known_digits, uncertain
 from polhode.types import Array
 
+EXACT = 1e-9  # rad; residuals of computed attitudes, which rounding makes alike
 ALIKE = 0.5  # correlation of neighbouring residuals, above which a fit does not explain its data
 BARELY = 2.0  # AICc less than this apart: the criterion hardly prefers one model
 
@@ -60,7 +61,8 @@ def attitude_notes(fit: AttitudeFit) -> list[str]:
     """Return what a reader should know of a fit of attitudes."""
     if fit.degenerate is not None:
         return []
-    notes = _misfit([fit.residuals], "Look at the residuals by --figures: a torque may act that changes in the body")
+    remedy = "Look at the residuals by --figures: a torque may act that changes in the body"
+    notes = [] if fit.rms < EXACT else _misfit([fit.residuals], remedy)
     if fit.equal:
         notes.append(f"{fit.equal} within their errors: the axes between them are not determined.")
     return notes
@@ -128,7 +130,8 @@ def _inertia(fit: ThrowFit | AttitudeFit) -> Group:
     intervals = fit.ratios.interval()
     answers = []
     for (name, value, error), (low, high) in zip(_each(fit.ratios), intervals.tolist(), strict=True):
-        words = f"{uncertain(value, error)}, 95 %: {low:.5g} to {high:.5g}"
+        digits = known_digits(value, error, 16) + 2
+        words = f"{uncertain(value, error)}, 95 %: {low:.{digits}g} to {high:.{digits}g}"
         found = {"value": value, "standard_error": error, "interval": [low, high]}
         answers.append(Answer(f"ratios.{name}", found, "", name, "interval of 95 %", words))
     return Group("Inertia", [
