@@ -120,6 +120,13 @@ def test_a_log_of_attitudes(run, tmp_path):
     found = json.loads(run("fit", path, *columns, "--json").out)
     assert [found["ratios"][name]["value"] for name in ("I1/I3", "I2/I3")] == pytest.approx([0.2, 0.8], abs=1e-6)
     assert "is for gyro logs" in run("fit", path, *columns, "--drag", code="2").err
+    run("fit", path, *columns, "--torque", "--out", tmp_path / "fit.nc", "--figures", tmp_path / "figures")
+    with xr.open_dataset(tmp_path / "fit.nc") as kept:
+        assert kept.ratios.values == pytest.approx([0.2, 0.8], abs=1e-6)
+        assert kept.torque.units == "rad s-2"
+        assert kept.residual.shape == (200, 3)
+    assert {file.name for file in (tmp_path / "figures").iterdir()} == {"residuals.png", "corner.png"}
+    assert "would destroy it" in run("fit", path, *columns, "--out", path, code="2").err
 
 
 @pytest.mark.parametrize(("arguments", "said"), [

@@ -186,6 +186,25 @@ def test_absolute_moments():
     assert (np.abs(known.value - true) <= FAR * known.standard_error + 1e-15).all()
 
 
+@pytest.mark.sweep
+def test_absolute_moments_cover_the_truth():
+    scale, mass, weight, place = 4e-4, 0.2, 0.02, np.array([0.05, 0.03, 0.01])
+    axes = Rotation.random(rng=6).as_matrix()
+    added = mass * weight / (mass + weight) * (place @ place * np.eye(3) - np.outer(place, place))
+    moments, turned = np.linalg.eigh(scale * axes @ np.diag(PHONE) @ axes.T + added)
+    turned[:, 2] = np.cross(turned[:, 0], turned[:, 1])
+    runs, inside = 500, np.zeros(3)
+    for seed in range(runs):
+        rng = np.random.default_rng(seed)
+        spin = (6.0, 6.0, 4.0) + rng.normal(size=3)
+        fits = [fit_throw(clean_log(*throw(rng, m / m[2], spin, axes=a, **CALM)[:2]), WHOLE, drag=False, gain=False)
+                for m, a in ((np.array(PHONE), axes), (moments, turned))]  # fmt: skip
+        low, high = estimation.moments_from_weight(*fits, mass, weight, place).interval().T
+        inside += (low <= scale * np.array(PHONE)) & (scale * np.array(PHONE) <= high)
+    assert (inside / runs > 0.93).all(), inside / runs
+    assert (inside / runs < 0.975).all(), inside / runs
+
+
 @pytest.mark.parametrize("call, said", [
     (lambda: clean_log([0.0, 1.0], np.ones((2, 3))), "8 finite samples"),
     (lambda: clean_log(np.arange(9.0), np.ones((9, 2))), "shape"),

@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from polhode.cli.columns import Table
+from polhode.cli.destinations import check_spares
 from polhode.cli.fit_scale import KnownScale
 from polhode.cli.render import as_json, print_report
 from polhode.cli.sources import Kernels, kind_of, source_of
@@ -29,17 +30,20 @@ def has_attitude(path: Path, table: Table | None) -> bool:
 
 
 class AttitudeOptions(NamedTuple):
-    """Windows [s], whether there is a torque, and where figures go."""
+    """Windows [s], whether there is a torque, and where figures and data go."""
 
     windows: list[Window]
     torque: bool | str
     figures: Path | None
+    out: Path | None
 
 
 def run_fit_attitude(
     path: Path, table: Table | None, options: AttitudeOptions, known: KnownScale, json: bool
 ) -> None:
     """Fit the attitudes and the rates that are with them, print what they say, and draw figures where asked for."""
+    if options.out is not None:
+        check_spares(options.out, path)
     trajectory = source_of(path, Kernels(), table).trajectory
     times, attitude = np.asarray(trajectory.times), np.asarray(trajectory.attitude)
     rates = None if trajectory.angular_velocity is None else np.asarray(trajectory.angular_velocity)
@@ -55,7 +59,12 @@ def run_fit_attitude(
         raise InvalidInput(f"{path}: {error}") from None
     groups = attitude_groups(fit, known.moments(fit, None))
     notes = attitude_notes(fit)
-    files = [] if options.figures is None else _drawn(fit, options.figures)
+    files = []
+    if options.out is not None:
+        from polhode.formats.throw_dataset import write_attitude_fit
+
+        files.append(str(write_attitude_fit(fit, path.name, options.out)))
+    files += [] if options.figures is None else _drawn(fit, options.figures)
     if json:
         told = {"name": path.name, **values_of(groups), "units": units_of(groups)}
         print(as_json(plain({**told, "notes": notes, "files": files})))

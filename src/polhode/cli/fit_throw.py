@@ -50,12 +50,12 @@ def run_fit_throw(
     mapping = None if table is None else table.mapping
     if has_attitude(paths[0], table):
         wrong = named(options._replace(windows=[], figures=None, torque=None))
-        wrong += (["--weighted"] if weighted else []) + (["--out"] if out else [])
+        wrong += ["--weighted"] if weighted else []
         if wrong or len(paths) > 1:
             what = f"{', '.join(wrong)} is for gyro logs" if wrong else f"got {len(paths)} logs"
             raise InvalidInput(f"{paths[0]}: is a log of attitudes, which is fitted alone, and {what}. Leave it out.")
         windows = [_window(text) for text in options.windows]
-        asked = AttitudeOptions(windows, "auto" if options.torque is None else options.torque, options.figures)
+        asked = AttitudeOptions(windows, "auto" if options.torque is None else options.torque, options.figures, out)
         run_fit_attitude(paths[0], table, asked, known, json)
         return
     if options.torque is not None:

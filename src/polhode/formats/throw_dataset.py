@@ -1,4 +1,4 @@
-"""The fit of throws as a NetCDF dataset."""
+"""Fits of throws and of attitudes as a NetCDF dataset."""
 
 from __future__ import annotations
 
@@ -9,10 +9,14 @@ from typing import Any
 
 import numpy as np
 
+from polhode.estimation.attitude_fit import AttitudeFit
 from polhode.estimation.estimate import Estimate
 from polhode.estimation.throw import ThrowFit
 from polhode.formats.dataset import pack
 from polhode.formats.paths import written_whole
+from polhode.types import Array
+
+SQUARED = {"1": "1", "rad s-1": "rad2 s-2", "rad s-2": "rad2 s-4"}
 
 
 def write_throw(fit: ThrowFit, names: Sequence[str], path: str | Path) -> Path:
@@ -26,12 +30,52 @@ def write_throw(fit: ThrowFit, names: Sequence[str], path: str | Path) -> Path:
     Raises:
         InvalidInput: if the file cannot be written there.
     """
+    return _packed(path, *_described(fit, names))
+
+
+def write_attitude_fit(fit: AttitudeFit, name: str, path: str | Path) -> Path:
+    """Write the residuals of a fit of attitudes, and the parameters; the file appears whole or not at all.
+
+    Args:
+        fit: as ``fit_attitude`` returns it.
+        name: of the log.
+        path: of the dataset.
+
+    Raises:
+        InvalidInput: if the file cannot be written there.
+    """
+    turns = {"units": "rad", "long_name": "turn from the fitted to the measured attitude, about the device axes"}
+    variables: dict[str, Any] = {
+        "time": ("sample", fit.times, {"units": "s", "long_name": "time in the log"}),
+        "residual": (("sample", "device_axis"), fit.residuals, turns),
+    }
+    if fit.ratios is not None and fit.axes is not None:
+        variables["principal_axes"] = _axes(fit.axes)
+        variables |= _estimates([
+            ("ratios", fit.ratios, "ratio", "1", "I1/I3 and I2/I3"),
+            ("torque", fit.torque, "device_axis", "rad s-2", "constant torque over I3, along the device axes"),
+        ])  # fmt: skip
+    header = {"Conventions": "CF-1.11", "source": "polhode", "title": f"inertia from attitudes of {name}"}
+    header |= {} if fit.degenerate is None else {"degenerate": fit.degenerate}
+    return _packed(path, variables, _coordinates(), header)
+
+
+def _packed(path: str | Path, variables: dict[str, Any], coordinates: dict[str, Any], header: dict[str, str]) -> Path:
     path = Path(path)
     packed = BytesIO()  # HDF5 would crash on a disk that is full
-    pack(packed, *_described(fit, names))
+    pack(packed, variables, coordinates, header)
     with written_whole(path) as draft:
         draft.write_bytes(packed.getbuffer())
     return path
+
+
+def _axes(axes: Array) -> tuple[Any, ...]:
+    said = {"units": "1", "long_name": "principal axes, by columns, in the device"}
+    return ("device_axis", "axis"), axes, said
+
+
+def _coordinates() -> dict[str, Any]:
+    return {"device_axis": ("device_axis", np.array(["x", "y", "z"]), {}), "axis": ("axis", [1, 2, 3], {})}
 
 
 def _described(fit: ThrowFit, names: Sequence[str]) -> tuple[dict[str, Any], dict[str, Any], dict[str, str]]:
@@ -51,28 +95,24 @@ def _described(fit: ThrowFit, names: Sequence[str]) -> tuple[dict[str, Any], dic
             ("sample", "device_axis"), joined("predicted"),
             {"units": "rad s-1", "long_name": "angular velocity along the device axes, fitted, with bias and gains"},
         )  # fmt: skip
-        variables["principal_axes"] = (
-            ("device_axis", "axis"), fit.axes, {"units": "1", "long_name": "principal axes, by columns, in the device"}
-        )
-        variables |= _parts(fit)
-    coordinates = {"device_axis": ("device_axis", np.array(["x", "y", "z"]), {}), "axis": ("axis", [1, 2, 3], {})}
+        variables["principal_axes"] = _axes(fit.axes)
+        variables |= _estimates([
+            ("ratios", fit.ratios, "ratio", "1", "I1/I3 and I2/I3"),
+            ("bias", fit.bias, "device_axis", "rad s-1", "bias of the gyro"),
+            ("gain", fit.gain, "device_axis", "1", "gain of the gyro"),
+            ("drag", fit.drag, "axis", "1", "drag over I3, of the torque -c |w| w"),
+        ])  # fmt: skip
     header = {"Conventions": "CF-1.11", "source": "polhode", "title": "inertia of a thrown body from gyro logs"}
-    return variables, coordinates, header | ({} if fit.degenerate is None else {"degenerate": fit.degenerate})
+    return variables, _coordinates(), header | ({} if fit.degenerate is None else {"degenerate": fit.degenerate})
 
 
-def _parts(fit: ThrowFit) -> dict[str, Any]:
+def _estimates(named: list[tuple[str, Estimate | None, str, str, str]]) -> dict[str, Any]:
     """Return estimates with their covariances."""
     found: dict[str, Any] = {}
-    named: list[tuple[str, Estimate | None, str, str, str]] = [
-        ("ratios", fit.ratios, "ratio", "1", "I1/I3 and I2/I3"),
-        ("bias", fit.bias, "device_axis", "rad s-1", "bias of the gyro"),
-        ("gain", fit.gain, "device_axis", "1", "gain of the gyro"),
-        ("drag", fit.drag, "axis", "1", "drag over I3, of the torque -c |w| w"),
-    ]
     for name, estimate, axis, units, meaning in named:
         if estimate is None:
             continue
-        squared = "1" if units == "1" else "rad2 s-2"
+        squared = SQUARED[units]
         found[name] = (axis, estimate.value, {"units": units, "long_name": meaning})
         found[f"{name}_covariance"] = ((axis, f"{axis}_2"), estimate.covariance,
                                        {"units": squared, "long_name": f"covariance of {name}"})  # fmt: skip
