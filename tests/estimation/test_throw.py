@@ -196,7 +196,7 @@ def test_absolute_moments_cover_the_truth():
     runs, inside = 500, np.zeros(3)
     for seed in range(runs):
         rng = np.random.default_rng(seed)
-        spin = (6.0, 6.0, 4.0) + rng.normal(size=3)
+        spin = np.array([6.0, 6.0, 4.0]) + rng.normal(size=3)
         fits = [fit_throw(clean_log(*throw(rng, m / m[2], spin, axes=a, **CALM)[:2]), WHOLE, drag=False, gain=False)
                 for m, a in ((np.array(PHONE), axes), (moments, turned))]  # fmt: skip
         low, high = estimation.moments_from_weight(*fits, mass, weight, place).interval().T
