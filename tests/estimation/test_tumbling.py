@@ -135,7 +135,7 @@ def test_bad_input_is_refused(change, words):
 def test_intervals_cover_the_truth(mode, monkeypatch):
     monkeypatch.setattr(tumbling, "DRAWS", 512)  # enough for ends of 95 %, and four times as quick
     rng = np.random.default_rng(7)
-    inside, runs = np.zeros(3), 300
+    inside, runs = np.zeros(3), 500
     for run in range(runs):
         i1, i2 = rng.uniform(0.55, 0.7), rng.uniform(0.76, 0.9)
         moments = np.array([i1, i2, 1.0])
