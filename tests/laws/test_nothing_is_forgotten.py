@@ -137,7 +137,7 @@ CALLED_BY_OTHERS = {
     "bodies.body.check_is_body", "bodies.body.check_moments", "bodies.body.principal_axes",
     "bodies.mesh.volume_moments", "bodies.surface.cuboid", "bodies.surface.places", "bodies.surface.welded",
     "quantum.semiclassics.phase", "solving.memory_of",
-    "quantum.symbols.summed", "quantum.spin.raising", "quantum.spin.unit_vectors", "quantum.rotor.checked_j",
+    "quantum.symbols.pole_values", "quantum.symbols.summed", "quantum.spin.raising", "quantum.spin.unit_vectors", "quantum.rotor.checked_j",
     "integrators.base.explicit", "integrators.base.step_count", "poisson.brackets.as_points",
     "poisson.reconstruction.hermite",
     "simulation.fastest_rate", "simulation.trajectory_of", "solving.adaptive_solver", "solving.checked_every",

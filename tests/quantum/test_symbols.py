@@ -5,6 +5,7 @@ import pytest
 
 from polhode.errors import InvalidInput
 from polhode.quantum import coherent_state, spherical_tensor, spin_matrices, symbol
+from polhode.quantum.symbols import pole_values
 
 N = np.array([0.3, -0.5, 0.8]) / np.sqrt(0.98)
 RNG = np.random.default_rng(0)
@@ -83,3 +84,13 @@ def test_tensors_of_a_large_spin_are_orthonormal():
 def test_what_is_refused(call):
     with pytest.raises(InvalidInput):
         call()
+
+
+@pytest.mark.parametrize("s", [0.5, 1, 3, 6.5])
+def test_values_at_the_pole_are_those_of_projectors(s):
+    """½ (1 ± √3) of a spin ½: quantum.md's coherent state at its pole, and the other side."""
+    found = pole_values(s)
+    wanted = [symbol(np.diag(row), (0.0, 0.0, 1.0)).real for row in np.eye(len(found))]
+    assert found == pytest.approx(wanted, abs=1e-12) and found.sum() == pytest.approx(1.0, abs=1e-12)
+    if s == 0.5:
+        assert found == pytest.approx([0.5 * (1 + np.sqrt(3)), 0.5 * (1 - np.sqrt(3))], abs=1e-15)

@@ -55,6 +55,7 @@ class Page {
     this.data = data;
     write(data);
     this.view.elevation = data.panels[0].elevation ?? this.view.elevation;
+    this.view.azimuth = data.panels[0].azimuth ?? this.view.azimuth;
     this.instrument = null;
     this.shaped = false;
     element("instrument").hidden = !data.model;

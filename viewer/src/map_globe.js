@@ -45,6 +45,40 @@ function refining(rows, columns, scale) {
   };
 }
 
+/**
+ * Return a sphere of a map's points: `mesh`, and `paint(levels, darker)`, which colours it by levels from 0 to 255.
+ *
+ * Rows go from the south pole to the north pole, columns eastward from longitude 0; `darker` says of a point's index
+ * whether a line runs through it.
+ */
+export function mappedGlobe(rows, columns) {
+  const size = rows * columns;
+  const colors = palette();
+  const pixels = new Uint8Array(4 * size);
+  const texture = new DataTexture(pixels, columns, rows);
+  texture.magFilter = texture.minFilter = LinearFilter;
+  texture.colorSpace = "srgb";
+  const geometry = new SphereGeometry(1, 96, 64);
+  geometry.rotateX(Math.PI / 2); // poles along z,
+  geometry.rotateZ(Math.PI); // and the map's edge at longitude zero
+  const mesh = new Mesh(geometry, new MeshBasicMaterial({ map: texture }));
+  const paint = (levels, darker = null) => {
+    for (let j = 0; j < size; j++) {
+      const level = Math.round(levels[j]);
+      pixels.set(colors.subarray(4 * level, 4 * level + 4), 4 * j);
+      if (darker?.(j)) for (let i = 0; i < 3; i++) pixels[4 * j + i] *= 0.35;
+    }
+    texture.needsUpdate = true;
+  };
+  return { mesh, paint, pixels };
+}
+
+/** Return what the two ends of the colours mean. */
+export const endsLegend = (legend) => [
+  { color: `rgb(${ENDS[1].join(", ")})`, text: legend[1] },
+  { color: `rgb(${ENDS[0].join(", ")})`, text: legend[0] },
+];
+
 /** Return a panel of maps: `levels` of frames, and where given `lines` of another function, drawn between its `bands`. */
 export function mapGlobe(data, theme, { title, words, legend }) {
   const scale = data.lines ? FINER : 1;
@@ -54,36 +88,22 @@ export function mapGlobe(data, theme, { title, words, legend }) {
   const frames = unpacked(data.frames);
   const [own, size] = [data.rows * data.columns, rows * columns];
   const refined = refining(data.rows, data.columns, scale);
-  const colors = palette();
-  const pixels = new Uint8Array(4 * size);
-  const [before, after] = [new Float32Array(size), new Float32Array(size)];
-  const texture = new DataTexture(pixels, columns, rows);
-  texture.magFilter = texture.minFilter = LinearFilter;
-  texture.colorSpace = "srgb";
-  const geometry = new SphereGeometry(1, 96, 64);
-  geometry.rotateX(Math.PI / 2); // poles along z,
-  geometry.rotateZ(Math.PI); // and the map's edge at longitude zero
+  const { mesh, paint, pixels } = mappedGlobe(rows, columns);
+  const [before, after, banded] = [new Float32Array(size), new Float32Array(size), new Uint8Array(size)];
   const panel = newPanel(theme, { title, words, radius: 1.3 });
-  panel.scene.add(new Mesh(geometry, new MeshBasicMaterial({ map: texture })));
+  panel.scene.add(mesh);
   for (const height of [-0.5, 0, 0.5]) panel.scene.add(circle(1.002 * Math.sqrt(1 - height * height), 1.002 * height, theme.family));
-  panel.legend = [
-    { color: `rgb(${ENDS[1].join(", ")})`, text: legend[1] },
-    { color: `rgb(${ENDS[0].join(", ")})`, text: legend[0] },
-  ];
+  panel.legend = endsLegend(legend);
   const blend = (map, k, next, part) => {
     refined(map, own * k, before);
     if (part === 0) return;
     refined(map, own * next, after);
     for (let j = 0; j < size; j++) before[j] += part * (after[j] - before[j]);
   };
-  const darken = () => {
-    const band = (j) => Math.floor((before[j] / 256) * data.bands);
-    for (let j = 0; j < size; j++) {
-      const right = j % columns === columns - 1 ? j + 1 - columns : j + 1;
-      const above = j + columns < size ? j + columns : j;
-      if (band(j) === band(right) && band(j) === band(above)) continue;
-      for (let i = 0; i < 3; i++) pixels[4 * j + i] *= 0.35;
-    }
+  const onLine = (j) => {
+    const right = j % columns === columns - 1 ? j + 1 - columns : j + 1;
+    const above = j + columns < size ? j + columns : j;
+    return banded[j] !== banded[right] || banded[j] !== banded[above];
   };
   let drawn = -1;
   panel.update = (now) => {
@@ -93,16 +113,12 @@ export function mapGlobe(data, theme, { title, words, legend }) {
     while (k < frames.length - 2 && frames[k + 1] <= now.position) k++;
     const next = Math.min(k + 1, frames.length - 1);
     const part = next > k ? Math.min(1, (now.position - frames[k]) / (frames[next] - frames[k])) : 0;
-    blend(levels, k, next, part);
-    for (let j = 0; j < size; j++) {
-      const level = Math.round(before[j]);
-      pixels.set(colors.subarray(4 * level, 4 * level + 4), 4 * j);
-    }
     if (lines) {
       blend(lines, k, next, part);
-      darken();
+      for (let j = 0; j < size; j++) banded[j] = Math.floor((before[j] / 256) * data.bands);
     }
-    texture.needsUpdate = true;
+    blend(levels, k, next, part);
+    paint(before, lines && onLine);
   };
   panel.probe = () => ({ shown: drawn, pixels: [...pixels.subarray(0, 16)] });
   return panel;

@@ -21,9 +21,9 @@ const LONG = [
   [60, "min"],
 ];
 
-const SHORT = [[1, "s"], [1e-3, "ms"], [1e-6, "µs"], [1e-9, "ns"], [1e-12, "ps"]];
+const SHORT = [[1, "s"], [1e-3, "ms"], [1e-6, "µs"], [1e-9, "ns"], [1e-12, "ps"], [1e-15, "fs"]];
 
-/** Return the unit [s] and its name that fit the length of a motion; null below picoseconds. */
+/** Return the unit [s] and its name that fit the length of a motion; null below femtoseconds. */
 export function unitOf(span) {
   return LONG.find(([unit]) => span >= 3 * unit) ?? SHORT.find(([unit]) => span >= 0.3 * unit) ?? null;
 }

@@ -12,18 +12,21 @@ const ARC = [[1 / DEGREE, "°"], [1 / DEGREE / 60, "′"], [1 / DEGREE / 3600, "
 
 /** Return what is to be plotted of a motion: titles, units, and series (name, colour, values at rows). */
 function plotsOf(motion, data, theme, rows) {
+  const own = motion.solver?.plots?.(rows.map((row) => motion.times[row]));
+  const colors = [theme.motion, theme.border, theme.stable];
+  if (own) return own.map(({ series, along, ...more }) => ({ ...more, series: series.map((one, k) => ({ ...one, color: (along ? theme.axes : colors)[k] })) }));
   const found = [];
   const vectors = motion.velocities ?? motion.momenta;
+  const names = data.axes ?? ["axis 1", "axis 2", "axis 3"];
   if (vectors) {
     found.push({
       title: motion.velocities ? "Ω along the body's axes" : "L along the body's axes",
       unit: motion.velocities ? "rad/s" : "kg m²/s",
-      series: [0, 1, 2].map((k) => ({ name: `axis ${k + 1}`, color: theme.axes[k], values: rows.map((row) => vectors[3 * row + k]) })),
+      series: names.map((name, k) => ({ name, color: theme.axes[k], values: rows.map((row) => vectors[3 * row + k]) })),
     });
   }
-  const angles = anglesOf(motion, data, theme, rows);
+  const angles = anglesOf(motion, data, theme, rows, names);
   if (angles) found.push(angles);
-  const colors = [theme.motion, theme.border, theme.stable];
   for (const { title, unit, series } of data.plots ?? []) {
     found.push({ title, unit, series: series.map(({ name, values }, k) => {
       const own = unpacked(values);
@@ -34,14 +37,14 @@ function plotsOf(motion, data, theme, rows) {
 }
 
 /** Return the angles of the body's axes from L, or of a top's axis from the vertical; null without attitudes. */
-function anglesOf(motion, data, theme, rows) {
+function anglesOf(motion, data, theme, rows, names) {
   if (!motion.attitudes) return null;
   if (data.up === "L" && motion.momenta) {
     const lean = (row, k) => {
       const L = motion.momenta.subarray(3 * row, 3 * row + 3);
       return Math.atan2(Math.hypot(L[(k + 1) % 3], L[(k + 2) % 3]), L[k]) * DEGREE;
     };
-    const series = [0, 1, 2].map((k) => ({ name: `axis ${k + 1}`, color: theme.axes[k], values: rows.map((row) => lean(row, k)) }));
+    const series = names.map((name, k) => ({ name, color: theme.axes[k], values: rows.map((row) => lean(row, k)) }));
     return { title: "angles of the axes from L", unit: "°", series };
   }
   const axis = new Vector3(...(data.panels.find((panel) => panel.axis)?.axis ?? [0, 0, 1])).normalize();
@@ -157,9 +160,9 @@ export class Plots {
     for (const value of ticks(times[0] / unit, times.at(-1) / unit, width > 500 ? 6 : 3)) {
       paper.fillText(`${round(value)} ${name}`, place(value * unit, low)[0], height - MARGIN.bottom + 7);
     }
-    for (const { color, values } of series) {
+    for (const { color, values, times: own = times } of series) {
       [paper.strokeStyle, paper.fillStyle, paper.lineWidth] = [color, color, 1.6];
-      const points = values.map((value, k) => place(times[k], value));
+      const points = values.map((value, k) => place(own[k], value));
       if (this.motion.joined) stroke(paper, points);
       else for (const [x, y] of points) paper.fillRect(x - 1, y - 1, 2, 2);
     }

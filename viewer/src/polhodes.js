@@ -85,12 +85,16 @@ export function family(moments) {
     for (const part of PARTS) {
       const unit = [0, 0, 0];
       [unit[near], unit[far]] = [Math.cos(part * reach), Math.sin(part * reach)];
-      const curve = polhodeThrough(moments, unit, COARSE);
-      if (!curve) continue;
-      found.push(...asPieces(curve), ...asPieces(curve.map((v) => -v)));
+      found.push(...pairThrough(moments, unit));
     }
   }
   return found;
+}
+
+/** Return the polhode through a unit vector and its mirror image as separate pieces; none where L rests. */
+export function pairThrough(moments, unit) {
+  const curve = polhodeThrough(moments, unit, COARSE);
+  return curve ? [...asPieces(curve), ...asPieces(curve.map((v) => -v))] : [];
 }
 
 /** Return the separatrix, two great circles through the intermediate axis, as separate pieces; none of other bodies. */

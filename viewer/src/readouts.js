@@ -41,8 +41,9 @@ export class Readouts {
     const put = (key, text) => {
       if (this.rows[key] && this.rows[key].textContent !== text) this.rows[key].textContent = text;
     };
-    if (now.energy !== null) put("energy", `${worded(now.energy)} ${this.data.energyUnit}`);
-    if (now.momentum) put("momentum", `${worded(now.momentum.length())} kg m²/s`);
+    const { energy = [1, this.data.energyUnit], momentum = [1, "kg m²/s"] } = this.data.units ?? {};
+    if (now.energy !== null) put("energy", `${worded(now.energy / energy[0])} ${energy[1]}`);
+    if (now.momentum) put("momentum", `${worded(now.momentum.length() / momentum[0])} ${momentum[1]}`);
     if (now.velocity) put("velocity", `${worded(now.velocity.length(), 5)} rad/s`);
   }
 }

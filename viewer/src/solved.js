@@ -36,7 +36,7 @@ export class SolvedMotion {
     // a top that hangs still would swing, if it were pushed, at its own rate
     const swing = this.solver.mgl ? 0.1 * Math.sqrt(Math.abs(this.solver.mgl) / Math.max(...this.moments)) : 0;
     const speed = Math.max(this.speedAt(start), swing) || 1;
-    const span = this.spanWanted ?? windowOf(this.solver, speed);
+    const span = this.solver.wanted ?? windowOf(this.solver, speed);
     const count = Math.max(FEWEST, Math.min(MOST, Math.ceil((span * speed) / CLOSE) + 1));
     return Float64Array.from({ length: count }, (_, k) => start + (span * k) / (count - 1));
   }

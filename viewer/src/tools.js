@@ -18,7 +18,8 @@ export {
   SphereGeometry,
   Vector3,
 } from "three";
-export { mapGlobe } from "./map_globe.js";
+export { endsLegend, mapGlobe, mappedGlobe } from "./map_globe.js";
 export { unpacked } from "./motion.js";
-export { circle, dot, drawUpTo, floor, globe, line, path, specks } from "./shapes.js";
+export { pairThrough, polhodeThrough } from "./polhodes.js";
+export { circle, dot, drawUpTo, floor, globe, line, path, pieces, specks } from "./shapes.js";
 export { newPanel } from "./stage.js";

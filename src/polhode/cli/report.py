@@ -5,11 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 
 from polhode.cli.render import as_json, print_report
-from polhode.cli.sources import moving_report_of, report_of
+from polhode.cli.sources import report_of, shown_report_of
 from polhode.cli.terminal import as_typed
 from polhode.errors import InvalidInput, shown
 from polhode.formats.paths import written_together
-from polhode.kinds.base import motion_report_of
 from polhode.kinds.reading import read_spec
 from polhode.kinds.registry import known_figures, next_steps
 from polhode.reports.base import AbstractMotionReport
@@ -38,7 +37,7 @@ def run_report(
     forms = figure_forms(figures)
     spec = read_spec(path)
     folder = out or Path(path.stem if path.suffix else f"{path.name}_report")
-    report = moving_report_of(path, spec) if html else report_of(path, spec)
+    report = shown_report_of(path, spec) if html else report_of(path, spec)
     with written_together(folder) as draft:
         from polhode.figures.drawing import draw_all
 
@@ -50,8 +49,7 @@ def run_report(
         if html:
             from polhode.kinds.page import page_of_report
 
-            moving = motion_report_of(report)
-            files.append(page_of_report(moving, draft / "page.html", name=spec.name, surface=spec.surface))
+            files.append(page_of_report(report, draft / "page.html", name=spec.name, surface=spec.surface))
     names = [str(folder / file.name) for file in files]
     removed = _remove_outdated(folder, [file.name for file in files])
     if json:

@@ -228,6 +228,13 @@ def moving_report_of(path: Path, spec: Spec) -> AbstractMotionReport:
     return motion_report_of(report_of(path, spec))
 
 
+def shown_report_of(path: Path, spec: Spec) -> AbstractReport:
+    """Return the report on a spec that has a page; one without is refused before anything is computed."""
+    with _naming(path):
+        spec.kind.check_page()
+    return report_of(path, spec)
+
+
 @contextlib.contextmanager
 def _naming(path: Path) -> Iterator[None]:
     """Name the file in what is refused."""

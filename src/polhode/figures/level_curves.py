@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
@@ -12,7 +11,7 @@ from polhode.analysis.polhodes import polhode
 from polhode.errors import InvalidInput
 from polhode.exact.free_body import FreeMotion
 from polhode.figures import style
-from polhode.quantum.level_polhodes import LevelPolhodes, level_polhodes
+from polhode.quantum.level_polhodes import LevelPolhodes, level_directions, level_polhodes
 from polhode.quantum.rotor import Rotor
 from polhode.types import Array, Float64
 
@@ -57,17 +56,11 @@ def moments_of(rotor: Rotor) -> Float64[Array, "3"]:
 
 
 def level_curves(rotor: Rotor, J: int) -> Iterator[LevelCurve]:
-    """Yield both polhodes of each level of one J, of a rigid asymmetric rotor, |L| = J + ½.
-
-    Their energies are those of the quantised polhodes: exact ones of nearly symmetric molecules may lie below C |L|².
-    """
-    A, _, C = rotor.constants
+    """Yield both polhodes of each level of one J, of a rigid asymmetric rotor, |L| = J + ½."""
     found = polhodes_of(rotor, J)
-    for energy, above in zip(found.semiclassical.tolist(), found.above.tolist(), strict=True):
-        along = (A - energy / (J + 0.5) ** 2) / (A - C)  # cos² of the angle to c where it crosses the plane of a and c
-        along = min(max(along, 0.0), 1.0)
-        motion = FreeMotion(moments_of(rotor), (math.sqrt(1.0 - along), 0.0, math.sqrt(along)))
-        curve = polhode(motion, POINTS)
+    starts = level_directions(rotor.constants, J, found.semiclassical)
+    for energy, above, start in zip(found.semiclassical.tolist(), found.above.tolist(), starts, strict=True):
+        curve = polhode(FreeMotion(moments_of(rotor), start), POINTS)
         if curve is not None:
             yield LevelCurve(energy, above, curve)
             yield LevelCurve(energy, above, -curve)

@@ -176,6 +176,15 @@ class AbstractKind:
         """Return the commands by which this kind makes something of a spec of another kind; none without a reason."""
         return ()
 
+    def check_page(self) -> None:
+        """Refuse a page of what neither moves nor says in ``panel.py`` how it is to be shown.
+
+        Raises:
+            InvalidInput: for such a kind.
+        """
+        if not self._has("panel.py"):
+            self.check_motion()
+
     def check_motion(self) -> None:
         """Refuse what needs a motion.
 
@@ -210,7 +219,7 @@ class AbstractKind:
             names: of answers, as the JSON has them, and of parts of states, after ``states.``.
             times: (T,) [s] of states.
         """
-        if not (resources.files(type(self).__module__) / "ensemble.py").is_file():
+        if not self._has("ensemble.py"):
             return None
         return self._part("ensemble").ensemble_of(samples, names, times)
 
@@ -242,6 +251,25 @@ class AbstractKind:
             raise InvalidInput(f"`name` must be one of {known} for a report of kind {self.name}; got {got}.")
         return figures[name](report)
 
+    def shown(self, report: AbstractReport) -> Trajectory:
+        """Return what moves on the page of a report without a motion of its own, by ``panel.shown_of``.
+
+        Raises:
+            InvalidInput: where there is nothing to show.
+        """
+        self.check_page()
+        return self._part("panel").shown_of(report)
+
+    def content_of_report(self, report: AbstractReport, samples: Samples, surface: Surface | None) -> Content:
+        """Return the pictures on the page of a report without a motion of its own, by ``panel.content_of``.
+
+        Args:
+            report: of this kind.
+            samples: of what ``shown`` returned.
+            surface: of the body, along the axes of the samples.
+        """
+        return replace(self._part("panel").content_of(report, samples, surface), scripts=self._scripts())
+
     def content(self, trajectory: Trajectory, samples: Samples, surface: Surface | None) -> Content | None:
         """Return the kind's own pictures of a page, by ``panel.panels_of`` and ``panel.js``; None if it has none.
 
@@ -253,21 +281,21 @@ class AbstractKind:
             samples: of it, as the page shows them, along the principal axes.
             surface: of the body, along the axes of the samples.
         """
-        if not (resources.files(type(self).__module__) / "panel.py").is_file():
+        if not self._has("panel.py"):
             return None
         from polhode.viewer.panels import Content, content_of
 
-        part, script = self._part("panel"), resources.files(type(self).__module__) / "panel.js"
+        part = self._part("panel")
         model = part.model_of(trajectory) if hasattr(part, "model_of") else None
         if not hasattr(part, "panels_of"):
             return replace(content_of(trajectory.source, samples, surface), model=model)
         panels = part.panels_of(trajectory, samples, surface)
         more = part.plots_of(trajectory, samples) if hasattr(part, "plots_of") else {}
-        return Content(panels, (script.read_text("utf-8"),) if script.is_file() else (), model, **more)
+        return Content(panels, self._scripts(), model, **more)
 
     def scatters(self, report: AbstractMotionReport) -> tuple[dict[str, Any], ...]:
         """Return by ``panel.scatters_of`` what a report's page draws beyond the part that it shows; none without it."""
-        if not (resources.files(type(self).__module__) / "panel.py").is_file():
+        if not self._has("panel.py"):
             return ()
         part = self._part("panel")
         return part.scatters_of(report) if hasattr(part, "scatters_of") else ()
@@ -275,6 +303,13 @@ class AbstractKind:
     def _part(self, name: str) -> Any:
         """Return a file of the folder as a module."""
         return import_module(f"{type(self).__module__}.{name}")
+
+    def _has(self, name: str) -> bool:
+        """Whether the folder has a file of this name."""
+        return (resources.files(type(self).__module__) / name).is_file()
+
+    def _scripts(self) -> tuple[str, ...]:
+        return (self._file("panel.js"),) if self._has("panel.js") else ()
 
     def _file(self, name: str) -> str:
         return (resources.files(type(self).__module__) / name).read_text("utf-8")
@@ -344,15 +379,6 @@ class Spec:
     def report(self) -> AbstractReport:
         """Return the answers; see ``AbstractKind.report``."""
         return self.kind.report(self)
-
-    def motion_report(self) -> AbstractMotionReport:
-        """Return the answers about a motion.
-
-        Raises:
-            InvalidInput: for a kind without one, and as ``AbstractKind.report`` does.
-        """
-        self.kind.check_motion()
-        return motion_report_of(self.report())
 
     def motion(self) -> SpecMotion:
         """Return the motion without the answers; see ``AbstractKind.motion``."""

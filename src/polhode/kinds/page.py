@@ -12,7 +12,7 @@ from polhode.kinds.base import Spec
 from polhode.kinds.registry import find_kind, kind_of_source
 from polhode.motion.base import AbstractMotion
 from polhode.motion.trajectory import Trajectory
-from polhode.reports.base import AbstractMotionReport
+from polhode.reports.base import AbstractMotionReport, AbstractReport
 from polhode.viewer.encoding import with_powers
 from polhode.viewer.page import NotebookPage, Page, page_of
 from polhode.viewer.panels import Content
@@ -91,16 +91,15 @@ def _page(
     if isinstance(moved, Spec):
         if summary or notes:
             raise InvalidInput("`summary` and `notes` are what a report says, and a spec has its own. Leave them out.")
-        return page_of_answers(moved.motion_report(), name or moved.name, moved.surface if surface is None else surface)
+        moved.kind.check_page()
+        return page_of_answers(moved.report(), name or moved.name, moved.surface if surface is None else surface)
     if isinstance(moved, AbstractMotion):
         moved = moved.sample()
     return page_of(moved, name=name, summary=summary, surface=surface, notes=notes, content=_content)
 
 
-def page_of_report(
-    report: AbstractMotionReport, path: str | Path, *, name: str, surface: Surface | None = None
-) -> Path:
-    """Write the page of a report's motion, with what the report says of it.
+def page_of_report(report: AbstractReport, path: str | Path, *, name: str, surface: Surface | None = None) -> Path:
+    """Write the page of a report, with what the report says.
 
     Args:
         report: any.
@@ -114,14 +113,18 @@ def page_of_report(
     return write_text_of(page_of_answers(report, name, surface), Path(path))
 
 
-def page_of_answers(report: AbstractMotionReport, name: str, surface: Surface | None) -> Page:
-    """Return what the page of a report's motion is filled with."""
+def page_of_answers(report: AbstractReport, name: str, surface: Surface | None) -> Page:
+    """Return what the page of a report is filled with."""
     kind = find_kind(report.kind)
-    return page_of(
-        report.shown, scatters=() if kind is None else kind.scatters(report), name=name,
-        summary=with_powers(report.summary), surface=surface, content=_content,
-        notes=[with_powers(note) for note in [*report.notes, *filter(None, [report.shown_part])]],
-    )  # fmt: skip
+    said = {"name": name, "summary": with_powers(report.summary), "surface": surface}
+    if isinstance(report, AbstractMotionReport):
+        notes = [with_powers(note) for note in [*report.notes, *filter(None, [report.shown_part])]]
+        scatters = () if kind is None else kind.scatters(report)
+        return page_of(report.shown, **said, notes=notes, scatters=scatters, content=_content)
+    assert kind is not None, f"a report of kind {report.kind} has no kind"
+    notes = [with_powers(note) for note in report.notes]
+    return page_of(kind.shown(report), **said, notes=notes,
+                   content=lambda _, samples, drawn: kind.content_of_report(report, samples, drawn))  # fmt: skip
 
 
 def _content(trajectory: Trajectory, samples: Samples, surface: Surface | None) -> Content | None:

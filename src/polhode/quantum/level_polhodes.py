@@ -43,6 +43,21 @@ class LevelPolhodes(NamedTuple):
     saddle: float
 
 
+def level_directions(
+    constants: tuple[float, float, float], J: int, energy: Float64[Array, "n"]
+) -> Float64[Array, "n 3"]:
+    """Return where polhodes cross the plane of a and c (n, 3), unit vectors along a, b, c.
+
+    Args:
+        constants: A > B > C.
+        J: whose |L| is J + ½.
+        energy: (n,) E/h of quantised polhodes, as exact ones of nearly symmetric molecules may lie below C |L|².
+    """
+    A, _, C = constants
+    square = np.clip((A - energy / (J + 0.5) ** 2) / (A - C), 0.0, 1.0)  # cos² of the angle to c
+    return np.stack([np.sqrt(1.0 - square), np.zeros(len(square)), np.sqrt(square)], axis=-1)
+
+
 def level_polhodes(constants: tuple[float, float, float], J: int) -> LevelPolhodes | None:
     """Return the levels of one J with their polhodes; None of a symmetric or linear molecule, or J = 0.
 

@@ -15,7 +15,7 @@ from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
 from polhode.quantum.spin import unit_vectors
 from polhode.special.spherical_tensors import spherical_tensor
-from polhode.types import Array, ArrayLike, Complex128, Real
+from polhode.types import Array, ArrayLike, Complex128, Float64, Real
 
 KINDS = {"q": -1.0, "weyl": 0.0, "p": 1.0}
 
@@ -49,6 +49,16 @@ def symbol_coefficients(operator: Real[ArrayLike, "n n"], kind: str = "weyl") ->
         found[q:, n - 1 + q] = rows @ np.diagonal(A, q)
         found[q:, n - 1 - q] = (-1.0) ** q * (rows @ np.diagonal(A, -q))
     return size[:, None] * found
+
+
+def pole_values(s: float) -> Float64[Array, "n"]:
+    """Return the Wigner functions (2s+1,) of |m⟩, m = s, s − 1, …, at the pole: the kernel there is diagonal.
+
+    Args:
+        s: of the spin.
+    """
+    rows = spherical_tensor(s, 0)
+    return np.sqrt((2.0 * np.arange(len(rows)) + 1.0) / len(rows)) @ rows
 
 
 def _log_weights(n: int, k: Array) -> Array:

@@ -103,14 +103,15 @@ def page_of(
     title = name or title_of(trajectory.source)
     model = shown.model or model_of(trajectory)
     # how samples were chosen is of no concern where the page solves the motion at any time
-    chosen = samples.notes if model is None or shown.model else ()
+    solved = shown.solved if shown.model else model is not None
+    chosen = () if solved else samples.notes
     said = [note[:1].upper() + note[1:] for note in (*map(with_powers, chosen), *notes)]
     data = {
         "name": title, "summary": summary, "notes": said, "panels": shown.panels,
         "drift": {key: float(np.max(value)) for key, value in trajectory.drift.items() if np.size(value)},
         "model": model, "scatters": [*shown.scatters, *scatters],
         "plots": _plots(trajectory, samples) if shown.plots is None else shown.plots,
-        **_arrays(trajectory.source, samples, solved=model is not None and shown.model is None),
+        **_arrays(trajectory.source, samples, solved), **shown.words,
     }  # fmt: skip
     return Page(title, data, shown.scripts)
 

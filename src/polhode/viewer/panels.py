@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -35,6 +35,9 @@ class Content:
         scatters: what is drawn of two numbers against each other, likewise.
         model: what the page's own solver needs to go on with the motion: its name as "solver", and its arguments; None
             where the page only shows samples.
+        solved: whether that solver knows the motion at any time, so that the page needs no samples but their times.
+        words: more that the page is told: ``axes``, names of the body's axes, and ``units`` of energy and momentum, a
+            size in SI and a name each.
     """
 
     panels: list[Panel]
@@ -42,6 +45,8 @@ class Content:
     model: dict[str, Any] | None = None
     plots: list[dict[str, Any]] | None = None
     scatters: tuple[dict[str, Any], ...] = ()
+    solved: bool = False
+    words: dict[str, Any] = field(default_factory=dict)
 
 
 def content_of(source: Any, samples: Samples, surface: Surface | None) -> Content:

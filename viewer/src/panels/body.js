@@ -48,7 +48,7 @@ export function bodyPanel(motion, given, theme) {
   let state = null;
 
   panel.legend = [
-    { color, text: data.along ? "trace of the axis through the centre of mass" : `trace of axis ${data.traced + 1}` },
+    { color, text: data.along ? "trace of the axis through the centre of mass" : `trace of axis ${data.axes?.[data.traced] ?? data.traced + 1}` },
     ...(arrows.L ? [{ color: theme.momentum, text: "L" }] : []),
     ...(arrows["Ω"] ? [{ color: theme.velocity, text: "Ω" }] : []),
     ...(rotor ? [{ color: theme.rotor, text: `rotor${turning(rotor.rate({ position: 0 }))}` }] : []),
@@ -63,7 +63,7 @@ export function bodyPanel(motion, given, theme) {
   };
   panel.labels = () => [
     ...tips.map((tip, k) => ({
-      text: `${k + 1}`,
+      text: data.axes?.[k] ?? `${k + 1}`,
       color: theme.axes[k],
       place: tip.clone().multiplyScalar(1.07).applyQuaternion(state.attitude).applyQuaternion(motion.space),
     })),

@@ -1,7 +1,7 @@
 // The momentum sphere, in body axes: levels of the energy, separatrix, this motion, and where it is now.
 import { Vector3 } from "three";
 import { unpacked } from "../motion.js";
-import { family, levels, polhodeThrough, rests, separatrix } from "../polhodes.js";
+import { family, levels, pairThrough, polhodeThrough, rests, separatrix } from "../polhodes.js";
 import { arrowhead, dot, drawUpTo, globe, line, mark, path, pieces } from "../shapes.js";
 import { newPanel } from "../stage.js";
 
@@ -13,22 +13,24 @@ const NAMES = { stable: "stable", unstable: "unstable", undecided: "undecided" }
 export function spherePanel(motion, data, theme) {
   const panel = newPanel(theme, { title: data.title, words: data.words, radius: 1.36 });
   const { scene } = panel;
+  const color = data.families ? theme.text : theme.motion; // other curves have colours of their own there
   scene.add(globe(theme));
   // a free body's curves are known in closed form, those of other systems come with the page
   const start = motion.free ? motion.at(0).momentum.toArray() : null;
   const [others, border] = start
-    ? [family(motion.free), separatrix(motion.free)]
+    ? [data.families ? [] : family(motion.free), separatrix(motion.free)]
     : data.changed && motion.solver
       ? [levels(motion.moments, motion.solver.rotor ?? [0, 0, 0], motion.at(0).momentum.length()), []]
       : [unpacked(data.family) ?? [], unpacked(data.separatrix) ?? []];
   if (others.length) scene.add(pieces(others, theme.family, 1));
+  for (const { starts, axis } of data.families ?? []) scene.add(pieces(starts.flatMap((unit) => pairThrough(motion.free, unit)), theme.axes[axis], 1, 0.75));
   if (border.length) scene.add(pieces(border, theme.border, 1.8));
   const own = start && Math.hypot(...start) > 0 ? polhodeThrough(motion.free, start) : null;
   const points = own ?? directions(motion);
-  const trail = own ? line(own, theme.motion, 3.2) : path(motion, points, theme.motion, 2);
+  const trail = own ? line(own, color, 3.2) : path(motion, points, color, 2);
   scene.add(trail);
-  if (own) for (const head of heads(motion.free, own, theme)) scene.add(head);
-  const place = dot(theme.motion, theme.ground, 0.035);
+  if (own) for (const head of heads(motion.free, own, color)) scene.add(head);
+  const place = dot(color, theme.ground, 0.035);
   scene.add(place);
   const stubs = [0, 1, 2].map((k) => {
     const end = new Vector3().setComponent(k, 1.2);
@@ -39,9 +41,10 @@ export function spherePanel(motion, data, theme) {
   for (const { at, verdict } of marks) scene.add(mark(new Vector3(...at), verdict, theme[COLORS[verdict]], theme.ground));
   const said = [...new Set(marks.map(({ verdict }) => verdict))];
   panel.legend = [
-    { color: theme.motion, text: "this motion" },
+    { color, text: "this motion" },
     ...(border.length ? [{ color: theme.border, text: "separatrix" }] : []),
     ...(others.length ? [{ color: theme.family, text: data.legend }] : []),
+    ...(data.families ?? []).map(({ axis, legend }) => ({ color: theme.axes[axis], text: legend })),
     ...said.map((verdict) => ({ color: theme[COLORS[verdict]], text: NAMES[verdict] })),
   ];
   panel.update = (now) => {
@@ -51,7 +54,7 @@ export function spherePanel(motion, data, theme) {
     if (!own) drawUpTo(motion, trail, Math.floor(now.position * motion.fine));
   };
   panel.labels = () =>
-    stubs.map((end, k) => ({ text: `L${"₁₂₃"[k]}`, color: theme.axes[k], place: end.clone().multiplyScalar(1.08) }));
+    stubs.map((end, k) => ({ text: data.axes?.[k] ?? `L${"₁₂₃"[k]}`, color: theme.axes[k], place: end.clone().multiplyScalar(1.08) }));
   panel.grasp = ([x, y], width) => {
     const seen = place.position.clone().project(panel.camera);
     const facing = place.position.dot(panel.camera.position) > 1;
@@ -75,13 +78,13 @@ function directions(motion) {
 }
 
 /** Return arrowheads on a polhode of points [x, y, z, …]: which way L runs, dL/dt = L × I⁻¹L. */
-function heads(moments, points, theme) {
+function heads(moments, points, color) {
   const found = [];
   const count = points.length / 3 - 1;
   for (let k = 0; k < HEADS; k++) {
     const unit = new Vector3().fromArray(points, 3 * Math.round(((k + 0.5) / HEADS) * count));
     const rate = unit.clone().cross(new Vector3(...unit.toArray().map((value, j) => value / moments[j])));
-    if (rate.length() > 0) found.push(arrowhead(theme.motion, unit, rate.normalize(), 0.085));
+    if (rate.length() > 0) found.push(arrowhead(color, unit, rate.normalize(), 0.085));
   }
   return found;
 }

@@ -5,5 +5,6 @@ import * as FreeMotion from "./free_body.js";
 import * as Gyrostat from "./gyrostat.js";
 import * as HeavyTop from "./heavy_top.js";
 import * as LagrangeMotion from "./lagrange_top.js";
+import * as QuantumRotor from "./quantum_rotor.js";
 
-export const SETTINGS = { DampedBody, EulerDisk, FreeMotion, Gyrostat, HeavyTop, LagrangeMotion };
+export const SETTINGS = { DampedBody, EulerDisk, FreeMotion, Gyrostat, HeavyTop, LagrangeMotion, QuantumRotor };

@@ -36,7 +36,7 @@ class QuantumRotorKind(AbstractKind):
         return built(spec)
 
     def next_steps(self, spec: Spec) -> Sequence[NextStep]:
-        found = [NextStep("levels", "lists the levels")]
+        found = [NextStep("view", "shows them as polhodes"), NextStep("levels", "lists the levels")]
         return [*found, NextStep("lines", "the lines")] if any(spec.system.dipole) else found
 
     def offers(self, spec: Spec) -> Sequence[NextStep]:

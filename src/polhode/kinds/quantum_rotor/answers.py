@@ -15,6 +15,7 @@ from polhode.kinds.base import Spec
 from polhode.kinds.quantum_rotor.build import built
 from polhode.kinds.quantum_rotor.flip import about_flip
 from polhode.kinds.quantum_rotor.table import QuantumRotorTable
+from polhode.motion.frame import BodyFrame
 from polhode.quantum.level_polhodes import LevelPolhodes, level_polhodes
 from polhode.quantum.partition import THERMAL
 from polhode.quantum.racket import Racket
@@ -46,7 +47,7 @@ class QuantumRotorReport(AbstractReport):
         polhodes: of the levels of one J; None of a symmetric molecule.
         J: of these.
         racket: the flip that the spec asks for.
-        has_body: whether the spec tells the molecule as a body.
+        frame: principal axes of the molecule in its given ones; None of constants alone.
         warned: what was warned of while these were computed.
     """
 
@@ -59,7 +60,7 @@ class QuantumRotorReport(AbstractReport):
     polhodes: LevelPolhodes | None
     J: int
     racket: Racket | None
-    has_body: bool
+    frame: BodyFrame | None
     warned: tuple[str, ...] = ()
 
     @property
@@ -92,7 +93,8 @@ class QuantumRotorReport(AbstractReport):
                 f"distortion is a series in J: levels beyond the J of the lines that {len(self.rotor.distortion)} "
                 "constants were fitted to run away."
             )
-        how = "leave [system] out" if self.has_body else "give the constants as rotational_constants under [body]"
+        constants = "give the constants as rotational_constants under [body]"
+        how = constants if self.frame is None else "leave [system] out"
         found.append(
             f"for the classical motion of the same molecule {how} and add a spin, like "
             'temperature = "300 K" under [spin].'
@@ -186,7 +188,9 @@ _COLUMNS = {
     "round": lambda row: row["round"],
     "step/h": lambda row: frequency(row["step"]) if math.isfinite(row["step"]) else "–",
     "L goes round": lambda row: frequency(row["classical_step"]) if math.isfinite(row["classical_step"]) else "–",
-    "split by": lambda row: frequency(row["splitting"], 6) if _is_split(row) else "–",
+    "split by": lambda row: (
+        frequency(row["splitting"], 6) if is_split(row["splitting"], row["classical_step"]) else "–"
+    ),
 }
 
 
@@ -200,9 +204,9 @@ def _rows(found: LevelPolhodes) -> list[dict[str, Any]]:
     ]  # fmt: skip
 
 
-def _is_split(row: dict[str, Any]) -> bool:
+def is_split(splitting: float, classical_step: float) -> bool:
     """Whether two levels are a pair at all: at the saddle all steps are alike."""
-    return not row["splitting"] > PAIRED * row["classical_step"]  # of the highest pair there is no step
+    return not splitting > PAIRED * classical_step  # of the highest pair there is no step
 
 
 def _both(value: float) -> str:
@@ -240,5 +244,6 @@ def report_of(spec: Spec) -> QuantumRotorReport:
         racket = None if wanted is None else Racket(rotor.constants, table.j, wanted.tilt, wanted.towards)
     said = tuple(dict.fromkeys(str(warning.message) for warning in caught))
     return QuantumRotorReport(
-        spec.name, asked, levels, lines, partition, polhodes, table.j, racket, spec.body is not None, said
-    )
+        spec.name, asked, levels, lines, partition, polhodes, table.j, racket,
+        None if spec.body is None else spec.body.frame, said,
+    )  # fmt: skip

@@ -1,0 +1,194 @@
+"""The page of a molecule: its levels of one J as polhodes, their Wigner functions, and the flip of a quantum body."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Any, NamedTuple
+
+import numpy as np
+from scipy import constants
+
+from polhode.bodies.surface import Surface
+from polhode.errors import InvalidInput
+from polhode.exact.free_body import FreeMotion
+from polhode.kinds.quantum_rotor.answers import QuantumRotorReport, is_split
+from polhode.motion.trajectory import Trajectory
+from polhode.quantum.level_polhodes import LevelPolhodes, level_directions
+from polhode.quantum.operators import Representation, rigid_terms
+from polhode.quantum.racket import Racket
+from polhode.quantum.rotor import PLANCK_OVER_8_PI_SQUARED
+from polhode.quantum.strengths import States, states_of
+from polhode.quantum.symbols import pole_values
+from polhode.reports.spectra import WAVE_NUMBER, frequency, label, wave_number
+from polhode.reports.wording import in_its_unit
+from polhode.types import Array, Float64
+from polhode.viewer.encoding import packed
+from polhode.viewer.panels import Content, body_panels
+from polhode.viewer.samples import Samples
+
+MIDDLE_IS_Z = Representation.IIr  # x, y, z = c, a, b
+LARGEST_J = 60  # of Wigner functions: a page's script takes a second for its tables there, and waves are fine
+PERIODS = 2.2
+SAMPLES = 800
+VIEW = {"azimuth": 0.89, "elevation": 0.51}  # a, b and c are all seen, and the saddle at b
+ROUND_A, ROUND_C = 0, 2  # axes whose colours the polhodes round them have
+
+
+class Shown(NamedTuple):
+    """What a page starts with.
+
+    Attributes:
+        level: by its place in the ladder of energy; None of a coherent state.
+        direction: (3,) of L along a, b, c.
+    """
+
+    level: int | None
+    direction: Float64[Array, "3"]
+
+
+def shown_of(report: QuantumRotorReport) -> Trajectory:
+    """Return the classical motion that the page starts with: of the flip that the spec asks for, or of a level.
+
+    Raises:
+        InvalidInput: for J = 0, and for molecules without a motion on a sphere: linear and spherical ones.
+    """
+    _check(report)
+    size, moments = _size(report.J), _moments(report)
+    motion = FreeMotion(moments, size * _start(report).direction)
+    span = _span(report, motion)
+    trajectory = motion.sample(np.linspace(0.0, span, SAMPLES))
+    return trajectory if report.frame is None else replace(trajectory, frame=report.frame)
+
+
+def content_of(report: QuantumRotorReport, samples: Samples, surface: Surface | None) -> Content:
+    """Return the body, the sphere of the levels' polhodes and, up to J = 60, the Wigner function."""
+    directions, above = _polhodes(report)
+    families = [
+        {"starts": directions[chosen].tolist(), "axis": axis, "legend": f"levels round {'abc'[axis]}"}
+        for chosen, axis in ((above, ROUND_A), (~above, ROUND_C)) if chosen.any()
+    ]  # fmt: skip
+    axes = ["a", "b", "c"]
+    sphere = {
+        "type": "sphere", "title": f"Levels of J = {report.J} as polhodes", "families": families, "axes": axes,
+        "words": "drag the point to another level, or L", "legend": "",
+    }  # fmt: skip
+    panels = [*(panel | {"axes": axes} for panel in body_panels(samples, _moments(report), surface)), sphere]
+    if report.J <= LARGEST_J:
+        panels.append({"type": "wigner"})
+    panels[0] |= VIEW
+    words = {"axes": axes, "units": {"energy": [constants.h * WAVE_NUMBER, "cm⁻¹"], "momentum": [constants.hbar, "ħ"]}}
+    return Content(panels, model=_model(report, directions), solved=True, words=words)
+
+
+def _check(report: QuantumRotorReport) -> None:
+    A, _, C = report.rotor.constants
+    why = (
+        "a linear molecule has no motion about its axis" if not math.isfinite(A)
+        else "of a spherical top every L rests in the body" if A == C
+        else "with `j` = 0 there is no L" if report.J == 0 else None
+    )  # fmt: skip
+    if why is not None:
+        raise InvalidInput(
+            f"there is nothing to show on a page: {why}. Ask for levels and figures by `polhode report`."
+        )
+
+
+def _start(report: QuantumRotorReport) -> Shown:
+    """Return the flip, or the level next above the saddle, or the middle one of a symmetric molecule."""
+    if report.racket is not None and report.J <= LARGEST_J:
+        return Shown(None, report.racket.direction)
+    directions, above = _polhodes(report)
+    level = int(np.argmax(above)) if above.any() and not above.all() else report.J
+    return Shown(level, directions[level])
+
+
+def _polhodes(report: QuantumRotorReport) -> tuple[Float64[Array, "n 3"], Array]:
+    """Return a point of each level's polhode (2J+1, 3), and whether that goes round the a axis."""
+    A, B, C = report.rotor.constants
+    if report.polhodes is not None:
+        return level_directions((A, B, C), report.J, report.polhodes.semiclassical), report.polhodes.above
+    levels = _states(report)
+    prolate = B == C
+    along = (levels.Ka if prolate else levels.Kc) / (report.J + 0.5)
+    beside, rest = np.sqrt(1.0 - along**2), np.zeros(len(along))
+    found = (along, rest, beside) if prolate else (beside, rest, along)
+    return np.stack(found, axis=-1), np.full(len(along), prolate)
+
+
+def _states(report: QuantumRotorReport) -> States:
+    """Return the levels of the rigid rotor, with states of a spin whose x, y, z are c, a, b, from K = −J up."""
+    return states_of(rigid_terms(report.rotor.constants, MIDDLE_IS_Z), report.J, MIDDLE_IS_Z)
+
+
+def _moments(report: QuantumRotorReport) -> Float64[Array, "3"]:
+    return PLANCK_OVER_8_PI_SQUARED / np.array(report.rotor.constants)
+
+
+def _size(J: int) -> float:
+    """Return |L| [kg m²/s]."""
+    return constants.hbar * (J + 0.5)
+
+
+def _span(report: QuantumRotorReport, motion: FreeMotion) -> float:
+    """Return how long the page's first window is [s]: some periods, or two flips where those are longer."""
+    period = None if motion.period is None else float(motion.period)
+    if period is None or not math.isfinite(period):
+        speed = float(np.linalg.norm(motion.momentum_at_epoch / motion.moments))
+        period = 8.0 * math.pi / speed
+        if report.racket is not None:
+            period = (2.0 * math.log(report.J) + 8.0) / report.racket.rate
+    return PERIODS * period
+
+
+def _model(report: QuantumRotorReport, directions: Float64[Array, "n 3"]) -> dict[str, Any]:
+    """Return what the page's script needs to move classical body and spin."""
+    level, direction = _start(report)
+    states = _states(report)
+    names = [label(report.J, Ka, Kc) for Ka, Kc in zip(states.Ka.tolist(), states.Kc.tolist(), strict=True)]
+    levels = [
+        {"name": name, "start": start, "said": said}
+        for name, start, said in zip(names, directions.tolist(), _said(report, states), strict=True)
+    ]  # fmt: skip
+    spin = {} if report.J > LARGEST_J else {
+        "vectors": packed(states.vectors[::-1]), "energies": states.energy.tolist(),
+        "kernel": pole_values(report.J).tolist(),
+    }  # fmt: skip
+    return {
+        "solver": "QuantumRotor", "J": report.J, "constants": list(report.rotor.constants),
+        "moments": _moments(report).tolist(), "momentumSize": _size(report.J), "attitude": [1.0, 0.0, 0.0, 0.0],
+        "epoch": 0.0, "level": level, "direction": direction.tolist(), "levels": levels,
+        "said": [] if report.racket is None else _of_flip(report.racket), "largestJ": LARGEST_J, **spin,
+    }  # fmt: skip
+
+
+def _said(report: QuantumRotorReport, states: States) -> list[list[list[str]]]:
+    """Return pairs of a name and a value for each level."""
+    found = report.polhodes
+    if found is None:
+        return [[["energy E/hc", wave_number(energy)]] for energy in states.energy.tolist()]
+    return [_of_level(found, k) for k in range(len(found.energy))]
+
+
+def _of_level(found: LevelPolhodes, k: int) -> list[list[str]]:
+    above, step, classical = bool(found.above[k]), float(found.step[k]), float(found.classical_step[k])
+    said = [
+        ["energy E/hc, rigid rotor", wave_number(float(found.energy[k]))],
+        ["as a quantised polhode", wave_number(float(found.semiclassical[k]))],
+        ["L goes round", f"the {'a' if above else 'c'} axis, {'above' if above else 'below'} the saddle"],
+    ]
+    if math.isfinite(step) and math.isfinite(classical):
+        said.append(["step to the next of its ladder", frequency(step, 6)])
+        said.append(["turns of L a second, half way there", frequency(classical, 6)])
+    if is_split(float(found.splitting[k]), classical):
+        said.append(["tunnelling splits the pair by", frequency(float(found.splitting[k]), 6)])
+    return said
+
+
+def _of_flip(racket: Racket) -> list[list[str]]:
+    """Return what is known of the flip, pairs of a name and a value."""
+    half, first, revival = racket.half_time, racket.first_reversal, racket.revival_time
+    said = [] if half is None else [["⟨L_b⟩ falls to J/2 after", in_its_unit(half)]]
+    if first is not None:
+        said.append(["first reversal", f"{in_its_unit(first.time)}, to ⟨L_b⟩ = {first.along:.4f} J"])
+    return said if revival is None else [*said, ["revival T_rev", in_its_unit(revival)]]
