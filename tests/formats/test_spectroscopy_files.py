@@ -11,7 +11,7 @@ from polhode import formats
 from polhode.errors import FormatError, InvalidInput
 from polhode.formats.fixed_columns import read_coded, write_coded
 from polhode.formats.spfit_constants import code_of
-from polhode.quantum import MeasuredLines, Reduction, Rotor, fit_rotor
+from polhode.quantum import MeasuredLines, Reduction, Rotor, fit_rotor, spin_matrices
 from polhode.quantum.operators import TERMS
 from quantum.molecules import FORMALDEHYDE, WATER
 
@@ -170,6 +170,44 @@ def test_constants_of_water(tmp_path):
     assert (rotor.reduction.name, rotor.spin_weights, rotor.spin_axis) == ("A", (1.0, 3.0), "b")
 
 
+@pytest.mark.parametrize(("basis", "axes"), [("Ir", "bca"), ("IIIl", "bac")])
+@pytest.mark.parametrize("reduction", ["A", "S"])
+def test_both_bases_are_those_of_the_program(tmp_path, basis, axes, reduction):
+    """Its codes as operators: N_a², N_b², N_c², N², N_z² and N₊^2n + N₋^2n, in I^r and III^l, summed by matrices."""
+    names = {"A": ("Delta_JK", "delta_J", "delta_K", "phi_K"), "S": ("D_JK", "d1", "d2", "h3")}[reduction]
+    distortion = dict(zip(names, (3e6, -2e6, 1e6, 4e3), strict=True))
+    rotor = Rotor((9e9, 7e9, 4e9), distortion, reduction, basis)
+    formats.write_par(formats.constant_table(rotor), tmp_path / "a.par")
+    table = formats.read_par(tmp_path / "a.par")
+    J = 4
+    xyz = spin_matrices(J)
+    one, square, z = np.eye(2 * J + 1), J * (J + 1) * np.eye(2 * J + 1), xyz[2] @ xyz[2]
+    raised = xyz[0] + 1j * xyz[1]
+    H = np.zeros_like(one, complex)
+    for code, value in zip(table.code.tolist(), table.value.tolist(), strict=True):
+        kind, of_z, of_J = code // 10000, code // 1000 % 10, code // 100 % 10
+        N = xyz[axes.index("abc"[kind - 1])] if 1 <= kind <= 3 else None
+        ladder = np.linalg.matrix_power(raised, 2 * max(kind - 3, 0))
+        first = one if kind == 0 else N @ N if N is not None else ladder + ladder.conj().T
+        rest = np.linalg.matrix_power(z, of_z) @ np.linalg.matrix_power(square, of_J)
+        H += 1e6 * value * 0.5 * (first @ rest + rest @ first)
+    assert np.linalg.eigvalsh(H) == pytest.approx(np.sort(rotor.levels_of(J).energy), rel=1e-12)
+    again = table.rotor()
+    assert again.representation is rotor.representation
+    assert again.distortion == pytest.approx(rotor.distortion, rel=1e-14)
+    other = Rotor((9e9, 7e9, 4e9), distortion, reduction, "Il" if basis == "Ir" else "IIIr")
+    assert np.sort(other.levels_of(J).energy) != pytest.approx(np.linalg.eigvalsh(H), rel=1e-9)
+
+
+def test_short_codes_stand_for_constants(tmp_path):
+    """B of a symmetric top by 100, and A − B by 1000, C − B in the oblate basis."""
+    for states, wanted in ((1, (9e9, 4e9, 4e9)), (-1, (4e9, 4e9, 2e9))):
+        unique = wanted[0] - wanted[1] if states > 0 else wanted[2] - wanted[1]
+        text = f"top\n 2 1 1 0\ns 1 {states} 0 99 0 1 1 1 0\n 100 4000.0 1e-3 /B\n 1000 {unique / 1e6} 1e-3 /more\n"
+        (tmp_path / "a.par").write_text(text)
+        assert formats.read_par(tmp_path / "a.par").rotor().constants == pytest.approx(wanted, rel=1e-15)
+
+
 def test_constants_come_back(tmp_path):
     sigma = {"A": 120.0, "D_J": 0.5}
     formats.write_par(formats.constant_table(FORMALDEHYDE, sigma, "H2CO"), tmp_path / "a.par")
@@ -272,7 +310,7 @@ def test_what_cannot_be_written_leaves_nothing(tmp_path):
 
 @pytest.mark.parametrize(("change", "said"), [
     ((" 1, 1, 0", " 3, 1, 0"), "without spins"), ((" 1, 1, 0", " 1, 2, 0"), "one state"),
-    ((" 1, 1, 0", " 1, -1, 0"), "oblate"), ((" 2 1 3", " 5 1 3"), "axis of spin weights"), (("1100", "110010000"),
+    ((" 2 1 3", " 5 1 3"), "axis of spin weights"), (("1100", "110010000"),
                                                                                          "no operator 110010000"),
 ])  # fmt: skip
 def test_constants_that_are_no_plain_rotor(tmp_path, change, said):
@@ -284,7 +322,7 @@ def test_constants_that_are_no_plain_rotor(tmp_path, change, said):
 @pytest.mark.parametrize(("make", "said"), [
     (lambda: formats.catalogue_of(FORMALDEHYDE.lines(1)), "intensities"),
     (lambda: formats.catalogue_of(FORMALDEHYDE.lines(1, 300.0), -1.0), "`error`"),
-    (lambda: formats.constant_table(Rotor((3e9, 2e9, 1e9), {}, "A", "IIIr")), "representation Ir"),
+    (lambda: formats.constant_table(Rotor((3e9, 2e9, 1e9), {}, "A", "IIIr")), "representation Ir or IIIl"),
     (lambda: formats.constant_table(Rotor((np.inf, 1e9, 1e9))), "linear"),
     (lambda: formats.constant_table(Rotor((3e9, 2e9, 1e9), spin_weights=(0.5, 1))), "whole numbers"),
     (lambda: formats.LineList(*[np.ones((1, 4), int)] * 2, *[np.ones(1)] * 3).measured(), "three quantum numbers"),

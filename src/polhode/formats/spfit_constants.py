@@ -1,7 +1,8 @@
 """Constants of molecules, ``.par`` and ``.var``, as SPFIT and SPCAT take them: codes of operators and their numbers.
 
 Codes: 10000, 20000, 30000 A, B, C; 1000 n + 100 m times J^{2m} J_z^{2n}; 10000 (q + 3) more times J₊^{2q} + J₋^{2q}.
-The numbers are those of the operators, so that 200 is −D_J. Source: Pickett, J. Mol. Spectrosc. 148 (1991) 371.
+The numbers are those of the operators, so that 200 is −D_J. There are two bases, I^r and, for a negative number of
+states, III^l, in which J_z is J_c. Source: Pickett, J. Mol. Spectrosc. 148 (1991) 371.
 """
 
 from __future__ import annotations
@@ -25,9 +26,13 @@ LARGEST_FILE = 16 * MB
 WIDTH, IN_A_ROW = 10, 8  # of the factor of the correlations
 ROUNDING = 1e-12  # added to correlations, which may be singular within rounding
 FIXED = 1e-37  # MHz; an error by which SPFIT leaves a constant as it is
-AXES = {10000: (1.0, 0.0, 0.0), 20000: (0.0, 1.0, 0.0), 30000: (0.0, 0.0, 1.0),
-        100: (1.0, 1.0, 1.0), 1000: (1.0, 0.0, 0.0), 40000: (0.0, 2.0, -2.0)}  # fmt: skip
-"""What codes add to A, B, C in I^r; the second three are ½(B+C), A − ½(B+C) and ¼(B−C)."""
+AXES = {10000: (1.0, 0.0, 0.0), 20000: (0.0, 1.0, 0.0), 30000: (0.0, 0.0, 1.0), 100: (1.0, 1.0, 1.0)}
+"""What codes add to A, B, C."""
+BASES = {
+    Representation.Ir: {1000: (1.0, 0.0, 0.0), 40000: (0.0, 2.0, -2.0)},
+    Representation.IIIl: {1000: (0.0, 0.0, 1.0), 40000: (-2.0, 2.0, 0.0)},
+}
+"""The bases of these files, with what the codes of J_z² and J₊² + J₋² add to A, B, C."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,19 +61,17 @@ class ConstantTable:
     correlation: Float64[Array, "n n"] | None = None
 
     def rotor(self, dipole: Real[Array, "3"] | tuple[float, float, float] = (0.0, 0.0, 0.0)) -> Rotor:
-        """Return the rotor with these constants, in I^r.
+        """Return the rotor with these constants, in I^r, or III^l where the number of states is negative.
 
         Raises:
-            InvalidInput: for spins, several states of vibration, an oblate basis, or operators that Watson's reduction
-                does not have.
+            InvalidInput: for spins, several states of vibration, or operators that Watson's reduction does not have.
         """
         spins, states, _, _, _, axis, even, odd = (*self.options, *[None] * 8)[:8]
         if abs(1.0 if spins is None else spins) != 1.0 or abs(1.0 if states is None else states) != 1.0:
             raise InvalidInput("the constants must be of one state without spins: the first two options must be 1; got "
                                f"{shown(spins)} and {shown(states)}.")  # fmt: skip
-        if states is not None and states < 0.0:
-            raise InvalidInput("the constants must be in the prolate basis, I^r; a negative number of states says that "
-                               "these are in the oblate one. Convert them first.")  # fmt: skip
+        basis = Representation.IIIl if states is not None and states < 0.0 else Representation.Ir
+        axes = AXES | BASES[basis]
         weights = (1.0 if even is None else even, 1.0 if odd is None else odd)
         about = "a" if axis in (None, 0.0) else "abc"[int(axis) - 1] if axis in (1.0, 2.0, 3.0) else None
         if about is None and weights[0] != weights[1]:
@@ -77,15 +80,15 @@ class ConstantTable:
         rigid, distortion = np.zeros(3), {}
         for code, value, label in zip(np.abs(self.code).tolist(), self.value.tolist(), self.label, strict=True):
             bare = code - 99 if code % 100 == 99 else code  # 99: in all states of vibration
-            if bare in AXES:
-                rigid += value * 1e6 * np.array(AXES[bare])
+            if bare in axes:
+                rigid += value * 1e6 * np.array(axes[bare])
             elif bare in names:
                 name, sign = names[bare]
                 distortion[name] = distortion.get(name, 0.0) + sign * value * 1e6
             else:
                 raise InvalidInput(f"the {self.reduction} reduction has no operator {code} ({label}). Leave it out, if "
                                    "it is small enough.")  # fmt: skip
-        return Rotor(rigid, distortion, self.reduction, "Ir", dipole, weights, about or "a")
+        return Rotor(rigid, distortion, self.reduction, basis.name, dipole, weights, about or "a")
 
 
 def code_of(term: Term) -> int:
@@ -104,7 +107,7 @@ def constant_table(
     """Return a rotor's constants as a ``.par`` file has them.
 
     Args:
-        rotor: in I^r.
+        rotor: in I^r or III^l.
         sigma: errors by name [Hz], such as ``dict(zip(fit.names, fit.sigma))``; other constants are fixed.
         title: one line.
         correlation: (k, k) of the k errors in the order of ``sigma``, such as ``fit.correlation``.
@@ -115,9 +118,9 @@ def constant_table(
     """
     if rotor.is_linear:
         raise InvalidInput("`rotor` must not be linear: these files would need other codes.")
-    if rotor.representation not in (None, Representation.Ir):
-        raise InvalidInput(f"`rotor` must be in the representation Ir; got {rotor.representation.name}. Fit its lines "
-                           "in Ir.")  # fmt: skip
+    if rotor.representation is not None and rotor.representation not in BASES:
+        raise InvalidInput(f"`rotor` must be in the representation Ir or IIIl, which these files know; got "
+                           f"{rotor.representation.name}. Fit its lines in one of these.")  # fmt: skip
     if any(weight % 1.0 for weight in rotor.spin_weights):
         raise InvalidInput(f"`spin_weights` must be whole numbers in a file; got {shown(rotor.spin_weights)}.")
     names = list(sigma or {})
@@ -131,7 +134,8 @@ def constant_table(
         rows.append((code_of(term), term.sign * value, name))
     error = [max((sigma or {}).get(name, 0.0) / 1e6, FIXED) for _, _, name in rows]
     axis = float("abc".index(rotor.spin_axis) + 1)
-    options = (1.0, 1.0, 0.0, 99.0, 0.0, axis, *rotor.spin_weights, 0.0, 0.0, 0.0, 0.0)
+    states = -1.0 if rotor.representation is Representation.IIIl else 1.0
+    options = (1.0, states, 0.0, 99.0, 0.0, axis, *rotor.spin_weights, 0.0, 0.0, 0.0, 0.0)
     code, value, label = zip(*rows, strict=True)
     together = None
     if correlation is not None:
