@@ -150,7 +150,7 @@ def test_figures_show_the_path_or_samples_alone(report, tmp_path):
         ('linear_drag = "1 N*m*s"\neccentricity = 0.1', ["1 mistake", "system.eccentricity: goes with orbital_period"]),
         ('linear_drag = "1 N*m"\nquadratic_drag = "-1 N*m*s^2"\norbital_period = "90 min"\neccentricity = 1.0',
          ["3 mistakes", "linear_drag: has the wrong unit", "quadratic_drag: must be positive",
-          "eccentricity: must be within 0 to 0.99"]),
+          "eccentricity: must be from 0 to 0.99"]),
         ('damping = 0.1\nloss_rate = "2 mW"', ["1 mistake", "system.loss_rate: goes without damping"]),
         ('damping_time = "0 s"\nloss_rate = "2 m"', ["damping_time: must be positive", "loss_rate: has the wrong"]),
         ('damping = "0.1"', ["system.damping: must be a plain finite number"]),

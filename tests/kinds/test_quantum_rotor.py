@@ -106,7 +106,7 @@ def test_a_flip(spec_of):
     assert on_axis["period"] is None and on_axis["revival_time"] is None
     beside = spec_of(system + 'racket = { tilt = "15 deg" }\n').report().values()["racket"]
     assert 0.0 < beside["first_reversal"]["time"] < beside["period"] < beside["revival_time"]
-    with pytest.raises(InvalidInput, match=r"system\.racket\.tilt: must be within 0 to 1\.48353"):
+    with pytest.raises(InvalidInput, match=r"system\.racket\.tilt: must be from 0 to 85 deg; got 100 deg"):
         spec_of(system + 'racket = { tilt = "100 deg" }\n')
 
 

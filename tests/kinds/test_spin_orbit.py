@@ -118,10 +118,10 @@ def test_datasets_name_angle_and_rate(report):
 
 
 BAD = [
-    ("0.0257", "1.8", "system.asphericity: must be within 0 to 1.73205"),
+    ("0.0257", "1.8", "system.asphericity: must be from 0 to 1.73205"),
     ("0.0257", '"0.02"', "system.asphericity: must be a plain finite number"),
-    ("0.2056", "1.0", "system.eccentricity: must be within 0 to 0.99"),
-    ("0.2056", "-0.1", "system.eccentricity: must be within 0 to 0.99"),
+    ("0.2056", "1.0", "system.eccentricity: must be from 0 to 0.99"),
+    ("0.2056", "-0.1", "system.eccentricity: must be from 0 to 0.99"),
     ("eccentricity = 0.2056\n", "", "system.eccentricity: is missing; give it like 0.1"),
     ('"87.969 day"', '"-1 day"', "system.orbital_period: must be positive"),
     ('"87.969 day"', "87.969", "system.orbital_period: needs a number with its unit"),
@@ -130,7 +130,7 @@ BAD = [
     ('orbital_period = "87.969 day"', 'semi_major_axis = "1 km"', "got semi_major_axis"),
     ('"87.969 day"', '"1e200 s"', "mean motion within 1e±100 rad/s"),
     ('"10 deg"', '"10 m"', "system.angle: has the wrong unit"),
-    ("spin_ratio = 1.5", "spin_ratio = 31", "system.spin_ratio: must be within -30 to 30"),
+    ("spin_ratio = 1.5", "spin_ratio = 31", "system.spin_ratio: must be from -30 to 30"),
     ("= 200", "= 0", "system.section_orbits: must be at least 1; got 0"),
     ("= 200", "= 2.5", "system.section_orbits: must be a whole number"),
     ("spin_ratio", "spin_ration", "system.spin_ration: unknown key; did you mean spin_ratio?"),

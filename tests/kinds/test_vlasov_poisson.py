@@ -90,12 +90,12 @@ GOOD = "wavenumber = 0.5\namplitude = 0.01"
 
 @pytest.mark.parametrize(("system", "words"), [
     ("amplitude = 0.1", "give that of the box's longest wave"),
-    ("wavenumber = 0.5\namplitude = 1.5", "must be within -0.99 to 0.99"),
+    ("wavenumber = 0.5\namplitude = 1.5", "must be from -0.99 to 0.99"),
     (GOOD + "\nbeams = [{share = 0.5}]", "shares that add up to one; got 0.5"),
     (GOOD + "\nbeams = [{spread = 0}]", "beams"),
     (GOOD + "\nvelocities = 4096\nparticles_per_velocity = 4096", "must be at most"),
-    (GOOD + "\nstep = -1", "step: must be within"),
-    ("wavenumber = 50\namplitude = 0.01", "wavenumber: must be within 0.001 to 10"),
+    (GOOD + "\nstep = -1", "step: must be from"),
+    ("wavenumber = 50\namplitude = 0.01", "wavenumber: must be from 0.001 to 10"),
     ("wavenumber = 0.5\namplitude = 0", "amplitude: must not be zero"),
 ])  # fmt: skip
 def test_what_is_refused(spec, system, words):

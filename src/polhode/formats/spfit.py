@@ -69,7 +69,7 @@ def read_lin(path: str | Path) -> LineList:
     """
     path = Path(path)
     remedy = "A list of lines has twelve fields of three columns, then frequency, error and perhaps a weight."
-    found = list(rows_of(path, read_text(path, "list of lines", LARGEST_FILE), _row, remedy))
+    found = list(rows_of(path, read_text(path, "line list", LARGEST_FILE), _row, remedy))
     rows = [row for row, _ in found]
     for k, row in enumerate(rows):
         if len(row[0]) != len(rows[0][0]):

@@ -160,7 +160,7 @@ def read_par(path: str | Path) -> ConstantTable:
         FormatError: naming the line that is not as it must be.
     """
     path = Path(path)
-    lines = read_text(path, "file of constants", LARGEST_FILE).split("\n")
+    lines = read_text(path, "constants", LARGEST_FILE).split("\n")
     if len(lines) < 4:
         raise FormatError(f"{path}: must have a title, two lines of options, and a line for each constant; it has "
                           f"{len(lines)}. Check the path.")  # fmt: skip

@@ -277,8 +277,8 @@ def _checked_constants(constants: Array) -> tuple[float, float, float]:
     A, B, C = (float(x) for x in values)
     if not A >= B >= C:
         raise InvalidInput(
-            f"`constants` must be in the order A ≥ B ≥ C; got {A:g}, {B:g}, {C:g}. Sort them: with distortion, the "
-            "representation says which axis is which."
+            f"`constants` must be in the order A ≥ B ≥ C; got {A:g}, {B:g}, {C:g}. Write them in this "
+            "order."
         )
     if math.isinf(A) and B != C:
         raise InvalidInput(f"a linear molecule (A infinite) must have B = C; got {B:g} and {C:g}.")

@@ -144,10 +144,16 @@ def within(least: float, most: float, what: str) -> Callable[[float], float]:
 
     def check(value: float) -> float:
         if not least <= value <= most:
-            raise ValueError(f"must be within {least:g} to {most:.6g}, {what}; got {shown(value)}. Check it")
+            raise ValueError(f"must be from {least:g} to {most:.6g}, {what}; got {shown(value)}. Check it")
         return value
 
     return check
+
+
+def _racket_tilt(value: float) -> float:
+    if not 0.0 <= value <= math.radians(85.0):
+        raise ValueError(f"must be from 0 to 85 deg; got {math.degrees(value):g} deg. At 90 L is on another axis")
+    return value
 
 
 @_in("Hz")
@@ -274,7 +280,7 @@ SpinRatio = Annotated[Plain, AfterValidator(within(-30.0, 30.0, "turns per orbit
 Orbits = Annotated[StrictInt, Field(ge=1, le=100_000)]
 Thickness = Annotated[float, _reader("m"), AfterValidator(_thickness)]
 Lean = Annotated[Angle, AfterValidator(_lean)]
-RacketTilt = Annotated[Angle, AfterValidator(within(0.0, math.radians(85.0), "85 deg"))]
+RacketTilt = Annotated[Angle, AfterValidator(_racket_tilt)]
 Tilt = Annotated[Angle, AfterValidator(_standing)]
 Power = Annotated[float, _reader("W", positive=True)]
 Viscosity = Annotated[float, _reader("Pa*s", positive=True)]

@@ -99,7 +99,10 @@ def parse_spectroscopic(value: Any) -> float:
         try:
             return parse_quantity(value, "Hz")
         except ValueError:
-            raise ValueError(f'{error} or "{EXAMPLES["Hz"]}"') from None
+            example = f'"{EXAMPLES["1/m"]}"'
+            said = str(error).replace(example, f'{example} or "{EXAMPLES["Hz"]}"')
+            said = said.replace("is not in 1/m or alike", "is neither a frequency nor a wave number")
+            raise ValueError(said) from None
 
 
 @lru_cache(maxsize=1024)

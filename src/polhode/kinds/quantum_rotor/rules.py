@@ -22,5 +22,6 @@ def rotor_rules(tables: dict[str, Any]) -> Iterator[Mistake]:
         for key, like in (("reduction", '"A" or "S"'), ("representation", '"Ir"')):
             if key not in system:
                 yield ("system", key), (
-                    f"is missing; distortion constants are those of one, like {like}, which stands where they are from"
+                    f"is missing; distortion constants have a meaning only together with it. Give it as their source "
+                    f"does, like {like}"
                 )
