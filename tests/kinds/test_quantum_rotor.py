@@ -166,3 +166,15 @@ def _curves(report):
         for level in level_curves(report.rotor, report.J):
             assert np.linalg.norm(level.unit, axis=-1) == pytest.approx(1.0, abs=1e-12)
             yield level
+
+
+@pytest.mark.parametrize(("constants", "said", "commands"), [
+    ('["9 GHz", "9 GHz", "4 GHz"]', "An oblate symmetric top", ["view", "levels"]),
+    ('["9 GHz", "4 GHz", "4 GHz"]', "A prolate symmetric top", ["view", "levels"]),
+    ('["9 GHz", "9 GHz", "9 GHz"]', "A spherical top", ["levels"]),
+    ('["9 GHz"]', "A linear molecule", ["levels"]),
+])  # fmt: skip
+def test_a_page_is_offered_where_something_moves(spec_of, constants, said, commands):
+    spec = spec_of(f'[system]\nkind = "quantum-rotor"\nconstants = {constants}\ntemperature = "10 K"\nj_max = 3\n')
+    assert spec.report().summary.startswith(said)
+    assert [step.command for step in spec.kind.next_steps(spec)] == commands

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any, ClassVar
 
@@ -36,7 +37,10 @@ class QuantumRotorKind(AbstractKind):
         return built(spec)
 
     def next_steps(self, spec: Spec) -> Sequence[NextStep]:
-        found = [NextStep("view", "shows them as polhodes"), NextStep("levels", "lists the levels")]
+        A, _, C = self.rotor(spec).rotor.constants
+        found = [NextStep("levels", "lists the levels")]
+        if math.isfinite(A) and A > C and spec.system.j > 0:
+            found.insert(0, NextStep("view", "shows them as polhodes"))
         return [*found, NextStep("lines", "the lines")] if any(spec.system.dipole) else found
 
     def offers(self, spec: Spec) -> Sequence[NextStep]:

@@ -76,8 +76,8 @@ class QuantumRotorReport(AbstractReport):
         if self.polhodes is None:
             if A == C:
                 return "A spherical top: every level of a J has the same energy."
-            shape = "prolate" if B == C else "oblate"
-            return f"A {shape} symmetric top: levels of a J go by |K|, and every polhode is a circle."
+            shape = "A prolate" if B == C else "An oblate"
+            return f"{shape} symmetric top: levels of a J go by |K|, and every polhode is a circle."
         above = int(self.polhodes.above.sum())
         below = len(self.polhodes.above) - above
         return (
