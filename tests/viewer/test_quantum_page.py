@@ -81,6 +81,23 @@ def test_the_cloud_moves_by_euler_s_equations(page_of):
 
 
 @pytest.mark.browser
+def test_what_is_measured_has_been_drawn(page_of):
+    """Also before the browser has come to its next frame, for which a busy one takes its time."""
+    page = page_of("j = 7\nracket = { }\n")
+    both = """() => [0, 4e-11].map((time) => {
+        window.polhode.goTo(time);
+        return window.polhode.measure("wigner", "mean").mean;
+    })"""
+    first, then = page.tab.evaluate(both)
+    assert np.abs(np.subtract(first, then)).max() > 0.1
+    sharp, level = page.tab.evaluate("""() => [-1, 3].map((level) => {
+        window.polhode.set({ state: { level } });
+        return Math.max(...window.polhode.measure("wigner", "values").values);
+    })""")
+    assert abs(sharp - level) > 0.1
+
+
+@pytest.mark.browser
 def test_levels_are_chosen_by_name_and_by_hand(page_of):
     """Each with its own Wigner function and a polhode of its energy; the point is dragged from level to level."""
     page = page_of("j = 6\n")

@@ -153,6 +153,12 @@ class Page {
     window.polhode.firstPicture ??= performance.now();
   }
 
+  /** Return the page with its last change drawn, for those who cannot wait for the next frame. */
+  drawn() {
+    if (this.waiting) this.drawNow();
+    return this;
+  }
+
   sizes() {
     return this.canvases.map((canvas) => `${canvas.clientWidth} ${canvas.clientHeight}`).join();
   }
@@ -220,7 +226,10 @@ function offered(page) {
       page.timebar.to(index);
       page.drawNow();
     },
-    goTo: (time) => page.goTo(time),
+    goTo(time) {
+      page.goTo(time);
+      page.drawn();
+    },
     get playing() {
       return page.timebar.playing;
     },
@@ -236,11 +245,12 @@ function offered(page) {
       return { attitude: found.attitude ? [w, x, y, z] : null, momentum: found.momentum?.toArray() ?? null };
     },
     spec: () => page.instrument?.toml(page.motion.span) ?? null,
-    plots: () => page.plots.probe(),
+    plots: () => page.drawn().plots.probe(),
     /** Return the boxes [left, top, width, height] of the names in each picture, in its pixels. */
-    names: () => page.panels.map((panel) => panel.boxes ?? []),
+    names: () => page.drawn().panels.map((panel) => panel.boxes ?? []),
     /** Return what a panel of a type draws, or only the parts of that name. */
     measure(type, ...names) {
+      page.drawn();
       const found = page.panels.find((panel) => panel.type === type)?.probe();
       return found && names.length ? Object.fromEntries(names.map((name) => [name, found[name]])) : found;
     },
