@@ -59,6 +59,7 @@ def argument(algebra, name):
         "g": lambda v: algebra.exp(algebra.from_vector(0.3 * v)),
         "h": lambda v: algebra.exp(algebra.from_vector(0.2 * v)), "vector": lambda v: v,
         "gradient": algebra.from_dual_vector, "value": algebra.from_vector, "matrix": algebra.from_vector,
+        "coefficients": lambda v: jnp.concatenate([v[..., :1], v], -1).reshape(*v.shape[:-1], algebra.n, algebra.n),
     }[name]  # fmt: skip
 
 
