@@ -148,7 +148,8 @@ class Store:
             how many there are.
         """
         plan = json.loads((self.home / PLAN).read_text("utf-8"))
-        for draft in (self.home / CHUNKS).glob(".*.json.*"):  # of processes that were killed
+        # what killed processes left: our drafts of marks, and zarr's of chunks
+        for draft in (*(self.home / CHUNKS).glob(".*.json.*"), *self.path.rglob("*.partial")):
             draft.unlink(missing_ok=True)
         group, dropped = _zarr().open_group(str(self.path), mode="r", zarr_format=2, use_consolidated=False), 0
         for number in sorted(self.finished()):
