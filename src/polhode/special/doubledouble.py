@@ -26,6 +26,7 @@ Pairs = tuple[Result, Result]
 
 PI: DoubleDouble = (np.pi, 1.2246467991473532e-16)
 INVERSE_TWO_PI: DoubleDouble = (0.15915494309189535, -9.839338337591243e-18)
+LN2: DoubleDouble = (0.6931471805599453, 2.3190468138462996e-17)
 
 
 def two_sum(a: Operand, b: Operand) -> Pairs:

@@ -65,10 +65,37 @@ def top_frequencies(top: Reduction, points: TurningPoints) -> Frequencies:
     beta = dd.where(separatrix, zero, beta)
     I1, I3 = top.moments
     spin = dd.divide(dd.multiply_float(dd.two_sum(I1, -I3), a), dd.from_float(I3))
-    return Frequencies(
+    found = Frequencies(
         dd.scale(root_A, 0.5), dd.where(separatrix, zero, nutation), dd.scale(alpha, sign_alpha),
         dd.scale(beta, sign_beta), sign_alpha, sign_beta, spin, permanent, separatrix, ~(points.d[0] > 0) & ~aperiodic,
     )  # fmt: skip
+    return _lingering(top, found)
+
+
+def climb(top: Reduction) -> DoubleDouble:
+    """Return the x = W τ that a top which leaves the vertical needs until its displacement is as large as the lifted one."""
+    xp = namespace(top.reversed)
+    places = xp.astype(xp.where(top.leaves, top.lift, 0), xp.float64)
+    return dd.multiply_float(tuple(c + 0.0 * places for c in dd.LN2), places)
+
+
+def _lingering(top: Reduction, lifted: Frequencies) -> Frequencies:
+    """Return the frequencies of tops that leave the vertical from those of the lifted ones.
+
+    The displacement grows and falls as e^{±x}, so K = πW/2ϖ is longer by ``climb``. During it α turns by c'/4 and
+    β not at all, so the turns of a nutation that are beyond that stay the same and their mean rates shrink as ϖ does.
+    """
+    W, nutation, c_plus = lifted.half_root, lifted.nutation, dd.scale(top.c_plus, 0.25)
+    pi = tuple(c + 0.0 * W[0] for c in dd.PI)
+    longer = dd.scale(dd.divide(dd.multiply(climb(top), nutation), dd.multiply(pi, W)), 2.0)  # climb/K
+    share = dd.divide(dd.one_like(W[0]), dd.add(dd.one_like(W[0]), longer))
+    alpha = dd.add(c_plus, dd.multiply(dd.subtract(lifted.alpha, c_plus), share))
+    nutation, beta = dd.multiply(nutation, share), dd.multiply(lifted.beta, share)
+    alpha, beta, nutation = (
+        dd.where(top.leaves, x, y)
+        for x, y in ((alpha, lifted.alpha), (beta, lifted.beta), (nutation, lifted.nutation))
+    )
+    return lifted._replace(alpha=alpha, beta=beta, nutation=nutation)
 
 
 def _starts(top: Reduction, points: TurningPoints) -> tuple[Any, ...]:

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 from polhode.arrays import barrier, choose, compiled, namespace, split_halves
 from polhode.exact.blocks import Columns
-from polhode.exact.lagrange_top.frequencies import Frequencies, top_frequencies
+from polhode.exact.lagrange_top.frequencies import Frequencies, climb, top_frequencies
 from polhode.exact.lagrange_top.reduction import Reduction, reduce_top
 from polhode.exact.lagrange_top.roots import TurningPoints, turning_points
 from polhode.exact.lagrange_top.series import TERMS, Motion, flatten, start_numerators
@@ -74,7 +74,7 @@ def _arguments(top: Reduction, points: TurningPoints, rates: Frequencies) -> _Ar
     y_alpha = xp.where(rates.steady, math.inf, xp.where(permanent, 0.0, v_a * scale))
     y_beta = xp.where(rates.steady, math.inf, xp.where(permanent, 0.0, v_b * scale))
     tail = lambda w: xp.where(full & (q > 0), xp.exp(-2.0 * scale * w), 0.0)  # noqa: E731
-    x0 = dd.scale(x0, xp.where(top.p[0] >= 0, 1.0, -1.0))
+    x0 = dd.scale(dd.add(x0, climb(top)), xp.where(top.p[0] >= 0, 1.0, -1.0))
     return _Arguments(full, q, theta3, y_alpha, y_beta, tail(w_a), tail(w_b), x0)
 
 
@@ -183,6 +183,9 @@ def _series_columns(top: Reduction, points: TurningPoints, rates: Frequencies, a
     # a permanent top has one of α, β, or at rest both, as it started: A = |α| sin z and B = i |β| sin z at z = π/2
     own_t, own_s = (xp.sqrt(0.5 * v[0]) for v in (top.t0, top.s0))
     root_t, root_s = xp.where(rates.permanent, own_t, root_t), xp.where(rates.permanent, own_s, root_s)
+    # what stays near the vertical moves as the lifted top does, at the given size
+    down = xp.ldexp(xp.ones_like(root_t), -xp.where(top.leaves, 0, top.lift))
+    root_t, root_s = root_t * xp.where(top.upright, 1.0, down), root_s * xp.where(top.upright, down, 1.0)
     return root_t, root_s, at.q, at.theta3, at.y_alpha, at.y_beta, at.r_alpha, at.r_beta, rates.permanent
 
 
@@ -244,7 +247,11 @@ def _constant_phases(
         (0.5 * (-L3 * z - (L1 * x + L2 * y)), 0.5 * (L3 * w - (L1 * y - L2 * x))),
         (0.5 * (L1 * w - L2 * z + L3 * y), 0.5 * (L1 * z + L2 * w - L3 * x)),
     )
-    ar, ai, br, bi, dar, dai, dbr, dbi, turns_a, turns_b = start_numerators(motion)
+    *numerators, turns_a, turns_b = start_numerators(motion)
+    up = xp.ldexp(xp.ones_like(L3), top.lift)
+    up_alpha, up_beta = xp.where(top.upright, 1.0, up), xp.where(top.upright, up, 1.0)
+    ar, ai, dar, dai = (up_alpha * numerators[k] for k in (0, 1, 4, 5))
+    br, bi, dbr, dbi = (up_beta * numerators[k] for k in (2, 3, 6, 7))
     square = (ar * ar + ai * ai) + (br * br + bi * bi)
     norm = xp.sqrt(square)
     drop = ((ar * dar + ai * dai) + (br * dbr + bi * dbi)) / square

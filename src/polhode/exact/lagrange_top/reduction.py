@@ -5,6 +5,11 @@ of equal moments obeys 2α' = i a α − w̄ β, 2β' = w α − i a β, w' = G 
 ν = L3 (I1 − I3)/(I1 I3) about the axis. Source: Klein & Sommerfeld, *Theorie des Kreisels*, ch. VI.
 
 A centre of mass below the pivot (mgl < 0) is one above it on the reversed axis: a half turn about the first body axis.
+
+A top displaced from the vertical by a tiny ε has s or t, c or c', F and |w|² of the order of ε², and squares of these
+underflow. There the motion is linear in the displacement, so the invariants are formed with the displacement scaled up
+by a power of two. ``frequencies`` and ``preparation`` undo this: the scaled top's state is scaled down if it stays near
+the vertical, and the time it takes to leave grows by the logarithm of the scale if it does not.
 """
 
 from __future__ import annotations
@@ -14,8 +19,9 @@ from typing import Any, NamedTuple
 from polhode.arrays import namespace
 from polhode.special import doubledouble as dd
 from polhode.special.doubledouble import DoubleDouble
-from polhode.types import Array, Bool, Float64
+from polhode.types import Array, Bool, Float64, Integer
 
+TINY, LIFTED = -200, -150  # binary exponents: of a displacement that is scaled up, and of what it becomes
 Number = Float64[Array, "*batch"]
 Flag = Bool[Array, "*batch"]
 
@@ -27,9 +33,9 @@ class Reduction(NamedTuple):
     """
 
     moments: tuple[Number, Number]  # I1, I3
-    momentum: tuple[Number, Number, Number]
-    quaternion: tuple[Number, Number, Number, Number]  # as given, not normalised
-    size: DoubleDouble  # its |q|²
+    momentum: tuple[Number, Number, Number]  # with the displacement scaled up by 2^lift
+    quaternion: tuple[Number, Number, Number, Number]  # not normalised; likewise
+    size: DoubleDouble  # |q|² as given
     G: DoubleDouble
     s0: DoubleDouble
     t0: DoubleDouble
@@ -43,8 +49,19 @@ class Reduction(NamedTuple):
     w2: DoubleDouble  # |w|² at the epoch
     lean: DoubleDouble  # a (|w|² − G s) − G c: its sign against a's tells loops from waves
     reversed: Flag  # whether the axis was turned round
+    lift: Integer[Array, "*batch"]  # binary exponent of the displacement's scale, 0 for most tops
     momentum_scale: Number  # powers of two taken out
     rate_scale: Number
+
+    @property
+    def upright(self) -> Flag:
+        """Whether the axis points up rather than down at the epoch."""
+        return self.s0[0] < self.t0[0]
+
+    @property
+    def leaves(self) -> Flag:
+        """Whether the displacement was scaled up and grows."""
+        return (self.lift > 0) & self.upright & (self.D[0] > 0)
 
 
 def reduce_top(
@@ -67,12 +84,35 @@ def reduce_top(
     momentum_exponent = _momentum_exponent(xp, I1, weight, (L1, L2, L3))
     one = xp.ones_like(L1)
     I1, I3 = xp.ldexp(I1, -moment_exponent), xp.ldexp(I3, -moment_exponent)
-    L1, L2, L3 = (xp.ldexp(v, -momentum_exponent) for v in (L1, sign * L2, sign * L3))
+    given = (L1, sign * L2, sign * L3)
+    L1, L2, L3 = (xp.ldexp(v, -momentum_exponent) for v in given)
     weight = xp.ldexp(xp.ldexp(weight, moment_exponent - momentum_exponent), -momentum_exponent)
     scales = xp.ldexp(one, momentum_exponent), xp.ldexp(one, momentum_exponent - moment_exponent)
-    L, q = (L1, L2, L3), (w, x, y, z)
-    parts = ((I1, I3), L, q, *_invariants(I1, weight, L, q), turned, *scales)
+    G = dd.scale(dd.two_product(weight, I1), 2.0)
+    size = _sum_of_squares(w, x, y, z)
+    below, lift = _lift(xp, G, (L1, L2, L3), (w, x, y, z))
+    above, below = xp.where(below, 0, lift), xp.where(below, lift, 0)
+    L = (*(xp.ldexp(v, lift - momentum_exponent) for v in given[:2]), L3)
+    q = (xp.ldexp(w, below), xp.ldexp(x, above), xp.ldexp(y, above), xp.ldexp(z, below))
+    parts = ((I1, I3), L, q, *_invariants(G, size, L, q), turned, lift, *scales)
     return Reduction._make(parts)
+
+
+def _lift(xp: Any, G: DoubleDouble, momentum: tuple[Array, ...], quaternion: tuple[Array, ...]) -> tuple[Array, Array]:
+    """Return whether the axis points down, and the exponent by which a tiny displacement is scaled up, otherwise 0.
+
+    At the threshold of sleeping, where 2G = a² exactly, it is left as it is: nothing moves there for 1e30 turns.
+    """
+    (L1, L2, L3), (w, x, y, z) = momentum, quaternion
+    largest = lambda u, v: xp.maximum(xp.abs(u), xp.abs(v))  # noqa: E731
+    cosine, sine = largest(w, z), largest(x, y)
+    below = cosine < sine
+    displacement = xp.maximum(xp.minimum(cosine, sine), largest(L1, L2))
+    _, exponent = xp.frexp(displacement)
+    double, square = dd.scale(G, 2.0), dd.two_product(L3, L3)
+    moves = (double[0] != square[0]) | (double[1] != square[1]) | below
+    tiny = (displacement > 0) & (exponent < TINY) & (G[0] > 0) & moves
+    return below, xp.where(tiny, LIFTED - exponent, 0)
 
 
 def _momentum_exponent(xp: Any, I1: Array, weight: Array, momentum: tuple[Array, ...]) -> Array:
@@ -85,8 +125,14 @@ def _momentum_exponent(xp: Any, I1: Array, weight: Array, momentum: tuple[Array,
     return xp.where(weight > 0, xp.where(largest > 0, xp.maximum(exponent, half), half), exponent)
 
 
+def _sum_of_squares(w: Array, x: Array, y: Array, z: Array) -> list[Array]:
+    S = dd.compress([*dd.two_product(x, x), *dd.two_product(y, y)])
+    T = dd.compress([*dd.two_product(w, w), *dd.two_product(z, z)])
+    return dd.compress([*S, *T])
+
+
 def _invariants(
-    I1: Array, weight: Array, momentum: tuple[Array, ...], quaternion: tuple[Array, ...]
+    G: DoubleDouble, size: list[Array], momentum: tuple[Array, ...], quaternion: tuple[Array, ...]
 ) -> tuple[DoubleDouble, ...]:
     """Return |q|², G, s0, t0, u0, p, c, c', twist, F, D, |w|², lean: polynomials of the given floats over |q|².
 
@@ -96,10 +142,8 @@ def _invariants(
     L1, L2, L3 = momentum
     w, x, y, z = quaternion
     product, short = dd.expansion_times_expansion, dd.compress
-    G = [2.0 * v for v in dd.two_product(weight, I1)]
     S = short([*dd.two_product(x, x), *dd.two_product(y, y)])
     T = short([*dd.two_product(w, w), *dd.two_product(z, z)])
-    size = short([*S, *T])
     real = short([*dd.two_product(x, w), *dd.two_product(y, z)])  # β̄α
     imaginary = short([*dd.two_product(x, z), *dd.two_product(-y, w)])
     in_phase = short([*product(real, [L1]), *product(imaginary, [-L2])])  # β̄αw
@@ -115,6 +159,6 @@ def _invariants(
     over = lambda terms: dd.divide(dd.distil(terms), n)  # noqa: E731
     lean = short([*product(energy, [L3]), *product([-g for g in G], c)], 6)
     return (
-        n, (G[0], G[1]), dd.scale(over(S), 2.0), dd.scale(over(T), 2.0), over([*T, *(-v for v in S)]),
+        n, G, dd.scale(over(S), 2.0), dd.scale(over(T), 2.0), over([*T, *(-v for v in S)]),
         dd.scale(over(in_phase), -2.0), over(c), over(c_plus), over(twist), over(F), over(D), dd.distil(w2), over(lean),
     )  # fmt: skip
