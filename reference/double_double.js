@@ -3,6 +3,7 @@
 
 export const PI = [Math.PI, 1.2246467991473532e-16];
 export const INVERSE_TWO_PI = [0.15915494309189535, -9.839338337591243e-18];
+export const LN2 = [0.6931471805599453, 2.3190468138462996e-17];
 export const ZERO = [0, 0];
 export const ONE = [1, 0];
 

@@ -60,6 +60,7 @@ typedef struct { double hi, lo; } phd_pair;
 
 static const phd_pair PHD_ONE = {1.0, 0.0}, PHD_ZERO = {0.0, 0.0};
 static const phd_pair PHD_PI = {3.141592653589793, 1.2246467991473532e-16};
+static const phd_pair PHD_LN2 = {0.6931471805599453, 2.3190468138462996e-17};
 static const phd_pair PHD_INVERSE_TWO_PI = {0.15915494309189535, -9.839338337591243e-18};
 
 static inline phd_pair phd_make(double hi, double lo) { phd_pair x; x.hi = hi; x.lo = lo; return x; }
@@ -855,6 +856,7 @@ typedef struct {
 
 typedef struct {
     double I1, I3, L[3], q[4], reversed, momentum_scale, rate_scale;
+    int lift, upright, leaves; /* L and q have a tiny displacement from the vertical scaled up by 2^lift */
     phd_pair size, G, s0, t0, u0, p, c, c_plus, twist, F, D, w2, lean;
 } phd_top;
 
@@ -878,16 +880,14 @@ static inline phd_sum phd_two_products(double a, double b, double c, double d)
 static inline phd_pair phd_over(const phd_sum *x, phd_pair n) { return phd_divide(phd_distil(*x), n); }
 
 /* The invariants, summed exactly: near the separatrix c, F and D vanish together, and what is left of them decides. */
-static inline void phd_top_invariants(phd_top *t, double weight)
+static inline void phd_top_invariants(phd_top *t)
 {
     const double L1 = t->L[0], L2 = t->L[1], L3 = t->L[2], w = t->q[0], x = t->q[1], y = t->q[2], z = t->q[3];
     const phd_sum S = phd_two_products(x, x, y, y), T = phd_two_products(w, w, z, z);
     const phd_sum real = phd_two_products(x, w, y, z), imaginary = phd_two_products(x, z, -y, w);
     const phd_sum w2 = phd_two_products(L1, L1, L2, L2), minus_L3 = phd_sum_of(phd_two_product(L3, -L3));
-    phd_sum size, in_phase, twist, c, c_plus, energy, F, D, rest, lean, G, part;
-    t->G = phd_scale(phd_two_product(weight, t->I1), 2.0);
-    G = phd_sum_of(t->G);
-    size = phd_compress(phd_joined(S, &T, 1.0), 4);
+    const phd_sum G = phd_sum_of(t->G), size = phd_sum_of(t->size);
+    phd_sum in_phase, twist, c, c_plus, energy, F, D, rest, lean, part;
     part = phd_sum_times(&imaginary, -L2);
     in_phase = phd_compress(phd_joined(phd_sum_times(&real, L1), &part, 1.0), 4);
     part = phd_sum_times(&imaginary, L1);
@@ -907,7 +907,6 @@ static inline void phd_top_invariants(phd_top *t, double weight)
     D = phd_compress(phd_joined(phd_sum_times_sum(&size, &rest), &energy, -1.0), 5);
     part = phd_sum_times_sum(&G, &c);
     lean = phd_compress(phd_joined(phd_sum_times(&energy, L3), &part, -1.0), 6);
-    t->size = phd_distil(size);
     t->s0 = phd_scale(phd_over(&S, t->size), 2.0);
     t->t0 = phd_scale(phd_over(&T, t->size), 2.0);
     part = phd_joined(T, &S, -1.0);
@@ -922,12 +921,39 @@ static inline void phd_top_invariants(phd_top *t, double weight)
     t->lean = phd_over(&lean, t->size);
 }
 
+/* Scales a tiny displacement from the vertical up. There the motion is linear in it, and the invariants are of its square, so
+   that squares of these underflow. Exactly at the threshold of sleeping, where it grows like t, it is dropped: nothing is to be
+   seen of it within 1e27 radians. */
+static inline void phd_lift_top(phd_top *t)
+{
+    const double cosine = fmax(fabs(t->q[0]), fabs(t->q[3])), sine = fmax(fabs(t->q[1]), fabs(t->q[2]));
+    const double displacement = fmax(fmin(cosine, sine), fmax(fabs(t->L[0]), fabs(t->L[1])));
+    const phd_pair twice = phd_scale(t->G, 2.0), square = phd_two_product(t->L[2], t->L[2]);
+    const int exponent = phd_exponent(displacement);
+    double *first, *second;
+    t->upright = cosine >= sine;
+    t->lift = 0;
+    if (!(displacement > 0.0 && exponent < -200 && t->G.hi > 0.0)) return;
+    first = &t->q[t->upright ? 1 : 0];
+    second = &t->q[t->upright ? 2 : 3];
+    if (t->upright && twice.hi == square.hi && twice.lo == square.lo) {
+        *first = *second = t->L[0] = t->L[1] = 0.0;
+        return;
+    }
+    t->lift = -150 - exponent;
+    *first = ldexp(*first, t->lift);
+    *second = ldexp(*second, t->lift);
+    t->L[0] = ldexp(t->L[0], t->lift);
+    t->L[1] = ldexp(t->L[1], t->lift);
+}
+
 static inline phd_top phd_reduced_top(const double moments[3], double mgl, const double momentum[3], const double q[4])
 {
     phd_top t;
     const int turned = mgl < 0.0, moment_exponent = phd_exponent(moments[0]);
     const double largest = phd_largest3(momentum), weight = fabs(mgl), sign = turned ? -1.0 : 1.0;
     int exponent = phd_exponent(largest), k;
+    phd_sum S, T;
     if (weight > 0.0) { /* the larger of |L| and sqrt(mgl I1), without forming a product that may overflow */
         const int half = (int)floor((moment_exponent + phd_exponent(weight) + 1) / 2.0);
         exponent = largest > 0.0 && exponent > half ? exponent : half;
@@ -943,7 +969,13 @@ static inline phd_top phd_reduced_top(const double moments[3], double mgl, const
     t.reversed = sign;
     t.momentum_scale = ldexp(1.0, exponent);
     t.rate_scale = ldexp(1.0, exponent - moment_exponent);
-    phd_top_invariants(&t, ldexp(ldexp(weight, moment_exponent - exponent), -exponent));
+    t.G = phd_scale(phd_two_product(ldexp(ldexp(weight, moment_exponent - exponent), -exponent), t.I1), 2.0);
+    S = phd_two_products(t.q[1], t.q[1], t.q[2], t.q[2]);
+    T = phd_two_products(t.q[0], t.q[0], t.q[3], t.q[3]);
+    t.size = phd_distil(phd_compress(phd_joined(S, &T, 1.0), 4));
+    phd_lift_top(&t);
+    phd_top_invariants(&t);
+    t.leaves = t.lift > 0 && t.upright && t.D.hi > 0.0;
     return t;
 }
 
@@ -983,11 +1015,22 @@ static inline void phd_larger_and_smaller(phd_pair sum, phd_pair difference, phd
     *y = positive ? smaller : larger;
 }
 
+/* x + y = sqrt((x - y)^2 + 4 x y), also where the square underflows */
+static inline phd_pair phd_difference(phd_pair sum, phd_pair product)
+{
+    const int exponent = phd_exponent(sum.hi);
+    const int alone = product.hi == 0.0 || phd_exponent(product.hi) < 2 * exponent;
+    const int tiny = sum.hi != 0.0 && exponent < -400 && alone;
+    const double up = ldexp(1.0, tiny ? -exponent : 0), down = ldexp(1.0, tiny ? exponent : 0);
+    const phd_pair raised = phd_scale(phd_scale(product, up), up);
+    return phd_scale(phd_sqrt(phd_add(phd_square(phd_scale(sum, up)), phd_scale(raised, 4.0))), down);
+}
+
 static inline void phd_upper_root_apart(const phd_top *t, phd_pair p2, phd_pair c2, phd_pair f1, phd_turning *o)
 {
     const phd_pair product = phd_quotient(p2, o->Y);
     const phd_pair sum = phd_quotient(phd_add(f1, phd_multiply(t->G, product)), o->Y);
-    o->d = phd_sqrt(phd_add(phd_square(sum), phd_scale(product, 4.0)));
+    o->d = phd_difference(sum, product);
     phd_larger_and_smaller(sum, o->d, product, &o->from_upper, &o->from_lower);
     o->s1 = phd_add(t->s0, o->from_lower);
     o->s2 = phd_subtract(t->s0, o->from_upper);
@@ -1003,7 +1046,7 @@ static inline void phd_lower_root_apart(const phd_top *t, phd_pair p2, phd_pair 
 {
     const phd_pair Gs1 = phd_multiply(t->G, o->s1), product = phd_quotient(c2, Gs1);
     const phd_pair sum = phd_divide(phd_add(phd_scale(t->F, -2.0), phd_quotient(c2, o->s1)), Gs1);
-    const phd_pair gap = phd_sqrt(phd_add(phd_square(sum), phd_scale(product, 4.0)));
+    const phd_pair gap = phd_difference(sum, product);
     phd_pair minus_s3, other;
     phd_larger_and_smaller(sum, gap, product, &o->s2, &minus_s3);
     o->Z_minus = phd_multiply(t->G, minus_s3);
@@ -1059,6 +1102,21 @@ static inline phd_pair phd_drift(
     return phd_subtract(phd_multiply(outer, phd_subtract(PHD_ONE, share)), nutation);
 }
 
+/* The x = W tau that a top which leaves the vertical needs until its displacement is as large as the lifted one. */
+static inline phd_pair phd_climb(const phd_top *t) { return t->leaves ? phd_times(PHD_LN2, t->lift) : PHD_ZERO; }
+
+/* The rates of a top that leaves the vertical from those of the lifted one: K = pi W/(2 nutation) is longer by the climb,
+   during which alpha turns by c'/4 and beta not at all. */
+static inline void phd_linger(const phd_top *t, phd_top_rates *r)
+{
+    const phd_pair own = phd_scale(t->c_plus, 0.25), product = phd_multiply(phd_climb(t), r->nutation);
+    const phd_pair longer = phd_scale(phd_divide(product, phd_multiply(PHD_PI, r->half_root)), 2.0); /* climb/K */
+    const phd_pair share = phd_divide(PHD_ONE, phd_add(PHD_ONE, longer));
+    r->nutation = phd_multiply(r->nutation, share);
+    r->alpha = phd_add(own, phd_multiply(phd_subtract(r->alpha, own), share));
+    r->beta = phd_multiply(r->beta, share);
+}
+
 static inline phd_top_rates phd_rates_of_top(const phd_top *t, const phd_turning *o)
 {
     phd_top_rates r;
@@ -1092,6 +1150,7 @@ static inline phd_top_rates phd_rates_of_top(const phd_top *t, const phd_turning
     r.alpha = phd_scale(r.alpha, r.sign_alpha);
     r.beta = phd_scale(r.beta, first_beta ? -r.sign_beta : r.sign_beta);
     r.steady = !(o->d.hi > 0.0);
+    if (t->leaves) phd_linger(t, &r);
     return r;
 }
 
@@ -1158,6 +1217,7 @@ static inline phd_lattice phd_places(const phd_top *t, const phd_turning *o, con
                                                     phd_divide(phd_multiply(G, o->s1), A)).hi);
     }
     at.x0 = phd_integral(phd_divide(o->from_lower, d), phd_divide(o->from_upper, d), phd_divide(o->Y, A));
+    at.x0 = phd_add(at.x0, phd_climb(t));
     if (!(t->p.hi >= 0.0)) at.x0 = phd_negate(at.x0);
     return at;
 }
@@ -1212,7 +1272,9 @@ static inline double phd_theta4(double q, double y)
 static inline void phd_top_series(
     polhode_top *m, const phd_top *t, const phd_turning *o, const phd_top_rates *r, const phd_lattice *at)
 {
-    const double q = at->q;
+    /* what stays near the vertical moves as the lifted top does, at the given size */
+    const double q = at->q, down = ldexp(1.0, t->leaves ? 0 : -t->lift);
+    const double size_a = t->upright ? 1.0 : down, size_b = t->upright ? down : 1.0;
     int n;
     m->constant = 0.0;
     if (r->permanent) { /* one of alpha, beta, or at rest both, as it started */
@@ -1220,8 +1282,8 @@ static inline void phd_top_series(
         m->a_up[0] = sqrt(0.5 * t->t0.hi);
         m->b_down[0] = sqrt(0.5 * t->s0.hi);
     } else if (at->full) {
-        phd_full_row(sqrt(0.5 * o->t2.hi) * at->theta3, q, at->y_alpha, at->r_alpha, 1, m->a_up, m->a_down);
-        phd_full_row(sqrt(0.5 * o->s1.hi) * phd_theta4(q, 0.0), q, at->y_beta, at->r_beta, 0, m->b_up, m->b_down);
+        phd_full_row(size_a * sqrt(0.5 * o->t2.hi) * at->theta3, q, at->y_alpha, at->r_alpha, 1, m->a_up, m->a_down);
+        phd_full_row(size_b * sqrt(0.5 * o->s1.hi) * phd_theta4(q, 0.0), q, at->y_beta, at->r_beta, 0, m->b_up, m->b_down);
     } else {
         const double alpha = sqrt(0.5 * o->t2.hi) * at->theta3 / phd_theta4(q, at->y_alpha);
         const double theta2 = 1.0 + phd_power(q, 2) + phd_power(q, 6) + phd_power(q, 12);
@@ -1337,10 +1399,24 @@ static inline void phd_constant_phase(
     phase[1] = length > 0.0 ? y / length : 0.0;
 }
 
+static inline phd_numerators phd_lifted(phd_numerators v, const phd_top *t)
+{
+    const double up = ldexp(1.0, t->lift), up_a = t->upright ? 1.0 : up, up_b = t->upright ? up : 1.0;
+    v.ar *= up_a;
+    v.ai *= up_a;
+    v.dar *= up_a;
+    v.dai *= up_a;
+    v.br *= up_b;
+    v.bi *= up_b;
+    v.dbr *= up_b;
+    v.dbi *= up_b;
+    return v;
+}
+
 static inline void phd_top_phases(polhode_top *m, const phd_top *t, double linear_a, double linear_b, double argument_rate)
 {
     const double L1 = t->L[0], L2 = t->L[1], L3 = t->L[2];
-    const phd_numerators v = phd_top_numerators(m, 0.0, 0.0);
+    const phd_numerators v = phd_lifted(phd_top_numerators(m, 0.0, 0.0), t);
     const double square = (v.ar * v.ar + v.ai * v.ai) + (v.br * v.br + v.bi * v.bi), norm = sqrt(square);
     const double drop = ((v.ar * v.dar + v.ai * v.dai) + (v.br * v.dbr + v.bi * v.dbi)) / square;
     double size = L1 * L1 + L2 * L2 + L3 * L3 + t->G.hi, q[4], given[4], series[4];

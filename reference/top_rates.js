@@ -27,12 +27,31 @@ export function topRates(top, points) {
   if (permanent) return { ...found, nutation: dd.ZERO, alpha: dd.ZERO, beta: dd.ZERO };
   if (separatrix) return { ...found, nutation: dd.ZERO, alpha: dd.scale(cPlus, 0.25 * signAlpha), beta: dd.ZERO };
   const drifts = bothDrifts(top, points, rootA, cPlus, dd.scale(top.c, signBeta));
-  return {
-    ...found,
+  const own = {
     nutation: drifts.nutation,
     alpha: dd.scale(drifts.alpha, signAlpha),
     beta: dd.scale(drifts.beta, signBeta),
-    steady: !(points.d[0] > 0),
+  };
+  return { ...found, ...(top.leaves ? lingering(top, found.halfRoot, own) : own), steady: !(points.d[0] > 0) };
+}
+
+/** Return the x = Wτ that a top which leaves the vertical needs until its displacement is as large as the lifted one. */
+export const climb = (top) => (top.leaves ? dd.timesFloat(dd.LN2, top.lift) : dd.ZERO);
+
+/**
+ * Return the rates of a top that leaves the vertical from those of the lifted one.
+ *
+ * The displacement grows and falls as e^{±x}, so K = πW/2ϖ is longer by `climb`. During it α turns by c'/4 and β not at
+ * all, so the turns of a nutation that are beyond that stay the same and their mean rates shrink as ϖ does.
+ */
+function lingering(top, W, { nutation, alpha, beta }) {
+  const own = dd.scale(top.cPlus, 0.25);
+  const longer = dd.scale(dd.divide(dd.multiply(climb(top), nutation), dd.multiply(dd.PI, W)), 2); // climb/K
+  const share = dd.divide(dd.ONE, dd.add(dd.ONE, longer));
+  return {
+    nutation: dd.multiply(nutation, share),
+    alpha: dd.add(own, dd.multiply(dd.subtract(alpha, own), share)),
+    beta: dd.multiply(beta, share),
   };
 }
 

@@ -5,33 +5,73 @@
 // ν = L3 (I1 − I3)/(I1 I3) about the axis. Source: Klein & Sommerfeld, Theorie des Kreisels, ch. VI.
 import * as dd from "./double_double.js";
 
+const [TINY, LIFTED] = [-200, -150]; // binary exponents: of a displacement that is scaled up, and of what it becomes
+
 /**
  * Return a top with mgl ≥ 0, scaled by powers of two; pairs are double-double.
  *
  * u = cos θ, s = 1 − u, t = 1 + u, index 0 at the epoch; c = p_φ − L3, cPlus = p_φ + L3, twist = p_φ − u L3,
  * F = |w|² − G s − a c, D = 2G − a² − |w|² + G s, lean = a (|w|² − G s) − G c, and p = u̇ by τ, at the epoch.
  * A centre of mass below the pivot is one above it on the reversed axis: a half turn about the first body axis.
+ *
+ * A top displaced from the vertical by a tiny ε has s or t, c or c', F and |w|² of the order of ε², and squares of these
+ * underflow. There the motion is linear in the displacement, so the invariants, `momentum` and `quaternion` have the
+ * displacement scaled up by 2^lift. Rates and series undo this: the scaled top's state is scaled down if it stays near the
+ * vertical, and the time it takes to leave grows by the logarithm of the scale if it does not (`leaves`).
  */
 export function reducedTop(moments, mgl, momentum, attitude) {
   const turned = mgl < 0;
-  const [w, x, y, z] = attitude;
-  const quaternion = turned ? [-x, w, z, -y] : [w, x, y, z];
+  const quaternion = turned ? [-attitude[1], attitude[0], attitude[3], -attitude[2]] : [...attitude];
+  const [w, x, y, z] = quaternion;
   const sign = turned ? -1 : 1;
   const momentExponent = dd.exponentOf(moments[0]);
   const momentumExponent = exponentOfMomentum(moments[0], Math.abs(mgl), momentum);
   const [I1, I3] = [moments[0], moments[2]].map((v) => dd.timesPowerOfTwo(v, -momentExponent));
-  const L = [momentum[0], sign * momentum[1], sign * momentum[2]].map((v) => dd.timesPowerOfTwo(v, -momentumExponent));
-  const lifted = dd.timesPowerOfTwo(Math.abs(mgl), momentExponent - momentumExponent);
-  const weight = dd.timesPowerOfTwo(lifted, -momentumExponent);
+  const given = [momentum[0], sign * momentum[1], sign * momentum[2]];
+  const L = given.map((v) => dd.timesPowerOfTwo(v, -momentumExponent));
+  const half = dd.timesPowerOfTwo(Math.abs(mgl), momentExponent - momentumExponent);
+  const weight = dd.timesPowerOfTwo(half, -momentumExponent);
+  const G = dd.scale(dd.twoProduct(weight, I1), 2);
+  const size = dd.compress([...sumOfSquares(x, y), ...sumOfSquares(w, z)]);
+  const { below, lift, kept } = liftOf(G, L, quaternion);
+  const raised = [0, 1].map((k) => kept * dd.timesPowerOfTwo(given[k], lift - momentumExponent));
+  const liftedMomentum = [...raised, L[2]];
+  const [above, under] = below ? [0, lift] : [lift, 0];
+  const [p, q] = [x, y].map((v) => kept * dd.timesPowerOfTwo(v, above));
+  const liftedQuaternion = [dd.timesPowerOfTwo(w, under), p, q, dd.timesPowerOfTwo(z, under)];
+  const found = invariants(G, size, liftedMomentum, liftedQuaternion);
   return {
     moments: [I1, I3],
-    momentum: L,
-    quaternion,
-    ...invariants(I1, weight, L, quaternion),
+    momentum: liftedMomentum,
+    quaternion: liftedQuaternion,
+    ...found,
     reversed: turned ? -1 : 1,
+    lift,
+    upright: !below,
+    leaves: lift > 0 && !below && found.D[0] > 0,
     momentumScale: dd.timesPowerOfTwo(1, momentumExponent),
     rateScale: dd.timesPowerOfTwo(1, momentumExponent - momentExponent),
   };
+}
+
+const sumOfSquares = (x, y) => dd.compress([...dd.twoProduct(x, x), ...dd.twoProduct(y, y)]);
+
+/**
+ * Return whether the axis points down, the exponent by which a tiny displacement is scaled up, and 0 to drop it, or 1.
+ *
+ * It is dropped exactly at the threshold of sleeping, 2G = a², where it grows like t and not like e^t: nothing is to be
+ * seen of it within 1e27 radians, the longest time that a motion is asked for.
+ */
+function liftOf(G, [L1, L2, L3], [w, x, y, z]) {
+  const largest = (u, v) => Math.max(Math.abs(u), Math.abs(v));
+  const [cosine, sine] = [largest(w, z), largest(x, y)];
+  const below = cosine < sine;
+  const displacement = Math.max(Math.min(cosine, sine), largest(L1, L2));
+  const exponent = dd.exponentOf(displacement);
+  const [double, square] = [dd.scale(G, 2), dd.twoProduct(L3, L3)];
+  const threshold = !below && double[0] === square[0] && double[1] === square[1];
+  const tiny = displacement > 0 && exponent < TINY && G[0] > 0;
+  return { below, lift: tiny && !threshold ? LIFTED - exponent : 0, kept: tiny && threshold ? 0 : 1 };
 }
 
 /** Return the exponent of the larger of |L| and √(mgl I1), without forming a product that may overflow. */
@@ -49,15 +89,13 @@ function exponentOfMomentum(I1, weight, momentum) {
  * They are summed as expansions, since near the separatrix c, F and D vanish together and what is left of them decides how
  * long the top lingers upright; double-double alone would leave nothing.
  */
-function invariants(I1, weight, [L1, L2, L3], [w, x, y, z]) {
+function invariants(G, size, [L1, L2, L3], [w, x, y, z]) {
   const of = dd.twoProduct;
   const product = dd.expansionTimesExpansion;
   const short = dd.compress;
   const negated = (terms) => terms.map((v) => -v);
-  const G = dd.scale(of(weight, I1), 2);
-  const S = short([...of(x, x), ...of(y, y)]);
-  const T = short([...of(w, w), ...of(z, z)]);
-  const size = short([...S, ...T]);
+  const S = sumOfSquares(x, y);
+  const T = sumOfSquares(w, z);
   const real = short([...of(x, w), ...of(y, z)]); // β̄α
   const imaginary = short([...of(x, z), ...of(-y, w)]);
   const inPhase = short([...product(real, [L1]), ...product(imaginary, [-L2])]); // β̄αw

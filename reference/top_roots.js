@@ -5,6 +5,7 @@
 // Analytical Dynamics, §71–73, for the cubic.
 import * as dd from "./double_double.js";
 
+const SQUARABLE = -400; // binary exponent down to which a square has all its digits
 const NEWTON_STEPS = 5; // from the float64 root; three do, two more where float64 was poor
 
 /**
@@ -58,6 +59,17 @@ function polished(start, [b, c, d]) {
 /** Return x / y, and zero for x = 0 whatever y. */
 const quotient = (x, y) => (x[0] === 0 ? x : dd.divide(x, y));
 
+/** Return x + y = √((x − y)² + 4xy), also where the square underflows. */
+function difference(sum, product) {
+  const exponent = dd.exponentOf(sum[0]);
+  const alone = product[0] === 0 || dd.exponentOf(product[0]) < 2 * exponent;
+  const small = sum[0] !== 0 && exponent < SQUARABLE && alone ? -exponent : 0;
+  const up = dd.timesPowerOfTwo(1, small);
+  const raised = dd.scale(dd.scale(product, up), up);
+  const root = dd.sqrt(dd.add(dd.square(dd.scale(sum, up)), dd.scale(raised, 4)));
+  return dd.scale(root, dd.timesPowerOfTwo(1, -small));
+}
+
 /** Return x ≥ 0 and y ≥ 0 from x − y, x + y and x y. */
 function largerAndSmaller(sum, difference, product) {
   const positive = sum[0] >= 0;
@@ -71,7 +83,7 @@ function upperRootApart(top, p2, c2, f1, Y) {
   const { G } = top;
   const product = quotient(p2, Y);
   const sum = quotient(dd.add(f1, dd.multiply(G, product)), Y);
-  const d = dd.sqrt(dd.add(dd.square(sum), dd.scale(product, 4)));
+  const d = difference(sum, product);
   const [fromUpper, fromLower] = largerAndSmaller(sum, d, product);
   const s1 = dd.add(top.s0, fromLower);
   let s2 = dd.subtract(top.s0, fromUpper);
@@ -90,7 +102,7 @@ function lowerRootApart(top, p2, c2, s1) {
   const Gs1 = dd.multiply(G, s1);
   const product = quotient(c2, Gs1);
   const sum = dd.divide(dd.add(dd.scale(top.F, -2), quotient(c2, s1)), Gs1);
-  const gap = dd.sqrt(dd.add(dd.square(sum), dd.scale(product, 4)));
+  const gap = difference(sum, product);
   const [s2, minusS3] = largerAndSmaller(sum, gap, product);
   const zMinus = dd.multiply(G, minusS3);
   const Y = dd.add(dd.multiply(G, top.s0), zMinus);

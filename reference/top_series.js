@@ -5,6 +5,7 @@
 import * as dd from "./double_double.js";
 import { firstKind, nomePerParameter, theta3Excess } from "./elliptic.js";
 import { splitRate } from "./phase.js";
+import { climb } from "./top_rates.js";
 import { startNumerators } from "./top_state.js";
 
 const TERMS = [0, 1, 2, 3]; // of each series: q^16 is below 1e-21
@@ -15,7 +16,11 @@ export function preparedTop(top, points, rates, axial) {
   const { permanent, separatrix, nutation } = rates;
   const { full, q, theta3 } = at;
   const [first, second] = phaseRates(top, rates).map((rate) => turnsPerTime(top, rate));
-  const series = permanent ? permanentSeries(top) : full ? fullSeries(points, at) : complementarySeries(points, at);
+  // what stays near the vertical moves as the lifted top does, at the given size
+  const down = dd.timesPowerOfTwo(1, top.leaves ? 0 : -top.lift);
+  const size = top.upright ? [1, down] : [down, 1];
+  const form = full ? fullSeries : complementarySeries;
+  const series = permanent ? permanentSeries(top) : form(points, at, size);
   const argumentRate = permanent ? 0 : full ? nutation[0] : rates.halfRoot[0] / (theta3 * theta3);
   const linear = linearRates(rates, at);
   const bothRates = 2 * (linear[0] + linear[1]);
@@ -61,7 +66,7 @@ function placesInLattice(top, points, rates) {
     yBeta: beta * scale,
     rAlpha: tail(integral.beyondAlpha), // q e^2y, accurate where y is far out
     rBeta: tail(integral.beyondBeta),
-    x0: dd.scale(integral.start(), top.p[0] >= 0 ? 1 : -1),
+    x0: dd.scale(dd.add(integral.start(), climb(top)), top.p[0] >= 0 ? 1 : -1),
   };
 }
 
@@ -140,8 +145,8 @@ function permanentSeries(top) {
   return { aSum: [t, 0, 0, 0], aGap: none, bSum: none, bGap: [s, 0, 0, 0] };
 }
 
-/** Return sums and differences of the coefficients of e^{±ikz}, k = 1, 3, 5, 7, in A and in B. */
-function fullSeries(points, { q, theta3, yAlpha, yBeta, rAlpha, rBeta }) {
+/** Return sums and differences of the coefficients of e^{±ikz}, k = 1, 3, 5, 7, in A and in B, at the sizes. */
+function fullSeries(points, { q, theta3, yAlpha, yBeta, rAlpha, rBeta }, [sizeA, sizeB]) {
   const theta4 = 1 - 2 * (q - q ** 4 + q ** 9);
   const ofOne = (size, y, r, alternating) => {
     const h = Math.exp(-2 * y);
@@ -150,8 +155,8 @@ function fullSeries(points, { q, theta3, yAlpha, yBeta, rAlpha, rBeta }) {
     const signed = weights.map((weight, n) => (size / total) * (alternating && n % 2 ? -1 : 1) * weight);
     return [1, -1].map((sense) => signed.map((weight, n) => weight * (1 + sense * h ** (2 * n + 1))));
   };
-  const [aSum, aGap] = ofOne(Math.sqrt(0.5 * points.t2[0]) * theta3, yAlpha, rAlpha, true);
-  const [bSum, bGap] = ofOne(Math.sqrt(0.5 * points.s1[0]) * theta4, yBeta, rBeta, false);
+  const [aSum, aGap] = ofOne(sizeA * Math.sqrt(0.5 * points.t2[0]) * theta3, yAlpha, rAlpha, true);
+  const [bSum, bGap] = ofOne(sizeB * Math.sqrt(0.5 * points.s1[0]) * theta4, yBeta, rBeta, false);
   return { aSum, aGap, bSum, bGap };
 }
 
@@ -189,7 +194,11 @@ function constantPhases(top, start, linear, argumentRate) {
     [0.5 * (-L3 * z - (L1 * x + L2 * y)), 0.5 * (L3 * w - (L1 * y - L2 * x))],
     [0.5 * (L1 * w - L2 * z + L3 * y), 0.5 * (L1 * z + L2 * w - L3 * x)],
   ];
-  const [ar, ai, br, bi, dar, dai, dbr, dbi, turnsA, turnsB] = start;
+  const up = dd.timesPowerOfTwo(1, top.lift);
+  const [upA, upB] = top.upright ? [1, up] : [up, 1];
+  const [ar, ai, dar, dai] = [0, 1, 4, 5].map((k) => upA * start[k]);
+  const [br, bi, dbr, dbi] = [2, 3, 6, 7].map((k) => upB * start[k]);
+  const [turnsA, turnsB] = start.slice(8);
   const square = ar * ar + ai * ai + (br * br + bi * bi);
   const norm = Math.sqrt(square);
   const drop = (ar * dar + ai * dai + (br * dbr + bi * dbi)) / square;

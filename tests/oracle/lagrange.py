@@ -228,7 +228,9 @@ def _along(
         return third_kind(rest, sn, cn, dn) + 2 * complete * half_turns - third_kind(first, sn0, cn0, dn0)
 
     whole = half_turns.unique_fmpz()
-    assert whole is not None
+    if whole is None:  # the caller raises the precision
+        unknown = arb("nan")
+        return (unknown, unknown, unknown), [unknown for _ in ratios]
     found = [swept(*ratio) if ratio else arb(0) for ratio in ratios]
     return ((-sn, -cn, dn) if int(whole) % 2 else (sn, cn, dn)), found
 

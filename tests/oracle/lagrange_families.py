@@ -181,6 +181,19 @@ def huge_spin(rng: Rng):
     return *_moments(rng), 1.0, (*rng.normal(size=2), _sign(rng) * _power(rng, 2, 6)), _any_attitude(rng)
 
 
+def next_to_nothing(rng: Rng):
+    """Upright but for 1e-300 to 1e-30: it sleeps, or leaves after hundreds of times the time that it takes to double."""
+    I1, I3 = _moments(rng)
+    mgl, small = _power(rng, -1, 1), _power(rng, -300, -30)
+    a = _sign(rng) * 2 * np.sqrt(I1 * mgl) * rng.uniform(0.1, 1.5)
+    q, momentum = _tipped(rng, small), rng.normal(size=2) * small
+    if rng.random() < 0.3:  # of either part alone
+        momentum = 0.0 * momentum
+    elif rng.random() < 0.3:
+        q[1:3] = 0.0
+    return I1, I3, mgl, (*momentum, a), q
+
+
 def scaled(rng: Rng):
     I1, I3, mgl, momentum, q = FAMILIES[rng.integers(len(FAMILIES) - 3)](rng)
     mass, rate = 2.0 ** rng.integers(-40, 41), 2.0 ** rng.integers(-40, 41)
@@ -201,8 +214,8 @@ def not_quite_unit(rng: Rng):
 FAMILIES: tuple[Callable[[Rng], Any], ...] = (
     generic, wide_ratio, cusp, near_cusp, fast_loop, steady, near_steady, sleeping, hanging, near_sleeping,
     near_hanging, threshold, near_threshold, spherical_pendulum, near_spherical_pendulum, planar_pendulum, through_top,
-    through_bottom, near_vertical_passage, separatrix, near_separatrix, weak, weightless_special, huge_spin, scaled,
-    below, not_quite_unit,
+    through_bottom, near_vertical_passage, separatrix, near_separatrix, weak, weightless_special, huge_spin,
+    next_to_nothing, scaled, below, not_quite_unit,
 )  # fmt: skip
 
 

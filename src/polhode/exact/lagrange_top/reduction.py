@@ -90,18 +90,21 @@ def reduce_top(
     scales = xp.ldexp(one, momentum_exponent), xp.ldexp(one, momentum_exponent - moment_exponent)
     G = dd.scale(dd.two_product(weight, I1), 2.0)
     size = _sum_of_squares(w, x, y, z)
-    below, lift = _lift(xp, G, (L1, L2, L3), (w, x, y, z))
+    below, lift, kept = _lift(xp, G, (L1, L2, L3), (w, x, y, z))
     above, below = xp.where(below, 0, lift), xp.where(below, lift, 0)
-    L = (*(xp.ldexp(v, lift - momentum_exponent) for v in given[:2]), L3)
-    q = (xp.ldexp(w, below), xp.ldexp(x, above), xp.ldexp(y, above), xp.ldexp(z, below))
+    L = (*(kept * xp.ldexp(v, lift - momentum_exponent) for v in given[:2]), L3)
+    q = (xp.ldexp(w, below), kept * xp.ldexp(x, above), kept * xp.ldexp(y, above), xp.ldexp(z, below))
     parts = ((I1, I3), L, q, *_invariants(G, size, L, q), turned, lift, *scales)
     return Reduction._make(parts)
 
 
-def _lift(xp: Any, G: DoubleDouble, momentum: tuple[Array, ...], quaternion: tuple[Array, ...]) -> tuple[Array, Array]:
-    """Return whether the axis points down, and the exponent by which a tiny displacement is scaled up, otherwise 0.
+def _lift(
+    xp: Any, G: DoubleDouble, momentum: tuple[Array, ...], quaternion: tuple[Array, ...]
+) -> tuple[Array, Array, Array]:
+    """Return whether the axis points down, the exponent by which a tiny displacement is scaled up, and 0 to drop it, or 1.
 
-    At the threshold of sleeping, where 2G = a² exactly, it is left as it is: nothing moves there for 1e30 turns.
+    It is dropped exactly at the threshold of sleeping, 2G = a², where it grows like t and not like e^t: nothing is to be
+    seen of it within 1e27 radians, the longest time that a motion is asked for.
     """
     (L1, L2, L3), (w, x, y, z) = momentum, quaternion
     largest = lambda u, v: xp.maximum(xp.abs(u), xp.abs(v))  # noqa: E731
@@ -110,9 +113,9 @@ def _lift(xp: Any, G: DoubleDouble, momentum: tuple[Array, ...], quaternion: tup
     displacement = xp.maximum(xp.minimum(cosine, sine), largest(L1, L2))
     _, exponent = xp.frexp(displacement)
     double, square = dd.scale(G, 2.0), dd.two_product(L3, L3)
-    moves = (double[0] != square[0]) | (double[1] != square[1]) | below
-    tiny = (displacement > 0) & (exponent < TINY) & (G[0] > 0) & moves
-    return below, xp.where(tiny, LIFTED - exponent, 0)
+    threshold = (double[0] == square[0]) & (double[1] == square[1]) & ~below
+    tiny = (displacement > 0) & (exponent < TINY) & (G[0] > 0)
+    return below, xp.where(tiny & ~threshold, LIFTED - exponent, 0), xp.where(tiny & threshold, 0.0, 1.0)
 
 
 def _momentum_exponent(xp: Any, I1: Array, weight: Array, momentum: tuple[Array, ...]) -> Array:

@@ -15,6 +15,7 @@ from polhode.special import doubledouble as dd
 from polhode.special.doubledouble import DoubleDouble
 from polhode.types import Array
 
+SQUARABLE = -400  # binary exponent down to which a square has all its digits
 NEWTON_STEPS = 5  # from the float64 root; three do, two more where float64 was poor
 
 
@@ -94,6 +95,18 @@ def _quotient(x: DoubleDouble, y: DoubleDouble) -> DoubleDouble:
     return dd.where(zero, x, dd.divide(x, dd.where(zero, dd.one_like(x[0]), y)))
 
 
+def _difference(sum_: DoubleDouble, product: DoubleDouble) -> DoubleDouble:
+    """Return x + y = √((x − y)² + 4 x y), also where the square underflows."""
+    xp = namespace(sum_[0])
+    _, exponent = xp.frexp(sum_[0])
+    _, of_product = xp.frexp(product[0])
+    alone = (product[0] == 0) | (of_product < 2 * exponent)
+    small = -xp.where((sum_[0] != 0) & (exponent < SQUARABLE) & alone, exponent, 0)
+    up = xp.ldexp(xp.ones_like(sum_[0]), small)
+    scaled, raised = dd.scale(sum_, up), dd.scale(dd.scale(product, up), up)
+    return dd.scale(dd.sqrt(dd.add(dd.square(scaled), dd.scale(raised, 4.0))), xp.ldexp(xp.ones_like(up), -small))
+
+
 def _larger_and_smaller(
     sum_: DoubleDouble, difference: DoubleDouble, product: DoubleDouble
 ) -> tuple[DoubleDouble, DoubleDouble]:
@@ -112,7 +125,7 @@ def _upper_root_apart(
     G = top.G
     product = _quotient(p2, Y)
     sum_ = _quotient(dd.add(f1, dd.multiply(G, product)), Y)
-    d = dd.sqrt(dd.add(dd.square(sum_), dd.scale(product, 4.0)))
+    d = _difference(sum_, product)
     from_upper, from_lower = _larger_and_smaller(sum_, d, product)
     s1 = dd.add(top.s0, from_lower)
     s2, Z = dd.subtract(top.s0, from_upper), dd.subtract(Y, dd.multiply(G, top.s0))
@@ -135,7 +148,7 @@ def _lower_root_apart(
     G_s1 = dd.multiply(G, s1)
     product = _quotient(c2, G_s1)
     sum_ = dd.divide(dd.add(dd.scale(top.F, -2.0), _quotient(c2, s1)), G_s1)
-    gap = dd.sqrt(dd.add(dd.square(sum_), dd.scale(product, 4.0)))
+    gap = _difference(sum_, product)
     s2, minus_s3 = _larger_and_smaller(sum_, gap, product)
     Z = dd.multiply(G, minus_s3)
     Y = dd.add(dd.multiply(G, top.s0), Z)
