@@ -37,6 +37,7 @@ class Nutation(NamedTuple):
     d: Number  # u2 − u1
     A: Number  # G (u3 − u1)
     B: Number  # G (u3 − u2)
+    climb: Number  # the x = ½√A τ by which each ascent and descent is longer than those of the given numbers
 
 
 class Invariants(NamedTuple):
@@ -90,14 +91,27 @@ class NutationChange(NamedTuple):
 def change_of_nutation(top: Nutation, change: Invariants) -> NutationChange:
     """Return the period, and what it and the phases change by."""
     (I0, I1, I2, I3), period = moments_of_nutation(top)
-    G, a, c, energy = top[:4]
+    G, a, c, energy = top.G, top.a, top.c, top.energy
     e_c, e_a = 0.5 * (c * I0 + a * I1), 0.5 * (c * I1 + a * I2)
     de, dc, da, dG = change
     dT = 2.0 * (0.25 * (I2 - 2.0 * I1) * de + e_c * dc + e_a * da + 0.25 * (I3 - 2.0 * I2) * dG)
+    longer, d_longer = _change_of_climbs(top, change)
+    period, dT = period + longer, dT + d_longer
     mixed = energy * I1 + G * I2
     dJc = e_c * de - (energy * I0 + G * I1) * dc - mixed * da + e_a * dG
     dJa = e_a * de - mixed * dc - (energy * I2 + G * I3) * da + 0.5 * (c * I2 + a * I3) * dG
-    return NutationChange(period, dT, 0.5 * (dJa - period * da), -dJc)
+    # during the climbs α turns by ½a and β not at all
+    return NutationChange(period, dT, 0.5 * (dJa - period * da), 0.5 * (a * d_longer + longer * da) - dJc)
+
+
+def _change_of_climbs(top: Nutation, change: Invariants) -> tuple[Number, Change]:
+    """Return the time by τ of an ascent and a descent beyond the given numbers, 2 climb/W, and its change.
+
+    W = ½√(2G − a²) is the rate at which an upright top leaves.
+    """
+    W = 0.5 * namespace(top.A).sqrt(top.A)
+    time = 2.0 * top.climb / W
+    return time, -time * (change.G - top.a * change.a) / (4.0 * W * W)
 
 
 def added_by_nutation(

@@ -15,6 +15,7 @@ from polhode.arrays import derivative_columns, namespace, split_halves
 from polhode.exact.blocks import Vectors
 from polhode.exact.lagrange_top import standing
 from polhode.exact.lagrange_top.flow import flow, slopes
+from polhode.exact.lagrange_top.frequencies import climb
 from polhode.exact.lagrange_top.periods import Invariants, Nutation, added_by_nutation
 from polhode.exact.lagrange_top.preparation import Prepared
 from polhode.exact.lagrange_top.reduction import Reduction
@@ -57,7 +58,8 @@ class TangentData(NamedTuple):
     B: Number
     tilt: Number  # largest 1 − cos θ
     place: Number  # of the epoch in the nutation, in periods from the lowest point; on the separatrix λτ
-    around: Number  # 2K, of tops that leave the vertical from a displacement that was scaled up; infinite for others
+    lift: Number  # by which c, energy, s2 and d have the displacement scaled up, where the top leaves the vertical; else 1
+    climb: Number  # the x = Wτ that is missing from each ascent and descent then, else 0
     nutation: Number
     nutation_rest: Number
     alpha: Number
@@ -77,7 +79,7 @@ class TangentData(NamedTuple):
 
     @property
     def whole_nutation(self) -> Nutation:
-        return Nutation(self.G, self.L3, self.c, self.energy, self.s2, self.d, self.A, self.B)
+        return Nutation(self.G, self.L3, self.c, self.energy, self.s2, self.d, self.A, self.B, self.climb)
 
 
 class _Course(NamedTuple):
@@ -94,8 +96,7 @@ def tangent_data(prepared: Prepared) -> TangentData:
     motion, top, points, rates = prepared
     xp = namespace(top.reversed)
     a = dd.from_float(top.momentum[2])
-    # a top that leaves from next to nothing goes on as if it had come down the separatrix, which it cannot be told from
-    permanent, separatrix = rates.permanent, rates.separatrix | top.leaves
+    permanent, separatrix = rates.permanent, rates.separatrix
     endless = permanent | separatrix
     hanging = permanent & (top.s0[0] > 0)
     safe = lambda v, x: xp.where(endless, x, v[0])  # noqa: E731
@@ -103,30 +104,30 @@ def tangent_data(prepared: Prepared) -> TangentData:
     # 4κ about the vertical at which the top stands
     D = dd.where(hanging, dd.negate(dd.add(dd.scale(top.G, 2.0), square)), top.D)
     place = xp.where(motion[0], 2.0 * motion[10], motion[10])
-    leaves = top.leaves & ~rates.separatrix
-    around = math.pi * rates.half_root[0] / xp.where(leaves, rates.nutation[0], 1.0)
-    place = xp.where(leaves, around * place, place)
     momentum, quaternion, (c, energy, s2, d, tilt) = _given_size(xp, top, points)
+    lift = xp.ldexp(xp.ones_like(c), xp.where(top.leaves, top.lift, 0))
     return TangentData(
         *top.moments, *momentum, *quaternion, top.size[0], top.G[0], *D, c, energy, xp.where(endless, 0.0, s2),
         xp.where(endless, 0.0, d), safe(points.A, 1.0), safe(points.B, 1.0), xp.where(permanent, top.s0[0], tilt), place,
-        xp.where(leaves, around, math.inf), *rates.nutation, *rates.alpha, *rates.beta, *rates.spin, rates.sign_alpha,
+        lift, climb(top)[0], *rates.nutation, *rates.alpha, *rates.beta, *rates.spin, rates.sign_alpha,
         rates.sign_beta, permanent, separatrix, hanging, top.reversed, top.momentum_scale, top.rate_scale,
     )  # fmt: skip
 
 
 def _given_size(xp: Any, top: Reduction, points: TurningPoints) -> tuple[Any, ...]:
-    """Return momentum, quaternion, and c, ε, s2, d, s1 with the displacement scaled down again to what was given."""
+    """Return momentum, quaternion, and c, ε, s2, d, s1 with the displacement scaled down again to what was given.
+
+    Those five of tops that leave the vertical stay scaled up, as periods are given by them.
+    """
     below, above = (xp.where(v, 0, -top.lift) for v in (top.upright, ~top.upright))
     (L1, L2, L3), (w, x, y, z) = top.momentum, top.quaternion
     momentum = (xp.ldexp(L1, -top.lift), xp.ldexp(L2, -top.lift), L3)
     quaternion = (xp.ldexp(w, below), xp.ldexp(x, above), xp.ldexp(y, above), xp.ldexp(z, below))
     energy = dd.add(top.F, dd.multiply(dd.from_float(L3), top.c))
     # upright all five are of second order; below, d alone, as what is lifted of the others is next to nothing there
-    twice = [xp.where(top.leaves, 0, k * above) for k in (2, 2, 2)]
-    small = [xp.ldexp(v[0], k) for v, k in zip((points.s2, points.d, points.s1), twice, strict=True)]
-    small[1] = xp.ldexp(small[1], 2 * below)
-    return momentum, quaternion, (xp.ldexp(top.c[0], 2 * above), xp.ldexp(energy[0], 2 * above), *small)
+    twice = xp.where(top.leaves, 0, 2 * above)
+    c, energy, s2, d, s1 = (xp.ldexp(v[0], twice) for v in (top.c, energy, points.s2, points.d, points.s1))
+    return momentum, quaternion, (c, energy, s2, xp.ldexp(d, 2 * below), s1)
 
 
 def state_tangent(
@@ -187,9 +188,9 @@ def scaled_changes(xp: Any, top: TangentData, changes: Vectors) -> tuple[Vector,
 
 
 def changed_invariants(xp: Any, top: TangentData, start: Vector, change: Moved, dG: Change, da: Change) -> Invariants:
-    """Return the changes of ε = |w|² − G s, c = 2 Im β̄αw − a s, a and G."""
-    alpha, beta, w = start
-    d_alpha, d_beta, d_w = change
+    """Return the changes of ε = |w|² − G s, c = 2 Im β̄αw − a s, a and G, of which the first two are lifted twice."""
+    alpha, beta, w = start[0], top.lift * start[1], top.lift * start[2]
+    d_alpha, d_beta, d_w = change[0], top.lift * change[1], top.lift * change[2]
     conj = xp.conj
     s, ds = 2.0 * xp.real(conj(beta) * beta), 4.0 * xp.real(conj(beta) * d_beta)
     d_twist = conj(d_beta) * (alpha * w) + (conj(beta) * w) * d_alpha + (conj(beta) * alpha) * d_w
@@ -209,12 +210,9 @@ def _course(xp: Any, top: TangentData, time: Array) -> _Course:
     count, fraction = xp.where(endless, 0.0, count + more), fraction - more
     tau = dd.divide(dd.scale(dd.from_float(time), top.rate_scale), dd.from_float(top.I1))
     rate = 0.5 * xp.sqrt(xp.where(top.separatrix, xp.abs(top.D), 1.0))
-    # a top that leaves is on the side from which it comes down
-    sense = xp.where(tau[0] < 0, -1.0, 1.0)
-    place = xp.where(xp.isfinite(top.around) & (sense * top.place > 0), top.place - sense * top.around, top.place)
-    end = place + rate * tau[0]
-    end = xp.minimum(xp.maximum(end, xp.minimum(place, -UPRIGHT)), xp.maximum(place, UPRIGHT))
-    climb = xp.where(top.separatrix, xp.where(xp.abs(end) < UPRIGHT, tau[0], (end - place) / rate), 0.0)
+    end = top.place + rate * tau[0]
+    end = xp.minimum(xp.maximum(end, xp.minimum(top.place, -UPRIGHT)), xp.maximum(top.place, UPRIGHT))
+    climb = xp.where(top.separatrix, xp.where(xp.abs(end) < UPRIGHT, tau[0], (end - top.place) / rate), 0.0)
     rest = xp.where(endless, climb, (fraction + low) * math.pi / nutation[0])
     return _Course(count, rest, tau, _phases(xp, top, nutation, halves, count))
 
