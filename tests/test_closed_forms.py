@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import polhode as ph
+from polhode.arrays import Elementwise
 from polhode.errors import InvalidInput
 from polhode.testing.laws import ONCE
 
@@ -67,6 +68,15 @@ def test_both_ways_agree_on_one_component():
     assert float(compiled) == pytest.approx(float(at_once[0]), abs=SAME)
     L = momentum_at(MOMENTS, MOMENTUM, 7.0)
     assert float(at_once[1]) == pytest.approx(np.cross(L, L / MOMENTS)[0], abs=SAME)
+
+
+@pytest.mark.parametrize("small", [1e-160, 1e-300])
+def test_compiled_functions_take_subnormal_numbers_as_numpy_does(small):
+    """XLA's threads round 1e-315 to zero."""
+    product = Elementwise("product", lambda x, y: (x * y,), ((), ()), (((), float),))
+    with jax.enable_x64(True):
+        arguments = jnp.asarray(small), jnp.asarray(1e-315 / small)
+        assert float(jax.jit(product)(*arguments)[0]) == small * (1e-315 / small) > 0.0
 
 
 def test_the_way_is_chosen_when_a_function_is_traced():

@@ -117,6 +117,21 @@ def test_derivatives_agree_with_the_oracle(drawn, announce):
     check(drawn[0], drawn[1][0][: len(drawn[0])], announce)
 
 
+@pytest.mark.parametrize("displacement", [1e-100, 1e-290])
+def test_derivatives_of_tops_that_leave_from_next_to_nothing(displacement):
+    """On the first way down and, after two ways, on the way up again, where changes shrink by half of what they grew."""
+    I1, I3, mgl, spin = 0.8, 0.5, 1.3, 1.1
+    doubling = 2.0 * I1 / np.sqrt(4.0 * mgl * I1 - spin * spin)
+    cases = [
+        TopCase("next_to_nothing", (I1, I1, I3), mgl, (0.3 * displacement, -0.4 * displacement, spin),
+                (0.6, displacement, 0.0, 0.8), share * -np.log(displacement) * doubling)
+        for share in (0.9, 1.01, -1.5)
+    ]  # fmt: skip
+    ways = np.eye(11)
+    for case, jacobian in zip(cases, jacobians(cases)[0], strict=True):
+        assert error_of(case, jacobian, np.array([reference_change(case, way) for way in ways])) < WORST
+
+
 def check(cases, found, announce):
     assert np.isfinite(found).all()
     worst = worst_by_family(cases, found)

@@ -104,6 +104,25 @@ def test_regimes(name):
     assert ph.LagrangeMotion(MOMENTS, mgl, momentum, attitude).regime == name
 
 
+@pytest.mark.parametrize("spin", [0.0, 1.1, -2.0])
+def test_a_smaller_displacement_takes_longer_to_leave_by_its_logarithm(spin):
+    """An upright top leaves as e^{λt}, λ² = mgl/I1 − (L3/2I1)²; twice on the way to its next stand."""
+    I1, mgl, sizes = 0.8, 1.3, np.array([1e-40, 1e-59, 1e-62, 1e-100, 1e-200, 1e-300])
+    growth = math.sqrt(mgl / I1 - (spin / (2.0 * I1)) ** 2)
+    tops = [ph.LagrangeMotion((I1, I1, 0.5), mgl, (0.3 * v, 0.0, spin), (1.0, v, 0.0, 0.0)) for v in sizes]
+    assert {top.regime for top in tops} == {"planar" if spin == 0.0 else "loop"}
+    periods = [top.nutation_period for top in tops]
+    assert np.diff(periods) == pytest.approx(-2.0 * np.diff(np.log(sizes)) / growth, rel=1e-13)
+
+
+def test_a_pendulum_started_on_its_way_up_turns_over_however_near_the_top():
+    """w = 2 √(mgl I1) β is the growing direction exactly, and energy is above the top's by β⁴ alone."""
+    size = 2.0**-300
+    top = ph.LagrangeMotion((1.0, 1.0, 0.5), 1.0, (2.0 * size, 0.0, 0.0), (1.0, size, 0.0, 0.0))
+    # the modulus of a pendulum that turns over: k² = 1/(1 + w²β²/4) for unit moment and weight; K = ln 4/k'
+    assert top.regime == "planar" and top.nutation_period == pytest.approx(2.0 * (math.log(4.0) - math.log(size * size)))
+
+
 def test_regimes_of_a_batch_are_codes_and_absent_values_nan_or_inf():
     mgl, momentum, attitude = (np.array(v, float) for v in zip(*REGIMES.values(), strict=True))
     tops = ph.LagrangeMotion(MOMENTS, mgl, momentum, attitude)

@@ -182,7 +182,7 @@ def huge_spin(rng: Rng):
 
 
 def next_to_nothing(rng: Rng):
-    """Upright but for 1e-300 to 1e-30: it sleeps, or leaves after hundreds of times the time that it takes to double."""
+    """Upright but for 1e-300 to 1e-30: it sleeps, or leaves after hundreds of times the time in which it doubles."""
     I1, I3 = _moments(rng)
     mgl, small = _power(rng, -1, 1), _power(rng, -300, -30)
     a = _sign(rng) * 2 * np.sqrt(I1 * mgl) * rng.uniform(0.1, 1.5)

@@ -2,6 +2,7 @@
 array has come in."""
 
 from polhode.arrays.derivatives import (
+    COMPLEX_STEP,
     custom_derivative,
     derivative_columns,
     first_order_only,
@@ -34,6 +35,7 @@ from polhode.arrays.namespaces import (
 )
 
 __all__ = [
+    "COMPLEX_STEP",
     "Elementwise",
     "always",
     "as_float64",

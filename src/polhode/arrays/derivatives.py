@@ -92,20 +92,21 @@ def register_node(kind: type, fields: tuple[str, ...], like: Any) -> None:
 
 
 def derivative_columns(
-    function: Callable[..., tuple[Any, ...]], arguments: tuple[Any, ...]
+    function: Callable[..., tuple[Any, ...]], arguments: tuple[Any, ...], step: Any = COMPLEX_STEP
 ) -> tuple[tuple[Any, ...], tuple[Any, ...]]:
     """Return an elementwise function of equally shaped real arrays and its derivatives by each of them.
 
     The columns lie along a new first axis of every derivative. On NumPy they come from complex steps, exact to
     rounding: there the function must be analytic, with no size or comparison of what depends on its arguments.
+    ``step``, one or an array of them, times what the function magnifies by must be next to nothing.
 
     Source: Squire & Trapp, SIAM Review 40 (1998) 110.
     """
     count = len(arguments)
     if not is_jax(*arguments):
         unit = np.eye(count).reshape(count, count, *(1,) * np.ndim(arguments[0]))
-        found = function(*(a + 1j * COMPLEX_STEP * unit[j] for j, a in enumerate(arguments)))
-        return tuple(np.real(x[0]) for x in found), tuple(np.imag(x) / COMPLEX_STEP for x in found)
+        found = function(*(a + 1j * step * unit[j] for j, a in enumerate(arguments)))
+        return tuple(np.real(x[0]) for x in found), tuple(np.imag(x) / step for x in found)
     import jax
     import jax.numpy as jnp
 

@@ -20,6 +20,7 @@ import numpy as np
 
 from polhode.arrays.differences import differences
 from polhode.arrays.namespaces import is_jax
+from polhode.arrays.underflow import gradual_underflow, remember_environment
 from polhode.errors import InvalidInput, shown
 
 WAYS = ("host", "compiled")
@@ -134,6 +135,7 @@ def _primitive() -> Any:
     from jax.extend.core import Primitive
     from jax.interpreters import ad, batching, mlir
 
+    remember_environment()
     made = Primitive("polhode_elementwise")
     made.multiple_results = True
     made.def_impl(_at_once)
@@ -195,7 +197,8 @@ def _lowered_for_cpu(in_line: Any, ctx: Any, *operands: Any, function: Elementwi
 def _words_on_host(function: Elementwise, *arguments: Any) -> tuple[np.ndarray, ...]:
     """Return the values as pairs of 32-bit words: JAX takes 64 bits from a callback only where its thread allows them,
     which one of its own threads does not within a function that ``jax.enable_x64`` governs."""
-    found = _on_host(function, *arguments)
+    with gradual_underflow():
+        found = _on_host(function, *arguments)
     return tuple(np.ascontiguousarray(x[..., None]).view(np.uint32) for x in found)
 
 

@@ -73,7 +73,7 @@ def top_frequencies(top: Reduction, points: TurningPoints) -> Frequencies:
 
 
 def climb(top: Reduction) -> DoubleDouble:
-    """Return the x = W τ that a top which leaves the vertical needs until its displacement is as large as the lifted one."""
+    """Return the x = W τ after which the displacement of a top that leaves the vertical has the lifted one's size."""
     xp = namespace(top.reversed)
     places = xp.astype(xp.where(top.leaves, top.lift, 0), xp.float64)
     return dd.multiply_float(tuple(c + 0.0 * places for c in dd.LN2), places)

@@ -37,7 +37,8 @@ class Nutation(NamedTuple):
     d: Number  # u2 − u1
     A: Number  # G (u3 − u1)
     B: Number  # G (u3 − u2)
-    climb: Number  # the x = ½√A τ by which each ascent and descent is longer than those of the given numbers
+    lift: Number  # by which the displacement is scaled up above and in the changes of ε and c, 1 for most tops
+    climb: Number  # the x = ½√A τ by which each ascent and descent is longer than with the displacement scaled up
 
 
 class Invariants(NamedTuple):
@@ -99,7 +100,9 @@ def change_of_nutation(top: Nutation, change: Invariants) -> NutationChange:
     period, dT = period + longer, dT + d_longer
     mixed = energy * I1 + G * I2
     dJc = e_c * de - (energy * I0 + G * I1) * dc - mixed * da + e_a * dG
-    dJa = e_a * de - mixed * dc - (energy * I2 + G * I3) * da + 0.5 * (c * I2 + a * I3) * dG
+    # of first order in the displacement: what is of second order beside it would count once it is scaled up
+    of_displacement = (e_a * (de / top.lift) - mixed * (dc / top.lift)) / top.lift
+    dJa = of_displacement - (energy * I2 + G * I3) * da + 0.5 * (c * I2 + a * I3) * dG
     # during the climbs α turns by ½a and β not at all
     return NutationChange(period, dT, 0.5 * (dJa - period * da), 0.5 * (a * d_longer + longer * da) - dJc)
 

@@ -101,10 +101,10 @@ def reduce_top(
 def _lift(
     xp: Any, G: DoubleDouble, momentum: tuple[Array, ...], quaternion: tuple[Array, ...]
 ) -> tuple[Array, Array, Array]:
-    """Return whether the axis points down, the exponent by which a tiny displacement is scaled up, and 0 to drop it, or 1.
+    """Return whether the axis points down, the exponent that scales a tiny displacement up, and 0 to drop it, or 1.
 
-    It is dropped exactly at the threshold of sleeping, 2G = a², where it grows like t and not like e^t: nothing is to be
-    seen of it within 1e27 radians, the longest time that a motion is asked for.
+    It is dropped exactly at the threshold of sleeping, 2G = a², where it grows like t and not like e^t: nothing is to
+    be seen of it within 1e27 radians, the longest time that a motion is asked for.
     """
     (L1, L2, L3), (w, x, y, z) = momentum, quaternion
     largest = lambda u, v: xp.maximum(xp.abs(u), xp.abs(v))  # noqa: E731

@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-from polhode.arrays import derivative_columns, namespace, split_halves
+from polhode.arrays import COMPLEX_STEP, derivative_columns, namespace, split_halves
 from polhode.exact.blocks import Vectors
 from polhode.exact.lagrange_top import standing
 from polhode.exact.lagrange_top.flow import flow, slopes
@@ -31,6 +31,7 @@ Complex = Complex128[Array, "*batch"]
 Vector = tuple[Complex, Complex, Complex]  # α, β, w, complex
 Change = Float64[Array, "*shape"]  # with any axes before those of the batch
 Moved = tuple[Complex128[Array, "*shape"], Complex128[Array, "*shape"], Complex128[Array, "*shape"]]
+SMALL_STEP, SMALLEST_STEP = 1e-60, 1e-305  # of complex steps, by the scale of the displacement
 UPRIGHT = 13.0  # λ times the time from the lowest point at which a top on the separatrix stands: |β|² is 1e-11 there
 
 
@@ -58,7 +59,7 @@ class TangentData(NamedTuple):
     B: Number
     tilt: Number  # largest 1 − cos θ
     place: Number  # of the epoch in the nutation, in periods from the lowest point; on the separatrix λτ
-    lift: Number  # by which c, energy, s2 and d have the displacement scaled up, where the top leaves the vertical; else 1
+    lift: Number  # by which c, energy, s2, d have the displacement scaled up where the top leaves the vertical; else 1
     climb: Number  # the x = Wτ that is missing from each ascent and descent then, else 0
     nutation: Number
     nutation_rest: Number
@@ -79,7 +80,9 @@ class TangentData(NamedTuple):
 
     @property
     def whole_nutation(self) -> Nutation:
-        return Nutation(self.G, self.L3, self.c, self.energy, self.s2, self.d, self.A, self.B, self.climb)
+        return Nutation(
+            self.G, self.L3, self.c, self.energy, self.s2, self.d, self.A, self.B, self.lift, self.climb
+        )  # fmt: skip
 
 
 class _Course(NamedTuple):
@@ -108,8 +111,8 @@ def tangent_data(prepared: Prepared) -> TangentData:
     lift = xp.ldexp(xp.ones_like(c), xp.where(top.leaves, top.lift, 0))
     return TangentData(
         *top.moments, *momentum, *quaternion, top.size[0], top.G[0], *D, c, energy, xp.where(endless, 0.0, s2),
-        xp.where(endless, 0.0, d), safe(points.A, 1.0), safe(points.B, 1.0), xp.where(permanent, top.s0[0], tilt), place,
-        lift, climb(top)[0], *rates.nutation, *rates.alpha, *rates.beta, *rates.spin, rates.sign_alpha,
+        xp.where(endless, 0.0, d), safe(points.A, 1.0), safe(points.B, 1.0), xp.where(permanent, top.s0[0], tilt),
+        place, lift, climb(top)[0], *rates.nutation, *rates.alpha, *rates.beta, *rates.spin, rates.sign_alpha,
         rates.sign_beta, permanent, separatrix, hanging, top.reversed, top.momentum_scale, top.rate_scale,
     )  # fmt: skip
 
@@ -154,7 +157,9 @@ def state_tangent(
     course = _course(xp, top, time)
     invariants = changed_invariants(xp, top, start, change, dG, da)
     parts = tuple(f(v) for v in start for f in (xp.real, xp.imag))
-    later, columns = derivative_columns(lambda *s: flow(s, course.rest, top.D, top.tilt), (*parts, G, a))
+    # the way up and down magnifies by the inverse of the displacement
+    step = xp.minimum(xp.maximum(SMALL_STEP / top.lift, SMALLEST_STEP), COMPLEX_STEP)
+    later, columns = derivative_columns(lambda *s: flow(s, course.rest, top.D, top.tilt), (*parts, G, a), step)
     moved = _applied(columns, (*(f(v) for v in change for f in (xp.real, xp.imag)), dG, da))
     stood = _stood(xp, top, course, (start, _paired(later)), (change, moved), invariants)
     endless = top.permanent | top.separatrix

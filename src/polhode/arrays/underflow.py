@@ -1,0 +1,46 @@
+"""Gradual underflow in threads that have switched it off.
+
+XLA's threads take numbers below 2.2e-308 for zero, and NumPy called back from them does so too: then the same closed
+form would give other answers in a compiled function than outside of it.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import ctypes
+from collections.abc import Iterator
+from functools import cache
+from typing import Any
+
+ENVIRONMENT = 512  # bytes, more than any system's fenv_t
+
+
+@contextlib.contextmanager
+def gradual_underflow() -> Iterator[None]:
+    """Compute with subnormal numbers within this context, as the thread does that called ``remember_environment``."""
+    usual = remember_environment()
+    if usual is None:
+        yield
+        return
+    library, normal = usual
+    here = ctypes.create_string_buffer(ENVIRONMENT)
+    library.fegetenv(here)
+    library.fesetenv(normal)
+    try:
+        yield
+    finally:
+        library.fesetenv(here)
+
+
+@cache
+def remember_environment() -> tuple[Any, Any] | None:
+    """Return the C library and this thread's floating-point environment when first called; None where C99 has none."""
+    try:
+        library = ctypes.CDLL(None)
+        get, set_ = library.fegetenv, library.fesetenv
+    except (AttributeError, OSError, TypeError):  # Windows, whose threads cannot be asked in this way
+        return None
+    get.argtypes = set_.argtypes = [ctypes.c_void_p]
+    found = ctypes.create_string_buffer(ENVIRONMENT)
+    get(found)
+    return library, found
