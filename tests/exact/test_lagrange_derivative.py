@@ -119,7 +119,7 @@ def test_derivatives_agree_with_the_oracle(drawn, announce):
 
 @pytest.mark.parametrize("displacement", [1e-100, 1e-290])
 def test_derivatives_of_tops_that_leave_from_next_to_nothing(displacement):
-    """On the first way down and, after two ways, on the way up again, where changes shrink by half of what they grew."""
+    """On the first way down and, after two ways, on the way up again, where changes shrink by half their growth."""
     I1, I3, mgl, spin = 0.8, 0.5, 1.3, 1.1
     doubling = 2.0 * I1 / np.sqrt(4.0 * mgl * I1 - spin * spin)
     cases = [

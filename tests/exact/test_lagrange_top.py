@@ -115,12 +115,25 @@ def test_a_smaller_displacement_takes_longer_to_leave_by_its_logarithm(spin):
     assert np.diff(periods) == pytest.approx(-2.0 * np.diff(np.log(sizes)) / growth, rel=1e-13)
 
 
+def test_a_hanging_top_swings_alike_however_little():
+    """Its swing is linear in the displacement, which the attitude's w and z and the momentum's first two are here."""
+    swings = []
+    for size in (1e-40, 1e-130, 1e-300):
+        top = ph.LagrangeMotion((0.8, 0.8, 0.5), 1.3, (0.3 * size, -0.7 * size, 1.1), (size, 0.6, 0.8, -0.5 * size))
+        attitude, momentum = top.state(np.array([0.0, 7.3, -1e4, 1e9]))
+        swings.append(np.concatenate([attitude[:, [0, 3]], momentum[:, :2]], axis=-1) / size)
+    assert np.abs(swings[0]).max() < 5.0
+    for other in swings[1:]:
+        np.testing.assert_allclose(other, swings[0], rtol=0.0, atol=2e-14)
+
+
 def test_a_pendulum_started_on_its_way_up_turns_over_however_near_the_top():
     """w = 2 √(mgl I1) β is the growing direction exactly, and energy is above the top's by β⁴ alone."""
     size = 2.0**-300
     top = ph.LagrangeMotion((1.0, 1.0, 0.5), 1.0, (2.0 * size, 0.0, 0.0), (1.0, size, 0.0, 0.0))
     # the modulus of a pendulum that turns over: k² = 1/(1 + w²β²/4) for unit moment and weight; K = ln 4/k'
-    assert top.regime == "planar" and top.nutation_period == pytest.approx(2.0 * (math.log(4.0) - math.log(size * size)))
+    assert top.regime == "planar"
+    assert top.nutation_period == pytest.approx(2.0 * (math.log(4.0) - math.log(size * size)), rel=1e-14)
 
 
 def test_regimes_of_a_batch_are_codes_and_absent_values_nan_or_inf():

@@ -195,27 +195,27 @@ def next_to_nothing(rng: Rng):
 
 
 def scaled(rng: Rng):
-    I1, I3, mgl, momentum, q = FAMILIES[rng.integers(len(FAMILIES) - 3)](rng)
+    I1, I3, mgl, momentum, q = FAMILIES[rng.integers(len(FAMILIES) - 4)](rng)
     mass, rate = 2.0 ** rng.integers(-40, 41), 2.0 ** rng.integers(-40, 41)
     return I1 * mass, I3 * mass, mgl * mass * rate**2, np.array(momentum) * mass * rate, q
 
 
 def below(rng: Rng):
     """mgl < 0."""
-    I1, I3, mgl, momentum, q = FAMILIES[rng.integers(len(FAMILIES) - 3)](rng)
+    I1, I3, mgl, momentum, q = FAMILIES[rng.integers(len(FAMILIES) - 4)](rng)
     return I1, I3, -mgl, momentum, q
 
 
 def not_quite_unit(rng: Rng):
-    I1, I3, mgl, momentum, q = FAMILIES[rng.integers(len(FAMILIES) - 3)](rng)
+    I1, I3, mgl, momentum, q = FAMILIES[rng.integers(len(FAMILIES) - 4)](rng)
     return I1, I3, mgl, momentum, np.array(q) * (1 + _sign(rng) * _power(rng, -16, -6.1))
 
 
 FAMILIES: tuple[Callable[[Rng], Any], ...] = (
     generic, wide_ratio, cusp, near_cusp, fast_loop, steady, near_steady, sleeping, hanging, near_sleeping,
     near_hanging, threshold, near_threshold, spherical_pendulum, near_spherical_pendulum, planar_pendulum, through_top,
-    through_bottom, near_vertical_passage, separatrix, near_separatrix, weak, weightless_special, huge_spin,
-    next_to_nothing, scaled, below, not_quite_unit,
+    through_bottom, near_vertical_passage, separatrix, near_separatrix, weak, weightless_special, huge_spin, scaled,
+    below, not_quite_unit, next_to_nothing,
 )  # fmt: skip
 
 

@@ -117,7 +117,9 @@ def tangent_data(prepared: Prepared) -> TangentData:
     )  # fmt: skip
 
 
-def _given_size(xp: Any, top: Reduction, points: TurningPoints) -> tuple[Any, ...]:
+def _given_size(
+    xp: Any, top: Reduction, points: TurningPoints
+) -> tuple[tuple[Array, Array, Array], tuple[Array, Array, Array, Array], tuple[Array, Array, Array, Array, Array]]:
     """Return momentum, quaternion, and c, ε, s2, d, s1 with the displacement scaled down again to what was given.
 
     Those five of tops that leave the vertical stay scaled up, as periods are given by them.
