@@ -18,10 +18,11 @@ import numpy as np
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.integrators.accuracy import measured_run, run_to_tolerance
-from polhode.integrators.adaptive import adaptive_error, solve_adaptively
+from polhode.integrators.adaptive import AdaptiveMotion, adaptive_error, solve_adaptively
 from polhode.integrators.base import AbstractOrbitSolver
 from polhode.integrators.difference import EPS
 from polhode.integrators.equal_steps import run_by_equal_steps, step_counts
+from polhode.integrators.probing import changes_along, jumps_between, undeclared_jumps
 from polhode.integrators.splitting import Splitting
 from polhode.motion.outcome import Ending, Ends, Outcome, Status
 from polhode.motion.trajectory import Trajectory
@@ -158,14 +159,15 @@ def _by_adaptive_steps(
 ) -> Trajectory:
     solver = adaptive_solver(system, method, asked.order)
     meter = _meter(bool(asked.progress))
-    motion = solve_adaptively(system, solver, state, times, meter, asked.step, asked.tolerance, asked.every)
+    motion, jumps = _seeing_jumps(system, solver, state, times, meter, asked)
     failed = np.argwhere(~motion.successful)
     which = "" if not np.ndim(motion.successful) or not len(failed) else (
         f" in {len(failed)} of {motion.successful.size} copies, first {_indices(failed[0])}")  # fmt: skip
     if asked.throw and len(failed):
         raise NotConverged(
             f"{type(solver).__name__} could not hold its tolerance after {motion.steps} steps{which}: the motion runs "
-            "into a singularity or leaves the finite numbers. End it earlier."
+            "into a singularity, leaves the finite numbers, or its rates jump in time. End it earlier, or let the system "
+            "name such times as `jumps`."
         )
     ended = np.asarray(motion.ends.status) == Status.EVENT
     if motion.event:
@@ -180,9 +182,40 @@ def _by_adaptive_steps(
         outcome = Outcome(Ending.COMPLETED)
     error = None
     if asked.estimate_error:
-        error = adaptive_error(system, solver, state, times, motion, asked.step, asked.tolerance, asked.every)
+        error = adaptive_error(system, solver, state, times, motion, asked.step, asked.tolerance, asked.every, jumps)
     steps, ends = {"steps": motion.steps}, motion.ends if np.ndim(motion.successful) else None
     return trajectory_of(system, motion.times, motion.states, outcome, steps, motion.received, error, ends)
+
+
+def _seeing_jumps(
+    system: AbstractSystem, solver: Any, state: Array, times: np.ndarray, meter: Any, asked: _Asked
+) -> tuple[AdaptiveMotion, np.ndarray]:
+    """Return the motion, and the undeclared times at which its steps end as something acts there.
+
+    They are sought at the start, and again along the motion; what is found only there makes a second run.
+    """
+    jumps = undeclared_jumps(system, state, times)
+    given = (system, solver, state, times, meter, asked.step, asked.tolerance, asked.every)
+    motion = solve_adaptively(*given, jumps)
+    first = motion.states.reshape(-1, *motion.states.shape[np.ndim(state) - system.state_axes :])[0]
+    there = np.isfinite(first).reshape(len(first), -1).all(axis=-1)
+    seen, at = first[there], np.append(motion.times, times[-1] if motion.event is None else np.zeros(0))
+    at = at[: len(seen) + 1] if len(at) > len(seen) else motion.times
+    at = at[np.append(True, np.diff(at) != 0.0)]
+    later = changes_along(system, seen, at) if len(at) > 1 else np.zeros(0)
+    known = jumps_between(times, np.concatenate([jumps, np.ravel(system.jumps)]))
+    missed = later[~_near(later, known, float(np.ptp(times)))]
+    if not len(missed):
+        return motion, jumps
+    jumps = np.concatenate([jumps, missed])
+    return solve_adaptively(*given, jumps), jumps
+
+
+def _near(times: np.ndarray, known: np.ndarray, span: float) -> np.ndarray:
+    """Return which times are some roundings from one that is known."""
+    if not len(known):
+        return np.zeros(len(times), bool)
+    return np.abs(times[:, None] - known).min(axis=-1) <= 1e-14 * span
 
 
 def _by_equal_steps(

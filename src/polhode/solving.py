@@ -21,6 +21,7 @@ from polhode.errors import InvalidInput, shown
 from polhode.integrators.adaptive import TOLERANCE
 from polhode.integrators.base import AbstractOrbitSolver, Memory
 from polhode.integrators.lie_midpoint import LieMidpoint
+from polhode.integrators.probing import undeclared_jumps
 from polhode.integrators.sampled import Observe, Sampled, as_floats, sampled_by_either_mode
 from polhode.integrators.spherical_midpoint import SphericalMidpoint
 from polhode.integrators.splitting import Splitting
@@ -144,7 +145,9 @@ def solve(
             )
         tolerance = TOLERANCE if tolerance is None else tolerance
         largest = None if step is None else jnp.asarray(step, float)
-        found = _adaptively(system, solver, state, times, times[::every], largest, jnp.asarray(tolerance), observe)
+        known = not is_traced(state, times, *jax.tree.leaves(system))
+        extra = jnp.asarray(undeclared_jumps(system, state, times) if known else np.zeros(0))
+        found = _adaptively(system, solver, state, times, times[::every], largest, jnp.asarray(tolerance), extra, observe)
         none = jnp.zeros_like(found.steps)
         return Solution(jnp.asarray(times[::every]), found.saved, found.received, found.status, found.event, found.end,
                         found.end_state, found.steps, none)  # fmt: skip
@@ -194,12 +197,13 @@ def checked_every(save: Any, count: int) -> int:
 @eqx.filter_jit
 def _adaptively(
     system: AbstractSystem, solver: Any, state: Array, times: Array, kept: Array, largest: Array | None,
-    tolerance: Array, observe: Any,
+    tolerance: Array, found: Array, observe: Any,
 ) -> Sampled:  # fmt: skip
     times, kept = jnp.asarray(times), jnp.asarray(kept)
+    jumps = jnp.concatenate([jnp.ravel(jnp.asarray(system.jumps, float)), found])
 
     def one(state: Array) -> Sampled:
-        return sampled_by_either_mode(system, solver, state, times, kept, largest, tolerance, observe)
+        return sampled_by_either_mode(system, solver, state, times, kept, largest, tolerance, jumps, observe)
 
     for _ in range(jnp.ndim(state) - system.state_axes):
         one = jax.vmap(one)

@@ -15,18 +15,14 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-import jax.numpy as jnp
 import numpy as np
 
 from polhode.errors import NotConverged
 from polhode.integrators.base import AbstractOrbitSolver, Memory
-from polhode.integrators.difference import EPS, LARGE, difference, parts_with_units
+from polhode.integrators.difference import EPS, LARGE, LUCK, difference, starts_a_rounding_away
 from polhode.integrators.equal_steps import Run, run_by_equal_steps, step_counts
-from polhode.systems.base import AbstractLiePoissonSystem, joined
 from polhode.types import Array, Double, Float64
 
-KICKS = 2  # starts a rounding away
-LUCK = 100.0  # by which two runs may by chance be nearer to each other than to the true motion
 
 SAFETY = 0.7  # of the tolerance, at which the next step size aims
 SHORTEST = 1 / 32  # of a step, in one round
@@ -71,34 +67,13 @@ def measured_run(
     fine, grown = run.fine & second.fine, np.zeros(np.shape(sizes))
     with np.errstate(invalid="ignore"):
         off = difference(system, run.states, second.states)
-        for kicked in _a_rounding_away(system, state):
+        for kicked in starts_a_rounding_away(system, state):
             third = run_by_equal_steps(solver, kicked, times, np.maximum(sizes, others), rates, quiet, every)
             grown, fine = np.maximum(grown, difference(system, base, third.states)), fine & third.fine
     # what a rounding could make of the motion, it has not made where the two runs are much nearer to each other
     error = np.where(off > LARGE, off * np.maximum(1.0, 1.0 / gain),
                      np.maximum(off / gain, np.minimum(LUCK * off, grown)))  # fmt: skip
     return Measured(run, sizes, np.where(fine, error, np.inf))
-
-
-def _a_rounding_away(system: AbstractLiePoissonSystem, state: Double[Array, "..."]) -> list[Double[Array, "..."]]:
-    """Return starts (batch…, …), each off by a rounding of the attitude and of each part that has a unit of its own.
-
-    All copies of a batch are moved along the same direction, so that none depends on where it stands.
-    """
-    algebra, (attitude, point) = system.algebra, system.parts(state)
-    rng, found = np.random.default_rng(1), []
-    for _ in range(KICKS):
-        vector = np.array(algebra.to_dual_vector(jnp.asarray(point)))
-        for part in parts_with_units(system, point) if len(algebra.element_shape) == 1 else [(...,)]:
-            off = rng.normal(size=vector[part].shape[-1])
-            size = np.linalg.norm(vector[part], axis=-1, keepdims=True)
-            vector[part] += EPS * size * off / np.linalg.norm(off)
-        turned = None
-        if attitude is not None:
-            off = rng.normal(size=4)
-            turned = jnp.asarray(attitude) + EPS * off / np.linalg.norm(off)
-        found.append(joined(turned, algebra.from_dual_vector(jnp.asarray(vector))))
-    return found
 
 
 def run_to_tolerance(

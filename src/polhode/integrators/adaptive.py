@@ -20,12 +20,24 @@ import numpy as np
 
 from polhode.errors import InvalidInput, NotConverged
 from polhode.integrators import embedded
-from polhode.integrators.difference import EPS, LARGE, difference
+from polhode.integrators.difference import EPS, LARGE, LUCK, difference, starts_a_rounding_away
 from polhode.integrators.interrupts import interrupts_kept
-from polhode.integrators.sampled import MOST_STEPS, Sampled, Scales, distances, sampled, scaled, scales, start, unscaled
+from polhode.integrators.probing import jumps_between
+from polhode.integrators.sampled import (
+    MOST_STEPS,
+    Sampled,
+    Scales,
+    distances,
+    sampled,
+    scaled,
+    scales,
+    start,
+    unscaled,
+    with_jumps,
+)
 from polhode.motion.outcome import Ends, Status
 from polhode.systems.base import AbstractSystem
-from polhode.types import Array, Bool, Double, Float64
+from polhode.types import Array, ArrayLike, Bool, Double, Float64
 
 TOLERANCE = 1e-12  # of a step, relative; below it rounding of the stages is all that is left
 STRETCH = 20_000  # steps in one call, which take from a tenth of a second to some seconds
@@ -67,6 +79,7 @@ def solve_adaptively(
     step: float | None = None,
     tolerance: float | None = None,
     every: int = 1,
+    jumps: Float64[ArrayLike, "jumps"] = (),
 ) -> AdaptiveMotion:
     """Return the motion at times, or up to the first of the system's events.
 
@@ -79,6 +92,7 @@ def solve_adaptively(
         step: the largest [s].
         tolerance: of a step, relative.
         every: which of the times are saved.
+        jumps: (J,) further times [s] at which rates of change jump, beside those that the system names.
 
     Raises:
         InvalidInput: if an event has already happened at the start.
@@ -92,7 +106,8 @@ def solve_adaptively(
     states = jnp.reshape(state, (-1, *jnp.shape(state)[len(batch) :])) if batch else state
     allowed = jnp.asarray(TOLERANCE if tolerance is None else tolerance)
     kept = times[::every]
-    given = (system, solver, states, jnp.asarray(times), jnp.asarray(kept), largest, allowed, meter)
+    at = jnp.asarray(jumps_between(times, np.concatenate([np.ravel(system.jumps), np.ravel(jumps)])))
+    given = (system, solver, states, jnp.asarray(times), jnp.asarray(kept), largest, allowed, at, meter)
     found = (_by_stretches if embedded.is_embedded(solver) else _at_once)(*given)
     found = jax.tree.map(np.asarray, found)  # each operation on a JAX array would be compiled by itself
     steps = int(np.max(found.steps, initial=0))
@@ -120,35 +135,58 @@ def solve_adaptively(
 def adaptive_error(
     system: AbstractSystem, solver: diffrax.AbstractSolver, state: Double[Array, "..."],
     times: Float64[np.ndarray, "time"], motion: AdaptiveMotion, step: float | None = None,
-    tolerance: float | None = None, kept: int = 1,
+    tolerance: float | None = None, kept: int = 1, jumps: Float64[ArrayLike, "jumps"] = (),
 ) -> Float64[Array, "*batch"] | None:  # fmt: skip
-    """Return the estimated error (batch…) of a motion, from a second run with a hundred times the tolerance.
+    """Return the estimated error (batch…) of a motion, from further runs with a hundred times the tolerance.
 
-    The error of a motion goes with the tolerance of its steps, so that the second run has nearly all of the difference,
+    The error of a motion goes with the tolerance of its steps, so that a second run has nearly all of the difference,
     at about half the steps. Where samples lie so close that each is a step in both runs, every other sample of the
-    second is moved next to the one after it, so that every other step is twice as long. Events are not compared; where
-    one comes before the second sample the error is None, of a copy in a batch infinite.
+    second is moved next to the one after it, so that every other step is twice as long. What a rounding grows to is
+    seen in two runs more, from starts that are a rounding away, as in ``accuracy``. Events are not compared; where one
+    comes before the second sample the error is None, of a copy in a batch infinite.
     """
     looser = LOOSER * (TOLERANCE if tolerance is None else tolerance)
-    other, every = solve_adaptively(system, solver, state, times, None, step, looser, kept), 1
+
+    def again(start: Array, at: np.ndarray) -> AdaptiveMotion:
+        return solve_adaptively(system, solver, start, at, None, step, looser, kept, jumps)
+
+    at, every = times, 1
+    other = again(state, at)
     if len(times) > 2 and other.steps > SAME_STEPS * motion.steps:
-        other, every = solve_adaptively(system, solver, state, _in_pairs(times), None, step, looser, kept), 2
+        at, every = _in_pairs(times), 2
+        other = again(state, at)
+    found = _apart(system, motion, other, kept, every)
+    if found is None:
+        return None
+    off, unknown = found
+    grown = np.zeros(np.shape(off))
+    for kicked in starts_a_rounding_away(system, state):
+        third = again(kicked, at)
+        more = _apart(system, other, third, kept, 1)
+        if more is not None:
+            grown, unknown = np.maximum(grown, np.where(more[1], 0.0, more[0])), unknown | ~third.successful
+    rounding = np.minimum(off, EPS * motion.steps)
+    error = np.where(off > LARGE, off, np.max([off / GAIN, rounding, np.minimum(LUCK * off, grown)], axis=0))
+    return np.where(motion.successful & other.successful & ~np.asarray(unknown), error, np.inf)
+
+
+def _apart(
+    system: AbstractSystem, motion: AdaptiveMotion, other: AdaptiveMotion, kept: int, every: int
+) -> tuple[Array, Array] | None:
+    """Return how far two motions are apart (batch…) and where that is not known; None if nothing can be compared."""
     count = min(len(motion.times), len(other.times)) - (motion.event is not None or other.event is not None)
     rows = np.flatnonzero(np.arange(count) * kept % every == 0)
     if len(rows) < 2:  # the start alone has no error, and says nothing
         return None
     axis = np.ndim(motion.states) - 1 - system.state_axes
     one, two = (np.take(m.states, rows, axis=axis) for m in (motion, other))
-    unknown = False
+    unknown: Any = np.zeros(np.shape(motion.successful), bool)
     if axis:
         beyond = (motion.ends.beyond(motion.times) | other.ends.beyond(other.times))[..., rows]
         unknown = beyond[..., 1]
         one, two = (np.where(beyond.reshape(*beyond.shape, *(1,) * system.state_axes), 0.0, x) for x in (one, two))
     with np.errstate(invalid="ignore"):
-        off = difference(system, one, two)
-    rounding = np.minimum(off, EPS * motion.steps)
-    error = np.where(off > LARGE, off, np.maximum(off / GAIN, rounding))
-    return np.where(motion.successful & other.successful & ~np.asarray(unknown), error, np.inf)
+        return difference(system, one, two), unknown
 
 
 def _in_pairs(times: np.ndarray) -> np.ndarray:
@@ -175,7 +213,7 @@ def _check_events(system: AbstractSystem, t: float, state: Array) -> None:
 
 def _by_stretches(
     system: AbstractSystem, solver: Any, states: Array, times: Array, kept: Array, largest: Array | None,
-    tolerance: Array, meter: Any,
+    tolerance: Array, jumps: Array, meter: Any,
 ) -> Sampled:  # fmt: skip
     """Return the motion of one state or of a row of them, by an explicit method."""
     by, run = _begun(system, states, times, kept)
@@ -184,7 +222,7 @@ def _by_stretches(
     shown = meter.init()
     with interrupts_kept() as check:
         for limit in (*range(stretch, MOST_STEPS, stretch), MOST_STEPS):
-            run = _stretch(system, solver, by, run, times, kept, largest, tolerance, jnp.asarray(limit))
+            run = _stretch(system, solver, by, run, times, kept, largest, tolerance, jumps, jnp.asarray(limit))
             status = np.asarray(run.status)
             check()
             reached = np.where(status == embedded.RUNNING, (np.asarray(run.time) - first) / (last - first), 1.0)
@@ -207,10 +245,12 @@ def _begun(system: AbstractSystem, states: Array, times: Array, kept: Array) -> 
 @eqx.filter_jit
 def _stretch(
     system: AbstractSystem, solver: Any, by: Scales, run: embedded.Run, times: Array, kept: Array,
-    largest: Array | None, tolerance: Array, limit: Array,
+    largest: Array | None, tolerance: Array, jumps: Array, limit: Array,
 ) -> embedded.Run:  # fmt: skip
+    ends, at_jumps = with_jumps(times, jumps)
+
     def one(by: Scales, run: embedded.Run) -> embedded.Run:
-        return embedded.advance(run, solver, scaled(system, by), times, kept, largest, tolerance, limit)
+        return embedded.advance(run, solver, scaled(system, by), ends, kept, largest, tolerance, limit, at_jumps)
 
     return (jax.vmap(one) if run.time.ndim else one)(by, run)
 
@@ -226,10 +266,10 @@ def _unscaled(system: AbstractSystem, by: Scales, run: embedded.Run) -> Sampled:
 @eqx.filter_jit
 def _at_once(
     system: AbstractSystem, solver: Any, states: Array, times: Array, kept: Array, largest: Array | None,
-    tolerance: Array, meter: Any,
+    tolerance: Array, jumps: Array, meter: Any,
 ) -> Sampled:  # fmt: skip
     """Return the motion of one state or of a row of them, by one of diffrax's other solvers."""
-    one = lambda state: sampled(system, solver, state, times, kept, largest, tolerance, meter)  # noqa: E731
+    one = lambda state: sampled(system, solver, state, times, kept, largest, tolerance, jumps, meter)  # noqa: E731
     return _over_copies(system, states, one)(states)
 
 

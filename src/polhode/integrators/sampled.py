@@ -116,7 +116,7 @@ def start(by: Scales, state: Double[Array, "..."]) -> Carried:
 def sampled(
     system: AbstractSystem, solver: Any, state: Double[Array, "..."], times: Float64[Array, "time"],
     kept: Float64[Array, "kept"], largest: Float64[Array, ""] | None, tolerance: Float64[Array, ""],
-    meter: Any = None, observe: Observe | None = None, reverse: bool = False,
+    jumps: Float64[Array, "jumps"], meter: Any = None, observe: Observe | None = None, reverse: bool = False,
 ) -> Sampled:  # fmt: skip
     """Return the motion of one state, stepping at all times (T,) and saving at those to be kept (K,).
 
@@ -128,16 +128,18 @@ def sampled(
         kept: (K,) some of them.
         largest: step [s], or None.
         tolerance: of a step, relative.
+        jumps: (J,) times [s] at which rates of change jump; those outside of the run do not count.
         meter: of diffrax, for progress; explicit Runge–Kutta methods show none here.
         observe: function of time and state to save instead of the state.
         reverse: whether derivatives are to be of reverse mode, instead of forward mode.
     """
     if reverse or not embedded.is_embedded(solver):
-        return _by_diffrax(system, solver, state, times, kept, largest, tolerance, meter, observe, reverse)
+        return _by_diffrax(system, solver, state, times, kept, largest, tolerance, jumps, meter, observe, reverse)
     by = scales(system, times[0], state)
     own = scaled(system, by, observe)
     run = embedded.begin(start(by, state), times, kept, own.seen)
-    run = embedded.advance(run, solver, own, times, kept, largest, tolerance, MOST_STEPS)
+    ends, at_jumps = with_jumps(times, jumps)
+    run = embedded.advance(run, solver, own, ends, kept, largest, tolerance, MOST_STEPS, at_jumps)
     ending = run.end, run.end_state
     if own.margin:
         ending = embedded.at_event(run, own.rates, own.margin)
@@ -165,7 +167,7 @@ def unscaled(
 
 def _by_diffrax(
     system: AbstractSystem, solver: Any, state: Array, times: Array, kept: Array, largest: Array | None,
-    tolerance: Array, meter: Any, observe: Observe | None, reverse: bool,
+    tolerance: Array, jumps: Array, meter: Any, observe: Observe | None, reverse: bool,
 ) -> Sampled:  # fmt: skip
     """Return the motion by diffrax's own loop, which goes back from checkpoints and takes implicit methods."""
     by = scales(system, times[0], state)
@@ -175,11 +177,14 @@ def _by_diffrax(
         return own.margin(t, y)  # type: ignore[misc]
 
     control = PresentTimeControl(rtol=tolerance, atol=tolerance, dtmax=largest)
+    # what is not between the first and the last time is moved behind it, as diffrax steps over each
+    between = (jumps - times[0]) * (times[-1] - jumps) > 0.0
+    at_jumps = jnp.where(between, jumps, 2.0 * times[-1] - times[0]) if jumps.size else None
     saving = diffrax.SubSaveAt(ts=kept, fn=lambda t, y, args: own.seen(t, y))
     # samples are steps: interpolation between steps costs three digits
     solution: Any = diffrax.diffeqsolve(
         diffrax.ODETerm(lambda t, y, args: own.rates(t, y)), solver, times[0], times[-1], None, start(by, state),
-        stepsize_controller=diffrax.ClipStepSizeController(control, step_ts=times),
+        stepsize_controller=diffrax.ClipStepSizeController(control, step_ts=times, jump_ts=at_jumps),
         saveat=diffrax.SaveAt(subs=[saving, diffrax.SubSaveAt(t1=True)]),
         event=diffrax.Event(lowest, EventBisection(), direction=False) if own.margin else None,
         max_steps=MOST_STEPS, progress_meter=diffrax.NoProgressMeter() if meter is None else meter, throw=False,
@@ -193,6 +198,19 @@ def _by_diffrax(
     last = jax.tree.map(lambda y: y[0], last)
     steps = solution.stats["num_steps"]
     return unscaled(system, by, saved, solution.ts[1][0], last, status, steps, observe is None)
+
+
+def with_jumps(
+    times: Float64[Array, "time"], jumps: Float64[Array, "jumps"]
+) -> tuple[Float64[Array, "ends"], Bool[Array, "ends"] | None]:
+    """Return at which times steps end, with which of them are jumps; those outside of the times fall on their ends."""
+    if not jumps.size:
+        return times, None
+    forth = jnp.sign(times[-1] - times[0])
+    first, last = forth * times[0], forth * times[-1]
+    whole = jnp.concatenate([forth * times, jnp.clip(forth * jumps, first, last)])
+    order = jnp.argsort(whole, stable=True)  # of equal times the sample comes first
+    return forth * whole[order], order >= times.shape[0]
 
 
 class EventBisection(optimistix.Bisection):
@@ -231,7 +249,7 @@ class PresentTimeControl(diffrax.PIDController):
 def sampled_by_either_mode(
     system: AbstractSystem, solver: Any, state: Double[Array, "..."], times: Float64[Array, "time"],
     kept: Float64[Array, "kept"], largest: Float64[Array, ""] | None, tolerance: Float64[Array, ""],
-    observe: Observe | None,
+    jumps: Float64[Array, "jumps"], observe: Observe | None,
 ) -> Sampled:  # fmt: skip
     """Return what ``sampled`` does, with derivatives of either mode."""
 
@@ -241,7 +259,7 @@ def sampled_by_either_mode(
     def reverse(given: tuple[Any, ...]) -> Sampled:
         return sampled(*given[:-1], observe=given[-1], reverse=True)
 
-    operands = (system, solver, state, times, kept, largest, tolerance, observe)
+    operands = (system, solver, state, times, kept, largest, tolerance, jumps, observe)
     return by_either_mode(forward, by_transposing(reverse), operands, "solve by adaptive steps")
 
 
