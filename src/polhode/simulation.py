@@ -22,7 +22,7 @@ from polhode.integrators.adaptive import AdaptiveMotion, adaptive_error, solve_a
 from polhode.integrators.base import AbstractOrbitSolver
 from polhode.integrators.difference import EPS
 from polhode.integrators.equal_steps import run_by_equal_steps, step_counts
-from polhode.integrators.probing import changes_along, jumps_between, undeclared_jumps
+from polhode.integrators.probing import jumps_along, jumps_between, naming_jumps, undeclared_jumps
 from polhode.integrators.splitting import Splitting
 from polhode.motion.outcome import Ending, Ends, Outcome, Status
 from polhode.motion.trajectory import Trajectory
@@ -159,7 +159,7 @@ def _by_adaptive_steps(
 ) -> Trajectory:
     solver = adaptive_solver(system, method, asked.order)
     meter = _meter(bool(asked.progress))
-    motion, jumps = _seeing_jumps(system, solver, state, times, meter, asked)
+    motion, named = _seeing_jumps(system, solver, state, times, meter, asked)
     failed = np.argwhere(~motion.successful)
     which = "" if not np.ndim(motion.successful) or not len(failed) else (
         f" in {len(failed)} of {motion.successful.size} copies, first {_indices(failed[0])}")  # fmt: skip
@@ -182,45 +182,34 @@ def _by_adaptive_steps(
         outcome = Outcome(Ending.COMPLETED)
     error = None
     if asked.estimate_error:
-        error = adaptive_error(system, solver, state, times, motion, asked.step, asked.tolerance, asked.every, jumps)
+        error = adaptive_error(named, solver, state, times, motion, asked.step, asked.tolerance, asked.every)
     steps, ends = {"steps": motion.steps}, motion.ends if np.ndim(motion.successful) else None
     return trajectory_of(system, motion.times, motion.states, outcome, steps, motion.received, error, ends)
 
 
 def _seeing_jumps(
     system: AbstractSystem, solver: Any, state: Array, times: np.ndarray, meter: Any, asked: _Asked
-) -> tuple[AdaptiveMotion, np.ndarray]:
-    """Return the motion, and the undeclared times at which its steps end as something acts there.
+) -> tuple[AdaptiveMotion, AbstractSystem]:
+    """Return the motion, and the system with those jumps named that it does not name itself.
 
     They are sought at the start, and again along the motion; what is found only there makes a second run.
     """
-    jumps = undeclared_jumps(system, state, times)
-    given = (system, solver, state, times, meter, asked.step, asked.tolerance, asked.every)
-    motion = solve_adaptively(*given, jumps)
-    first = motion.states.reshape(-1, *motion.states.shape[np.ndim(state) - system.state_axes :])[0]
-    there = np.isfinite(first).reshape(len(first), -1).all(axis=-1)
-    seen, at = first[there], np.append(motion.times, times[-1] if motion.event is None else np.zeros(0))
-    at = at[: len(seen) + 1] if len(at) > len(seen) else motion.times
-    at = at[np.append(True, np.diff(at) != 0.0)]
-    later = changes_along(system, seen, at) if len(at) > 1 else np.zeros(0)
-    known = jumps_between(times, np.concatenate([jumps, np.ravel(system.jumps)]))
-    missed = later[~_near(later, known, float(np.ptp(times)))]
-    if not len(missed):
-        return motion, jumps
-    jumps = np.concatenate([jumps, missed])
-    return solve_adaptively(*given, jumps), jumps
-
-
-def _near(times: np.ndarray, known: np.ndarray, span: float) -> np.ndarray:
-    """Return which times are some roundings from one that is known."""
-    if not len(known):
-        return np.zeros(len(times), bool)
-    return np.abs(times[:, None] - known).min(axis=-1) <= 1e-14 * span
+    named = naming_jumps(system, undeclared_jumps(system, state, times))
+    given = (solver, state, times, meter, asked.step, asked.tolerance, asked.every)
+    motion = solve_adaptively(named, *given)
+    later = jumps_along(system, motion.states, motion.times)
+    known = jumps_between(times, named.jumps)
+    near = np.abs(later[:, None] - known).min(axis=-1, initial=np.inf) <= 1e-14 * np.ptp(times)
+    if near.all():
+        return motion, named
+    named = naming_jumps(named, later[~near])
+    return solve_adaptively(named, *given), named
 
 
 def _by_equal_steps(
     system: AbstractLiePoissonSystem, state: Array, times: np.ndarray, method: Any, asked: _Asked
 ) -> Trajectory:
+    own, system = system, naming_jumps(system, undeclared_jumps(system, state, times))
     rates = _rates(system, state, times)
     if not np.isfinite(rates).all():
         raise InvalidInput(
@@ -265,7 +254,7 @@ def _by_equal_steps(
     if run.fine.ndim:
         status = np.where(run.fine, Status.COMPLETED, Status.NOT_CONVERGED)
         ends = Ends(status, np.full(status.shape, -1), np.where(run.fine, times[-1], np.nan), run.last)
-    found = trajectory_of(system, times[:: asked.every], run.states, outcome, statistics, {}, error, ends)
+    found = trajectory_of(own, times[:: asked.every], run.states, outcome, statistics, {}, error, ends)
     return replace(found, memory=tuple(jax.tree.leaves(run.memory))) if asked.resumable else found
 
 

@@ -21,7 +21,7 @@ from polhode.errors import InvalidInput, shown
 from polhode.integrators.adaptive import TOLERANCE
 from polhode.integrators.base import AbstractOrbitSolver, Memory
 from polhode.integrators.lie_midpoint import LieMidpoint
-from polhode.integrators.probing import undeclared_jumps
+from polhode.integrators.probing import naming_jumps, undeclared_jumps
 from polhode.integrators.sampled import Observe, Sampled, as_floats, sampled_by_either_mode
 from polhode.integrators.spherical_midpoint import SphericalMidpoint
 from polhode.integrators.splitting import Splitting
@@ -131,6 +131,8 @@ def solve(
             raise InvalidInput(f"`{name}` must be one positive finite number; got {shown(value)}.")
     every, observe = _to_save(save, len(times))
     with in_jax_numpy("systems and functions given to `solve`"):
+        if not is_traced(state, times, *jax.tree.leaves(system)):
+            system = naming_jumps(system, undeclared_jumps(system, state, times))
         if goes_along_orbit(system, method):
             if tolerance is not None:
                 raise InvalidInput("`tolerance` goes with diffrax's solvers; give `step`, or let `simulate` choose it.")
@@ -145,9 +147,7 @@ def solve(
             )
         tolerance = TOLERANCE if tolerance is None else tolerance
         largest = None if step is None else jnp.asarray(step, float)
-        known = not is_traced(state, times, *jax.tree.leaves(system))
-        extra = jnp.asarray(undeclared_jumps(system, state, times) if known else np.zeros(0))
-        found = _adaptively(system, solver, state, times, times[::every], largest, jnp.asarray(tolerance), extra, observe)
+        found = _adaptively(system, solver, state, times, times[::every], largest, jnp.asarray(tolerance), observe)
         none = jnp.zeros_like(found.steps)
         return Solution(jnp.asarray(times[::every]), found.saved, found.received, found.status, found.event, found.end,
                         found.end_state, found.steps, none)  # fmt: skip
@@ -197,10 +197,10 @@ def checked_every(save: Any, count: int) -> int:
 @eqx.filter_jit
 def _adaptively(
     system: AbstractSystem, solver: Any, state: Array, times: Array, kept: Array, largest: Array | None,
-    tolerance: Array, found: Array, observe: Any,
+    tolerance: Array, observe: Any,
 ) -> Sampled:  # fmt: skip
     times, kept = jnp.asarray(times), jnp.asarray(kept)
-    jumps = jnp.concatenate([jnp.ravel(jnp.asarray(system.jumps, float)), found])
+    jumps = jnp.ravel(jnp.asarray(system.jumps, float))
 
     def one(state: Array) -> Sampled:
         return sampled_by_either_mode(system, solver, state, times, kept, largest, tolerance, jumps, observe)
@@ -220,7 +220,7 @@ def _by_equal_steps(
     if isinstance(method, AbstractOrbitSolver):
         if step is not None or order is not None:
             raise InvalidInput("`step` and `order` go with a class of methods; the solver given was made with its own.")
-        if type(method.system) is not type(system):
+        if not isinstance(system, type(method.system)):
             raise InvalidInput("`method` was made for another system; make it with the one that is to move.")
         solver, step = eqx.tree_at(lambda s: s.system, method, system), method.step_size
     else:
@@ -323,15 +323,23 @@ def step_angle(order: int) -> float:
 def turning_rates(
     system: AbstractLiePoissonSystem, state: Double[Array, "..."], times: Float64[Array, "time"]
 ) -> Float64[Array, "*batch"]:
-    """Return upper estimates of the rates (batch…) [rad/s] at which the group turns at states, at some of the times."""
-    point = system.parts(state).point
-    shares = MOMENTS_OF_TIME if _is_driven(system) else (0.0,)
-    moments = [times[0] + share * (times[-1] - times[0]) for share in shares]
-    rates = [system.algebra.rate(system.generator(t, point)) for t in moments]
-    return jnp.max(jnp.stack(jnp.broadcast_arrays(*rates, jnp.zeros(system.algebra.batch_shape(point)))), axis=0)
+    """Return upper estimates of the rates (batch…) [rad/s] at which the group turns at states, at some times.
+
+    These are some between the first and the last, and one between each two jumps.
+    """
+    point, (first, last) = system.parts(state).point, (times[0], times[-1])
+    moments = jnp.reshape(first, (1,))
+    if is_driven(system):
+        low, high = jnp.minimum(first, last), jnp.maximum(first, last)
+        jumps = jnp.sort(jnp.clip(jnp.ravel(jnp.asarray(system.jumps, float)), low, high))
+        borders = jnp.concatenate([jnp.reshape(low, (1,)), jumps, jnp.reshape(high, (1,))])
+        shares = first + jnp.asarray(MOMENTS_OF_TIME) * (last - first)
+        moments = jnp.concatenate([shares, 0.5 * (borders[1:] + borders[:-1])])
+    rates = jax.lax.map(lambda t: system.algebra.rate(system.generator(t, point)), moments)
+    return jnp.maximum(jnp.max(rates, axis=0), jnp.zeros(system.algebra.batch_shape(point)))
 
 
-def _is_driven(system: AbstractLiePoissonSystem) -> bool:
+def is_driven(system: AbstractLiePoissonSystem) -> bool:
     """Whether the generator may depend on time."""
     return type(system).generator is not AbstractLiePoissonSystem.generator
 

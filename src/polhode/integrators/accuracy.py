@@ -21,6 +21,8 @@ from polhode.errors import NotConverged
 from polhode.integrators.base import AbstractOrbitSolver, Memory
 from polhode.integrators.difference import EPS, LARGE, LUCK, difference, starts_a_rounding_away
 from polhode.integrators.equal_steps import Run, run_by_equal_steps, step_counts
+from polhode.integrators.probing import jumps_between
+from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.types import Array, Double, Float64
 
 
@@ -50,7 +52,8 @@ def measured_run(
     the two, each at half the cost of the first or at the same.
     """
     run = run_by_equal_steps(solver, state, times, sizes, rates, meter, every, memory)
-    counts = step_counts(times, sizes)
+    ends = _ends(solver.system, times)
+    counts = step_counts(ends, sizes)
     others = np.where(counts.min(axis=-1) > 1, 2.0, 0.5) * sizes
     second = run_by_equal_steps(solver, state, times, others, rates, quiet, every)
     failed = ~second.fine & run.fine & (others > sizes)
@@ -58,8 +61,8 @@ def measured_run(
         others = np.where(failed, 0.5 * sizes, others)
         second = run_by_equal_steps(solver, state, times, others, rates, quiet, every)
     order = solver.order(None)
-    gaps = np.abs(np.diff(times)) / np.ptp(times)
-    power, other_power = (np.sum(gaps * (gaps / n) ** order, axis=-1) for n in (counts, step_counts(times, others)))
+    gaps = np.abs(np.diff(ends)) / np.ptp(ends)
+    power, other_power = (np.sum(gaps * (gaps / n) ** order, axis=-1) for n in (counts, step_counts(ends, others)))
     gain = np.abs(other_power / power - 1.0)
     longer = others > sizes
     system, axes = solver.system, run.states.ndim - np.ndim(sizes)
@@ -74,6 +77,12 @@ def measured_run(
     error = np.where(off > LARGE, off * np.maximum(1.0, 1.0 / gain),
                      np.maximum(off / gain, np.minimum(LUCK * off, grown)))  # fmt: skip
     return Measured(run, sizes, np.where(fine, error, np.inf))
+
+
+def _ends(system: AbstractLiePoissonSystem, times: Float64[np.ndarray, "time"]) -> Float64[np.ndarray, "ends"]:
+    """Return the times with the system's jumps between them, at all of which steps end."""
+    jumps = jumps_between(times, np.asarray(system.jumps))
+    return np.unique(np.concatenate([times, jumps]))[:: 1 if times[-1] > times[0] else -1] if len(jumps) else times
 
 
 def run_to_tolerance(

@@ -37,7 +37,7 @@ from polhode.integrators.sampled import (
 )
 from polhode.motion.outcome import Ends, Status
 from polhode.systems.base import AbstractSystem
-from polhode.types import Array, ArrayLike, Bool, Double, Float64
+from polhode.types import Array, Bool, Double, Float64
 
 TOLERANCE = 1e-12  # of a step, relative; below it rounding of the stages is all that is left
 STRETCH = 20_000  # steps in one call, which take from a tenth of a second to some seconds
@@ -79,7 +79,6 @@ def solve_adaptively(
     step: float | None = None,
     tolerance: float | None = None,
     every: int = 1,
-    jumps: Float64[ArrayLike, "jumps"] = (),
 ) -> AdaptiveMotion:
     """Return the motion at times, or up to the first of the system's events.
 
@@ -92,7 +91,6 @@ def solve_adaptively(
         step: the largest [s].
         tolerance: of a step, relative.
         every: which of the times are saved.
-        jumps: (J,) further times [s] at which rates of change jump, beside those that the system names.
 
     Raises:
         InvalidInput: if an event has already happened at the start.
@@ -106,7 +104,7 @@ def solve_adaptively(
     states = jnp.reshape(state, (-1, *jnp.shape(state)[len(batch) :])) if batch else state
     allowed = jnp.asarray(TOLERANCE if tolerance is None else tolerance)
     kept = times[::every]
-    at = jnp.asarray(jumps_between(times, np.concatenate([np.ravel(system.jumps), np.ravel(jumps)])))
+    at = jnp.asarray(jumps_between(times, system.jumps))
     given = (system, solver, states, jnp.asarray(times), jnp.asarray(kept), largest, allowed, at, meter)
     found = (_by_stretches if embedded.is_embedded(solver) else _at_once)(*given)
     found = jax.tree.map(np.asarray, found)  # each operation on a JAX array would be compiled by itself
@@ -135,7 +133,7 @@ def solve_adaptively(
 def adaptive_error(
     system: AbstractSystem, solver: diffrax.AbstractSolver, state: Double[Array, "..."],
     times: Float64[np.ndarray, "time"], motion: AdaptiveMotion, step: float | None = None,
-    tolerance: float | None = None, kept: int = 1, jumps: Float64[ArrayLike, "jumps"] = (),
+    tolerance: float | None = None, kept: int = 1,
 ) -> Float64[Array, "*batch"] | None:  # fmt: skip
     """Return the estimated error (batch…) of a motion, from further runs with a hundred times the tolerance.
 
@@ -148,7 +146,7 @@ def adaptive_error(
     looser = LOOSER * (TOLERANCE if tolerance is None else tolerance)
 
     def again(start: Array, at: np.ndarray) -> AdaptiveMotion:
-        return solve_adaptively(system, solver, start, at, None, step, looser, kept, jumps)
+        return solve_adaptively(system, solver, start, at, None, step, looser, kept)
 
     at, every = times, 1
     other = again(state, at)

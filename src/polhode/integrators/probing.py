@@ -9,6 +9,10 @@ names it.
 
 from __future__ import annotations
 
+import dataclasses
+from functools import lru_cache
+from typing import Any
+
 import equinox as eqx
 import jax
 import jax.numpy as jnp
@@ -28,6 +32,7 @@ INNER = np.array([0.25, 0.5, 0.75])  # places within a smooth change
 INSIDE = len(INNER)  # cells between trials that it must have for them
 MOST = 1 << 14  # places; where there are more, steps cannot overlook them
 BISECTIONS = 60
+FURTHER = "further_jumps"  # the field of those that a system does not name itself
 
 
 def jumps_between(
@@ -63,19 +68,28 @@ def undeclared_jumps(
         state: packed (batch…, …), at which rates are tried: the first copy of a batch.
         times: (T,) [s], in one direction.
     """
-    return changes_along(system, _first_copies(system, state)[:1], np.asarray(times, dtype=float)[[0, -1]])
+    first = np.reshape(np.asarray(state), (-1, *np.shape(state)[np.ndim(state) - system.state_axes :]))[:1]
+    return _changes(system, first, np.asarray(times, dtype=float)[[0, -1]])
 
 
-def changes_along(
-    system: AbstractSystem, states: Double[Array, "..."], times: Float64[np.ndarray, "time"]
+def jumps_along(
+    system: AbstractSystem, states: Double[np.ndarray, "..."], times: Float64[np.ndarray, "time"]
 ) -> Float64[np.ndarray, "found"]:
-    """Return what ``undeclared_jumps`` does, tried at states of a motion, each from one time up to the next.
+    """Return what ``undeclared_jumps`` does, tried at the states of a motion, each from its time up to the next.
 
     Args:
         system: what moves.
-        states: (T − 1, …) or more.
+        states: (batch…, T, …), of which the first copy counts, up to its end.
         times: (T,) [s], in one direction.
     """
+    own = np.shape(states)[np.ndim(states) - system.state_axes :]
+    first = np.reshape(states, (-1, len(times), *own))[0]
+    there = np.isfinite(first).reshape(len(first), -1).all(axis=-1)
+    return _changes(system, first[there][:-1], times[there]) if there.sum() > 1 else np.zeros(0)
+
+
+def _changes(system: AbstractSystem, states: Double[np.ndarray, "..."], times: Array) -> Float64[np.ndarray, "found"]:
+    """Return where rates change with time at states (T − 1, …), each from one of the times (T,) up to the next."""
     if not depends_on_time(system, jnp.asarray(states[0])):
         return np.zeros(0)
     spans = len(times) - 1
@@ -100,10 +114,6 @@ def changes_along(
     inside = low[begins[long]] + INNER[:, None] * (high[ends[long]] - low[begins[long]])
     found = [_bisected(rates, low[cells], high[cells], which[cells]), low[begins], high[ends], np.ravel(inside)]
     return jumps_between(times, np.concatenate(found))
-
-
-def _first_copies(system: AbstractSystem, state: Double[Array, "..."]) -> Double[np.ndarray, "..."]:
-    return np.reshape(np.asarray(state), (-1, *np.shape(state)[np.ndim(state) - system.state_axes :]))
 
 
 class _Rates:
@@ -144,3 +154,29 @@ def _bisected(rates: _Rates, low: Array, high: Array, which: Array) -> Array:
         if (np.nextafter(low, high) == high).all():
             break
     return high
+
+
+def naming_jumps(system: AbstractSystem, jumps: Float64[np.ndarray, "jumps"]) -> AbstractSystem:
+    """Return a system that moves alike and names these jumps beside its own; itself if there are none."""
+    if not len(jumps):
+        return system
+    kind = type(system)
+    known = getattr(system, FURTHER, None)
+    named = object.__new__(kind if known is not None else _naming(kind))
+    for field in dataclasses.fields(system):
+        object.__setattr__(named, field.name, getattr(system, field.name))
+    object.__setattr__(named, FURTHER, jnp.asarray(jumps if known is None else np.concatenate([known, jumps])))
+    return named
+
+
+@lru_cache(maxsize=None)
+def _naming(kind: type[AbstractSystem]) -> type[AbstractSystem]:
+    """Return the class of the same systems with further jumps, one for each class, as what it computes is compiled."""
+
+    def jumps(self: Any) -> Array:
+        own = jnp.ravel(jnp.asarray(kind.jumps.fget(self), float))  # type: ignore[attr-defined]
+        return jnp.concatenate([own, getattr(self, FURTHER)])
+
+    more = {"jumps": property(jumps), FURTHER: None, "__annotations__": {FURTHER: Any}, "__module__": kind.__module__,
+            "__qualname__": kind.__qualname__, "__doc__": kind.__doc__}  # fmt: skip
+    return type(kind)(kind.__name__, (kind,), more)

@@ -46,9 +46,9 @@ class AbstractAttachment(eqx.Module):
         return StateLayout(self.state_parts).part(own, name)
 
     @property
-    def jumps(self) -> Float64[ArrayLike, "jumps"]:
+    def jumps(self) -> Float64[Array, "jumps"]:
         """(J,) times [s] at which it starts, ends or jumps, which no step goes across; none by default."""
-        return ()
+        return jnp.zeros(0)
 
     @property
     def needs_attitude(self) -> bool:

@@ -125,7 +125,7 @@ class Rotor(AbstractMount):
     moment: Float64[Array, ""]
     motor: Float64[Array, ""] | Motor | None
     friction: Float64[Array, ""] | None
-    jumps: Float64[Array, "jumps"]
+    jump_times: Float64[Array, "jumps"]
 
     @known_numbers_only
     def __init__(
@@ -136,7 +136,11 @@ class Rotor(AbstractMount):
         self.motor = motor if motor is None or callable(motor) else checked_number("motor", motor, unit="N m")
         found = checked_number("friction", friction, least=0.0, unit="N m s")
         self.friction = found if float(found) else None
-        self.jumps = checked_jumps(jumps)
+        self.jump_times = checked_jumps(jumps)
+
+    @property
+    def jumps(self) -> Float64[Array, "jumps"]:
+        return self.jump_times
 
     @property
     def state_parts(self) -> tuple[StatePart, ...]:

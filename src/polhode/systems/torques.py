@@ -126,7 +126,7 @@ class LaggedTorque(AbstractTorque):
 
     command: Command
     time_constant: Float64[Array, ""]
-    jumps: Float64[Array, "jumps"]
+    jump_times: Float64[Array, "jumps"]
 
     @known_numbers_only
     def __init__(
@@ -138,7 +138,11 @@ class LaggedTorque(AbstractTorque):
                 f"got {shown(command)}. For a constant one write `lambda t, attitude, velocity: 0 * velocity + torque`."
             )
         self.command, self.time_constant = command, checked_number("time_constant", time_constant, 0.0, unit="s")
-        self.jumps = checked_jumps(jumps)
+        self.jump_times = checked_jumps(jumps)
+
+    @property
+    def jumps(self) -> Float64[Array, "jumps"]:
+        return self.jump_times
 
     @property
     def state_parts(self) -> tuple[StatePart, ...]:
