@@ -166,8 +166,8 @@ def _by_adaptive_steps(
     if asked.throw and len(failed):
         raise NotConverged(
             f"{type(solver).__name__} could not hold its tolerance after {motion.steps} steps{which}: the motion runs "
-            "into a singularity, leaves the finite numbers, or its rates jump in time. End it earlier, or let the system "
-            "name such times as `jumps`."
+            "into a singularity, leaves the finite numbers, or its rates jump in time. End it earlier, or let the "
+            "system name such times as `jumps`."
         )
     ended = np.asarray(motion.ends.status) == Status.EVENT
     if motion.event:

@@ -172,7 +172,7 @@ any_function: Any = systems.LiePoisson(ph.algebra.SO3(), lambda L: 0.5 * jnp.sum
 
 
 def test_the_estimate_holds_near_a_separatrix():
-    """Rounding grows there to all of the error; divided as if it were truncation it made the median 214, worst 2,840."""
+    """Rounding grows there to all of the error; divided as truncation it made the median 214, the worst 2,840."""
     momenta = beside_the_separatrix(np.random.default_rng(0), 64, -12.0, -7.0)
     shares = errors_over_estimates(any_function, momenta, np.linspace(0.0, 40.0, 21))
     assert shares.max() < 10.0 and 0.02 < np.median(shares) < 5.0, (shares.max(), np.median(shares))

@@ -19,12 +19,11 @@ import numpy as np
 
 from polhode.errors import NotConverged
 from polhode.integrators.base import AbstractOrbitSolver, Memory
-from polhode.integrators.difference import EPS, LARGE, LUCK, difference, starts_a_rounding_away
+from polhode.integrators.difference import LARGE, LUCK, difference, starts_a_rounding_away
 from polhode.integrators.equal_steps import Run, run_by_equal_steps, step_counts
 from polhode.integrators.probing import jumps_between
 from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.types import Array, Double, Float64
-
 
 SAFETY = 0.7  # of the tolerance, at which the next step size aims
 SHORTEST = 1 / 32  # of a step, in one round

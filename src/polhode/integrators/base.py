@@ -141,7 +141,8 @@ class AbstractOrbitSolver(diffrax.AbstractSolver):
             later = now + wanted
             return later, (now - later) + wanted, found.iterations, found.converged, hint
 
-        given = Given([], count, jnp.asarray(start, float), jnp.asarray(span / jnp.maximum(count, 1)), state, memory.lost,
+        length = jnp.asarray(span / jnp.maximum(count, 1))
+        given = Given([], count, jnp.asarray(start, float), length, state, memory.lost,
                       memory.iterations, memory.fine, memory.hint)  # fmt: skip
         parts = parts_with_units(self.system, state)
         found = repeated(step, given, parts, self.symmetric, type(self).__name__)

@@ -10,7 +10,7 @@ names it.
 from __future__ import annotations
 
 import dataclasses
-from functools import lru_cache
+from functools import cache
 from typing import Any
 
 import equinox as eqx
@@ -169,7 +169,7 @@ def naming_jumps(system: AbstractSystem, jumps: Float64[np.ndarray, "jumps"]) ->
     return named
 
 
-@lru_cache(maxsize=None)
+@cache
 def _naming(kind: type[AbstractSystem]) -> type[AbstractSystem]:
     """Return the class of the same systems with further jumps, one for each class, as what it computes is compiled."""
 

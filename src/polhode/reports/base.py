@@ -47,6 +47,16 @@ class AbstractReport(abc.ABC):
         return plain({"system": self.kind, **values_of(answers), **ends})
 
 
+class _NoMotion:
+    """What stands for the trajectory of a report of which only answers without a motion are asked."""
+
+    def __getattr__(self, name: str) -> Any:
+        raise AssertionError(f"an answer that takes no motion asks for its {name}")
+
+
+WITHOUT_MOTION: Any = _NoMotion()
+
+
 class AbstractMotionReport(AbstractReport):
     """Answers about one motion of one system.
 
