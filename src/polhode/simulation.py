@@ -210,6 +210,8 @@ def _by_equal_steps(
     system: AbstractLiePoissonSystem, state: Array, times: np.ndarray, method: Any, asked: _Asked
 ) -> Trajectory:
     own, system = system, naming_jumps(system, undeclared_jumps(system, state, times))
+    if system is not own and isinstance(method, AbstractOrbitSolver) and bool(eqx.tree_equal(method.system, own)):
+        method = eqx.tree_at(lambda solver: solver.system, method, system)
     rates = _rates(system, state, times)
     if not np.isfinite(rates).all():
         raise InvalidInput(

@@ -100,6 +100,9 @@ def solve(
     fields of a system or of an ``equinox.Module``. The exact flows of bodies with a potential have forward derivatives
     only; ``LieMidpoint`` has both.
 
+    Steps end at the system's ``jumps`` under every transformation. Others are sought, as by ``simulate``, only where
+    state, times and system are known numbers, and at the start alone.
+
     Args:
         system: what moves.
         state: (batch…, …) packed, as for ``simulate``.
@@ -131,7 +134,8 @@ def solve(
             raise InvalidInput(f"`{name}` must be one positive finite number; got {shown(value)}.")
     every, observe = _to_save(save, len(times))
     with in_jax_numpy("systems and functions given to `solve`"):
-        if not is_traced(state, times, *jax.tree.leaves(system)):
+        # within a compiled function all that is computed is traced
+        if not is_traced(state, times, jnp.negative(0.0), *jax.tree.leaves(system)):
             system = naming_jumps(system, undeclared_jumps(system, state, times))
         if goes_along_orbit(system, method):
             if tolerance is not None:
@@ -200,10 +204,9 @@ def _adaptively(
     tolerance: Array, observe: Any,
 ) -> Sampled:  # fmt: skip
     times, kept = jnp.asarray(times), jnp.asarray(kept)
-    jumps = jnp.ravel(jnp.asarray(system.jumps, float))
 
     def one(state: Array) -> Sampled:
-        return sampled_by_either_mode(system, solver, state, times, kept, largest, tolerance, jumps, observe)
+        return sampled_by_either_mode(system, solver, state, times, kept, largest, tolerance, observe)
 
     for _ in range(jnp.ndim(state) - system.state_axes):
         one = jax.vmap(one)

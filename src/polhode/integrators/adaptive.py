@@ -104,8 +104,8 @@ def solve_adaptively(
     states = jnp.reshape(state, (-1, *jnp.shape(state)[len(batch) :])) if batch else state
     allowed = jnp.asarray(TOLERANCE if tolerance is None else tolerance)
     kept = times[::every]
-    at = jnp.asarray(jumps_between(times, system.jumps))
-    given = (system, solver, states, jnp.asarray(times), jnp.asarray(kept), largest, allowed, at, meter)
+    jumps_between(times, system.jumps)  # refuses what is no time
+    given = (system, solver, states, jnp.asarray(times), jnp.asarray(kept), largest, allowed, meter)
     found = (_by_stretches if embedded.is_embedded(solver) else _at_once)(*given)
     found = jax.tree.map(np.asarray, found)  # each operation on a JAX array would be compiled by itself
     steps = int(np.max(found.steps, initial=0))
@@ -211,7 +211,7 @@ def _check_events(system: AbstractSystem, t: float, state: Array) -> None:
 
 def _by_stretches(
     system: AbstractSystem, solver: Any, states: Array, times: Array, kept: Array, largest: Array | None,
-    tolerance: Array, jumps: Array, meter: Any,
+    tolerance: Array, meter: Any,
 ) -> Sampled:  # fmt: skip
     """Return the motion of one state or of a row of them, by an explicit method."""
     by, run = _begun(system, states, times, kept)
@@ -220,7 +220,7 @@ def _by_stretches(
     shown = meter.init()
     with interrupts_kept() as check:
         for limit in (*range(stretch, MOST_STEPS, stretch), MOST_STEPS):
-            run = _stretch(system, solver, by, run, times, kept, largest, tolerance, jumps, jnp.asarray(limit))
+            run = _stretch(system, solver, by, run, times, kept, largest, tolerance, jnp.asarray(limit))
             status = np.asarray(run.status)
             check()
             reached = np.where(status == embedded.RUNNING, (np.asarray(run.time) - first) / (last - first), 1.0)
@@ -243,9 +243,9 @@ def _begun(system: AbstractSystem, states: Array, times: Array, kept: Array) -> 
 @eqx.filter_jit
 def _stretch(
     system: AbstractSystem, solver: Any, by: Scales, run: embedded.Run, times: Array, kept: Array,
-    largest: Array | None, tolerance: Array, jumps: Array, limit: Array,
+    largest: Array | None, tolerance: Array, limit: Array,
 ) -> embedded.Run:  # fmt: skip
-    ends, at_jumps = with_jumps(times, jumps)
+    ends, at_jumps = with_jumps(system, times)
 
     def one(by: Scales, run: embedded.Run) -> embedded.Run:
         return embedded.advance(run, solver, scaled(system, by), ends, kept, largest, tolerance, limit, at_jumps)
@@ -264,10 +264,10 @@ def _unscaled(system: AbstractSystem, by: Scales, run: embedded.Run) -> Sampled:
 @eqx.filter_jit
 def _at_once(
     system: AbstractSystem, solver: Any, states: Array, times: Array, kept: Array, largest: Array | None,
-    tolerance: Array, jumps: Array, meter: Any,
+    tolerance: Array, meter: Any,
 ) -> Sampled:  # fmt: skip
     """Return the motion of one state or of a row of them, by one of diffrax's other solvers."""
-    one = lambda state: sampled(system, solver, state, times, kept, largest, tolerance, jumps, meter)  # noqa: E731
+    one = lambda state: sampled(system, solver, state, times, kept, largest, tolerance, meter)  # noqa: E731
     return _over_copies(system, states, one)(states)
 
 

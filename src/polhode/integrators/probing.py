@@ -32,7 +32,11 @@ INNER = np.array([0.25, 0.5, 0.75])  # places within a smooth change
 INSIDE = len(INNER)  # cells between trials that it must have for them
 MOST = 1 << 14  # places; where there are more, steps cannot overlook them
 BISECTIONS = 60
+REMEMBERED = 256  # systems
 FURTHER = "further_jumps"  # the field of those that a system does not name itself
+
+
+_driven: dict[Any, bool] = {}
 
 
 def jumps_between(
@@ -51,9 +55,28 @@ def jumps_between(
 
 
 def depends_on_time(system: AbstractSystem, state: Double[Array, "..."]) -> bool:
-    """Return whether the rates of change at one state may depend on the time itself."""
+    """Return whether the rates of change at one state may depend on the time itself.
+
+    Systems of the same parts and shapes are looked at once.
+    """
     shape = jax.ShapeDtypeStruct(jnp.shape(state), jnp.result_type(state))
-    made = jax.make_jaxpr(system.vector_field)(jax.ShapeDtypeStruct((), jnp.zeros(()).dtype), shape)
+    leaves, tree = jax.tree.flatten(system)
+    key = (type(system), tree, shape, *((x.shape, x.dtype) if eqx.is_array(x) else x for x in leaves))
+    try:
+        if key not in _driven:
+            if len(_driven) > REMEMBERED:
+                _driven.clear()
+            _driven[key] = _uses_time(system, shape)
+        return _driven[key]
+    except TypeError:  # a part that cannot be hashed
+        return _uses_time(system, shape)
+
+
+def _uses_time(system: AbstractSystem, shape: Any) -> bool:
+    try:
+        made = jax.make_jaxpr(lambda t, y: system.vector_field(t, y))(jax.ShapeDtypeStruct((), jnp.zeros(()).dtype), shape)
+    except Exception:
+        return False  # the run refuses it in its own words
     _, used = partial_eval.dce_jaxpr(made.jaxpr, [True] * len(made.jaxpr.outvars))
     return bool(used[0])
 
@@ -138,7 +161,7 @@ class _Rates:
 
 @eqx.filter_jit
 def _evaluated(system: AbstractSystem, states: Array, times: Array) -> Array:
-    found = jax.vmap(system.vector_field)(jnp.asarray(times), jnp.asarray(states)).reshape(times.shape[0], -1)
+    found = jax.vmap(lambda t, y: system.vector_field(t, y))(jnp.asarray(times), jnp.asarray(states)).reshape(times.shape[0], -1)
     return jnp.concatenate([found.real, found.imag], axis=-1) if jnp.iscomplexobj(found) else found
 
 

@@ -116,7 +116,7 @@ def start(by: Scales, state: Double[Array, "..."]) -> Carried:
 def sampled(
     system: AbstractSystem, solver: Any, state: Double[Array, "..."], times: Float64[Array, "time"],
     kept: Float64[Array, "kept"], largest: Float64[Array, ""] | None, tolerance: Float64[Array, ""],
-    jumps: Float64[Array, "jumps"], meter: Any = None, observe: Observe | None = None, reverse: bool = False,
+    meter: Any = None, observe: Observe | None = None, reverse: bool = False,
 ) -> Sampled:  # fmt: skip
     """Return the motion of one state, stepping at all times (T,) and saving at those to be kept (K,).
 
@@ -128,17 +128,16 @@ def sampled(
         kept: (K,) some of them.
         largest: step [s], or None.
         tolerance: of a step, relative.
-        jumps: (J,) times [s] at which rates of change jump; those outside of the run do not count.
         meter: of diffrax, for progress; explicit Runge–Kutta methods show none here.
         observe: function of time and state to save instead of the state.
         reverse: whether derivatives are to be of reverse mode, instead of forward mode.
     """
     if reverse or not embedded.is_embedded(solver):
-        return _by_diffrax(system, solver, state, times, kept, largest, tolerance, jumps, meter, observe, reverse)
+        return _by_diffrax(system, solver, state, times, kept, largest, tolerance, meter, observe, reverse)
     by = scales(system, times[0], state)
     own = scaled(system, by, observe)
     run = embedded.begin(start(by, state), times, kept, own.seen)
-    ends, at_jumps = with_jumps(times, jumps)
+    ends, at_jumps = with_jumps(system, times)
     run = embedded.advance(run, solver, own, ends, kept, largest, tolerance, MOST_STEPS, at_jumps)
     ending = run.end, run.end_state
     if own.margin:
@@ -167,7 +166,7 @@ def unscaled(
 
 def _by_diffrax(
     system: AbstractSystem, solver: Any, state: Array, times: Array, kept: Array, largest: Array | None,
-    tolerance: Array, jumps: Array, meter: Any, observe: Observe | None, reverse: bool,
+    tolerance: Array, meter: Any, observe: Observe | None, reverse: bool,
 ) -> Sampled:  # fmt: skip
     """Return the motion by diffrax's own loop, which goes back from checkpoints and takes implicit methods."""
     by = scales(system, times[0], state)
@@ -178,6 +177,7 @@ def _by_diffrax(
 
     control = PresentTimeControl(rtol=tolerance, atol=tolerance, dtmax=largest)
     # what is not between the first and the last time is moved behind it, as diffrax steps over each
+    jumps = jnp.ravel(jnp.asarray(system.jumps, float))
     between = (jumps - times[0]) * (times[-1] - jumps) > 0.0
     at_jumps = jnp.where(between, jumps, 2.0 * times[-1] - times[0]) if jumps.size else None
     saving = diffrax.SubSaveAt(ts=kept, fn=lambda t, y, args: own.seen(t, y))
@@ -201,9 +201,10 @@ def _by_diffrax(
 
 
 def with_jumps(
-    times: Float64[Array, "time"], jumps: Float64[Array, "jumps"]
+    system: AbstractSystem, times: Float64[Array, "time"]
 ) -> tuple[Float64[Array, "ends"], Bool[Array, "ends"] | None]:
-    """Return at which times steps end, with which of them are jumps; those outside of the times fall on their ends."""
+    """Return at which times steps end, and which of them are jumps; those outside of the times fall on their ends."""
+    jumps = jnp.ravel(jnp.asarray(system.jumps, float))
     if not jumps.size:
         return times, None
     forth = jnp.sign(times[-1] - times[0])
@@ -249,7 +250,7 @@ class PresentTimeControl(diffrax.PIDController):
 def sampled_by_either_mode(
     system: AbstractSystem, solver: Any, state: Double[Array, "..."], times: Float64[Array, "time"],
     kept: Float64[Array, "kept"], largest: Float64[Array, ""] | None, tolerance: Float64[Array, ""],
-    jumps: Float64[Array, "jumps"], observe: Observe | None,
+    observe: Observe | None,
 ) -> Sampled:  # fmt: skip
     """Return what ``sampled`` does, with derivatives of either mode."""
 
@@ -259,7 +260,7 @@ def sampled_by_either_mode(
     def reverse(given: tuple[Any, ...]) -> Sampled:
         return sampled(*given[:-1], observe=given[-1], reverse=True)
 
-    operands = (system, solver, state, times, kept, largest, tolerance, jumps, observe)
+    operands = (system, solver, state, times, kept, largest, tolerance, observe)
     return by_either_mode(forward, by_transposing(reverse), operands, "solve by adaptive steps")
 
 
