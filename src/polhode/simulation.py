@@ -241,7 +241,7 @@ def _by_equal_steps(
         run, error = run_by_equal_steps(*given, _meter(bool(shown)), asked.every, memory), None
     steps = step_counts(times, sizes).sum(axis=-1)
     statistics = {"steps": int(steps.max()), "iterations": int(run.iterations.max())}
-    name, failed = type(solver).__name__, np.argwhere(~run.fine)
+    name, failed, ends = type(solver).__name__, np.argwhere(~run.fine), None
     if len(failed):
         which = "" if not run.fine.ndim else f" in {len(failed)} of {run.fine.size} copies, first {_indices(failed[0])}"
         if asked.throw:
@@ -252,7 +252,6 @@ def _by_equal_steps(
         outcome = Outcome(Ending.NOT_CONVERGED, message=f"{name} failed{which}")
     else:
         outcome = Outcome(Ending.COMPLETED)
-    ends = None
     if run.fine.ndim:
         status = np.where(run.fine, Status.COMPLETED, Status.NOT_CONVERGED)
         ends = Ends(status, np.full(status.shape, -1), np.where(run.fine, times[-1], np.nan), run.last)

@@ -332,7 +332,7 @@ def turning_rates(
     """
     point, (first, last) = system.parts(state).point, (times[0], times[-1])
     moments = jnp.reshape(first, (1,))
-    if is_driven(system):
+    if _is_driven(system):
         low, high = jnp.minimum(first, last), jnp.maximum(first, last)
         jumps = jnp.sort(jnp.clip(jnp.ravel(jnp.asarray(system.jumps, float)), low, high))
         borders = jnp.concatenate([jnp.reshape(low, (1,)), jumps, jnp.reshape(high, (1,))])
@@ -342,7 +342,7 @@ def turning_rates(
     return jnp.maximum(jnp.max(rates, axis=0), jnp.zeros(system.algebra.batch_shape(point)))
 
 
-def is_driven(system: AbstractLiePoissonSystem) -> bool:
+def _is_driven(system: AbstractLiePoissonSystem) -> bool:
     """Whether the generator may depend on time."""
     return type(system).generator is not AbstractLiePoissonSystem.generator
 

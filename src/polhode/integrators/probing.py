@@ -74,7 +74,8 @@ def depends_on_time(system: AbstractSystem, state: Double[Array, "..."]) -> bool
 
 def _uses_time(system: AbstractSystem, shape: Any) -> bool:
     try:
-        made = jax.make_jaxpr(lambda t, y: system.vector_field(t, y))(jax.ShapeDtypeStruct((), jnp.zeros(()).dtype), shape)
+        time = jax.ShapeDtypeStruct((), jnp.zeros(()).dtype)
+        made = jax.make_jaxpr(lambda t, y: system.vector_field(t, y))(time, shape)
     except Exception:
         return False  # the run refuses it in its own words
     _, used = partial_eval.dce_jaxpr(made.jaxpr, [True] * len(made.jaxpr.outvars))
@@ -161,7 +162,8 @@ class _Rates:
 
 @eqx.filter_jit
 def _evaluated(system: AbstractSystem, states: Array, times: Array) -> Array:
-    found = jax.vmap(lambda t, y: system.vector_field(t, y))(jnp.asarray(times), jnp.asarray(states)).reshape(times.shape[0], -1)
+    found = jax.vmap(lambda t, y: system.vector_field(t, y))(jnp.asarray(times), jnp.asarray(states))
+    found = found.reshape(times.shape[0], -1)
     return jnp.concatenate([found.real, found.imag], axis=-1) if jnp.iscomplexobj(found) else found
 
 

@@ -47,14 +47,19 @@ class AbstractReport(abc.ABC):
         return plain({"system": self.kind, **values_of(answers), **ends})
 
 
-class _NoMotion:
-    """What stands for the trajectory of a report of which only answers without a motion are asked."""
+def left_out(kind: type) -> Any:
+    """Return what stands for an object of a class in a report of which no answer that takes it is asked."""
 
-    def __getattr__(self, name: str) -> Any:
-        raise AssertionError(f"an answer that takes no motion asks for its {name}")
+    class LeftOut(kind):
+        def __getattribute__(self, name: str) -> Any:
+            if name.startswith("__"):
+                return super().__getattribute__(name)
+            raise AssertionError(f"an answer asks for `{name}` of a {kind.__name__} that was left out")
+
+    return tuple.__new__(LeftOut) if issubclass(kind, tuple) else object.__new__(LeftOut)
 
 
-WITHOUT_MOTION: Any = _NoMotion()
+WITHOUT_MOTION: Trajectory = left_out(Trajectory)
 
 
 class AbstractMotionReport(AbstractReport):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import numpy as np
 
@@ -233,7 +233,7 @@ def answers_without_motion(spec: Spec) -> Iterator[Group | Table]:
         yield from _report_on(spec, built(spec), WITHOUT_MOTION).without_motion()
 
 
-def _report_on(spec: Spec, made: RotorInBody, trajectory: Any) -> GyrostatReport:
+def _report_on(spec: Spec, made: RotorInBody, trajectory: Trajectory) -> GyrostatReport:
     motor = spec.system.motor_torque is not None
     last = float(trajectory.part("rotor_momentum")[-1]) if motor else made.momentum
     found = steady_rotations(Gyrostat(made.moments, last * made.along), float(np.linalg.norm(made.total)))

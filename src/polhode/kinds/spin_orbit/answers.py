@@ -19,7 +19,7 @@ from polhode.kinds.spin_orbit.table import SpinOrbitTable
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import about_body, accuracy
 from polhode.reports.answer import Answer, Group, Table
-from polhode.reports.base import WITHOUT_MOTION, AbstractMotionReport
+from polhode.reports.base import WITHOUT_MOTION, AbstractMotionReport, left_out
 from polhode.reports.length import ADAPTIVE, ORBITING, check_length
 from polhode.reports.wording import number
 from polhode.simulation import simulate
@@ -224,7 +224,7 @@ def answers_without_motion(spec: Spec) -> Iterator[Group | Table]:
     system = _system(spec, table)
     listed = _listed(system, table)
     yield from SpinOrbitReport(
-        spec.body, system, WITHOUT_MOTION, listed, WITHOUT_MOTION, table.section_orbits, spec.remarks
+        spec.body, system, WITHOUT_MOTION, listed, left_out(SpinMotion), table.section_orbits, spec.remarks
     ).without_motion()
 
 
