@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import dataclasses
 from functools import cache
-from typing import Any
+from typing import Any, TypeVar
 
 import equinox as eqx
 import jax
@@ -36,6 +36,7 @@ REMEMBERED = 256  # systems
 FURTHER = "further_jumps"  # the field of those that a system does not name itself
 
 
+System = TypeVar("System", bound=AbstractSystem)
 _driven: dict[Any, bool] = {}
 
 
@@ -181,13 +182,13 @@ def _bisected(rates: _Rates, low: Array, high: Array, which: Array) -> Array:
     return high
 
 
-def naming_jumps(system: AbstractSystem, jumps: Float64[np.ndarray, "jumps"]) -> AbstractSystem:
+def naming_jumps(system: System, jumps: Float64[np.ndarray, "jumps"]) -> System:
     """Return a system that moves alike and names these jumps beside its own; itself if there are none."""
     if not len(jumps):
         return system
     kind = type(system)
     known = getattr(system, FURTHER, None)
-    named = object.__new__(kind if known is not None else _naming(kind))
+    named: Any = object.__new__(kind if known is not None else _naming(kind))
     for field in dataclasses.fields(system):
         object.__setattr__(named, field.name, getattr(system, field.name))
     object.__setattr__(named, FURTHER, jnp.asarray(jumps if known is None else np.concatenate([known, jumps])))
@@ -204,4 +205,5 @@ def _naming(kind: type[AbstractSystem]) -> type[AbstractSystem]:
 
     more = {"jumps": property(jumps), FURTHER: None, "__annotations__": {FURTHER: Any}, "__module__": kind.__module__,
             "__qualname__": kind.__qualname__, "__doc__": kind.__doc__}  # fmt: skip
-    return type(kind)(kind.__name__, (kind,), more)
+    making: Any = type(kind)
+    return making(kind.__name__, (kind,), more)
