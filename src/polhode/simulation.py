@@ -18,10 +18,11 @@ import numpy as np
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.integrators.accuracy import measured_run, run_to_tolerance
-from polhode.integrators.adaptive import adaptive_error, solve_adaptively
+from polhode.integrators.adaptive import AdaptiveMotion, adaptive_error, solve_adaptively
 from polhode.integrators.base import AbstractOrbitSolver
 from polhode.integrators.difference import EPS
 from polhode.integrators.equal_steps import run_by_equal_steps, step_counts
+from polhode.integrators.probing import jumps_along, jumps_between, naming_jumps, undeclared_jumps
 from polhode.integrators.splitting import Splitting
 from polhode.motion.outcome import Ending, Ends, Outcome, Status
 from polhode.motion.trajectory import Trajectory
@@ -100,8 +101,10 @@ def simulate(
             after it are infinite.
         tolerance: of the error relative to the state's size, instead of a step. Steps are shortened from the default
             until ``error_estimate`` is below it. diffrax's solvers take it as the tolerance of a step.
-        estimate_error: whether to run twice, with other steps, and say by ``error_estimate`` how far the motion is from
-            the true one. The second run costs half as much as the first; twice as much where samples are a step apart.
+        estimate_error: whether to run again and say by ``error_estimate`` how far the motion is from the true one. Our
+            methods are run once more with other steps, and twice from starts a rounding away, as near a saddle a
+            rounding grows to most of the error: this costs one and a half times as much as the first run, four times
+            where samples are a step apart. Adaptive steps are run once more, with another tolerance.
         save: every how many-th of the times is kept as a sample, so that a long run need not fill the memory; the steps
             are those to all times.
         resumable: whether the trajectory keeps its ``memory``, which needs a method of ours and a last time that is
@@ -156,14 +159,15 @@ def _by_adaptive_steps(
 ) -> Trajectory:
     solver = adaptive_solver(system, method, asked.order)
     meter = _meter(bool(asked.progress))
-    motion = solve_adaptively(system, solver, state, times, meter, asked.step, asked.tolerance, asked.every)
+    motion, named = _seeing_jumps(system, solver, state, times, meter, asked)
     failed = np.argwhere(~motion.successful)
     which = "" if not np.ndim(motion.successful) or not len(failed) else (
         f" in {len(failed)} of {motion.successful.size} copies, first {_indices(failed[0])}")  # fmt: skip
     if asked.throw and len(failed):
         raise NotConverged(
             f"{type(solver).__name__} could not hold its tolerance after {motion.steps} steps{which}: the motion runs "
-            "into a singularity or leaves the finite numbers. End it earlier."
+            "into a singularity, leaves the finite numbers, or its rates jump in time. End it earlier, or let the "
+            "system name such times as `jumps`."
         )
     ended = np.asarray(motion.ends.status) == Status.EVENT
     if motion.event:
@@ -178,14 +182,36 @@ def _by_adaptive_steps(
         outcome = Outcome(Ending.COMPLETED)
     error = None
     if asked.estimate_error:
-        error = adaptive_error(system, solver, state, times, motion, asked.step, asked.tolerance, asked.every)
+        error = adaptive_error(named, solver, state, times, motion, asked.step, asked.tolerance, asked.every)
     steps, ends = {"steps": motion.steps}, motion.ends if np.ndim(motion.successful) else None
     return trajectory_of(system, motion.times, motion.states, outcome, steps, motion.received, error, ends)
+
+
+def _seeing_jumps(
+    system: AbstractSystem, solver: Any, state: Array, times: np.ndarray, meter: Any, asked: _Asked
+) -> tuple[AdaptiveMotion, AbstractSystem]:
+    """Return the motion, and the system with those jumps named that it does not name itself.
+
+    They are sought at the start, and again along the motion; what is found only there makes a second run.
+    """
+    named = naming_jumps(system, undeclared_jumps(system, state, times))
+    given = (solver, state, times, meter, asked.step, asked.tolerance, asked.every)
+    motion = solve_adaptively(named, *given)
+    later = jumps_along(system, motion.states, motion.times)
+    known = jumps_between(times, named.jumps)
+    near = np.abs(later[:, None] - known).min(axis=-1, initial=np.inf) <= 1e-14 * np.ptp(times)
+    if near.all():
+        return motion, named
+    named = naming_jumps(named, later[~near])
+    return solve_adaptively(named, *given), named
 
 
 def _by_equal_steps(
     system: AbstractLiePoissonSystem, state: Array, times: np.ndarray, method: Any, asked: _Asked
 ) -> Trajectory:
+    own, system = system, naming_jumps(system, undeclared_jumps(system, state, times))
+    if system is not own and isinstance(method, AbstractOrbitSolver) and bool(eqx.tree_equal(method.system, own)):
+        method = eqx.tree_at(lambda solver: solver.system, method, system)
     rates = _rates(system, state, times)
     if not np.isfinite(rates).all():
         raise InvalidInput(
@@ -215,7 +241,7 @@ def _by_equal_steps(
         run, error = run_by_equal_steps(*given, _meter(bool(shown)), asked.every, memory), None
     steps = step_counts(times, sizes).sum(axis=-1)
     statistics = {"steps": int(steps.max()), "iterations": int(run.iterations.max())}
-    name, failed = type(solver).__name__, np.argwhere(~run.fine)
+    name, failed, ends = type(solver).__name__, np.argwhere(~run.fine), None
     if len(failed):
         which = "" if not run.fine.ndim else f" in {len(failed)} of {run.fine.size} copies, first {_indices(failed[0])}"
         if asked.throw:
@@ -226,11 +252,10 @@ def _by_equal_steps(
         outcome = Outcome(Ending.NOT_CONVERGED, message=f"{name} failed{which}")
     else:
         outcome = Outcome(Ending.COMPLETED)
-    ends = None
     if run.fine.ndim:
         status = np.where(run.fine, Status.COMPLETED, Status.NOT_CONVERGED)
         ends = Ends(status, np.full(status.shape, -1), np.where(run.fine, times[-1], np.nan), run.last)
-    found = trajectory_of(system, times[:: asked.every], run.states, outcome, statistics, {}, error, ends)
+    found = trajectory_of(own, times[:: asked.every], run.states, outcome, statistics, {}, error, ends)
     return replace(found, memory=tuple(jax.tree.leaves(run.memory))) if asked.resumable else found
 
 

@@ -21,6 +21,7 @@ from polhode.errors import InvalidInput, shown
 from polhode.integrators.adaptive import TOLERANCE
 from polhode.integrators.base import AbstractOrbitSolver, Memory
 from polhode.integrators.lie_midpoint import LieMidpoint
+from polhode.integrators.probing import naming_jumps, undeclared_jumps
 from polhode.integrators.sampled import Observe, Sampled, as_floats, sampled_by_either_mode
 from polhode.integrators.spherical_midpoint import SphericalMidpoint
 from polhode.integrators.splitting import Splitting
@@ -99,6 +100,9 @@ def solve(
     fields of a system or of an ``equinox.Module``. The exact flows of bodies with a potential have forward derivatives
     only; ``LieMidpoint`` has both.
 
+    Steps end at the system's ``jumps`` under every transformation. Others are sought, as by ``simulate``, only where
+    state, times and system are known numbers, and at the start alone.
+
     Args:
         system: what moves.
         state: (batch…, …) packed, as for ``simulate``.
@@ -130,6 +134,9 @@ def solve(
             raise InvalidInput(f"`{name}` must be one positive finite number; got {shown(value)}.")
     every, observe = _to_save(save, len(times))
     with in_jax_numpy("systems and functions given to `solve`"):
+        # within a compiled function all that is computed is traced
+        if not is_traced(state, times, jnp.negative(0.0), *jax.tree.leaves(system)):
+            system = naming_jumps(system, undeclared_jumps(system, state, times))
         if goes_along_orbit(system, method):
             if tolerance is not None:
                 raise InvalidInput("`tolerance` goes with diffrax's solvers; give `step`, or let `simulate` choose it.")
@@ -216,7 +223,7 @@ def _by_equal_steps(
     if isinstance(method, AbstractOrbitSolver):
         if step is not None or order is not None:
             raise InvalidInput("`step` and `order` go with a class of methods; the solver given was made with its own.")
-        if type(method.system) is not type(system):
+        if not isinstance(system, type(method.system)):
             raise InvalidInput("`method` was made for another system; make it with the one that is to move.")
         solver, step = eqx.tree_at(lambda s: s.system, method, system), method.step_size
     else:
@@ -319,12 +326,20 @@ def step_angle(order: int) -> float:
 def turning_rates(
     system: AbstractLiePoissonSystem, state: Double[Array, "..."], times: Float64[Array, "time"]
 ) -> Float64[Array, "*batch"]:
-    """Return upper estimates of the rates (batch…) [rad/s] at which the group turns at states, at some of the times."""
-    point = system.parts(state).point
-    shares = MOMENTS_OF_TIME if _is_driven(system) else (0.0,)
-    moments = [times[0] + share * (times[-1] - times[0]) for share in shares]
-    rates = [system.algebra.rate(system.generator(t, point)) for t in moments]
-    return jnp.max(jnp.stack(jnp.broadcast_arrays(*rates, jnp.zeros(system.algebra.batch_shape(point)))), axis=0)
+    """Return upper estimates of the rates (batch…) [rad/s] at which the group turns at states, at some times.
+
+    These are some between the first and the last, and one between each two jumps.
+    """
+    point, (first, last) = system.parts(state).point, (times[0], times[-1])
+    moments = jnp.reshape(first, (1,))
+    if _is_driven(system):
+        low, high = jnp.minimum(first, last), jnp.maximum(first, last)
+        jumps = jnp.sort(jnp.clip(jnp.ravel(jnp.asarray(system.jumps, float)), low, high))
+        borders = jnp.concatenate([jnp.reshape(low, (1,)), jumps, jnp.reshape(high, (1,))])
+        shares = first + jnp.asarray(MOMENTS_OF_TIME) * (last - first)
+        moments = jnp.concatenate([shares, 0.5 * (borders[1:] + borders[:-1])])
+    rates = jax.lax.map(lambda t: system.algebra.rate(system.generator(t, point)), moments)
+    return jnp.maximum(jnp.max(rates, axis=0), jnp.zeros(system.algebra.batch_shape(point)))
 
 
 def _is_driven(system: AbstractLiePoissonSystem) -> bool:

@@ -153,6 +153,47 @@ def test_bad_input(more, words):
         ph.simulate(body, START, SPARSE, **more)
 
 
+def beside_the_separatrix(rng: Any, count: int, low: float, high: float) -> Any:
+    """Return momenta of the body off its separatrix by 10^low to 10^high of the third component."""
+    momenta = rng.normal(size=(count, 3))
+    off = 10.0 ** rng.uniform(low, high, count) * rng.choice([-1.0, 1.0], count)
+    momenta[:, 2] = momenta[:, 0] * np.sqrt((1.0 - 1.0 / 2.0) / (1.0 / 2.0 - 1.0 / 3.0)) * (1.0 + off)
+    return momenta
+
+
+def errors_over_estimates(system: Any, momenta: Any, times: Any, **more: Any) -> Any:
+    found = ph.simulate(system, momenta, times, **more)
+    exact = np.moveaxis(np.stack([ph.FreeMotion(MOMENTS, momenta).state(t)[1] for t in times]), 0, 1)
+    off = np.linalg.norm(found.states - exact, axis=-1).max(axis=-1) / np.linalg.norm(momenta, axis=-1)
+    return off / np.asarray(found.error_estimate)
+
+
+any_function: Any = systems.LiePoisson(ph.algebra.SO3(), lambda L: 0.5 * jnp.sum(L**2 / np.array(MOMENTS), axis=-1))
+
+
+def test_the_estimate_holds_near_a_separatrix():
+    """Rounding grows there to all of the error; divided as truncation it made the median 214, the worst 2,840."""
+    momenta = beside_the_separatrix(np.random.default_rng(0), 64, -12.0, -7.0)
+    shares = errors_over_estimates(any_function, momenta, np.linspace(0.0, 40.0, 21))
+    assert shares.max() < 10.0 and 0.02 < np.median(shares) < 5.0, (shares.max(), np.median(shares))
+
+
+@pytest.mark.sweep
+@pytest.mark.parametrize("system", [body, any_function], ids=["by splitting", "by Lie's midpoint rule"])
+@pytest.mark.parametrize(("low", "high"), [(-15.0, -12.0), (-12.0, -7.0), (-7.0, -3.0), (-3.0, -1.0)])
+def test_a_thousand_starts_near_a_separatrix(system, low, high):
+    momenta = beside_the_separatrix(np.random.default_rng(1), 250, low, high)
+    for times in (np.linspace(0.0, 40.0, 21), np.linspace(0.0, 10.0, 11)):
+        shares = errors_over_estimates(system, momenta, times)
+        assert shares.max() < 30.0 and np.median(shares) > 0.02, (shares.max(), np.median(shares))
+
+
+def test_what_rests_on_a_saddle_has_no_error():
+    """A rounding would grow to everything there; where none was made the estimate does not claim it."""
+    found = ph.simulate(body, np.array([0.0, 2.0, 0.0]), SPARSE)
+    assert np.abs(found.states - [0.0, 2.0, 0.0]).max() == 0.0 and found.error_estimate < ROUNDING
+
+
 @pytest.mark.sweep
 def test_samples_that_make_the_steps_do_not_hide_the_error():
     """Chaos: a hundred orbits of Hyperion are lost to rounding and truncation; it was said to be 5e-17 off."""

@@ -10,6 +10,8 @@ from polhode.figures.drawing import draw_all
 from polhode.kinds.damped_body import KIND
 from polhode.kinds.damped_body.figures import draw_damped_motion, draw_damped_sphere
 from polhode.kinds.reading import read_spec
+from polhode.sweeps.evaluation import Evaluator
+from polhode.sweeps.plan import read_plan
 
 MOTION = 1e-9
 """Relative: adaptive steps at 1e-12 over some turns, against a closed form."""
@@ -176,10 +178,48 @@ def test_losses_may_be_given_by_time_or_power(report):
     time = 'until = "20 s"\nsamples = 400'
     by_power = report(TRIAXIAL, 'loss_rate = "20 µW"', spin, time)
     assert (by_power.energy[0] - by_power.energy[-1]) / 20.0 == pytest.approx(2e-5, rel=0.1)
-    same = report(TRIAXIAL, f"damping = {by_power.damping!r}", spin, time)
+    same = report(TRIAXIAL, f"damping = {by_power.start.damping!r}", spin, time)
     assert same.energy == pytest.approx(by_power.energy, rel=1e-9)
 
 
 def test_a_thin_rod_is_refused(report):
     with pytest.raises(ValueError, match="thin rod"):
         report('parts = [{ shape = "rod", mass = "1 kg", length = "1 m" }]', "damping = 0.1")
+
+
+def test_stiff_losses_are_announced(report, monkeypatch, capsys):
+    """They ran for over 100 s without a word: about four time constants of the fastest loss are a step of Dopri8."""
+    def stop(*given, **more):
+        raise InterruptedError
+
+    monkeypatch.setattr("polhode.kinds.damped_body.answers.simulate", stop)
+    for system in ("damping = 1e4", 'linear_drag = "1e5 N*m*s"'):
+        with pytest.raises(InterruptedError):
+            report(TRIAXIAL, system, 'angular_velocity = ["0.1 rad/s", "0.1 rad/s", "1 rad/s"]', 'until = "150 s"')
+        assert "steps, up to" in capsys.readouterr().err, system
+
+
+def test_a_sweep_of_the_flat_spin_moves_nothing(tmp_path, monkeypatch):
+    """Eight samples of .067 s took 91 s, as each body was moved through its whole motion."""
+    path = tmp_path / "sweep.toml"
+    path.write_text(
+        f'[body]\n{TRIAXIAL}\n[system]\nkind = "damped-body"\ndamping_time = "40 s"\n'
+        '[spin]\nrate = "3 rad/s"\nabout = 1\ntilt = "5 deg"\n[time]\nuntil = "1 s"\nsamples = 2\n'
+        '[sweep]\nsamples = 3\nseed = 1\n'
+        'outputs = ["flat_spin_time.energy_sink", "axes.3.time_constant", "time_constant"]\n'
+        '[sweep.inputs]\n"spin.tilt" = { uniform = ["0.5 deg", "5 deg"] }\n',
+        "utf-8",
+    )
+    evaluator = Evaluator(read_plan(path))
+    inputs = evaluator.inputs_of(0, 3)
+    wanted = [evaluator.spec_of(inputs, k).report().as_json_dict() for k in range(2)]
+
+    def moved(*given, **more):
+        raise AssertionError("a motion was computed")
+
+    monkeypatch.setattr("polhode.kinds.damped_body.answers.simulate", moved)
+    values = evaluator.chunk(0, 3).values
+    for k, one in enumerate(wanted):
+        assert values["flat_spin_time.energy_sink"][k] == one["flat_spin_time"]["energy_sink"]
+        assert values["axes.3.time_constant"][k] == one["axes"][2]["time_constant"]
+        assert values["time_constant"][k] == one["time_constant"]

@@ -20,7 +20,8 @@ from polhode.kinds import registry
 from polhode.kinds.page import page_of_report, write_page
 from polhode.kinds.reading import read_spec
 from polhode.kinds.registry import find_kind, kind_names
-from polhode.reports.answer import Table
+from polhode.reports.answer import Table, values_of
+from polhode.reports.base import plain
 
 OWN = tuple(registry._folders())
 OTHERS = ("spherical-pendulum",)
@@ -51,6 +52,17 @@ def moving(kind, report):
     if not kind.has_motion:
         pytest.skip("has no motion")
     return report
+
+
+def test_what_takes_no_motion_is_what_the_report_says(spec, report):
+    """Sweeps ask for these alone; six kinds have some, to the bit."""
+    whole, names = report.as_json_dict(), 0
+    for group in spec.kind.answers_without_motion(spec):
+        for name, value in plain(values_of([group])).items():
+            inside = value if isinstance(value, dict) else {}
+            assert whole[name] == value or all(whole[name][key] == inside[key] for key in inside), name
+            names += 1
+    assert names or not hasattr(spec.kind._part("answers"), "answers_without_motion")
 
 
 def test_its_name(kind):

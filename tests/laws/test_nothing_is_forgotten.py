@@ -139,6 +139,8 @@ CALLED_BY_OTHERS = {
     "quantum.semiclassics.phase", "solving.memory_of",
     "quantum.symbols.pole_values", "quantum.symbols.summed",
     "quantum.spin.raising", "quantum.spin.unit_vectors", "quantum.rotor.checked_j",
+    "integrators.probing.depends_on_time", "integrators.probing.jumps_along", "integrators.probing.jumps_between",
+    "integrators.probing.naming_jumps", "integrators.probing.undeclared_jumps", "systems.attachments.checked_jumps",
     "integrators.base.explicit", "integrators.base.step_count", "poisson.brackets.as_points",
     "poisson.reconstruction.hermite",
     "simulation.fastest_rate", "simulation.trajectory_of", "solving.adaptive_solver", "solving.checked_every",

@@ -20,9 +20,21 @@ import numpy as np
 
 from polhode.errors import InvalidInput, NotConverged
 from polhode.integrators import embedded
-from polhode.integrators.difference import EPS, LARGE, difference
+from polhode.integrators.difference import EPS, LARGE, LUCK, difference, starts_a_rounding_away
 from polhode.integrators.interrupts import interrupts_kept
-from polhode.integrators.sampled import MOST_STEPS, Sampled, Scales, distances, sampled, scaled, scales, start, unscaled
+from polhode.integrators.probing import jumps_between
+from polhode.integrators.sampled import (
+    MOST_STEPS,
+    Sampled,
+    Scales,
+    distances,
+    sampled,
+    scaled,
+    scales,
+    start,
+    unscaled,
+    with_jumps,
+)
 from polhode.motion.outcome import Ends, Status
 from polhode.systems.base import AbstractSystem
 from polhode.types import Array, Bool, Double, Float64
@@ -92,6 +104,7 @@ def solve_adaptively(
     states = jnp.reshape(state, (-1, *jnp.shape(state)[len(batch) :])) if batch else state
     allowed = jnp.asarray(TOLERANCE if tolerance is None else tolerance)
     kept = times[::every]
+    jumps_between(times, system.jumps)  # refuses what is no time
     given = (system, solver, states, jnp.asarray(times), jnp.asarray(kept), largest, allowed, meter)
     found = (_by_stretches if embedded.is_embedded(solver) else _at_once)(*given)
     found = jax.tree.map(np.asarray, found)  # each operation on a JAX array would be compiled by itself
@@ -122,33 +135,56 @@ def adaptive_error(
     times: Float64[np.ndarray, "time"], motion: AdaptiveMotion, step: float | None = None,
     tolerance: float | None = None, kept: int = 1,
 ) -> Float64[Array, "*batch"] | None:  # fmt: skip
-    """Return the estimated error (batch…) of a motion, from a second run with a hundred times the tolerance.
+    """Return the estimated error (batch…) of a motion, from further runs with a hundred times the tolerance.
 
-    The error of a motion goes with the tolerance of its steps, so that the second run has nearly all of the difference,
+    The error of a motion goes with the tolerance of its steps, so that a second run has nearly all of the difference,
     at about half the steps. Where samples lie so close that each is a step in both runs, every other sample of the
-    second is moved next to the one after it, so that every other step is twice as long. Events are not compared; where
-    one comes before the second sample the error is None, of a copy in a batch infinite.
+    second is moved next to the one after it, so that every other step is twice as long. What a rounding grows to is
+    seen in two runs more, from starts that are a rounding away, as in ``accuracy``. Events are not compared; where one
+    comes before the second sample the error is None, of a copy in a batch infinite.
     """
     looser = LOOSER * (TOLERANCE if tolerance is None else tolerance)
-    other, every = solve_adaptively(system, solver, state, times, None, step, looser, kept), 1
+
+    def again(start: Array, at: np.ndarray) -> AdaptiveMotion:
+        return solve_adaptively(system, solver, start, at, None, step, looser, kept)
+
+    at, every = times, 1
+    other = again(state, at)
     if len(times) > 2 and other.steps > SAME_STEPS * motion.steps:
-        other, every = solve_adaptively(system, solver, state, _in_pairs(times), None, step, looser, kept), 2
+        at, every = _in_pairs(times), 2
+        other = again(state, at)
+    found = _apart(system, motion, other, kept, every)
+    if found is None:
+        return None
+    off, unknown = found
+    grown = np.zeros(np.shape(off))
+    for kicked in starts_a_rounding_away(system, state):
+        third = again(kicked, at)
+        more = _apart(system, other, third, kept, 1)
+        if more is not None:
+            grown, unknown = np.maximum(grown, np.where(more[1], 0.0, more[0])), unknown | ~third.successful
+    rounding = np.minimum(off, EPS * motion.steps)
+    error = np.where(off > LARGE, off, np.max([off / GAIN, rounding, np.minimum(LUCK * off, grown)], axis=0))
+    return np.where(motion.successful & other.successful & ~np.asarray(unknown), error, np.inf)
+
+
+def _apart(
+    system: AbstractSystem, motion: AdaptiveMotion, other: AdaptiveMotion, kept: int, every: int
+) -> tuple[Array, Array] | None:
+    """Return how far two motions are apart (batch…) and where that is not known; None if nothing can be compared."""
     count = min(len(motion.times), len(other.times)) - (motion.event is not None or other.event is not None)
     rows = np.flatnonzero(np.arange(count) * kept % every == 0)
     if len(rows) < 2:  # the start alone has no error, and says nothing
         return None
     axis = np.ndim(motion.states) - 1 - system.state_axes
     one, two = (np.take(m.states, rows, axis=axis) for m in (motion, other))
-    unknown = False
+    unknown: Any = np.zeros(np.shape(motion.successful), bool)
     if axis:
         beyond = (motion.ends.beyond(motion.times) | other.ends.beyond(other.times))[..., rows]
         unknown = beyond[..., 1]
         one, two = (np.where(beyond.reshape(*beyond.shape, *(1,) * system.state_axes), 0.0, x) for x in (one, two))
     with np.errstate(invalid="ignore"):
-        off = difference(system, one, two)
-    rounding = np.minimum(off, EPS * motion.steps)
-    error = np.where(off > LARGE, off, np.maximum(off / GAIN, rounding))
-    return np.where(motion.successful & other.successful & ~np.asarray(unknown), error, np.inf)
+        return difference(system, one, two), unknown
 
 
 def _in_pairs(times: np.ndarray) -> np.ndarray:
@@ -209,8 +245,10 @@ def _stretch(
     system: AbstractSystem, solver: Any, by: Scales, run: embedded.Run, times: Array, kept: Array,
     largest: Array | None, tolerance: Array, limit: Array,
 ) -> embedded.Run:  # fmt: skip
+    ends, at_jumps = with_jumps(system, times)
+
     def one(by: Scales, run: embedded.Run) -> embedded.Run:
-        return embedded.advance(run, solver, scaled(system, by), times, kept, largest, tolerance, limit)
+        return embedded.advance(run, solver, scaled(system, by), ends, kept, largest, tolerance, limit, at_jumps)
 
     return (jax.vmap(one) if run.time.ndim else one)(by, run)
 

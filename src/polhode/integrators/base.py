@@ -9,10 +9,12 @@ Stability of Numerical Algorithms*, §4.3; Hairer, McLachlan & Razakarivony, BIT
 from __future__ import annotations
 
 import abc
+from collections.abc import Callable
 from typing import Any, ClassVar, NamedTuple
 
 import diffrax
 import equinox as eqx
+import jax
 import jax.numpy as jnp
 
 from polhode.integrators.difference import parts_with_units
@@ -22,6 +24,7 @@ from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.types import Array, ArrayOrFloat, Bool, Double, Float64, Integer
 
 Scalar = Float64[ArrayOrFloat, ""]
+BESIDE = 2e-15  # of a time, by which stages stay beside a jump
 
 
 class Change(NamedTuple):
@@ -94,6 +97,19 @@ class AbstractOrbitSolver(diffrax.AbstractSolver):
         zero = jnp.zeros((), int)
         return Memory(jnp.zeros_like(state), zero, zero, jnp.asarray(True), self.no_hint(state))
 
+    def beside_jumps(self, t: Scalar, h: Scalar) -> Callable[[Scalar], Scalar] | None:
+        """Return what keeps the times of the stages of a step on the step's own side of the system's jumps.
+
+        Composed steps go beyond their end and come back. None where nothing jumps.
+        """
+        jumps = jnp.asarray(self.system.jumps, float)
+        if not jumps.size:
+            return None
+        middle = t + 0.5 * h
+        low = jnp.max(jnp.where(jumps <= middle, jumps + BESIDE * jnp.abs(jumps), -jnp.inf))
+        high = jnp.min(jnp.where(jumps > middle, jumps - BESIDE * jnp.abs(jumps), jnp.inf))
+        return lambda time: jnp.clip(time, low, high)
+
     def advance(
         self, start: Scalar, span: Scalar, state: Double[Array, "*shape"], memory: Memory
     ) -> tuple[Double[Array, "*shape"], Memory]:
@@ -101,7 +117,23 @@ class AbstractOrbitSolver(diffrax.AbstractSolver):
 
         It has derivatives of either mode, of which the memory does not grow with the steps.
         """
-        count = step_count(jnp, span, self.step_size).astype(int)
+        jumps = jnp.asarray(self.system.jumps, float)
+        if not jumps.size:
+            return self._smoothly(start, span, state, memory)
+        forth = jnp.where(span < 0.0, -1.0, 1.0)
+        inside = jnp.sort(jnp.clip(forth * (jumps - start), 0.0, forth * span))
+        ends = jnp.concatenate([jnp.zeros(1), inside, jnp.ravel(forth * span)])
+
+        def over(carried: tuple[Array, Memory], piece: tuple[Array, Array]) -> tuple[tuple[Array, Memory], None]:
+            return self._smoothly(start + forth * piece[0], forth * (piece[1] - piece[0]), *carried), None
+
+        return jax.lax.scan(over, (state, memory), (ends[:-1], ends[1:]))[0]
+
+    def _smoothly(
+        self, start: Scalar, span: Scalar, state: Double[Array, "*shape"], memory: Memory
+    ) -> tuple[Double[Array, "*shape"], Memory]:
+        """Return the state a span after the start, in which nothing jumps; no steps if there is no time between."""
+        count = jnp.where(span == 0.0, 0.0, step_count(jnp, span, self.step_size)).astype(int)
 
         def step(t: Array, h: Array, now: Array, lost: Array, hint: Any) -> tuple[Array, Array, Array, Array, Any]:
             found, hint = self.change_with_hint(t, h, now, hint)
@@ -109,7 +141,8 @@ class AbstractOrbitSolver(diffrax.AbstractSolver):
             later = now + wanted
             return later, (now - later) + wanted, found.iterations, found.converged, hint
 
-        given = Given([], count, jnp.asarray(start, float), jnp.asarray(span / count), state, memory.lost,
+        length = jnp.asarray(span / jnp.maximum(count, 1))
+        given = Given([], count, jnp.asarray(start, float), length, state, memory.lost,
                       memory.iterations, memory.fine, memory.hint)  # fmt: skip
         parts = parts_with_units(self.system, state)
         found = repeated(step, given, parts, self.symmetric, type(self).__name__)

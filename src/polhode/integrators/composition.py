@@ -72,13 +72,17 @@ def stage_times(order: int) -> Float64[np.ndarray, "stages"]:
     return np.cumsum(fractions) - fractions
 
 
-def composed(stage: Stage, order: int, t: Scalar, h: Scalar, state: Double[Array, "..."]) -> Change:
+def composed(
+    stage: Stage, order: int, t: Scalar, h: Scalar, state: Double[Array, "..."],
+    beside: Callable[[Scalar], Scalar] | None = None,
+) -> Change:  # fmt: skip
     """Return the change by stages of t, their length and state that make a step of the order."""
-    return composed_with_hints(lambda t, h, state, _: (stage(t, h, state), ()), order, t, h, state, ())[0]
+    return composed_with_hints(lambda t, h, state, _: (stage(t, h, state), ()), order, t, h, state, (), beside)[0]
 
 
 def composed_with_hints(
-    stage: HintedStage, order: int, t: Scalar, h: Scalar, state: Double[Array, "..."], hints: Any
+    stage: HintedStage, order: int, t: Scalar, h: Scalar, state: Double[Array, "..."], hints: Any,
+    beside: Callable[[Scalar], Scalar] | None = None,
 ) -> tuple[Change, Any]:
     """Return the change by stages that tell each other, from step to step, where to start their search.
 
@@ -89,6 +93,7 @@ def composed_with_hints(
         h: its length [s].
         state: at its start.
         hints: a nest of arrays, the stages along their first axes.
+        beside: keeps the middle of a stage on the step's side of what jumps; None where nothing does.
     """
     if order == 2:
         found, hint = stage(t, h, state, jax.tree.map(lambda x: x[0], hints))
@@ -97,7 +102,10 @@ def composed_with_hints(
 
     def add(k: Array, carried: tuple[Array, Change, Any]) -> tuple[Array, Change, Any]:
         now, total, hints = carried
-        found, hint = stage(t + begins[k] * h, fractions[k] * h, now, jax.tree.map(lambda x: x[k], hints))
+        begin, length = t + begins[k] * h, fractions[k] * h
+        if beside is not None:
+            begin = beside(begin + 0.5 * length) - 0.5 * length
+        found, hint = stage(begin, length, now, jax.tree.map(lambda x: x[k], hints))
         total = Change(
             total.state + found.state, total.iterations + found.iterations, total.converged & found.converged
         )

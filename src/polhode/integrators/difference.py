@@ -1,4 +1,4 @@
-"""How far two motions of one system are apart."""
+"""How far two motions of one system are apart, and starts that are as near as numbers can be."""
 
 from __future__ import annotations
 
@@ -6,14 +6,17 @@ import itertools
 from typing import Any
 
 import jax
+import jax.numpy as jnp
 import numpy as np
 
 from polhode.algebra.se3 import SE3
-from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
+from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem, joined
 from polhode.types import Array, Double, Float64
 
 LARGE = 0.05  # of the state's size: runs that differ by more are not in the regime of small errors
 EPS = float(np.finfo(float).eps)
+KICKS = 2  # starts a rounding away
+LUCK = 100.0  # by which two runs may by chance be nearer to each other than to the true motion
 
 
 def difference(
@@ -44,3 +47,35 @@ def parts_with_units(system: AbstractLiePoissonSystem, state: Double[Array, "...
     start = 0 if system.parts(state).attitude is None else 4
     borders = [*([0] if start else []), start, *([start + 3] if isinstance(system.algebra, SE3) else []), None]
     return [(..., slice(begin, end)) for begin, end in itertools.pairwise(borders)]
+
+
+def starts_a_rounding_away(system: AbstractSystem, state: Double[Array, "..."]) -> list[Double[Array, "..."]]:
+    """Return starts (batch…, …), each off by a rounding of each part that has a unit of its own.
+
+    All copies of a batch are moved along the same direction, so that none depends on where it stands.
+    """
+    rng = np.random.default_rng(1)
+    if not isinstance(system, AbstractLiePoissonSystem):
+        own = np.shape(state)[np.ndim(state) - system.state_axes :]
+        # what is zero stays so, as it may have to be
+        return [jnp.asarray(state) * (1.0 + EPS * rng.normal(size=own)) for _ in range(KICKS)]
+    attitude, point = system.parts(state)
+    return [
+        joined(None if attitude is None else jnp.asarray(attitude) + EPS * _unit(rng, 4), _kicked(system, point, rng))
+        for _ in range(KICKS)
+    ]
+
+
+def _kicked(system: AbstractLiePoissonSystem, point: Array, rng: np.random.Generator) -> Array:
+    """Return a point of the dual, off by a rounding of its size."""
+    algebra = system.algebra
+    vector = np.array(algebra.to_dual_vector(jnp.asarray(point)))
+    for part in parts_with_units(system, point) if len(algebra.element_shape) == 1 else [(...,)]:
+        size = np.linalg.norm(vector[part], axis=-1, keepdims=True)
+        vector[part] += EPS * size * _unit(rng, vector[part].shape[-1])
+    return algebra.from_dual_vector(jnp.asarray(vector))
+
+
+def _unit(rng: np.random.Generator, length: int) -> Array:
+    vector = rng.normal(size=length)
+    return vector / np.linalg.norm(vector)

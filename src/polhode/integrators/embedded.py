@@ -21,6 +21,7 @@ import numpy as np
 from polhode.motion.outcome import Status
 from polhode.types import Array, Bool, Float64, Integer
 
+BESIDE = 2e-15  # of a time, by which the stages of a step stay within it
 EVENT_TOLERANCE = 1e-15  # of an event's time, relative: a few roundings
 TIME_ROUNDING = 2e-15  # of the present time: shorter steps are rounded by a tenth, and a repeated one may be the same
 SHORTEST_STEP = 1e-290  # s; at time zero steps advance however short they are
@@ -115,7 +116,7 @@ def begin(state: Any, times: Float64[Array, "time"], kept: Float64[Array, "kept"
 def advance(
     run: Run, method: diffrax.AbstractERK, problem: Problem, times: Float64[Array, "time"],
     kept: Float64[Array, "kept"], largest: Float64[Array, ""] | None, tolerance: Float64[Array, ""],
-    limit: Integer[Array, ""] | int,
+    limit: Integer[Array, ""] | int, jumps: Bool[Array, "time"] | None = None,
 ) -> Run:  # fmt: skip
     """Return the run at its end, or after as many steps as the limit.
 
@@ -123,11 +124,12 @@ def advance(
         run: as ``begin`` or ``advance`` gave it.
         method: an explicit Runge–Kutta method.
         problem: what is integrated.
-        times: (T,) [s] that steps end at, in one direction.
+        times: (T,) [s] that steps end at, in one direction; of equal ones the jumps come last.
         kept: (K,) those to save at.
         largest: step [s], or None.
         tolerance: of a step, relative to each component and to one.
         limit: of the steps since the start of the run.
+        jumps: which of the times rates of change jump at; None for a run without.
     """
     rates, margin, seen = problem
     order: Any = method.error_order(diffrax.ODETerm(lambda t, y, args: y))
@@ -144,7 +146,8 @@ def advance(
         middle = run.low + 0.5 * (run.high - run.low)
         time = jnp.where(clipped, goal, run.time + jnp.where(seeking, middle, run.step))
         h = time - run.time  # of the times as they are rounded, or far from zero the state would run ahead of them
-        later, error, slope = _stepped(method, rates, run.time, run.state, h, run.slope)
+        moment = _within(run.time, time, forth) if jumps is not None else lambda t: t
+        later, error, slope = _stepped(method, lambda t, y: rates(moment(t), y), run.time, run.state, h, run.slope)
         size = _size(error, run.state, later, tolerance)
         fine = size < 1.0
         # what is not a number any more is past as well: the margin ends there
@@ -164,7 +167,10 @@ def advance(
         if largest is not None:
             step = forth * jnp.minimum(jnp.abs(step), largest)
         stuck = ~fine & ~seeking & ~(jnp.abs(step) >= shortest)
-        stuck |= ~probing & ~seeking & (h == 0.0)  # times too coarse for the step
+        at_jump = jumps[jnp.minimum(run.index, count - 1)] if jumps is not None else jnp.asarray(False)
+        stuck |= ~probing & ~seeking & (h == 0.0) & ~(at_jump & clipped)  # times too coarse for the step
+        # behind a jump nothing is known of the rates, and a step is sought as at the start
+        step = jnp.where(reached & at_jump, 0.0, step)
         # the event lies between two offsets, of which every trial replaces one
         low = jnp.where(seeking & ~past, h, run.low)
         high = jnp.where(past, h, run.high)
@@ -199,6 +205,13 @@ def at_event(run: Run, rates: Rates, margin: Margin) -> tuple[Float64[Array, ""]
     ended = (run.status == Status.EVENT) & (rate != 0.0)
     change = jnp.where(ended, -(value - still(value)) / jnp.where(ended, still(rate), 1.0), 0.0)
     return time + change, jax.tree.map(lambda y, v: y + still(v) * change, state, slope)
+
+
+def _within(begin: Array, end: Array, forth: Array) -> Callable[[Array], Array]:
+    """Return what moves a time into the inside of a step, so that no stage is at the other side of a jump."""
+    beside = forth * jnp.maximum(BESIDE * jnp.maximum(jnp.abs(begin), jnp.abs(end)), SHORTEST_STEP)
+    low, high = forth * (begin + beside), forth * jnp.where(end == begin, begin + beside, end - beside)
+    return lambda t: forth * jnp.clip(forth * t, low, jnp.maximum(low, high))
 
 
 def _stepped(method: Any, rates: Rates, time: Array, state: Any, h: Array, slope: Any) -> tuple[Any, Any, Any]:

@@ -62,7 +62,7 @@ class IsospectralMidpoint(AbstractOrbitSolver):
         return self.change_with_hint(t, h, state, self.no_hint(state))[0]
 
     def change_with_hint(self, t: Scalar, h: Scalar, state: Double[Array, "..."], hint: Any) -> tuple[Change, Any]:
-        return composed_with_hints(self._stage, self.own_order, t, h, state, hint)
+        return composed_with_hints(self._stage, self.own_order, t, h, state, hint, self.beside_jumps(t, h))
 
     def no_hint(self, state: Double[Array, "..."]) -> Past:
         count = len(stages(self.own_order))

@@ -59,7 +59,7 @@ class LieMidpoint(AbstractOrbitSolver):
         return self.own_order
 
     def change(self, t: Scalar, h: Scalar, state: Double[Array, "..."]) -> Change:
-        return composed(self._stage, self.own_order, t, h, state)
+        return composed(self._stage, self.own_order, t, h, state, self.beside_jumps(t, h))
 
     def _stage(self, t: Array, h: Array, state: Array) -> Change:
         algebra, (attitude, point) = self.system.algebra, self.system.parts(state)

@@ -42,18 +42,21 @@ class MuntheKaas(AbstractOrbitSolver):
 
     def change(self, t: Scalar, h: Scalar, state: Double[Array, "..."]) -> Change:
         algebra, (attitude, point) = self.system.algebra, self.system.parts(state)
-        half_way = t + 0.5 * h
+        begin, half_way, end = t, t + 0.5 * h, t + h
+        beside = self.beside_jumps(t, h)
+        if beside is not None:
+            begin, end = beside(begin), beside(end)
 
         def slope(time: Array, u: Array) -> Array:
             xi = h * self.system.generator(time, point + algebra.exp_change(u, point))
             once = algebra.bracket(u, xi)
             return xi + 0.5 * once + algebra.bracket(u, once) / 12.0
 
-        k1 = h * self.system.generator(t, point)
+        k1 = h * self.system.generator(begin, point)
         if self.own_order == 2:
             u = h * self.system.generator(half_way, point + algebra.exp_change(0.5 * k1, point))
         else:
             k2 = slope(half_way, 0.5 * k1)
             k3 = slope(half_way, 0.5 * k2)
-            u = (k1 + 2.0 * k2 + 2.0 * k3 + slope(t + h, k3)) / 6.0
+            u = (k1 + 2.0 * k2 + 2.0 * k3 + slope(end, k3)) / 6.0
         return explicit(joined(attitude_by_exp(attitude, u), algebra.exp_change(u, point)))

@@ -137,7 +137,8 @@ def sampled(
     by = scales(system, times[0], state)
     own = scaled(system, by, observe)
     run = embedded.begin(start(by, state), times, kept, own.seen)
-    run = embedded.advance(run, solver, own, times, kept, largest, tolerance, MOST_STEPS)
+    ends, at_jumps = with_jumps(system, times)
+    run = embedded.advance(run, solver, own, ends, kept, largest, tolerance, MOST_STEPS, at_jumps)
     ending = run.end, run.end_state
     if own.margin:
         ending = embedded.at_event(run, own.rates, own.margin)
@@ -175,11 +176,15 @@ def _by_diffrax(
         return own.margin(t, y)  # type: ignore[misc]
 
     control = PresentTimeControl(rtol=tolerance, atol=tolerance, dtmax=largest)
+    # what is not between the first and the last time is moved behind it, as diffrax steps over each
+    jumps = jnp.ravel(jnp.asarray(system.jumps, float))
+    between = (jumps - times[0]) * (times[-1] - jumps) > 0.0
+    at_jumps = jnp.where(between, jumps, 2.0 * times[-1] - times[0]) if jumps.size else None
     saving = diffrax.SubSaveAt(ts=kept, fn=lambda t, y, args: own.seen(t, y))
     # samples are steps: interpolation between steps costs three digits
     solution: Any = diffrax.diffeqsolve(
         diffrax.ODETerm(lambda t, y, args: own.rates(t, y)), solver, times[0], times[-1], None, start(by, state),
-        stepsize_controller=diffrax.ClipStepSizeController(control, step_ts=times),
+        stepsize_controller=diffrax.ClipStepSizeController(control, step_ts=times, jump_ts=at_jumps),
         saveat=diffrax.SaveAt(subs=[saving, diffrax.SubSaveAt(t1=True)]),
         event=diffrax.Event(lowest, EventBisection(), direction=False) if own.margin else None,
         max_steps=MOST_STEPS, progress_meter=diffrax.NoProgressMeter() if meter is None else meter, throw=False,
@@ -193,6 +198,20 @@ def _by_diffrax(
     last = jax.tree.map(lambda y: y[0], last)
     steps = solution.stats["num_steps"]
     return unscaled(system, by, saved, solution.ts[1][0], last, status, steps, observe is None)
+
+
+def with_jumps(
+    system: AbstractSystem, times: Float64[Array, "time"]
+) -> tuple[Float64[Array, "ends"], Bool[Array, "ends"] | None]:
+    """Return at which times steps end, and which of them are jumps; those outside of the times fall on their ends."""
+    jumps = jnp.ravel(jnp.asarray(system.jumps, float))
+    if not jumps.size:
+        return times, None
+    forth = jnp.sign(times[-1] - times[0])
+    first, last = forth * times[0], forth * times[-1]
+    whole = jnp.concatenate([forth * times, jnp.clip(forth * jumps, first, last)])
+    order = jnp.argsort(whole, stable=True)  # of equal times the sample comes first
+    return forth * whole[order], order >= times.shape[0]
 
 
 class EventBisection(optimistix.Bisection):

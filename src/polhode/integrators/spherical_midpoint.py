@@ -48,7 +48,7 @@ class SphericalMidpoint(AbstractOrbitSolver):
         attitude, point = self.system.parts(state)
         if attitude is not None:
             raise InvalidInput("`SphericalMidpoint` moves momenta only, not an attitude; take LieMidpoint.")
-        return composed(self._stage, self.own_order, t, h, point)
+        return composed(self._stage, self.own_order, t, h, point, self.beside_jumps(t, h))
 
     def _stage(self, t: Array, h: Array, point: Array) -> Change:
         half_way = t + 0.5 * h

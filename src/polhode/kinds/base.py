@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from importlib import import_module, resources
@@ -17,6 +17,7 @@ from polhode.bodies.surface import Surface
 from polhode.errors import InvalidInput, shown
 from polhode.formats.labels import AttitudeLabels
 from polhode.motion.trajectory import Trajectory
+from polhode.reports.answer import Group, Table
 from polhode.reports.base import AbstractMotionReport, AbstractReport
 from polhode.spec.building import build_spin
 from polhode.spec.models import BodyTable, SpinTable, SystemTable
@@ -167,6 +168,16 @@ class AbstractKind:
             return answers.motion_of(spec)
         report = answers.report_of(spec)
         return SpecMotion(report.trajectory, report.mechanics)
+
+    def answers_without_motion(self, spec: Spec) -> Iterable[Group | Table]:
+        """Return those of the report's answers that take no motion, by ``answers.answers_without_motion`` where there
+        is one; none elsewhere. They are computed one after the other as they are taken, the quickest first.
+
+        Raises:
+            InvalidInput: for values that the system refuses.
+        """
+        answers = self._part("answers")
+        return answers.answers_without_motion(spec) if hasattr(answers, "answers_without_motion") else ()
 
     def next_steps(self, spec: Spec) -> Sequence[NextStep]:
         """Return the commands to go on with from a report of this kind."""

@@ -47,6 +47,21 @@ class AbstractReport(abc.ABC):
         return plain({"system": self.kind, **values_of(answers), **ends})
 
 
+def left_out(kind: type) -> Any:
+    """Return what stands for an object of a class in a report of which no answer that takes it is asked."""
+
+    class LeftOut(kind):
+        def __getattribute__(self, name: str) -> Any:
+            if name.startswith("__"):
+                return super().__getattribute__(name)
+            raise AssertionError(f"an answer asks for `{name}` of a {kind.__name__} that was left out")
+
+    return tuple.__new__(LeftOut) if issubclass(kind, tuple) else object.__new__(LeftOut)
+
+
+WITHOUT_MOTION: Trajectory = left_out(Trajectory)
+
+
 class AbstractMotionReport(AbstractReport):
     """Answers about one motion of one system.
 

@@ -13,7 +13,8 @@ from polhode.types import Array, Float64
 
 LONGEST = 600.0  # s that a run may take by these estimates
 SAID_FROM = 5.0  # s from which it is said
-SPLITTING, ADAPTIVE = 2e-5, 4e-5  # s a step: at order 6, 5 to 10 µs were measured, of Dopri8 34 to 42 µs
+# s a step, with the runs that tell its error: at order 6, 8 to 17 µs were measured, of Dopri8 50 to 60 µs
+SPLITTING, ADAPTIVE = 2e-5, 6e-5
 TURNING = 2.0  # steps of Dopri8 to a radian of steady rotation, at its tolerance: 2.1 was measured
 ORBITING = 7.0  # the same of mean anomaly, for a spin near an orbit's rate: 7.4 was measured at e = 0.1
 PIECES = 8  # of a long step cost about as much as a step: each of its nine stages has one at least

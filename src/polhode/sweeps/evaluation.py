@@ -15,7 +15,8 @@ from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.kinds.base import Ensemble, ManySpecs, Spec
 from polhode.kinds.reading import spec_of_tables
 from polhode.motion.trajectory import Trajectory
-from polhode.reports.answer import Group, Table
+from polhode.reports.answer import Group, Table, values_of
+from polhode.reports.base import plain
 from polhode.spec.keys import as_written, with_value
 from polhode.sweeps.bodies import bodies_of
 from polhode.sweeps.plan import STATES, Plan
@@ -130,9 +131,8 @@ class Evaluator:
 
     def _columns(self, spec: Spec) -> list[Column]:
         """Return what the outputs of one sample are; numbers that are not defined may turn out to be words."""
-        report = spec.report() if len(self.plan.states) < len(self.plan.outputs) else None
-        answers = {} if report is None else report.as_json_dict()
-        units = {} if report is None else _units(report.answers())
+        answers, groups = self._answers(spec)
+        units = _units(groups)
         trajectory = self._trajectory(spec) if self.plan.states else None
         return [
             _state_column(name, trajectory, self.plan.times) if trajectory is not None and name in self.plan.states
@@ -227,7 +227,7 @@ class Evaluator:
         for k in range(count):
             try:
                 spec = self.spec_of(inputs, k)
-                answers = spec.report().as_json_dict() if len(self.plan.states) < len(values) else {}
+                answers, _ = self._answers(spec)
                 trajectory = self._trajectory(spec) if self.plan.states else None
                 for column in self.columns:
                     if trajectory is not None and column.name in self.plan.states:
@@ -240,6 +240,23 @@ class Evaluator:
             except NotConverged as error:
                 lost[k] = str(error)
         return values, refused, lost
+
+    def _answers(self, spec: Spec) -> tuple[dict[str, Any], list[Group | Table]]:
+        """Return answers as the JSON has them, all outputs among them, and where they stand; nothing more than needed.
+
+        A motion is computed only if an output takes one.
+        """
+        wanted = [name for name in self.plan.outputs if name not in self.plan.states]
+        groups: list[Group | Table] = []
+        if not wanted:
+            return {}, groups
+        for group in spec.kind.answers_without_motion(spec):
+            groups.append(group)
+            found = plain(values_of(groups))
+            if all(_has(found, name) for name in wanted):
+                return found, groups
+        report = spec.report()
+        return report.as_json_dict(), report.answers()
 
     def _trajectory(self, spec: Spec) -> Trajectory:
         """Return the motion with samples at the times of the states."""

@@ -8,8 +8,9 @@ from typing import Any
 import equinox as eqx
 import jax
 import jax.numpy as jnp
+import numpy as np
 
-from polhode.arrays import in_jax_numpy
+from polhode.arrays import in_jax_numpy, is_traced, refuse_single_precision
 from polhode.errors import InvalidInput, PolhodeError, shown
 from polhode.motion.layout import StateLayout, StatePart
 from polhode.types import Array, ArrayLike, Float64, Real
@@ -45,9 +46,30 @@ class AbstractAttachment(eqx.Module):
         return StateLayout(self.state_parts).part(own, name)
 
     @property
+    def jumps(self) -> Float64[Array, "jumps"]:
+        """(J,) times [s] at which it starts, ends or jumps, which no step goes across; none by default."""
+        return jnp.zeros(0)
+
+    @property
     def needs_attitude(self) -> bool:
         """Whether it depends on how the body is turned; then states must carry the attitude."""
         return False
+
+
+def checked_jumps(jumps: Real[ArrayLike, "jumps"]) -> Float64[Array, "jumps"]:
+    """Return times [s] at which something jumps as an array (J,).
+
+    Raises:
+        InvalidInput: for what is not a list of finite numbers.
+    """
+    refuse_single_precision(jumps=jumps)
+    try:
+        times = jnp.asarray(jumps, dtype=float)
+    except (TypeError, ValueError):
+        times = jnp.zeros(())
+    if times.ndim != 1 or not (is_traced(times) or np.isfinite(np.asarray(times)).all()):
+        raise InvalidInput(f"`jumps` must be a list of finite times (J,) [s]; got {shown(jumps)}.")
+    return times
 
 
 def checked_attachments(

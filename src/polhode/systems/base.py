@@ -133,6 +133,15 @@ class AbstractSystem(HashableModule):
         """What ends the motion, named: functions of t and one state, positive until their zero."""
         return {}
 
+    @property
+    def jumps(self) -> Float64[Array, "jumps"]:
+        """(J,) times [s] at which rates of change jump, as where a torque starts or ends; none by default.
+
+        Steps end at them, and no stage of a step looks beyond them. ``simulate`` finds others by trying times, but none
+        between which less time passes than between its trials.
+        """
+        return jnp.zeros(0)
+
     def layout(self, state: Double[Array, "..."]) -> StateLayout:
         """Return which numbers of packed states like this one mean what."""
         return StateLayout()

@@ -12,7 +12,15 @@ import numpy as np
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
 from polhode.motion.layout import StatePart
-from polhode.systems.attachments import AbstractAttachment, Attitude, Own, Time, Velocity, checked_attachments
+from polhode.systems.attachments import (
+    AbstractAttachment,
+    Attitude,
+    Own,
+    Time,
+    Velocity,
+    checked_attachments,
+    checked_jumps,
+)
 from polhode.systems.free_rigid_body import checked_vector
 from polhode.systems.kepler_orbit import checked_number
 from polhode.types import Array, ArrayLike, Float64, Real
@@ -100,6 +108,7 @@ class Rotor(AbstractMount):
             rate) of the time (…) [s], the attitude (…, 4), Ω (…, 3) and σ (…), batched and written with ``jax.numpy``;
             None for no motor. A function needs states that have the attitude.
         friction: c of the bearing [N m s], not negative.
+        jumps: (J,) times [s] at which the motor's torque jumps; see ``AbstractSystem.jumps``.
 
     Raises:
         InvalidInput: for an axis without direction, a moment that is not positive, a friction that is negative.
@@ -116,15 +125,22 @@ class Rotor(AbstractMount):
     moment: Float64[Array, ""]
     motor: Float64[Array, ""] | Motor | None
     friction: Float64[Array, ""] | None
+    jump_times: Float64[Array, "jumps"]
 
     @known_numbers_only
     def __init__(
-        self, axis: Real[ArrayLike, "3"], moment: float, motor: float | Motor | None = None, friction: float = 0.0
-    ) -> None:
+        self, axis: Real[ArrayLike, "3"], moment: float, motor: float | Motor | None = None, friction: float = 0.0,
+        jumps: Real[ArrayLike, "jumps"] = (),
+    ) -> None:  # fmt: skip
         self.axis, self.moment = checked_direction("axis", axis), checked_number("moment", moment, 0.0, unit="kg m²")
         self.motor = motor if motor is None or callable(motor) else checked_number("motor", motor, unit="N m")
         found = checked_number("friction", friction, least=0.0, unit="N m s")
         self.friction = found if float(found) else None
+        self.jump_times = checked_jumps(jumps)
+
+    @property
+    def jumps(self) -> Float64[Array, "jumps"]:
+        return self.jump_times
 
     @property
     def state_parts(self) -> tuple[StatePart, ...]:

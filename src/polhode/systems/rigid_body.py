@@ -78,6 +78,12 @@ class AbstractRigidBody(AbstractSystem):
         return any(attachment.needs_attitude for attachment in chain(self.mounts, self.torques))
 
     @property
+    def jumps(self) -> Float64[Array, "jumps"]:
+        """(J,) times [s] at which a mount or a torque starts, ends or jumps."""
+        own = [jnp.ravel(jnp.asarray(x.jumps, dtype=float)) for x in chain(self.mounts, self.torques)]
+        return jnp.concatenate([*own, jnp.zeros(0)])
+
+    @property
     def own_parts(self) -> tuple[StatePart, ...]:
         """The parts of the state behind the momentum: of the mounts, then of the torques; equal names are counted."""
         parts = [part for attachment in chain(self.mounts, self.torques) for part in attachment.state_parts]

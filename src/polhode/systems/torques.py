@@ -14,7 +14,15 @@ from polhode import rotation
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
 from polhode.motion.layout import StatePart
-from polhode.systems.attachments import AbstractAttachment, Attitude, Own, Time, Velocity, checked_attachments
+from polhode.systems.attachments import (
+    AbstractAttachment,
+    Attitude,
+    Own,
+    Time,
+    Velocity,
+    checked_attachments,
+    checked_jumps,
+)
 from polhode.systems.free_rigid_body import checked_moments
 from polhode.systems.kepler_orbit import KeplerOrbit, checked_number
 from polhode.types import Array, ArrayLike, Float64, Real
@@ -109,22 +117,32 @@ class LaggedTorque(AbstractTorque):
         command: u (…, 3) [N m, body axes], a function (t, attitude, angular_velocity) of the time (…) [s], the attitude
             (…, 4) and Ω (…, 3), batched and written with ``jax.numpy``. It asks for states with the attitude.
         time_constant: T [s], positive.
+        jumps: (J,) times [s] at which the command jumps; see ``AbstractSystem.jumps``.
 
     Raises:
-        InvalidInput: for a command that is not a function, or a time constant that is not positive.
+        InvalidInput: for a command that is not a function, a time constant that is not positive, or jumps that are not
+            times.
     """
 
     command: Command
     time_constant: Float64[Array, ""]
+    jump_times: Float64[Array, "jumps"]
 
     @known_numbers_only
-    def __init__(self, command: Command, time_constant: float) -> None:
+    def __init__(
+        self, command: Command, time_constant: float, jumps: Real[ArrayLike, "jumps"] = ()
+    ) -> None:
         if not callable(command):
             raise InvalidInput(
                 f"`command` must be a function (t, attitude, angular_velocity) that gives a torque (…, 3) [N m]; "
                 f"got {shown(command)}. For a constant one write `lambda t, attitude, velocity: 0 * velocity + torque`."
             )
         self.command, self.time_constant = command, checked_number("time_constant", time_constant, 0.0, unit="s")
+        self.jump_times = checked_jumps(jumps)
+
+    @property
+    def jumps(self) -> Float64[Array, "jumps"]:
+        return self.jump_times
 
     @property
     def state_parts(self) -> tuple[StatePart, ...]:

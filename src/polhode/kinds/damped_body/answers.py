@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import ClassVar
 
 import diffrax
@@ -37,9 +39,108 @@ from polhode.systems.torqued_body import TorquedBody
 from polhode.systems.torques import AbstractTorque, GravityGradient, LinearDrag, QuadraticDrag
 from polhode.types import Array, Float64
 
+WITHIN = "L to stay within 5° of the major axis"
 FLAT_SPIN = "time to within 5° of a flat spin"
 DECAYS = 5.0  # time constants of drag followed where no end is given
+STIFF = 0.25  # steps of Dopri8 in the time constant of the fastest loss, however little is left to lose: measured
 MOST_TURNS = 20_000.0  # of the start, followed where no end is given
+
+
+@dataclass(frozen=True)
+class DampedStart:
+    """What the start of a body with losses tells, without its motion.
+
+    Attributes:
+        spec: as it was read.
+        table: the losses as they stand in the spec.
+        momentum: (3,) L at the start [kg m²/s, principal axes].
+        attitude: (4,) at the start, of the principal axes.
+        system: what moves.
+    """
+
+    spec: Spec
+    table: DampedBodyTable
+    momentum: Float64[Array, "3"]
+    attitude: Float64[Array, "4"]
+    system: DoubleBracket | TorquedBody
+
+    @property
+    def body(self) -> Body:
+        assert self.spec.body is not None
+        return self.spec.body
+
+    @property
+    def norm(self) -> float:
+        """|L| [kg m²/s]."""
+        return float(np.linalg.norm(self.momentum))
+
+    @cached_property
+    def axes(self) -> tuple[Stability, ...]:
+        """Verdicts on rotation about each principal axis, as a direction of L at this |L|; none at rest."""
+        return damped_axis_stability(self.system, self.norm) if self.norm else ()
+
+    @property
+    def time_constant(self) -> float | None:
+        """Of the last approach to the major axis, or of the spin about it that drag brakes, at the start [s]."""
+        if self.table.inside or not self.axes:
+            return time_constant(self.axes[2]) if self.axes else None
+        moment = float(self.body.principal_moments[2])
+        return _drag_time(self.table, moment, self.norm / moment)
+
+    @property
+    def damping(self) -> float | None:
+        """α |L| of losses inside; None of others."""
+        if not (self.table.inside and self.norm):
+            return self.table.damping
+        return self.norm * _sink_rate(self.table, self.body.principal_moments, self.momentum)
+
+    def from_one_degree(self) -> float | None:
+        """Return when a spin 1° off the axis that this one starts on comes to a flat spin [s]; None elsewhere."""
+        moments, norm = self.body.principal_moments, self.norm
+        at = [k for k in (0, 1) if norm and moments[k] < moments[2] and angle_to_axis(self.momentum, k) <= ON_AXIS]
+        if not self.table.inside or self.damping is None or not at:
+            return None
+        off = np.full(3, math.sin(math.radians(1.0)) / math.sqrt(2.0))
+        off[at[0]] = math.cos(math.radians(1.0))
+        return flat_spin_time(moments, norm * off, self.damping / norm)
+
+    def losses(self) -> Group:
+        """Return what is lost, and how it was given."""
+        orbiting = self.table.orbital_period is not None
+        return Group("Losses", [
+            Answer("damping", self.damping, "", "losses inside", "α |L|"),
+            Answer("damping_time", self.table.damping_time, "s", "given by the damping time"),
+            Answer("loss_rate", self.table.loss_rate, "W", "given by the loss at the start"),
+            Answer("linear_drag", self.table.linear_drag, "N m s", "linear drag"),
+            Answer("quadratic_drag", self.table.quadratic_drag, "N m s²", "quadratic drag"),
+            Answer("orbital_period", self.table.orbital_period, "s", "orbital period"),
+            Answer("eccentricity", self.table.eccentricity or 0.0 if orbiting else None, "", "eccentricity"),
+        ])  # fmt: skip
+
+    def verdicts(self) -> Table:
+        """Return the verdicts on the axes."""
+        rows = [
+            {"axis": k + 1, "moment": self.body.principal_moments[k], "time_constant": time_constant(found),
+             **stability_values(found)} for k, found in enumerate(self.axes)
+        ]  # fmt: skip
+        title = "L along each principal axis, with the losses, at the |L| of the start"
+        units = {"moment": "kg m²", "time_constant": "s"}
+        return verdicts("axes", title, "axis", lambda row: str(row["axis"]), rows, units)
+
+    def settling(self) -> Answer:
+        """Return the time constant at the start."""
+        which = "approach to the major axis" if self.table.inside else "spin about the major axis, at first"
+        return Answer("time_constant", self.time_constant, "s", f"time constant of the {which}")
+
+    def flat_spin(self) -> list[Answer]:
+        """Return when L comes to stay within 5° of the major axis, by the energy-sink method."""
+        if not self.table.inside or self.damping is None or not self.norm:
+            return []
+        expected = flat_spin_time(self.body.principal_moments, self.momentum, self.damping / self.norm)
+        return [
+            Answer("flat_spin_time.energy_sink", expected, "s", f"{FLAT_SPIN}, by mean losses", WITHIN),
+            Answer("flat_spin_time.from_one_degree", self.from_one_degree(), "s", f"{FLAT_SPIN}, from 1° off", WITHIN),
+        ]
 
 
 @dataclass(frozen=True)
@@ -47,22 +148,28 @@ class DampedBodyReport(AbstractMotionReport):
     """A body with losses.
 
     Attributes:
-        table: the losses as they stand in the spec.
-        axes: verdicts on rotation about each principal axis, as a direction of L at the |L| of the start.
+        start: what it tells without the motion.
         cut: whether the motion was ended before it settled.
     """
 
     kind: ClassVar[str] = "damped-body"
-    spec: Spec
-    table: DampedBodyTable
+    start: DampedStart
     trajectory: Trajectory
-    axes: tuple[Stability, ...]
     cut: bool
 
     @property
+    def table(self) -> DampedBodyTable:
+        """The losses as they stand in the spec."""
+        return self.start.table
+
+    @property
+    def axes(self) -> tuple[Stability, ...]:
+        """Verdicts on rotation about each principal axis, as a direction of L at the |L| of the start."""
+        return self.start.axes
+
+    @property
     def body(self) -> Body:
-        assert self.spec.body is not None
-        return self.spec.body
+        return self.start.body
 
     @property
     def inside(self) -> bool:
@@ -86,14 +193,6 @@ class DampedBodyReport(AbstractMotionReport):
         return angle_to_major_axis(self.trajectory.momentum, self.body.principal_moments)
 
     @property
-    def time_constant(self) -> float | None:
-        """Of the last approach to the major axis, or of the spin about it that drag brakes, at the start [s]."""
-        if self.inside or not self.axes:
-            return time_constant(self.axes[2]) if self.axes else None
-        moment = float(self.body.principal_moments[2])
-        return _drag_time(self.table, moment, float(self.momentum_norm[0]) / moment)
-
-    @property
     def summary(self) -> str:
         if not self.axes and not self.momentum_norm.any():
             return "The body is at rest."
@@ -109,7 +208,7 @@ class DampedBodyReport(AbstractMotionReport):
 
     @property
     def notes(self) -> list[str]:
-        notes = [*self.spec.remarks]
+        notes = [*self.start.spec.remarks]
         if self.inside and self.axes:
             notes += self._leaving()
         elif self.cut:
@@ -120,11 +219,11 @@ class DampedBodyReport(AbstractMotionReport):
 
     def _leaving(self) -> list[str]:
         """Return what losses inside make of a spin that is not about the major axis."""
-        start, moments = np.asarray(self.trajectory.momentum)[0], self.body.principal_moments
-        norm, settles = float(self.momentum_norm[0]), self.angle_to_major_axis[-1] <= math.radians(1.0)
+        start, moments = self.start.momentum, self.body.principal_moments
+        norm, settles = self.start.norm, self.angle_to_major_axis[-1] <= math.radians(1.0)
         at = [k for k in (0, 1) if moments[k] < moments[2] and angle_to_axis(start, k) <= ON_AXIS]
         if at:
-            later = self._from_one_degree()
+            later = self.start.from_one_degree()
             then = "" if later is None else f" From 1° off it comes to a flat spin in {duration(later)}."
             why = f"it starts exactly on axis {at[0] + 1}, where nothing pushes it off. The least disturbance makes it "
             return [f"{why}leave, as Explorer 1 did in 1958.{then} Give spin.tilt to see it."]
@@ -138,43 +237,14 @@ class DampedBodyReport(AbstractMotionReport):
             found.append(f"it has not settled; give a later time.until{wait}.")
         return found
 
-    def _from_one_degree(self) -> float | None:
-        """Return when a spin 1° off the axis that this one starts on comes to a flat spin [s]; None elsewhere."""
-        start, norm = np.asarray(self.trajectory.momentum)[0], float(self.momentum_norm[0])
-        moments = self.body.principal_moments
-        at = [k for k in (0, 1) if norm and moments[k] < moments[2] and angle_to_axis(start, k) <= ON_AXIS]
-        if not self.inside or self.damping is None or not at:
-            return None
-        off = np.full(3, math.sin(math.radians(1.0)) / math.sqrt(2.0))
-        off[at[0]] = math.cos(math.radians(1.0))
-        return flat_spin_time(moments, norm * off, self.damping / norm)
-
     def answers(self) -> list[Group | Table]:
-        orbiting = self.table.orbital_period is not None
-        losses = Group("Losses", [
-            Answer("damping", self.damping, "", "losses inside", "α |L|"),
-            Answer("damping_time", self.table.damping_time, "s", "given by the damping time"),
-            Answer("loss_rate", self.table.loss_rate, "W", "given by the loss at the start"),
-            Answer("linear_drag", self.table.linear_drag, "N m s", "linear drag"),
-            Answer("quadratic_drag", self.table.quadratic_drag, "N m s²", "quadratic drag"),
-            Answer("orbital_period", self.table.orbital_period, "s", "orbital period"),
-            Answer("eccentricity", self.table.eccentricity or 0.0 if orbiting else None, "", "eccentricity"),
-        ])  # fmt: skip
-        rows = [
-            {"axis": k + 1, "moment": self.body.principal_moments[k], "time_constant": time_constant(found),
-             **stability_values(found)} for k, found in enumerate(self.axes)
-        ]  # fmt: skip
-        title = "L along each principal axis, with the losses, at the |L| of the start"
-        units = {"moment": "kg m²", "time_constant": "s"}
-        axes = verdicts("axes", title, "axis", lambda row: str(row["axis"]), rows, units)
-        return [about_body(self.body), losses, axes, self._motion()]
+        return [about_body(self.body), self.start.losses(), self.start.verdicts(), self._motion()]
 
     def _motion(self) -> Group:
         energy, norm, moments = self.energy, self.momentum_norm, self.body.principal_moments
         error = self.trajectory.error_estimate
         start, end = (float(self.angle_to_major_axis[k]) for k in (0, -1))
         lowest = float(0.5 * norm[0] ** 2 / moments[2]) if self.inside else None
-        which = "of the approach to the major axis" if self.inside else "of the spin about the major axis, at first"
         return Group("Motion", [
             Answer("start.time", float(self.trajectory.times[0]), "s"),
             Answer("end.time", float(self.trajectory.times[-1]), "s", "time"),
@@ -187,37 +257,24 @@ class DampedBodyReport(AbstractMotionReport):
             Answer("start.angle_to_major_axis", start, "rad", "L to the major axis at the start"),
             Answer("end.angle_to_major_axis", end, "rad", "L to the major axis at the end", "",
                    angle(end, None if error is None else float(error))),
-            Answer("time_constant", self.time_constant, "s", f"time constant {which}"),
-            *self._flat_spin(),
+            self.start.settling(),
+            *self.start.flat_spin(),
+            *self._flat_spin_seen(),
             *accuracy(self.trajectory, "drift of what is kept or balanced"),
         ])  # fmt: skip
 
-    @property
-    def damping(self) -> float | None:
-        """α |L| of losses inside; None of others."""
-        norm = float(self.momentum_norm[0])
-        moments, start = self.body.principal_moments, np.asarray(self.trajectory.momentum)[0]
-        return norm * _sink_rate(self.table, moments, start) if self.inside and norm else self.table.damping
-
-    def _flat_spin(self) -> list[Answer]:
-        """Return when L comes to stay within 5° of the major axis, by the energy-sink method and in the motion."""
-        if not self.inside or self.damping is None or not self.momentum_norm[0]:
+    def _flat_spin_seen(self) -> list[Answer]:
+        """Return when L comes to stay within 5° of the major axis in the motion."""
+        if not self.start.flat_spin():
             return []
-        moments, start = self.body.principal_moments, np.asarray(self.trajectory.momentum)[0]
         away = np.flatnonzero(self.angle_to_major_axis > FLAT)
         seen = None if len(away) and away[-1] == len(self.angle_to_major_axis) - 1 else 0.0
         if seen is not None and len(away):
             seen = float(self.trajectory.times[away[-1] + 1] - self.trajectory.times[0])
         spacing = None if seen is None or not len(away) else float(np.diff(self.trajectory.times)[away[-1]])
         words = None if seen is None else uncertain(seen, spacing, "s")
-        expected = flat_spin_time(moments, start, self.damping / float(self.momentum_norm[0]))
-        within = "L to stay within 5° of the major axis"
-        return [
-            Answer("flat_spin_time.energy_sink", expected, "s", f"{FLAT_SPIN}, by mean losses", within),
-            Answer("flat_spin_time.from_one_degree", self._from_one_degree(), "s",
-                   f"{FLAT_SPIN}, from 1° off", within),
-            Answer("flat_spin_time.motion", seen, "s", f"{FLAT_SPIN}, in the motion", f"{within}, at a sample", words),
-        ]
+        said = f"{FLAT_SPIN}, in the motion"
+        return [Answer("flat_spin_time.motion", seen, "s", said, f"{WITHIN}, at a sample", words)]
 
     def _at_both_ends(self, name: str, values: Array, unit: str, label: str, explanation: str = "") -> list[Answer]:
         return [
@@ -232,8 +289,8 @@ def report_of(spec: Spec) -> DampedBodyReport:
     Raises:
         InvalidInput: for a body with a vanishing moment.
     """
-    trajectory, axes, cut = _moved(spec, judged=True)
-    return DampedBodyReport(spec, spec.system, trajectory, axes, cut)
+    start = _start_of(spec)
+    return DampedBodyReport(start, *_moved(spec, start))
 
 
 def motion_of(spec: Spec) -> SpecMotion:
@@ -242,12 +299,25 @@ def motion_of(spec: Spec) -> SpecMotion:
     Raises:
         InvalidInput: for a body with a vanishing moment.
     """
-    return SpecMotion(_moved(spec, judged=False)[0], None)
+    return SpecMotion(_moved(spec, _start_of(spec))[0], None)
 
 
-def _moved(spec: Spec, judged: bool) -> tuple[Trajectory, tuple[Stability, ...], bool]:
-    """Return the motion, the verdicts if they are asked for or tell when it ends, and whether it is cut short."""
-    table, times = spec.system, spec.times
+def answers_without_motion(spec: Spec) -> Iterator[Group | Table]:
+    """Yield the answers of the report that need no trajectory.
+
+    Raises:
+        InvalidInput: for a body with a vanishing moment.
+    """
+    start = _start_of(spec)
+    yield about_body(start.body)
+    yield start.losses()
+    yield Group("Motion", start.flat_spin())
+    yield start.verdicts()
+    yield Group("Motion", [start.settling()])
+
+
+def _start_of(spec: Spec) -> DampedStart:
+    table = spec.system
     assert isinstance(table, DampedBodyTable) and spec.body is not None
     moments = spec.body.principal_moments
     if not moments[0] > 0:
@@ -256,28 +326,35 @@ def _moved(spec: Spec, judged: bool) -> tuple[Trajectory, tuple[Stability, ...],
             "Give it a radius, as a cylinder."
         )
     momentum, attitude = spec.start(moments, spec.body.principal_axes)
-    norm = float(np.linalg.norm(momentum))
-    system = _system(table, moments, momentum)
-    axes = damped_axis_stability(system, norm) if norm and (judged or times is None) else ()
-    cut = False
+    return DampedStart(spec, table, momentum, attitude, _system(table, moments, momentum))
+
+
+def _moved(spec: Spec, start: DampedStart) -> tuple[Trajectory, bool]:
+    """Return the motion, and whether it is cut short."""
+    times, moments, cut = spec.times, start.body.principal_moments, False
     if times is None:
-        end, cut = _end(table, moments, momentum, axes)
+        end, cut = _end(start.table, moments, start.momentum, start.axes)
         times = np.linspace(0.0, end, spec.samples)
-    state = np.concatenate([attitude, momentum])
-    steps = _fewest_steps(table, moments, norm, float(np.ptp(times)))
+    state = np.concatenate([start.attitude, start.momentum])
+    steps = _fewest_steps(start, float(np.ptp(times)))
     shown = check_length(spec.until, times, steps, ADAPTIVE)
     # adaptive steps, as they integrate the energy's balance together with the motion
-    trajectory = simulate(system, state, times, method=diffrax.Dopri8(), progress=shown)
-    return replace(trajectory, frame=spec.body.frame), axes, cut
+    trajectory = simulate(start.system, state, times, method=diffrax.Dopri8(), progress=shown)
+    return replace(trajectory, frame=start.body.frame), cut
 
 
-def _fewest_steps(table: DampedBodyTable, moments: Array, norm: float, span: float) -> float:
-    """Return about how many adaptive steps a run takes at least: those of the slowest rotation with this |L|.
+def _fewest_steps(start: DampedStart, span: float) -> float:
+    """Return about how many adaptive steps a run takes at least.
 
-    Drag takes |L| itself, and leaves what follows the orbit.
+    They are those of the slowest rotation with this |L|, unless drag takes |L| itself; and where losses are faster than
+    that, those that keep an explicit method stable about the axis on which the body ends.
     """
+    table, norm, moments = start.table, start.norm, start.body.principal_moments
     around = 0.0 if table.orbital_period is None else ORBITING * 2.0 * math.pi / table.orbital_period
-    return span * (TURNING * norm / float(np.max(moments)) if table.inside else around)
+    fastest = (table.linear_drag or 0.0) / float(np.min(moments))
+    if table.inside and start.axes:
+        fastest = float(np.max(np.abs(start.axes[2].spectrum), initial=0.0))
+    return span * max(TURNING * norm / float(np.max(moments)) if table.inside else around, STIFF * fastest)
 
 
 def _sink_rate(table: DampedBodyTable, moments: Array, momentum: Array) -> float:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import ClassVar
 
@@ -24,7 +25,7 @@ from polhode.motion.frame import BodyFrame
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import GIVEN, about_axes, about_body, accuracy, stability_values, verdicts
 from polhode.reports.answer import Answer, Group, Table
-from polhode.reports.base import AbstractMotionReport
+from polhode.reports.base import WITHOUT_MOTION, AbstractMotionReport
 from polhode.reports.wording import distinct, vector
 from polhode.systems.body_with_rotor import RotorInBody, direction_of
 from polhode.systems.gyrostat import Gyrostat
@@ -120,6 +121,15 @@ class GyrostatReport(AbstractMotionReport):
             notes.append("losses in the carrier make the body leave a steady rotation where the energy has a maximum.")
         return notes
 
+    @property
+    def rotor_at_start(self) -> float:
+        """Of ``rotor_momentum`` the first."""
+        return float(self.rotor_momentum[0]) if self.motor else self.rotor
+
+    def without_motion(self) -> list[Group | Table]:
+        """Return those answers that take no motion, of a rotor without a motor."""
+        return [about_body(self.body, "rotor locked"), self._about_rotor(), self._steady_rotations()]
+
     def answers(self) -> list[Group | Table]:
         return [about_body(self.body, "rotor locked"), self._about_rotor(), self._steady_rotations(), self._motion()]
 
@@ -135,7 +145,7 @@ class GyrostatReport(AbstractMotionReport):
             Answer("rotor.rate", self.table.rotor_rate, "rad/s", "rate against the body", "relative to the body"),
             Answer("rotor.drive", drive, "", "drive", "", None if torque is None else f"motor torque {torque:.6g} N m"),
             Answer("rotor.motor_torque", torque, "N m"),
-            Answer("rotor.momentum", float(self.rotor_momentum[0]), "kg m²/s", f"momentum, {meaning}"),
+            Answer("rotor.momentum", self.rotor_at_start, "kg m²/s", f"momentum, {meaning}"),
             Answer("rotor.momentum_is", meaning),
             Answer("moments", self.moments, "kg m²", "moments of the motion", less,
                    f"{distinct(self.moments)} kg m², {less}"),
@@ -209,7 +219,21 @@ def report_of(spec: Spec) -> GyrostatReport:
     """
     assert isinstance(spec.system, GyrostatTable)
     made = built(spec)
-    trajectory = _moved(spec, made)
+    return _report_on(spec, made, _moved(spec, made))
+
+
+def answers_without_motion(spec: Spec) -> Iterator[Group | Table]:
+    """Yield the answers of the report that take no motion; none with a motor, which makes steady rotations of the end.
+
+    Raises:
+        InvalidInput: for a rotor that does not fit into the body.
+    """
+    assert isinstance(spec.system, GyrostatTable)
+    if spec.system.motor_torque is None:
+        yield from _report_on(spec, built(spec), WITHOUT_MOTION).without_motion()
+
+
+def _report_on(spec: Spec, made: RotorInBody, trajectory: Trajectory) -> GyrostatReport:
     motor = spec.system.motor_torque is not None
     last = float(trajectory.part("rotor_momentum")[-1]) if motor else made.momentum
     found = steady_rotations(Gyrostat(made.moments, last * made.along), float(np.linalg.norm(made.total)))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -16,7 +17,7 @@ from polhode.kinds.point_vortices.table import VorticesTable
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import about_stability, accuracy
 from polhode.reports.answer import Answer, Group, Table
-from polhode.reports.base import AbstractMotionReport
+from polhode.reports.base import WITHOUT_MOTION, AbstractMotionReport
 from polhode.reports.length import check_length, equal_steps
 from polhode.reports.wording import duration, number, rate, vector
 from polhode.simulation import simulate
@@ -113,7 +114,7 @@ class VorticesReport(AbstractMotionReport):
         return found
 
     def answers(self) -> list[Group | Table]:
-        return [self._about_vortices(), self._about_turn(), self._table(), self._motion()]
+        return [self._about_vortices(), self.about_turn(), self._table(), self._motion()]
 
     def _about_vortices(self) -> Group:
         strengths, on_sphere = self.strengths, self.sphere_radius is not None
@@ -136,7 +137,7 @@ class VorticesReport(AbstractMotionReport):
             *own,
         ])  # fmt: skip
 
-    def _about_turn(self) -> Group:
+    def about_turn(self) -> Group:
         turn, verdict = self.turn, self.verdict
         if turn is None:
             return Group("As a whole", [Answer("turn", None, "", "turns as a whole", "", "no: distances change")])
@@ -213,6 +214,19 @@ def report_of(spec: Spec) -> VorticesReport:
     turn = _turn_of(system, state)
     verdict, why = _verdict_of(system, state, turn)
     return VorticesReport(system, radius, trajectory, turn, verdict, why)
+
+
+def answers_without_motion(spec: Spec) -> Iterator[Group | Table]:
+    """Yield the answers of the report that take no motion.
+
+    Raises:
+        InvalidInput: for two vortices at one place.
+    """
+    assert isinstance(spec.system, VorticesTable)
+    system, state, radius = _start(spec.system)
+    state = system.check_state(state)
+    turn = _turn_of(system, state)
+    yield VorticesReport(system, radius, WITHOUT_MOTION, turn, *_verdict_of(system, state, turn)).about_turn()
 
 
 def _start(table: VorticesTable) -> tuple[SphereVortices | PlaneVortices, Array, float | None]:

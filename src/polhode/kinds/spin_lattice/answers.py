@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import ClassVar
@@ -22,7 +23,7 @@ from polhode.kinds.spin_lattice.table import SpinLatticeTable
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import accuracy
 from polhode.reports.answer import Answer, Group, Table
-from polhode.reports.base import AbstractMotionReport
+from polhode.reports.base import WITHOUT_MOTION, AbstractMotionReport
 from polhode.reports.length import check_length
 from polhode.reports.wording import duration, number, vector
 from polhode.simulation import simulate
@@ -134,8 +135,12 @@ class SpinLatticeReport(AbstractMotionReport):
                          f"{MEMORY >> 20} MiB.")  # fmt: skip
         return found
 
+    def without_motion(self) -> list[Group | Table]:
+        """Return those answers that take no motion."""
+        return [self._about_lattice(), self._bonds(), self._about_waves()]
+
     def answers(self) -> list[Group | Table]:
-        return [self._about_lattice(), self._bonds(), self._about_waves(), self._motion()]
+        return [*self.without_motion(), self._motion()]
 
     def _about_lattice(self) -> Group:
         lattice, table = self.system.lattice, self.table
@@ -240,6 +245,16 @@ def report_of(spec: Spec) -> SpinLatticeReport:
             system, state, times, method, step=step, order=order, progress=shown, estimate_error=False
         )
     return SpinLatticeReport(system, table, trajectory, spec.samples)
+
+
+def answers_without_motion(spec: Spec) -> Iterator[Group | Table]:
+    """Yield the answers of the report that take no motion.
+
+    Raises:
+        InvalidInput: for bonds and places that make no lattice.
+    """
+    assert isinstance(spec.system, SpinLatticeTable)
+    yield from SpinLatticeReport(lattice_of(spec.system), spec.system, WITHOUT_MOTION, spec.samples).without_motion()
 
 
 def _fastest(system: SpinLattice) -> float:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import ClassVar
@@ -18,7 +19,7 @@ from polhode.kinds.spin_orbit.table import SpinOrbitTable
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import about_body, accuracy
 from polhode.reports.answer import Answer, Group, Table
-from polhode.reports.base import AbstractMotionReport
+from polhode.reports.base import WITHOUT_MOTION, AbstractMotionReport, left_out
 from polhode.reports.length import ADAPTIVE, ORBITING, check_length
 from polhode.reports.wording import number
 from polhode.simulation import simulate
@@ -81,6 +82,10 @@ class SpinOrbitReport(AbstractMotionReport):
         body = [] if self.body is None else [about_body(self.body)]
         missing = [] if body else [Group("", [Answer("mass", None), Answer("principal_moments", None)])]
         return [*body, *missing, self._orbit(), self._resonances(), self._motion()]
+
+    def without_motion(self) -> list[Group | Table]:
+        """Return those answers that take no motion."""
+        return [*([] if self.body is None else [about_body(self.body)]), self._orbit(), self._resonances()]
 
     def _orbit(self) -> Group:
         system, asphericity = self.system, float(self.system.asphericity)
@@ -202,17 +207,33 @@ def report_of(spec: Spec) -> SpinOrbitReport:
     if times is None:
         times = np.linspace(0.0, PERIODS * float(system.orbit.period), spec.samples)
     state = np.array([table.angle, table.spin_ratio * n])
-    # strengths are largest near the orbit's own rate at periapsis
-    fastest = max(abs(table.spin_ratio), float(system.orbit.rate_at_periapsis) / n)
-    highest = min(max(LISTED[0], 0.5 * math.ceil(2.0 * fastest)), LISTED[1])
     steps = ORBITING * float(np.ptp(times)) * n * max(1.0, abs(table.spin_ratio))
     shown = check_length(spec.until, times, steps, ADAPTIVE)
     frame = None if spec.body is None else spec.body.frame
     trajectory = replace(simulate(system, state, times, progress=shown), frame=frame)
     return SpinOrbitReport(
-        spec.body, system, trajectory, resonances(system, highest), spin_motion(system, state),
+        spec.body, system, trajectory, _listed(system, table), spin_motion(system, state),
         table.section_orbits, spec.remarks,
     )  # fmt: skip
+
+
+def answers_without_motion(spec: Spec) -> Iterator[Group | Table]:
+    """Yield the answers of the report that take neither trajectory nor exponent."""
+    table = spec.system
+    assert isinstance(table, SpinOrbitTable)
+    system = _system(spec, table)
+    listed = _listed(system, table)
+    yield from SpinOrbitReport(
+        spec.body, system, WITHOUT_MOTION, listed, left_out(SpinMotion), table.section_orbits, spec.remarks
+    ).without_motion()
+
+
+def _listed(system: SpinOrbit, table: SpinOrbitTable) -> list[Resonance]:
+    """Return the resonances that the report lists."""
+    # strengths are largest near the orbit's own rate at periapsis
+    fastest = max(abs(table.spin_ratio), float(system.orbit.rate_at_periapsis) / float(system.mean_motion))
+    highest = min(max(LISTED[0], 0.5 * math.ceil(2.0 * fastest)), LISTED[1])
+    return resonances(system, highest)
 
 
 def _system(spec: Spec, table: SpinOrbitTable) -> SpinOrbit:

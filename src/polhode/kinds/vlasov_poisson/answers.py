@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 import warnings
-from dataclasses import dataclass
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import ClassVar
 
@@ -18,7 +19,7 @@ from polhode.kinds.vlasov_poisson.table import PlasmaTable
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import accuracy
 from polhode.reports.answer import Answer, Group, Table
-from polhode.reports.base import AbstractMotionReport
+from polhode.reports.base import WITHOUT_MOTION, AbstractMotionReport
 from polhode.reports.length import check_length
 from polhode.reports.wording import number
 from polhode.simulation import simulate
@@ -108,8 +109,12 @@ class PlasmaReport(AbstractMotionReport):
         v, x = np.asarray(states)[:, 0], np.asarray(states)[:, 1]
         return velocity_distribution(self.beams, v) * (1.0 + self.table.amplitude * np.cos(self.table.wavenumber * x))
 
+    def without_motion(self) -> list[Group | Table]:
+        """Return those answers that take no motion."""
+        return [self._about_plasma(), self._beams(), self._about_wave()]
+
     def answers(self) -> list[Group | Table]:
-        return [self._about_plasma(), self._beams(), self._about_wave(), self._motion()]
+        return [*self.without_motion(), self._motion()]
 
     def _about_plasma(self) -> Group:
         count = self.table.velocities * self.table.particles_per_velocity
@@ -168,12 +173,9 @@ def report_of(spec: Spec) -> PlasmaReport:
     Raises:
         InvalidInput: for a distribution that is zero at some particles, or a time that takes too many steps.
     """
-    table = spec.system
-    assert isinstance(table, PlasmaTable)
-    beams = tuple(Beam(b.share, b.drift, b.spread) for b in table.beams) if table.beams else (Beam(),)
-    fastest = table.fastest or max(abs(beam.drift) + REACH * beam.spread for beam in beams)
+    about = _without_motion(spec)
+    system, table, beams, fastest = about.system, about.table, about.beams, about.fastest
     count = table.velocities * table.particles_per_velocity
-    system = VlasovPoisson(2.0 * math.pi / table.wavenumber, table.modes, count)
     state = quiet_start(
         system, lambda v: velocity_distribution(beams, v), table.velocities, table.amplitude, fastest=fastest
     )
@@ -189,5 +191,20 @@ def report_of(spec: Spec) -> PlasmaReport:
         trajectory = simulate(
             system, state, times, Splitting, step=table.step, order=ORDER, progress=shown, estimate_error=False
         )
+    return replace(about, trajectory=trajectory)
+
+
+def answers_without_motion(spec: Spec) -> Iterator[Group | Table]:
+    """Yield the answers of the report that take no motion."""
+    yield from _without_motion(spec).without_motion()
+
+
+def _without_motion(spec: Spec) -> PlasmaReport:
+    table = spec.system
+    assert isinstance(table, PlasmaTable)
+    beams = tuple(Beam(b.share, b.drift, b.spread) for b in table.beams) if table.beams else (Beam(),)
+    fastest = table.fastest or max(abs(beam.drift) + REACH * beam.spread for beam in beams)
+    count = table.velocities * table.particles_per_velocity
+    system = VlasovPoisson(2.0 * math.pi / table.wavenumber, table.modes, count)
     wave = fastest_growing_wave(beams, table.wavenumber)
-    return PlasmaReport(system, table, beams, fastest, trajectory, wave, spec.samples)
+    return PlasmaReport(system, table, beams, fastest, WITHOUT_MOTION, wave, spec.samples)

@@ -1,0 +1,209 @@
+"""Where rates of change jump or start to move with time, found by trying times, as no step control sees between steps.
+
+Steps of a body that hardly moves are as long as the samples are apart, and none of their stages need lie in a pulse.
+So rates that depend on time by themselves are evaluated at many times, at a fixed state. Where they stay, and then
+change, is a place at which a step has to end: a jump is bisected to a rounding of its time, and a smooth pulse gets
+places at its beginning, inside and at its end. What passes between two trials is not found; ``jumps`` of the system
+names it.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from functools import cache
+from typing import Any, TypeVar
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+import numpy as np
+from jax.interpreters import partial_eval
+
+from polhode.errors import InvalidInput, shown
+from polhode.systems.base import AbstractSystem
+from polhode.types import Array, ArrayLike, Double, Float64
+
+TRIALS = 1 << 17  # times that are tried
+NUMBERS = 1 << 23  # evaluated at most, times by components
+TOGETHER = 4096  # times evaluated by one call
+STILL = 1e-13  # of the largest rate: changes below it are rounding
+ABOVE = 8.0  # of the usual change between two trials, from which on something acts
+INNER = np.array([0.25, 0.5, 0.75])  # places within a smooth change
+INSIDE = len(INNER)  # cells between trials that it must have for them
+MOST = 1 << 14  # places; where there are more, steps cannot overlook them
+BISECTIONS = 60
+REMEMBERED = 256  # systems
+FURTHER = "further_jumps"  # the field of those that a system does not name itself
+
+
+System = TypeVar("System", bound=AbstractSystem)
+_driven: dict[Any, bool] = {}
+
+
+def jumps_between(
+    times: Float64[np.ndarray, "time"], jumps: Float64[ArrayLike, "jumps"]
+) -> Float64[np.ndarray, "inside"]:
+    """Return those jumps, each once, that lie between the first and the last time.
+
+    Raises:
+        InvalidInput: for a jump that is not finite.
+    """
+    given = np.ravel(np.asarray(jumps, dtype=float))
+    if not np.isfinite(given).all():
+        raise InvalidInput(f"`jumps` must be finite times [s]; got {shown(given[~np.isfinite(given)][0])}.")
+    low, high = min(times[0], times[-1]), max(times[0], times[-1])
+    return np.unique(given[(given > low) & (given < high)])
+
+
+def depends_on_time(system: AbstractSystem, state: Double[Array, "..."]) -> bool:
+    """Return whether the rates of change at one state may depend on the time itself.
+
+    Systems of the same parts and shapes are looked at once.
+    """
+    shape = jax.ShapeDtypeStruct(jnp.shape(state), jnp.result_type(state))
+    leaves, tree = jax.tree.flatten(system)
+    key = (type(system), tree, shape, *((x.shape, x.dtype) if eqx.is_array(x) else x for x in leaves))
+    try:
+        if key not in _driven:
+            if len(_driven) > REMEMBERED:
+                _driven.clear()
+            _driven[key] = _uses_time(system, shape)
+        return _driven[key]
+    except TypeError:  # a part that cannot be hashed
+        return _uses_time(system, shape)
+
+
+def _uses_time(system: AbstractSystem, shape: Any) -> bool:
+    try:
+        time = jax.ShapeDtypeStruct((), jnp.zeros(()).dtype)
+        made = jax.make_jaxpr(lambda t, y: system.vector_field(t, y))(time, shape)
+    except Exception:
+        return False  # the run refuses it in its own words
+    _, used = partial_eval.dce_jaxpr(made.jaxpr, [True] * len(made.jaxpr.outvars))
+    return bool(used[0])
+
+
+def undeclared_jumps(
+    system: AbstractSystem, state: Double[Array, "..."], times: Float64[np.ndarray, "time"]
+) -> Float64[np.ndarray, "found"]:
+    """Return times [s] between the first and the last at which steps have to end, beside the system's own ``jumps``.
+
+    Args:
+        system: what moves.
+        state: packed (batch…, …), at which rates are tried: the first copy of a batch.
+        times: (T,) [s], in one direction.
+    """
+    first = np.reshape(np.asarray(state), (-1, *np.shape(state)[np.ndim(state) - system.state_axes :]))[:1]
+    return _changes(system, first, np.asarray(times, dtype=float)[[0, -1]])
+
+
+def jumps_along(
+    system: AbstractSystem, states: Double[np.ndarray, "..."], times: Float64[np.ndarray, "time"]
+) -> Float64[np.ndarray, "found"]:
+    """Return what ``undeclared_jumps`` does, tried at the states of a motion, each from its time up to the next.
+
+    Args:
+        system: what moves.
+        states: (batch…, T, …), of which the first copy counts, up to its end.
+        times: (T,) [s], in one direction.
+    """
+    own = np.shape(states)[np.ndim(states) - system.state_axes :]
+    first = np.reshape(states, (-1, len(times), *own))[0]
+    there = np.isfinite(first).reshape(len(first), -1).all(axis=-1)
+    return _changes(system, first[there][:-1], times[there]) if there.sum() > 1 else np.zeros(0)
+
+
+def _changes(system: AbstractSystem, states: Double[np.ndarray, "..."], times: Array) -> Float64[np.ndarray, "found"]:
+    """Return where rates change with time at states (T − 1, …), each from one of the times (T,) up to the next."""
+    if not depends_on_time(system, jnp.asarray(states[0])):
+        return np.zeros(0)
+    spans = len(times) - 1
+    each = int(np.clip(min(NUMBERS // max(np.size(states[0]), 1), TRIALS) // spans, 2, TRIALS))
+    tried = np.linspace(times[:-1], times[1:], each + 1, axis=-1)
+    rates, which = _Rates(system, np.asarray(states)), np.repeat(np.arange(spans), each)
+    values = rates(np.ravel(tried), np.repeat(np.arange(spans), each + 1)).reshape(spans, each + 1, -1)
+    low, high = np.ravel(tried[:, :-1]), np.ravel(tried[:, 1:])
+    size = np.max(np.abs(values), initial=0.0, where=np.isfinite(values))
+    changes = np.ravel(np.nan_to_num(np.abs(np.diff(values, axis=1)).max(axis=-1), nan=size))
+    least, usual = STILL * size, float(np.median(changes))
+    # what moves all the time is seen by every step; there only what stands out from its surroundings jumps
+    beside = np.maximum(np.roll(changes, 2), np.roll(changes, -2))
+    acts = changes > (np.maximum(least, ABOVE * np.maximum(usual, beside)) if usual > least else least)
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], acts.view(np.int8), [0]])))
+    begins, ends = edges[::2], edges[1::2] - 1  # first and last cell of each run in which something acts
+    if not len(begins) or len(edges) > MOST:
+        return np.zeros(0)
+    # a jump lies in the first or the last cell of such a run, or stands out inside it
+    cells = np.unique(np.concatenate([begins, ends, np.flatnonzero(acts & (changes > ABOVE * beside))]))
+    long = ends - begins >= INSIDE
+    inside = low[begins[long]] + INNER[:, None] * (high[ends[long]] - low[begins[long]])
+    found = [_bisected(rates, low[cells], high[cells], which[cells]), low[begins], high[ends], np.ravel(inside)]
+    return jumps_between(times, np.concatenate(found))
+
+
+class _Rates:
+    """Rates of change at some states, over the sizes of the components."""
+
+    def __init__(self, system: AbstractSystem, states: Double[np.ndarray, "..."]) -> None:
+        self.system, self.states = system, states
+        sizes = np.ravel(np.broadcast_to(np.asarray(system.scales(jnp.asarray(states[0])), float), states.shape[1:]))
+        sizes = np.where(sizes > 0.0, sizes, 1.0)
+        self.sizes = np.tile(sizes, 2) if np.iscomplexobj(states) else sizes
+
+    def __call__(self, times: Float64[np.ndarray, "n"], which: Array) -> Float64[np.ndarray, "n components"]:
+        """Return the rates at times, each at one of the states."""
+        count = len(times)
+        together = min(TOGETHER, 1 << max(count - 1, 0).bit_length())  # few lengths, as each is compiled
+        more = -count % together
+        rows = np.append(times, np.full(more, times[-1])).reshape(-1, together)
+        at = np.append(which, np.full(more, which[-1])).reshape(-1, together)
+        found = [np.asarray(_evaluated(self.system, self.states[k], t)) for t, k in zip(rows, at, strict=True)]
+        return np.concatenate(found)[:count] / self.sizes
+
+
+@eqx.filter_jit
+def _evaluated(system: AbstractSystem, states: Array, times: Array) -> Array:
+    found = jax.vmap(lambda t, y: system.vector_field(t, y))(jnp.asarray(times), jnp.asarray(states))
+    found = found.reshape(times.shape[0], -1)
+    return jnp.concatenate([found.real, found.imag], axis=-1) if jnp.iscomplexobj(found) else found
+
+
+def _bisected(rates: _Rates, low: Array, high: Array, which: Array) -> Array:
+    """Return where between two times each the larger part of the change is, to a rounding: the time behind it."""
+    at_low, at_high = rates(low, which), rates(high, which)
+    for _ in range(BISECTIONS):
+        middle = low + 0.5 * (high - low)
+        value = rates(middle, which)
+        before = np.abs(value - at_low).max(axis=-1) > np.abs(at_high - value).max(axis=-1)
+        low, high = np.where(before, low, middle), np.where(before, middle, high)
+        at_low, at_high = np.where(before[:, None], at_low, value), np.where(before[:, None], value, at_high)
+        if (np.nextafter(low, high) == high).all():
+            break
+    return high
+
+
+def naming_jumps(system: System, jumps: Float64[np.ndarray, "jumps"]) -> System:
+    """Return a system that moves alike and names these jumps beside its own; itself if there are none."""
+    if not len(jumps):
+        return system
+    kind = type(system)
+    known = getattr(system, FURTHER, None)
+    named: Any = object.__new__(kind if known is not None else _naming(kind))
+    for field in dataclasses.fields(system):
+        object.__setattr__(named, field.name, getattr(system, field.name))
+    object.__setattr__(named, FURTHER, jnp.asarray(jumps if known is None else np.concatenate([known, jumps])))
+    return named
+
+
+@cache
+def _naming(kind: type[AbstractSystem]) -> type[AbstractSystem]:
+    """Return the class of the same systems with further jumps, one for each class, as what it computes is compiled."""
+
+    def jumps(self: Any) -> Array:
+        own = jnp.ravel(jnp.asarray(kind.jumps.fget(self), float))  # type: ignore[attr-defined]
+        return jnp.concatenate([own, getattr(self, FURTHER)])
+
+    more = {"jumps": property(jumps), FURTHER: None, "__annotations__": {FURTHER: Any}, "__module__": kind.__module__,
+            "__qualname__": kind.__qualname__, "__doc__": kind.__doc__}  # fmt: skip
+    making: Any = type(kind)
+    return making(kind.__name__, (kind,), more)
