@@ -69,7 +69,7 @@ def _progress(sweep: Sweep, store: Store) -> Iterator[Callable[[int], object]]:
     """Show how far it is, how fast it goes and how long it will take, where somebody watches."""
     from tqdm import tqdm
 
-    done = sum(high - low for low, high in map(sweep.range_of, store.finished()))
+    done = sum(high - low for low, high in map(sweep.layout.range_of, store.finished()))
     if not sys.stderr.isatty():
         yield _Lines(done, sweep.plan.design.count).add
         return

@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import Any, NamedTuple, NoReturn
 
 from polhode.errors import FormatError, shown
-from polhode.formats.opening import MB, read_file
+from polhode.formats.opening import MB, check_is_file, read_file
 
 MOST_FILES = 50_000
 MOST_CHUNKS = 20_000  # zarr takes a quarter of a millisecond for each
@@ -150,6 +150,7 @@ def _check_chunk(store: Path, name: str, file: _File, codec: str | None, whole: 
     if file.size > LARGEST_CHUNK_FILE:
         _refuse(store, f"{name} has a chunk of {file.size // MB:,} MB. Write the store again with smaller ones")
     if codec is None:
+        check_is_file(file.path, "Zarr")
         size = file.size
     else:
         content = read_file(file.path, "Zarr", LARGEST_CHUNK_FILE)
