@@ -1,5 +1,7 @@
 """Stores damaged in many ways: what is said of one is what is said of the whole one, or a refusal in a sentence."""
 
+import json
+import os
 import shutil
 import signal
 import warnings
@@ -9,8 +11,9 @@ import numpy as np
 import pytest
 
 from polhode.cli.main import main
-from polhode.errors import InvalidInput, PolhodeError
+from polhode.errors import FormatError, InvalidInput, PolhodeError
 from polhode.sweeps.answers import SweepReport
+from polhode.sweeps.marks import read_mark
 from polhode.sweeps.plan import read_plan
 from polhode.sweeps.running import Sweep
 from sweeps import damage
@@ -21,6 +24,7 @@ SPEC = """
 moments = ["1.2 g*cm^2", "2 g*cm^2", "2.9 g*cm^2"]
 [spin]
 about = 2
+rate = "120 rpm"
 [sweep]
 samples = 150
 seed = 7
@@ -29,7 +33,7 @@ keep = "KEEP"
 outputs = ["form", "polhode_period", "states.attitude"]
 times = ["1 s", "20 s"]
 [sweep.inputs]
-"spin.rate" = { normal = ["120 rpm", "5 rpm"] }
+"spin.tilt" = { uniform = ["0 deg", "90 deg"] }
 "body.moments.3" = { uniform = ["2.5 g*cm^2", "3.3 g*cm^2"] }
 """
 KEPT = ("all", pytest.param("statistics", marks=pytest.mark.sweep))
@@ -133,3 +137,76 @@ def test_hundreds_of_damaged_stores(made, tmp_path):
     same, refused = check_many(made, tmp_path, cases)
     assert same + refused > 350
     print(f"{same + refused} stores: {same} said the same, {refused} were refused")
+
+
+def copied(made, tmp_path):
+    store = tmp_path / "a.zarr"
+    shutil.copytree(made[1], store)
+    return store
+
+
+@pytest.mark.parametrize("name", ["polhode_period/1", ".sweep/chunks/000000002.mark"])
+def test_a_report_that_is_asked_later(made, tmp_path, name):
+    """What is held in a script reads the store when it is asked, and looks again at what it reads."""
+    sweep = made[0]
+    store = sweep.begin(copied(made, tmp_path))
+    sweep.run(store, 1)
+    path = store.path / name
+    os.truncate(path, path.stat().st_size // 2)
+    with pytest.raises(FormatError, match=r"is damaged\. Run the sweep again"):
+        SweepReport(sweep, store).as_json_dict()
+    path.unlink()
+    os.mkfifo(path)
+    with in_time(), pytest.raises(InvalidInput, match="is a pipe"):
+        SweepReport(sweep, store).as_json_dict()
+
+
+def test_the_command_refuses_in_one_line(made, tmp_path, capsys):
+    store = copied(made, tmp_path)
+    damage.pipe(store / ".sweep", np.random.default_rng(3))
+    with in_time(), pytest.raises(SystemExit) as ended:
+        main(["sweep", str(made[0].plan.path), "--out", str(store)])
+    said, errors = capsys.readouterr()
+    assert ended.value.code == 2 and not said and errors.startswith("polhode: ") and errors.count("\n") == 1
+
+
+def test_a_mark_counts_once_and_for_its_own_chunk(made, tmp_path):
+    """By hand, as on main it doubled samples or exchanged parts: a second mark, and two that were exchanged."""
+    store = copied(made, tmp_path)
+    first, second = (store / ".sweep" / "chunks" / f"00000000{k}.mark" for k in (0, 1))
+    shutil.copy(first, first.with_name("000000077.mark"))
+    shutil.copy(first, first.with_name("0.mark"))
+    assert run(made[0], store) == made[3]
+    contents = first.read_bytes(), second.read_bytes()
+    first.write_bytes(contents[1])
+    second.write_bytes(contents[0])
+    with pytest.warns(UserWarning, match="2 of 4 finished chunks are damaged"):
+        begun = made[0].begin(store)
+        made[0].run(begun, 1)
+    assert SweepReport(made[0], begun).as_json_dict() == made[3]
+
+
+def test_marks_of_another_sweep_are_none(made, tmp_path):
+    store = copied(made, tmp_path)
+    (tmp_path / "other.toml").write_text(SPEC.replace("KEEP", "all").replace("seed = 7", "seed = 8"))
+    other = Sweep.of(read_plan(tmp_path / "other.toml"))
+    run(other, tmp_path / "b.zarr")
+    shutil.copytree(tmp_path / "b.zarr" / ".sweep" / "chunks", store / ".sweep" / "chunks", dirs_exist_ok=True)
+    for name in ("form", "polhode_period"):
+        shutil.copytree(tmp_path / "b.zarr" / name, store / name, dirs_exist_ok=True)
+    assert run(made[0], store) == made[3]
+
+
+@pytest.mark.parametrize("change", [
+    lambda found: found | {"chunk": 1}, lambda found: found | {"reasons": [[200, "x"]]},
+    lambda found: found | {"sweep": "0" * 64}, lambda found: found | {"arrays": {}}, lambda found: found | {"more": 1},
+    lambda found: found | {"arrays": found["arrays"] | {"form": {"digest": "0" * 64, "summary": {"coning": 41}}}},
+    lambda found: found | {"arrays": found["arrays"] | {"form": {"digest": "0" * 64, "summary": {"a": 41, "b": -1}}}},
+    lambda found: found | {"arrays": found["arrays"] | {"form": found["arrays"]["polhode_period"]}},
+])  # fmt: skip
+def test_a_mark_of_another_form_is_none(made, change):
+    sweep, store, _, _ = made
+    content = (store / ".sweep" / "chunks" / "000000000.mark").read_bytes()
+    assert read_mark(content, 0, sweep.layout) is not None
+    found = change(json.loads(content.split(b"\n", 1)[1]))
+    assert read_mark(damage._sealed(json.dumps(found).encode(), b"new"), 0, sweep.layout) is None

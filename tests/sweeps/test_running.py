@@ -15,6 +15,7 @@ import xarray
 
 import polhode as ph
 from formats.test_full_disk import limited
+from polhode.cli.main import main
 from polhode.errors import InvalidInput
 from polhode.sweeps.marks import digest_of
 from polhode.sweeps.plan import read_plan
@@ -152,6 +153,21 @@ def test_another_mesh_is_another_sweep(spec, tmp_path):
     (tmp_path / "body.stl").write_bytes(mesh.read_bytes() + b"\n")
     with pytest.raises(InvalidInput, match="holds another sweep: the spec, a file that it names"):
         ph.sweep(spec, tmp_path / "a.zarr")
+
+
+def test_a_motion_does_not_replace_a_sweep(spec, tmp_path, capsys, monkeypatch):
+    """Both are written to case.zarr where no name is given; on main the samples were gone, with exit code 0."""
+    spec.write_text(SPEC.replace("about = 2", 'about = 2\nrate = "60 rpm"'))
+    monkeypatch.chdir(tmp_path)
+    ph.sweep("case.toml")
+    before = files(tmp_path / "case.zarr")
+    for arguments in (("export", "case.toml", "--to", "zarr"), ("import", "case.zarr")):
+        with pytest.raises(SystemExit) as ended:
+            main([*arguments])
+        assert ended.value.code == 2
+    said = capsys.readouterr().err
+    assert "not the store of a motion, which could be replaced" in said and "is the store of a sweep" in said
+    assert files(tmp_path / "case.zarr") == before
 
 
 def test_other_folders_are_kept(spec, tmp_path):
@@ -301,6 +317,24 @@ def test_killed_workers_and_clients(spec, tmp_path):
     said, errors = command(*arguments).communicate(timeout=10 * PATIENCE)
     assert "1,000,000 of 1,000,000 samples" in said, errors
     assert files(tmp_path / "a.zarr") == files(tmp_path / "b.zarr")
+
+
+@pytest.mark.sweep
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="semaphores are files there")
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_an_interrupt_leaves_nothing(spec, tmp_path, number):
+    """A dozen semaphores were left, and the interpreter said so, while workers were waited for."""
+    spec.write_text(SPEC.replace("samples = 300", "samples = 1000000").replace("chunk = 64", "chunk = 20000"))
+    before = set(os.listdir("/dev/shm"))
+    client = command(spec, "--out", tmp_path / "a.zarr", "--workers", 2, "--no-figures", start_new_session=True)
+    wait_for(tmp_path / "a.zarr", 2)
+    os.killpg(client.pid, number)
+    said, errors = client.communicate(timeout=PATIENCE)
+    assert client.returncode == 128 + number and not said
+    assert errors.endswith(f"polhode: stopped by {number.name}.\n")
+    assert all(line.startswith("polhode: ") for line in errors.splitlines()), errors
+    time.sleep(1.0)  # until what frees them has ended
+    assert set(os.listdir("/dev/shm")) <= before
 
 
 @pytest.mark.sweep

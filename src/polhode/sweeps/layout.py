@@ -14,9 +14,10 @@ from typing import Any
 import numpy as np
 
 from polhode.errors import not_installed
+from polhode.formats.zarr_gate import OF_A_SWEEP
 from polhode.sweeps.evaluation import Column
 
-HOME, PLAN, CHUNKS, LOCK = ".sweep", "plan.json", "chunks", "lock"
+HOME, PLAN, CHUNKS, LOCK = OF_A_SWEEP, "plan.json", "chunks", "lock"
 FORMAT = 2
 COMPONENTS = {3: "axis", 4: "quaternion"}
 COMPRESSOR = {"id": "blosc", "cname": "lz4", "clevel": 5, "shuffle": 1, "blocksize": 0}

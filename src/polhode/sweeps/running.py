@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import contextlib
 import hashlib
 import json
@@ -36,6 +37,7 @@ ENVIRONMENT = {"MALLOC_TRIM_THRESHOLD_": str(2**28), "MALLOC_MMAP_THRESHOLD_": s
                "OMP_NUM_THREADS": "1", "MKL_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}  # fmt: skip
 PATIENCE = 30.0  # s in which a cluster must answer
 LONG_PATIENCE = 300.0  # s in which it must have a worker
+HASTE = 0.1  # s in which workers must end themselves when the sweep is stopped
 
 
 @dataclass(frozen=True, eq=False)
@@ -279,7 +281,16 @@ def _cluster(workers: int, scheduler: str | None) -> Iterator[Any]:
             cluster = LocalCluster(n_workers=workers, threads_per_worker=1, processes=True,
                                    dashboard_address=NO_DASHBOARD, silence_logs=50)  # fmt: skip
         with cluster, Client(cluster) as client:
-            yield client
+            try:
+                yield client
+            except BaseException:  # what workers have in hand is lost anyway; the cluster would wait seconds for it
+                cluster.sync(_end_workers, cluster)
+                raise
+
+
+async def _end_workers(cluster: Any) -> None:
+    await asyncio.gather(*(nanny.close(timeout=HASTE) for nanny in list(cluster.workers.values())),
+                         return_exceptions=True)  # fmt: skip
 
 
 def _await_workers(client: Any, scheduler: str) -> None:
@@ -305,12 +316,25 @@ def _deaf_to_interrupts() -> Iterator[None]:
     if not hasattr(signal, "pthread_sigmask"):
         yield
         return
-    resource_tracker.ensure_running()  # which, when it starts, lets interrupts through again
+    _start_tracker()  # which, when it starts, lets interrupts through again
     before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
     try:
         yield
     finally:
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
+def _start_tracker() -> None:
+    """Start what frees semaphores of a process that was ended at once, and let it do so without a word."""
+    before = os.environ.get("PYTHONWARNINGS")
+    os.environ["PYTHONWARNINGS"] = (f"{before}," if before else "") + "ignore:resource_tracker:UserWarning"
+    try:
+        resource_tracker.ensure_running()
+    finally:
+        if before is None:
+            del os.environ["PYTHONWARNINGS"]
+        else:
+            os.environ["PYTHONWARNINGS"] = before
 
 
 @contextlib.contextmanager

@@ -39,10 +39,11 @@ class Numbers:
         known = np.sort(values[~np.isnan(values)])
         if not known.size:
             return cls()
-        mean = float(known[0] + (known - known[0]).mean())  # exact where all are the same
+        with np.errstate(over="ignore", invalid="ignore"):  # sums of large numbers are infinite
+            mean = float(known[0] + (known - known[0]).mean())  # exact where all are the same
+            squares = float(np.sum((known - mean) ** 2))
         places = np.unique(np.round(np.linspace(0, known.size - 1, min(KNOTS, known.size))).astype(int))
         knots = known[places].tolist()
-        squares = float(np.sum((known - mean) ** 2))
         return cls(known.size, mean, squares, float(known[0]), float(known[-1]), [(known.size, knots)])
 
     def joined(self, other: Numbers) -> Numbers:
