@@ -35,8 +35,8 @@ COMMANDS = {
     "compare": ("compare", "case.toml", "motion.csv"), "tumble": ("tumble", "Toutatis"),
     "figures of tumble": ("tumble", "Toutatis"),
 }  # fmt: skip
-PLACES = (".", "..", "/", "", "case.toml", "none/a", "x" * 300, "pipe", "folder", "nowhere", "loop", "/dev/null", "/proc/a",
-          "case.toml/a", "mine/..", "folder/", "-", "~")  # fmt: skip
+PLACES = (".", "..", "/", "", "case.toml", "none/a", "x" * 300, "pipe", "folder", "nowhere", "loop", "/dev/null",
+          "/proc/a", "case.toml/a", "mine/..", "folder/", "-", "~")  # fmt: skip
 
 
 @pytest.fixture(scope="module")

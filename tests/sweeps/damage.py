@@ -299,7 +299,7 @@ def _changed(value, rng):
     return _Raw(pick(rng, HOSTILE))
 
 
-WAYS = (truncate, flip_bit, spoil_head, junk, append, lose, swap, swap_chunks, second_mark, rename, pipe, pipe_for_chunk,
-        link, folder_for_file, file_for_folder, link_for_folder, lose_folder, rename_folder, huge, sockets, strangers,
-        hostile_document, hostile_plan, hostile_mark, forged_mark, negative_counts, hostile_array,
+WAYS = (truncate, flip_bit, spoil_head, junk, append, lose, swap, swap_chunks, second_mark, rename, pipe,
+        pipe_for_chunk, link, folder_for_file, file_for_folder, link_for_folder, lose_folder, rename_folder, huge,
+        sockets, strangers, hostile_document, hostile_plan, hostile_mark, forged_mark, negative_counts, hostile_array,
         hostile_metadata)  # fmt: skip

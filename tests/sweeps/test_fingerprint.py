@@ -1,4 +1,4 @@
-"""A store goes on with the same sweep alone: the same spec, the same content of every file it names, the same program."""
+"""A store goes on with the same sweep alone: of the same spec, content of every file it names, and program."""
 
 import ast
 import hashlib
@@ -188,9 +188,9 @@ def test_two_tables_that_were_swapped(tmp_path):
     both = TABLE + '"spin.tilt" = { table = "more.csv", column = "rate", unit = "deg" }\n'
     (tmp_path / "case.toml").write_text(both)
     texts, found = ["rate\n1\n2\n", "rate\n3\n4\n"], set()
-    for first, second in (texts, texts[::-1]):
-        (tmp_path / "runs.csv").write_text(first)
-        (tmp_path / "more.csv").write_text(second)
+    for one, other in (texts, texts[::-1]):
+        (tmp_path / "runs.csv").write_text(one)
+        (tmp_path / "more.csv").write_text(other)
         found.add(Sweep.of(read_plan(tmp_path / "case.toml")).layout.fingerprint)
     assert len(found) == 2
 

@@ -325,7 +325,7 @@ def test_killed_workers_and_clients(spec, tmp_path):
 def test_an_interrupt_leaves_nothing(spec, tmp_path, number):
     """A dozen semaphores were left, and the interpreter said so, while workers were waited for."""
     spec.write_text(SPEC.replace("samples = 300", "samples = 1000000").replace("chunk = 64", "chunk = 20000"))
-    before = set(os.listdir("/dev/shm"))
+    before = set(Path("/dev/shm").iterdir())
     client = command(spec, "--out", tmp_path / "a.zarr", "--workers", 2, "--no-figures", start_new_session=True)
     wait_for(tmp_path / "a.zarr", 2)
     os.killpg(client.pid, number)
@@ -334,7 +334,7 @@ def test_an_interrupt_leaves_nothing(spec, tmp_path, number):
     assert errors.endswith(f"polhode: stopped by {number.name}.\n")
     assert all(line.startswith("polhode: ") for line in errors.splitlines()), errors
     time.sleep(1.0)  # until what frees them has ended
-    assert set(os.listdir("/dev/shm")) <= before
+    assert set(Path("/dev/shm").iterdir()) <= before
 
 
 @pytest.mark.sweep

@@ -35,8 +35,8 @@ _KINDS_OF_NODE = {
 def files_recorded() -> Iterator[dict[Path, str]]:
     """Yield a dictionary that holds, once the block has ended well, every file that was read in it.
 
-    Absolute path → SHA-256 of the content: of what was opened here, and of what ``check_is_file`` was asked about before
-    a library opened it. Other threads are not recorded.
+    Absolute path → SHA-256 of the content: of what was opened here, and of what ``check_is_file`` was asked about
+    before a library opened it. Other threads are not recorded.
     """
     seen: set[Path] = set()
     found: dict[Path, str] = {}

@@ -16,7 +16,8 @@ from pathlib import Path
 
 # whose versions change numbers, or how a spec is read; a test of the house looks for others
 COMPUTED_BY = ("numpy", "scipy", "array-api-compat", "jax", "jaxlib", "equinox", "diffrax", "optimistix", "lineax",
-               "pydantic", "pydantic-core", "pint", "trimesh", "ase", "xarray", "h5netcdf", "h5py", "zarr", "numcodecs")  # fmt: skip
+               "pydantic", "pydantic-core", "pint", "trimesh", "ase", "xarray", "h5netcdf", "h5py", "zarr",
+               "numcodecs")  # fmt: skip
 COMPILERS = ("numba", "llvmlite")  # of the extra `fast`: other last bits with them than without
 SETTINGS = ("XLA_FLAGS", "NUMBA_DISABLE_JIT", "NUMBA_CPU_NAME", "NUMBA_CPU_FEATURES", "NPY_DISABLE_CPU_FEATURES",
             "OPENBLAS_CORETYPE")  # fmt: skip

@@ -24,7 +24,7 @@ from polhode.sweeps.plan import read_plan
 from polhode.sweeps.running import Sweep, default_workers
 from polhode.sweeps.sensitivity import sobol_indices
 from polhode.sweeps.store import Store
-from polhode.sweeps.summary import Summary, joined
+from polhode.sweeps.summary import Numbers, Summary, joined
 
 LEVELS = (0.05, 0.25, 0.5, 0.75, 0.95)
 LEVEL = 0.95  # of intervals

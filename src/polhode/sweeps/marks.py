@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import hashlib
 import math
+from itertools import pairwise
 from typing import Annotated, Any
 
 import numpy as np
@@ -87,7 +88,8 @@ def read_mark(content: bytes, number: int, layout: Layout) -> Mark | None:
     low, high = layout.range_of(number)
     fits = (mark.sweep == layout.fingerprint and mark.chunk == number and mark.arrays.keys() == columns.keys()
             and len(mark.reasons) <= 3 and all(low <= sample < high for sample, _ in mark.reasons)
-            and all(_fits(array.summary, columns[name], high - low) for name, array in mark.arrays.items()))  # fmt: skip
+            and all(_fits(array.summary, columns[name], high - low)
+                    for name, array in mark.arrays.items()))  # fmt: skip
     return mark if fits else None
 
 
@@ -106,7 +108,7 @@ def _are_of(numbers: Numbers, samples: int) -> bool:
     if not 0 < numbers.count <= samples or len(numbers.parts) != 1:
         return False
     (count, knots), ends = numbers.parts[0], (numbers.low, numbers.high)
-    in_order = all(a <= b for a, b in zip(knots, knots[1:], strict=False)) and all(map(math.isfinite, knots))
+    in_order = all(a <= b for a, b in pairwise(knots)) and all(map(math.isfinite, knots))
     return count == numbers.count and len(knots) == min(KNOTS, count) and in_order and (knots[0], knots[-1]) == ends
 
 

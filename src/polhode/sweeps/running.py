@@ -145,8 +145,8 @@ class Sweep:
             try:
                 damage = store.settle()
                 if damage.chunks:
-                    warnings.warn(f"{store.path}: {damage.chunks} of {self.chunks} finished chunks are damaged, and are "
-                                  "computed again.", stacklevel=2)  # fmt: skip
+                    warnings.warn(f"{store.path}: {damage.chunks} of {self.chunks} finished chunks are damaged, and "
+                                  "are computed again.", stacklevel=2)  # fmt: skip
                 if damage.documents:
                     warnings.warn(f"{store.path}: {damage.documents} of its documents on what arrays there are were "
                                   "missing or changed, and are as they were again.", stacklevel=2)  # fmt: skip
@@ -242,9 +242,9 @@ def _checked_evaluator(job: _Job) -> Evaluator:
         InvalidInput: if it would compute other numbers than the command itself.
     """
     if program_digest(_package(job.plan)) != job.program:
-        raise InvalidInput(f"the worker on {platform.node()} has another version of polhode, of Python or a library, or "
-                           "another setting such as XLA_FLAGS, than the command, and would compute other last digits. "
-                           "Give all the same.")  # fmt: skip
+        raise InvalidInput(f"the worker on {platform.node()} has another version of polhode, of Python or a library, "
+                           "or another setting such as XLA_FLAGS, than the command, and would compute other last "
+                           "digits. Give all the same.")  # fmt: skip
     return Evaluator(job.plan)
 
 

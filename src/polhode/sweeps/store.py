@@ -107,17 +107,18 @@ class Store:
                 f"is damaged: {HOME}/{PLAN} is not what a sweep writes")  # fmt: skip
             raise FormatError(f"{self.path}: {what}. Choose another store with --out, or remove this one.")
         if found["fingerprint"] != wanted["fingerprint"]:
-            raise InvalidInput(f"{self.path}: holds another sweep: the spec, a file that it names, polhode or a library "
-                               "that it computes with changed since. Choose another store with --out, or remove this "
-                               "one.")  # fmt: skip
+            raise InvalidInput(f"{self.path}: holds another sweep: the spec, a file that it names, polhode or a "
+                               "library that it computes with changed since. Choose another store with --out, or "
+                               "remove this one.")  # fmt: skip
         if found["chunk"] != wanted["chunk"]:
             got = shown(found["chunk"])
             raise InvalidInput(f"{self.path}: was begun with chunks of {got} samples, not {wanted['chunk']}. Set "
                                "sweep.chunk to that, or choose another store with --out.")  # fmt: skip
         if found != wanted:
             key = next(key for key in wanted if found[key] != wanted[key])
-            raise FormatError(f"{self.path}: is damaged: {HOME}/{PLAN} says {key} = {shown(found[key])}, and this sweep "
-                              f"has {wanted[key]}. Choose another store with --out, or remove this one.")  # fmt: skip
+            raise FormatError(f"{self.path}: is damaged: {HOME}/{PLAN} says {key} = {shown(found[key])}, and this "
+                              f"sweep has {wanted[key]}. Choose another store with --out, or remove this "
+                              "one.")  # fmt: skip
 
     @contextlib.contextmanager
     def locked(self) -> Iterator[None]:

@@ -84,7 +84,7 @@ def unpacked(path: Path, column: Column, count: int) -> Any:
     content, found = read_file(path, "chunk", whole + whole // 64 + MB), b""
     if CODECS[COMPRESSOR["id"]](content, whole) == whole:
         with contextlib.suppress(Exception):  # whatever a decoder makes of damaged bytes
-            found = bytes(get_codec(COMPRESSOR).decode(content))
+            found = bytes(get_codec(COMPRESSOR).decode(content))  # type: ignore[arg-type]
     if len(found) != whole:
         raise FormatError(f"{path}: is damaged. {AGAIN}")
     return np.frombuffer(found, dtype=column.type).reshape(shape)
