@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from polhode.cli.main import main
+from sweeping import only
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 SPEC = """
@@ -63,8 +64,11 @@ def folder(inputs, tmp_path, monkeypatch):
     return place
 
 
-@pytest.mark.parametrize("place", PLACES)
-@pytest.mark.parametrize("name", COMMANDS)
+CASES = [(name, place) for name in COMMANDS for place in PLACES]
+QUICK = [("sweep", place) for place in PLACES] + [(name, ".") for name in COMMANDS if name not in ("report", "compare")]
+
+
+@pytest.mark.parametrize(("name", "place"), only(QUICK, CASES))
 def test_odd_destinations(folder, capsys, name, place):
     before = {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()}
     option = "--figures" if name == "figures of tumble" else "--out"
