@@ -132,7 +132,7 @@ def test_each_way_of_damage(made, tmp_path):
 
 @pytest.mark.sweep
 def test_hundreds_of_damaged_stores(made, tmp_path):
-    """Of 219 such stores 64 ended otherwise before all was checked: 29 tracebacks, 17 wrong statistics, 18 that hung."""
+    """Of 219 such stores 64 ended otherwise before: 29 in tracebacks, 17 in wrong statistics, 18 hung."""
     cases = [(way, number, stopped) for way in damage.WAYS for number in range(2, 9) for stopped in (False, True)]
     same, refused = check_many(made, tmp_path, cases)
     assert same + refused > 350
