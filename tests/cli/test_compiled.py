@@ -7,6 +7,8 @@ import sys
 
 import pytest
 
+from polhode.cli import main as entry
+
 PROGRAM = """
 import os
 from polhode.cli.compiled import keep_compiled
@@ -118,3 +120,13 @@ def test_the_table_of_units_is_kept_and_a_damaged_one_is_read_again(tmp_path):
 def test_a_cache_that_cannot_be_written_changes_nothing(tmp_path):
     (tmp_path / "file").write_text("")
     assert run(UNITS, tmp_path, POLHODE_UNITS_CACHE=str(tmp_path / "file")) == run(UNITS, tmp_path)
+
+
+@pytest.mark.parametrize(("command", "count"), [("sweep", 0), ("report", 1)])
+def test_sweeps_compile_as_the_library_does(monkeypatch, command, count):
+    """A store goes on in Python, and on workers elsewhere, to the same bits; other flags round otherwise."""
+    called = []
+    monkeypatch.setattr("polhode.cli.compiled.compile_quickly", lambda: called.append(1))
+    monkeypatch.setattr("polhode.cli.compiled.keep_compiled", lambda: None)
+    monkeypatch.setattr(sys, "argv", ["polhode", command, "none.toml"])
+    assert entry._run(None) == 2 and len(called) == count

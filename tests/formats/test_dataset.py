@@ -187,7 +187,7 @@ def test_a_store_is_replaced(tmp_path):
 def test_a_store_of_anothers_stays(tmp_path):
     store = xr.Dataset({"temperature": ("day", [1.0, 2.0])})
     store.to_zarr(tmp_path / "motion.zarr", zarr_format=2)
-    with pytest.raises(InvalidInput, match="not a store of polhode's"):
+    with pytest.raises(InvalidInput, match="not the store of a motion"):
         formats.write_zarr(MOTION.sample(TIMES), tmp_path / "motion.zarr")
     assert xr.load_dataset(tmp_path / "motion.zarr", engine="zarr").identical(store)
 

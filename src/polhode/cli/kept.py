@@ -1,8 +1,8 @@
 """Reports kept in the user's cache folder: what one command computed, the next one takes while it is still true.
 
-A report follows from its spec and from the program, so it is kept under a digest of both: of the spec's values, with
-those of the files it names, and of the versions and source files of whatever computes. Kinds of other packages are
-computed each time, as their sources are not known here.
+A report follows from its spec and from the program, so it is kept under a digest of both; with it are kept the digests
+of the files that were read while it was computed, such as an earlier run that it goes on from, and it is true as long
+as these are the same. Kinds of other packages are computed each time.
 """
 
 from __future__ import annotations
@@ -16,20 +16,19 @@ import sys
 import tempfile
 from collections.abc import Iterator
 from functools import cache
-from importlib import metadata
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from pydantic import BaseModel
 
-import polhode
+from polhode.formats.opening import content_digest, files_recorded
 from polhode.kinds.base import Spec
 from polhode.reports.base import AbstractReport
+from polhode.reports.program import program_digest
 
 FOLDER = "POLHODE_REPORTS_CACHE"  # in the environment: where reports are kept; empty to keep none
 MOST, LARGEST = 32, 50_000_000  # reports, and bytes of one
-COMPUTED_BY = ("numpy", "scipy", "jax", "jaxlib", "equinox", "diffrax", "optimistix", "lineax", "pydantic", "pint")
 
 
 def kept_report(spec: Spec) -> AbstractReport:
@@ -48,9 +47,10 @@ def kept_report(spec: Spec) -> AbstractReport:
         return spec.report()
     found = _load(place)
     if found is None:
-        found = spec.report()
+        with files_recorded() as read:
+            found = spec.report()
         with contextlib.suppress(Exception):  # what cannot be kept is computed again
-            _keep(found, place)
+            _keep(found, read, place)
     return found
 
 
@@ -59,6 +59,9 @@ def _load(place: Path) -> AbstractReport | None:
         with place.open("rb") as file:
             if pickle.load(file):  # whether there are arrays of JAX, which are cut to 32 bits unless told otherwise
                 import polhode.algebra  # noqa: F401
+            read = pickle.load(file)
+            if any(content_digest(path) != digest for path, digest in read.items()):
+                return None
             found = pickle.load(file)
         os.utime(place)
     except Exception:  # missing, damaged in whatever way, or not to be read
@@ -66,8 +69,8 @@ def _load(place: Path) -> AbstractReport | None:
     return found if isinstance(found, AbstractReport) else None
 
 
-def _keep(report: AbstractReport, place: Path) -> None:
-    packed = pickle.dumps("jax" in sys.modules) + pickle.dumps(report)
+def _keep(report: AbstractReport, read: dict[Path, str], place: Path) -> None:
+    packed = pickle.dumps("jax" in sys.modules) + pickle.dumps(read) + pickle.dumps(report)
     if len(packed) > LARGEST:
         return
     place.parent.mkdir(parents=True, exist_ok=True)
@@ -95,11 +98,7 @@ def _digest(spec: Spec) -> str:
 
 @cache
 def _program() -> bytes:
-    """Return what tells this program from any other: versions, and size and time of each of its source files."""
-    top = Path(polhode.__file__).parent
-    stats = [(str(file), file.stat().st_size, file.stat().st_mtime_ns) for file in sorted(top.rglob("*.py"))]
-    versions = [(name, metadata.version(name)) for name in COMPUTED_BY]
-    return repr((polhode.__version__, sys.version, sys.platform, versions, stats)).encode()
+    return program_digest().encode()
 
 
 def _parts(value: Any) -> Iterator[bytes]:

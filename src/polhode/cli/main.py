@@ -51,7 +51,8 @@ def _run(arguments: list[str] | None) -> int | str | None:
         try:
             check_arguments(sys.argv[1:] if arguments is None else arguments)
             if arguments is None:  # the process is the command's own
-                compile_quickly()
+                if sys.argv[1:2] != ["sweep"]:  # whose numbers are those that Python and workers elsewhere compute
+                    compile_quickly()
                 keep_compiled()
             app(arguments)
         finally:

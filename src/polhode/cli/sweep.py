@@ -69,7 +69,7 @@ def _progress(sweep: Sweep, store: Store) -> Iterator[Callable[[int], object]]:
     """Show how far it is, how fast it goes and how long it will take, where somebody watches."""
     from tqdm import tqdm
 
-    done = sum(high - low for low, high in map(sweep.range_of, store.finished()))
+    done = sum(high - low for low, high in map(sweep.layout.range_of, store.finished()))
     if not sys.stderr.isatty():
         yield _Lines(done, sweep.plan.design.count).add
         return
@@ -106,7 +106,15 @@ def _drawn(report: SweepReport, out: Path) -> list[str]:
 
 
 def _figures_of(out: Path) -> Path:
-    return out.with_name(f"{out.stem}_figures")
+    """Return the folder beside a store, whose name may stand behind ``.`` or ``..``.
+
+    Raises:
+        InvalidInput: where there is no name.
+    """
+    named = out if out.name not in ("", "..") else out.resolve()
+    if not named.name:
+        raise InvalidInput(f"{out}: has no name that a store could have. Choose another with --out, like runs.zarr.")
+    return named.with_name(f"{named.stem}_figures")
 
 
 def _print_cost(sweep: Sweep, out: Path, seconds: float, workers: int, options: SweepOptions) -> None:

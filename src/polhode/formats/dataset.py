@@ -15,7 +15,9 @@ from polhode.errors import InvalidInput, not_installed
 from polhode.formats.dataset_rules import COMPLEX_PART, COUNTED, MEMORY, UNITS
 from polhode.formats.given_axes import along_principal_axes
 from polhode.formats.labels import AttitudeLabels, labels_of
+from polhode.formats.opening import MB, read_file
 from polhode.formats.paths import written_whole
+from polhode.formats.zarr_gate import DOCUMENTS
 from polhode.motion.frame import BodyFrame
 from polhode.motion.outcome import Outcome
 from polhode.motion.trajectory import Trajectory
@@ -249,7 +251,10 @@ def _check_finite(trajectory: Trajectory) -> None:
 
 
 def _is_our_store(path: Path) -> bool:
+    """Whether a folder is the store of a motion, as is written here; that of a sweep has a hidden folder more."""
     try:
-        return json.loads((path / ".zattrs").read_text("utf-8")).get("source") == "polhode"
-    except (OSError, ValueError, AttributeError):
+        attributes = json.loads(read_file(path / ".zattrs", "Zarr", MB))
+    except (ValueError, RecursionError):
         return False
+    hidden = {entry.name for entry in path.iterdir() if entry.name.startswith(".")}
+    return isinstance(attributes, dict) and attributes.get("source") == "polhode" and hidden <= set(DOCUMENTS)

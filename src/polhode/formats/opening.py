@@ -1,21 +1,26 @@
 """Input files opened: regular files only, without waiting, and no more bytes than the format's limit.
 
-A pipe that nobody writes to would block the opening for ever, and a device such as /dev/zero never ends.
+A pipe that nobody writes to would block the opening for ever, and a device such as /dev/zero never ends. Who keeps what
+was computed from files has them recorded here, so that it is known, by content, which they were.
 """
 
 from __future__ import annotations
 
 import contextlib
+import hashlib
 import io
 import os
 import stat
 from collections.abc import Iterator
+from contextvars import ContextVar
+from functools import lru_cache
 from pathlib import Path
 from typing import Any, BinaryIO
 
 from polhode.errors import FormatError, InvalidInput
 
 MB = 10**6  # bytes; formats state their limits in it
+_recordings: ContextVar[tuple[set[Path], ...]] = ContextVar("recordings", default=())
 _WITHOUT_WAITING = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_NOCTTY", 0) | getattr(os, "O_BINARY", 0)
 _KINDS_OF_NODE = {
     stat.S_IFDIR: "a folder",
@@ -26,10 +31,47 @@ _KINDS_OF_NODE = {
 }
 
 
+@contextlib.contextmanager
+def files_recorded() -> Iterator[dict[Path, str]]:
+    """Yield a dictionary that holds, once the block has ended well, every file that was read in it.
+
+    Absolute path → SHA-256 of the content: of what was opened here, and of what ``check_is_file`` was asked about
+    before a library opened it. Other threads are not recorded.
+    """
+    seen: set[Path] = set()
+    found: dict[Path, str] = {}
+    before = _recordings.set((*_recordings.get(), seen))
+    try:
+        yield found
+    finally:
+        _recordings.reset(before)
+    found.update((path, content_digest(path)) for path in sorted(seen))
+
+
+def content_digest(path: Path) -> str:
+    """Return the SHA-256 of a file's content, "" where there is none; it is read again only when it was written.
+
+    Raises:
+        InvalidInput: for what is not a regular file or may not be read.
+    """
+    try:
+        found = path.stat()
+    except (OSError, ValueError):
+        return ""
+    return _digest(path, found.st_size, found.st_mtime_ns, found.st_ctime_ns, found.st_ino)
+
+
+@lru_cache(maxsize=1024)
+def _digest(path: Path, *state: int) -> str:
+    with open_file(path, "input") as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()  # type: ignore[arg-type]
+
+
 def check_is_file(path: Path, kind: str, limit: int | None = None) -> None:
     """Refuse a path that is not a regular file, or one of more bytes than ``limit``; nothing is opened.
 
-    Names that the system cannot even look up, such as those with a NUL, belong to no file.
+    Names that the system cannot even look up, such as those with a NUL, belong to no file. A file that passes is
+    recorded as read.
 
     Args:
         path: the file.
@@ -46,6 +88,8 @@ def check_is_file(path: Path, kind: str, limit: int | None = None) -> None:
         why = f"no such {kind} file. Check the path; in a spec it counts from the spec's own folder."
         raise InvalidInput(f"{path}: {why}") from None
     _check(path, kind, found, limit)
+    for seen in _recordings.get():
+        seen.add(path.absolute())
 
 
 def is_folder(path: Path) -> bool:

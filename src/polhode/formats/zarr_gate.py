@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import Any, NamedTuple, NoReturn
 
 from polhode.errors import FormatError, shown
-from polhode.formats.opening import MB, read_file
+from polhode.formats.opening import MB, check_is_file, read_file
 
 MOST_FILES = 50_000
 MOST_CHUNKS = 20_000  # zarr takes a quarter of a millisecond for each
@@ -27,6 +27,7 @@ LARGEST_DOCUMENT = 4 * MB
 LARGEST_CHUNK_FILE = 2000 * MB
 SPARE, FACTOR = 64 * MB, 256
 """Arrays may take 64 MB, and 256 times what is on the disk: Blosc compresses constants so far, and nothing further."""
+OF_A_SWEEP = ".sweep"  # the folder in a store that tells that it is a sweep's
 DOCUMENTS = (".zarray", ".zgroup", ".zattrs", ".zmetadata")
 _DTYPE = re.compile(r"[<>|](?:[iu][1248]|f[248]|b1|[US][1-9]\d{0,3})", re.ASCII)
 
@@ -43,6 +44,9 @@ def check_store(folder: Path) -> list[str]:
         FormatError: for links and devices in it, codecs other than ``CODECS``, filters, objects, and arrays or chunks
             that are larger than what is stored can be.
     """
+    if os.path.lexists(folder / OF_A_SWEEP):
+        _refuse(folder, "is the store of a sweep, which holds numbers of many motions and not one motion. Read it with "
+                        "xarray.open_zarr; `polhode sweep` with its spec prints its statistics")  # fmt: skip
     files = list(_files(folder, folder, 0))
     names = sorted(entry.name for entry in folder.iterdir() if entry.is_dir())
     arrays = {file.path.parent for file in files if file.path.name == ".zarray"}
@@ -150,6 +154,7 @@ def _check_chunk(store: Path, name: str, file: _File, codec: str | None, whole: 
     if file.size > LARGEST_CHUNK_FILE:
         _refuse(store, f"{name} has a chunk of {file.size // MB:,} MB. Write the store again with smaller ones")
     if codec is None:
+        check_is_file(file.path, "Zarr")
         size = file.size
     else:
         content = read_file(file.path, "Zarr", LARGEST_CHUNK_FILE)

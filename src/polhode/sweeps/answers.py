@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import os
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -18,11 +19,12 @@ from polhode.reports.answer import Answer, Group, Table, units_of, values_of
 from polhode.reports.base import plain
 from polhode.reports.wording import uncertain
 from polhode.sweeps.evaluation import DONE, STATUS, Column
+from polhode.sweeps.marks import Mark
 from polhode.sweeps.plan import read_plan
 from polhode.sweeps.running import Sweep, default_workers
 from polhode.sweeps.sensitivity import sobol_indices
 from polhode.sweeps.store import Store
-from polhode.sweeps.summary import Numbers, joined
+from polhode.sweeps.summary import Numbers, Summary, joined
 
 LEVELS = (0.05, 0.25, 0.5, 0.75, 0.95)
 LEVEL = 0.95  # of intervals
@@ -77,10 +79,24 @@ class SweepReport:
         return f"<SweepReport: {self.summary} {self.store.path}>"
 
     @cached_property
-    def summaries(self) -> dict[str, dict[str, int] | list[Numbers]]:
+    def summaries(self) -> dict[str, Summary]:
         """Each input, output and the status in summary."""
-        marks = list(self.store.marks())
-        return {column.name: joined(mark["summaries"][column.name] for mark in marks) for column in self.sweep.columns}
+        return {column.name: joined(mark.arrays[column.name].summary for mark in self.marks)
+                for column in self.sweep.columns}  # fmt: skip
+
+    @cached_property
+    def marks(self) -> list[Mark]:
+        """The marks of all chunks."""
+        return list(self.store.marks())
+
+    @property
+    def checksum(self) -> str:
+        """Of all samples, which depends neither on who computed them nor on interruptions."""
+        found = hashlib.sha256()
+        for mark in self.marks:
+            for name, digest in sorted(mark.digests.items()):
+                found.update(f"{name} {digest}\n".encode())
+        return found.hexdigest()
 
     @property
     def outputs(self) -> list[Column]:
@@ -105,7 +121,7 @@ class SweepReport:
     @property
     def notes(self) -> list[str]:
         found = []
-        reasons = [reason for mark in self.store.marks() for reason in mark["reasons"]]
+        reasons = [reason for mark in self.marks for reason in mark.reasons]
         if reasons:
             number, why = reasons[0]
             found.append(f"statistics leave out the samples that were not computed. The first of them, sample {number} "
@@ -120,7 +136,7 @@ class SweepReport:
 
     def answers(self) -> list[Group | Table]:
         """Return what the sweep says, in the order of its text."""
-        mark = self.store.checksum()
+        mark = self.checksum
         about = Group("Sweep", [
             Answer("samples", self.sweep.plan.design.count, "", "samples"),
             Answer(STATUS, self.status),

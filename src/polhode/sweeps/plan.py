@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import json
 from dataclasses import dataclass
 from pathlib import Path
@@ -11,8 +10,8 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from pydantic import Field, StrictInt, ValidationError
 
-from polhode import __version__
 from polhode.errors import InvalidInput, shown
+from polhode.formats.opening import files_recorded
 from polhode.kinds.base import AbstractKind
 from polhode.kinds.reading import SWEEP, kind_of_tables
 from polhode.spec.fields import Duration, Flag, one_of
@@ -69,7 +68,8 @@ class Plan:
         times: of states among the outputs [s].
         keep: "all", or "statistics" alone.
         chunk: samples computed together as the spec gives it; None for the usual number.
-        fingerprint: of everything that the results depend on.
+        asked: what the spec says, as text, without ``chunk``, which is told apart by itself.
+        read: the files that were read for the inputs, with SHA-256 of their content.
     """
 
     path: Path
@@ -81,7 +81,8 @@ class Plan:
     times: tuple[float, ...]
     keep: str
     chunk: int | None
-    fingerprint: str
+    asked: str
+    read: dict[Path, str]
 
     @property
     def states(self) -> tuple[str, ...]:
@@ -113,13 +114,14 @@ def read_plan(path: str | Path) -> Plan:
         raise InvalidInput(*as_message(path, mistakes_of(error, SweepTable, (SWEEP,)))) from None
     mistakes: list[Mistake] = []
     inputs, units = {}, {}
-    for key, value in table.inputs.items():
-        try:
-            reader = Reader(number_at(key, kind.table))
-            inputs[key] = read_distribution(value, reader, path.parent)
-            units[key] = reader.unit or ""
-        except ValueError as error:
-            mistakes.append(((SWEEP, "inputs", key), str(error)))
+    with files_recorded() as read:
+        for key, value in table.inputs.items():
+            try:
+                reader = Reader(number_at(key, kind.table))
+                inputs[key] = read_distribution(value, reader, path.parent)
+                units[key] = reader.unit or ""
+            except ValueError as error:
+                mistakes.append(((SWEEP, "inputs", key), str(error)))
     mistakes += _broken(table, inputs)
     if mistakes:
         raise InvalidInput(*as_message(path, mistakes))
@@ -127,9 +129,10 @@ def read_plan(path: str | Path) -> Plan:
     draws = table.samples if table.samples is not None else min(rows, default=1)
     design = Design(inputs, draws, table.seed, table.points, table.sensitivity)
     _check_size(path, design)
-    mark = _fingerprint(path.parent, tables, raw, inputs)
+    said = {key: value for key, value in raw.items() if key != "chunk"}
+    asked = json.dumps([tables, said], sort_keys=True, default=str)
     outputs, times = tuple(table.outputs), tuple(table.times)
-    return Plan(path, tables, kind, design, units, outputs, times, table.keep, table.chunk, mark)
+    return Plan(path, tables, kind, design, units, outputs, times, table.keep, table.chunk, asked, read)
 
 
 def _flat(inputs: dict[str, Any], before: str = "") -> dict[str, Any]:
@@ -187,19 +190,3 @@ def _check_size(path: Path, design: Design) -> None:
         most = 2**SOBOL_BITS if quasi else MOST
         got = f"{design.count:.3g} samples"
         raise InvalidInput(f"{path}: the sweep has {got}; at most {most:.3g} are taken. Give fewer.")
-
-
-def _fingerprint(folder: Path, tables: dict[str, Any], raw: dict[str, Any], inputs: dict[str, Any]) -> str:
-    """Return a hash of the spec, of files that it names, and of the version; ``chunk`` is told apart by itself."""
-    said = {key: value for key, value in raw.items() if key != "chunk"}
-    text = json.dumps([__version__, tables, said], sort_keys=True, default=str)
-    found = hashlib.sha256(text.encode())
-    body = tables.get("body")
-    for key in ("mesh", "molecule", "urdf"):
-        named = body.get(key) if isinstance(body, dict) else None
-        if isinstance(named, str) and (folder / named).is_file():
-            found.update((folder / named).read_bytes())
-    for how in inputs.values():
-        if isinstance(how, AbstractPlaced):
-            found.update(how.at(np.arange(how.count)).tobytes())
-    return found.hexdigest()

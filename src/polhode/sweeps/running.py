@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import asyncio
 import contextlib
-import math
+import hashlib
+import json
 import os
+import platform
 import signal
 import time
 import warnings
@@ -16,8 +19,11 @@ from pathlib import Path
 from typing import Any
 
 from polhode.errors import InvalidInput, PolhodeError, not_installed
+from polhode.formats.opening import files_recorded
 from polhode.formats.paths import FULL
+from polhode.reports.program import program_digest
 from polhode.sweeps.evaluation import STATUS, Column, Evaluator
+from polhode.sweeps.layout import Layout
 from polhode.sweeps.plan import Plan
 from polhode.sweeps.store import Store, check_room, size_of
 
@@ -31,6 +37,7 @@ ENVIRONMENT = {"MALLOC_TRIM_THRESHOLD_": str(2**28), "MALLOC_MMAP_THRESHOLD_": s
                "OMP_NUM_THREADS": "1", "MKL_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}  # fmt: skip
 PATIENCE = 30.0  # s in which a cluster must answer
 LONG_PATIENCE = 300.0  # s in which it must have a worker
+HASTE = 0.1  # s in which workers must end themselves when the sweep is stopped
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,12 +47,16 @@ class Sweep:
     Attributes:
         plan: what it does.
         evaluator: computes samples.
-        columns: of inputs, outputs and status.
+        layout: of the store that it writes.
+        read: the files that samples are computed from, with SHA-256 of their content.
+        program: digest of what computes.
     """
 
     plan: Plan
     evaluator: Evaluator
-    columns: list[Column]
+    layout: Layout
+    read: dict[Path, str]
+    program: str
 
     @classmethod
     def of(cls, plan: Plan) -> Sweep:
@@ -57,11 +68,23 @@ class Sweep:
         evaluator = Evaluator(plan)
         inputs = [Column(key, (how.length,) if how.length else (), unit=plan.units[key])
                   for key, how in plan.design.inputs.items()]  # fmt: skip
-        return cls(plan, evaluator, [*inputs, *evaluator.columns, Column(STATUS, text=True)])
+        with files_recorded() as read:
+            columns = (*inputs, *evaluator.columns, Column(STATUS, text=True))
+            chunk = evaluator.chunk_size
+        read, program = plan.read | read, program_digest(_package(plan))
+        header = {"title": f"sweep of {plan.path.stem}", "Conventions": "CF-1.11", "seed": plan.design.seed}
+        layout = Layout(_fingerprint(plan, read, program), plan.design.count, chunk, plan.keep, columns, plan.times,
+                        header)  # fmt: skip
+        return cls(plan, evaluator, layout, read, program)
+
+    @property
+    def columns(self) -> tuple[Column, ...]:
+        """Of inputs, outputs and status."""
+        return self.layout.columns
 
     @property
     def chunks(self) -> int:
-        return math.ceil(self.plan.design.count / self.evaluator.chunk_size)
+        return self.layout.chunks
 
     @property
     def bytes(self) -> int:
@@ -73,11 +96,6 @@ class Sweep:
     def chunk_bytes(self) -> int:
         """What the arrays of a chunk take in memory."""
         return size_of(self.columns, self.evaluator.chunk_size)
-
-    def range_of(self, number: int) -> tuple[int, int]:
-        """Return the samples low, …, high − 1 of a chunk."""
-        low = number * self.evaluator.chunk_size
-        return low, min(low + self.evaluator.chunk_size, self.plan.design.count)
 
     def cost(self) -> float:
         """Return about how many seconds one core will take, by a measurement."""
@@ -102,14 +120,10 @@ class Sweep:
         Raises:
             InvalidInput: where it cannot be made, or is of another sweep.
         """
-        store = Store(path)
+        store = Store(path, self.layout)
         done = len(store.finished()) if store.home.is_dir() else 0
         check_room(store.path, int(self.bytes * (1.0 - done / self.chunks)))
-        design = self.plan.design
-        said = {"fingerprint": self.plan.fingerprint, "samples": design.count, "chunk": self.evaluator.chunk_size,
-                "keep": self.plan.keep}  # fmt: skip
-        header = {"title": f"sweep of {self.plan.path.stem}", "Conventions": "CF-1.11", "seed": design.seed}
-        store.begin(said, self.columns, self.plan.times, header)
+        store.begin()
         return store
 
     def run(
@@ -129,9 +143,13 @@ class Sweep:
         """
         with store.locked():
             try:
-                if damaged := store.drop_damaged():
-                    warnings.warn(f"{store.path}: {damaged} of {self.chunks} finished chunks are damaged, and are "
-                                  "computed again.", stacklevel=2)  # fmt: skip
+                damage = store.settle()
+                if damage.chunks:
+                    warnings.warn(f"{store.path}: {damage.chunks} of {self.chunks} finished chunks are damaged, and "
+                                  "are computed again.", stacklevel=2)  # fmt: skip
+                if damage.documents:
+                    warnings.warn(f"{store.path}: {damage.documents} of its documents on what arrays there are were "
+                                  "missing or changed, and are as they were again.", stacklevel=2)  # fmt: skip
                 self._run_missing(store, workers, scheduler, tell)
             except BaseException:
                 store.remove_if_empty()
@@ -145,13 +163,13 @@ class Sweep:
         if scheduler is None and min(workers, len(missing)) <= 1:
             for number in missing:
                 with _explained(self, store):
-                    _compute(self.evaluator, store, number, *self.range_of(number))
+                    _compute(self.evaluator, store, number, self.read)
                 tell(self._samples(number))
         elif missing:
             self._distribute(store, missing, min(workers, len(missing)), scheduler, tell)
 
     def _samples(self, number: int) -> int:
-        low, high = self.range_of(number)
+        low, high = self.layout.range_of(number)
         return high - low
 
     def _distribute(
@@ -162,14 +180,14 @@ class Sweep:
         with _cluster(workers, scheduler) as client, _explained(self, store):
             # workers elsewhere have another present folder
             plan = replace(self.plan, path=self.plan.path.absolute())
-            plan = client.scatter(plan, broadcast=True, hash=False)
+            job = client.scatter(_Job(plan, self.layout, self.read, self.program), broadcast=True, hash=False)
             waiting, place = iter(missing), str(store.path.absolute())
-            name = f"polhode-{self.plan.fingerprint[:16]}"
+            name = f"polhode-{self.layout.fingerprint[:16]}"
 
             def hand_out(count: int) -> list[Any]:
                 numbers = [number for _, number in zip(range(count), waiting, strict=False)]
-                return [client.submit(_compute_remotely, plan, place, number, *self.range_of(number),
-                                      key=f"{name}-{number}", pure=False) for number in numbers]  # fmt: skip
+                return [client.submit(_compute_remotely, job, place, number, key=f"{name}-{number}", pure=False)
+                        for number in numbers]  # fmt: skip
 
             at_work = as_completed(hand_out(IN_HAND * _threads(client)))
             for future in at_work:
@@ -179,19 +197,60 @@ class Sweep:
                     at_work.add(new)
 
 
-def _compute(evaluator: Evaluator, store: Store, number: int, low: int, high: int) -> None:
-    store.write(number, low, evaluator.chunk(low, high), evaluator.plan.keep)
+@dataclass(frozen=True, eq=False)
+class _Job:
+    """What a worker needs to know."""
+
+    plan: Plan
+    layout: Layout
+    read: dict[Path, str]
+    program: str
+
+
+def _package(plan: Plan) -> str:
+    """Return the package whose kind of motion it is."""
+    return type(plan.kind).__module__.partition(".")[0]
+
+
+def _fingerprint(plan: Plan, read: dict[Path, str], program: str) -> str:
+    """Return a hash of everything that the samples depend on: the spec, files by content, and what computes."""
+    folder = plan.path.parent.absolute()
+    files = sorted((Path(os.path.relpath(path, folder)).as_posix(), digest) for path, digest in read.items())
+    return hashlib.sha256(json.dumps([program, plan.asked, files]).encode()).hexdigest()
+
+
+def _compute(evaluator: Evaluator, store: Store, number: int, read: dict[Path, str]) -> None:
+    """Compute a chunk and write it, if the files that it was computed from are still those of the other chunks.
+
+    Raises:
+        InvalidInput: naming the file that is not.
+    """
+    with files_recorded() as found:
+        chunk = evaluator.chunk(*store.layout.range_of(number))
+    for path, digest in found.items():
+        if read.get(path, digest) != digest:
+            raise InvalidInput(f"{path}: changed while the sweep ran, whose samples would be of two kinds. Put it back "
+                               "and run the sweep again, or choose another store with --out.")  # fmt: skip
+    store.write(number, chunk)
 
 
 @lru_cache(maxsize=4)
-def _evaluator(plan: Plan) -> Evaluator:
-    """Return what a worker computes with, for as long as it has the same plan."""
-    return Evaluator(plan)
+def _checked_evaluator(job: _Job) -> Evaluator:
+    """Return what a worker computes with, for as long as it has the same job.
+
+    Raises:
+        InvalidInput: if it would compute other numbers than the command itself.
+    """
+    if program_digest(_package(job.plan)) != job.program:
+        raise InvalidInput(f"the worker on {platform.node()} has another version of polhode, of Python or a library, "
+                           "or another setting such as XLA_FLAGS, than the command, and would compute other last "
+                           "digits. Give all the same.")  # fmt: skip
+    return Evaluator(job.plan)
 
 
-def _compute_remotely(plan: Plan, path: str, number: int, low: int, high: int) -> int:
+def _compute_remotely(job: _Job, path: str, number: int) -> int:
     """Compute a chunk in a worker; errors travel as plain ones, whatever the client has imported."""
-    _compute(_evaluator(plan), Store(path), number, low, high)
+    _compute(_checked_evaluator(job), Store(path, job.layout), number, job.read)
     return number
 
 
@@ -222,7 +281,16 @@ def _cluster(workers: int, scheduler: str | None) -> Iterator[Any]:
             cluster = LocalCluster(n_workers=workers, threads_per_worker=1, processes=True,
                                    dashboard_address=NO_DASHBOARD, silence_logs=50)  # fmt: skip
         with cluster, Client(cluster) as client:
-            yield client
+            try:
+                yield client
+            except BaseException:  # what workers have in hand is lost anyway; the cluster would wait seconds for it
+                cluster.sync(_end_workers, cluster)
+                raise
+
+
+async def _end_workers(cluster: Any) -> None:
+    await asyncio.gather(*(nanny.close(timeout=HASTE) for nanny in list(cluster.workers.values())),
+                         return_exceptions=True)  # fmt: skip
 
 
 def _await_workers(client: Any, scheduler: str) -> None:
@@ -248,12 +316,25 @@ def _deaf_to_interrupts() -> Iterator[None]:
     if not hasattr(signal, "pthread_sigmask"):
         yield
         return
-    resource_tracker.ensure_running()  # which, when it starts, lets interrupts through again
+    _start_tracker()  # which, when it starts, lets interrupts through again
     before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
     try:
         yield
     finally:
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
+def _start_tracker() -> None:
+    """Start what frees semaphores of a process that was ended at once, and let it do so without a word."""
+    before = os.environ.get("PYTHONWARNINGS")
+    os.environ["PYTHONWARNINGS"] = (f"{before}," if before else "") + "ignore:resource_tracker:UserWarning"
+    try:
+        resource_tracker.ensure_running()
+    finally:
+        if before is None:
+            del os.environ["PYTHONWARNINGS"]
+        else:
+            os.environ["PYTHONWARNINGS"] = before
 
 
 @contextlib.contextmanager

@@ -1,40 +1,47 @@
 """The Zarr store of a sweep: arrays of all samples, and a mark for each chunk that is finished.
 
 A chunk of samples is one chunk of every array, so that whoever computes it writes files of its own. Its mark, a small
-file that appears whole after the data, holds a checksum and a summary; what has no mark is computed again.
+file that appears whole after the data, holds checksums and a summary; what has no mark is computed again.
+
+Whatever is read back is checked first, as files of others are: what stands in the place of a file must be one, no
+larger than it can be, and must hold what was written. Read are marks and chunks by the sweep's own layout; documents in
+the store are for other readers, and put right where they differ.
 """
 
 from __future__ import annotations
 
 import contextlib
-import hashlib
 import json
 import math
 import os
 import shutil
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from polhode.errors import FormatError, InvalidInput, not_installed, shown
+from polhode.errors import FormatError, InvalidInput, shown
+from polhode.formats.opening import MB, read_file
 from polhode.formats.paths import written_whole
 from polhode.sweeps.evaluation import Chunk, Column
-from polhode.sweeps.summary import summary_of
+from polhode.sweeps.layout import CHUNKS, FORMAT, HOME, LOCK, PLAN, Layout, import_zarr
+from polhode.sweeps.marks import Mark, digest_of, read_mark, sealed
+from polhode.sweeps.store_checks import AGAIN, check_file, check_folder, says, unpacked
 
-HOME, PLAN, CHUNKS, LOCK = ".sweep", "plan.json", "chunks", "lock"
-FORMAT = 1
-COMPONENTS = {3: "axis", 4: "quaternion"}
 SPARE = 1.1  # of the room that a store may need, in what the disk must have
 
 
-def _zarr() -> Any:
-    try:
-        import zarr
-    except ImportError:
-        raise not_installed("Sweeps", "zarr", "sweep") from None
-    return zarr
+class Damage(NamedTuple):
+    """What was not as it was written.
+
+    Attributes:
+        chunks: how many had marks, and are to be computed again.
+        documents: how many were missing or changed, and are as they were again.
+    """
+
+    chunks: int
+    documents: int
 
 
 class Store:
@@ -42,40 +49,38 @@ class Store:
 
     Attributes:
         path: of the folder.
+        layout: what it consists of.
         is_new: whether it was made by this object, and nothing of it is worth keeping before a chunk is finished.
     """
 
-    def __init__(self, path: str | Path) -> None:
+    def __init__(self, path: str | Path, layout: Layout) -> None:
         self.path = Path(path)
+        self.layout = layout
         self.home = self.path / HOME
         self.is_new = False
+        self._digests: dict[int, dict[str, str]] = {}  # of chunks whose mark was read
 
     # ------------------------------------------------------------------ beginning
 
-    def begin(
-        self, plan: dict[str, Any], columns: list[Column], times: tuple[float, ...], header: dict[str, Any]
-    ) -> None:
+    def begin(self) -> None:
         """Make the store, or check that it is one of the same sweep, to go on with.
-
-        Args:
-            plan: what tells it from others, as JSON has it: "fingerprint", "samples", "chunk", "keep".
-            columns: of inputs, outputs and status.
-            times: of states [s].
-            header: global attributes.
 
         Raises:
             InvalidInput: for another sweep's store, other folders and files, and where nothing can be written.
+            FormatError: for a store that is no longer one.
         """
-        if (self.home / PLAN).is_file():
-            self._check_same(plan)
+        if os.path.lexists(self.home):
+            self._check_home()
+            self._check_same()
             return
-        if self.path.exists():
-            raise InvalidInput(f"{self.path}: is there already, and not the store of a sweep. Choose another name, or "
-                               "move it away.")  # fmt: skip
+        if os.path.lexists(self.path):
+            raise InvalidInput(f"{self.path}: is there already, and not the store of a sweep. Choose another name "
+                               "with --out, or move it away.")  # fmt: skip
         with written_whole(self.path) as draft:
-            _make_arrays(draft, plan, columns, times, header)
-            (draft / HOME / CHUNKS).mkdir(parents=True)
-            (draft / HOME / PLAN).write_text(json.dumps({"format": FORMAT, **plan}, indent=1), "utf-8")
+            for name, content in self.layout.documents.items():
+                (draft / name).parent.mkdir(parents=True, exist_ok=True)
+                (draft / name).write_bytes(content)
+            (draft / HOME / CHUNKS).mkdir()
         self.is_new = True
 
     def remove_if_empty(self) -> None:
@@ -83,19 +88,37 @@ class Store:
         if self.is_new and not self.finished():
             shutil.rmtree(self.path, ignore_errors=True)
 
-    def _check_same(self, plan: dict[str, Any]) -> None:
+    def _check_home(self) -> None:
+        """Refuse what could not be a store's own folder, before anything in it is opened or locked."""
+        check_folder(self.path, self.home, {CHUNKS})
+        if not os.path.lexists(self.home / PLAN):
+            raise FormatError(f"{self.path}: is damaged: {HOME}/{PLAN} is gone. Put it back, or choose another store "
+                              "with --out.")  # fmt: skip
+
+    def _check_same(self) -> None:
         try:
-            found = json.loads((self.home / PLAN).read_text("utf-8"))
-        except (OSError, ValueError) as error:
-            why = f"its {HOME}/{PLAN} cannot be read ({error})"
-            raise FormatError(f"{self.path}: {why}. Choose another store.") from None
-        if found.get("fingerprint") != plan["fingerprint"]:
-            raise InvalidInput(f"{self.path}: holds another sweep: the spec, its files or polhode's version changed "
-                               "since. Choose another store with --out, or remove this one.")  # fmt: skip
-        if found.get("chunk") != plan["chunk"] or found.get("format") != FORMAT:
-            got = shown(found.get("chunk"))
-            raise InvalidInput(f"{self.path}: was begun with chunks of {got} samples, not {plan['chunk']}. Set "
+            found = json.loads(read_file(self.home / PLAN, "plan", MB))
+        except (ValueError, RecursionError):
+            found = None
+        wanted = self.layout.plan
+        if not isinstance(found, dict) or found.keys() != wanted.keys():
+            old = isinstance(found, dict) and found.get("format") == 1
+            what = f"was made by another version of polhode (format 1, not {FORMAT})" if old else (
+                f"is damaged: {HOME}/{PLAN} is not what a sweep writes")  # fmt: skip
+            raise FormatError(f"{self.path}: {what}. Choose another store with --out, or remove this one.")
+        if found["fingerprint"] != wanted["fingerprint"]:
+            raise InvalidInput(f"{self.path}: holds another sweep: the spec, a file that it names, polhode or a "
+                               "library that it computes with changed since. Choose another store with --out, or "
+                               "remove this one.")  # fmt: skip
+        if found["chunk"] != wanted["chunk"]:
+            got = shown(found["chunk"])
+            raise InvalidInput(f"{self.path}: was begun with chunks of {got} samples, not {wanted['chunk']}. Set "
                                "sweep.chunk to that, or choose another store with --out.")  # fmt: skip
+        if found != wanted:
+            key = next(key for key in wanted if found[key] != wanted[key])
+            raise FormatError(f"{self.path}: is damaged: {HOME}/{PLAN} says {key} = {shown(found[key])}, and this "
+                              f"sweep has {wanted[key]}. Choose another store with --out, or remove this "
+                              "one.")  # fmt: skip
 
     @contextlib.contextmanager
     def locked(self) -> Iterator[None]:
@@ -118,134 +141,154 @@ class Store:
         finally:
             lock.release()
 
-    # ------------------------------------------------------------------ chunks
+    # ------------------------------------------------------------------ what is there
 
-    def write(self, number: int, low: int, chunk: Chunk, keep: str) -> None:
-        """Write a chunk of samples, the first of which is ``low``, and then its mark.
+    def settle(self) -> Damage:
+        """Make the store one in which whatever has a mark is as it was written; to be called under the lock.
+
+        Marks go from chunks that are not, so that they are computed again; documents are put right.
+
+        Raises:
+            FormatError: where there are pipes, links or folders in place of files.
+            InvalidInput: where nothing can be written.
+        """
+        with worded(self.path):
+            self._check_places()
+            (self.home / CHUNKS).mkdir(exist_ok=True)
+            restored = sum(self._restored(name, content) for name, content in self.layout.documents.items())
+            dropped = 0
+            for number in sorted(self.finished()):
+                if self._is_whole(number):
+                    continue
+                self._mark(number).unlink(missing_ok=True)
+                dropped += 1
+        return Damage(dropped, restored)
+
+    def _check_places(self) -> None:
+        """Refuse what is neither a file nor a folder where the sweep has its own, and take away abandoned drafts."""
+        check_folder(self.path, self.home, {CHUNKS})
+        for name in self.layout.documents:
+            check_file(self.path, name)
+        folders = {(self.path / name).parent for name in self.layout.documents} | {self.home / CHUNKS}
+        for folder in sorted(folders - {self.path, self.home}):
+            if not os.path.lexists(folder):
+                continue
+            check_folder(self.path, folder, set())
+            for draft in (*folder.glob(".*.mark.*"), *folder.glob("*.partial")):  # our own, and zarr's
+                draft.unlink(missing_ok=True)
+
+    def _restored(self, name: str, content: bytes) -> bool:
+        """Put a document back that is missing or says something else, and return whether it was."""
+        path = self.path / name
+        if says(path, content):
+            return False
+        path.parent.mkdir(exist_ok=True)
+        _write_whole(path, content)
+        return True
+
+    def _is_whole(self, number: int) -> bool:
+        """Whether a mark and the data of its chunk are what was written."""
+        try:
+            digests = self.mark(number).digests
+            for column in self.layout.arrays.values():
+                self._chunk_of(column, number, digests[column.name])
+        except InvalidInput:
+            return False
+        self._digests[number] = digests
+        return True
+
+    def finished(self) -> set[int]:
+        """Return which chunks have marks, whole or not."""
+        found = set()
+        for path in (self.home / CHUNKS).glob("*.mark"):
+            if path.stem.isascii() and path.stem.isdecimal() and len(path.stem) < 20:
+                number = int(path.stem)
+                if number < self.layout.chunks and path.name == self._mark(number).name:
+                    found.add(number)
+        return found
+
+    def mark(self, number: int) -> Mark:
+        """Return the mark of a chunk.
+
+        Raises:
+            InvalidInput: where there is none, or nothing that could be one.
+        """
+        path = self._mark(number)
+        found = read_mark(read_file(path, "mark", self.layout.largest_mark), number, self.layout)
+        if found is None:
+            raise FormatError(f"{path}: is damaged. {AGAIN}")
+        return found
+
+    def marks(self) -> Iterator[Mark]:
+        """Yield the marks of all chunks in the order of the samples.
+
+        Raises:
+            InvalidInput: where one is missing or damaged.
+        """
+        for number in range(self.layout.chunks):
+            try:
+                yield self.mark(number)
+            except InvalidInput as error:
+                raise FormatError(f"{self.path}: chunk {number} has no whole mark ({error.args[0]})") from None
+
+    # ------------------------------------------------------------------ data
+
+    def write(self, number: int, chunk: Chunk) -> None:
+        """Write a chunk of samples, and then its mark.
 
         Raises:
             OSError: as the system does, such as on a full disk; no mark is left then.
         """
-        if keep == "all":
-            group = _zarr().open_group(str(self.path), mode="r+", zarr_format=2, use_consolidated=False)
-            for name, values in chunk.values.items():
-                group[name][low : low + len(values)] = values
-                # the mark must not outlive the data in a power cut
-                _written_through(self.path / name / ".".join([str(number), *["0"] * (values.ndim - 1)]))
-        mark = {
-            "checksum": checksum(chunk.values), "reasons": chunk.reasons,
-            "summaries": {name: summary_of(values) for name, values in chunk.values.items()},
-        }  # fmt: skip
-        _write_whole(self._mark(number), json.dumps(mark))
-
-    def _mark(self, number: int) -> Path:
-        return self.home / CHUNKS / f"{number:09d}.json"
-
-    def drop_damaged(self) -> int:
-        """Take the marks from chunks whose data are not what was written, so that they are computed again.
-
-        Returns:
-            how many there are.
-        """
-        plan = json.loads((self.home / PLAN).read_text("utf-8"))
-        # what killed processes left: our drafts of marks, and zarr's of chunks
-        for draft in (*(self.home / CHUNKS).glob(".*.json.*"), *self.path.rglob("*.partial")):
-            draft.unlink(missing_ok=True)
-        group, dropped = _zarr().open_group(str(self.path), mode="r", zarr_format=2, use_consolidated=False), 0
-        for number in sorted(self.finished()):
-            low = number * plan["chunk"]
-            try:
-                mark = json.loads(self._mark(number).read_text("utf-8"))
-                high = min(low + plan["chunk"], plan["samples"])
-                whole = plan["keep"] != "all" or mark["checksum"] == checksum(
-                    {name: group[name][low:high] for name in mark["summaries"]}
-                )
-            except Exception:  # whatever a decoder makes of damaged bytes
-                whole = False
-            if not whole:
-                self._mark(number).unlink(missing_ok=True)
-                dropped += 1
-        return dropped
-
-    def finished(self) -> set[int]:
-        """Return which chunks have marks."""
-        return {int(path.stem) for path in (self.home / CHUNKS).glob("*.json") if path.stem.isdecimal()}
-
-    def marks(self) -> Iterator[dict[str, Any]]:
-        """Yield the marks in the order of the samples."""
-        for path in sorted((self.home / CHUNKS).glob("*.json")):
-            try:
-                yield json.loads(path.read_text("utf-8"))
-            except ValueError:
-                raise FormatError(f"{path}: is damaged. Remove it and run the sweep again; the chunk is computed "
-                                  "anew.") from None  # fmt: skip
-
-    def checksum(self) -> str:
-        """Return one for all samples, which depends neither on who computed them nor on interruptions."""
-        found = hashlib.sha256()
-        for mark in self.marks():
-            found.update(bytes.fromhex(mark["checksum"]))
-        return found.hexdigest()
+        low, high = self.layout.range_of(number)
+        if self.layout.arrays:
+            group = import_zarr().open_group(str(self.path), mode="r+", zarr_format=2, use_consolidated=False)
+            for name, column in self.layout.arrays.items():
+                file = self.path / self.layout.file_of(column, number)
+                file.unlink(missing_ok=True)  # zarr would read it first, where the last chunk has fewer samples
+                group[name][low:high] = chunk.values[name]
+                _written_through(file)  # the mark must not outlive the data in a power cut
+        mark = Mark.of(chunk, number, self.layout)
+        _write_whole(self._mark(number), sealed(mark))
 
     def read(self, name: str, most: int | None = None) -> Any:
-        """Return an array, or evenly chosen chunks of it with about so many samples."""
-        array = _zarr().open_group(str(self.path), mode="r", zarr_format=2)[name]
-        count, each = array.shape[0], array.chunks[0]
-        if most is None or count <= most:
-            return array[:]
-        chunks = np.unique(np.linspace(0, (count - 1) // each, max(1, most // each)).astype(int))
-        return np.concatenate([array[k * each : (k + 1) * each] for k in chunks])
+        """Return an array, or evenly chosen chunks of it with about so many samples.
+
+        Raises:
+            FormatError: where it is not what was written.
+        """
+        layout = self.layout
+        count, each = layout.samples, layout.chunk
+        chosen = np.arange(layout.chunks)
+        if most is not None and count > most:
+            chosen = np.unique(np.linspace(0, layout.chunks - 1, max(1, most // each)).astype(int))
+        column = layout.arrays[name]
+        return np.concatenate([self._chunk_of(column, k, self._digest(k, name)) for k in chosen.tolist()])
+
+    def _digest(self, number: int, name: str) -> str:
+        if number not in self._digests:
+            self._digests[number] = self.mark(number).digests
+        return self._digests[number][name]
+
+    def _chunk_of(self, column: Column, number: int, digest: str) -> Any:
+        """Return the values (sample, …) of a chunk, which are those of the digest.
+
+        Raises:
+            FormatError: if they are not.
+        """
+        path, (low, high) = self.path / self.layout.file_of(column, number), self.layout.range_of(number)
+        if os.path.lexists(path):
+            values = unpacked(path, column, self.layout.chunk)[: high - low]
+        else:
+            values = column.blank(high - low)  # of which zarr writes no file
+        if digest_of(values) != digest:
+            raise FormatError(f"{path}: is not what was written. {AGAIN}")
+        return values
+
+    def _mark(self, number: int) -> Path:
+        return self.home / CHUNKS / f"{number:09d}.mark"
 
 
-def _make_arrays(
-    path: Path, plan: dict[str, Any], columns: list[Column], times: tuple[float, ...], header: dict[str, Any]
-) -> None:
-    """Make a group with empty arrays."""
-    zarr = _zarr()
-    group = zarr.create_group(str(path), zarr_format=2, attributes={"source": "polhode", **header})
-    if plan["keep"] != "all":
-        zarr.consolidate_metadata(str(path), zarr_format=2)
-        return
-    for column in columns:
-        array = group.create_array(
-            column.name, shape=(plan["samples"], *column.shape), chunks=(plan["chunk"], *column.shape),
-            dtype=column.type, fill_value=None if column.text else np.nan,
-            attributes={"_ARRAY_DIMENSIONS": _dimensions(column, bool(times)), **_attributes(column)},
-        )  # fmt: skip
-        assert array.chunks[0] == plan["chunk"]
-    if times:
-        clock = group.create_array("time", shape=(len(times),), chunks=(len(times),), dtype="<f8",
-                                   attributes={"_ARRAY_DIMENSIONS": ["time"], "units": "s"})  # fmt: skip
-        clock[:] = np.asarray(times)
-    zarr.consolidate_metadata(str(path), zarr_format=2)
-
-
-def checksum(values: dict[str, Any]) -> str:
-    """Return the SHA-256 of arrays, their names and forms, in the order of the names."""
-    found = hashlib.sha256()
-    for name in sorted(values):
-        array = np.ascontiguousarray(values[name])
-        found.update(f"{name} {array.dtype.str} {array.shape}\n".encode())
-        found.update(array.tobytes())
-    return found.hexdigest()
-
-
-def _dimensions(column: Column, states: bool) -> list[str]:
-    own = list(column.shape)
-    names = ["sample"]
-    if states and column.name.startswith("states."):
-        names.append("time")
-        own = own[1:]
-    return names + [COMPONENTS.get(size, f"component_{size}") for size in own]
-
-
-def _attributes(column: Column) -> dict[str, str]:
-    unit = column.unit.replace("²", "2").replace("³", "3").replace("°", "deg")
-    found = {} if column.text else {"units": unit or "1"}
-    return found | ({"comment": column.note} if column.note else {})
-
-
-def size_of(columns: list[Column], samples: int) -> int:
+def size_of(columns: tuple[Column, ...], samples: int) -> int:
     """Return the bytes of all arrays before they are compressed."""
     each = sum(column.type.itemsize * int(np.prod(column.shape, dtype=int)) for column in columns)
     return each * samples
@@ -298,12 +341,12 @@ def _written_through(path: Path) -> None:
             os.close(handle)
 
 
-def _write_whole(path: Path, text: str) -> None:
+def _write_whole(path: Path, content: bytes) -> None:
     """Write a file that is there whole or not at all; of two at once either stays, and both are the same."""
     draft = path.with_name(f".{path.name}.{os.getpid()}")
     try:
-        with draft.open("w", encoding="utf-8") as file:
-            file.write(text)
+        with draft.open("wb") as file:
+            file.write(content)
             file.flush()
             os.fsync(file.fileno())
         draft.replace(path)

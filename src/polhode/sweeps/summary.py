@@ -39,10 +39,11 @@ class Numbers:
         known = np.sort(values[~np.isnan(values)])
         if not known.size:
             return cls()
-        mean = float(known[0] + (known - known[0]).mean())  # exact where all are the same
+        with np.errstate(over="ignore", invalid="ignore"):  # sums of large numbers are infinite
+            mean = float(known[0] + (known - known[0]).mean())  # exact where all are the same
+            squares = float(np.sum((known - mean) ** 2))
         places = np.unique(np.round(np.linspace(0, known.size - 1, min(KNOTS, known.size))).astype(int))
         knots = known[places].tolist()
-        squares = float(np.sum((known - mean) ** 2))
         return cls(known.size, mean, squares, float(known[0]), float(known[-1]), [(known.size, knots)])
 
     def joined(self, other: Numbers) -> Numbers:
@@ -75,28 +76,25 @@ class Numbers:
         middle = np.cumsum(weights[order]) - 0.5 * weights[order]
         return np.interp(np.asarray(list(levels)) * weights.sum(), middle, values[order]).tolist()
 
-    def as_json(self) -> dict[str, Any]:
-        return {} if not self.count else vars(self)
 
-    @classmethod
-    def from_json(cls, said: dict[str, Any]) -> Numbers:
-        return cls(**{**said, "parts": [tuple(part) for part in said["parts"]]}) if said else cls()
+Summary = dict[str, int] | list[Numbers]  # how often each word occurs, or numbers by component
 
 
-def summary_of(values: Any) -> dict[str, Any]:
-    """Return values (sample, …) in summary, as JSON has it: how often each word occurs, or numbers by component."""
+def summary_of(values: Any) -> Summary:
+    """Return values (sample, …) in summary."""
     if values.dtype.kind == "U":
-        return {"words": dict(sorted(Counter(values.tolist()).items()))}
+        return dict(sorted(Counter(values.tolist()).items()))
     flat = values.reshape(len(values), -1)
-    return {"numbers": [Numbers.of(flat[:, k]).as_json() for k in range(flat.shape[1])]}
+    return [Numbers.of(flat[:, k]) for k in range(flat.shape[1])]
 
 
-def joined(summaries: Iterable[dict[str, Any]]) -> dict[str, int] | list[Numbers]:
-    """Return the summary of all parts, in their order: words by number, or numbers by component."""
+def joined(summaries: Iterable[Summary]) -> Summary:
+    """Return the summary of all parts, in their order."""
     words: Counter[str] = Counter()
     numbers: list[Numbers] = []
-    for said in summaries:
-        words.update(said.get("words", {}))
-        found = [Numbers.from_json(one) for one in said.get("numbers", [])]
-        numbers = [a.joined(b) for a, b in zip(numbers, found, strict=True)] if numbers else found
+    for summary in summaries:
+        if isinstance(summary, dict):
+            words.update(summary)
+        else:
+            numbers = [a.joined(b) for a, b in zip(numbers, summary, strict=True)] if numbers else summary
     return numbers or dict(sorted(words.items()))

@@ -1,0 +1,125 @@
+"""What the store of a sweep consists of. It follows from the sweep alone, so that nothing of a store need be believed.
+
+Arrays are those of Zarr's format 2: for each array a folder with documents about it, and a file for each chunk.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from polhode.errors import not_installed
+from polhode.formats.zarr_gate import OF_A_SWEEP
+from polhode.sweeps.evaluation import Column
+
+HOME, PLAN, CHUNKS, LOCK = OF_A_SWEEP, "plan.json", "chunks", "lock"
+FORMAT = 2
+COMPONENTS = {3: "axis", 4: "quaternion"}
+COMPRESSOR = {"id": "blosc", "cname": "lz4", "clevel": 5, "shuffle": 1, "blocksize": 0}
+"""Said here, as zarr's own choice changes with its releases."""
+
+
+def import_zarr() -> Any:
+    """Return zarr, or raise InvalidInput where it is not installed."""
+    try:
+        import zarr
+        import zarr.storage
+    except ImportError:
+        raise not_installed("Sweeps", "zarr", "sweep") from None
+    return zarr
+
+
+@dataclass(frozen=True, eq=False)
+class Layout:
+    """The store of one sweep.
+
+    Attributes:
+        fingerprint: of everything that its numbers depend on.
+        samples: how many.
+        chunk: samples in one chunk; the last may have fewer.
+        keep: "all", or "statistics" alone.
+        columns: of inputs, outputs and status.
+        times: of states [s].
+        header: global attributes.
+    """
+
+    fingerprint: str
+    samples: int
+    chunk: int
+    keep: str
+    columns: tuple[Column, ...]
+    times: tuple[float, ...]
+    header: dict[str, Any]
+
+    @property
+    def chunks(self) -> int:
+        return math.ceil(self.samples / self.chunk)
+
+    @property
+    def plan(self) -> dict[str, Any]:
+        """What tells the store from others, as JSON has it."""
+        return {"format": FORMAT, "fingerprint": self.fingerprint, "samples": self.samples, "chunk": self.chunk,
+                "keep": self.keep}  # fmt: skip
+
+    @property
+    def arrays(self) -> dict[str, Column]:
+        """The columns that are kept as arrays, by name."""
+        return {column.name: column for column in self.columns} if self.keep == "all" else {}
+
+    def range_of(self, number: int) -> tuple[int, int]:
+        """Return the samples low, …, high − 1 of a chunk."""
+        low = number * self.chunk
+        return low, min(low + self.chunk, self.samples)
+
+    def file_of(self, column: Column, number: int) -> str:
+        """Return the path of a chunk of an array, within the store."""
+        return f"{column.name}/{'.'.join([str(number), *['0'] * len(column.shape)])}"
+
+    @property
+    def largest_mark(self) -> int:
+        """Bytes that a mark may have: three reasons, knots of each component, and each sample another word."""
+        numbers = sum(int(np.prod(column.shape, dtype=int)) for column in self.columns)
+        words = self.chunk * sum(column.text for column in self.columns)
+        return 1_000_000 + 10_000 * numbers + 400 * words
+
+    @cached_property
+    def documents(self) -> dict[str, bytes]:
+        """What stands in the store beside the chunks of samples, by path: documents, and the times."""
+        zarr = import_zarr()
+        packed: dict[str, Any] = {}
+        store = zarr.storage.MemoryStore(packed)
+        group = zarr.create_group(store, zarr_format=2, attributes={"source": "polhode", **self.header})
+        for column in self.arrays.values():
+            group.create_array(
+                column.name, shape=(self.samples, *column.shape), chunks=(self.chunk, *column.shape),
+                dtype=column.type, fill_value=None if column.text else np.nan, compressors=COMPRESSOR, filters=None,
+                attributes={"_ARRAY_DIMENSIONS": _dimensions(column, bool(self.times)), **_attributes(column)},
+            )  # fmt: skip
+        if self.times and self.arrays:
+            clock = group.create_array("time", shape=(len(self.times),), chunks=(len(self.times),), dtype="<f8",
+                                       compressors=COMPRESSOR, filters=None,
+                                       attributes={"_ARRAY_DIMENSIONS": ["time"], "units": "s"})  # fmt: skip
+            clock[:] = np.asarray(self.times)
+        zarr.consolidate_metadata(store, zarr_format=2)
+        found = {path: part.to_bytes() for path, part in packed.items()}
+        return found | {f"{HOME}/{PLAN}": json.dumps(self.plan, indent=1).encode()}
+
+
+def _dimensions(column: Column, states: bool) -> list[str]:
+    own = list(column.shape)
+    names = ["sample"]
+    if states and column.name.startswith("states."):
+        names.append("time")
+        own = own[1:]
+    return names + [COMPONENTS.get(size, f"component_{size}") for size in own]
+
+
+def _attributes(column: Column) -> dict[str, str]:
+    unit = column.unit.replace("²", "2").replace("³", "3").replace("°", "deg")
+    found = {} if column.text else {"units": unit or "1"}
+    return found | ({"comment": column.note} if column.note else {})

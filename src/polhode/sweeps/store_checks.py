@@ -1,0 +1,90 @@
+"""What is found in the folder of a sweep, looked at before it is taken for what a sweep wrote."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import math
+import os
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from polhode.errors import FormatError, InvalidInput, shown
+from polhode.formats.opening import MB, read_file
+from polhode.formats.zarr_gate import CODECS
+from polhode.sweeps.evaluation import Column
+from polhode.sweeps.layout import COMPRESSOR
+
+AGAIN = "Run the sweep again; what is damaged is computed anew."
+ELSEWHERE = "or choose another store with --out."
+
+
+def check_folder(store: Path, folder: Path, folders: set[str]) -> None:
+    """Refuse a folder of a sweep's that is none, or holds anything but files and these folders.
+
+    Raises:
+        FormatError: naming it.
+    """
+    name = shown(folder.relative_to(store).as_posix())
+    if folder.is_symlink() or not folder.is_dir():
+        raise FormatError(f"{store}: {name} is not a folder. Put it back, {ELSEWHERE}")
+    with os.scandir(folder) as entries:
+        for entry in entries:
+            fits = entry.is_dir if entry.name in folders else entry.is_file
+            if not fits(follow_symlinks=False):
+                raise FormatError(f"{store}: {name} has something in it that a sweep does not write, "
+                                  f"{shown(entry.name)}. Take it out, {ELSEWHERE}")  # fmt: skip
+
+
+def check_file(store: Path, name: str) -> None:
+    """Refuse what is in the place of a file, and none; nothing may be there.
+
+    Raises:
+        FormatError: naming it.
+    """
+    path = store / name
+    if os.path.lexists(path) and (path.is_symlink() or not path.is_file()):
+        raise FormatError(f"{store}: {shown(name)} is not a file. Put it back, {ELSEWHERE}")
+
+
+def says(path: Path, wanted: bytes) -> bool:
+    """Whether a document has this content; attributes may say more than it."""
+    if not os.path.lexists(path):
+        return False
+    try:
+        found = read_file(path, "Zarr", len(wanted) + MB)
+    except InvalidInput:
+        return False
+    if found == wanted or path.name not in (".zattrs", ".zmetadata"):
+        return found == wanted
+    try:
+        return _holds(json.loads(found), json.loads(wanted))
+    except (ValueError, RecursionError):
+        return False
+
+
+def _holds(found: Any, wanted: Any) -> bool:
+    if isinstance(wanted, dict):
+        return isinstance(found, dict) and all(key in found and _holds(found[key], wanted[key]) for key in wanted)
+    return type(found) is type(wanted) and found == wanted
+
+
+def unpacked(path: Path, column: Column, count: int) -> Any:
+    """Return the values (count, …) in the file of a chunk, whose size is checked before it is unpacked.
+
+    Raises:
+        InvalidInput: for what is no such file.
+    """
+    from numcodecs import get_codec
+
+    shape = (count, *column.shape)
+    whole = math.prod(shape) * column.type.itemsize
+    content, found = read_file(path, "chunk", whole + whole // 64 + MB), b""
+    if CODECS[COMPRESSOR["id"]](content, whole) == whole:
+        with contextlib.suppress(Exception):  # whatever a decoder makes of damaged bytes
+            found = bytes(get_codec(COMPRESSOR).decode(content))  # type: ignore[arg-type]
+    if len(found) != whole:
+        raise FormatError(f"{path}: is damaged. {AGAIN}")
+    return np.frombuffer(found, dtype=column.type).reshape(shape)
