@@ -12,8 +12,8 @@ from pathlib import Path
 import numpy as np
 
 from polhode.errors import FormatError, InvalidInput, shown
-from polhode.formats.fixed_columns import Field, rows_of, text_of
-from polhode.formats.numerals import read_number
+from polhode.formats.fixed_columns import Field, read_coded, rows_of, text_of
+from polhode.formats.numerals import read_fortran
 from polhode.formats.opening import MB, read_text
 from polhode.formats.paths import written_whole
 from polhode.formats.spcat import HERTZ_OF_WAVE_NUMBER
@@ -48,20 +48,35 @@ class LineList:
     def measured(self) -> MeasuredLines:
         """Return the lines of an asymmetric top in Hz, for ``fit_rotor``.
 
+        Six quantum numbers that were filled up by zeros to twelve are taken as six.
+
         Raises:
-            InvalidInput: for levels that are not J, K_a, K_c.
+            InvalidInput: for levels that are not J, K_a, K_c, or a line that to SPFIT is the width of the blend before.
         """
-        if self.upper.shape[1] != 3:
+        upper, lower = self.upper, self.lower
+        if upper.shape[1] == 6 and not lower.any():
+            upper, lower = upper[:, :3], upper[:, 3:]
+        if upper.shape[1] != 3:
             raise InvalidInput(
                 f"the lines must have three quantum numbers for each level, J, Ka, Kc; these have "
                 f"{self.upper.shape[1]}. Only rotors without vibration and spins are fitted."
             )
+        again, error = np.diff(self.value) == 0.0, np.abs(self.error)
+        blended = again[:-1] & (np.diff(self.error)[:-1] == 0.0)
+        widths = np.flatnonzero(blended & again[1:] & (error[2:] >= 2.0 * error[1:-1]))
+        if len(widths):
+            raise InvalidInput(
+                f"line {int(widths[0]) + 3} has the frequency of the blend before it and at least twice its error: to "
+                "SPFIT this is the width of the blend, which is not fitted here. Leave the line out."
+            )
         unit = np.where(self.error < 0.0, HERTZ_OF_WAVE_NUMBER, HERTZ_OF_MEGAHERTZ)
-        return MeasuredLines(self.upper, self.lower, self.value * unit, np.abs(self.error) * unit, self.weight)
+        return MeasuredLines(upper, lower, self.value * unit, np.abs(self.error) * unit, self.weight)
 
 
 def read_lin(path: str | Path) -> LineList:
-    """Return the lines of a ``.lin`` file.
+    """Return the lines of a ``.lin`` file, to its first blank line, as SPFIT reads it; a warning says if more follow.
+
+    Words behind the quantum numbers, in columns that these leave free, are notes.
 
     Raises:
         InvalidInput: if it is missing.
@@ -69,7 +84,7 @@ def read_lin(path: str | Path) -> LineList:
     """
     path = Path(path)
     remedy = "A list of lines has twelve fields of three columns, then frequency, error and perhaps a weight."
-    found = list(rows_of(path, read_text(path, "line list", LARGEST_FILE), _row, remedy))
+    found = list(rows_of(path, read_text(path, "line list", LARGEST_FILE), _row, remedy, True))
     rows = [row for row, _ in found]
     for k, row in enumerate(rows):
         if len(row[0]) != len(rows[0][0]):
@@ -109,7 +124,8 @@ def _row(line: str) -> Row:
         ValueError: naming columns.
     """
     words = [line[field.begin : field.begin + 3].strip() for field in NUMBERS]
-    filled = [k for k, word in enumerate(words) if word]
+    note = next((k for k in range(2, len(words)) if words[k] and not _is_number(words[k])), len(words))
+    filled = [k for k, word in enumerate(words[:note]) if word]
     count = len(filled)
     if not count or count % 2 or filled != list(range(count)):
         raise ValueError(f"columns 1 to 36: must hold as many upper as lower quantum numbers, one after the other; got "
@@ -117,16 +133,24 @@ def _row(line: str) -> Row:
     found = [field.whole(line) for field in NUMBERS[:count]]
     free = [word for word in re.split(r"[\s,]+", line[FREE:].split("/")[0]) if word]
     try:
-        value, error = (read_number(word) for word in free[:2])
+        value, error = (read_fortran(word) for word in free[:2])
     except ValueError as problem:
         why = f"must be a frequency and its error; got {shown(line[FREE:].strip())}"
         raise ValueError(f"columns {FREE + 1} and on: {why}: each {problem}" if len(free) > 1 else
                          f"columns {FREE + 1} and on: {why}") from None  # fmt: skip
     try:
-        weight = read_number(free[2]) if len(free) > 2 else 1.0
+        weight = read_fortran(free[2]) if len(free) > 2 else 1.0
     except ValueError:
         weight = 1.0  # a comment
     return tuple(found[: count // 2]), tuple(found[count // 2 :]), value, error, weight
+
+
+def _is_number(word: str) -> bool:
+    try:
+        read_coded(word, NUMBERS[0].width)
+    except ValueError:
+        return False
+    return True
 
 
 def _line(row: Row) -> str:
