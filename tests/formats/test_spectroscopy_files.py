@@ -297,7 +297,7 @@ def changed(text, line, begin, new):
     ("a.lin", changed(LIN, 1, 1, " x1"), r"line 1, columns 1 to 3: quantum number 1"),
     ("a.lin", LIN[:50] + "\n", r"line 1, columns 37 and on: must be a frequency and its error"),
     ("a.lin", LIN.replace("0.001000", "1e-"), r"line 1, columns 37 and on.*decimal digits"),
-    ("a.lin", LIN.split("\n\n")[0] + "\n  1  1                                4. 1.\n", "entry 5: has 1 quantum numbers"),
+    ("a.lin", LIN.split("\n\n")[0] + "\n  1  1" + 32 * " " + "4. 1.\n", "entry 5: has 1 quantum numbers"),
     ("a.par", PAR.replace("a 1,", "ab 1,"), "line 3: each option must be a number"),
     ("a.par", PAR.replace("   9 ", "   x "), "line 2: each option must be a number"),
     ("a.par", PAR.replace("   9 ", "  -9 "), "line 2: must begin with the number of constants"),

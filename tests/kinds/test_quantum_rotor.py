@@ -75,14 +75,15 @@ def test_classical_and_quantum_name_each_other(spec_of):
 
 
 def test_steps_are_turns_of_classical_motion():
-    """2π/T at the energy between two levels of a ladder: to 9e-5 and 5e-6 at J = 100 (checked at 30 digits)."""
+    """2π/T at the energy between two levels of a ladder: to 9e-5 and 1.3e-5 at J = 100."""
     found = level_polhodes((27.0, 14.0, 9.0), 100)
     ratio = found.step / found.classical_step
     top = np.flatnonzero((found.Ka == 95) & (found.Kc == 5))[0]
-    assert abs(ratio[top] - 1.0) < 1e-5
+    assert abs(ratio[top] - 1.0) < 2e-5
     middle = np.flatnonzero((found.Ka == 52) & (found.Kc == 48))[0]
     assert abs(ratio[middle] - 1.0) < 2e-4
-    assert found.saddle == 14.0 * 100.5**2 and (found.above == (found.energy > found.saddle)).all()
+    assert found.saddle == pytest.approx(14.0 * 100.5**2 - 0.25 * 8.982, rel=1e-14)  # 8.982 J(J + 1) is all levels'
+    assert (found.above == (found.energy > found.saddle)).all()
     assert np.isnan(found.step[-2:]).all() and np.abs(found.semiclassical - found.energy).max() < 1e-3
 
 

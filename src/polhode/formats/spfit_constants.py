@@ -96,7 +96,7 @@ class ConstantTable:
                                "of symmetric tops are not known here: write 1 and equal weights.")  # fmt: skip
         weights = (1.0 if even is None else even, 1.0 if odd is None else odd)
         if symmetry is not None and symmetry > 0.0 and symmetry % 2.0 == 1.0:  # an odd last digit
-            weights = weights[::-1]
+            weights = (weights[1], weights[0])
         basis = Representation.IIIl if states is not None and states < 0.0 else Representation.Ir
         if largest == 0.0:
             return self._linear(basis, dipole, weights, about)

@@ -21,6 +21,7 @@ from polhode.types import Array, ArrayLike, Float64, Integer, Real
 Kind = TypeVar("Kind", bound=enum.Enum)
 HIGHEST_J = 10_000
 RIGID = Representation.Ir
+THINNEST = 1e-9  # of the largest moment: below it, no level but those of K_a = 0 is within reach, nor exact beside them
 PLANCK_OVER_8_PI_SQUARED = 8.392015881190e-36  # kg m² Hz, CODATA 2022: a moment times its constant
 
 
@@ -117,10 +118,11 @@ class Rotor:
             body: such as ``ph.from_atoms`` makes.
             options: dipole, spin_weights, spin_axis.
         """
-        moments = np.asarray(body.principal_moments, float)
+        moments = np.array(body.principal_moments, float)
+        if moments[0] <= THINNEST * moments[2]:
+            moments = np.array([0.0, *[0.5 * (moments[1] + moments[2])] * 2])  # of a line the other two are equal
         with np.errstate(divide="ignore"):
-            constants = PLANCK_OVER_8_PI_SQUARED / np.where(moments > 1e-9 * moments.max(), moments, 0.0)
-        return cls(tuple(constants), **options)  # type: ignore[arg-type]
+            return cls(tuple(PLANCK_OVER_8_PI_SQUARED / moments), **options)  # type: ignore[arg-type]
 
     @property
     def kappa(self) -> float | None:

@@ -76,7 +76,7 @@ class QuantumRotorReport(AbstractReport):
         if self.polhodes is None:
             if A == C:
                 return "A spherical top: every level of a J has the same energy."
-            shape = "A prolate" if B == C else "An oblate"
+            shape = "A prolate" if B - C < A - B else "An oblate"
             return f"{shape} symmetric top: levels of a J go by |K|, and every polhode is a circle."
         above = int(self.polhodes.above.sum())
         below = len(self.polhodes.above) - above

@@ -109,7 +109,7 @@ def _polhodes(report: QuantumRotorReport) -> tuple[Float64[Array, "n 3"], Array]
     if report.polhodes is not None:
         return level_directions((A, B, C), report.J, report.polhodes.semiclassical), report.polhodes.above
     levels = _states(report)
-    prolate = B == C
+    prolate = B - C < A - B
     along = (levels.Ka if prolate else levels.Kc) / (report.J + 0.5)
     beside, rest = np.sqrt(1.0 - along**2), np.zeros(len(along))
     found = (along, rest, beside) if prolate else (beside, rest, along)
