@@ -312,6 +312,21 @@ def test_damaged_files_are_refused_by_line_and_column(tmp_path, name, text, said
     assert str(caught.value).startswith(str(path)) and "\n" not in str(caught.value)
 
 
+@pytest.mark.parametrize(("constants", "given", "codes"), [
+    ((9e9, 3e9, 3e9), "B", [10000, 20000, -30000]), ((9e9, 3e9, 3e9), "C", [10000, 20000, -30000]),
+    ((9e9, 9e9, 3e9), "B", [10000, -20000, 30000]), ((9e9, 3e9, 3e9), "A", [10000, 20000, 30000]),
+])  # fmt: skip
+def test_equal_constants_are_written_as_ones_that_go_together(tmp_path, constants, given, codes):
+    """A code below zero keeps its ratio to the one before; as a fixed constant C would stay, and B move alone."""
+    table = formats.constant_table(Rotor(constants), {given: 1e3}, "top", np.eye(1))
+    assert table.code.tolist() == codes
+    free = [code for code, error in zip(codes, table.error.tolist(), strict=True) if code > 0 and error > 1e-30]
+    assert len(free) == 1 and (np.array(codes) < 0).sum() == (table.error > 1e-30).sum() - 1
+    formats.write_par(table, tmp_path / "a.var")
+    again = formats.read_par(tmp_path / "a.var")
+    assert again.rotor().constants == pytest.approx(constants) and again.code.tolist() == codes
+
+
 def test_what_cannot_be_written_leaves_nothing(tmp_path):
     (tmp_path / "a.cat").write_text(CAT)
     found = formats.read_cat(tmp_path / "a.cat")

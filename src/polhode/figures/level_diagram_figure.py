@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from polhode.figures import style
 from polhode.figures.level_curves import CROWDED, ROUND_A, ROUND_C, side_colour
 from polhode.quantum.level_polhodes import level_polhodes
-from polhode.quantum.rotor import Rotor
+from polhode.quantum.rotor import Rotor, fallen
 from polhode.types import Array
 
 WAVE_NUMBER = 29979245800.0  # Hz of 1 cm⁻¹
@@ -54,7 +54,8 @@ def level_diagram(rotor: Rotor, j_max: int, *, axes: Any = None) -> Figure:
     left = levels.Kc == levels.J - levels.Ka
     start = levels.Ka + np.where(left & (levels.Ka > 0), -HALF, np.where(levels.Ka > 0, 0.04, -0.5 * HALF))
     end = start + HALF - 0.04
-    shown = (levels.Ka <= columns) & (energy <= 1.02 * top)
+    # distortion beyond its range lets levels fall below the ground state, out of the picture
+    shown = (levels.Ka <= columns) & (energy <= 1.02 * top) & ~fallen(energy)
     for side in (False, True):
         for empty in (False, True):
             own = shown & (above == side) & ((levels.weight == 0.0) == empty)

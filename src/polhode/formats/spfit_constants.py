@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 import re
 import warnings
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -22,6 +22,7 @@ from polhode.formats.numerals import read_fortran, read_number
 from polhode.formats.opening import MB, read_text
 from polhode.formats.paths import written_whole
 from polhode.quantum import Reduction, Representation, Rotor
+from polhode.quantum.derivatives import tied
 from polhode.quantum.operators import TERMS, Term
 from polhode.types import Array, Float64, Integer, Real
 
@@ -161,7 +162,8 @@ def constant_table(
 
     Args:
         rotor: in I^r or III^l.
-        sigma: errors by name [Hz], such as ``dict(zip(fit.names, fit.sigma))``; other constants are fixed.
+        sigma: errors by name [Hz], such as ``dict(zip(fit.names, fit.sigma))``; other constants are fixed, but those of
+            a symmetric top that are equal to one of these, which go with it.
         title: one line.
         correlation: (k, k) of the k errors in the order of ``sigma``, such as ``fit.correlation``.
 
@@ -181,11 +183,14 @@ def constant_table(
         raise InvalidInput(f"`correlation` must be square, with a row for each of the {len(names)} errors of `sigma`; "
                            f"got the shape {shown(np.shape(correlation))}.")  # fmt: skip
     reduction = rotor.reduction or Reduction.S
-    rows = [(10000 * (k + 1), value, "ABC"[k]) for k, value in enumerate(rotor.constants)]
+    names = [_first_equal(rotor, name, names) for name in names]
+    sigma = dict(zip(names, (sigma or {}).values(), strict=True))
+    rows = [(_code_of_axis(rotor, "ABC"[k], names), value, "ABC"[k]) for k, value in enumerate(rotor.constants)]
     for name, value in rotor.distortion.items():
         term = TERMS[reduction][name]
         rows.append((code_of(term), term.sign * value, name))
-    error = [max((sigma or {}).get(name, 0.0) / 1e6, FIXED) for _, _, name in rows]
+    error = [max(sigma.get(name, sigma.get(_first_equal(rotor, name, [name]), 0.0) if code < 0 else 0.0) / 1e6, FIXED)
+             for code, _, name in rows]  # fmt: skip
     axis = float("abc".index(rotor.spin_axis) + 1)
     states = -1.0 if rotor.representation is Representation.IIIl else 1.0
     options = (1.0, states, 0.0, 99.0, 0.0, axis, *rotor.spin_weights, 0.0, 0.0, 0.0, 0.0)
@@ -200,6 +205,18 @@ def constant_table(
         together[np.ix_(fitted, fitted)] = np.asarray(correlation)[np.ix_(there, there)] * np.outer(sign, sign)
     return ConstantTable(title, reduction.name, options, np.array(code), np.array(value) / 1e6, np.array(error), label,
                          together)  # fmt: skip
+
+
+def _first_equal(rotor: Rotor, name: str, free: Sequence[str]) -> str:
+    """Return the name of a rotational constant, or of the first that it is equal to and goes with."""
+    return min(tied(rotor, name, free)) if name in rotor.equal else name
+
+
+def _code_of_axis(rotor: Rotor, axis: str, free: Sequence[str]) -> int:
+    """Return the code of A, B or C, below zero of one that goes with the one before as they are equal."""
+    code = 10000 * ("ABC".index(axis) + 1)
+    follows = axis in rotor.equal[1:] and axis not in free and any(name in rotor.equal for name in free)
+    return -code if follows else code
 
 
 def read_par(path: str | Path) -> ConstantTable:

@@ -13,11 +13,9 @@ from typing import NamedTuple
 import numpy as np
 
 from polhode.quantum.orbits import orbit
-from polhode.quantum.rotor import Rotor
+from polhode.quantum.rotor import Rotor, equal_constants
 from polhode.quantum.semiclassics import LOWEST_SECOND, doublet_splitting, quantised, without_casimir
 from polhode.types import Array, Bool, Float64, Integer
-
-SYMMETRIC = 1e-9  # of A − C: constants nearer than this are equal, as no double holds the polhodes between
 
 
 class LevelPolhodes(NamedTuple):
@@ -69,8 +67,8 @@ def level_polhodes(constants: tuple[float, float, float], J: int) -> LevelPolhod
         constants: A ≥ B ≥ C, in any unit of energy.
         J: a whole number.
     """
-    A, B, C = constants
-    if not (math.isfinite(A) and min(A - B, B - C) > SYMMETRIC * (A - C) and C > 0.0) or J == 0:
+    A, _, C = constants
+    if not (math.isfinite(A) and C > 0.0) or equal_constants(constants) or J == 0:
         return None
     G, (rest, d) = J + 0.5, without_casimir(constants)
     shared = d * J * (J + 1.0)

@@ -2,10 +2,10 @@
 
 A level is a polhode whose cap holds a whole number of quanta, mended where the two modes meet and tunnel into each
 other. With G = J + ½, action S, barrier θ and ε = −θ/π: S + φ = πK_a ± δ, φ = ε ln|ε| − ε − Im ln Γ(½ + iε), δ =
-arctan e^{−πε}. The next order in 1/G corrects S and θ. What all levels of a J share, d J(J+1), is exact and no matter of
-polhodes: the next order takes it out of H and adds it to what it finds. Source: Colwell, Handy & Miller, J. Chem. Phys.
-68 (1978) 745; Child, *Semiclassical Mechanics with Molecular Applications*, §3.3; Ford, Hill, Wakano & Wheeler, Ann.
-Phys. 7 (1959) 239 for the barrier.
+arctan e^{−πε}. The next order in 1/G corrects S and θ. What all levels of a J share, d J(J+1), is exact and no matter
+of polhodes: the next order takes it out of H and adds it to what it finds. Source: Colwell, Handy & Miller, J. Chem.
+Phys. 68 (1978) 745; Child, *Semiclassical Mechanics with Molecular Applications*, §3.3; Ford, Hill, Wakano & Wheeler,
+Ann. Phys. 7 (1959) 239 for the barrier.
 """
 
 from __future__ import annotations
@@ -21,13 +21,13 @@ from scipy.special import loggamma
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
 from polhode.quantum.orbits import Three, orbit
-from polhode.quantum.rotor import Rotor, checked_j
+from polhode.quantum.rotor import Rotor, checked_j, equal_constants
 from polhode.types import Array, ArrayLike, Float64, Integer, Real
 
 REST = 1e-3  # of A − C: what C becomes when d J² is taken out of H
-AT_SADDLE = 1e-5  # of the energies from saddle to nearer end; closer, order 2's phase is interpolated: its parts diverge
+AT_SADDLE = 1e-5  # of the energies from saddle to nearer end; closer, order 2 is interpolated, as its parts diverge
 LOWEST_SECOND = 5  # J from which the second order holds
-ROOM = 1.0  # (B − C) G² or (A − B) G² over A − C: below it order 2 was off by up to .24 (A − C), above by .02 at most
+ROOM = 1.0  # (B − C) G² or (A − B) G² over A − C: below it order 2 was off by up to .24 (A − C), above by up to .02
 NEAR_ENDS = 1e-13  # of the range of energies: the search ends short of the ends, where no level is
 SERIES = 0.125  # of |ε|/G: below it, the second order's logarithm is expanded
 
@@ -253,7 +253,7 @@ def _roots(constants: Three, G: float, quanta: Array, sign: Array, order: int) -
 def _asymmetric(constants: Array) -> Three:
     refuse_single_precision(constants=constants)
     A, B, C = Rotor(constants).constants
-    if not (math.isfinite(A) and A > B > C):
+    if not math.isfinite(A) or equal_constants((A, B, C)):
         raise InvalidInput(
             f"`constants` must be three different ones, A > B > C; got {A:g}, {B:g}, {C:g}. The levels of a symmetric "
             "molecule are known exactly: `Rotor(constants).levels_of(J)`."
