@@ -241,7 +241,8 @@ class Rotor:
             kT = THERMAL * float(checked_temperature(temperature))
             if (said := below_ground(lower[:, 0], energy)) is not None:
                 warnings.warn(said, stacklevel=4)
-            share = np.where(fallen(energy), 0.0, np.exp(-np.maximum(energy, 0.0) / kT) * -np.expm1(-frequency / kT))
+            share = np.exp(-np.maximum(energy, 0.0) / kT) * -np.expm1(-frequency / kT)
+            share[fallen(lower[:, 0], energy)] = 0.0
             intensity = INTENSITY * frequency * weight * strength * share / self.partition_function(temperature)
         return Lines(upper, lower, frequency, strength, energy, weight, intensity, einstein)
 
@@ -275,18 +276,19 @@ def equal_constants(constants: tuple[float, float, float]) -> str:
 
 def below_ground(J: Integer[Array, "n"], energy: Float64[Array, "n"]) -> str | None:
     """Return what is to be said of levels below the ground state, as no rigid body has them; None without any."""
-    wrong = fallen(energy)
+    wrong = fallen(J, energy)
     if not wrong.any():
         return None
     return (
-        f"levels from J = {int(J[wrong].min())} on lie below the ground state: the distortion constants do not hold "
-        "there, or one is in another unit. They are left out of intensities and populations."
+        f"from J = {int(J[wrong].min())} on levels lie below the ground state: the distortion constants do not hold "
+        "there, or one is in another unit. These J are left out of intensities and populations."
     )
 
 
-def fallen(energy: Float64[Array, "n"]) -> Bool[Array, "n"]:
-    """Return which levels lie below the ground state, whose energy is 0, by more than rounding."""
-    return energy < -RUNAWAY * np.abs(energy).max(initial=0.0)
+def fallen(J: Integer[Array, "n"], energy: Float64[Array, "n"]) -> Bool[Array, "n"]:
+    """Return which levels are of a J from the first on of which one lies below the ground state, whose energy is 0."""
+    below = energy < -RUNAWAY * np.abs(energy).max(initial=0.0)
+    return J >= J[below].min() if below.any() else below
 
 
 def joined(parts: list[Levels]) -> Levels:

@@ -143,7 +143,7 @@ class QuantumRotorReport(AbstractReport):
 
     def _levels(self) -> Iterator[Group | Table]:
         levels, T = self.levels, self.asked.temperature
-        boltzmann = np.where(fallen(levels.energy), 0.0, np.exp(-np.maximum(levels.energy, 0.0) / (T * THERMAL)))
+        boltzmann = np.exp(-np.maximum(levels.energy, 0.0) / (T * THERMAL)) * ~fallen(levels.J, levels.energy)
         populated = (2 * levels.J + 1) * levels.weight * boltzmann
         most = int(np.argmax(populated))
         numbers = (int(levels.J[most]), int(levels.Ka[most]), int(levels.Kc[most]))
