@@ -67,7 +67,7 @@ def last_digit(positions: Real[Array, "n 3"], unit: float) -> float:
         positions: (n, 3) [m].
         unit: of length, that their decimals are of [m].
 
-    >>> last_digit(np.array([[0.0, 1.2345, -0.5]]) * 1e-10, 1e-10) / 1e-10
+    >>> last_digit(np.array([[0.0, 1.2345, -0.5]]), 1.0)
     0.0001
     """
     lengths = np.asarray(positions, float) / unit

@@ -46,11 +46,11 @@ def run_levels(path: Path, j_max: int | None, json: bool, out: Path | None = Non
         rotor, _, usual, doubts = spec.kind.rotor(spec)
         last = usual if j_max is None else j_max
         found = rotor.levels(last)
-        said = (*doubts, below_ground(found.J, found.energy))
+        told = (*doubts, below_ground(found.J, found.energy))
         table = level_table(found, last, last)
         if out is not None:
             write_spectrum(out, levels=found, attributes=rotor_attributes(rotor, spec.name))
-    notes += [word for word in said if word]
+    notes += [word for word in told if word]
     said = f"Constants {_constants(rotor)}; {len(table.rows)} levels to J = {last}."
     _print(spec, said, table, {"constants": rotor.constants, "j_max": last}, notes, json, out)
 

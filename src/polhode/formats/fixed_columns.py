@@ -6,7 +6,6 @@ Whole numbers that are too long for their field begin with a letter: in two colu
 from __future__ import annotations
 
 import re
-import warnings
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import NamedTuple, TypeVar
@@ -120,9 +119,6 @@ def rows_of(
     for number, line in enumerate(lines, 1):
         if not line.strip() and ends_at_blank:
             pending = "".join(lines[number - 1 :])
-            if pending.strip():
-                said = f"{path}: reading stopped at the blank line {number}, as SPFIT does; what follows is left out."
-                warnings.warn(said, stacklevel=2)
             break
         if not line.strip():
             pending += line

@@ -6,6 +6,7 @@ Source: Pickett, J. Mol. Spectrosc. 148 (1991) 371.
 from __future__ import annotations
 
 import re
+import warnings
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -36,6 +37,7 @@ class LineList:
         value, error: (n,) frequencies and their errors [MHz]; both [cm⁻¹] where the error is negative.
         weight: (n,) of the member of a blend. Neighbours of the same value and error are one.
         text: the lines as they were read; ``write_lin`` keeps those that still say the same.
+        left_out: how many lines stand behind the first blank one, where SPFIT ends reading, and so does ``read_lin``.
     """
 
     upper: Integer[Array, "n k"]
@@ -44,11 +46,13 @@ class LineList:
     error: Float64[Array, "n"]
     weight: Float64[Array, "n"]
     text: tuple[str, ...] | None = None
+    left_out: int = 0
 
     def measured(self) -> MeasuredLines:
         """Return the lines of an asymmetric top in Hz, for ``fit_rotor``.
 
-        Six quantum numbers that were filled up by zeros to twelve are taken as six.
+        Six quantum numbers that were filled up by zeros to twelve are taken as six. A warning says if lines were left
+        out behind a blank one.
 
         Raises:
             InvalidInput: for levels that are not J, K_a, K_c, or a line that to SPFIT is the width of the blend before.
@@ -69,12 +73,15 @@ class LineList:
                 f"line {int(widths[0]) + 3} has the frequency of the blend before it and at least twice its error: to "
                 "SPFIT this is the width of the blend, which is not fitted here. Leave the line out."
             )
+        if self.left_out:
+            warnings.warn("behind the first blank line, where SPFIT ends reading, stand more lines that are left out: "
+                          f"{self.left_out}.", stacklevel=2)  # fmt: skip
         unit = np.where(self.error < 0.0, HERTZ_OF_WAVE_NUMBER, HERTZ_OF_MEGAHERTZ)
         return MeasuredLines(upper, lower, self.value * unit, np.abs(self.error) * unit, self.weight)
 
 
 def read_lin(path: str | Path) -> LineList:
-    """Return the lines of a ``.lin`` file, to its first blank line, as SPFIT reads it; a warning says if more follow.
+    """Return the lines of a ``.lin`` file, to its first blank line, as SPFIT reads it.
 
     Words behind the quantum numbers, in columns that these leave free, are notes.
 
@@ -91,7 +98,9 @@ def read_lin(path: str | Path) -> LineList:
             raise FormatError(f"{path}, entry {k + 1}: has {len(row[0])} quantum numbers for each level, and the first "
                               f"has {len(rows[0][0])}. Write as many in every line.")  # fmt: skip
     upper, lower, value, error, weight = (np.array(column) for column in zip(*rows, strict=True))
-    return LineList(upper, lower, value, error, weight, tuple(text for _, text in found))
+    texts = tuple(text for _, text in found)
+    left_out = sum(bool(line.strip()) for line in texts[-1].split("\n")) - 1  # the last has what stands behind it
+    return LineList(upper, lower, value, error, weight, texts, left_out)
 
 
 def write_lin(lines: LineList, path: str | Path) -> None:

@@ -263,10 +263,12 @@ class Rotor:
 def equal_constants(constants: tuple[float, float, float]) -> str:
     """Return which of A ≥ B ≥ C are equal, to what doubles tell of levels: "AB", "BC", "ABC" or "".
 
-    >>> equal_constants((9.0, 3.0, 3.0)), equal_constants((3.0, 3.0, 3.0)), equal_constants((9.0, 4.0, 3.0))
-    ('BC', 'ABC', '')
+    >>> [equal_constants(each) for each in ((9.0, 3.0, 3.0), (3.0, 3.0, 3.0), (9.0, 4.0, 3.0), (math.inf, 3.0, 3.0))]
+    ['BC', 'ABC', '', 'BC']
     """
     A, B, C = constants
+    if math.isinf(A):
+        return "BC"
     if A - C <= SPHERICAL * A:
         return "ABC"
     if B - C <= SYMMETRIC * (A - C):
