@@ -9,6 +9,7 @@ import pytest
 
 from polhode import formats
 from polhode.errors import FormatError, InvalidInput
+from polhode.quantum import Rotor
 from polhode.quantum.fitting import _LineModel
 
 PROTONATED = """H2COH+                                                  Tue Jun  3 23:17:18 2025
@@ -102,6 +103,16 @@ def test_a_least_and_largest_k_of_zero_are_a_linear_molecule(read):
     B = "1.997599422211193E+04"
     other = LINEAR.replace("   3   22", "   5   22").replace(f"100   {B}", f"10000 1e6\n 30000 {B} 0 /C\n 20000 {B}")
     assert read(other).rotor().constants == pytest.approx(rotor.constants)
+
+
+def test_a_linear_molecules_catalogue_has_j_alone(tmp_path):
+    """Format 101, as the program writes HCP, whose first line is 39951.9 MHz."""
+    lines = Rotor((np.inf, 19975.99422e6, 19975.99422e6), dipole=(1.3e-30, 0.0, 0.0)).lines(2, 300.0)
+    formats.write_cat(formats.catalogue_of(lines, 0.0, 44006, 2), tmp_path / "a.cat")
+    first = (tmp_path / "a.cat").read_text().splitlines()[0]
+    assert first[:13] == "   39951.9884" and first[29:31] == " 2" and first[51:] == " 101 1" + 10 * " " + " 0"
+    with pytest.raises(InvalidInput, match="no linear molecule"):
+        formats.catalogue_of(Rotor((3e9, 2e9, 1e9), dipole=(0.0, 1e-30, 0.0)).lines(2, 300.0), degrees=2)
 
 
 def test_what_limits_k_is_said(read):
