@@ -51,7 +51,7 @@ class Catalogue:
         lower_energy: [cm⁻¹].
         degeneracy: of the upper level, spins of nuclei included.
         tag: of the species; negative for frequencies that were measured.
-        form: what the quantum numbers are: 303 for J, K_a, K_c; its last digit is how many there are.
+        form: what the quantum numbers are: 303 for J, K_a, K_c, 101 for J; its last digit is how many there are.
         upper, lower: (n, k) quantum numbers; zero beyond those that a line has.
         text: the lines as they were read; ``write_cat`` keeps those that still say the same.
     """
