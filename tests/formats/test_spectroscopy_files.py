@@ -24,9 +24,10 @@ CAT = (
 LIN = (
     "  1  1  0  1  1  1                       4829.660000    0.001000  1.0000  /an old line\n"
     "  2  1  2  1  1  1                         4.69792810  -0.0000005 first, half\n"
-    "  2  1  2  1  0  1                         4.69792810  -0.0000005 0.5\r\n"
+    "  2  1  2  1  0  1    a  note 12           4.69792810  -0.0000005 0.5\r\n"
+    "102101  1101100  1                     1.408395020D5,.01\n"
     "\n"
-    "102101  1101100  1                     140839.5020,.01"
+    "  3  1  2  3  1  3                      28974.8055     0.01    discarded, and so on\n"
 )
 
 
@@ -44,15 +45,29 @@ def test_a_catalogue_by_its_columns(tmp_path):
 
 
 def test_a_list_of_lines_by_its_columns(tmp_path):
+    """To the first blank line, as the program reads it; notes behind the quantum numbers, and exponents of Fortran."""
     (tmp_path / "a.lin").write_bytes(LIN.encode())
     found = formats.read_lin(tmp_path / "a.lin")
     assert found.upper.tolist() == [[1, 1, 0], [2, 1, 2], [2, 1, 2], [102, 101, 1]]
     assert found.lower.tolist() == [[1, 1, 1], [1, 1, 1], [1, 0, 1], [101, 100, 1]]
     assert found.weight.tolist() == [1.0, 1.0, 0.5, 1.0]
-    lines = found.measured()
+    assert found.left_out == 1
+    with pytest.warns(UserWarning, match=r"behind the first blank line, .* left out: 1"):
+        lines = found.measured()
     assert lines.frequency == pytest.approx([4829.66e6, 4.6979281 * 29979.2458e6, 4.6979281 * 29979.2458e6,
                                              140839.502e6], rel=1e-15)  # fmt: skip
     assert lines.error == pytest.approx([1e3, 5e-7 * 29979.2458e6, 5e-7 * 29979.2458e6, 1e4], rel=1e-15)
+
+
+def test_a_list_that_is_filled_up_by_zeros_and_one_that_gives_a_blends_width(tmp_path):
+    one, two = (f"  {level}  1  1  1  0  0  0  0  0  0  4829.66 " for level in ("1  1  0", "2  1  2"))
+    one, two = one + "0.001\n", two + "{}\n"
+    (tmp_path / "a.lin").write_text(one + two.format("0.001"))
+    found = formats.read_lin(tmp_path / "a.lin").measured()
+    assert (found.upper.tolist(), found.lower.tolist()) == ([[1, 1, 0], [2, 1, 2]], [[1, 1, 1]] * 2)
+    (tmp_path / "a.lin").write_text(one + two.format("0.001") + two.format("0.004"))
+    with pytest.raises(InvalidInput, match=r"line 3 has the frequency of the blend before it.*width of the blend"):
+        formats.read_lin(tmp_path / "a.lin").measured()
 
 
 @pytest.mark.parametrize(("text", "name", "read", "write"), [
@@ -282,8 +297,8 @@ def changed(text, line, begin, new):
     ("a.lin", changed(LIN, 1, 1, " x1"), r"line 1, columns 1 to 3: quantum number 1"),
     ("a.lin", LIN[:50] + "\n", r"line 1, columns 37 and on: must be a frequency and its error"),
     ("a.lin", LIN.replace("0.001000", "1e-"), r"line 1, columns 37 and on.*decimal digits"),
-    ("a.lin", LIN + "\n  1  1                                4. 1.\n", "entry 5: has 1 quantum numbers"),
-    ("a.par", PAR.replace("a 1,", "q 1,"), "line 3: must begin with a or s"),
+    ("a.lin", LIN.split("\n\n")[0] + "\n  1  1" + 32 * " " + "4. 1.\n", "entry 5: has 1 quantum numbers"),
+    ("a.par", PAR.replace("a 1,", "ab 1,"), "line 3: each option must be a number"),
     ("a.par", PAR.replace("   9 ", "   x "), "line 2: each option must be a number"),
     ("a.par", PAR.replace("   9 ", "  -9 "), "line 2: must begin with the number of constants"),
     ("a.par", PAR.replace("1100", "11x0"), "line 8: must begin with a whole code"),
@@ -295,6 +310,21 @@ def test_damaged_files_are_refused_by_line_and_column(tmp_path, name, text, said
     with pytest.raises(FormatError, match=said) as caught:
         getattr(formats, "read_" + name[2:])(path)
     assert str(caught.value).startswith(str(path)) and "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize(("constants", "given", "codes"), [
+    ((9e9, 3e9, 3e9), "B", [10000, 20000, -30000]), ((9e9, 3e9, 3e9), "C", [10000, 20000, -30000]),
+    ((9e9, 9e9, 3e9), "B", [10000, -20000, 30000]), ((9e9, 3e9, 3e9), "A", [10000, 20000, 30000]),
+])  # fmt: skip
+def test_equal_constants_are_written_as_ones_that_go_together(tmp_path, constants, given, codes):
+    """A code below zero keeps its ratio to the one before; as a fixed constant C would stay, and B move alone."""
+    table = formats.constant_table(Rotor(constants), {given: 1e3}, "top", np.eye(1))
+    assert table.code.tolist() == codes
+    free = [code for code, error in zip(codes, table.error.tolist(), strict=True) if code > 0 and error > 1e-30]
+    assert len(free) == 1 and (np.array(codes) < 0).sum() == (table.error > 1e-30).sum() - 1
+    formats.write_par(table, tmp_path / "a.var")
+    again = formats.read_par(tmp_path / "a.var")
+    assert again.rotor().constants == pytest.approx(constants) and again.code.tolist() == codes
 
 
 def test_what_cannot_be_written_leaves_nothing(tmp_path):
@@ -333,9 +363,9 @@ def test_what_files_cannot_hold(make, said):
 
 
 def test_a_var_file_keeps_correlations(tmp_path):
-    """As SPFIT documents it: the lower Cholesky factor, packed by rows in 8F10.6."""
+    """An upper triangular factor by columns, as the program's own files have it (``test_spfit_program``)."""
     names = ("A", "B", "C", "D_K")
-    root = np.array([[1, 0, 0, 0], [0.6, 0.8, 0, 0], [-0.3, 0.5, 0.66**0.5, 0], [0.1, -0.7, 0.5, 0.5]])
+    root = np.array([[0.4, 0.3, 0.5, -(0.5**0.5)], [0, 0.6, 0, 0.8], [0, 0, -0.6, 0.8], [0, 0, 0, 1]])
     sigma = dict.fromkeys(names, 1e4)
     table = formats.constant_table(FORMALDEHYDE, sigma, "H2CO", root @ root.T)
     formats.write_par(table, tmp_path / "a.var")
@@ -344,7 +374,7 @@ def test_a_var_file_keeps_correlations(tmp_path):
     numbers = [float(row[k : k + 10]) for row in rows for k in range(0, len(row), 10)]
     assert len(numbers) == count * (count + 1) // 2
     assert max(map(len, rows)) == 80
-    assert numbers[:6] == pytest.approx([1.0, 0.6, 0.8, -0.3, 0.5, 0.66**0.5], abs=2e-6)
+    assert numbers[:6] == pytest.approx([0.4, 0.3, 0.6, -0.5, 0.0, 0.6], abs=2e-6)
     again = formats.read_par(tmp_path / "a.var")
     assert np.abs(again.correlation - table.correlation).max() < 2e-6
     where = [again.label.index(name) for name in names]
@@ -355,7 +385,7 @@ def test_a_var_file_keeps_correlations(tmp_path):
     text = (tmp_path / "a.var").read_text()
     (tmp_path / "b.var").write_text(text[:-30])
     assert formats.read_par(tmp_path / "b.var").correlation is None  # incomplete: as SPFIT, none
-    (tmp_path / "c.var").write_text(text.replace("  0.600000", "  0.900000"))
+    (tmp_path / "c.var").write_text(text.replace(" 0.6000000", " 0.9000000"))
     with pytest.raises(FormatError, match="length 1"):
         formats.read_par(tmp_path / "c.var")
     with pytest.raises(InvalidInput, match="must be square"):

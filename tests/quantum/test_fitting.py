@@ -1,5 +1,7 @@
 """Constants from lines: recovered within their covariance, derivatives, blends, and what lines do not say."""
 
+import tracemalloc
+
 import numpy as np
 import pytest
 from scipy.stats import kstest
@@ -138,24 +140,70 @@ def test_a_wrong_line_is_found():
 
 
 def test_sigma_leverage_and_prediction_are_those_of_plain_linear_algebra():
-    """Near a symmetric top, ν = (B+C)(J+1) − 4 D_J (J+1)³ at K_a = 0, with ∂ν/∂B = J + 1."""
+    """Of a symmetric top ν = 2B(J+1) − 4 D_J (J+1)³ at K_a = 0, with ∂ν/∂B = 2(J + 1), as C goes with B."""
     top, J = Rotor((27e9, 9e9, 9e9), {"D_J": 3e3}, "S", "Ir", dipole=(1e-30, 0.0, 0.0)), np.arange(6)
     zero = np.zeros_like(J)
     upper, lower = np.column_stack([J + 1, zero, J + 1]), np.column_stack([J, zero, J])
-    slope = np.column_stack([(J + 1.0), (J + 1.0), -4.0 * (J + 1.0) ** 3])[:, 1:]
+    slope = np.column_stack([2.0 * (J + 1.0), -4.0 * (J + 1.0) ** 3])
     noise = 1e4 * np.random.default_rng(5).normal(size=6)
     lines = MeasuredLines(upper, lower, (18e9 + 1e5) * (J + 1.0) - 12e3 * (J + 1.0) ** 3 + noise, np.full(6, 1e4))
     fit = fit_rotor(top, lines, ["B", "D_J"])
     covariance = np.linalg.inv(slope.T @ slope) * 1e8
     wanted = np.linalg.lstsq(slope, noise)[0]
     assert fit.sigma == pytest.approx(np.sqrt(np.diag(covariance)), rel=1e-4)
-    assert fit.values - [9e9 + 1e5, 3e3] == pytest.approx(wanted, rel=1e-3)
+    assert fit.values - [9e9 + 5e4, 3e3] == pytest.approx(wanted, rel=1e-3)
     assert fit.correlation[0, 1] == pytest.approx(covariance[0, 1] / np.sqrt(covariance[0, 0] * covariance[1, 1]),
                                                   rel=1e-4)  # fmt: skip
     assert fit.leverage == pytest.approx(np.diag(slope @ np.linalg.pinv(slope)), rel=1e-4)
     frequency, sigma = fit.predict(upper, lower)
     assert frequency == pytest.approx(fit.calculated, rel=1e-14)
     assert sigma / 1e4 == pytest.approx(np.sqrt(fit.leverage), rel=1e-9)
+
+
+METHYL_CYANIDE = {"D_J": 3.8e3, "D_JK": 177e3}  # Hz
+
+
+@pytest.mark.parametrize(("constants", "dipole", "free"), [
+    ((158099e6, 9198.9e6, 9198.9e6), (1e-29, 0.0, 0.0), "B"), ((158099e6, 9198.9e6, 9198.9e6), (1e-29, 0.0, 0.0), "C"),
+    ((298192e6, 298192e6, 186726e6), (0.0, 0.0, 5e-30), "A"), ((298192e6, 298192e6, 186726e6), (0.0, 0.0, 5e-30), "B"),
+])  # fmt: skip
+def test_a_symmetric_top_stays_one(constants, dipole, free):
+    """B = C of methyl cyanide, A = B of ammonia: with B alone free the fit moved it alone, by twice the change."""
+    representation = "Ir" if dipole[0] else "IIIr"
+    truth = Rotor(constants, METHYL_CYANIDE, "S", representation, dipole)
+    lines = truth.lines(8)
+    seen = MeasuredLines(lines.upper, lines.lower, lines.frequency, np.full(len(lines.frequency), 1e3))
+    moved = [x - 0.9e6 if constants.count(x) == 2 else x for x in constants]
+    start = Rotor(moved, {"D_J": 3e3, "D_JK": 170e3}, "S", representation)
+    fit = fit_rotor(start, seen, [free, "D_J", "D_JK"])
+    assert fit.rotor.equal == truth.equal and fit.rms < 1e-3
+    assert fit.rotor.constants == pytest.approx(constants, rel=1e-11)
+    assert fit.rotor.distortion == pytest.approx(METHYL_CYANIDE, rel=1e-6)
+    two = truth.equal
+    with pytest.raises(InvalidInput, match="not determined"):
+        fit_rotor(start, seen, [*two, "D_J", "D_JK"])
+
+
+def test_the_third_constant_of_a_symmetric_top_is_named_as_undetermined():
+    truth = Rotor((158099e6, 9198.9e6, 9198.9e6), METHYL_CYANIDE, "S", "Ir", (1e-29, 0.0, 0.0))
+    lines = truth.lines(8)
+    seen = MeasuredLines(lines.upper, lines.lower, lines.frequency, np.full(len(lines.frequency), 1e3))
+    with pytest.raises(InvalidInput, match="free constant A is not determined"):
+        fit_rotor(truth, seen, ["A", "B", "D_J", "D_JK"])
+
+
+def test_memory_grows_with_lines_and_not_with_their_square():
+    """3,000 lines took a square matrix of 72 MB; 1e5 would have taken 74 GiB."""
+    some = measured(W_HZ, 4, 1e4)
+    times = 3000 // len(some.frequency) + 1
+    many = MeasuredLines(np.tile(some.upper, (times, 1)), np.tile(some.lower, (times, 1)),
+                         np.tile(some.frequency, times), np.tile(some.error, times))  # fmt: skip
+    tracemalloc.start()
+    fit = fit_rotor(shifted(W_HZ, []), many, ["A", "B", "C"])
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert peak < 20e6
+    assert fit.values == pytest.approx(W_HZ.constants, rel=1e-12) and fit.leverage.sum() == pytest.approx(3.0)
 
 
 def test_constants_that_lines_do_not_determine_are_named():

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from polhode.arrays import as_float64, is_traced, known_numbers_only
+from polhode.bodies.digits import judged
 from polhode.errors import InvalidInput, shown
 from polhode.motion.frame import BodyFrame
 from polhode.rotation import as_matrix, from_matrix, normalize
@@ -281,11 +282,8 @@ def principal_axes(inertia: Float64[Array, "3 3"]) -> tuple[Float64[Array, "3"],
         moments, axes = _jacobi(inertia / scale)
         # what relative rounding of the entries does to each moment: v · |J| v with |v|
         unsure = ROUNDING * np.einsum("ik,ij,jk->k", np.abs(axes), np.abs(inertia / scale), np.abs(axes))
-        moments = np.where(np.abs(moments) <= unsure, 0.0, moments)
-        columns: list[Array] = []
-        for group in _groups(moments, unsure):
-            moments[group] = moments[group].mean() if len(group) > 1 else moments[group]
-            columns += _nearest_axes(axes[:, group])
+        moments, groups = judged(moments, unsure)
+        columns = [axis for group in groups for axis in _nearest_axes(axes[:, group])]
         moments, axes = moments * scale, np.column_stack(columns)
     leading = [_first_largest(np.abs(axes[:, k])) for k in range(3)]
     axes = axes * np.where(axes[leading, range(3)] < 0, -1.0, 1.0)
@@ -321,17 +319,6 @@ def _jacobi(matrix: Array) -> tuple[Array, Array]:
             v[:, p], v[:, q] = c * v[:, p] - s * v[:, q], s * v[:, p] + c * v[:, q]
     order = np.argsort(np.diag(a), kind="stable")
     return np.diag(a)[order], v[:, order]
-
-
-def _groups(moments: Array, unsure: Array) -> list[list[int]]:
-    """Return the indices of ascending moments, those equal to within their uncertainty together."""
-    groups = [[0]]
-    for k in (1, 2):
-        if moments[k] - moments[k - 1] <= max(unsure[k], unsure[k - 1]):
-            groups[-1].append(k)
-        else:
-            groups.append([k])
-    return groups
 
 
 def _nearest_axes(space: Array) -> list[Array]:

@@ -56,8 +56,8 @@ def run_fit_rotor(path: Path, lines: Path, free: str | None, out: Path | None, j
 
 
 def _names(rotor: Rotor) -> list[str]:
-    """Return all constants that the spec gives."""
-    return ["A", "B", "C", *rotor.distortion]
+    """Return all constants that the spec gives; of equal ones the first, with which the others go."""
+    return [*(name for name in "ABC" if name not in rotor.equal[1:]), *rotor.distortion]
 
 
 def _write(fit: RotorFit, out: Path, title: str) -> None:
@@ -86,7 +86,7 @@ def _constants(fit: RotorFit, start: Rotor) -> Table:
             for name, value, sigma in columns]  # fmt: skip
     return Table("constants", "Constants", {
         "constant": lambda row: row["constant"],
-        "MHz": lambda row: uncertain(row["value"] / MEGA, row["standard_error"] / MEGA),
+        "MHz": lambda row: uncertain(row["value"] / MEGA, row["standard_error"] / MEGA, digits=2),
         "change": lambda row: f"{(row['value'] - row['start']) / MEGA:+.4g} MHz",
     }, rows, {"value": "Hz", "standard_error": "Hz", "start": "Hz"}, key="constant")  # fmt: skip
 

@@ -17,12 +17,12 @@ from polhode.errors import InvalidInput, shown
 from polhode.formats.rotor_dataset import rotor_attributes, write_spectrum
 from polhode.kinds.base import Spec
 from polhode.kinds.reading import read_spec_or_molecule
-from polhode.quantum.rotor import Rotor
+from polhode.quantum.rotor import Rotor, below_ground
 from polhode.quantum.strengths import DEBYE, Lines
 from polhode.reports.answer import Table, units_of, values_of
 from polhode.reports.base import plain
 from polhode.reports.spectra import AREA, frequency, level_table, line_table
-from polhode.spec.rotors import SpecRotor, asked_of, check_summable
+from polhode.spec.rotors import SpecRotor, asked_of, check_summable, doubts_of_weights
 from polhode.spec.units import parse_quantity, parse_spectroscopic
 
 
@@ -43,12 +43,14 @@ def run_levels(path: Path, j_max: int | None, json: bool, out: Path | None = Non
     _check_out(out, path)
     with told_of(path) as notes:
         spec = read_spec_or_molecule(path)
-        rotor, _, usual = spec.kind.rotor(spec)
+        rotor, _, usual, doubts = spec.kind.rotor(spec)
         last = usual if j_max is None else j_max
         found = rotor.levels(last)
+        told = (*doubts, below_ground(found.J, found.energy))
         table = level_table(found, last, last)
         if out is not None:
             write_spectrum(out, levels=found, attributes=rotor_attributes(rotor, spec.name))
+    notes += [word for word in told if word]
     said = f"Constants {_constants(rotor)}; {len(table.rows)} levels to J = {last}."
     _print(spec, said, table, {"constants": rotor.constants, "j_max": last}, notes, json, out)
 
@@ -74,6 +76,7 @@ def run_lines(path: Path, options: LineOptions, json: bool, out: Path | None = N
         check_summable(asked)
         found = asked.rotor.lines(asked.j_max, asked.temperature)
         partition = float(asked.rotor.partition_function(asked.temperature))
+    notes += asked.notes
     if asked.rotor.spin_weights == (1.0, 1.0):
         notes.append("nuclear spins are left out: all levels weigh the same.")
     within = (found.frequency >= bounds[0]) & (found.frequency <= bounds[1])
@@ -96,15 +99,16 @@ def _asked(
     found: SpecRotor, temperature: float | None, j_max: int | None, dipole: tuple[float, ...] | None
 ) -> SpecRotor:
     """Return what a spec asks for, with what the options say in place of it."""
-    rotor = found.rotor
+    rotor, notes = found.rotor, found.notes
     if dipole is not None:
         reduction, representation = (None if x is None else x.name for x in (rotor.reduction, rotor.representation))
         rotor = Rotor(
             rotor.constants, rotor.distortion, reduction, representation, dipole, rotor.spin_weights, rotor.spin_axis
         )
+        notes = notes or doubts_of_weights(rotor, None)
     if temperature is None:
-        return SpecRotor(rotor, found.temperature, found.j_max if j_max is None else j_max)
-    return asked_of(rotor, temperature, j_max)
+        return SpecRotor(rotor, found.temperature, found.j_max if j_max is None else j_max, notes)
+    return asked_of(rotor, temperature, j_max, notes)
 
 
 @contextmanager

@@ -55,7 +55,7 @@ def energy_surface(rotor: Rotor, J: int, *, axes: Any = None) -> Figure:
     scene.finish(order=0.0)
     width = curve_width(J)
     for level in curves:
-        scene.line(level.unit * (level.energy / (J + 0.5) ** 2 / rotor.constants[0]), side_colour(level.above), width)
+        scene.line(level.unit * _radius(level.unit, scale)[:, None], side_colour(level.above), width)
     for curve in separatrix(moments_of(rotor)):
         scene.line(curve * scale[1], style.VERMILION, 1.0)
     for k, name in enumerate(AXES):

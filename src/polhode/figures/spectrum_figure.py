@@ -21,7 +21,7 @@ UNITS = ((1e12, "THz"), (1e9, "GHz"), (1e6, "MHz"))
 
 
 def spectrum(lines: Lines, *, axes: Any = None) -> Figure | None:
-    """Return absorption lines as sticks of the lg of their intensity, by branch. None without a line.
+    """Return absorption lines as sticks of the lg of their intensity, by branch. None without a line that is seen.
 
     Args:
         lines: with intensities.
@@ -32,7 +32,7 @@ def spectrum(lines: Lines, *, axes: Any = None) -> Figure | None:
     >>> spectrum(Rotor((27e9, 14e9, 9e9), dipole=(0.0, DEBYE, 0.0)).lines(3, 300.0)).axes[0].get_xlabel()
     'frequency  [GHz]'
     """
-    seen = lines.intensity > 0.0
+    seen = (lines.intensity > 0.0) & np.isfinite(lines.intensity)
     if not seen.any():
         return None
     size = np.log10(lines.intensity[seen] / AREA)

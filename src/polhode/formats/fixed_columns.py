@@ -103,14 +103,23 @@ def write_coded(value: int, width: int) -> str:
     return text.rjust(width)
 
 
-def rows_of(path: Path, text: str, read: Callable[[str], Row], remedy: str) -> Iterator[tuple[Row, str]]:
+def rows_of(
+    path: Path, text: str, read: Callable[[str], Row], remedy: str, ends_at_blank: bool = False
+) -> Iterator[tuple[Row, str]]:
     """Yield what each line holds, and its text with its end and blank lines around it.
+
+    Args:
+        ends_at_blank: whether the first blank line ends what is read; the text behind goes with the last line.
 
     Raises:
         FormatError: naming file, line and columns, for what ``read`` refuses, and for a file without lines.
     """
     pending, held = "", None
-    for number, line in enumerate(_with_ends(text), 1):
+    lines = _with_ends(text)
+    for number, line in enumerate(lines, 1):
+        if not line.strip() and ends_at_blank:
+            pending = "".join(lines[number - 1 :])
+            break
         if not line.strip():
             pending += line
             continue

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from polhode.bodies.atoms import ATOMIC_MASS_UNIT, is_element
+from polhode.bodies.atoms import ANGSTROM, ATOMIC_MASS_UNIT, is_element
 from polhode.errors import FormatError, not_installed, shown
 from polhode.formats.numerals import is_misread
 from polhode.formats.opening import MB, read_text
@@ -23,7 +23,6 @@ _EXTENDED = re.compile(r"(Properties|Lattice|pbc)\s*=", re.IGNORECASE)
 """What the comment of an extended xyz holds; in a plain one each atom is a symbol and three numbers, in ångström."""
 _COLUMNS = re.compile(r"Properties\S*:\d{3}", re.IGNORECASE | re.ASCII)
 LARGEST_EXTENT = 1.0  # m, more than any molecule
-ANGSTROM = 1e-10  # m
 LARGEST_FILE = 64 * MB  # a million atoms
 
 

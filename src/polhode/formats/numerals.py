@@ -34,6 +34,18 @@ def read_number(text: str) -> float:
     return value
 
 
+def read_fortran(text: str) -> float:
+    """Return the number that a word of a Fortran program's file is, whose exponents may begin with D.
+
+    Raises:
+        ValueError: as ``read_number``.
+
+    >>> read_fortran("-1.5D+03")
+    -1500.0
+    """
+    return read_number(re.sub(r"(?<=[\d.])[dD](?=[+-]?\d)", "E", text))
+
+
 def is_misread(word: str) -> bool:
     """Whether Python takes a word for a number, and ``read_number`` does not.
 

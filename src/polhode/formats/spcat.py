@@ -25,7 +25,7 @@ DEGREES, DEGENERACY, TAG, FORM = Field("degrees of freedom", 29, 2), Field("uppe
     "tag", 44, 7), Field("quantum number format", 51, 4)  # fmt: skip
 UPPER, LOWER = ([Field(f"{name} quantum number {k + 1}", begin + 2 * k, 2) for k in range(6)]
                 for name, begin in (("upper", 55), ("lower", 67)))  # fmt: skip
-ASYMMETRIC_TOP = 303  # J, Ka, Kc
+ASYMMETRIC_TOP, LINEAR = 303, 101  # J, Ka, Kc; J alone
 LARGEST_ERROR = 999.9999  # MHz, where SPCAT ends too
 FAINTEST = -99.0  # lg of nm² MHz, of lines that are still written
 HIGHEST = 1e14 - 1e2  # Hz: F13.4 of MHz
@@ -51,7 +51,7 @@ class Catalogue:
         lower_energy: [cm⁻¹].
         degeneracy: of the upper level, spins of nuclei included.
         tag: of the species; negative for frequencies that were measured.
-        form: what the quantum numbers are: 303 for J, K_a, K_c; its last digit is how many there are.
+        form: what the quantum numbers are: 303 for J, K_a, K_c, 101 for J; its last digit is how many there are.
         upper, lower: (n, k) quantum numbers; zero beyond those that a line has.
         text: the lines as they were read; ``write_cat`` keeps those that still say the same.
     """
@@ -122,10 +122,10 @@ def catalogue_of(
         lines: of ``Rotor.lines`` at a temperature, by custom 300 K.
         error: of their frequencies [Hz], such as ``RotorFit.predict`` gives; written up to 999.9999 MHz.
         tag: of the species.
-        degrees: of freedom of rotation, 2 for a linear molecule.
+        degrees: of freedom of rotation, 2 for a linear molecule, whose levels the catalogue has by J alone, format 101.
 
     Raises:
-        InvalidInput: for lines without intensities.
+        InvalidInput: for lines without intensities, or of levels that no linear molecule has.
 
     >>> from polhode.quantum import DEBYE, Rotor
     >>> found = catalogue_of(Rotor((27e9, 14e9, 9e9), dipole=(0.0, DEBYE, 0.0)).lines(1, 300.0))
@@ -143,11 +143,14 @@ def catalogue_of(
     weight = lines.weight * (2 * lines.upper[:, 0] + 1)
     if (weight % 1.0 != 0.0).any():
         raise InvalidInput(f"spin weights must be whole numbers in a catalogue; got {shown(lines.weight)}.")
+    if degrees == 2 and (lines.upper[:, 1].any() or lines.lower[:, 1].any()):
+        raise InvalidInput("`degrees` must be 3 for lines between levels of K_a above 0, which no linear molecule has.")
+    form, quanta = (LINEAR, 1) if degrees == 2 else (ASYMMETRIC_TOP, 3)
     whole = np.ones(int(kept.sum()), int)
     return Catalogue(
         lines.frequency[kept] / 1e6, np.minimum(errors, LARGEST_ERROR)[kept], brightness[kept],
         degrees * whole, lines.lower_energy[kept] / HERTZ_OF_WAVE_NUMBER, weight[kept].astype(int),
-        tag * whole, ASYMMETRIC_TOP * whole, lines.upper[kept], lines.lower[kept],
+        tag * whole, form * whole, lines.upper[kept, :quanta], lines.lower[kept, :quanta],
     )  # fmt: skip
 
 

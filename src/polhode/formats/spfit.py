@@ -6,14 +6,15 @@ Source: Pickett, J. Mol. Spectrosc. 148 (1991) 371.
 from __future__ import annotations
 
 import re
+import warnings
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
 from polhode.errors import FormatError, InvalidInput, shown
-from polhode.formats.fixed_columns import Field, rows_of, text_of
-from polhode.formats.numerals import read_number
+from polhode.formats.fixed_columns import Field, read_coded, rows_of, text_of
+from polhode.formats.numerals import read_fortran
 from polhode.formats.opening import MB, read_text
 from polhode.formats.paths import written_whole
 from polhode.formats.spcat import HERTZ_OF_WAVE_NUMBER
@@ -36,6 +37,7 @@ class LineList:
         value, error: (n,) frequencies and their errors [MHz]; both [cm⁻¹] where the error is negative.
         weight: (n,) of the member of a blend. Neighbours of the same value and error are one.
         text: the lines as they were read; ``write_lin`` keeps those that still say the same.
+        left_out: how many lines stand behind the first blank one, where SPFIT ends reading, and so does ``read_lin``.
     """
 
     upper: Integer[Array, "n k"]
@@ -44,24 +46,44 @@ class LineList:
     error: Float64[Array, "n"]
     weight: Float64[Array, "n"]
     text: tuple[str, ...] | None = None
+    left_out: int = 0
 
     def measured(self) -> MeasuredLines:
         """Return the lines of an asymmetric top in Hz, for ``fit_rotor``.
 
+        Six quantum numbers that were filled up by zeros to twelve are taken as six. A warning says if lines were left
+        out behind a blank one.
+
         Raises:
-            InvalidInput: for levels that are not J, K_a, K_c.
+            InvalidInput: for levels that are not J, K_a, K_c, or a line that to SPFIT is the width of the blend before.
         """
-        if self.upper.shape[1] != 3:
+        upper, lower = self.upper, self.lower
+        if upper.shape[1] == 6 and not lower.any():
+            upper, lower = upper[:, :3], upper[:, 3:]
+        if upper.shape[1] != 3:
             raise InvalidInput(
                 f"the lines must have three quantum numbers for each level, J, Ka, Kc; these have "
                 f"{self.upper.shape[1]}. Only rotors without vibration and spins are fitted."
             )
+        again, error = np.diff(self.value) == 0.0, np.abs(self.error)
+        blended = again[:-1] & (np.diff(self.error)[:-1] == 0.0)
+        widths = np.flatnonzero(blended & again[1:] & (error[2:] >= 2.0 * error[1:-1]))
+        if len(widths):
+            raise InvalidInput(
+                f"line {int(widths[0]) + 3} has the frequency of the blend before it and at least twice its error: to "
+                "SPFIT this is the width of the blend, which is not fitted here. Leave the line out."
+            )
+        if self.left_out:
+            warnings.warn("behind the first blank line, where SPFIT ends reading, stand more lines that are left out: "
+                          f"{self.left_out}.", stacklevel=2)  # fmt: skip
         unit = np.where(self.error < 0.0, HERTZ_OF_WAVE_NUMBER, HERTZ_OF_MEGAHERTZ)
-        return MeasuredLines(self.upper, self.lower, self.value * unit, np.abs(self.error) * unit, self.weight)
+        return MeasuredLines(upper, lower, self.value * unit, np.abs(self.error) * unit, self.weight)
 
 
 def read_lin(path: str | Path) -> LineList:
-    """Return the lines of a ``.lin`` file.
+    """Return the lines of a ``.lin`` file, to its first blank line, as SPFIT reads it.
+
+    Words behind the quantum numbers, in columns that these leave free, are notes.
 
     Raises:
         InvalidInput: if it is missing.
@@ -69,14 +91,16 @@ def read_lin(path: str | Path) -> LineList:
     """
     path = Path(path)
     remedy = "A list of lines has twelve fields of three columns, then frequency, error and perhaps a weight."
-    found = list(rows_of(path, read_text(path, "line list", LARGEST_FILE), _row, remedy))
+    found = list(rows_of(path, read_text(path, "line list", LARGEST_FILE), _row, remedy, True))
     rows = [row for row, _ in found]
     for k, row in enumerate(rows):
         if len(row[0]) != len(rows[0][0]):
             raise FormatError(f"{path}, entry {k + 1}: has {len(row[0])} quantum numbers for each level, and the first "
                               f"has {len(rows[0][0])}. Write as many in every line.")  # fmt: skip
     upper, lower, value, error, weight = (np.array(column) for column in zip(*rows, strict=True))
-    return LineList(upper, lower, value, error, weight, tuple(text for _, text in found))
+    texts = tuple(text for _, text in found)
+    left_out = sum(bool(line.strip()) for line in texts[-1].split("\n")) - 1  # the last has what stands behind it
+    return LineList(upper, lower, value, error, weight, texts, left_out)
 
 
 def write_lin(lines: LineList, path: str | Path) -> None:
@@ -109,7 +133,8 @@ def _row(line: str) -> Row:
         ValueError: naming columns.
     """
     words = [line[field.begin : field.begin + 3].strip() for field in NUMBERS]
-    filled = [k for k, word in enumerate(words) if word]
+    note = next((k for k in range(2, len(words)) if words[k] and not _is_number(words[k])), len(words))
+    filled = [k for k, word in enumerate(words[:note]) if word]
     count = len(filled)
     if not count or count % 2 or filled != list(range(count)):
         raise ValueError(f"columns 1 to 36: must hold as many upper as lower quantum numbers, one after the other; got "
@@ -117,16 +142,24 @@ def _row(line: str) -> Row:
     found = [field.whole(line) for field in NUMBERS[:count]]
     free = [word for word in re.split(r"[\s,]+", line[FREE:].split("/")[0]) if word]
     try:
-        value, error = (read_number(word) for word in free[:2])
+        value, error = (read_fortran(word) for word in free[:2])
     except ValueError as problem:
         why = f"must be a frequency and its error; got {shown(line[FREE:].strip())}"
         raise ValueError(f"columns {FREE + 1} and on: {why}: each {problem}" if len(free) > 1 else
                          f"columns {FREE + 1} and on: {why}") from None  # fmt: skip
     try:
-        weight = read_number(free[2]) if len(free) > 2 else 1.0
+        weight = read_fortran(free[2]) if len(free) > 2 else 1.0
     except ValueError:
         weight = 1.0  # a comment
     return tuple(found[: count // 2]), tuple(found[count // 2 :]), value, error, weight
+
+
+def _is_number(word: str) -> bool:
+    try:
+        read_coded(word, NUMBERS[0].width)
+    except ValueError:
+        return False
+    return True
 
 
 def _line(row: Row) -> str:

@@ -7,24 +7,30 @@ states, III^l, in which J_z is J_c. Source: Pickett, J. Mol. Spectrosc. 148 (199
 
 from __future__ import annotations
 
+import math
 import re
-from collections.abc import Mapping
+import warnings
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 from polhode.errors import FormatError, InvalidInput, shown
-from polhode.formats.numerals import read_number
+from polhode.formats.numerals import read_fortran, read_number
 from polhode.formats.opening import MB, read_text
 from polhode.formats.paths import written_whole
 from polhode.quantum import Reduction, Representation, Rotor
+from polhode.quantum.derivatives import tied
 from polhode.quantum.operators import TERMS, Term
 from polhode.types import Array, Float64, Integer, Real
 
 LARGEST_FILE = 16 * MB
 WIDTH, IN_A_ROW = 10, 8  # of the factor of the correlations
 ROUNDING = 1e-12  # added to correlations, which may be singular within rounding
+UNLIMITED_K = 99.0  # and above: what files say that mean no limit
+FREE = 1e37  # MHz; the error of a constant that is free
 FIXED = 1e-37  # MHz; an error by which SPFIT leaves a constant as it is
 AXES = {10000: (1.0, 0.0, 0.0), 20000: (0.0, 1.0, 0.0), 30000: (0.0, 0.0, 1.0), 100: (1.0, 1.0, 1.0)}
 """What codes add to A, B, C."""
@@ -41,14 +47,16 @@ class ConstantTable:
 
     Attributes:
         title: the first line.
-        reduction: "A" or "S".
+        reduction: "A" or "S", whose operators the file has; where both would do, by the letter, which to the program
+            is but a matter of labels.
         options: those of the third line after the letter, None where the program's own default is meant: degeneracy of
-            spins, states of vibration (negative for an oblate basis), least and largest K, interactions left out, axis
-            and weights of even and odd levels, symmetry, …
+            spins, states of vibration (negative for an oblate basis), least and largest K (0 and 0: a linear molecule),
+            interactions left out, axis and weights of even and odd levels, symmetry, …
         code: (n,) of operators; negative ones keep their ratio to the one before.
         value, error: (n,) [MHz].
         label: (n,) names in the file.
         correlation: (n, n) of the errors; None where the file does not have it.
+        more_options: those of further lines, one for each state of vibration that differs.
     """
 
     title: str
@@ -59,36 +67,82 @@ class ConstantTable:
     error: Float64[Array, "n"]
     label: tuple[str, ...]
     correlation: Float64[Array, "n n"] | None = None
+    more_options: tuple[tuple[float | None, ...], ...] = ()
 
     def rotor(self, dipole: Real[Array, "3"] | tuple[float, float, float] = (0.0, 0.0, 0.0)) -> Rotor:
         """Return the rotor with these constants, in I^r, or III^l where the number of states is negative.
 
+        A file whose least and largest K are 0 is one of a linear molecule. Any other largest K is a limit of the
+        program's basis, not of the molecule: this rotor has all levels, and a warning says where they differ.
+
         Raises:
-            InvalidInput: for spins, several states of vibration, or operators that Watson's reduction does not have.
+            InvalidInput: for spins, several states of vibration, a least K, weights about axes of higher order, or
+                operators that Watson's reduction does not have.
         """
-        spins, states, _, _, _, axis, even, odd = (*self.options, *[None] * 8)[:8]
+        spins, states, least, largest, _, axis, even, odd, symmetry, l_doubling = (*self.options, *[None] * 10)[:10]
         if abs(1.0 if spins is None else spins) != 1.0 or abs(1.0 if states is None else states) != 1.0:
             raise InvalidInput("the constants must be of one state without spins: the first two options must be 1; got "
                                f"{shown(spins)} and {shown(states)}.")  # fmt: skip
-        basis = Representation.IIIl if states is not None and states < 0.0 else Representation.Ir
-        axes = AXES | BASES[basis]
+        if self.more_options:
+            raise InvalidInput("the constants must be of one state, with one line of options; the ninth option is "
+                               f"negative, and {len(self.more_options)} more lines of options follow.")  # fmt: skip
+        if least:
+            raise InvalidInput(f"the least K (third option) must be 0; got {least:g}. A rotor has levels of all K.")
+        if l_doubling is not None and abs(l_doubling) >= 100.0:
+            raise InvalidInput(f"the tenth option must be below 100: l-doubled states are none of a plain rotor; got "
+                               f"{l_doubling:g}.")  # fmt: skip
+        about = "a" if axis is None or axis == 0.0 else "abc"[int(abs(axis)) - 1] if abs(axis) in (1, 2, 3) else None
+        if about is None:
+            raise InvalidInput(f"the axis of spin weights (sixth option) must be 1, 2 or 3; got {shown(axis)}. Weights "
+                               "of symmetric tops are not known here: write 1 and equal weights.")  # fmt: skip
         weights = (1.0 if even is None else even, 1.0 if odd is None else odd)
-        about = "a" if axis in (None, 0.0) else "abc"[int(axis) - 1] if axis in (1.0, 2.0, 3.0) else None
-        if about is None and weights[0] != weights[1]:
-            raise InvalidInput(f"the axis of spin weights must be 1, 2 or 3; got {shown(axis)}.")
+        if symmetry is not None and symmetry > 0.0 and symmetry % 2.0 == 1.0:  # an odd last digit
+            weights = (weights[1], weights[0])
+        basis = Representation.IIIl if states is not None and states < 0.0 else Representation.Ir
+        if largest == 0.0:
+            return self._linear(basis, dipole, weights, about)
+        if largest is not None and largest < UNLIMITED_K:
+            warnings.warn(
+                f"the file leaves out states of K above {largest:g} (fourth option); this rotor has them all, so that "
+                f"levels of J above {largest:g} differ from its program's.", stacklevel=2,
+            )  # fmt: skip
+        rigid, distortion = self._constants(basis)
+        return Rotor(rigid, distortion, self.reduction, basis.name, dipole, weights, about)
+
+    def _constants(self, basis: Representation) -> tuple[Float64[Array, "3"], dict[str, float]]:
+        """Return A, B, C and distortion [Hz].
+
+        Raises:
+            InvalidInput: for operators that the reduction does not have.
+        """
+        axes = AXES | BASES[basis]
         names = {code_of(term): (name, term.sign) for name, term in TERMS[Reduction[self.reduction]].items()}
         rigid, distortion = np.zeros(3), {}
         for code, value, label in zip(np.abs(self.code).tolist(), self.value.tolist(), self.label, strict=True):
-            bare = code - 99 if code % 100 == 99 else code  # 99: in all states of vibration
+            bare = _bare(code)
             if bare in axes:
                 rigid += value * 1e6 * np.array(axes[bare])
             elif bare in names:
                 name, sign = names[bare]
                 distortion[name] = distortion.get(name, 0.0) + sign * value * 1e6
             else:
-                raise InvalidInput(f"the {self.reduction} reduction has no operator {code} ({label}). Leave it out, if "
-                                   "it is small enough.")  # fmt: skip
-        return Rotor(rigid, distortion, self.reduction, basis.name, dipole, weights, about or "a")
+                raise InvalidInput(
+                    f"the {self.reduction} reduction to the eighth power of J has no operator {code} ({label}). Levels "
+                    "without it are others; leave it out only where it is negligible."
+                )
+        return rigid, distortion
+
+    def _linear(self, basis: Representation, dipole: Any, weights: tuple[float, float], about: str) -> Rotor:
+        """Return the linear rotor: at K = 0 operators with J_z or J± do nothing."""
+        rigid, distortion = self._constants(basis)
+        terms = TERMS[Reduction[self.reduction]]
+        kept = {name: value for name, value in distortion.items() if not (terms[name].of_Jz or terms[name].of_ladder)}
+        B = float(np.delete(rigid, "abc".index(basis.value[2])).mean())
+        return Rotor((math.inf, B, B), kept, self.reduction, basis.name, dipole, weights, about)
+
+
+def _bare(code: int) -> int:
+    return code - 99 if code % 100 == 99 else code  # 99: in all states of vibration
 
 
 def code_of(term: Term) -> int:
@@ -108,7 +162,8 @@ def constant_table(
 
     Args:
         rotor: in I^r or III^l.
-        sigma: errors by name [Hz], such as ``dict(zip(fit.names, fit.sigma))``; other constants are fixed.
+        sigma: errors by name [Hz], such as ``dict(zip(fit.names, fit.sigma))``; other constants are fixed, but those of
+            a symmetric top that are equal to one of these, which go with it.
         title: one line.
         correlation: (k, k) of the k errors in the order of ``sigma``, such as ``fit.correlation``.
 
@@ -128,11 +183,14 @@ def constant_table(
         raise InvalidInput(f"`correlation` must be square, with a row for each of the {len(names)} errors of `sigma`; "
                            f"got the shape {shown(np.shape(correlation))}.")  # fmt: skip
     reduction = rotor.reduction or Reduction.S
-    rows = [(10000 * (k + 1), value, "ABC"[k]) for k, value in enumerate(rotor.constants)]
+    names = [_first_equal(rotor, name, names) for name in names]
+    sigma = dict(zip(names, (sigma or {}).values(), strict=True))
+    rows = [(_code_of_axis(rotor, "ABC"[k], names), value, "ABC"[k]) for k, value in enumerate(rotor.constants)]
     for name, value in rotor.distortion.items():
         term = TERMS[reduction][name]
         rows.append((code_of(term), term.sign * value, name))
-    error = [max((sigma or {}).get(name, 0.0) / 1e6, FIXED) for _, _, name in rows]
+    error = [max(sigma.get(name, sigma.get(_first_equal(rotor, name, [name]), 0.0) if code < 0 else 0.0) / 1e6, FIXED)
+             for code, _, name in rows]  # fmt: skip
     axis = float("abc".index(rotor.spin_axis) + 1)
     states = -1.0 if rotor.representation is Representation.IIIl else 1.0
     options = (1.0, states, 0.0, 99.0, 0.0, axis, *rotor.spin_weights, 0.0, 0.0, 0.0, 0.0)
@@ -149,11 +207,25 @@ def constant_table(
                          together)  # fmt: skip
 
 
+def _first_equal(rotor: Rotor, name: str, free: Sequence[str]) -> str:
+    """Return the name of a rotational constant, or of the first that it is equal to and goes with."""
+    return min(tied(rotor, name, free)) if name in rotor.equal else name
+
+
+def _code_of_axis(rotor: Rotor, axis: str, free: Sequence[str]) -> int:
+    """Return the code of A, B or C, below zero of one that goes with the one before as they are equal."""
+    code = 10000 * ("ABC".index(axis) + 1)
+    follows = axis in rotor.equal[1:] and axis not in free and any(name in rotor.equal for name in free)
+    return -code if follows else code
+
+
 def read_par(path: str | Path) -> ConstantTable:
     """Return the constants of a ``.par`` or ``.var`` file, with the correlations that the latter ends with.
 
-    They stand there as the lower triangular Cholesky factor V of their matrix, V Vᵀ, in rows of 8F10.6. Codes below
-    zero, which keep their ratio to the one before, have none of their own. As SPFIT does, an incomplete V is left out.
+    They stand there as an upper triangular factor U of their matrix, U Uᵀ, with rows of length 1, packed by columns in
+    8F10.6; the program's documentation calls it the Cholesky factor, which is another matrix. Codes below zero, which
+    keep their ratio to the one before, have none of their own. As SPFIT does, an incomplete U is left out. An error
+    that is left out is huge in a ``.par``, whose constant is free, and 0 in a ``.var``.
 
     Raises:
         InvalidInput: if it is missing.
@@ -165,25 +237,29 @@ def read_par(path: str | Path) -> ConstantTable:
         raise FormatError(f"{path}: must have a title, two lines of options, and a line for each constant; it has "
                           f"{len(lines)}. Check the path.")  # fmt: skip
     count = _options(path, 2, lines[1])[0]
-    letter = re.match(r"\s*([A-Za-z])\w*\s*,?", lines[2])
-    reduction = letter[1].upper() if letter else "A"
-    if reduction not in ("A", "S"):
-        raise FormatError(f"{path}, line 3: must begin with a or s, the reduction; got {shown(lines[2].strip())}.")
+    letter = re.match(r"\s*([A-Za-z])\s*,?", lines[2])
     options = _options(path, 3, lines[2][letter.end() :] if letter else lines[2])
     if count is None or not 1 <= count <= 1e6 or count % 1.0:
         raise FormatError(f"{path}, line 2: must begin with the number of constants; got {shown(lines[1].strip())}.")
+    begin, more, last = 3, [], options
+    while len(last) > 8 and (last[8] or 0.0) < 0.0 and begin < len(lines):  # says that one more line of options follows
+        last = _options(path, begin + 1, re.sub(r"^\s*[A-Za-z]", " ", lines[begin]))
+        more.append(tuple(last))
+        begin += 1
     rows = []
-    for number, line in enumerate(lines[3:], 4):
+    left_out = 0.0 if path.suffix.lower() == ".var" else FREE
+    for number, line in enumerate(lines[begin:], begin + 1):
         if len(rows) == count or not line.strip():
             break
-        rows.append(_constant(path, number, line))
+        rows.append(_constant(path, number, line, left_out))
     if not rows:
-        raise FormatError(f"{path}, line 4: must be a constant: code, value, error. It is empty.")
+        raise FormatError(f"{path}, line {begin + 1}: must be a constant: code, value, error. It is empty.")
     code, value, error, label = zip(*rows, strict=True)
     codes = np.array(code)
-    together = _correlation(path, 4 + len(rows), lines[3 + len(rows) :], codes)
-    return ConstantTable(lines[0].rstrip(), reduction, tuple(options), codes, np.array(value), np.array(error),
-                         tuple(label), together)  # fmt: skip
+    end = begin + len(rows)
+    return ConstantTable(lines[0].rstrip(), _reduction(letter[1].upper() if letter else "", codes), tuple(options),
+                         codes, np.array(value), np.array(error), tuple(label),
+                         _correlation(path, end + 1, lines[end:], codes), tuple(more))  # fmt: skip
 
 
 def write_par(table: ConstantTable, path: str | Path) -> None:
@@ -194,16 +270,15 @@ def write_par(table: ConstantTable, path: str | Path) -> None:
     """
     if "\n" in table.title or "\r" in table.title:
         raise InvalidInput(f"`title` must be one line; got {shown(table.title)}.")
-    given = ["" if option is None else f"{option:g}" for option in table.options]
-    numbers = " ".join(given) if all(given) else ",".join(given)  # only commas can leave one out
-    lines = [table.title, f"{len(table.code):5d}{99999:6d}{20:5d}{0:5d}    0.0000E+00    1.0000E+06    1.0000E+00 1.0",
-             f"{table.reduction.lower()} {numbers}"]  # fmt: skip
+    lines = [table.title, f"{len(table.code):5d}{99999:6d}{20:5d}{0:5d}    0.0000E+00    1.0000E+06    1.0000E+00 1.0"]
+    lines += [f"{table.reduction.lower()} {_numbers(each)}" for each in (table.options, *table.more_options)]
     for code, value, error, label in zip(table.code, table.value, table.error, table.label, strict=True):
         lines.append(f"{code:13d} {value: .15E} {error:.8E} /{label}")
     if table.correlation is not None and Path(path).suffix.lower() == ".var":
         own = table.code >= 0
-        factor = np.linalg.cholesky(table.correlation[np.ix_(own, own)] + ROUNDING * np.eye(int(own.sum())))
-        packed = [f"{x:10.6f}" for x in factor[np.tril_indices(len(factor))].tolist()]
+        matrix = table.correlation[np.ix_(own, own)] + ROUNDING * np.eye(int(own.sum()))
+        factor = np.linalg.cholesky(matrix[::-1, ::-1])[::-1, ::-1]  # upper triangular
+        packed = [f"{x:10.7f}" for x in factor.T[np.tril_indices(len(factor))].tolist()]
         lines += ["".join(packed[k : k + IN_A_ROW]) for k in range(0, len(packed), IN_A_ROW)]
     with written_whole(path) as draft:
         draft.write_bytes(("\n".join(lines) + "\n").encode())
@@ -227,11 +302,12 @@ def _correlation(path: Path, number: int, lines: list[str], code: Array) -> Arra
     if which is None or not found:
         return None
     factor = np.zeros((len(which), len(which)))
-    factor[np.tril_indices(len(which))] = found
+    factor.T[np.tril_indices(len(which))] = found  # column by column
     matrix = factor @ factor.T
     if np.abs(np.diagonal(matrix) - 1.0).max() > 1e-3:
         raise FormatError(f"{path}, line {number}: the rows of the correlations' factor must have length 1; got "
-                          f"{np.sqrt(np.diagonal(matrix)).max():g}. Write the file again by SPFIT.")  # fmt: skip
+                          f"{np.sqrt(np.diagonal(matrix)).max():g}. Early files of polhode were like this; write it "
+                          "again, by SPFIT or from the fit.")  # fmt: skip
     full = np.eye(len(code))
     full[np.ix_(which, which)] = matrix / np.sqrt(np.outer(np.diagonal(matrix), np.diagonal(matrix)))
     return full
@@ -252,14 +328,14 @@ def _options(path: Path, number: int, line: str) -> list[float | None]:
             waits = True
             continue
         try:
-            found.append(read_number(word))
+            found.append(read_fortran(word))
         except ValueError as error:
             raise FormatError(f"{path}, line {number}: each option {error}; got {shown(word)}.") from None
         waits = False
     return found or [None]
 
 
-def _constant(path: Path, number: int, line: str) -> tuple[int, float, float, str]:
+def _constant(path: Path, number: int, line: str, left_out: float) -> tuple[int, float, float, str]:
     """Return code, value, error [MHz] and label of a line.
 
     Raises:
@@ -268,10 +344,25 @@ def _constant(path: Path, number: int, line: str) -> tuple[int, float, float, st
     numbers, _, label = line.partition("/")
     words = re.split(r"[\s,]+", numbers.strip())
     try:
-        if len(words) < 2 or not re.fullmatch(r"-?\d{1,15}", words[0], re.ASCII):
+        if len(words) < 2 or not re.fullmatch(r"-?\d{1,15}(\.0*)?", words[0], re.ASCII):
             raise ValueError("must begin with a whole code and a value")
-        value, error = read_number(words[1]), read_number(words[2]) if len(words) > 2 else 0.0
+        value, error = read_fortran(words[1]), read_fortran(words[2]) if len(words) > 2 else left_out
     except ValueError as problem:
         raise FormatError(f"{path}, line {number}: {problem}; got {shown(line.strip())}. A constant is a code, a "
                           "value and an error.") from None  # fmt: skip
-    return int(words[0]), value, error, label.strip()
+    return int(words[0].partition(".")[0]), value, error, label.strip()
+
+
+def _reduction(letter: str, codes: Integer[Array, "n"]) -> str:
+    """Return the reduction that has all operators of a file; where both have, that of the letter."""
+    shared = {*AXES, *(code for basis in BASES.values() for code in basis)}
+    own = {_bare(code) for code in np.abs(codes).tolist()} - shared
+    first = "S" if letter == "S" else "A"
+    other = "A" if first == "S" else "S"
+    missing = {name: own - {code_of(term) for term in TERMS[Reduction[name]].values()} for name in (first, other)}
+    return other if missing[first] and not missing[other] else first
+
+
+def _numbers(options: tuple[float | None, ...]) -> str:
+    given = ["" if option is None else f"{option:g}" for option in options]
+    return " ".join(given) if all(given) else ",".join(given)  # only commas can leave one out

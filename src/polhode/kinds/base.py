@@ -216,7 +216,7 @@ class AbstractKind:
         """
         from polhode.spec.rotors import asked_of, rotor_of_body
 
-        return asked_of(rotor_of_body(spec.body, spec.source, spec.folder))
+        return asked_of(rotor_of_body(spec.body, spec.source, spec.folder)[0])
 
     def ensemble(
         self, samples: ManySpecs, names: Sequence[str], times: Float64[Array, "time"]

@@ -42,6 +42,15 @@ def value_of(rotor: Rotor, name: str) -> float:
     return float(rotor.constants[AXES.index(name)]) if name in AXES else float(rotor.distortion.get(name, 0.0))
 
 
+def tied(rotor: Rotor, name: str, free: Sequence[str]) -> list[str]:
+    """Return the rotational constants that go with a free one: itself, and its equal in a symmetric top, if not free.
+
+    >>> tied(Rotor((9.0, 3.0, 3.0)), "B", ["B"]), tied(Rotor((9.0, 3.0, 3.0)), "B", ["B", "C"])
+    (['B', 'C'], ['B'])
+    """
+    return [axis for axis in AXES if axis == name or ({axis, name} <= set(rotor.equal) and axis not in free)]
+
+
 class _Block(NamedTuple):
     """One block: (p, bands, k, k) lower bands of each constant, those of the rest, and the levels that are asked."""
 
@@ -62,10 +71,12 @@ class LevelModel:
 
     def __init__(self, rotor: Rotor, names: list[str], labels: Integer[Array, "n 3"]) -> None:
         representation = rotor.representation or RIGID
-        terms = [_terms_of(rotor, name) for name in names]
+        together = {name: tied(rotor, name, names) if name in AXES else [name] for name in names}
+        terms = [[one for each in together[name] for one in _terms_of(rotor, each)] for name in names]
+        moved = {each for names in together.values() for each in names}
         rest = [
             (value * part, term)
-            for name in (*AXES, *rotor.distortion) if name not in names
+            for name in (*AXES, *rotor.distortion) if name not in moved
             for value in [value_of(rotor, name)] for part, term in _terms_of(rotor, name)
         ]  # fmt: skip
         self.count, self.size, self._blocks = len(labels), len(names), []

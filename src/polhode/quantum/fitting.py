@@ -15,7 +15,7 @@ from scipy.optimize import least_squares
 
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, NotConverged
-from polhode.quantum.derivatives import AXES, LevelModel, checked_names, value_of
+from polhode.quantum.derivatives import AXES, LevelModel, checked_names, tied, value_of
 from polhode.quantum.measured import MeasuredLines, Observations, checked_labels, observations
 from polhode.quantum.rotor import Rotor
 from polhode.types import Array, Float64, Integer
@@ -90,6 +90,8 @@ def fit_rotor(rotor: Rotor, lines: MeasuredLines, free: Sequence[str]) -> RotorF
     """Fit constants of a rotor to measured lines by weighted least squares, from the rotor's own as a start.
 
     Derivatives are exact; Levenberg and Marquardt's damping leads there from far away, if the labels fit the start's.
+    Of a symmetric top, whose B and C (or A and B) are equal at the start, they stay so if one of them is free, and are
+    fitted each if both are.
 
     Args:
         rotor: the start; its constants that are not free stay.
@@ -159,7 +161,8 @@ def _decomposed(slope: Array, size: Array, names: list[str]) -> tuple[Array, Arr
     length = np.linalg.norm(slope, axis=0)
     alone = length <= ROUNDING * np.linalg.norm(size, axis=0)  # nothing but rounding
     scale = 1.0 / np.where(alone, 1.0, length)
-    U, S, V = np.linalg.svd(slope * scale * ~alone)
+    few = len(slope) < len(names)  # only then does what no line determines need the whole of V
+    U, S, V = np.linalg.svd(slope * scale * ~alone, full_matrices=few)
     S = np.concatenate([S, np.zeros(len(names) - len(S))])
     lost = V[S <= UNDETERMINED * S.max()]
     if len(lost):
@@ -190,7 +193,9 @@ def _fit_at(rotor: Rotor, names: list[str], values: Array, model: _LineModel, se
 def _with(rotor: Rotor, names: list[str], values: Array) -> Rotor:
     """Return the rotor with other constants."""
     fitted = dict(zip(names, values.tolist(), strict=True))
-    A, B, C = (fitted.get(axis, value) for axis, value in zip(AXES, rotor.constants, strict=True))
+    axes = dict(zip(AXES, rotor.constants, strict=True))
+    axes |= {axis: fitted[name] for name in names if name in AXES for axis in tied(rotor, name, names)}
+    A, B, C = axes.values()
     if not A >= B >= C >= 0.0:
         raise InvalidInput(
             f"the lines lead to A, B, C = {A:.9g}, {B:.9g}, {C:.9g} Hz, which are not in the order A ≥ B ≥ C ≥ 0. "

@@ -42,7 +42,9 @@ class Orbit(NamedTuple):
 
 
 def orbit(constants: Three, G: float, energy: Number) -> Orbit:
-    """Return the numbers of polhodes at energies strictly between C G² and A G², other than B G².
+    """Return the numbers of polhodes at energies strictly between C G² and A G².
+
+    At B G², where the period is infinite, they are those of the next polhode that rounding tells from the separatrix.
 
     Args:
         constants: A > B > C.
@@ -53,6 +55,7 @@ def orbit(constants: Three, G: float, energy: Number) -> Orbit:
     below = energy < B * G * G
     first, second, whole = 2.0 * (A - B), 2.0 * (B - C), 2.0 * (A - C)
     P, Q, S = 2.0 * (energy - C * G * G), 2.0 * (A * G * G - energy), 2.0 * np.abs(energy - B * G * G)
+    S = np.maximum(S, np.finfo(float).eps * whole * G * G)
     # above the saddle the axes a and c change places
     p, q = np.where(below, P, Q), np.where(below, Q, P)
     a, b = np.where(below, first, second), np.where(below, second, first)

@@ -22,7 +22,7 @@ from polhode.errors import InvalidInput, shown
 from polhode.exact.free_body import FreeMotion
 from polhode.quantum.operators import Representation, matrix_elements, rigid_terms
 from polhode.quantum.orbits import orbit
-from polhode.quantum.rotor import Rotor, checked_j
+from polhode.quantum.rotor import Rotor, checked_j, equal_constants
 from polhode.quantum.spin import coherent_state
 from polhode.types import Array, ArrayLike, Complex128, Float64, Real
 
@@ -88,7 +88,7 @@ class Racket:
     def __init__(self, constants: Real[ArrayLike, "3"], J: int, tilt: float = 0.0, towards: str = "a") -> None:
         refuse_single_precision(constants=constants)
         A, B, C = Rotor(constants).constants
-        if not (math.isfinite(A) and A > B > C > 0.0):
+        if not (math.isfinite(A) and C > 0.0) or equal_constants((A, B, C)):
             raise InvalidInput(
                 f"`constants` must be three different ones, A > B > C > 0; got {A:g}, {B:g}, {C:g}. A symmetric body "
                 "has no middle axis."

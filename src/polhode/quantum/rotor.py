@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import enum
 import math
+import warnings
 from collections.abc import Mapping
 from typing import Any, NamedTuple, TypeVar
 
@@ -16,11 +17,14 @@ from polhode.quantum import wang
 from polhode.quantum.operators import Reduction, Representation, Term, distortion_terms, rigid_terms
 from polhode.quantum.partition import THERMAL, checked_temperature, partition_sum
 from polhode.quantum.strengths import EINSTEIN, INTENSITY, Lines, lines_between, states_of
-from polhode.types import Array, ArrayLike, Float64, Integer, Real
+from polhode.types import Array, ArrayLike, Bool, Float64, Integer, Real
 
 Kind = TypeVar("Kind", bound=enum.Enum)
 HIGHEST_J = 10_000
 RIGID = Representation.Ir
+SPHERICAL, SYMMETRIC = 1e-13, 1e-9  # of A, of A − C: constants nearer than this are equal
+RUNAWAY = 1e-9  # of the largest energy: rounding of levels about zero is less
+THINNEST = 1e-9  # of the largest moment: below it, no level but those of K_a = 0 is within reach, nor exact beside them
 PLANCK_OVER_8_PI_SQUARED = 8.392015881190e-36  # kg m² Hz, CODATA 2022: a moment times its constant
 
 
@@ -117,10 +121,11 @@ class Rotor:
             body: such as ``ph.from_atoms`` makes.
             options: dipole, spin_weights, spin_axis.
         """
-        moments = np.asarray(body.principal_moments, float)
+        moments = np.array(body.principal_moments, float)
+        if moments[0] <= THINNEST * moments[2]:
+            moments = np.array([0.0, *[0.5 * (moments[1] + moments[2])] * 2])  # of a line the other two are equal
         with np.errstate(divide="ignore"):
-            constants = PLANCK_OVER_8_PI_SQUARED / np.where(moments > 1e-9 * moments.max(), moments, 0.0)
-        return cls(tuple(constants), **options)  # type: ignore[arg-type]
+            return cls(tuple(PLANCK_OVER_8_PI_SQUARED / moments), **options)  # type: ignore[arg-type]
 
     @property
     def kappa(self) -> float | None:
@@ -128,7 +133,12 @@ class Rotor:
         A, B, C = self.constants
         if self.is_linear:
             return -1.0
-        return None if A == C else (2.0 * B - A - C) / (A - C)
+        return None if self.equal == "ABC" else (2.0 * B - A - C) / (A - C)
+
+    @property
+    def equal(self) -> str:
+        """Which constants are equal: "BC" of a prolate top or a linear molecule, "AB", "ABC", or "" of none."""
+        return equal_constants(self.constants)
 
     @property
     def terms(self) -> list[tuple[float, Term]]:
@@ -229,7 +239,10 @@ class Rotor:
         intensity = np.full(len(order), np.nan)
         if temperature is not None:
             kT = THERMAL * float(checked_temperature(temperature))
-            share = np.exp(-energy / kT) * -np.expm1(-frequency / kT)
+            if (said := below_ground(lower[:, 0], energy)) is not None:
+                warnings.warn(said, stacklevel=4)
+            share = np.exp(-np.maximum(energy, 0.0) / kT) * -np.expm1(-frequency / kT)
+            share[fallen(lower[:, 0], energy)] = 0.0
             intensity = INTENSITY * frequency * weight * strength * share / self.partition_function(temperature)
         return Lines(upper, lower, frequency, strength, energy, weight, intensity, einstein)
 
@@ -245,6 +258,39 @@ class Rotor:
     def _spin_weight(self, Ka: Array, Kc: Array) -> Array:
         odd = {"a": Ka, "b": Ka + Kc, "c": Kc}[self.spin_axis] % 2
         return np.where(odd == 1, self.spin_weights[1], self.spin_weights[0])
+
+
+def equal_constants(constants: tuple[float, float, float]) -> str:
+    """Return which of A ≥ B ≥ C are equal, to what doubles tell of levels: "AB", "BC", "ABC" or "".
+
+    >>> [equal_constants(each) for each in ((9.0, 3.0, 3.0), (3.0, 3.0, 3.0), (9.0, 4.0, 3.0), (math.inf, 3.0, 3.0))]
+    ['BC', 'ABC', '', 'BC']
+    """
+    A, B, C = constants
+    if math.isinf(A):
+        return "BC"
+    if A - C <= SPHERICAL * A:
+        return "ABC"
+    if B - C <= SYMMETRIC * (A - C):
+        return "BC"
+    return "AB" if A - B <= SYMMETRIC * (A - C) else ""
+
+
+def below_ground(J: Integer[Array, "n"], energy: Float64[Array, "n"]) -> str | None:
+    """Return what is to be said of levels below the ground state, as no rigid body has them; None without any."""
+    wrong = fallen(J, energy)
+    if not wrong.any():
+        return None
+    return (
+        f"from J = {int(J[wrong].min())} on levels lie below the ground state: the distortion constants do not hold "
+        "there, or one is in another unit. These J are left out of intensities and populations."
+    )
+
+
+def fallen(J: Integer[Array, "n"], energy: Float64[Array, "n"]) -> Bool[Array, "n"]:
+    """Return which levels are of a J from the first on of which one lies below the ground state, whose energy is 0."""
+    below = energy < -RUNAWAY * np.abs(energy).max(initial=0.0)
+    return J >= J[below].min() if below.any() else below
 
 
 def joined(parts: list[Levels]) -> Levels:

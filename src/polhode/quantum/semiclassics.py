@@ -2,14 +2,16 @@
 
 A level is a polhode whose cap holds a whole number of quanta, mended where the two modes meet and tunnel into each
 other. With G = J + ½, action S, barrier θ and ε = −θ/π: S + φ = πK_a ± δ, φ = ε ln|ε| − ε − Im ln Γ(½ + iε), δ =
-arctan e^{−πε}. The next order in 1/G corrects S and θ. Source: Colwell, Handy & Miller, J. Chem. Phys. 68 (1978) 745;
-Child, *Semiclassical Mechanics with Molecular Applications*, §3.3; Ford, Hill, Wakano & Wheeler, Ann. Phys. 7 (1959)
-239 for the barrier.
+arctan e^{−πε}. The next order in 1/G corrects S and θ. What all levels of a J share, d J(J+1), is exact and no matter
+of polhodes: the next order takes it out of H and adds it to what it finds. Source: Colwell, Handy & Miller, J. Chem.
+Phys. 68 (1978) 745; Child, *Semiclassical Mechanics with Molecular Applications*, §3.3; Ford, Hill, Wakano & Wheeler,
+Ann. Phys. 7 (1959) 239 for the barrier.
 """
 
 from __future__ import annotations
 
 import math
+import warnings
 from typing import NamedTuple
 
 import numpy as np
@@ -19,11 +21,13 @@ from scipy.special import loggamma
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
 from polhode.quantum.orbits import Three, orbit
-from polhode.quantum.rotor import Rotor, checked_j
+from polhode.quantum.rotor import Rotor, checked_j, equal_constants
 from polhode.types import Array, ArrayLike, Float64, Integer, Real
 
-AT_SADDLE = 1e-5  # of E/BG²: nearer, the phase of second order is interpolated, since its parts diverge
+REST = 1e-3  # of A − C: what C becomes when d J² is taken out of H
+AT_SADDLE = 1e-5  # of the energies from saddle to nearer end; closer, order 2 is interpolated, as its parts diverge
 LOWEST_SECOND = 5  # J from which the second order holds
+ROOM = 1.0  # (B − C) G² or (A − B) G² over A − C: below it order 2 was off by up to .24 (A − C), above by up to .02
 NEAR_ENDS = 1e-13  # of the range of energies: the search ends short of the ends, where no level is
 SERIES = 0.125  # of |ε|/G: below it, the second order's logarithm is expanded
 
@@ -47,9 +51,9 @@ class SemiclassicalLevels(NamedTuple):
 def semiclassical_levels(constants: Real[ArrayLike, "3"], J: int, order: int = 2) -> SemiclassicalLevels:
     """Return the 2J + 1 levels of an asymmetric rotor by quantised polhodes, ħ = 1.
 
-    Errors of order 1 are an eighth of the sum of two constants; those of order 2 fall as 1/J² away from the saddle. Of
-    nearly symmetric rotors, (B − C) J² or (A − B) J² less than some constants, order 2 is no better than order 1 near
-    the saddle.
+    Order 1 is the formula as it is published, whose errors are an eighth of the sum of two constants; those of order 2
+    fall as 1/J² away from the saddle. Of nearly symmetric rotors, (B − C) J² or (A − B) J² less than A − C, there is no
+    room for order 2 near the saddle: a warning says that levels there err by up to a quarter of A − C.
 
     Args:
         constants: A > B > C, in any unit of energy.
@@ -62,7 +66,7 @@ def semiclassical_levels(constants: Real[ArrayLike, "3"], J: int, order: int = 2
 
     >>> found = semiclassical_levels((27.0, 14.0, 9.0), 10)
     >>> round(float(found.energy[0]), 4), round(float(Rotor((27.0, 14.0, 9.0)).levels_of(10).energy[0]), 4)
-    (1083.743, 1083.7274)
+    (1083.7342, 1083.7274)
     """
     checked = _asymmetric(constants)
     J = checked_j("J", J)
@@ -73,9 +77,53 @@ def semiclassical_levels(constants: Real[ArrayLike, "3"], J: int, order: int = 2
         )
     index = np.arange(2 * J + 1)
     Ka, Kc = (index + 1) // 2, J - index // 2
+    found, period, roomless = quantised(checked, J, order)
+    if order == 2:
+        _warn_of_no_room(checked, J + 0.5, roomless)
+    return SemiclassicalLevels(Ka, Kc, found, period)
+
+
+def quantised(
+    constants: Three, J: int, order: int
+) -> tuple[Float64[Array, "n"], Float64[Array, "n"], int]:
+    """Return energies and periods (2J+1,) of levels, and how many of order 2 are of order 1, without room for it.
+
+    Args:
+        constants: A > B > C.
+        J: a whole number.
+        order: 1 or 2.
+    """
+    index = np.arange(2 * J + 1)
+    Ka, Kc = (index + 1) // 2, J - index // 2
     # of each pair K_a the lower level has the minus sign
-    energy = _roots(checked, J + 0.5, Ka, np.where(Ka + Kc == J, 1.0, -1.0), order)
-    return SemiclassicalLevels(Ka, Kc, energy, orbit(checked, J + 0.5, energy).period)
+    sign = np.where(Ka + Kc == J, 1.0, -1.0)
+    if order == 1:
+        energy, _ = _roots(constants, J + 0.5, Ka, sign, 1)
+        return energy, orbit(constants, J + 0.5, energy).period, 0
+    rest, d = without_casimir(constants)
+    energy, roomless = _roots(rest, J + 0.5, Ka, sign, 2)
+    return energy + d * J * (J + 1.0), orbit(rest, J + 0.5, energy).period, roomless
+
+
+def _warn_of_no_room(constants: Three, G: float, roomless: int) -> None:
+    A, B, C = constants
+    if roomless or min(A - B, B - C) * G * G < ROOM * (A - C):
+        warnings.warn(
+            f"the rotor A, B, C = {A:.9g}, {B:.9g}, {C:.9g} is so nearly symmetric that order 2 has no room beside the "
+            f"saddle of J = {G - 0.5:g}: levels there err by up to {0.25 * (A - C):.3g}. The exact ones are "
+            "`Rotor(constants).levels_of(J)`.", stacklevel=4,
+        )  # fmt: skip
+
+
+def without_casimir(constants: Three) -> tuple[Three, float]:
+    """Return A, B, C less d, of which C keeps a thousandth of A − C, and d.
+
+    >>> without_casimir((3.0, 2.0, 1.0))
+    ((2.002, 1.002, 0.002), 0.998)
+    """
+    A, B, C = constants
+    rest = REST * (A - C)
+    return (A - C + rest, B - C + rest, rest), C - rest
 
 
 @known_numbers_only
@@ -98,7 +146,11 @@ def semiclassical_pairs(constants: Real[ArrayLike, "3"], s: float, order: int = 
     if order not in (1, 2) or (order == 2 and s < LOWEST_SECOND):
         raise InvalidInput(f"`order` must be 1, or 2 for s above {LOWEST_SECOND}; got {shown(order)} at s = {s:g}.")
     n = np.arange(round(s + 0.5)) + 0.5
-    return _roots(checked, s + 0.5, n, np.zeros_like(n), order)
+    rest, d = without_casimir(checked) if order == 2 else (checked, 0.0)
+    energy, roomless = _roots(rest, s + 0.5, n, np.zeros_like(n), order)
+    if order == 2:
+        _warn_of_no_room(checked, s + 0.5, roomless)
+    return energy + d * s * (s + 1.0)
 
 
 @known_numbers_only
@@ -116,19 +168,18 @@ def doublet_splitting(
         energy: (…) theirs, in the unit of the constants.
 
     Raises:
-        InvalidInput: for constants of which two are equal, or energies outside those that J has.
+        InvalidInput: for constants of which two are equal, or energies outside of those that J has.
 
     Source: Harter & Patterson, J. Chem. Phys. 80 (1984) 4241.
     """
     checked = _asymmetric(constants)
     G = checked_j("J", J) + 0.5
-    values = np.asarray(energy, float)
-    inside = (values > checked[2] * G * G) & (values < checked[0] * G * G) & (values != checked[1] * G * G)
-    if not inside.all():
-        raise InvalidInput(
-            f"`energy` must lie between C and A times (J + ½)², off the saddle at B (J + ½)²; got {shown(energy)}."
-        )
-    at = orbit(checked, G, values)
+    rest, d = without_casimir(checked)
+    values = np.asarray(energy, float) - d * J * (J + 1.0)
+    if not ((values > rest[2] * G * G) & (values < rest[0] * G * G)).all():
+        low, high = (x * G * G + d * J * (J + 1.0) for x in (rest[2], rest[0]))
+        raise InvalidInput(f"`energy` must be one that J has, from {low:.9g} to {high:.9g}; got {shown(energy)}.")
+    at = orbit(rest, G, values)
     return 4.0 / at.period * np.exp(-np.abs(at.barrier + at.barrier_correction))
 
 
@@ -139,12 +190,13 @@ def phase(
     if order == 1:
         at = orbit(constants, G, energy)
         epsilon = -at.barrier / math.pi
-        return at.action + _mending(epsilon, 0.0 * epsilon), np.arctan(np.exp(-math.pi * epsilon))
-    saddle = constants[1] * G * G
-    off = energy / saddle - 1.0
-    near = np.abs(off) < AT_SADDLE
-    sides = [_second(constants, G, np.where(near, saddle * (1.0 + side * AT_SADDLE), energy)) for side in (-1.0, 1.0)]
-    share = np.where(near, 0.5 + 0.5 * off / AT_SADDLE, 0.0)
+        return at.action + _mending(epsilon, 0.0 * epsilon), _tunnelling(epsilon)
+    A, B, C = constants
+    saddle, width = B * G * G, AT_SADDLE * min(A - B, B - C) * G * G
+    off = (energy - saddle) / width
+    near = np.abs(off) < 1.0
+    sides = [_second(constants, G, np.where(near, saddle + side * width, energy)) for side in (-1.0, 1.0)]
+    share = np.where(near, 0.5 + 0.5 * off, 0.0)
     return tuple((1.0 - share) * one + share * other for one, other in zip(*sides, strict=True))  # type: ignore[return-value]
 
 
@@ -157,7 +209,7 @@ def _second(constants: Three, G: float, energy: Array) -> tuple[Array, Array]:
     small = first * logarithm - first + second * logarithm + 1.0 / (24.0 * first)
     large = epsilon * np.log(np.abs(epsilon)) - epsilon + 1.0 / (24.0 * epsilon)
     mended = np.where(np.abs(first) < SERIES * G, small, large) - _gamma_phase(epsilon)
-    return at.action + at.action_correction + mended, np.arctan(np.exp(-math.pi * epsilon))
+    return at.action + at.action_correction + mended, _tunnelling(epsilon)
 
 
 def _mending(epsilon: Array, at_zero: Array) -> Array:
@@ -167,12 +219,18 @@ def _mending(epsilon: Array, at_zero: Array) -> Array:
     return np.where(nonzero, safe * np.log(np.abs(safe)) - safe - _gamma_phase(safe), at_zero)
 
 
+def _tunnelling(epsilon: Array) -> Array:
+    """Return δ = arctan e^{−πε}."""
+    with np.errstate(over="ignore"):
+        return np.arctan(np.exp(-math.pi * epsilon))
+
+
 def _gamma_phase(epsilon: Array) -> Array:
     return loggamma(0.5 + 1j * epsilon).imag
 
 
-def _roots(constants: Three, G: float, quanta: Array, sign: Array, order: int) -> Array:
-    """Return where S + φ − sign δ is π times the quanta (n,); each has one root."""
+def _roots(constants: Three, G: float, quanta: Array, sign: Array, order: int) -> tuple[Array, int]:
+    """Return where S + φ − sign δ is π times the quanta (n,), and of how many it is that of order 1."""
     A, _, C = constants
     low, high = C * G * G, A * G * G
     inset = NEAR_ENDS * (high - low)
@@ -184,18 +242,18 @@ def _roots(constants: Three, G: float, quanta: Array, sign: Array, order: int) -
     ends = np.full(len(quanta), low + inset), np.full(len(quanta), high - inset)
     first = elementwise.find_root(lambda e, n, s: missing(e, n, s, 1), ends, args=(quanta, sign)).x
     if order == 1:
-        return first
+        return first, 0
     spacing = 2.0 * math.pi / orbit(constants, G, first).period
     ends = np.maximum(first - 0.45 * spacing, ends[0]), np.minimum(first + 0.05 * spacing, ends[1])
     second = elementwise.find_root(lambda e, n, s: missing(e, n, s, 2), ends, args=(quanta, sign))
     # nearly symmetric rotors of low J have no room for the expansion next to their saddle
-    return np.where(second.success, second.x, first)
+    return np.where(second.success, second.x, first), int((~second.success).sum())
 
 
 def _asymmetric(constants: Array) -> Three:
     refuse_single_precision(constants=constants)
     A, B, C = Rotor(constants).constants
-    if not (math.isfinite(A) and A > B > C):
+    if not math.isfinite(A) or equal_constants((A, B, C)):
         raise InvalidInput(
             f"`constants` must be three different ones, A > B > C; got {A:g}, {B:g}, {C:g}. The levels of a symmetric "
             "molecule are known exactly: `Rotor(constants).levels_of(J)`."

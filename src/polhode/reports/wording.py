@@ -32,18 +32,24 @@ def counted(count: int, thing: str) -> str:
     return f"{count} {thing}" if count == 1 else f"{count} {thing}s"
 
 
-def uncertain(value: float, error: float | None, unit: str = "") -> str:
+def uncertain(value: float, error: float | None, unit: str = "", digits: int = 1) -> str:
     """Return a value with its uncertainty, with no digits finer than that; it has one digit, two if the first is a 1.
+
+    Spectroscopists give two always, ``digits=2``, as constants go into further computations.
 
     >>> uncertain(81.39190987, 9.1, "s"), uncertain(-0.14827, 0.0642), uncertain(0.35792, 0.0134)
     ('81 ± 9 s', '-0.15 ± 0.06', '0.358 ± 0.013')
     >>> uncertain(1234.5, 90.0, "s"), uncertain(6.143323e-06, 2.2e-11), uncertain(0.3, 4.0), uncertain(0.5, None)
     ('1230 ± 90 s', '6.14332e-06 ± 2e-11', '0 ± 4', '0.5')
+    >>> uncertain(81.39190987, 9.1, "s", 2), uncertain(0.35792, 0.0134, digits=2)
+    ('81.4 ± 9.1 s', '0.358 ± 0.013')
     """
     if error is None or not (math.isfinite(error) and error > 0.0 and math.isfinite(value)):
         return f"{value:.8g} {unit}".rstrip()
     longer, short = f"{error:.1e}", f"{error:.0e}"
-    if short.startswith("1"):
+    if digits == 2:
+        short = longer
+    elif short.startswith("1"):
         short = longer if longer.startswith("1") else short.replace("e", ".0e")
     last = int(Decimal(short).as_tuple().exponent)  # the power of ten of the last digit that is known
     many = Context(prec=700)  # from the largest double down to the smallest

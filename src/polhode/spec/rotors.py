@@ -16,8 +16,10 @@ from polhode.quantum.partition import NEGLIGIBLE, THERMAL
 from polhode.quantum.rotor import Rotor
 from polhode.quantum.strengths import DEBYE
 from polhode.spec.models import BodyTable
+from polhode.types import Array, Float64
 
 ROOM_TEMPERATURE = 300.0  # K
+SAME_PLACE = 1e-12  # m, a hundredth of an ångström: how far an atom may be from where its symmetry puts it
 RARE = 8.0  # E/kT of the lowest level of a J beyond which lines are weak
 MOST_LINES = 13_000_000  # of a list, which takes some gigabytes
 MOST_SUMMED_J = 600  # of a partition function, whose time grows as its cube: some seconds
@@ -32,15 +34,27 @@ class SpecRotor(NamedTuple):
         rotor: its constants.
         temperature: [K].
         j_max: the largest J of levels and lines.
+        notes: what is to be said of it.
     """
 
     rotor: Rotor
     temperature: float
     j_max: int
+    notes: tuple[str, ...] = ()
 
 
-def rotor_of_body(body: Body | None, source: BodyTable | None, folder: Path, **options: Any) -> Rotor:
-    """Return the rotor of a body; paths count from the folder.
+class Atoms(NamedTuple):
+    """The atoms of a molecule: symbols, masses (n,) and positions (n, 3) along its principal axes a, b, c [m]."""
+
+    symbols: list[str]
+    masses: Float64[Array, "n"]
+    positions: Float64[Array, "n 3"]
+
+
+def rotor_of_body(
+    body: Body | None, source: BodyTable | None, folder: Path, **options: Any
+) -> tuple[Rotor, Atoms | None]:
+    """Return the rotor of a body, and its atoms if it is a molecule of a file; paths count from the folder.
 
     Atoms have the masses that their file gives, otherwise those of the most common isotopes, and not atomic weights:
     a line is one isotopic species'.
@@ -60,17 +74,58 @@ def rotor_of_body(body: Body | None, source: BodyTable | None, folder: Path, **o
             "constants."
         )
     if source.rotational_constants is not None:
-        return Rotor(tuple(sorted(source.rotational_constants, reverse=True)), **options)
+        return Rotor(tuple(sorted(source.rotational_constants, reverse=True)), **options), None
+    atoms = None
     if source.molecule is not None:
         symbols, positions, masses = read_molecule(folder / source.molecule)
-        body = from_atoms(symbols, positions, isotopic_masses(symbols) if masses is None else masses)
-    return Rotor.from_body(body, **options)
+        masses = isotopic_masses(symbols) if masses is None else masses
+        body = from_atoms(symbols, positions, masses)
+        atoms = Atoms(symbols, masses, (positions - body.center_of_mass) @ body.principal_axes)
+    return Rotor.from_body(body, **options), atoms
 
 
-def asked_of(rotor: Rotor, temperature: float | None = None, j_max: int | None = None) -> SpecRotor:
+def doubts_of_weights(rotor: Rotor, atoms: Atoms | None) -> tuple[str, ...]:
+    """Return what speaks against a half turn about ``spin_axis`` that exchanges equal nuclei, if weights need one.
+
+    It leaves a dipole alone that lies along the axis, and puts each atom where an equal one is.
+    """
+    even, odd = rotor.spin_weights
+    if even == odd:
+        return ()
+    axis = rotor.spin_axis
+    k = "abc".index(axis)
+    across = [name for j, name in enumerate("abc") if j != k and rotor.dipole[j]]
+    why = None
+    if across:
+        why = f"it would turn the dipole over along {' and '.join(across)}"
+    elif rotor.is_linear and axis == "a":
+        why = "a half turn about its own axis exchanges no nuclei of a linear molecule"
+    elif atoms is not None and (rotor.is_linear or axis.upper() not in rotor.equal) and not _has_half_turn(atoms, k):
+        why = "it puts atoms where none of their kind is"
+    if why is None:
+        return ()
+    said = (
+        f"the weights {even:g} and {odd:g} are of levels even and odd under a half turn about {axis}, which is no "
+        f"symmetry of this molecule: {why}. Check `spin_axis`, or leave `spin_weights` out."
+    )
+    return (said,)
+
+
+def _has_half_turn(atoms: Atoms, axis: int) -> bool:
+    """Return whether a half turn about a principal axis puts each atom where one of the same kind is."""
+    turned = -atoms.positions
+    turned[:, axis] *= -1.0
+    apart = np.linalg.norm(turned[:, None] - atoms.positions, axis=-1)
+    same = np.equal.outer(atoms.symbols, atoms.symbols) & np.isclose(atoms.masses[:, None], atoms.masses, rtol=1e-6)
+    return bool(np.where(same, apart, np.inf).min(axis=1).max() < SAME_PLACE)
+
+
+def asked_of(
+    rotor: Rotor, temperature: float | None = None, j_max: int | None = None, notes: tuple[str, ...] = ()
+) -> SpecRotor:
     """Return a rotor with temperature and largest J, those that are usual where they are not given."""
     found = ROOM_TEMPERATURE if temperature is None else temperature
-    return SpecRotor(rotor, found, usual_j(rotor, found) if j_max is None else j_max)
+    return SpecRotor(rotor, found, usual_j(rotor, found) if j_max is None else j_max, notes)
 
 
 def check_summable(asked: SpecRotor) -> None:
@@ -79,7 +134,7 @@ def check_summable(asked: SpecRotor) -> None:
     Raises:
         InvalidInput: with what would do.
     """
-    rotor, temperature, j_max = asked
+    rotor, temperature, j_max, _ = asked
     _check_countable(rotor, j_max)
     smallest = rotor.constants[2]
     largest = max(rotor.constants[1], 0.0 if rotor.is_linear else rotor.constants[0])

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any, ClassVar
 
@@ -37,9 +36,9 @@ class QuantumRotorKind(AbstractKind):
         return built(spec)
 
     def next_steps(self, spec: Spec) -> Sequence[NextStep]:
-        A, _, C = self.rotor(spec).rotor.constants
+        rotor = self.rotor(spec).rotor
         found = [NextStep("levels", "lists the levels")]
-        if math.isfinite(A) and A > C and spec.system.j > 0:
+        if not rotor.is_linear and rotor.equal != "ABC" and spec.system.j > 0:
             found.insert(0, NextStep("view", "shows them as polhodes"))
         return [*found, NextStep("lines", "the lines")] if any(spec.system.dipole) else found
 

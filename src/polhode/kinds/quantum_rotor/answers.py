@@ -19,7 +19,7 @@ from polhode.motion.frame import BodyFrame
 from polhode.quantum.level_polhodes import LevelPolhodes, level_polhodes
 from polhode.quantum.partition import THERMAL
 from polhode.quantum.racket import Racket
-from polhode.quantum.rotor import PLANCK_OVER_8_PI_SQUARED, Levels, Rotor
+from polhode.quantum.rotor import PLANCK_OVER_8_PI_SQUARED, Levels, Rotor, below_ground, fallen
 from polhode.quantum.strengths import DEBYE, Lines
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import AbstractReport
@@ -70,14 +70,15 @@ class QuantumRotorReport(AbstractReport):
 
     @property
     def summary(self) -> str:
-        A, B, C = self.rotor.constants
         if self.rotor.is_linear:
-            return f"A linear molecule, B = {frequency(B)}: levels B J(J + 1)."
-        if self.polhodes is None:
-            if A == C:
+            return f"A linear molecule, B = {frequency(self.rotor.constants[1])}: levels B J(J + 1)."
+        if equal := self.rotor.equal:
+            if equal == "ABC":
                 return "A spherical top: every level of a J has the same energy."
-            shape = "A prolate" if B == C else "An oblate"
+            shape = "A prolate" if equal == "BC" else "An oblate"
             return f"{shape} symmetric top: levels of a J go by |K|, and every polhode is a circle."
+        if self.polhodes is None:
+            return f"{_shape(self.rotor.kappa)} (κ = {self.rotor.kappa:.4f})."
         above = int(self.polhodes.above.sum())
         below = len(self.polhodes.above) - above
         return (
@@ -142,7 +143,8 @@ class QuantumRotorReport(AbstractReport):
 
     def _levels(self) -> Iterator[Group | Table]:
         levels, T = self.levels, self.asked.temperature
-        populated = (2 * levels.J + 1) * levels.weight * np.exp(-levels.energy / (T * THERMAL))
+        boltzmann = np.exp(-np.maximum(levels.energy, 0.0) / (T * THERMAL)) * ~fallen(levels.J, levels.energy)
+        populated = (2 * levels.J + 1) * levels.weight * boltzmann
         most = int(np.argmax(populated))
         numbers = (int(levels.J[most]), int(levels.Ka[most]), int(levels.Kc[most]))
         last = min(self.asked.j_max, REPORTED_J)
@@ -235,14 +237,15 @@ def report_of(spec: Spec) -> QuantumRotorReport:
         warnings.simplefilter("always", UserWarning)
         asked = built(spec)
         check_summable(asked)
-        rotor, temperature, j_max = asked
+        rotor, temperature, j_max, _ = asked
         levels = rotor.levels(j_max)
         lines = rotor.lines(j_max, temperature) if rotor.dipole.any() else None
         partition = float(rotor.partition_function(temperature))
         polhodes = level_polhodes(rotor.constants, table.j)
         wanted = table.racket
         racket = None if wanted is None else Racket(rotor.constants, table.j, wanted.tilt, wanted.towards)
-    said = tuple(dict.fromkeys(str(warning.message) for warning in caught))
+    found = (*asked.notes, below_ground(levels.J, levels.energy), *(str(warning.message) for warning in caught))
+    said = tuple(dict.fromkeys(word for word in found if word))
     return QuantumRotorReport(
         spec.name, asked, levels, lines, partition, polhodes, table.j, racket,
         None if spec.body is None else spec.body.frame, said,

@@ -7,7 +7,7 @@ import math
 from polhode.kinds.base import Spec
 from polhode.kinds.quantum_rotor.table import QuantumRotorTable
 from polhode.quantum.rotor import Rotor
-from polhode.spec.rotors import SpecRotor, asked_of, rotor_of_body
+from polhode.spec.rotors import SpecRotor, asked_of, doubts_of_weights, rotor_of_body
 
 
 def built(spec: Spec) -> SpecRotor:
@@ -23,8 +23,9 @@ def built(spec: Spec) -> SpecRotor:
         "dipole": table.dipole, "spin_weights": table.spin_weights, "spin_axis": table.spin_axis,
     }  # fmt: skip
     given = table.constants
+    atoms = None
     if given is None:
-        rotor = rotor_of_body(spec.body, spec.source, spec.folder, **options)
+        rotor, atoms = rotor_of_body(spec.body, spec.source, spec.folder, **options)
     else:
         rotor = Rotor((math.inf, given[0], given[0]) if len(given) == 1 else given, **options)
-    return asked_of(rotor, table.temperature, table.j_max)
+    return asked_of(rotor, table.temperature, table.j_max, doubts_of_weights(rotor, atoms))

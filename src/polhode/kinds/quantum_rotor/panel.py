@@ -82,10 +82,10 @@ def content_of(report: QuantumRotorReport, samples: Samples, surface: Surface | 
 
 
 def _check(report: QuantumRotorReport) -> None:
-    A, _, C = report.rotor.constants
+    A = report.rotor.constants[0]
     why = (
         "a linear molecule has no motion about its axis" if not math.isfinite(A)
-        else "of a spherical top every L rests in the body" if A == C
+        else "of a spherical top every L rests in the body" if report.rotor.equal == "ABC"
         else "with `j` = 0 there is no L" if report.J == 0 else None
     )  # fmt: skip
     if why is not None:
@@ -109,7 +109,7 @@ def _polhodes(report: QuantumRotorReport) -> tuple[Float64[Array, "n 3"], Array]
     if report.polhodes is not None:
         return level_directions((A, B, C), report.J, report.polhodes.semiclassical), report.polhodes.above
     levels = _states(report)
-    prolate = B == C
+    prolate = report.rotor.equal == "BC" or B - C < A - B
     along = (levels.Ka if prolate else levels.Kc) / (report.J + 0.5)
     beside, rest = np.sqrt(1.0 - along**2), np.zeros(len(along))
     found = (along, rest, beside) if prolate else (beside, rest, along)
