@@ -15,6 +15,7 @@ from polhode.cli.sources import Kernels, kind_of, source_of
 from polhode.errors import InvalidInput
 from polhode.estimation.attitude_fit import AttitudeFit, fit_attitude
 from polhode.estimation.flight import Window
+from polhode.formats.log_archives import is_archive
 from polhode.reports.answer import units_of, values_of
 from polhode.reports.base import plain
 from polhode.reports.throw import attitude_groups, attitude_notes, attitude_summary
@@ -26,7 +27,7 @@ def has_attitude(path: Path, table: Table | None) -> bool:
     """Whether a file is a log of attitudes, by its content or by what is said of its columns."""
     if table is not None and table.mapping.attitude:
         return True
-    return path.is_file() and kind_of(path, table) in KINDS
+    return path.is_file() and not is_archive(path) and kind_of(path, table) in KINDS
 
 
 class AttitudeOptions(NamedTuple):

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import shutil
 import tempfile
-import zipfile
 from collections.abc import Callable, Sequence
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 from typing import NamedTuple
 
 from polhode.errors import FormatError, InvalidInput, PolhodeError
@@ -23,6 +21,7 @@ from polhode.formats.gyro_dialects import (
     time_place,
 )  # fmt: skip
 from polhode.formats.header_words import IN_RADIANS, IN_SECONDS, PER_SECOND, RATE_UNITS, TIME_UNITS, unit_in
+from polhode.formats.log_archives import is_archive, unpacked
 from polhode.formats.opening import check_is_file, is_folder
 from polhode.formats.plain_table import LARGEST_FILE, decimal_of, first_lines, read_cells
 from polhode.formats.table_form import DELIMITERS, Line, TableForm, cells_of, form_of
@@ -52,7 +51,7 @@ class ReadLog(NamedTuple):
 
 
 def read_gyro_log(path: str | Path, mapping: ColumnMapping | None = None, told: Told = None) -> ReadLog:
-    """Return a gyro log from a table, a folder with one, or a zip archive with one.
+    """Return a gyro log from a table, a folder with one, or a zip archive with one; the notes say which file was read.
 
     The program that wrote it is told by the header: phyphox, Sensor Logger, AndroSensor, Betaflight. Lines before the
     header are skipped, decimal commas are noticed, lines need not be in the order of time, and lines without values
@@ -78,14 +77,17 @@ def read_gyro_log(path: str | Path, mapping: ColumnMapping | None = None, told: 
     if is_folder(path):
         return _read_table(_gyro_file(path), mapping, told)
     check_is_file(path, "log", LARGEST_FILE)
-    if not zipfile.is_zipfile(path):
+    if not is_archive(path):
         return _read_table(path, mapping, told)
-    with tempfile.TemporaryDirectory() as place:
-        _unpack(path, Path(place))
+    beside = [name for dialect in DIALECTS for name in dialect.beside]
+    with unpacked(path, GYRO_FILES, beside) as (table, member):
         try:
-            return _read_table(_gyro_file(Path(place)), mapping, told)
+            read = _read_table(table, mapping, told)
         except PolhodeError as error:
-            raise type(error)(*(str(line).replace(place, str(path)) for line in error.args)) from None
+            inside = str(PurePosixPath(member).parent).removeprefix(".")
+            place = "/".join(filter(None, (str(path), inside)))
+            raise type(error)(*(str(line).replace(str(table.parent), place) for line in error.args)) from None
+    return read._replace(notes=(f"{member} in the archive is read.", *read.notes))
 
 
 def _gyro_file(folder: Path) -> Path:
@@ -93,24 +95,6 @@ def _gyro_file(folder: Path) -> Path:
     if not found:
         raise InvalidInput(f"{folder}: has no {', '.join(GYRO_FILES)}. Name the file with the angular velocities.")
     return found[0]
-
-
-def _unpack(path: Path, place: Path) -> None:
-    """Take the tables that are known out of an archive, and nothing else."""
-    wanted = {*GYRO_FILES, *(name for dialect in DIALECTS for name in dialect.beside)}
-    try:
-        with zipfile.ZipFile(path) as archive:
-            for member in archive.infolist():
-                name = Path(member.filename).name
-                if name not in wanted or (place / name).exists():
-                    continue
-                if member.file_size > LARGEST_FILE:
-                    raise FormatError(f"{path}: {name} in it has more than {LARGEST_FILE // 10**6} MB. Unpack it.")
-                with archive.open(member) as source, (place / name).open("wb") as target:
-                    shutil.copyfileobj(source, target)
-    except (zipfile.BadZipFile, RuntimeError, NotImplementedError, EOFError) as error:
-        raise FormatError(f"{path}: is not an archive that can be unpacked ({error}). Unpack it, and name the "
-                          "folder.") from None  # fmt: skip
 
 
 def _read_table(path: Path, mapping: ColumnMapping | None, told: Told) -> ReadLog:
