@@ -30,7 +30,9 @@ def rounded(rates, step):
 
 @pytest.mark.parametrize("step", STEPS)
 @pytest.mark.parametrize("spin", SPINS)
-@pytest.mark.parametrize(("rate", "repeated", "noise"), [(50, 1, 0.0), (1000, 1, 0.0), (1000, 1, 3e-3), (1000, 20, 0.0)])
+@pytest.mark.parametrize(("rate", "repeated", "noise"), [
+    (50, 1, 0.0), (1000, 1, 0.0), (1000, 1, 3e-3), (1000, 20, 0.0),
+])  # fmt: skip
 def test_smooth_peaks_are_no_limit(step, spin, rate, repeated, noise):
     t, w = motion(SPINS[spin], rate, 2.0)
     w = w + noise * np.random.default_rng(1).normal(size=w.shape)

@@ -1,4 +1,4 @@
-"""Whether a gyro ran into its limit: a plateau at the end of what it shows, into which the rates run without slowing."""
+"""Whether a gyro ran into its limit: a plateau at the end of its range, into which rates run without slowing."""
 
 from __future__ import annotations
 
@@ -83,7 +83,7 @@ def _plateaus(rates: Float64[Array, "n 3"]) -> Iterator[_Plateau]:
 
 def _step_and_noise(values: Float64[Array, "n"]) -> tuple[float, float]:
     """Return the step to which values are rounded, or how near the nearest come, and their noise."""
-    apart = np.diff(np.unique(values))
+    apart = np.diff(np.unique(np.asarray(values, dtype=np.float64)))
     third = np.abs(np.diff(values, n=3))
     return (float(np.quantile(apart, 0.05)) if len(apart) else 0.0), float(np.median(third) / (0.6745 * np.sqrt(20.0)))
 

@@ -162,8 +162,8 @@ def fit_throw(
     _check_choice("gain", gain)
     if not (np.isfinite(gain_spread) and gain_spread > 0):
         raise InvalidInput(f"gain_spread must be a positive number, like 0.01; got {shown(gain_spread)}.")
-    found = _windows_of(every, windows)
     level = saturation(every) if clip is None else float(clip)
+    found = _windows_of(every, windows, level)
     cut = [(k, window, *_cut(every[k], window, level)) for k, per_log in enumerate(found) for window in per_log]
     throws = [throw for *_, throw in cut]
     start = _Start.of(throws)
@@ -181,12 +181,14 @@ def _check_choice(name: str, value: bool | str) -> None:
         raise InvalidInput(f"{name} must be True, False or 'auto'; got {shown(value)}.")
 
 
-def _windows_of(logs: list[GyroLog], windows: Sequence[Sequence[Window]] | None) -> list[list[Window]]:
+def _windows_of(
+    logs: list[GyroLog], windows: Sequence[Sequence[Window]] | None, level: float | None
+) -> list[list[Window]]:
     if not logs:
         raise InvalidInput("at least one log is needed; got none.")
     if windows is not None and len(windows) != len(logs):
         raise InvalidInput(f"each log needs its windows: got {len(logs)} logs and windows for {len(windows)}.")
-    found = [free_flights(log) for log in logs] if windows is None else [list(per_log) for per_log in windows]
+    found = [free_flights(log, level) for log in logs] if windows is None else [list(per_log) for per_log in windows]
     if not any(found):
         raise InvalidInput(
             "no free flight was found in the log: no stretch of a quarter of a second keeps an angular momentum, or "

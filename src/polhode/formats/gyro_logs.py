@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import tempfile
 from collections.abc import Callable, Sequence
 from pathlib import Path, PurePosixPath
 from typing import NamedTuple
@@ -66,6 +65,7 @@ def read_gyro_log(path: str | Path, mapping: ColumnMapping | None = None, told: 
         InvalidInput: for what is missing, is not a file, or has no usable samples.
         FormatError: naming file and line, for what is not a log.
 
+    >>> import tempfile
     >>> path = Path(tempfile.mkdtemp()) / "Gyroscope.csv"
     >>> rows = "".join(f"{k},{k / 100},3,2,{k}\\n" for k in range(9))
     >>> _ = path.write_text("time,seconds_elapsed,z,y,x\\n" + rows)

@@ -78,7 +78,8 @@ def _check_directory(path: Path) -> None:
         raise FormatError(f"{path}: begins like a zip archive and does not end like one, so it is cut off. Save it "
                           "again.")  # fmt: skip
     if int.from_bytes(tail[begin + 12 : begin + 16], "little") > LARGEST_DIRECTORY:
-        raise FormatError(f"{path}: lists more members than a log has, {LARGEST_DIRECTORY // MB} MB of names. {_UNPACK}")
+        most = LARGEST_DIRECTORY // MB
+        raise FormatError(f"{path}: lists more members than a log has, over {most} MB of names. {_UNPACK}")
 
 
 def _log_in(path: Path, members: Sequence[zipfile.ZipInfo], wanted: Sequence[str]) -> zipfile.ZipInfo:
@@ -109,8 +110,8 @@ def _check_sizes(path: Path, members: Sequence[zipfile.ZipInfo]) -> None:
             raise FormatError(f"{path}: {member.filename} in it has {member.file_size // MB} MB packed into "
                               f"{member.compress_size} bytes, which no log is. {_UNPACK}")  # fmt: skip
     if (total := sum(member.file_size for member in members)) > LARGEST_UNPACKED:
-        raise FormatError(f"{path}: its log has {total // MB:,} MB unpacked; {LARGEST_UNPACKED // MB:,} MB are taken at "
-                          f"most. {_UNPACK}")  # fmt: skip
+        most = LARGEST_UNPACKED // MB
+        raise FormatError(f"{path}: its log has {total // MB:,} MB unpacked; {most:,} MB are taken at most. {_UNPACK}")
 
 
 def _take_out(archive: zipfile.ZipFile, member: zipfile.ZipInfo, place: Path) -> None:
