@@ -41,8 +41,12 @@ class AttitudeOptions(NamedTuple):
 
 def run_fit_attitude(
     path: Path, table: Table | None, options: AttitudeOptions, known: KnownScale, json: bool
-) -> None:
-    """Fit the attitudes and the rates that are with them, print what they say, and draw figures where asked for."""
+) -> bool:
+    """Fit the attitudes and the rates that are with them, print what they say, and draw figures where asked for.
+
+    Returns:
+        Whether they tell the inertia.
+    """
     if options.out is not None:
         check_spares(options.out, path)
     trajectory = source_of(path, Kernels(), table).trajectory
@@ -69,8 +73,9 @@ def run_fit_attitude(
     if json:
         told = {"name": path.name, **values_of(groups), "units": units_of(groups)}
         print(as_json(plain({**told, "notes": notes, "files": files})))
-        return
-    print_report(path.name, attitude_summary(fit), groups, notes, files)
+    else:
+        print_report(path.name, attitude_summary(fit), groups, notes, files)
+    return fit.degenerate is None
 
 
 def _drawn(fit: AttitudeFit, folder: Path) -> list[str]:

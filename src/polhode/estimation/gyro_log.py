@@ -81,7 +81,11 @@ def _cleaned(name: str, times: ArrayLike, values: ArrayLike) -> tuple[Array, Arr
             f"times of shape (n,) and {name} of shape (n, 3) are needed; got {shown(t.shape)} and {shown(x.shape)}."
         )
     whole = np.isfinite(t) & np.isfinite(x).all(axis=1)
-    t, x = t[whole], x[whole]
-    reordered = bool((np.diff(t) < 0).any())
+    if not whole.all():
+        t, x = t[whole], x[whole]
+    steps = np.diff(t)
+    if (steps > 0).all():
+        return t.copy(), x.copy(), int((~whole).sum()), 0, False
+    reordered = bool((steps < 0).any())
     unique, first = np.unique(t, return_index=True)
     return unique, x[first], int((~whole).sum()), len(t) - len(unique), reordered

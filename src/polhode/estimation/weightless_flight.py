@@ -41,7 +41,8 @@ def weightless_stretches(log: GyroLog, shortest: float) -> list[Weightless]:
     assert t is not None and felt is not None
     step = float(np.median(np.diff(t))) if len(t) > 1 else SPAN
     size = max(3, round(SPAN / step))
-    if len(t) < size or not (place := _place(log, t, felt, size)).shape[0]:
+    place = _place(log, t, felt, size) if len(t) >= size else None
+    if place is None:
         return []
     beyond = np.concatenate([np.linalg.norm(felt[part] - lever @ place, axis=1)
                              for part, lever in _levers(log, t, 0)])  # fmt: skip
@@ -67,8 +68,8 @@ def _levers(log: GyroLog, t: Array, overlap: int) -> Iterator[tuple[slice, Array
         )
 
 
-def _place(log: GyroLog, t: Array, felt: Array, size: int) -> Float64[Array, "3"]:
-    """Return the place of the accelerometer that explains a calm span best; empty where no span is calm."""
+def _place(log: GyroLog, t: Array, felt: Array, size: int) -> Float64[Array, "3"] | None:
+    """Return the place of the accelerometer that explains a calm span best; None where no span is calm."""
     stride = max(1, size // 8)
     told: list[Array] = []
     for part, lever in _levers(log, t, size):
@@ -86,7 +87,7 @@ def _place(log: GyroLog, t: Array, felt: Array, size: int) -> Float64[Array, "3"
         told.append(np.column_stack([np.linalg.det(normal), left, place])[calm])
     spans = np.concatenate(told) if told else np.empty((0, 5))
     if not len(spans):
-        return np.empty(0)
+        return None
     telling = spans[spans[:, 0] >= 0.1 * spans[:, 0].max()]  # of those whose turning tells enough of it
     return telling[np.argmin(telling[:, 1]), 2:]
 

@@ -113,6 +113,7 @@ def _read_table(path: Path, mapping: ColumnMapping | None, told: Told) -> ReadLo
     times = _seconds(numbers[:, 0], resolved.time_unit)
     rates = numbers[:, 1:4] * IN_RADIANS[resolved.rate_unit]
     acceleration, clock, source = (numbers[:, 4:] * felt[1], times, path.name) if felt else (None, None, None)
+    del numbers  # of long logs these are the most memory
     if not felt and dialect:
         clock, acceleration, source = _beside(path, dialect, told)
     try:
