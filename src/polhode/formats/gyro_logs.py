@@ -204,6 +204,9 @@ def _remarks(log: GyroLog) -> list[str]:
         found.append("lines are not in the order of time; they were sorted.")
     if log.repeats:
         found.append(f"{log.repeats} samples come at a time that was there already; the first of each is kept.")
+    if log.spread:
+        found.append(f"the clock is rounded: {log.spread} samples come at a time that was there already, with other "
+                     "values; they are taken at equal steps.")  # fmt: skip
     if log.dropped:
         found.append(f"{log.dropped} lines without finite values are left out.")
     return found

@@ -7,7 +7,6 @@ from typing import Any
 
 from polhode.estimation.flight import Flights, Window
 from polhode.reports.answer import Table
-from polhode.reports.wording import counted
 
 SHOWN = 8  # stretches that a message lists
 
@@ -28,8 +27,10 @@ def left_out_table(names: Sequence[str], flights: Sequence[Flights]) -> Table:
 def left_out_note(flights: Sequence[Flights]) -> list[str]:
     """Return a note of what was left out, if something was."""
     left = sum(len(found.left_out) for found in flights)
-    return [f"{counted(left, 'stretch').replace('stretchs', 'stretches')} that may be flights are left out, see the "
-            "table; --window takes them."] if left else []  # fmt: skip
+    if not left:
+        return []
+    what = "1 stretch that may be a flight is" if left == 1 else f"{left} stretches that may be flights are"
+    return [f"{what} left out, see the table; --window takes such."]
 
 
 def left_out_words(left_out: Sequence[Window]) -> str:
