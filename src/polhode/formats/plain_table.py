@@ -185,6 +185,8 @@ def _number(path: Path, line: int, form: TableForm, column: int, cell: str, deci
         remedy = "Correct it, or leave the cell blank."
         if decimal == "point" and _DECIMAL_COMMA.fullmatch(cell):
             remedy = "If its comma is a decimal one, say so by --decimal comma."
+        elif ":" in cell:
+            remedy = "Dates and times of day are not read: give times as plain numbers, like seconds from the start."
         raise FormatError(f"{where}: {shown(cell)} {error}. {remedy}") from None
 
 
