@@ -15,12 +15,12 @@ from polhode.estimation.flight import Window, check_windows, free_flights
 from polhode.estimation.gyro_log import GyroLog
 from polhode.estimation.linear_start import linear_inertia, turned_by
 from polhode.estimation.principal import Principal, principal, why_undetermined
+from polhode.estimation.saturation import saturation
 from polhode.estimation.throw_fit import Model, Solution, Throw, fitted, predicted
 from polhode.estimation.throw_models import shape_of
 from polhode.exact.free_body.motion import FreeMotion
 from polhode.types import Array, Float64
 
-SATURATED = 3  # samples of one axis at exactly the largest size are a gyro at its limit
 MISFIT = 1.4  # times the noise of the samples: larger residuals ask for other starts
 NEAR = 1e-4  # of a bound of the shape or the drag: a fit that ends there may be in a wrong valley
 SAME, AGREED = 5.0, 3  # of the logarithm of the likelihood, and how many starts that end alike are believed
@@ -140,7 +140,7 @@ def fit_throw(
         gain: a gain of each axis of the gyro. "auto" lets the criterion choose, but gains that are too small to be
             seen still move the ratios by about as much: only True makes the intervals account for them. False for a
             calibrated gyro.
-        clip: largest rate that the gyro can tell [rad/s]; by default a value that comes three times at an axis's end.
+        clip: largest rate that the gyro can tell [rad/s]; by default where ``saturation`` finds a limit.
         gain_spread: standard deviation of gains about 1, as far as known beforehand.
 
     Raises:
@@ -162,8 +162,8 @@ def fit_throw(
     _check_choice("gain", gain)
     if not (np.isfinite(gain_spread) and gain_spread > 0):
         raise InvalidInput(f"gain_spread must be a positive number, like 0.01; got {shown(gain_spread)}.")
-    found = _windows_of(every, windows)
-    level = _saturation(every) if clip is None else float(clip)
+    level = saturation(every) if clip is None else float(clip)
+    found = _windows_of(every, windows, level)
     cut = [(k, window, *_cut(every[k], window, level)) for k, per_log in enumerate(found) for window in per_log]
     throws = [throw for *_, throw in cut]
     start = _Start.of(throws)
@@ -181,12 +181,14 @@ def _check_choice(name: str, value: bool | str) -> None:
         raise InvalidInput(f"{name} must be True, False or 'auto'; got {shown(value)}.")
 
 
-def _windows_of(logs: list[GyroLog], windows: Sequence[Sequence[Window]] | None) -> list[list[Window]]:
+def _windows_of(
+    logs: list[GyroLog], windows: Sequence[Sequence[Window]] | None, level: float | None
+) -> list[list[Window]]:
     if not logs:
         raise InvalidInput("at least one log is needed; got none.")
     if windows is not None and len(windows) != len(logs):
         raise InvalidInput(f"each log needs its windows: got {len(logs)} logs and windows for {len(windows)}.")
-    found = [free_flights(log) for log in logs] if windows is None else [list(per_log) for per_log in windows]
+    found = [free_flights(log, level) for log in logs] if windows is None else [list(per_log) for per_log in windows]
     if not any(found):
         raise InvalidInput(
             "no free flight was found in the log: no stretch of a quarter of a second keeps an angular momentum, or "
@@ -195,16 +197,6 @@ def _windows_of(logs: list[GyroLog], windows: Sequence[Sequence[Window]] | None)
     for per_log, log in zip(found, logs, strict=True):
         check_windows(per_log, log)
     return found
-
-
-def _saturation(logs: list[GyroLog]) -> float | None:
-    """Return the size of rates that comes again and again at the end of an axis, if one does."""
-    sizes = np.abs(np.concatenate([log.rates for log in logs]))
-    levels = [top for top, column in zip(sizes.max(axis=0), sizes.T, strict=True)
-              if top > 0 and (column >= top * (1 - 1e-9)).sum() >= SATURATED]  # fmt: skip
-    # constant rates repeat themselves too; only a level that others stay away from is a limit
-    spread = sizes.std(axis=0).max()
-    return float(min(levels)) if levels and spread > 0.05 * max(levels) else None
 
 
 def _cut(log: GyroLog, window: Window, level: float | None) -> tuple[Array, Throw]:
