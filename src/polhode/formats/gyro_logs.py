@@ -188,8 +188,8 @@ def _acceleration(form: TableForm, dialect: GyroDialect, notes: list[str]) -> tu
         return None
     unit = acceleration_unit(form.names[places[0]], dialect)
     if unit is None:
-        notes.append("accelerations are left out, as their unit is not known; decode the log with --unit-acceleration "
-                     "m/s2 to use them.")  # fmt: skip
+        notes.append("accelerations are left out, as their unit is not known; have Betaflight's blackbox_decode write "
+                     "them by its option --unit-acceleration m/s2.")  # fmt: skip
         return None
     return places, unit
 
