@@ -106,6 +106,13 @@ export function facts({ moments, velocity }, solver) {
   return found;
 }
 
+/** Return how long it takes until the body has turned over, or its axis has gone round L in the body [s]; null of a steady turn. */
+export function event({ moments, velocity }, solver) {
+  const { period, flipInterval } = solver;
+  if (period === null || !Number.isFinite(period)) return null;
+  return seen(moments, velocity, solver, ascending(moments)) === FLIPS ? flipInterval : period;
+}
+
 /** Return what a person would see, by the same limits as polhode's reports. */
 function seen(moments, velocity, { regime, modulus }, order) {
   if (regime === "rest") return "at rest";
