@@ -38,7 +38,7 @@ def test_joules_are_of_bodies(system, unit):
 
 
 def test_vortices_and_fluids_count_in_rates_squared():
-    """Twice as strong, all goes twice as fast, and the energy is four times as much: its unit is (m²/s)² and (rad/s)²."""
+    """Twice as strong, all goes twice as fast, and the energy is four times as much: (m²/s)² and (rad/s)²."""
     for make, places in ((PlaneVortices, np.array(PLACES)[:, :2]), (SphereVortices, np.array(PLACES))):
         one, two = (make(strengths) for strengths in ((1.0, 2.0), (2.0, 4.0)))
         points = [np.asarray(each.pack(places)) for each in (one, two)]

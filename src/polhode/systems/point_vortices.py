@@ -114,7 +114,7 @@ class SphereVortices(AbstractLiePoissonSystem):
 
     @property
     def quantities(self) -> dict[str, Quantity]:
-        return super().quantities | {"energy": Quantity("rad2 s-2", "interaction energy on the unit sphere, per density")}
+        return super().quantities | {"energy": Quantity("rad2 s-2", "energy on the unit sphere, per density")}
 
     def energy(self, point: Float64[Array, "*batch n 3"]) -> Float64[Array, "*batch"]:
         return _pair_energy(self.strengths, self.positions(point))

@@ -83,7 +83,7 @@ class SphereMHD(AbstractLiePoissonSystem):
 
     @property
     def quantities(self) -> dict[str, Quantity]:
-        return super().quantities | {"energy": Quantity("rad2 s-2", "kinetic and magnetic energy on the unit sphere, per density")}
+        return super().quantities | {"energy": Quantity("rad2 s-2", "energy on the unit sphere, per density")}
 
     def energy(self, point: Pairs) -> Float64[Array, "*batch"]:
         theta = jnp.asarray(point)[..., 0, :, :]
