@@ -5,9 +5,11 @@ import importlib
 import re
 import subprocess
 import sys
+import tomllib
 from pathlib import Path
 
 import pytest
+from markdown_it import MarkdownIt
 
 import polhode as ph
 
@@ -57,6 +59,23 @@ def test_links_in_the_docs_lead_somewhere():
                 assert (page.parent / target).exists(), f"{page.name}: {target}"
 
 
+def emphasised(page):
+    """Yield what a page sets in italics, outside of formulas."""
+    text = re.sub(r"\$\$.*?\$\$|\$[^$\n]*\$", "x", page.read_text("utf-8"), flags=re.DOTALL)
+    for block in MarkdownIt("commonmark").enable("table").parse(text):
+        for k, part in enumerate(block.children or ()):
+            if part.type == "em_open":
+                yield block.children[k + 1].content
+
+
+def test_stars_of_duals_are_no_emphasis():
+    """"se(3)*, a chain of spins on copies of so(3)*" was half in italics; such a star is written with a backslash."""
+    pages = [*(ROOT / "docs").glob("*.md"), ROOT / "README.md", ROOT / "CONTRIBUTING.md", ROOT / "CHANGELOG.md"]
+    for page in pages:
+        for words in emphasised(page):
+            assert words[:1] not in tuple(",.;: "), f"{page.name}: {words}"
+
+
 def test_messages_show_values_shortly():
     """A value in a message goes through `errors.shown`, which shortens and escapes; `!r` writes all of it."""
     allowed = {"__init__.py", "spice_kernels.py", "time_scales.py"}  # names of attributes; digits of kernels
@@ -67,6 +86,17 @@ def test_messages_show_values_shortly():
 def test_version_and_changelog():
     assert f'version = "{ph.__version__}"' in (ROOT / "pyproject.toml").read_text("utf-8")
     assert "## [Unreleased]" in (ROOT / "CHANGELOG.md").read_text("utf-8")
+
+
+def test_the_source_archive_has_what_its_own_tests_open():
+    """Without `CONTRIBUTING.md` and `benchmarks` the tests of an unpacked one could not be collected or failed."""
+    packed = set(tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["tool"]["hatch"]["build"]["targets"]
+                 ["sdist"]["include"]) | {"pyproject.toml"}  # fmt: skip
+    there = {path.name for path in ROOT.iterdir() if not path.name.startswith(".")}
+    texts = [path.read_text("utf-8") for path in (ROOT / "tests").rglob("*.py")]
+    opened = {name for text in texts for name in re.findall(r"""(?:parents\[\d\]|ROOT|root) / "([\w.]+)""", text)}
+    assert {"src", "examples", "docs", "benchmarks"} <= opened
+    assert opened & there <= packed, f"add {opened & there - packed} to the sdist's include"
 
 
 def test_files_stay_small():

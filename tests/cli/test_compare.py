@@ -360,3 +360,72 @@ def test_a_spec_without_attitudes_is_refused_before_it_moves(tmp_path, monkeypat
     monkeypatch.setattr(AbstractKind, "report", moved)
     with pytest.raises(InvalidInput, match=r"spin\.toml: holds no attitudes"):
         source_of(tmp_path / "spin.toml", Kernels())
+
+
+# ---------------------------------------------------------------- clocks
+
+FREE = """
+[body]
+moments = ["1 kg*m^2", "2 kg*m^2", "3 kg*m^2"]
+[spin]
+angular_velocity = ["0.3 rad/s", "0.9 rad/s", "0.5 rad/s"]
+[time]
+until = "20 s"
+"""
+COLUMNS = ["--time", "stamp", "--quat", "qw,qx,qy,qz"]
+NANOSECONDS = [k * 5_000_000 + (k * 7919) % 1000 for k in range(401)]
+
+
+@pytest.fixture
+def logs(tmp_path, monkeypatch):
+    """A spec, and its motion logged by clocks that began with the computer, and in 1970; stamps have no common step."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "free.toml").write_text(FREE)
+    motion = FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5))
+    attitudes = [",".join(map(repr, motion.attitude(n * 1e-9).tolist())) for n in NANOSECONDS]
+    for name, unit, begin, divisor in (("boot", "us", 68_497_369, 1000), ("unix", "ns", 1_605_400_445_000_000_123, 1)):
+        rows = [f"{begin + n // divisor},{q}" for n, q in zip(NANOSECONDS, attitudes, strict=True)]
+        (tmp_path / f"{name}.csv").write_text("\n".join([f"stamp [{unit}],qw,qx,qy,qz", *rows]) + "\n")
+    return tmp_path
+
+
+def test_clocks_that_nothing_says_are_one_are_refused_until_told(logs, capsys):
+    """A log by the clock of a computer that booted 68 s before was compared with the motion's 68th second: 119°."""
+    code, _, err = run(["compare", "free.toml", "boot.csv", *COLUMNS], capsys)
+    assert code == 2 and "one clock" in err and "B at 68.497369 s" in err and "--offset=-68.497369s" in err
+    for told in ("--offset=-68.497369s", "--offset=-68497.369 ms", "--offset=start"):
+        found = values_of(["compare", "free.toml", "boot.csv", *COLUMNS, told], capsys)
+        assert found["angle"]["largest"] <= 2e-6 and "--offset" in found["clocks"]  # stamps are cut to microseconds
+    found = values_of(["compare", "boot.csv", "free.toml", *COLUMNS, "--offset", "68.497369s"], capsys)
+    assert found["angle"]["largest"] <= 2e-6
+    found = values_of(["compare", "free.toml", "boot.csv", *COLUMNS, "--offset", "0 s"], capsys)
+    assert found["angle"]["largest"] > 1.0 and not found["alignment"]["explains"]
+    code, out, _ = run(["compare", "free.toml", "boot.csv", *COLUMNS, "--offset", "0 s"], capsys)
+    assert "do not explain it" in out and "explain all" not in out
+    for wrong in ("68", "soon", "nan s", "1_0 s", "3 kg"):
+        code, _, err = run(["compare", "free.toml", "boot.csv", *COLUMNS, f"--offset={wrong}"], capsys)
+        assert code == 2 and "--offset must be" in err and err.count("\n") == 1
+
+
+def test_what_is_assumed_of_clocks_is_said(files, capsys):
+    found = values_of(["compare", "box.toml", "own.csv"], capsys)
+    assert found["clocks"].startswith("assumed to be one: both begin at 0 s")
+    told = values_of(["compare", "box.bc", "late.aem", "--offset", "30 s"], capsys)
+    assert told["clocks"] == "B's time zero is at 30 s of A, as --offset says"
+    assert told["times"] == values_of(["compare", "box.bc", "late.aem"], capsys)["times"]
+
+
+def test_nanoseconds_since_1970_lose_nothing(logs, capsys):
+    """Nineteen digits: as doubles they are 2.4e-7 s apart, which at 1 rad/s is 1e-7 rad and said nothing of it."""
+    code, _, err = run(["compare", "free.toml", "unix.csv", *COLUMNS], capsys)
+    assert code == 2 and "B at 1605400445.000000123 s" in err
+    for told in ("start", "-1605400445.000000123 s"):
+        found = values_of(["compare", "free.toml", "unix.csv", *COLUMNS, "--offset", told], capsys)
+        assert found["angle"]["largest"] <= 1e-14 and found["read_as"]["b"]["counted_from"] == "1605400445.000000123"
+    found = values_of(["import", "unix.csv", *COLUMNS], capsys)
+    assert found["read_as"]["counted_from"] == "1605400445.000000123" and "2.4e-07 s" in found["notes"][0]
+    kept = read_dataset("unix_imported.nc").times.tolist()
+    assert kept == pytest.approx([n * 1e-9 for n in NANOSECONDS], abs=0.0, rel=1e-15)
+    assert run(["compare", "free.toml", "unix_imported.nc"], capsys)[0] == 2  # it knows the clock it is from
+    same = values_of(["compare", "unix.csv", "unix_imported.nc", *COLUMNS], capsys)
+    assert same["angle"]["largest"] <= 1e-15 and "1605400445.000000123 s" in same["clocks"]

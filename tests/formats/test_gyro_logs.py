@@ -144,3 +144,19 @@ def test_reading_tells_how_far_it_is(tmp_path):
     lines = []
     read_gyro_log(written(tmp_path, table(PHYPHOX, [TIMES, RATES])), told=lines.append)
     assert lines == [13]
+
+
+def test_stamps_of_nineteen_digits_lose_nothing(tmp_path):
+    """Nanoseconds since 1970, whose doubles are 2.4e-7 s apart; and seconds, in the gyro's and the other's file."""
+    begin, steps = 1_605_400_445_000_000_123, [k * 10_000_000 + (k * 7919) % 1000 for k in range(12)]
+    (tmp_path / "log.csv").write_text("t_ns,x,y,z\n" + "".join(f"{begin + n},1,2,3\n" for n in steps))
+    found = read_gyro_log(tmp_path / "log.csv", ColumnMapping("t_ns", gyro="x,y,z", unit="rad/s"))
+    assert found.log.times.tolist() == pytest.approx([n * 1e-9 for n in steps], abs=1e-16)
+    assert any("1605400445.000000123 s" in note for note in found.notes)
+    for name, late in (("Gyroscope", 0), ("TotalAcceleration", 1_500_001)):
+        stamps = [f"{(begin + late + n) // 10**9}.{(begin + late + n) % 10**9:09d}" for n in steps]
+        rows = "".join(f"{k},{stamp},1,2,3\n" for k, stamp in enumerate(stamps))
+        (tmp_path / f"{name}.csv").write_text("time,seconds_elapsed,z,y,x\n" + rows)
+    both = read_gyro_log(tmp_path).log
+    assert both.times.tolist() == found.log.times.tolist()
+    assert both.acceleration_times.tolist() == pytest.approx([(n + 1_500_001) * 1e-9 for n in steps], abs=1e-16)

@@ -148,4 +148,4 @@ def test_kernels_of_the_wrong_kind(kernels):
     path = kernels()
     for option in ("sclk", "fk", "lsk"):
         refused(path, "is not a .* kernel, which is text", **{option: path})
-    refused(path, r"b\.bc.*--sclk", sclk=path.with_suffix(".tls"))
+    refused(path, r"b\.bc.*clock kernel", sclk=path.with_suffix(".tls"))

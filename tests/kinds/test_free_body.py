@@ -162,3 +162,13 @@ def test_a_note_where_times_are_beyond_all_meaning():
     near = free_body_report(body, np.array([0.3, 1.8, 1.5]), IDENTITY, np.linspace(0.0, 1e9, 5))
     far = free_body_report(body, np.array([0.3, 1.8, 1.5]), IDENTITY, np.linspace(0.0, 1e19, 5))
     assert near.notes == [] and "turns" in far.notes[0]
+
+
+def test_only_what_turns_over_has_a_flip_interval():
+    """A T-handle spun about its axis 3 cones: it never turns over, and was said to every 1.5 s."""
+    for momentum, flips in (((0.01, 2.0, 0.01), True), ((1.0, 1.0, 1.3), False), ((0.1, 0.2, 3.0), False)):
+        report = free_body_report(ph.Body.from_moments(1.0, 2.0, 2.9), momentum, IDENTITY)
+        values = report.as_json_dict()
+        assert (values["form"] == "flipping") == flips
+        assert (values["flip_interval"] is not None) == (values["twist_per_flip"] is not None) == flips
+        assert ("flip" in str([group.lines for group in report.answers() if hasattr(group, "lines")])) == flips

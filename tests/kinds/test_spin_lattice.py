@@ -38,6 +38,9 @@ def test_waves_of_a_ferromagnetic_chain(spec):
     assert rate * 1.054571817e-34 / MILLI == pytest.approx(gap, rel=1e-4)
     assert values["energy"]["start"] / MILLI == pytest.approx(-(1.5**2) - 0.1 * 1.5**2 - 2 * BOHR * 4 * 1.5, rel=1e-5)
     assert draw_waves(report) is not None
+    # pages and datasets say it of all spins, in J; they called the system's own rad/s so, 1e34 times as much
+    assert report.trajectory.quantity("energy").unit == "J"
+    assert report.trajectory.invariants["energy"][0] / 8 == pytest.approx(values["energy"]["start"], rel=1e-12)
 
 
 def test_damping_turns_a_spin_into_the_field(spec):

@@ -93,3 +93,33 @@ def test_stories_are_about_examples_that_there_are():
     words = presets()
     assert len({one["title"] for one in words}) == len(words) >= 9
     assert all(one["example"] in EXAMPLES and one["story"] for one in words)
+
+
+# ---------------------------------------------------------------- speeds
+
+
+def watched(page, title, seconds):
+    """Return how long one watches for so much of a motion to pass, at the speed that it opens with [s]."""
+    page.tab.locator("#presets button", has_text=title).click()
+    words = page.tab.locator("#speed").text_content()
+    powers = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
+    if words == "real time":
+        return seconds
+    size, _, power = words.removeprefix("×").replace("−", "-").partition("·10")
+    return seconds / (float(size) * 10.0 ** float(power.translate(powers) or 0))
+
+
+@pytest.mark.browser
+@pytest.mark.parametrize(("title", "seconds"), [
+    ("T-handle", 1.45616), ("Book", 1.39237), ("Phone", 1.23018), ("Earth", 303.625 * 86400.0), ("Apophis", 952567.0),
+])  # fmt: skip
+def test_what_there_is_to_see_happens_within_twenty_seconds(short, opened, title, seconds):
+    """A round of the Earth's pole took nine minutes of watching."""
+    page = opened(short)
+    assert watched(page, title, seconds) <= 20.0
+
+
+@pytest.mark.sweep
+@pytest.mark.browser
+def test_explorer_goes_flat_within_twenty_seconds(whole, opened):
+    assert watched(opened(whole), "Explorer 1", 1.6205) <= 20.0

@@ -31,6 +31,11 @@ export class Instrument {
     return new SolvedMotion(this.solver, times, space);
   }
 
+  /** How long it takes until what there is to see has happened once [s]; null where the setting does not say. */
+  get event() {
+    return this.kind.event?.(this.setting, this.solver) ?? null;
+  }
+
   show() {
     this.controls.show(this.kind.controls(this.setting));
     list(element("facts"), this.kind.facts(this.setting, this.solver));

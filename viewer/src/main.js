@@ -72,7 +72,7 @@ class Page {
     this.now = this.motion.at(0);
     this.build();
     this.timebar.goesOn = Boolean(this.instrument);
-    this.timebar.take(this.motion, true);
+    this.timebar.take(this.motion, true, null, this.instrument?.event);
     if (lively) this.timebar.toggle();
     const time = restored ? this.instrument?.restore() : null;
     if (time !== null && time !== undefined) this.goTo(time);

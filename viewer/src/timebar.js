@@ -5,6 +5,7 @@ const FASTER = Math.SQRT2;
 const [EASY, TOPS] = [0.5, 8]; // turns of the body per second of watching, at first: of a free body, and of a top
 const SWING = 1.5; // s of watching that a period of what it does should take, at first
 const REAL = [0.5, 1.6]; // speeds between these begin in real time
+const SEEN = 20; // s of watching within which what there is to see happens once, at first
 const [SHORTEST, LONGEST] = [8, 240]; // s that the whole motion takes, at first
 const [QUICKEST, SLOWEST] = [1, 3600]; // s that it takes at the ends of the scale of speeds
 const LEAP = 20; // samples that page-wise steps go
@@ -42,15 +43,19 @@ export class Timebar {
     document.addEventListener("keydown", (event) => this.key(event));
   }
 
-  /** Take a motion: a new one from its beginning, or another window of the same at a time. */
-  take(motion, fresh, time = null) {
+  /**
+   * Take a motion: a new one from its beginning, or another window of the same at a time.
+   *
+   * @param event how long it takes until what there is to see has happened once [s], of a new one; null if nobody knows
+   */
+  take(motion, fresh, time = null, event = null) {
     this.motion = motion;
     this.slider.max = String(motion.count - 1);
     this.single = motion.count < 2 || !(motion.span > 0);
     for (const control of this.root.querySelectorAll("button, input")) control.disabled = this.single;
     this.loop.hidden = Boolean(motion.endless);
     if (fresh) {
-      this.rate = firstRate(motion);
+      this.rate = firstRate(motion, event);
       this.pause();
     }
     if (time === null) this.go(0);
@@ -167,15 +172,23 @@ export class Timebar {
 }
 
 /** Return seconds of motion per second of watching: in real time where it can be followed, else a round number. */
-function firstRate(motion) {
+function firstRate(motion, event) {
   if (!(motion.span > 0)) return 1;
   const turns = motion.hasUp ? TOPS : EASY;
   const turning = motion.fastest ? (2 * Math.PI * turns) / motion.fastest : motion.span / 40;
   const period = motion.solver?.nutationPeriod;
   const swinging = period && Number.isFinite(period) ? period / SWING : Infinity;
   const wanted = Math.min(motion.span / SHORTEST, Math.max(motion.span / LONGEST, Math.min(turning, swinging)));
-  if (wanted > REAL[0] && wanted < REAL[1]) return 1;
+  const needed = Math.min(motion.span / SHORTEST, (event ?? 0) / SEEN);
+  if (wanted > REAL[0] && wanted < REAL[1] && needed <= 1) return 1;
+  if (needed > wanted) return roundedUp(needed);
   const power = 10 ** Math.floor(Math.log10(wanted));
   const digit = [5, 2, 1].find((value) => value * power <= wanted * 1.0001) ?? 1;
   return digit * power;
+}
+
+/** Return the next of 1, 2, 5 times a power of ten. */
+function roundedUp(value) {
+  const power = 10 ** Math.floor(Math.log10(value));
+  return [1, 2, 5, 10].find((digit) => digit * power >= 0.9999 * value) * power;
 }

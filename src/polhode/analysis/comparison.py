@@ -18,7 +18,8 @@ from polhode.motion.trajectory import Trajectory
 from polhode.types import Array, Float64
 
 SAME_TIME = 1e-9  # of a step: two samples that near are at the same time, written with other digits
-EXPLAINED = 0.5  # of the rms angle; an alignment that leaves more explains nothing
+EXPLAINED = 0.1  # of the rms angle; nine numbers fitted to angles that end at π leave a third of it of anything
+SMALL = 0.01  # rad; what leaves more is another motion, however much it began with
 ENDS = 16  # samples at either end whose rates a spline does not know; its error there falls to a quarter with each
 ROUNDING = 1e-12  # rad; errors below are of rounding, and nothing is fitted to them
 MARGIN = 2.0  # on what rounding of times may miss: the bound is met exactly by a steady turn, and speeds are estimates
@@ -119,8 +120,13 @@ class Comparison:
 
     @property
     def explained(self) -> bool:
-        """Whether the alignment leaves less than half of it."""
-        return self.alignment is not None and self.alignment.rms < EXPLAINED * self.rms
+        """Whether the alignment leaves no more than may be rounding or interpolation, or a tenth that is small."""
+        if self.alignment is None:
+            return False
+        left = float(self.alignment.remaining.max())
+        if left <= max(self.rounding, self.interpolation_error or 0.0):
+            return True
+        return self.alignment.rms < EXPLAINED * self.rms and left < SMALL
 
 
 Source = AttitudeHistory | Trajectory | AbstractMotion

@@ -53,7 +53,7 @@ def from_mesh(
             )
     if repair:
         vertices, faces = repaired_mesh(vertices, faces)
-    vertices, faces = checked_mesh(vertices, faces, several)
+    vertices, faces = checked_mesh(vertices, faces, several, repaired=repair)
     volume, center, second = volume_moments(vertices[faces])
     whole = float(mass if mass is not None else density * volume)  # type: ignore[operator]
     xx, yy, zz = np.diag(second)

@@ -17,15 +17,21 @@ NO_VOLUME = 1e-12  # of the tetrahedra's own size: a flat surface leaves roundin
 
 
 def checked_mesh(
-    vertices: Real[ArrayLike, "n 3"], faces: Real[ArrayLike, "m 3"], several: bool = False
+    vertices: Real[ArrayLike, "n 3"], faces: Real[ArrayLike, "m 3"], several: bool = False, repaired: bool = False
 ) -> tuple[Float64[Array, "n 3"], Integer[Array, "m 3"]]:
     """Return the mesh as arrays if it bounds a body.
+
+    Args:
+        vertices: (n, 3) corners [m].
+        faces: (m, 3) indices of corners.
+        several: whether disjoint bodies are accepted.
+        repaired: whether it is what repair left, so that no message advises to ask for that.
 
     Raises:
         InvalidInput: naming the fault and what helps.
     """
     vertices, faces = as_mesh(vertices, faces)
-    _check_edges(faces)
+    _check_edges(faces, repaired)
     pieces = pieces_of(faces)
     corners = vertices[faces]
     volumes = np.array([_volume(corners[piece]) for piece in pieces])
@@ -34,11 +40,11 @@ def checked_mesh(
     if volumes.sum() < 0:
         raise InvalidInput(
             f"the mesh is inverted: its faces are turned inward and its volume is {volumes.sum():.6g} m³. "
-            "Turn the faces outward, or ask for repair."
+            f"Turn the faces outward{_or_repair(repaired)}."
         )
     _check_crossings(vertices, faces, pieces)
     if len(pieces) > 1:
-        _check_nesting(volumes, depths(corners, pieces), several)
+        _check_nesting(volumes, depths(corners, pieces), several, repaired)
     return vertices, faces
 
 
@@ -163,7 +169,12 @@ def _volume(corners: Array) -> float:
     return float(volume) if abs(volume) > NO_VOLUME * sizes.sum() else 0.0
 
 
-def _check_edges(faces: Array) -> None:
+def _or_repair(repaired: bool) -> str:
+    """Return the remedy that is left to those who have not asked for it yet."""
+    return "" if repaired else ", or ask for repair"
+
+
+def _check_edges(faces: Array, repaired: bool) -> None:
     """Require that every edge is used once in each direction."""
     if (faces == np.roll(faces, 1, axis=1)).any():
         raise InvalidInput("the mesh has a triangle with a repeated corner. Ask for repair to drop it.")
@@ -172,7 +183,8 @@ def _check_edges(faces: Array) -> None:
     if open_edges := int((uses == 1).sum()):
         raise InvalidInput(
             f"the mesh is open: {open_edges} edges border only one triangle, so it encloses nothing. "
-            "Close the surface, merge duplicate corners, or read the file with repair."
+            f"{'Repair fills small holes only; close' if repaired else 'Close'} the surface, or merge duplicate corners"
+            f"{'' if repaired else ', or read the file with repair'}."
         )
     if shared_edges := int((uses > 2).sum()):
         raise InvalidInput(
@@ -182,7 +194,7 @@ def _check_edges(faces: Array) -> None:
     if clashing := int((balance != 0).sum()):
         raise InvalidInput(
             f"the mesh is wound inconsistently: {clashing} edges are not used once in each direction. "
-            "Turn the faces alike, or ask for repair."
+            f"Turn the faces alike{_or_repair(repaired)}."
         )
 
 
@@ -203,17 +215,17 @@ def _check_crossings(vertices: Array, faces: Array, pieces: list[Array]) -> None
     )
 
 
-def _check_nesting(volumes: Array, depth: Array, several: bool) -> None:
+def _check_nesting(volumes: Array, depth: Array, several: bool, repaired: bool) -> None:
     """Allow cavities inside a body, and several bodies if wanted."""
     if (twice := (volumes > 0) & (depth % 2 == 1)).any():
         raise InvalidInput(
             f"the mesh overlaps itself: {int(twice.sum())} of its {len(volumes)} pieces lie inside another one "
-            "and are turned outward, so that volume would count twice. Turn cavities inward, or ask for repair."
+            f"and are turned outward, so that volume would count twice. Turn cavities inward{_or_repair(repaired)}."
         )
     if (inward := (volumes < 0) & (depth % 2 == 0)).any():
         raise InvalidInput(
             f"the mesh is inverted in part: {int(inward.sum())} of its {len(volumes)} pieces are turned inward, but "
-            "lie in no body. Turn them outward, or ask for repair."
+            f"lie in no body. Turn them outward{_or_repair(repaired)}."
         )
     bodies = int((volumes > 0).sum())
     if bodies > 1 and not several:

@@ -137,6 +137,8 @@ def about_reading(trajectory: Trajectory, title: str, level: str) -> Group:
         Answer(f"{prefix}attitude", found["attitude"], "", "attitude"),
         Answer(f"{prefix}angular_velocity", found["angular_velocity"], "", "angular velocity"),
         Answer(f"{prefix}samples", found["samples"], "", "samples", "", f"{found['samples']}, {span}"),
+        Answer(f"{prefix}counted_from", found["counted_from"], "", "times count from", "",
+               None if found["counted_from"] is None else f"{found['counted_from']} s of its clock"),
         Answer(f"{prefix}left_out", found["left_out"], "", "lines without values" if found["left_out"] else "", "",
                f"{found['left_out']}, left out"),
         Answer(f"{prefix}repeated", found["repeated"], "", "lines that repeat" if found["repeated"] else "", "",

@@ -12,6 +12,7 @@ from polhode.cli import tumble_options as tumbling
 from polhode.cli.arguments import StrictCommand, whole_number
 from polhode.cli.source_options import (
     ClockKernel,
+    ClockOffset,
     ColumnUnit,
     Decimal,
     Direction,
@@ -289,6 +290,7 @@ def compare(
         Path | None, typer.Option("--out", metavar="DIR", help="Folder for the figure (default: named after both).")
     ] = None,
     spec: BodySpec = None,
+    offset: ClockOffset = None,
     sclk: ClockKernel = None,
     fk: FrameKernel = None,
     lsk: LeapSeconds = None,
@@ -315,7 +317,7 @@ def compare(
     from polhode.cli.sources import Kernels
 
     columns = ColumnOptions(mapping, time, time_unit, quat, order, direction, euler, sequence, gyro, unit, decimal)
-    run_compare(a, b, json, out, spec, Kernels(sclk, fk, lsk, spice_id), columns)
+    run_compare(a, b, json, out, spec, Kernels(sclk, fk, lsk, spice_id), columns, offset)
 
 
 @app.command(cls=StrictCommand)

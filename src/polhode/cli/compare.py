@@ -7,23 +7,24 @@ from pathlib import Path
 
 from polhode.analysis.comparison import compare
 from polhode.analysis.mechanics import Mechanics
+from polhode.cli.clocks import lay_side_by_side, offset_of
 from polhode.cli.columns import ColumnOptions, Table, about_reading, notes_on_reading, tables_to_compare
 from polhode.cli.render import as_json, print_report
 from polhode.cli.sources import KINDS_IN_WORDS, Kernels, Source, body_of, source_of
 from polhode.errors import InvalidInput, one_line
 from polhode.formats.labels import plain as same_name
 from polhode.formats.paths import written_together
-from polhode.formats.time_scales import terrestrial_time
 from polhode.reports.answer import Group, values_of
 from polhode.reports.base import plain
 from polhode.reports.comparison import ComparisonReport
 
 
 def run_compare(
-    first: Path, second: Path, json: bool, out: Path | None, spec: Path | None, kernels: Kernels, columns: ColumnOptions
-) -> None:
+    first: Path, second: Path, json: bool, out: Path | None, spec: Path | None, kernels: Kernels,
+    columns: ColumnOptions, offset: str | None = None,
+) -> None:  # fmt: skip
     """Read both, compare, draw, and print the answers."""
-    tables = tables_to_compare(columns)
+    told, tables = offset_of(offset), tables_to_compare(columns)
     a, b = (source_of(path, kernels, table) for path, table in zip((first, second), tables, strict=True))
     _check_used(a, b, tables)
     shared = None if spec is None else body_of(spec).mechanics
@@ -31,13 +32,13 @@ def run_compare(
         raise InvalidInput(f"{spec}: is neither of a free body nor of a top, so what would be kept is not known here.")
     known = shared or a.history.mechanics or b.history.mechanics
     histories = [replace(side.history, mechanics=shared or side.history.mechanics or known) for side in (a, b)]
-    offset, clocks = clocks_of(a, b)
     try:
-        found = compare(*histories, offset=offset)
+        laid = lay_side_by_side(a, b, told)
+        found = compare(*histories, offset=laid.offset)
     except InvalidInput as error:
         raise InvalidInput(f"{first}, {second}: {error}") from None
     read, notes = _readings(a, b)
-    report = ComparisonReport(found, clocks, (*notes, *_kinds(a, b), *_names(a, b)), *_unknown(a, b, known))
+    report = ComparisonReport(found, laid.words, (*notes, *_kinds(a, b), *_names(a, b)), *_unknown(a, b, known))
     folder = out or Path(f"{first.stem}_and_{second.stem}")
     file = str(_drawn(report, folder))
     if json:
@@ -71,17 +72,6 @@ def _readings(a: Source, b: Source) -> tuple[list[Group], list[str]]:
             groups.append(about_reading(side.trajectory, title, f"read_as.{name}"))
             notes += notes_on_reading(side.trajectory, side.history.name)
     return groups, notes
-
-
-def clocks_of(a: Source, b: Source) -> tuple[float, str]:
-    """Return A's time at B's time zero [s], and in words how that is known."""
-    silent = [name for name, side in (("A", a), ("B", b)) if side.labels is None]
-    if silent:
-        return 0.0, f"both start at zero, as {' and '.join(silent)} {'tells' if len(silent) == 1 else 'tell'} no epoch"
-    epochs = [terrestrial_time(side.labels.epoch, side.labels.time_system) for side in (a, b) if side.labels]
-    offset = float(epochs[1] - epochs[0])
-    words = [f"{side.labels.epoch} {side.labels.time_system}" for side in (a, b) if side.labels]
-    return offset, f"both count from {words[0]}" if words[0] == words[1] else f"by their epochs, {' and '.join(words)}"
 
 
 def _unknown(a: Source, b: Source, known: Mechanics | None) -> list[str]:

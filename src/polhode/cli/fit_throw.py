@@ -40,7 +40,7 @@ class ThrowOptions(NamedTuple):
 def named(options: Any) -> list[str]:
     """Return the options that are given, as they are called."""
     given = [name for name, value in options._asdict().items() if value not in (None, [])]
-    return [f"--{name.replace('_', '-')}".replace("--windows", "--window") for name in given]
+    return [f"--{name.replace('_', '-').replace('windows', 'window')}" for name in given]
 
 
 def run_fit_throw(

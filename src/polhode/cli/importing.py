@@ -12,9 +12,10 @@ from polhode.analysis.mechanics import Mechanics, invariants_along
 from polhode.cli.columns import ColumnOptions, about_reading, notes_on_reading, table_to_import
 from polhode.cli.destinations import check_spares
 from polhode.cli.render import as_json, print_report
-from polhode.cli.sources import KINDS, KINDS_IN_WORDS, Kernels, body_of, read_recorded
+from polhode.cli.sources import COUNTED_FROM, KINDS, KINDS_IN_WORDS, Kernels, begin_of, body_of, read_recorded
 from polhode.errors import InvalidInput, one_line
 from polhode.formats.labels import AttitudeLabels
+from polhode.formats.stamps import in_words
 from polhode.motion.frame import BodyFrame
 from polhode.motion.layout import ANGULAR_VELOCITY, ATTITUDE, MOMENTUM, StateLayout
 from polhode.motion.trajectory import Trajectory
@@ -49,7 +50,9 @@ def run_import(
     groups.append(about_file(trajectory, labels, kept))
     written = out or Path(f"{path.stem}_imported.nc")  # not the name that a dataset exported to the same folder has
     check_spares(written, path)
-    write_dataset(trajectory, written, {"title": path.name if labels is None else labels.object_name})
+    begin = begin_of(path, trajectory)
+    header = {"title": path.name if labels is None else labels.object_name}
+    write_dataset(trajectory, written, header | ({COUNTED_FROM: in_words(begin)} if begin else {}))
     if json:
         print(as_json(plain({"kind": KINDS[kind], **values_of(groups), "drift": trajectory.drift, "notes": notes,
                              "units": units_of(groups), "files": [str(written)]})))  # fmt: skip

@@ -9,6 +9,11 @@ import typer
 
 from polhode.cli.arguments import whole_number
 
+ClockOffset = Annotated[
+    str | None,
+    typer.Option("--offset", metavar="TIME",
+                 help="A's time at B's time zero, like -68.5s; or start: both begin at the same moment."),
+]  # fmt: skip
 ClockKernel = Annotated[
     Path | None, typer.Option("--sclk", metavar="FILE", help="Clock kernel of a C-kernel (default: next to it, .tsc).")
 ]

@@ -6,6 +6,7 @@ import contextlib
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from decimal import Decimal
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -15,10 +16,11 @@ from polhode import rotation
 from polhode.analysis.comparison import AttitudeHistory, Mechanics
 from polhode.cli.columns import Table, needs_mapping
 from polhode.cli.kept import kept_report
-from polhode.errors import FormatError, InvalidInput, NotConverged, one_line
+from polhode.errors import FormatError, InvalidInput, NotConverged, one_line, shown
 from polhode.formats.given_axes import along_given_axes, single_attitude
-from polhode.formats.labels import AttitudeLabels, labels_of
+from polhode.formats.labels import AttitudeLabels, Recording, labels_of
 from polhode.formats.opening import is_folder, open_file
+from polhode.formats.stamps import exact_number
 from polhode.formats.table_form import Line, form_of, is_comment
 from polhode.kinds.base import Spec, motion_report_of
 from polhode.kinds.reading import read_spec
@@ -34,6 +36,8 @@ OWN_ATTITUDE = (b"time [s],q_w,q_x,q_y,q_z", b'"time [s]","q_w","q_x","q_y","q_z
 _OF_TOML = re.compile(r"\s*(\[|[\w.\"'-]+\s*=)")
 SAME_ATTITUDE = 1e-6  # rad; what seven digits of a quaternion leave between two samples of one time
 SAME_MOMENTUM = 1e-9  # of the largest; a rotor whose momentum is less changes no energy that is printed
+COUNTED_FROM = "counted_from"
+"""Attribute of tables and datasets: the stamp that times count from [s]."""
 PICOSECOND = 1e-12  # s; epochs in an AEM are read to one
 
 
@@ -56,6 +60,7 @@ class Source:
         history: the same, for comparisons.
         labels: names, frames and epoch; None where it tells no epoch.
         system: of a spec, as it names it.
+        begin: the stamp of its clock that its times count from [s], exactly; 0 where they count from the clock's zero.
     """
 
     kind: str
@@ -63,6 +68,20 @@ class Source:
     history: AttitudeHistory
     labels: AttitudeLabels | None
     system: str | None = None
+    begin: Decimal = Decimal(0)
+
+
+def begin_of(path: Path, trajectory: Trajectory) -> Decimal:
+    """Return the stamp of its file's clock that a trajectory's times count from [s], exactly; 0 for the clock's zero.
+
+    Raises:
+        FormatError: where a dataset says it in words that are no number.
+    """
+    told = trajectory.source.attributes.get(COUNTED_FROM) if isinstance(trajectory.source, Recording) else None
+    try:
+        return Decimal(0) if told is None else exact_number(str(told))
+    except ValueError as error:
+        raise FormatError(f"{path}: {COUNTED_FROM} {error}; got {shown(told)}. Import the file again.") from None
 
 
 def kind_of(path: Path, table: Table | None = None) -> str:
@@ -170,7 +189,7 @@ def source_of(path: Path, kernels: Kernels, table: Table | None = None) -> Sourc
         _history(path, trajectory), resolution=0.5 * PICOSECOND if kind == "aem" else 0.0,
         mechanics=_recorded_mechanics(trajectory, found.frame),
     )  # fmt: skip
-    return Source(kind, trajectory, history, labels)
+    return Source(kind, trajectory, history, labels, None, begin_of(path, found))
 
 
 def _recorded_mechanics(trajectory: Trajectory, frame: BodyFrame | None) -> Mechanics | None:

@@ -17,6 +17,7 @@ from polhode.motion.outcome import Ending, Outcome
 from polhode.motion.trajectory import Trajectory
 from polhode.types import Array
 
+ONE_ALONE = ("Leave one of them in the file, or read one in Python by read_aem(path, segment=k), where k counts from 0")
 _ROTATION_SEQUENCE = re.compile(r"([XYZ])(?!\1)([XYZ])(?!\2)[XYZ]")
 _SAME = ("OBJECT_NAME", "OBJECT_ID", "REF_FRAME_A", "REF_FRAME_B", "TIME_SYSTEM", "ATTITUDE_DIR")
 
@@ -46,7 +47,7 @@ def read_aem(path: str | Path, segment: int | None = None) -> Trajectory:
         segments = [segments[segment]]
     if len({tuple(plain(one.values.get(name, "")) for name in _SAME) for one in segments}) > 1:
         raise FormatError(f"{path}: its {len(segments)} segments are about different objects, frames or time systems. "
-                          "Choose one with `segment`, counted from 0.")  # fmt: skip
+                          f"{ONE_ALONE}.")  # fmt: skip
     start = segments[0].epoch("START_TIME")
     times, attitude, velocity = _joined([_history(one, start) for one in segments], segments)
     left_out = sum(int((~_useable(one)).sum()) for one in segments)
@@ -99,7 +100,7 @@ def _joined(
         refuse(segments[0].path, None, "no sample lies within the useable times. Check USEABLE_START_TIME and "
                                        "USEABLE_STOP_TIME")  # fmt: skip
     if (np.diff(times) <= 0).any():
-        refuse(segments[0].path, None, "its segments overlap in time. Choose one with `segment`, counted from 0")
+        refuse(segments[0].path, None, f"its segments overlap in time. {ONE_ALONE}")
     rates = [part[2] for part in parts if part[2] is not None]
     velocity = np.concatenate(rates) if len(rates) == len(parts) else None
     return times, np.concatenate([part[1] for part in parts]), velocity

@@ -34,7 +34,8 @@ class Understood(NamedTuple):
         largest_deviation: of |q| from 1; None without quaternions.
         rates_apart: by how much the rates differ from how fast the attitude turns, relative, both as root mean squares;
             None where one is missing or the samples are too far apart.
-        notes: where the file says something else than the mapping.
+        notes: where the file says something else than the mapping, and from where times are counted.
+        counted_from: the stamp of the file's clock that times count from [s], with all its digits; None for its zero.
     """
 
     header: str
@@ -50,6 +51,7 @@ class Understood(NamedTuple):
     largest_deviation: float | None
     rates_apart: float | None
     notes: tuple[str, ...]
+    counted_from: str | None
 
 
 def rising(path: Path, times: Float64[Array, "rows"], table: PlainTable) -> np.ndarray:
@@ -62,15 +64,17 @@ def rising(path: Path, times: Float64[Array, "rows"], table: PlainTable) -> np.n
         line = table.lines[int(np.argmin(np.isfinite(times)))]
         raise FormatError(f"{path}, line {line}: its time is too large for a number of seconds. Check its unit.")
     steps, same = np.diff(times), np.zeros(len(times), dtype=bool)
-    same[1:] = (table.numbers[1:] == table.numbers[:-1]).all(axis=1)
+    same[1:] = (steps == 0.0) & (table.numbers[1:, 1:] == table.numbers[:-1, 1:]).all(axis=1)
     wrong = ~((steps > 0) | same[1:])
     if wrong.any():
         row = int(np.argmax(wrong)) + 1
         now, before = table.lines[row], table.lines[row - 1]
-        how = "the same as" if steps[row - 1] == 0 else "before"
+        same_time = steps[row - 1] == 0
+        how = "the same as" if same_time else "before"
+        remedy = "Write times with more digits, or delete one of the two lines" if same_time else "Sort the lines"
         raise FormatError(
             f"{path}, line {now}: its time, {times[row]:.9g} s, is {how} that of line {before}, "
-            f"{times[row - 1]:.9g} s. Times must rise; sort the lines, or delete those that come again."
+            f"{times[row - 1]:.9g} s. Times must rise. {remedy}."
         )
     return ~same
 

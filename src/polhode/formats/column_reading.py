@@ -14,8 +14,6 @@ from polhode.formats.column_meaning import Understood, agreement, attitude_of, r
 from polhode.formats.header_words import (
     ANGLE_UNITS,
     IN_RADIANS,
-    IN_SECONDS,
-    PER_SECOND,
     RATE_UNITS,
     TIME_UNITS,
     bare_name,
@@ -24,6 +22,7 @@ from polhode.formats.header_words import (
 )  # fmt: skip
 from polhode.formats.labels import Recording
 from polhode.formats.plain_table import PlainTable, column_named, read_cells, table_form
+from polhode.formats.stamps import in_words, read_clock
 from polhode.formats.table_form import DELIMITERS, TableForm
 from polhode.motion.layout import ANGULAR_VELOCITY, ATTITUDE, StateLayout
 from polhode.motion.outcome import Ending, Outcome
@@ -58,7 +57,8 @@ def read_columns(path: str | Path, mapping: ColumnMapping) -> Trajectory:
 
     Returns:
         Attitude body → space (T, 4) and angular velocity (T, 3) [rad/s, body axes], each None if the mapping has none;
-        times [s] as they stand in the file, in its unit.
+        times [s] as they stand in the file, in its unit, but of stamps with more digits than a double holds from the
+        first stamp on, which ``counted_from`` of the attributes tells.
 
     Raises:
         InvalidInput: with a line for each thing of the mapping that does not fit the file.
@@ -76,10 +76,12 @@ def read_columns(path: str | Path, mapping: ColumnMapping) -> Trajectory:
     form = table_form(path)
     resolved = resolved_on(path, form, mapping)
     wanted = (resolved.time, *resolved.attitude, *resolved.gyro)
-    table = read_cells(path, form, wanted, mapping.decimal or "point")
-    table, left_out = _filled(path, form, wanted, table)
-    seconds = PER_SECOND.get(resolved.time_unit)
-    times = table.numbers[:, 0] / seconds if seconds else table.numbers[:, 0] * IN_SECONDS[resolved.time_unit]
+    decimal = mapping.decimal or "point"
+    table = read_cells(path, form, wanted, decimal)
+    clock = read_clock(path, form, resolved.time, resolved.time_unit, decimal, table.numbers[:, 0])
+    filled = _filled(path, form, wanted, table)
+    left_out, times = int(len(filled) - filled.sum()), clock.times[filled]
+    table = PlainTable(table.numbers[filled], table.lines[filled])
     kept = rising(path, times, table)
     repeated = int(len(kept) - kept.sum())
     times, table = times[kept], PlainTable(table.numbers[kept], table.lines[kept])
@@ -93,7 +95,9 @@ def read_columns(path: str | Path, mapping: ColumnMapping) -> Trajectory:
         header=_header(form), delimiter=DELIMITERS[form.delimiter], time=_time_words(form, resolved),
         attitude=_attitude_words(form, resolved, mapping), angular_velocity=_gyro_words(form, resolved),
         samples=len(times), first=float(times[0]), last=float(times[-1]), left_out=left_out, repeated=repeated,
-        largest_deviation=deviation, rates_apart=agreement(times, attitude, velocity), notes=resolved.notes,
+        largest_deviation=deviation, rates_apart=agreement(times, attitude, velocity),
+        notes=(*resolved.notes, *filter(None, (clock.note,))),
+        counted_from=in_words(clock.begin) if clock.begin else None,
     )  # fmt: skip
     parts = [part for part, value in ((ATTITUDE, attitude), (ANGULAR_VELOCITY, velocity)) if value is not None][:1]
     states = velocity if attitude is None else attitude
@@ -199,8 +203,8 @@ def _there_are(form: TableForm, column: str) -> str:
     return f"{hint}Its columns are {listed}{more}."
 
 
-def _filled(path: Path, form: TableForm, columns: tuple[int, ...], table: PlainTable) -> tuple[PlainTable, int]:
-    """Return the rows with values, and how many have none.
+def _filled(path: Path, form: TableForm, columns: tuple[int, ...], table: PlainTable) -> np.ndarray:
+    """Return which rows (n,) have values; the others have none.
 
     Raises:
         FormatError: for a row that has some of them.
@@ -215,7 +219,7 @@ def _filled(path: Path, form: TableForm, columns: tuple[int, ...], table: PlainT
                           "that are filled together.")  # fmt: skip
     if empty.all():
         raise FormatError(f"{path}: no line has values in the columns asked for. Choose other columns.")
-    return PlainTable(table.numbers[~empty], table.lines[~empty]), int(empty.sum())
+    return ~empty
 
 
 def _header(form: TableForm) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from decimal import Decimal
 from pathlib import Path, PurePosixPath
 from typing import NamedTuple
 
@@ -19,10 +20,11 @@ from polhode.formats.gyro_dialects import (
     places_of,
     time_place,
 )  # fmt: skip
-from polhode.formats.header_words import IN_RADIANS, IN_SECONDS, PER_SECOND, RATE_UNITS, TIME_UNITS, unit_in
+from polhode.formats.header_words import IN_RADIANS, RATE_UNITS, TIME_UNITS, unit_in
 from polhode.formats.log_archives import is_archive, unpacked
 from polhode.formats.opening import check_is_file, is_folder
 from polhode.formats.plain_table import LARGEST_FILE, decimal_of, first_lines, read_cells
+from polhode.formats.stamps import read_clock
 from polhode.formats.table_form import DELIMITERS, Line, TableForm, cells_of, form_of
 from polhode.types import Array
 
@@ -110,22 +112,19 @@ def _read_table(path: Path, mapping: ColumnMapping | None, told: Told) -> ReadLo
     felt = _acceleration(form, dialect, notes) if dialect else None
     columns = (resolved.time, *resolved.gyro, *(felt[0] if felt else ()))
     numbers = read_cells(path, form, columns, decimal, told).numbers
-    times = _seconds(numbers[:, 0], resolved.time_unit)
+    clock_of_rates = read_clock(path, form, resolved.time, resolved.time_unit, decimal, numbers[:, 0])
+    times = clock_of_rates.times
     rates = numbers[:, 1:4] * IN_RADIANS[resolved.rate_unit]
     acceleration, clock, source = (numbers[:, 4:] * felt[1], times, path.name) if felt else (None, None, None)
     del numbers  # of long logs these are the most memory
     if not felt and dialect:
-        clock, acceleration, source = _beside(path, dialect, told)
+        clock, acceleration, source = _beside(path, dialect, clock_of_rates.begin, told)
     try:
         log = clean_log(times, rates, clock, acceleration)
     except InvalidInput as error:
         raise InvalidInput(f"{path}: {error}") from None
-    notes += [*resolved.notes, *_remarks(log)]
+    notes += [*resolved.notes, *filter(None, (clock_of_rates.note,)), *_remarks(log)]
     return ReadLog(log, dialect.name if dialect else "a mapping", resolved.rate_unit, source, tuple(notes))
-
-
-def _seconds(values: Array, unit: str) -> Array:
-    return values / PER_SECOND[unit] if unit in PER_SECOND else values * IN_SECONDS[unit]
 
 
 def _form(path: Path, mapping: ColumnMapping | None) -> tuple[TableForm, GyroDialect | None]:
@@ -174,14 +173,19 @@ def _acceleration(form: TableForm, dialect: GyroDialect, notes: list[str]) -> tu
         return None
     unit = acceleration_unit(form.names[places[0]], dialect)
     if unit is None:
-        notes.append("accelerations are left out, as their unit is not known; decode the log with --unit-acceleration "
-                     "m/s2 to use them.")  # fmt: skip
+        notes.append("accelerations are left out, as their unit is not known; have Betaflight's blackbox_decode write "
+                     "them by its option --unit-acceleration m/s2.")  # fmt: skip
         return None
     return places, unit
 
 
-def _beside(path: Path, dialect: GyroDialect, told: Told) -> tuple[Array | None, Array | None, str | None]:
-    """Return times [s] and accelerations [m/s²] from the file next to the gyro's, None without one, and its name."""
+def _beside(
+    path: Path, dialect: GyroDialect, begin: Decimal, told: Told
+) -> tuple[Array | None, Array | None, str | None]:
+    """Return times [s] and accelerations [m/s²] from the file next to the gyro's, None without one, and its name.
+
+    Times count from ``begin`` [s], as those of the gyro's file do.
+    """
     for name in dialect.beside:
         other = path.with_name(name)
         if other == path or not other.is_file():
@@ -192,9 +196,11 @@ def _beside(path: Path, dialect: GyroDialect, told: Told) -> tuple[Array | None,
         unit = acceleration_unit(form.names[places[0]], dialect) if places else None
         if time is None or places is None or unit is None:
             continue
-        numbers = read_cells(other, form, (time, *places), decimal_of(other, form), told).numbers
-        clock = unit_in(form.names[time], TIME_UNITS) or dialect.time_unit
-        return _seconds(numbers[:, 0], clock), numbers[:, 1:] * unit, name
+        decimal = decimal_of(other, form)
+        numbers = read_cells(other, form, (time, *places), decimal, told).numbers
+        time_unit = unit_in(form.names[time], TIME_UNITS) or dialect.time_unit
+        clock = read_clock(other, form, time, time_unit, decimal, numbers[:, 0], begin)
+        return clock.times, numbers[:, 1:] * unit, name
     return None, None, None
 
 

@@ -52,9 +52,9 @@ def written_together(folder: str | Path) -> Iterator[Path]:
         InvalidInput: as ``written_whole`` does, and where a folder is in a file's place.
     """
     folder = Path(folder)
-    with _worded(folder, "Choose another folder with --out."):
+    with _worded(folder, "Choose another folder."):
         if folder.exists() and not folder.is_dir():
-            raise InvalidInput(f"{folder}: is a file, where a folder is needed. Choose another with --out.")
+            raise InvalidInput(f"{folder}: is a file, where a folder is needed. Choose another.")
         with folder_made(folder), draft_in(folder) as draft:
             with _named_as_meant(draft.new, folder):
                 yield draft.new

@@ -107,6 +107,17 @@ def _joined(blocks: list[Array]) -> Array:
     return whole
 
 
+def read_texts(path: Path, form: TableForm, column: int) -> Iterator[str]:
+    """Yield the cells of a column as they stand, of a table that ``read_cells`` has read without complaint.
+
+    Raises:
+        InvalidInput, FormatError: as ``table_form`` does.
+    """
+    for line in _lines_of(path):
+        if line.number >= form.first and not is_comment(line.text):
+            yield cells_of(line.text, form.delimiter)[column]
+
+
 def _lines_of(path: Path) -> Iterator[Line]:
     try:
         with io.TextIOWrapper(open_file(path, "table", LARGEST_FILE), "utf-8-sig") as file:

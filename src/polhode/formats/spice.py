@@ -118,7 +118,7 @@ def _is_anothers(file: Path) -> bool:
         return False
     if text.startswith(b"KPL/LSK"):
         return True
-    raise InvalidInput(f"{file}: is in the way, and polhode did not write it. Name the C-kernel otherwise with --out.")
+    raise InvalidInput(f"{file}: is in the way, and polhode did not write it. Name the C-kernel otherwise.")
 
 
 class _Records(NamedTuple):

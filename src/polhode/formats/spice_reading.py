@@ -29,7 +29,8 @@ BEGINNINGS = (b"DAF/CK", b"NAIF/DAF")
 LARGEST_FILE = 2000 * MB  # as much as SPICE addresses by four bytes
 MOST_SECONDS = 6e10  # 1900 years either way of 2000
 EQUAL = 2000  # samples, spread evenly, of types that keep no records at times of their own
-NEEDED = "It needs the clock kernel (.tsc) of its spacecraft, often a frame kernel (.tf): give --sclk, --fk, --lsk."
+NEEDED = ("It needs the clock kernel (.tsc) of its spacecraft, often a frame kernel (.tf): put them next to it under "
+          "its name, or give --sclk, --fk, --lsk of `polhode import` and `polhode compare`.")  # fmt: skip
 
 
 def read_ck(
@@ -65,7 +66,8 @@ def read_ck(
     found = {name: _beside(path, name, ending, chosen) for (name, ending), chosen in
              zip(KINDS.items(), (fk, sclk, lsk), strict=True)}  # fmt: skip
     if found["clock"] is None:
-        raise InvalidInput(f"{path}: needs the clock kernel of its spacecraft; give it with --sclk FILE.tsc.")
+        raise InvalidInput(f"{path}: needs the clock kernel of its spacecraft. Put it next to this one under its name, "
+                           "or give --sclk of `polhode import` and `polhode compare`.")  # fmt: skip
     segments = check_ck(path)
     with tempfile.TemporaryDirectory(prefix="polhode-") as folder:
         if found["leap seconds"] is None:
@@ -81,13 +83,14 @@ def _read(path: Path, kernels: Sequence[Path], segments: Sequence[Segment], spic
             segments = [one for one in segments if one.instrument == number]
             clock = int(spice.ckmeta(number, "SCLK"))
             if _pool(spice, f"SCLK_DATA_TYPE_{-clock}") is None:
-                raise FormatError(f"{path}: no kernel loaded with it has its clock, of number {clock}. Check --sclk.")
+                raise FormatError(f"{path}: no kernel loaded with it has its clock, of number {clock}. Check the "
+                                  "clock kernel (.tsc).")  # fmt: skip
             return _sampled(spice, path, number, clock, _ticks(path, segments), segments)
     except InvalidInput:
         raise
     except Exception:  # what SPICE hands over need not be text, numbers, or as many as were asked for
         why = "cannot be read with the kernels that go with it; one of them is damaged, or of another spacecraft"
-        raise FormatError(f"{path}: {why}. Check --sclk, --fk and --lsk.") from None
+        raise FormatError(f"{path}: {why}. Check its kernels, .tsc, .tf and .tls.") from None
 
 
 def _beside(path: Path, name: str, ending: str, chosen: str | Path | None) -> Path | None:
@@ -108,7 +111,8 @@ def _whose(path: Path, segments: Sequence[Segment], spice_id: int | None) -> int
         return 1000 * spice_id
     held = ", ".join(map(str, numbers[:20])) or "none"
     came = "none was asked for" if spice_id is None else f"got {spice_id}"
-    raise InvalidInput(f"{path}: holds attitudes of the numbers {held}; {came}. Choose one with --spice-id.")
+    raise InvalidInput(f"{path}: holds attitudes of the numbers {held}; {came}. Choose one with --spice-id of "
+                       "`polhode import` and `polhode compare`.")  # fmt: skip
 
 
 def _ticks(path: Path, segments: Sequence[Segment]) -> Array:
@@ -186,7 +190,7 @@ def _times(spice: Any, path: Path, clock: int, ticks: Array) -> tuple[Array, str
         return since - zero, as_epoch(Fraction(zero)), "TDB"
     system = "TT" if _pool(spice, f"SCLK01_TIME_SYSTEM_{number}") == 2 else "TDB"  # where it is silent, TDB
     if len(table) % 3 or not np.isfinite(table).all() or not (moduli > 0).all() or (np.diff(table[::3]) <= 0).any():
-        raise FormatError(f"{path}: the clock kernel's table for clock {clock} is broken. Check --sclk.")
+        raise FormatError(f"{path}: the clock kernel's table for clock {clock} is broken. Check its file.")
     table, per_second = table.reshape(-1, 3), float(np.prod(moduli[1:]))
     row = np.clip(np.searchsorted(table[:, 0], ticks, side="right") - 1, 0, None)
     elapsed = (ticks - table[row, 0]) / per_second * table[row, 2]
@@ -214,7 +218,7 @@ def _zero(path: Path, seconds: float) -> float:
     """Return the whole second of a time past J2000, which a calendar of four digits has."""
     if not abs(seconds) < MOST_SECONDS:
         why = f"its clock kernel gives {seconds:g} s past 2000, outside the calendar"
-        raise FormatError(f"{path}: {why}. Check --sclk.")
+        raise FormatError(f"{path}: {why}. Check that kernel.")
     return float(np.floor(seconds))
 
 

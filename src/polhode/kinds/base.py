@@ -181,7 +181,7 @@ class AbstractKind:
 
     def next_steps(self, spec: Spec) -> Sequence[NextStep]:
         """Return the commands to go on with from a report of this kind."""
-        return (NextStep("view", "shows the motion"),) if self.has_motion else ()
+        return (NextStep("view", "shows the motion"),) if self._has_pictures() else ()
 
     def offers(self, spec: Spec) -> Sequence[NextStep]:
         """Return the commands by which this kind makes something of a spec of another kind; none without a reason."""
@@ -195,6 +195,10 @@ class AbstractKind:
         """
         if not self._has("panel.py"):
             self.check_motion()
+
+    def _has_pictures(self) -> bool:
+        """Whether any page has something to draw: the kind's own panels, or a body that turns."""
+        return self._has("panel.py") or (self.has_motion and self.has_attitude)
 
     def check_motion(self) -> None:
         """Refuse what needs a motion.

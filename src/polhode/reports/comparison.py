@@ -45,10 +45,11 @@ class ComparisonReport:
         if len(found.times) == 1:
             return f"They differ by {self._known(found.largest)} at the only time they have in common."
         text = f"They differ by up to {self._known(found.largest)}, {self._known(found.rms)} rms."
-        if found.explained:
-            assert found.alignment is not None
+        if found.alignment is not None:
             rest = float(found.alignment.remaining.max())
-            text += f" Constant misalignments and a constant rate explain all but {rest:.3g} rad of it."
+            text += " Constant misalignments and a constant rate"
+            text += f" explain all but {rest:.3g} rad of it." if found.explained else (
+                f" do not explain it: the best fit leaves {rest:.3g} rad.")  # fmt: skip
         return text
 
     def answers(self) -> list[Group | Table]:
@@ -90,7 +91,8 @@ class ComparisonReport:
         largest, turning = float(fit.remaining.max()), vector(fit.rate, "rad/s, space axes", digits=self._digits(6))
         missed = self.comparison.interpolation_error
         most, mean = (f"{x:.{known_digits(x, missed, 6)}g} rad" for x in (largest, fit.rms))
-        rest = f"{most}, {mean} rms"
+        rest, share = f"{most}, {mean} rms", fit.rms / self.comparison.rms
+        explains = "yes" if self.comparison.explained else f"no, {100.0 * share:.3g} % of the rms angle remains"
         axes = {side: vector(getattr(fit, side), "rad", digits=self._digits(6)) for side in ("body", "space")}
         return Group("Best fit, A = turn(rate · t) · space · B · body", [
             Answer("alignment.body", fit.body, "rad", "body axes misaligned by", "", axes["body"]),
@@ -99,7 +101,7 @@ class ComparisonReport:
             Answer("alignment.remaining.largest", largest, "rad", "angle that remains", "", rest),
             Answer("alignment.remaining.rms", fit.rms, "rad"),
             Answer("alignment.determined", fit.determined),
-            Answer("alignment.explains", self.comparison.explained, "", "explains it"),
+            Answer("alignment.explains", self.comparison.explained, "", "explains it", "", explains),
         ])  # fmt: skip
 
     def _known(self, value: float) -> str | None:

@@ -36,7 +36,7 @@ def build_body(table: BodyTable, folder: Path) -> Body:
     if table.mesh is not None:
         vertices, faces = read_mesh(folder / table.mesh, table.mesh_unit or 1.0, table.repair)
         with _of_file("mesh", table.mesh):
-            return from_mesh(vertices, faces, mass=table.mass, density=table.density, several=table.several)
+            return from_mesh(vertices, faces, table.mass, table.density, table.several, table.repair)
     if table.moments is not None:
         return Body.from_moments(*table.moments, mass=table.mass)
     if table.inertia is not None:

@@ -283,11 +283,14 @@ class AbstractLiePoissonSystem(AbstractSystem):
 
     @property
     def quantities(self) -> dict[str, Quantity]:
-        of_body = {"|L|²": MOMENTUM_SQUARED, "momentum_space": MOMENTUM_SPACE} if isinstance(self.algebra, SO3) else {}
+        # of a body, whose states are its momentum in SI; what other algebras mean is their system's to say
+        of_body = {"energy": ENERGY} if isinstance(self.algebra, SO3 | SE3) else {}
+        if isinstance(self.algebra, SO3):
+            of_body |= {"|L|²": MOMENTUM_SQUARED, "momentum_space": MOMENTUM_SPACE}
         point = jax.ShapeDtypeStruct(self.algebra.element_shape, self.algebra.dtype)
         casimirs = jax.eval_shape(self.algebra.named_casimirs, point)
         of_copies = {name: Quantity("", name, of_copies=True) for name, value in casimirs.items() if value.ndim}
-        return super().quantities | of_body | of_copies
+        return of_body | of_copies
 
     def layout(self, state: Double[Array, "..."]) -> StateLayout:
         """Return the attitude, where the state has it, and the point of the dual."""

@@ -11,6 +11,7 @@ import numpy as np
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
+from polhode.motion.layout import Quantity
 from polhode.systems.base import AbstractLiePoissonSystem, Balance
 from polhode.types import Array, ArrayLike, Double, Float64, Real
 
@@ -65,6 +66,10 @@ class DoubleBracketDamping(AbstractLiePoissonSystem):
     @property
     def sign(self) -> int:
         return self.system.sign
+
+    @property
+    def quantities(self) -> dict[str, Quantity]:
+        return self.system.quantities
 
     def energy(self, point: Double[Array, "..."]) -> Float64[Array, "..."]:
         return self.system.energy(point)

@@ -13,6 +13,7 @@ from polhode.algebra.power import Power
 from polhode.algebra.so3 import SO3
 from polhode.arrays import is_traced, known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
+from polhode.motion.layout import Quantity
 from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, Function, Round
 from polhode.systems.lattice_bonds import dot, turn
 from polhode.types import Array, ArrayLike, Double, Float64, Integer, Real
@@ -110,6 +111,10 @@ class SphereVortices(AbstractLiePoissonSystem):
             )
         _check_apart(np.asarray(self.positions(state)))
         return state
+
+    @property
+    def quantities(self) -> dict[str, Quantity]:
+        return super().quantities | {"energy": Quantity("rad2 s-2", "energy on the unit sphere, per density")}
 
     def energy(self, point: Float64[Array, "*batch n 3"]) -> Float64[Array, "*batch"]:
         return _pair_energy(self.strengths, self.positions(point))
@@ -216,6 +221,10 @@ class PlaneVortices(AbstractLiePoissonSystem):
             )
         _check_apart(np.asarray(state)[..., :2])
         return state
+
+    @property
+    def quantities(self) -> dict[str, Quantity]:
+        return super().quantities | {"energy": Quantity("m4 s-2", "interaction energy, per density and depth")}
 
     def energy(self, point: Float64[Array, "*batch n 3"]) -> Float64[Array, "*batch"]:
         return _pair_energy(self.strengths, jnp.asarray(point)[..., :2])

@@ -13,6 +13,7 @@ from polhode.algebra.quantized_sphere import QuantizedSphere
 from polhode.algebra.sphere_laplacian import inverse_laplacian
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
+from polhode.motion.layout import Quantity
 from polhode.systems.base import AbstractLiePoissonSystem, Function
 from polhode.systems.sphere_harmonics import (
     checked_coefficients,
@@ -119,6 +120,10 @@ class SphereFluid(AbstractLiePoissonSystem):
     def stream_function(self, point: Matrices) -> Matrices:
         """Return P = Δ⁻¹(W − F) (…, N, N)."""
         return inverse_laplacian(jnp.asarray(point) - self.planetary)
+
+    @property
+    def quantities(self) -> dict[str, Quantity]:
+        return super().quantities | {"energy": Quantity("rad2 s-2", "energy ½∫v² on the unit sphere, per density")}
 
     def energy(self, point: Matrices) -> Float64[Array, "*batch"]:
         relative = jnp.asarray(point) - self.planetary

@@ -11,6 +11,7 @@ from polhode.algebra.dual_numbers import DualNumbers
 from polhode.algebra.quantized_sphere import QuantizedSphere
 from polhode.algebra.sphere_laplacian import inverse_laplacian, laplacian
 from polhode.arrays import known_numbers_only
+from polhode.motion.layout import Quantity
 from polhode.systems.base import AbstractLiePoissonSystem, Function
 from polhode.systems.sphere_fluid import SphereFluid
 from polhode.systems.sphere_harmonics import (
@@ -79,6 +80,10 @@ class SphereMHD(AbstractLiePoissonSystem):
     def current(self, point: Pairs) -> Matrices:
         """Return B = ΔΘ (…, N, N)."""
         return laplacian(jnp.asarray(point)[..., 0, :, :])
+
+    @property
+    def quantities(self) -> dict[str, Quantity]:
+        return super().quantities | {"energy": Quantity("rad2 s-2", "energy on the unit sphere, per density")}
 
     def energy(self, point: Pairs) -> Float64[Array, "*batch"]:
         theta = jnp.asarray(point)[..., 0, :, :]

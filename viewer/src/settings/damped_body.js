@@ -82,6 +82,9 @@ export function facts({ moments, velocity, rate }, solver) {
   return found;
 }
 
+/** Return how long it takes to the flat spin [s]; null if that is not soon. */
+export const event = ({ velocity, rate }, solver) => (rate > 0 ? flatSpin(solver, Math.hypot(...velocity)) : null);
+
 /** Return when L is within 5° of the axis of largest moment for good [s after the epoch]; null if not soon. */
 function flatSpin(solver, speed) {
   const step = (2 * Math.PI) / speed / 4;

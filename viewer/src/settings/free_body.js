@@ -6,6 +6,7 @@ import { angles, momentControls, momentumOf, nearestAxis, SPIN_KEYS, spinControl
 
 const DEGREE = Math.PI / 180;
 const [CONING, FLIPPING, SWINGING] = [45, 60, 20]; // degrees of the cone's half-angle, and of its swing
+const FLIPS = "turns over and over"; // alone has a time of turning over
 const DWELLING = 0.995; // modulus from which L dwells at the intermediate axis
 
 export const dragged = true; // the momentum's point can be dragged on its sphere
@@ -94,14 +95,22 @@ export function facts({ moments, velocity }, solver) {
   const order = ascending(moments);
   const { period, regime } = solver;
   const finite = period !== null && Number.isFinite(period);
-  const found = [["what it does", seen(moments, velocity, solver, order)]];
+  const form = seen(moments, velocity, solver, order);
+  const found = [["what it does", form]];
   if (finite) found.push(["period of L in the body", clock(period, period)]);
   if (finite && solver.precessionPerPeriod !== null) {
     found.push(["precession about L", `${worded(solver.precessionPerPeriod / DEGREE, 5)}° per period`]);
   }
-  if (Number.isFinite(solver.flipInterval ?? NaN)) found.push(["turns over every", clock(solver.flipInterval, solver.flipInterval)]);
+  if (form === FLIPS && Number.isFinite(solver.flipInterval ?? NaN)) found.push(["turns over every", clock(solver.flipInterval, solver.flipInterval)]);
   found.push(["regime", regime]);
   return found;
+}
+
+/** Return how long it takes until the body has turned over, or its axis has gone round L in the body [s]; null of a steady turn. */
+export function event({ moments, velocity }, solver) {
+  const { period, flipInterval } = solver;
+  if (period === null || !Number.isFinite(period)) return null;
+  return seen(moments, velocity, solver, ascending(moments)) === FLIPS ? flipInterval : period;
 }
 
 /** Return what a person would see, by the same limits as polhode's reports. */
@@ -113,7 +122,7 @@ function seen(moments, velocity, { regime, modulus }, order) {
   const close = Number(least.toPrecision(3)) === Number(most.toPrecision(3));
   const half = close ? arc(most) : `${arc(least)} to ${arc(most)}`;
   if (most < CONING) return `cones, its axis ${half} from L`;
-  if (most >= FLIPPING && (most - least >= SWINGING || modulus > DWELLING)) return "turns over and over";
+  if (most >= FLIPPING && (most - least >= SWINGING || modulus > DWELLING)) return FLIPS;
   return `tumbles, its axis ${half} from L`;
 }
 

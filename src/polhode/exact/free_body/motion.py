@@ -188,7 +188,10 @@ class FreeMotion(AbstractMotion):
 
     @property
     def flip_interval(self) -> Any:
-        """T/2 [s]: the time from one reversal along the intermediate axis to the next; none for a symmetric body."""
+        """T/2 [s]: from one reversal of L along the intermediate axis to the next; none for a symmetric body.
+
+        L of a body that only cones swings so too; ``analysis.cone.rotation_form`` tells which body turns over.
+        """
         xp = namespace(self._numbers.period)
         symmetric = self._numbers.regime == geometry.SYMMETRIC
         return plain_answer(xp.where(symmetric, math.nan, 0.5 * self._numbers.period))

@@ -8,11 +8,11 @@ from typing import NamedTuple
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 
-LEVEL = 1e-16  # cosine of the tilt of a level axis, whose angle π/2 is no double
+LEVEL = 3.6e-15  # cosine of the tilt of a level axis, 16 roundings: π/2 is no double, and attitudes round it further
 
 
 class SteadyPrecession(NamedTuple):
-    """Rates of steady precession [rad/s] at one tilt and spin; ``fast`` is None for a level axis."""
+    """Rates of steady precession [rad/s] at one tilt and spin; ``fast`` is None for a level axis, to rounding."""
 
     slow: float
     fast: float | None
@@ -64,7 +64,7 @@ def steady_precession(
         )
     moment = I1 if spin_rate is None else I1 - I3
     quadratic, momentum = moment * math.cos(tilt), I3 * given
-    if moment == 0.0 or abs(math.cos(tilt)) < LEVEL:
+    if moment == 0.0 or abs(math.cos(tilt)) <= LEVEL:
         return SteadyPrecession(mgl / momentum, None) if momentum else None
     square = momentum * momentum - 4.0 * quadratic * mgl
     if square < 0.0:
@@ -96,7 +96,7 @@ def least_spin_rate(moments: tuple[float, float, float], mgl: float, tilt: float
     if not math.isfinite(tilt):
         raise InvalidInput(f"`tilt` must be finite; got {shown(tilt)} rad.")
     height = math.cos(tilt)
-    return 0.0 if abs(height) < LEVEL else 2.0 * math.sqrt(max(0.0, (I1 - I3) * height * mgl)) / I3
+    return 0.0 if abs(height) <= LEVEL else 2.0 * math.sqrt(max(0.0, (I1 - I3) * height * mgl)) / I3
 
 
 @known_numbers_only

@@ -21,6 +21,7 @@ from polhode.reports.base import AbstractMotionReport
 from polhode.reports.wording import rate, uncertain
 from polhode.systems.euler_disk import LAYOUT, EulerDisk
 
+TELLING = 0.3  # of an exponent, beyond which its uncertainty tells no law from another: 1/3, 4/9 and 1/2
 PURE = 0.9  # of the power, from which on one law is said to dominate
 EVENTS = {END_OF_REGIME: "power laws hold up to"}  # of the report's rows; others are called what they are
 ENDS = {"flat": "lies flat", "lift-off": "lifts off the table", "on edge": "stands on its edge"}
@@ -42,7 +43,6 @@ class LawShare(NamedTuple):
     power: float
     share: float
     share_late: float | None
-
 
 @dataclass(frozen=True)
 class EulerDiskReport(AbstractMotionReport):
@@ -219,12 +219,14 @@ class EulerDiskReport(AbstractMotionReport):
             "precession_exponent": ("Ω ∝ (t0 − t)^k", law),
             "precession_by_tilt_exponent": ("Ω ∝ tilt^k", "any law; not −1"),
         }
+        of_whom = ", of a thin disk" if self.table.thickness else ""
         rows = [{"name": name, **values} for name, values in self._fits(found).items()]
         columns = {
             "law": lambda row: said[row["name"]][0],
-            "fitted": lambda row: uncertain(row["fitted"], row["uncertainty"]),
+            "fitted": lambda row: uncertain(row["fitted"], row["uncertainty"]) + (
+                ", too uncertain to compare" if row["uncertainty"] > TELLING * abs(row["fitted"]) else ""),
             "predicted": lambda row: (
-                "–" if row["predicted"] is None else f"{_predicted(row['predicted'])} ({said[row['name']][1]})"
+                "–" if row["predicted"] is None else f"{_predicted(row['predicted'])} ({said[row['name']][1]}{of_whom})"
             ),
         }
         title = f"Exponents, fitted where |tilt rate|/(tilt·Ω) < {ASYMPTOTIC_FIT:g}"

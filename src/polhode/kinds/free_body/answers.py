@@ -45,6 +45,7 @@ class FreeBodyReport(AbstractMotionReport):
     """Everything said about one body and its motion; undefined or infinite values are None.
 
     Attributes:
+        twist_per_flip: turn about L from one flip to the next [rad]; None of a body that cones or tumbles.
         remarks: on how the spec was taken.
     """
 
@@ -93,7 +94,8 @@ class FreeBodyReport(AbstractMotionReport):
 
     def _motion(self) -> Group:
         motion, found = self.motion, self.herpolhode
-        tumbling = motion.tumbling_periods
+        tumbling, form = motion.tumbling_periods, rotation_form(motion)
+        flips = motion.flip_interval if form == "flipping" else None
         encircled = None if motion.encircled_axis is None else motion.encircled_axis + 1
         periods = ", ".join(f"{x:.8g} s" for x in tumbling if finite(x) is not None)
         unit = "1/√(kg m²)"
@@ -102,7 +104,7 @@ class FreeBodyReport(AbstractMotionReport):
             f"{unit} from the centre of the inertia ellipsoid"
         )  # fmt: skip
         return Group("Motion", [
-            Answer("form", rotation_form(motion)),
+            Answer("form", form),
             Answer("regime", motion.regime, "", "regime"),
             Answer("encircled_axis", encircled),
             Answer("modulus", motion.modulus),
@@ -110,7 +112,7 @@ class FreeBodyReport(AbstractMotionReport):
             Answer("momentum_norm", motion.momentum_norm, "kg m²/s", "|L|"),
             Answer("polhode_period", motion.period, "s", "polhode period T"),
             Answer("rotation_period", self.rotation_period, "s", "rotation period"),
-            Answer("flip_interval", motion.flip_interval, "s", "flip interval T/2"),
+            Answer("flip_interval", flips, "s", "flip interval T/2"),
             Answer("twist_per_flip", self.twist_per_flip, "rad", "turn about L per flip"),
             *_precession("body", self.precession_body),
             *_precession("space", self.precession_space),
@@ -217,7 +219,7 @@ def free_body_report(
         precession_body=body_precession(motion),
         precession_space=space_precession(motion),
         rotation_period=rotation_period(motion),
-        twist_per_flip=turn_per_flip(motion),
+        twist_per_flip=turn_per_flip(motion) if rotation_form(motion) == "flipping" else None,
     )
 
 

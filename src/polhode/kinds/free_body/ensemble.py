@@ -42,6 +42,15 @@ class FreeBodies:
         return np.array(REGIMES)[self.motion.regime]
 
     @cached_property
+    def form(self) -> Any:
+        return rotation_forms(self.motion)
+
+    @cached_property
+    def flip_interval(self) -> Any:
+        """NaN of what cones or tumbles."""
+        return np.where(self.form == "flipping", self.motion.flip_interval, math.nan)
+
+    @cached_property
     def steady(self) -> Any:
         return (self.regime == "permanent") | (self.regime == "spherical")
 
@@ -75,7 +84,7 @@ def _encircled(found: FreeBodies) -> Any:
 
 def _turn_per_flip(found: FreeBodies) -> Any:
     turn = found.motion.precession_per_period
-    return np.where(np.isnan(found.motion.flip_interval), math.nan, 0.5 * turn)
+    return np.where(np.isnan(found.flip_interval), math.nan, 0.5 * turn)
 
 
 def _sense(found: FreeBodies) -> Any:
@@ -93,7 +102,7 @@ NUMBERS: dict[str, Callable[[FreeBodies], Any]] = {
     "angular_speed": lambda found: found.speed,
     "momentum": lambda found: found.momentum,
     "principal_moments": lambda found: np.broadcast_to(found.motion.moments, found.momentum.shape),
-    "form": lambda found: rotation_forms(found.motion),
+    "form": lambda found: found.form,
     "regime": lambda found: found.regime,
     "encircled_axis": _encircled,
     "modulus": lambda found: found.motion.modulus,
@@ -101,7 +110,7 @@ NUMBERS: dict[str, Callable[[FreeBodies], Any]] = {
     "momentum_norm": lambda found: found.motion.momentum_norm,
     "polhode_period": lambda found: found.motion.period,
     "rotation_period": lambda found: np.where(found.steady, 2.0 * math.pi / found.speed, math.nan),
-    "flip_interval": lambda found: found.motion.flip_interval,
+    "flip_interval": lambda found: found.flip_interval,
     "twist_per_flip": _turn_per_flip,
     "precession.body.rate": lambda found: 2.0 * math.pi / found.motion.period,
     "precession.body.sense": _sense,

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 from scipy.constants import e, hbar
@@ -20,6 +20,7 @@ from polhode.integrators.base import AbstractOrbitSolver
 from polhode.kinds.base import Spec
 from polhode.kinds.spin_lattice.build import lattice_of, start_of, wave_path
 from polhode.kinds.spin_lattice.table import SpinLatticeTable
+from polhode.motion.layout import ENERGY
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import accuracy
 from polhode.reports.answer import Answer, Group, Table
@@ -244,7 +245,18 @@ def report_of(spec: Spec) -> SpinLatticeReport:
         trajectory = simulate(
             system, state, times, method, step=step, order=order, progress=shown, estimate_error=False
         )
-    return SpinLatticeReport(system, table, trajectory, spec.samples)
+    return SpinLatticeReport(system, table, _in_joules(trajectory), spec.samples)
+
+
+def _in_joules(trajectory: Trajectory) -> Trajectory:
+    """Return the trajectory with its energy in J; the system's is over ħ, as its spins are."""
+    def scaled(values: Mapping[str, Any]) -> dict[str, Any]:
+        return {name: hbar * value if name == "energy" else value for name, value in values.items()}
+
+    return replace(
+        trajectory, invariants=scaled(trajectory.invariants), balances=scaled(trajectory.balances),
+        quantities=trajectory.quantities | {"energy": ENERGY},
+    )  # fmt: skip
 
 
 def answers_without_motion(spec: Spec) -> Iterator[Group | Table]:

@@ -1,0 +1,88 @@
+"""Two clocks laid side by side: by their epochs, by ``--offset``, or by what may be assumed."""
+
+from __future__ import annotations
+
+import re
+from decimal import Decimal
+from typing import NamedTuple
+
+import numpy as np
+
+from polhode.analysis.comparison import SAME_TIME
+from polhode.cli.sources import Source
+from polhode.errors import InvalidInput, shown
+from polhode.formats.header_words import TIME_UNITS, unit_named
+from polhode.formats.stamps import IN_DECIMAL_SECONDS, exact_number, in_words
+from polhode.formats.time_scales import terrestrial_time
+
+START = "start"
+_TIME = re.compile(r"\s*(?P<number>[-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?)\s*(?P<unit>[A-Za-zµμ]+)\s*")
+
+
+class Laid(NamedTuple):
+    """A's time at B's time zero [s], of the times that the two histories have, and how that is known."""
+
+    offset: float
+    words: str
+
+
+def offset_of(text: str | None) -> Decimal | str | None:
+    """Return what ``--offset`` says: A's clock at B's zero [s], exactly, or START; None where it says nothing.
+
+    Raises:
+        InvalidInput: for what is neither.
+    """
+    if text is None or text == START:
+        return text
+    found = _TIME.fullmatch(text)
+    unit = unit_named(found["unit"], TIME_UNITS) if found else None
+    try:
+        if found and unit:
+            return exact_number(found["number"]) * IN_DECIMAL_SECONDS[unit]
+    except ValueError:
+        pass
+    raise InvalidInput(f"--offset must be `{START}`, or a time with its unit like `-68.5 s`; got {shown(text)}.")
+
+
+def lay_side_by_side(a: Source, b: Source, told: Decimal | str | None) -> Laid:
+    """Return how B's time goes with A's.
+
+    Args:
+        a, b: the two.
+        told: what ``offset_of`` made of ``--offset``.
+
+    Raises:
+        InvalidInput: where nothing says that both have one clock, and they begin at different times.
+    """
+    begins = [side.begin + Decimal(float(side.history.times[0])) for side in (a, b)]
+    if told == START:
+        return _laid(a, b, begins[0] - begins[1], "both begin at the same moment, as --offset says")
+    if isinstance(told, Decimal):
+        return _laid(a, b, told, f"B's time zero is at {in_words(told)} s of A, as --offset says")
+    if a.labels is not None and b.labels is not None:
+        epochs = [terrestrial_time(side.labels.epoch, side.labels.time_system) for side in (a, b) if side.labels]
+        words = [f"{side.labels.epoch} {side.labels.time_system}" for side in (a, b) if side.labels]
+        known = f"both count from {words[0]}" if words[0] == words[1] else f"by their epochs, {' and '.join(words)}"
+        return Laid(float(epochs[1] - epochs[0]), known)
+    silent = [name for name, side in (("A", a), ("B", b)) if side.labels is None]
+    unsaid = f"{' and '.join(silent)} {'tells' if len(silent) == 1 else 'tell'} no epoch"
+    shortest = min((float(np.diff(side.history.times).min()) for side in (a, b) if len(side.history.times) > 1),
+                   default=0.0)  # fmt: skip
+    same = a.history.resolution + b.history.resolution + SAME_TIME * shortest
+    if abs(float(begins[1] - begins[0])) > same:
+        raise InvalidInput(
+            f"nothing says that A and B have one clock: A begins at {_seconds(begins[0])}, B at {_seconds(begins[1])}, "
+            f"and {unsaid}. Say --offset {START} if both begin at the same moment, --offset 0s if the clocks are one, "
+            f"else A's time at B's time zero, like --offset={_seconds(begins[0] - begins[1]).replace(' ', '')}."
+        )
+    return _laid(a, b, Decimal(0), f"assumed to be one: both begin at {_seconds(begins[0])}, and {unsaid}")
+
+
+def _laid(a: Source, b: Source, told: Decimal, words: str) -> Laid:
+    """Return the offset of the times that are kept, of which each side's may count from its first stamp."""
+    return Laid(float(told + b.begin - a.begin), words)
+
+
+def _seconds(time: Decimal) -> str:
+    """Return a time to the nanosecond, and no digits that are but a double's."""
+    return f"{in_words(time.quantize(Decimal('1e-9')) if abs(time) < Decimal('1e15') else time)} s"

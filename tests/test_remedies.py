@@ -1,0 +1,242 @@
+"""Every message's remedy can be followed: the catalogue of all texts in the package, read from the source.
+
+What a text calls an option is an option of the commands that the text can come from, or of one that it names; what it
+calls a key of a spec is one; what stands in backticks is a name of the code that says it, or of polhode's.
+"""
+
+from __future__ import annotations
+
+import ast
+import re
+import types
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+from typing import Any, NamedTuple, get_args, get_origin
+
+import pytest
+import typer
+from pydantic import BaseModel
+
+import polhode
+from polhode.bodies.mesh import from_mesh
+from polhode.cli.commands import app
+from polhode.cli.main import main
+from polhode.errors import InvalidInput
+from polhode.kinds.base import AbstractKind
+from polhode.kinds.registry import find_kind, kind_names
+from polhode.spec.models import SpecFile
+from polhode.sweeps.plan import SweepTable
+
+ROOT = Path(polhode.__file__).parent
+OPTION = re.compile(r"(?<![\w-])--[a-z][a-z-]*")
+TICKED = re.compile(r"`([^`\n]+)`")
+TABLES = ("body", "spin", "time", "system", "export", "sweep")
+DOTTED = re.compile(rf"(?<![.\w])({'|'.join(TABLES)})\.([a-z][a-z_0-9]+)")
+SWITCH = re.compile(r"\b([a-z_]+) = (?:true|false)\b")
+OTHERS = {"--xla": "XLA's own, in an environment variable", "--unit-acceleration": "of Betaflight's blackbox_decode"}
+# from which commands the texts of a file come; files of cli/ that are not here are their command's alone
+FROM = {
+    "cli/columns.py": "import compare fit", "cli/sources.py": "import compare", "cli/clocks.py": "compare",
+    "cli/importing.py": "import", "cli/fit_throw.py": "fit", "cli/fit_attitude.py": "fit", "cli/fit_scale.py": "fit",
+    "cli/fit_rotor.py": "fit", "cli/fit.py": "fit", "cli/spectra.py": "lines",
+    "cli/destinations.py": "view export import fit wobble lines", "formats/known_tumblers.py": "tumble",
+    "reports/tumble.py": "tumble", "sweeps/store.py": "sweep",
+    "formats/column_reading.py": "import compare fit", "formats/gyro_logs.py": "fit",
+    "formats/plain_table.py": "import compare fit", "formats/spice_reading.py": "import compare fit",
+    "reports/comparison.py": "compare", "reports/throw.py": "fit", "sweeps/running.py": "sweep",
+    "sweeps/evaluation.py": "sweep", "estimation/throw_fit.py": "fit", "estimation/flight.py": "fit",
+}  # fmt: skip
+DECLARED = ("cli/commands.py", "cli/source_options.py", "cli/fit_options.py", "cli/tumble_options.py")
+"""Where options are declared, with help that speaks of several commands."""
+# words in backticks that are of other packages
+FOREIGN = {"np.polyfit", "float", "dask scheduler", "JAX_ENABLE_X64"}
+
+
+class Text(NamedTuple):
+    """A text of the source, with what is put into it left out as …, and where it begins."""
+
+    file: str
+    line: int
+    words: str
+
+
+@cache
+def catalogue() -> tuple[Text, ...]:
+    """Return all texts of the package that are no docstrings."""
+    found = []
+    for path in sorted(ROOT.rglob("*.py")):
+        tree = ast.parse(path.read_text("utf-8"))
+        inside = {id(part) for node in ast.walk(tree) if isinstance(node, ast.JoinedStr) for part in node.values}
+        said = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
+        for node in ast.walk(tree):
+            if id(node) in said or id(node) in inside:
+                continue
+            if isinstance(node, ast.Constant) and isinstance(node.value, str):
+                found.append(Text(path.relative_to(ROOT).as_posix(), node.lineno, node.value))
+            elif isinstance(node, ast.JoinedStr):
+                words = "".join(part.value if isinstance(part, ast.Constant) else "…" for part in node.values)
+                found.append(Text(path.relative_to(ROOT).as_posix(), node.lineno, words))
+    return tuple(found)
+
+
+@cache
+def commands() -> dict[str, set[str]]:
+    """Return the options of each command."""
+    group: Any = typer.main.get_command(app)
+    own = {option for one in group.params for option in (*one.opts, *one.secondary_opts)}
+    return {name: own | {option for one in command.params for option in (*one.opts, *one.secondary_opts)}
+            for name, command in group.commands.items()}  # fmt: skip
+
+
+def commands_of(text: Text) -> set[str]:
+    """Return the commands that the text can come from, or names."""
+    named = {name for name in commands() if f"polhode {name}" in text.words}
+    if named:
+        return named
+    own = FROM.get(text.file)
+    if own is not None:
+        return set(own.split())
+    stem = Path(text.file).stem.split("_")[0]
+    return {stem} if text.file.startswith("cli/") and stem in commands() else set()
+
+
+def wrong_options(texts: Iterator[Text] | tuple[Text, ...]) -> list[str]:
+    """Return what is wrong with the options that texts name."""
+    found = []
+    for text in texts:
+        for option in sorted(set(OPTION.findall(text.words)) - OTHERS.keys()):
+            anywhere = [name for name, options in commands().items() if option in options]
+            if not anywhere:
+                found.append(f"{text.file}:{text.line}: no command has {option}")
+            elif text.file not in DECLARED and any(option not in commands()[name] for name in commands_of(text)):
+                found.append(f"{text.file}:{text.line}: {commands_of(text)} do not all have {option}")
+            elif text.file not in DECLARED and not commands_of(text):
+                found.append(f"{text.file}:{text.line}: say in FROM which commands say this: {text.words!r}")
+    return found
+
+
+def test_options_that_messages_name_are_there():
+    """Of `polhode fit` on a C-kernel the remedy was --sclk, which it has not; a note advised --unit-acceleration."""
+    assert wrong_options(catalogue()) == []
+
+
+@pytest.mark.parametrize("words", ["Choose one with --segment.", "give it with --sclk FILE.tsc.", "Write --offsets."])
+def test_the_catalogue_would_notice(words):
+    assert wrong_options((Text("formats/spice_reading.py", 1, words),))
+
+
+# ---------------------------------------------------------------- keys of a spec
+
+
+def _models(at: Any) -> Iterator[type[BaseModel]]:
+    """Yield the models in an annotation, and in those of their fields."""
+    if isinstance(at, type) and issubclass(at, BaseModel):
+        yield at
+        for field in at.model_fields.values():
+            yield from _models(field.annotation)
+    elif get_origin(at) is not None or isinstance(at, types.UnionType):
+        for part in get_args(at):
+            yield from _models(part)
+
+
+@cache
+def keys() -> dict[str, set[str]]:
+    """Return the keys of each table of a spec, with those of all kinds in `system`."""
+    found = {name: {key for model in _models(field.annotation) for key in model.model_fields}
+             for name, field in SpecFile.model_fields.items()}  # fmt: skip
+    found["sweep"] = set(SweepTable.model_fields)
+    found["system"] = {"kind"}.union(
+        *(model.model_fields for name in kind_names() for model in _models(find_kind(name).table))
+    )
+    return found
+
+
+def test_keys_that_messages_name_are_there():
+    wrong = []
+    every = set().union(*keys().values())
+    for text in catalogue():
+        for table, key in DOTTED.findall(text.words):
+            if table in keys() and key not in keys()[table] and key not in ("toml", "zarr"):
+                wrong.append(f"{text.file}:{text.line}: no spec has {table}.{key}")
+        for key in SWITCH.findall(text.words):
+            if key not in every:
+                wrong.append(f"{text.file}:{text.line}: no spec has {key}")
+    assert wrong == []
+
+
+# ---------------------------------------------------------------- names in backticks
+
+
+@cache
+def names_in(file: str) -> frozenset[str]:
+    """Return all names that the code of a file uses or makes."""
+    found = set()
+    for node in ast.walk(ast.parse((ROOT / file).read_text("utf-8"))):
+        named = (getattr(node, name, None) for name in ("id", "arg", "attr", "name"))
+        found |= {name for name in named if isinstance(name, str)}
+        if isinstance(node, ast.Constant) and isinstance(node.value, str) and node.value.isidentifier():
+            found.add(node.value)  # names that are looked up
+    return frozenset(found)
+
+
+@cache
+def all_names() -> frozenset[str]:
+    return frozenset().union(*(names_in(path.relative_to(ROOT).as_posix()) for path in ROOT.rglob("*.py")))
+
+
+def test_what_stands_in_backticks_is_a_name():
+    every, wrong = set().union(*keys().values()), []
+    for text in catalogue():
+        for ticked in TICKED.findall(text.words):
+            if "…" in ticked or ticked in FOREIGN or OPTION.match(ticked) or text.words.count("`") % 2:
+                continue
+            if ticked.startswith("polhode "):
+                if ticked.split()[1] not in commands():
+                    wrong.append(f"{text.file}:{text.line}: no command is called `{ticked}`")
+                continue
+            near = names_in(text.file) | every
+            for name in re.findall(r"[A-Za-z_]\w*", re.sub(r'"[^"]*"|(?<=\.)\w+', "", ticked)):
+                if name not in near and name not in all_names() and name not in ("lambda", "True", "False", "if"):
+                    wrong.append(f"{text.file}:{text.line}: `{ticked}` names {name}, which nothing is called")
+    assert wrong == []
+
+
+# ---------------------------------------------------------------- remedies that fit where they are said
+
+
+def test_nobody_who_has_asked_for_repair_is_told_to():
+    corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
+    faces = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]
+    corners += [[0.2, 0.2, 0.2], [0.3, 0.2, 0.2], [0.2, 0.3, 0.2], [0.2, 0.2, 0.3]]
+    inside = [[a + 4, b + 4, c + 4] for a, b, c in faces]
+    for wrong in ([*faces[:3], *inside], [[0, 1, 2], *faces[1:]], [face[::-1] for face in faces], [*faces, *inside],
+                  [*faces, [0, 0, 1]]):  # fmt: skip
+        with pytest.raises(InvalidInput, match=r"ask for repair|Ask for repair|with repair"):
+            from_mesh(corners, wrong, density=1.0)
+        try:
+            from_mesh(corners, wrong, density=1.0, repair=True)
+        except InvalidInput as error:
+            assert "ask for repair" not in str(error) and "with repair" not in str(error)
+
+
+def test_a_spec_that_asks_for_repair_is_not_told_to(tmp_path, capsys):
+    corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 1 1\n"
+    (tmp_path / "open.obj").write_text(f"{corners}f 1 3 2\nf 1 2 4\nf 5 3 2\nf 5 4 1\n")
+    spec = tmp_path / "open.toml"
+    for asked, told in ((False, True), (True, False)):
+        said = "repair = true\n" if asked else ""
+        spec.write_text(f'[body]\nmesh = "open.obj"\nmesh_unit = "m"\ndensity = "1 kg/m^3"\n{said}')
+        with pytest.raises(SystemExit):
+            main(["body", str(spec)])
+        assert ("with repair" in capsys.readouterr().err) == told
+
+
+def test_a_page_is_offered_only_where_one_can_be_made():
+    class Counted(AbstractKind):
+        """Of another package: something that moves and has neither an attitude nor panels."""
+
+        name, has_attitude = "counted", False
+        _has = staticmethod(lambda name: False)  # no folder, no files
+
+    assert not Counted().next_steps(None)  # type: ignore[arg-type]
