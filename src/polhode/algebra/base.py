@@ -17,7 +17,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.arrays import custom_derivative
+from polhode.arrays import custom_derivative, is_traced
 from polhode.errors import InvalidInput
 from polhode.types import Array, ArrayLike, Double, Float64
 
@@ -138,11 +138,12 @@ class AbstractLieAlgebra(HashableModule):
 
     def structure_constants(self) -> Float64[Array, "{self.dim} {self.dim} {self.dim}"]:
         """Return c (dim, dim, dim), [e_i, e_j] = Σ_k c[i,j,k] e_k; for small algebras."""
-        return self._structure_constants
+        # of an algebra whose own numbers are traced they are traced too
+        return self._brackets_of_basis() if is_traced(*jax.tree.leaves(self)) else self._structure_constants
 
     def rate(self, x: Double[Array, "..."]) -> Float64[Array, "..."]:
         """Return how fast exp(tx) turns (…) [rad per unit of t]: the spectral radius of ad_x, or a bound of it."""
-        constants = np.abs(self.structure_constants())
+        constants = jnp.abs(self.structure_constants())
         return jnp.max(jnp.einsum("...i,ijk->...jk", jnp.abs(self.to_vector(x)), constants).sum(axis=-1), axis=-1)
 
     # ------------------------------------------------------------------ the group

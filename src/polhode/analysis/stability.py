@@ -18,6 +18,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode.algebra.functions import Function, checked_functions
 from polhode.algebra.properties import index, is_compact
 from polhode.analysis.conserved import Casimirs, Energy, Source, casimirs_of, check_motion, samples_around
 from polhode.analysis.energy_casimir import Stability, energy_casimir
@@ -36,7 +37,7 @@ from polhode.analysis.second_variation import null_space
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput
 from polhode.poisson.brackets import as_points
-from polhode.systems.base import AbstractLiePoissonSystem, Function, checked_functions
+from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.systems.euler_disk import EulerDisk
 from polhode.types import Array, ArrayLike, Real
 
