@@ -181,26 +181,31 @@ class AbstractLieAlgebra(HashableModule):
             k, term, total = carried
             return (k < SERIES_TERMS) & jnp.any(going(term, total))
 
-        def add(x: Array, carried: Array) -> Array:
-            k, term, total = carried
-            term = jnp.where(going(term, total), self.coadjoint(x, term) / (k + 1), 0.0)
-            return k + 1, term, total + term
+        # of an algebra with numbers of its own these are arguments too: no derivative knows what a rule encloses
+        numbers, rest = eqx.partition(self, eqx.is_inexact_array)
 
-        def summed(x: Array, mu: Array, known_count: bool) -> Array:
-            first = self.coadjoint(x, mu)
+        def summed(numbers: Any, x: Array, mu: Array, known_count: bool) -> Array:
+            coadjoint = eqx.combine(numbers, rest).coadjoint
+
+            def add(carried: Array) -> Array:
+                k, term, total = carried
+                term = jnp.where(going(term, total), coadjoint(x, term) / (k + 1), 0.0)
+                return k + 1, term, total + term
+
+            first = coadjoint(x, mu)
             start = (1, first, first)
             if known_count:
-                _, term, total = jax.lax.fori_loop(1, SERIES_TERMS, lambda _, now: add(x, now), start)
+                _, term, total = jax.lax.fori_loop(1, SERIES_TERMS, lambda _, now: add(now), start)
             else:
-                _, term, total = jax.lax.while_loop(unfinished, lambda now: add(x, now), start)
+                _, term, total = jax.lax.while_loop(unfinished, add, start)
             return jnp.where(going(term, total), jnp.nan, total)
 
         # reverse mode needs a known number of terms, of which most vanish
         def rule(primals: Any, tangents: Any) -> tuple[Array, Array]:
-            return moved(*primals), jax.jvp(lambda x, mu: summed(x, mu, True), primals, tangents)[1]  # pyright: ignore[reportCallIssue]
+            return moved(*primals), jax.jvp(lambda *given: summed(*given, True), primals, tangents)[1]  # pyright: ignore[reportCallIssue]
 
-        moved = custom_derivative(lambda x, mu: summed(x, mu, False), rule)
-        return moved(jnp.asarray(x), jnp.asarray(mu))
+        moved = custom_derivative(lambda *given: summed(*given, False), rule)
+        return moved(numbers, jnp.asarray(x), jnp.asarray(mu))
 
     def cayley_change(self, x: Double[Array, "..."], mu: Double[Array, "..."]) -> Double[Array, "..."]:
         """Return Ad*_{cay x} μ − μ."""
