@@ -17,7 +17,8 @@ REFERENCE = Path(__file__).parents[2] / "docs" / "reference.md"
 TAKE_FILES_AND_WORDS = {"cli", "figures", "formats", "kinds", "reports", "spec", "sweeps", "viewer", "errors"}
 INNER = {
     "arrays": None,
-    "algebra": {"fixed_array", "functions", "own_casimirs", "polynomial", "precision", "real_products", "sphere_laplacian"},
+    "algebra": {"fixed_array", "functions", "own_casimirs", "polynomial", "precision", "real_products",
+                "sphere_laplacian"},
     "analysis": {"conserved", "conserved_function", "equilibrium_data", "mechanics", "periapsis_map", "power_law",
                  "reasons", "second_variation"},
     "bodies": {"mesh_crossing", "mesh_gate", "pivot", "turned"},

@@ -203,9 +203,9 @@ def in_jax_numpy(what: str) -> Iterator[None]:
         place = _own_place(error)
         if place is not None:
             raise InvalidInput(
-                f"JAX cannot compile this at {place}, in polhode's own code. If a function of NumPy was given as it is, "
-                f"or an array in one of the {what} has changed its type, write it with jax.numpy; else it is a fault of "
-                f"polhode: please report it, with this line: {str(error).splitlines()[0]}"
+                f"JAX cannot compile what polhode does at {place}. If one of the {what} is a function of NumPy itself, "
+                "give that of jax.numpy; else this is a fault of polhode: please report it, with this line: "
+                f"{str(error).splitlines()[0]}"
             ) from error
         raise InvalidInput(
             f"{what} must be written with jax.numpy, as JAX compiles and differentiates them: no NumPy, `float` or "
