@@ -202,9 +202,10 @@ class AbstractLieAlgebra(HashableModule):
 
         # reverse mode needs a known number of terms, of which most vanish
         def rule(primals: Any, tangents: Any) -> tuple[Array, Array]:
-            return moved(*primals), jax.jvp(lambda *given: summed(*given, True), primals, tangents)[1]  # pyright: ignore[reportCallIssue]
+            counted = lambda numbers, x, mu: summed(numbers, x, mu, True)  # noqa: E731
+            return moved(*primals), jax.jvp(counted, primals, tangents)[1]  # pyright: ignore[reportCallIssue]
 
-        moved = custom_derivative(lambda *given: summed(*given, False), rule)
+        moved = custom_derivative(lambda numbers, x, mu: summed(numbers, x, mu, False), rule)
         return moved(numbers, jnp.asarray(x), jnp.asarray(mu))
 
     def cayley_change(self, x: Double[Array, "..."], mu: Double[Array, "..."]) -> Double[Array, "..."]:

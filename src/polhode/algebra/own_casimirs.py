@@ -16,7 +16,7 @@ from polhode.algebra.functions import Function, checked_functions
 from polhode.algebra.polynomial import Polynomial
 from polhode.algebra.properties import index
 from polhode.errors import InvalidInput
-from polhode.types import Array
+from polhode.types import Array, Float64
 
 HIGHEST_DEGREE = 4  # of polynomials looked for
 MOST_MONOMIALS = 1000  # of one degree: a fifth of a second of exact elimination
@@ -90,7 +90,7 @@ def _check_commutes(name: str, tensors: Array, gradients: Array) -> None:
         )
 
 
-def values_of(functions: tuple[Function, ...], point: Array) -> Array:
+def values_of(functions: tuple[Function, ...], point: Float64[Array, "dim"]) -> Float64[Array, "k"]:
     """Return the values (k,) at one point."""
     return jnp.stack([function(point) for function in functions]) if functions else jnp.zeros(0)
 
