@@ -1,7 +1,9 @@
 """Casimirs found by exact algebra: the textbook's, and none where there is none."""
 
+import sys
 from fractions import Fraction
 
+import jax.numpy as jnp
 import numpy as np
 import pytest
 
@@ -119,3 +121,67 @@ def test_a_system_too_large_is_refused_before_it_is_solved(monkeypatch):
     with pytest.raises(InvalidInput, match=r"equations for \d+ unknowns at once.*Lower the degree.*`casimirs=`"):
         lie.polynomial_casimirs(lie.SO(4), 4)
     assert len(lie.polynomial_casimirs(lie.SO(4), 2)) == 2
+
+
+ENGEL = np.zeros((4, 4, 4))
+ENGEL[0, 1, 2], ENGEL[1, 0, 2], ENGEL[0, 2, 3], ENGEL[2, 0, 3] = 1.0, -1.0, 1.0, -1.0
+
+
+def square(x):
+    return 2.0 * x[1] * x[3] - x[2] ** 2
+
+
+def test_an_algebra_of_ones_own_finds_its_casimirs_or_takes_those_given():
+    assert lie.from_structure_constants(ENGEL).casimir_names == ("x4", "2 x2 x4 − x3²")
+    last = lie.polynomial_casimirs(lie.from_structure_constants(ENGEL), 1)
+    given = lie.from_structure_constants(ENGEL, casimirs=[*last, square])
+    assert given.casimir_names == ("x4", "C2")
+    assert np.asarray(given.casimirs(np.array([[1.0, 2.0, 3.0, 4.0]]))).tolist() == [[4.0, 7.0]]
+    assert lie.from_structure_constants(ENGEL, casimirs=[]).casimir_names == ()
+    # of so(3) acting on vectors those of se(3), and of triangular matrices a quotient, which no search finds
+    rho = lie.SO3().structure_constants().transpose(0, 2, 1)
+    known = lie.Semidirect(lie.SO3(), rho, casimirs=[lambda x: x[3:] @ x[3:], lambda x: x[:3] @ x[3:]])
+    point = np.arange(1.0, 7.0)
+    assert sorted(np.asarray(known.casimirs(point)).tolist()) == sorted(
+        np.asarray(lie.SE3().casimirs(point)).tolist())  # fmt: skip
+    unit = lambda i, j: np.eye(3)[i][:, None] * np.eye(3)[j]  # noqa: E731
+    upper = np.array([unit(0, 0) - unit(1, 1), unit(1, 1) - unit(2, 2), unit(0, 1), unit(1, 2), unit(0, 2)])
+    assert lie.from_matrices(upper).casimir_names == ()
+    quotient = lie.from_matrices(upper, casimirs=[lambda m: m[0] - m[1] + 3.0 * m[2] * m[3] / m[4]])
+    assert quotient.casimir_names == ("C1",)
+
+
+@pytest.mark.parametrize(
+    ("casimirs", "words"),
+    [
+        ([lambda x: x[3], lambda x: x[2]], r"`casimirs\[1\]` must be a Casimir.*\{casimirs\[1\], x1\} is 1 of its"),
+        ([lambda x: 2.0 * x[1] * x[3] - 1.001 * x[2] ** 2], r"`casimirs\[0\]` must be a Casimir.*is 0\.000"),
+        ([lambda x: x[3], lambda x: x[3] ** 2], "independent; the gradients of these 2 span 1"),
+        ([lambda x: 3.0 + 0.0 * x[0]], "these 1 span 0"),
+        ([lambda x: x], "real scalar"),
+        ([lambda x: np.sum(np.asarray(x))], "written with jax"),
+        (square, "list of functions"),
+        ([lambda x: jnp.sqrt(-(x[3] ** 2))], "differentiable at most points"),
+    ],
+)
+@pytest.mark.usefixtures("any_type")
+def test_functions_that_are_no_casimirs_are_refused(casimirs, words):
+    with pytest.raises(InvalidInput, match=words):
+        lie.from_structure_constants(ENGEL, casimirs=casimirs)
+
+
+def test_without_flint_or_simple_fractions_none_are_watched(monkeypatch):
+    irrational = lie.from_structure_constants(ENGEL * np.sqrt(2.0))
+    assert irrational.casimir_names == () and irrational.casimirs(np.ones((3, 4))).shape == (3, 0)
+    monkeypatch.setitem(sys.modules, "flint", None)
+    assert lie.from_structure_constants(3.0 * ENGEL).casimir_names == ()
+    assert lie.from_structure_constants(3.0 * ENGEL, casimirs=[square]).casimir_names == ("C1",)
+
+
+def test_a_basis_that_depends_over_the_complex_numbers_acts_as_it_should():
+    """B and iB: group elements were read off over the complex numbers, with half of each component."""
+    basis = np.concatenate([lie.SL(2).basis, 1j * lie.SL(2).basis])
+    algebra = lie.from_matrices(basis, casimirs=[])
+    x, mu = np.random.default_rng(5).normal(size=(2, 6))
+    assert np.asarray(mu + algebra.exp_change(0.1 * x, mu)) == pytest.approx(
+        np.asarray(algebra.coadjoint_action(algebra.exp(0.1 * x), mu)), abs=1e-13)  # fmt: skip

@@ -90,7 +90,7 @@ class Specimen:
 
     def jacobian(self, x):
         """Return ∂ẋ_j/∂x_i as (j, i), by five points: exact for polynomials of degree four."""
-        h, columns = 0.1 * np.linalg.norm(x), []
+        h, columns = 0.1 * (np.linalg.norm(x) or 1.0), []
         for d in h * np.eye(x.size):
             one, two = self.field(x + d) - self.field(x - d), self.field(x + 2 * d) - self.field(x - 2 * d)
             columns.append((8.0 * one - two) / (12.0 * h))
@@ -112,7 +112,8 @@ def departures(specimens, points, starts, rates):
         slope = linear + (A @ x[:, :, None])[..., 0] + (cubes[:, None] @ b)[:, 0]
         return (slope[:, None] @ (x @ constants).reshape(-1, n, n))[:, 0]
 
-    x, far, h = starts.copy(), FAR * np.linalg.norm(points, axis=1), (STEP / rates)[:, None]
+    sizes = np.linalg.norm(points, axis=1)
+    x, far, h = starts.copy(), FAR * np.where(sizes > 0.0, sizes, 1.0), (STEP / rates)[:, None]
     distances = [np.linalg.norm(starts - points, axis=1)]
     for _ in range(int(TURNS / STEP)):
         k1 = field(x)
@@ -153,17 +154,21 @@ def judge(found, specimen, x):
     return None
 
 
-def judge_motion(found, distances, rate):
-    """Return what is false about a verdict beside a neighbour's distances (times,) from its equilibrium, or None."""
+def judge_motion(found, distances, rate, off=OFF, confined=CONFINED):
+    """Return what is false about a verdict beside a neighbour's distances (times,) from its equilibrium, or None.
+
+    It started at a share ``off`` of the distance up to which the linearised flow tells how it goes on, and may go
+    ``confined`` times as far where it is stable.
+    """
     start, farthest = distances[0], distances.max()
     half = len(distances) // 2
     if found.verdict == "stable":
-        if farthest > CONFINED * start:
+        if farthest > confined * start:
             return f"said to be stable, but a neighbour goes {farthest / start:.3g} times as far"
         if distances[half:].max() > 2.0 * distances[:half].max():
             return "said to be stable, but a neighbour's distance keeps growing"
     if found.verdict == "unstable" and found.growth == "exponential":
-        expected = min(np.exp(0.5 * found.rate * TURNS / rate), 0.02 / OFF)
+        expected = min(np.exp(0.5 * found.rate * TURNS / rate), 0.02 / off)
         if farthest < expected * start:
             return f"said to grow as exp({found.rate:.3g} t), but goes {farthest / start:.3g} times as far only"
     return None

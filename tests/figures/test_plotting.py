@@ -1,5 +1,7 @@
 """Pictures from Python: of motions and trajectories, on axes of one's own, in notebooks."""
 
+from dataclasses import replace
+from importlib import import_module
 
 import numpy as np
 import pytest
@@ -7,7 +9,9 @@ from matplotlib.figure import Figure
 
 import polhode as ph
 from polhode.errors import InvalidInput
+from polhode.kinds import registry
 from polhode.kinds.plotting import plot
+from polhode.viewer.panels import moves_as_one_of
 
 FREE = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5))
 TOP = ph.LagrangeMotion((1.0, 1.0, 2.0), 3.0, (1.0, 0.0, 6.0))
@@ -25,6 +29,34 @@ def test_a_motion_plots_what_its_kind_has_for_it(moved):
     free = moved is FREE or getattr(moved, "motion", None) is FREE
     assert titles[0].startswith("Momentum sphere" if free else "Path of the axis")
     assert ylabels[1].startswith("Ω" if free else "tilt")
+
+
+class ToldApart(ph.systems.HeavyTop):
+    """A top of one's own, such as one that knows where it stands."""
+
+
+def sources():
+    return [(kind, name) for kind in map(registry.find_kind, registry.kind_names()) for name in kind.sources]
+
+
+@pytest.mark.parametrize(("kind", "name"), sources(), ids=lambda x: x if isinstance(x, str) else "")
+def test_an_heir_of_what_a_kind_draws_is_drawn_as_that_kind(kind, name):
+    module, _, own = name.rpartition(".")
+    base = getattr(import_module(module), own)
+    heir = type("Heir", (base,), {})
+    for one in (base, heir, type("Heir", (heir,), {})):
+        assert registry.kind_of_source(object.__new__(one)) is kind
+    same, other = object.__new__(heir), object.__new__(type("Other", (base,), {"vector_field": None, "state": None}))
+    assert moves_as_one_of(kind.source_classes(), same)
+    assert not moves_as_one_of(kind.source_classes(), other)  # its page shows samples: the equations may be others
+
+
+def test_an_heir_of_a_heavy_top_has_its_pictures():
+    given = (1.0, 1.0, 2.0), 3.0, (0.0, 0.0, 1.0)
+    start = [1.0, 0.0, 0.0, 0.0, 0.1, 0.2, 5.0, 0.0, 0.0, 1.0]
+    moved = ph.simulate(ph.systems.HeavyTop(*given), start, TIMES, estimate_error=False)
+    drawn, titles = labels(replace(moved, source=ToldApart(*given)).plot())
+    assert (drawn, titles) == labels(moved.plot()) and titles[0].startswith("Path of the axis")
 
 
 def test_what_no_kind_draws_is_drawn_part_by_part():

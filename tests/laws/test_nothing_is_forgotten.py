@@ -17,7 +17,8 @@ REFERENCE = Path(__file__).parents[2] / "docs" / "reference.md"
 TAKE_FILES_AND_WORDS = {"cli", "figures", "formats", "kinds", "reports", "spec", "sweeps", "viewer", "errors"}
 INNER = {
     "arrays": None,
-    "algebra": {"polynomial", "precision", "real_products", "sphere_laplacian"},
+    "algebra": {"fixed_array", "functions", "own_casimirs", "polynomial", "precision", "real_products",
+                "sphere_laplacian"},
     "analysis": {"conserved", "conserved_function", "equilibrium_data", "mechanics", "periapsis_map", "power_law",
                  "reasons", "second_variation"},
     "bodies": {"digits", "mesh_crossing", "mesh_gate", "pivot", "turned"},
@@ -152,7 +153,6 @@ CALLED_BY_OTHERS = {
     "systems.base.as_finite_state", "systems.base.check_unit_attitude", "systems.base.components",
     "systems.point_vortices.rounds_of_pairs",
     "systems.spin_lattice.damped", "systems.base.joined", "systems.base.attitude_change",
-    "systems.base.checked_functions", "systems.base.check_scalar",
     "systems.attachments.checked_attachments", "systems.mounts.checked_direction", "systems.mounts.checked_mounts",
     "systems.torques.checked_torques", "systems.free_rigid_body.checked_vector",
     "systems.free_rigid_body.axis_flow", "systems.free_rigid_body.checked_moments",

@@ -1,9 +1,24 @@
 """Every system obeys its laws, and broken ones are caught."""
 
 import jax.numpy as jnp
+import numpy as np
 import pytest
 
-from polhode.systems import DoubleBracket, FreeRigidBody, Gyrostat, LiePoisson, Manakov
+from polhode.errors import InvalidInput
+from polhode.systems import (
+    DoubleBracket,
+    EnergySink,
+    EulerDisk,
+    FreeRigidBody,
+    Gyrostat,
+    LiePoisson,
+    Manakov,
+    RigidBody,
+    SpinOrbit,
+    TorquedBody,
+)
+from polhode.systems.base import Balance
+from polhode.systems.torques import LinearDrag
 from polhode.testing import LawBroken, check_system
 from specimens import SYSTEMS, named
 
@@ -59,3 +74,49 @@ def test_batches_do_not_mix():
     body = FreeRigidBody((1.0, 2.0, 3.0))
     states = jnp.array([[1.0, 2.0, 3.0], [jnp.nan, 0.0, 0.0]])
     assert jnp.isfinite(body.vector_field(0.0, states)[0]).all()
+
+
+SLEWED = np.array([[1.0, 0.0, 0.0, 0.0, 0.3, 1.8, 1.5], [0.0, 0.6, 0.8, 0.0, 1.0, -0.2, 0.4]])
+OTHERS = [
+    (SpinOrbit(0.89, 0.4), [[0.3, 1.0], [1.0, -0.5]]),
+    (TorquedBody((1.0, 2.0, 2.5), [LinearDrag((0.1, 0.2, 0.3))]), SLEWED),
+    (RigidBody((1.0, 2.0, 2.5), [EnergySink(0.1)]), SLEWED),
+    (EulerDisk(0.4, 0.04, 0.01), [[0.4, 0.3, 0.2, 0.01, 0.02, 0.1, 6.0, 1.0]]),
+]
+
+
+@pytest.mark.parametrize(("system", "states"), OTHERS, ids=lambda x: type(x).__name__)
+def test_what_is_no_lie_poisson_system_is_checked_at_states_that_are_given(system, states):
+    check_system(system, states=states)
+    with pytest.raises(InvalidInput, match=f"`states` must be given for {type(system).__name__}"):
+        check_system(system)
+
+
+class WrongGrowth(SpinOrbit):
+    def balances(self, t, state):
+        found = super().balances(t, state)["energy_per_moment"]
+        return {"energy_per_moment": Balance(found.value, found.rate * (1.0 + 1e-9))}
+
+
+class Unbatched(SpinOrbit):
+    def vector_field(self, t, state):
+        return super().vector_field(t, state) * jnp.sum(state)
+
+
+@pytest.mark.parametrize(("broken", "law"), [(WrongGrowth, "balance tells"), (Unbatched, "batch = loop")])
+def test_broken_specimens_of_other_systems_are_caught(broken, law):
+    with pytest.raises(LawBroken, match=law):
+        check_system(broken(0.89, 0.4), states=OTHERS[0][1])
+
+
+@pytest.mark.usefixtures("any_type")
+def test_what_check_system_cannot_take_is_refused_in_words():
+    body = FreeRigidBody((1.0, 2.0, 3.0))
+    for call, words in (
+        (lambda: check_system(3), "`system` must be"),
+        (lambda: check_system(body, np.ones(3)), "`seed` must be"),
+        (lambda: check_system(body, states=[1.0, 2.0, 3.0]), "several states"),
+        (lambda: check_system(SpinOrbit(0.89, 0.4), states=[[1.0, 2.0, 3.0]]), r"shape \(…, 2\)"),
+    ):
+        with pytest.raises(InvalidInput, match=words):
+            call()

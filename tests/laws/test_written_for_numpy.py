@@ -1,11 +1,14 @@
 """Users' functions that call NumPy on what JAX traces end in one message that says to use jax.numpy."""
 
+from types import FunctionType
 from typing import Any
 
+import jax.numpy as jnp
 import numpy as np
 import pytest
 
 import polhode as ph
+from polhode import algebra as lie
 from polhode import systems
 from polhode.errors import InvalidInput
 from polhode.systems.torques import AbstractTorque
@@ -74,3 +77,32 @@ def test_the_message_says_to_use_jax_numpy(name):
     with pytest.raises(InvalidInput, match=r"must be written with jax\.numpy") as caught:
         CALLS[name]()
     assert "Tracer" not in str(caught.value) and "docs.jax.dev" not in str(caught.value)
+
+
+class Careless(lie.AbstractLieAlgebra):
+    """An algebra of polhode's own, to JAX: its code is this package's, and calls NumPy on what is traced."""
+
+    table: Any
+
+    @property
+    def dim(self):
+        return 3
+
+    def bracket(self, x: Any, y: Any) -> Any:
+        return jnp.cross(x, y)
+
+    def coadjoint(self, x: Any, mu: Any) -> Any:
+        return jnp.cross(mu, x)
+
+    rate = FunctionType(
+        compile("lambda self, x: np.abs(self.table).max()", "polhode/algebra/careless.py", "eval").co_consts[0],
+        {"np": np, "__name__": "polhode.algebra.careless"},
+    )
+
+
+def test_a_fault_of_ours_is_not_blamed_on_a_right_hamiltonian():
+    """So were algebras of one's own refused: "must be written with jax.numpy", which the Hamiltonian was."""
+    system = systems.LiePoisson(Careless(np.ones(3)), lambda m: 0.5 * jnp.sum(m**2 / jnp.arange(1.0, 4.0)))
+    with pytest.raises(InvalidInput, match=r"at polhode/algebra/careless\.py, line 1.*please report it") as caught:
+        ph.simulate(system, (0.3, 1.8, 1.5), LAST)
+    assert "must be written" not in str(caught.value)

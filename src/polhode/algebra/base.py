@@ -17,7 +17,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.arrays import custom_derivative
+from polhode.arrays import custom_derivative, is_traced
 from polhode.errors import InvalidInput
 from polhode.types import Array, ArrayLike, Double, Float64
 
@@ -138,11 +138,12 @@ class AbstractLieAlgebra(HashableModule):
 
     def structure_constants(self) -> Float64[Array, "{self.dim} {self.dim} {self.dim}"]:
         """Return c (dim, dim, dim), [e_i, e_j] = Σ_k c[i,j,k] e_k; for small algebras."""
-        return self._structure_constants
+        # of an algebra whose own numbers are traced they are traced too
+        return self._brackets_of_basis() if is_traced(*jax.tree.leaves(self)) else self._structure_constants
 
     def rate(self, x: Double[Array, "..."]) -> Float64[Array, "..."]:
         """Return how fast exp(tx) turns (…) [rad per unit of t]: the spectral radius of ad_x, or a bound of it."""
-        constants = np.abs(self.structure_constants())
+        constants = jnp.abs(self.structure_constants())
         return jnp.max(jnp.einsum("...i,ijk->...jk", jnp.abs(self.to_vector(x)), constants).sum(axis=-1), axis=-1)
 
     # ------------------------------------------------------------------ the group
@@ -180,26 +181,32 @@ class AbstractLieAlgebra(HashableModule):
             k, term, total = carried
             return (k < SERIES_TERMS) & jnp.any(going(term, total))
 
-        def add(x: Array, carried: Array) -> Array:
-            k, term, total = carried
-            term = jnp.where(going(term, total), self.coadjoint(x, term) / (k + 1), 0.0)
-            return k + 1, term, total + term
+        # of an algebra with numbers of its own these are arguments too: no derivative knows what a rule encloses
+        numbers, rest = eqx.partition(self, eqx.is_inexact_array)
 
-        def summed(x: Array, mu: Array, known_count: bool) -> Array:
-            first = self.coadjoint(x, mu)
+        def summed(numbers: Any, x: Array, mu: Array, known_count: bool) -> Array:
+            coadjoint = eqx.combine(numbers, rest).coadjoint
+
+            def add(carried: Array) -> Array:
+                k, term, total = carried
+                term = jnp.where(going(term, total), coadjoint(x, term) / (k + 1), 0.0)
+                return k + 1, term, total + term
+
+            first = coadjoint(x, mu)
             start = (1, first, first)
             if known_count:
-                _, term, total = jax.lax.fori_loop(1, SERIES_TERMS, lambda _, now: add(x, now), start)
+                _, term, total = jax.lax.fori_loop(1, SERIES_TERMS, lambda _, now: add(now), start)
             else:
-                _, term, total = jax.lax.while_loop(unfinished, lambda now: add(x, now), start)
+                _, term, total = jax.lax.while_loop(unfinished, add, start)
             return jnp.where(going(term, total), jnp.nan, total)
 
         # reverse mode needs a known number of terms, of which most vanish
         def rule(primals: Any, tangents: Any) -> tuple[Array, Array]:
-            return moved(*primals), jax.jvp(lambda x, mu: summed(x, mu, True), primals, tangents)[1]  # pyright: ignore[reportCallIssue]
+            counted = lambda numbers, x, mu: summed(numbers, x, mu, True)  # noqa: E731
+            return moved(*primals), jax.jvp(counted, primals, tangents)[1]  # pyright: ignore[reportCallIssue]
 
-        moved = custom_derivative(lambda x, mu: summed(x, mu, False), rule)
-        return moved(jnp.asarray(x), jnp.asarray(mu))
+        moved = custom_derivative(lambda numbers, x, mu: summed(numbers, x, mu, False), rule)
+        return moved(numbers, jnp.asarray(x), jnp.asarray(mu))
 
     def cayley_change(self, x: Double[Array, "..."], mu: Double[Array, "..."]) -> Double[Array, "..."]:
         """Return Ad*_{cay x} μ − μ."""

@@ -2,12 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from functools import cached_property, partial
 from typing import Any
 
+import equinox as eqx
+import jax
 import jax.numpy as jnp
 import numpy as np
 
 from polhode.algebra.base import AbstractLieAlgebra, Operand, Vector
+from polhode.algebra.fixed_array import FixedArray
+from polhode.algebra.functions import Function
+from polhode.algebra.own_casimirs import checked_casimirs, found_casimirs, names_of, values_of
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput
 from polhode.types import Array, ArrayLike, Double, Float64, Real
@@ -16,13 +23,44 @@ TOLERANCE = 1e-12  # of identities among constants, relative to their size
 
 
 class ConstantsAlgebra(AbstractLieAlgebra):
-    """The algebra with [e_i, e_j] = Σ_k c_ijk e_k; elements (…, dim). Made by ``from_structure_constants``."""
+    """The algebra with [e_i, e_j] = Σ_k c_ijk e_k; elements (…, dim). Made by ``from_structure_constants``.
 
-    constants: np.ndarray
+    Attributes:
+        constants: c (dim, dim, dim).
+        own_casimirs: Casimirs as functions of one point: those given; else polynomials up to degree 4, looked for when
+            they are first asked for, where they are found within a fraction of a second.
+    """
+
+    table: FixedArray = eqx.field(static=True)
+    given: tuple[Function, ...] | None
+
+    def __init__(self, constants: Float64[Array, "dim dim dim"], casimirs: Iterable[Function] | None = None) -> None:
+        self.table, self.given = FixedArray(constants), None
+        if casimirs is not None:
+            self.given = checked_casimirs(ConstantsAlgebra(constants), casimirs)
+
+    @property
+    def constants(self) -> Float64[Array, "dim dim dim"]:
+        return self.table.values
 
     @property
     def dim(self) -> int:
         return len(self.constants)
+
+    @cached_property
+    def own_casimirs(self) -> tuple[Function, ...]:
+        return found_casimirs(ConstantsAlgebra(self.constants)) if self.given is None else self.given
+
+    @property
+    def casimir_names(self) -> tuple[str, ...]:
+        return names_of(self.own_casimirs)
+
+    def casimirs(self, mu: Vector) -> Float64[Array, "*batch k"]:
+        mu = jnp.asarray(mu)
+        values = partial(values_of, self.own_casimirs)
+        for _ in self.batch_shape(mu):
+            values = jax.vmap(values)
+        return values(mu)
 
     def bracket(self, x: Operand, y: Operand) -> Vector:
         return jnp.einsum("...i,...j,ijk->...k", x, y, self.constants)
@@ -35,40 +73,66 @@ class ConstantsAlgebra(AbstractLieAlgebra):
 
 
 class MatrixBasisAlgebra(ConstantsAlgebra):
-    """The algebra spanned by matrices; elements are coordinates (…, dim), group elements matrices."""
+    """The algebra spanned by matrices (dim, n, n); elements are coordinates (…, dim), group elements matrices."""
 
-    matrices: np.ndarray
+    basis: FixedArray = eqx.field(static=True)
+    readings: FixedArray = eqx.field(static=True)
+
+    def __init__(
+        self,
+        constants: Float64[Array, "dim dim dim"],
+        matrices: Double[Array, "dim n n"],
+        casimirs: Iterable[Function] | None = None,
+    ) -> None:
+        super().__init__(constants, casimirs)
+        self.basis = FixedArray(matrices)
+        # over the reals: over the complex numbers B and iB are not independent
+        self.readings = FixedArray(np.linalg.pinv(_real_rows(matrices).T))
+
+    @property
+    def matrices(self) -> Double[Array, "dim n n"]:
+        """The basis (dim, n, n)."""
+        return self.basis.values
 
     def exp(self, x: Vector) -> Double[Array, "*batch n n"]:
         """Return exp Σ x_i B_i as a matrix."""
-        from jax.scipy.linalg import expm
-
-        return expm(jnp.einsum("...i,iab->...ab", x, self.matrices))
+        return jax.scipy.linalg.expm(jnp.einsum("...i,iab->...ab", x, self.matrices))
 
     def coadjoint_action(self, g: Double[Array, "*#batch n n"], mu: Operand) -> Vector:
-        inverse = np.linalg.pinv(self.matrices.reshape(self.dim, -1).T)
         turned = g[..., None, :, :] @ self.matrices @ jnp.linalg.inv(g)[..., None, :, :]
-        adjoint = jnp.einsum("ij,...kj->...ik", inverse, turned.reshape(*turned.shape[:-2], -1))
-        return jnp.einsum("...ik,...i->...k", adjoint.real, mu)
+        flat = turned.reshape(*turned.shape[:-2], -1)
+        if np.iscomplexobj(self.matrices):
+            flat = jnp.concatenate([flat.real, flat.imag], axis=-1)
+        adjoint = jnp.einsum("ij,...kj->...ik", self.readings.values, flat)
+        return jnp.einsum("...ik,...i->...k", adjoint, mu)
 
 
 @known_numbers_only
-def from_structure_constants(constants: Real[ArrayLike, "dim dim dim"]) -> ConstantsAlgebra:
+def from_structure_constants(
+    constants: Real[ArrayLike, "dim dim dim"], casimirs: Iterable[Function] | None = None
+) -> ConstantsAlgebra:
     """Return the algebra with [e_i, e_j] = Σ_k c[i,j,k] e_k, after checking that it is one.
+
+    Its Casimirs are watched: they stand in the ``drift`` of what ``simulate`` returns, and ``stability`` takes them.
+    Those that are not given are looked for by ``polynomial_casimirs``, up to degree 4, while that takes a fraction of a
+    second. Without python-flint (the extra ``symbolic``), and where constants are not simple fractions, none are found;
+    motions are the same then, and energy alone is watched.
 
     Args:
         constants: (dim, dim, dim) real.
+        casimirs: functions of one point (dim,) with jax.numpy, or polynomials that ``polynomial_casimirs`` found, when
+            more are known or found than by default; an empty list for none.
 
     Raises:
         InvalidInput: if the shape is wrong, c is not antisymmetric in its first two indices, or Jacobi's identity
-            fails; the offending indices are named.
+            fails; the offending indices are named. If a function is not a Casimir.
 
-    >>> c = np.zeros((2, 2, 2))
-    >>> c[0, 1, 1], c[1, 0, 1] = 1.0, -1.0
-    >>> from_structure_constants(c).dim
-    2
+    >>> c = np.zeros((4, 4, 4))
+    >>> c[0, 1, 2], c[1, 0, 2], c[0, 2, 3], c[2, 0, 3] = 1.0, -1.0, 1.0, -1.0
+    >>> from_structure_constants(c, casimirs=[lambda x: x[3], lambda x: 2 * x[1] * x[3] - x[2] ** 2]).casimir_names
+    ('C1', 'C2')
     """
-    return ConstantsAlgebra(checked_constants(constants))
+    return ConstantsAlgebra(checked_constants(constants), casimirs)
 
 
 def checked_constants(constants: Real[ArrayLike, "dim dim dim"]) -> Float64[Array, "dim dim dim"]:
@@ -114,14 +178,18 @@ def _check_jacobi(c: np.ndarray, scale: float) -> None:
 
 
 @known_numbers_only
-def from_matrices(basis: Real[ArrayLike, "dim n n"]) -> MatrixBasisAlgebra:
+def from_matrices(
+    basis: Real[ArrayLike, "dim n n"], casimirs: Iterable[Function] | None = None
+) -> MatrixBasisAlgebra:
     """Return the algebra spanned over the reals by matrices, after checking that it closes under commutation.
 
     Args:
         basis: (dim, n, n), real or complex, linearly independent over the reals.
+        casimirs: functions of coordinates (dim,) ⟨μ, B_i⟩, as for ``from_structure_constants``.
 
     Raises:
-        InvalidInput: if the matrices depend on each other, or a commutator leaves their span; its indices are named.
+        InvalidInput: if the matrices depend on each other, or a commutator leaves their span; its indices are named. If
+            a function is not a Casimir.
     """
     refuse_single_precision(basis=basis)
     try:
@@ -150,7 +218,7 @@ def from_matrices(basis: Real[ArrayLike, "dim n n"]) -> MatrixBasisAlgebra:
     constants = solution.T.reshape(len(matrices), len(matrices), -1)
     near = np.rint(constants * 120.0) / 120.0  # what is a simple fraction is one exactly
     constants = np.where(np.abs(constants - near) < 1e-12 * np.abs(constants).max(initial=1.0), near, constants)
-    return MatrixBasisAlgebra(checked_constants(0.5 * (constants - constants.transpose(1, 0, 2))), matrices)
+    return MatrixBasisAlgebra(checked_constants(0.5 * (constants - constants.transpose(1, 0, 2))), matrices, casimirs)
 
 
 def _real_rows(matrices: np.ndarray) -> np.ndarray:

@@ -46,6 +46,16 @@ class Polynomial:
             total = total + term
         return total
 
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Polynomial) and self._terms == other._terms
+
+    def __hash__(self) -> int:
+        return hash(self._terms)
+
+    @property
+    def _terms(self) -> tuple[Any, ...]:
+        return self.exponents.tobytes(), self.exponents.shape, self.coefficients
+
     def __str__(self) -> str:
         text = ""
         for powers, coefficient in zip(self.exponents, self.coefficients, strict=True):

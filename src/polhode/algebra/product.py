@@ -20,7 +20,8 @@ class Product(AbstractLieAlgebra):
 
     def __init__(self, *factors: AbstractLieAlgebra) -> None:
         if not factors or not all(isinstance(factor, AbstractLieAlgebra) for factor in factors):
-            raise InvalidInput(f"`Product` must be given algebras, one at least; got {shown(factors)}.")
+            raise InvalidInput(f"`Product` must be given algebras, one at least; got {shown(factors)}. "
+                               "Write Product(first, second), without brackets around them.")  # fmt: skip
         self.factors = factors
 
     @property

@@ -2,18 +2,24 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
+import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
 
 from polhode.algebra.base import AbstractLieAlgebra, Operand, Vector
+from polhode.algebra.constants import ConstantsAlgebra
+from polhode.algebra.fixed_array import FixedArray
+from polhode.algebra.functions import Function
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput
-from polhode.types import Array, ArrayLike, Real
+from polhode.types import Array, ArrayLike, Float64, Real
 
 TOLERANCE = 1e-12  # of the representation's identity, relative to the generators
 
 
-class Semidirect(AbstractLieAlgebra):
+class Semidirect(ConstantsAlgebra):
     """[(x, v), (y, w)] = ([x, y], x·w − y·v), the algebra acting on vectors by matrices.
 
     ad*_(x,v) (μ, a) = (ad*_x μ − v ⋄ a, ρ(x)ᵀ a) with (v ⋄ a)_i = a · ρ_i v. Elements (…, dim + m), the algebra's
@@ -22,16 +28,23 @@ class Semidirect(AbstractLieAlgebra):
     Args:
         algebra: the algebra that acts.
         generators: (dim, m, m), the matrices ρ_i by which its basis acts.
+        casimirs: functions of coordinates (dim + m,), as for ``from_structure_constants``.
 
     Raises:
         InvalidInput: if the generators do not represent the algebra, [ρ_i, ρ_j] = Σ c_ijk ρ_k; the indices are named.
+            If a function is not a Casimir.
     """
 
     algebra: AbstractLieAlgebra
-    generators: np.ndarray
+    action: FixedArray = eqx.field(static=True)
 
     @known_numbers_only
-    def __init__(self, algebra: AbstractLieAlgebra, generators: Real[ArrayLike, "dim m m"]) -> None:
+    def __init__(
+        self,
+        algebra: AbstractLieAlgebra,
+        generators: Real[ArrayLike, "dim m m"],
+        casimirs: Iterable[Function] | None = None,
+    ) -> None:
         refuse_single_precision(generators=generators)
         rho = np.array(generators, dtype=float)
         if rho.ndim != 3 or rho.shape[0] != algebra.dim or rho.shape[1] != rho.shape[2]:
@@ -44,12 +57,13 @@ class Semidirect(AbstractLieAlgebra):
                 f"`generators` must represent {algebra.name}: [ρ_i, ρ_j] = Σ c_ijk ρ_k fails for (i, j) = ({i}, {j}), "
                 f"counted from 0, by {error[i, j]:.3g}."
             )
-        rho.flags.writeable = False
-        self.algebra, self.generators = algebra, rho
+        super().__init__(_constants(algebra.structure_constants(), rho), casimirs)
+        self.algebra, self.action = algebra, FixedArray(rho)
 
     @property
-    def dim(self) -> int:
-        return self.algebra.dim + self.generators.shape[1]
+    def generators(self) -> Float64[Array, "dim m m"]:
+        """The matrices ρ_i (dim, m, m)."""
+        return self.action.values
 
     @property
     def name(self) -> str:
@@ -76,3 +90,13 @@ class Semidirect(AbstractLieAlgebra):
     def _parts(self, x: Array) -> tuple[Array, Array]:
         x = jnp.asarray(x)
         return x[..., : self.algebra.dim], x[..., self.algebra.dim :]
+
+
+def _constants(own: Float64[Array, "dim dim dim"], rho: Float64[Array, "dim m m"]) -> Float64[Array, "n n n"]:
+    """Return the structure constants: [e_i, e_j] of the algebra, and [e_i, v_a] = ρ_i v_a."""
+    n, m = rho.shape[:2]
+    constants = np.zeros((n + m, n + m, n + m))
+    constants[:n, :n, :n] = own
+    acted = rho.transpose(0, 2, 1)
+    constants[:n, n:, n:], constants[n:, :n, n:] = acted, -acted.transpose(1, 0, 2)
+    return constants

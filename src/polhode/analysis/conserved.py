@@ -23,12 +23,13 @@ from scipy.linalg import expm
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.casimirs import polynomial_casimirs
 from polhode.algebra.constants import ConstantsAlgebra
+from polhode.algebra.functions import Function, checked_functions
 from polhode.algebra.polynomial import Polynomial
 from polhode.algebra.properties import index
 from polhode.analysis.reasons import MissingCasimirs
 from polhode.errors import InvalidInput
 from polhode.systems.agreement import moves_by_generator
-from polhode.systems.base import AbstractLiePoissonSystem, Function, checked_functions
+from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.types import Array, Bool, Double, Float64
 
 CONSERVED = 4e-12  # of the terms of {F, G}, what rounding of smooth derivatives and of parameters may leave

@@ -10,12 +10,13 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode.algebra.functions import Function
 from polhode.analysis.conserved import Energy, Source, casimirs_of, check_motion, unit_of
 from polhode.analysis.stability import scaled_field
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput
 from polhode.poisson.brackets import as_points
-from polhode.systems.base import AbstractLiePoissonSystem, Function
+from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.types import Array, ArrayLike, Double, Real
 
 STARTS = 64

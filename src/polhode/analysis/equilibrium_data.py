@@ -8,6 +8,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode.algebra.functions import Function
 from polhode.analysis.conserved import (
     Casimirs,
     Derivatives,
@@ -24,7 +25,7 @@ from polhode.analysis.conserved import (
     samples_around,
     unit_of,
 )
-from polhode.systems.base import AbstractLiePoissonSystem, Function
+from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.types import Array, Float64
 
 NULL = 1e-9  # of a function's field relative to its terms: below it the function's flow leaves the point where it is

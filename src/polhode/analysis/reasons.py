@@ -69,6 +69,8 @@ class DefiniteVariation(AbstractReason):
         extreme, names = _extreme(self.sign), _listed(self.function.names)
         if not self.function.weights[0]:
             return f"a combination of {names} is at its {extreme}: neighbours cannot leave"
+        if not names:
+            return f"the energy is at its {extreme}: neighbours cannot leave"
         return f"the energy is at its {extreme} among motions with the same {names}"
 
 
@@ -260,12 +262,30 @@ class DefiniteOnLeaf(AbstractReason):
 
 @dataclass(frozen=True)
 class LeafIsPoint(AbstractReason):
-    """The leaf is a point, and has no neighbours."""
+    """The leaf is a point, on which nothing moves.
+
+    Attributes:
+        leaves_nearby: as for ``DefiniteOnLeaf``.
+        what: what is a point: the leaf, or what is left of it when symmetries are divided out.
+    """
 
     title: ClassVar[str] = "leaf of one point"
+    leaves_nearby: str = "alike"
+    what: str = "the leaf"
 
     def __str__(self) -> str:
-        return "the leaf is a point"
+        text = f"{self.what} is a point"
+        if self.leaves_nearby == "near":
+            return f"{text}, and the group is compact, so that leaves nearby stay near it"
+        if self.leaves_nearby == "larger":
+            return f"{text}, on which nothing moves; but leaves nearby are larger, and motions on these may go far"
+        return text
+
+    @property
+    def words(self) -> str:
+        if self.leaves_nearby == "larger":
+            return "nothing moves with the same Casimirs; motions with other Casimirs are not held by it"
+        return "nothing moves with the same Casimirs, and neighbours cannot leave"
 
 
 @dataclass(frozen=True)

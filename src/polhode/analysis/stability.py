@@ -18,6 +18,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode.algebra.functions import Function, checked_functions
 from polhode.algebra.properties import index, is_compact
 from polhode.analysis.conserved import Casimirs, Energy, Source, casimirs_of, check_motion, samples_around
 from polhode.analysis.energy_casimir import Stability, energy_casimir
@@ -27,6 +28,7 @@ from polhode.analysis.reasons import (
     DefiniteOnLeaf,
     ExponentialGrowth,
     FieldVanishes,
+    LeafIsPoint,
     MissingCasimirs,
     Restriction,
     SteadyDrift,
@@ -36,7 +38,7 @@ from polhode.analysis.second_variation import null_space
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput
 from polhode.poisson.brackets import as_points
-from polhode.systems.base import AbstractLiePoissonSystem, Function, checked_functions
+from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.systems.euler_disk import EulerDisk
 from polhode.types import Array, ArrayLike, Real
 
@@ -178,8 +180,10 @@ def _judge(p: Problem, weights: Array, divided: Sequence[int] = ()) -> Stability
     if found.verdict != "undecided" or tangent.shape[1] >= null_space(_unit_rows(p.g[rows]), NULL).shape[1]:
         return found
     leaf = tangent @ null_space(_unit_rows(np.array(moved).reshape(-1, len(slope))) @ tangent, NULL)
-    leafwise = judged(leaf, effective, list(divided), error)
-    return _leafwise(p, found, leafwise, tangent.shape[1], "H + Σ ω J" if len(divided) else "H")
+    # on a point there is nothing to judge
+    leafwise = (judged(leaf, effective, list(divided), error) if leaf.shape[1] else
+                Stability("stable", 0.0, None, None, LeafIsPoint(), np.zeros(0, complex)))  # fmt: skip
+    return _leafwise(p, found, leafwise, tangent.shape[1], bool(len(divided)))
 
 
 def _of_isotropy(p: Problem, weights: Array) -> tuple[Problem, Array]:
@@ -236,12 +240,14 @@ def _turned(found: Stability, basis: Array) -> Stability:
     return replace(found, direction=direction, reason=reason)
 
 
-def _leafwise(p: Problem, found: Stability, leafwise: Stability, dimension: int, function: str) -> Stability:
-    """Return what an extremum on the leaf says about all neighbours."""
+def _leafwise(p: Problem, found: Stability, leafwise: Stability, dimension: int, divided: bool) -> Stability:
+    """Return what an extremum on the leaf, or a leaf of one point, says about all neighbours."""
     if leafwise.verdict != "stable":
         return found
     sign = -1 if leafwise.function is not None and leafwise.function.signature[2] else 1
-    reason = DefiniteOnLeaf(function, dimension, sign, "alike")
+    reason = DefiniteOnLeaf("H + Σ ω J" if divided else "H", dimension, sign, "alike")
+    if isinstance(leafwise.reason, LeafIsPoint):
+        reason = LeafIsPoint(what="the leaf without the flows that are divided out" if divided else "the leaf")
     if dimension == p.y.size - index(p.system.algebra):
         return replace(leafwise, reason=reason, function=None)
     if is_compact(p.system.algebra):

@@ -8,11 +8,11 @@ from typing import NamedTuple
 import jax.numpy as jnp
 import numpy as np
 
+from polhode.algebra.functions import Function
 from polhode.analysis.energy_casimir import Stability
 from polhode.analysis.stability import stability
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
-from polhode.systems.base import Function
 from polhode.systems.point_vortices import PlaneVortices, SphereVortices
 from polhode.types import Array, ArrayLike, Complex128, Float64, Real
 

@@ -14,6 +14,9 @@ import numpy as np
 from polhode.errors import InvalidInput, PolhodeError, shown
 from polhode.types import Array, ArrayLike, Float64
 
+CALLED = frozenset({"jax", "jaxlib", "numpy", "scipy", "equinox", "diffrax", "optimistix", "lineax", "beartype",
+                    "jaxtyping", "contextlib", "functools", "typing", "inspect"})  # fmt: skip
+"""Packages between polhode's code, or a user's, and an error."""
 Parameters = ParamSpec("Parameters")
 Result = TypeVar("Result")
 
@@ -181,6 +184,9 @@ def known_numbers_only(function: Callable[Parameters, Result]) -> Callable[Param
 def in_jax_numpy(what: str) -> Iterator[None]:
     """Word JAX's errors about what cannot be traced, such as a user's function that calls NumPy.
 
+    The message blames what it is about only where the error comes from there; of an error in polhode's own code it says
+    where it is.
+
     Args:
         what: subject of the message, in the plural.
 
@@ -194,7 +200,31 @@ def in_jax_numpy(what: str) -> Iterator[None]:
 
         if not isinstance(error, jax.errors.JAXTypeError):
             raise
+        place = _own_place(error)
+        if place is not None:
+            raise InvalidInput(
+                f"JAX cannot compile what polhode does at {place}. If one of the {what} is a function of NumPy itself, "
+                "give that of jax.numpy; else this is a fault of polhode: please report it, with this line: "
+                f"{str(error).splitlines()[0]}"
+            ) from error
         raise InvalidInput(
             f"{what} must be written with jax.numpy, as JAX compiles and differentiates them: no NumPy, `float` or "
             "`if` on what depends on the state or the time. Write jnp.sum for np.sum, and jnp.where for `if`."
         ) from error
+
+
+def _own_place(error: BaseException) -> str | None:
+    """Return file and line where an error comes from, if that is polhode's own code; None if it is a user's.
+
+    Both call JAX, NumPy and others, whose frames say nothing: the last one before them does.
+    """
+    rooms, frame, found = __name__.partition(".")[0], error.__traceback__, None
+    while frame is not None:
+        module = str(frame.tb_frame.f_globals.get("__name__", "")).partition(".")[0]
+        if module not in CALLED:
+            found = module, frame
+        frame = frame.tb_next
+    if found is None or found[0] != rooms:
+        return None
+    path = found[1].tb_frame.f_code.co_filename.replace("\\", "/")
+    return f"{path[path.rfind(f'{rooms}/') :]}, line {found[1].tb_lineno}"

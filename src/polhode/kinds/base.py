@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -298,10 +299,12 @@ class AbstractKind:
         """
         if not self._has("panel.py"):
             return None
-        from polhode.viewer.panels import Content, content_of
+        from polhode.viewer.panels import Content, content_of, moves_as_one_of
 
         part = self._part("panel")
-        model = part.model_of(trajectory) if hasattr(part, "model_of") else None
+        # the page goes on by the equations of the source itself, which an heir may have changed
+        knows = hasattr(part, "model_of") and moves_as_one_of(self.source_classes(), trajectory.source)
+        model = part.model_of(trajectory) if knows else None
         if not hasattr(part, "panels_of"):
             return replace(content_of(trajectory.source, samples, surface), model=model)
         panels = part.panels_of(trajectory, samples, surface)
@@ -314,6 +317,11 @@ class AbstractKind:
             return ()
         part = self._part("panel")
         return part.scatters_of(report) if hasattr(part, "scatters_of") else ()
+
+    def source_classes(self) -> tuple[type, ...]:
+        """Return the classes of ``sources``, of the modules that are loaded: nothing is made of others yet."""
+        places = (name.rpartition(".") for name in self.sources)
+        return tuple(getattr(sys.modules[module], own) for module, _, own in places if module in sys.modules)
 
     def _part(self, name: str) -> Any:
         """Return a file of the folder as a module."""

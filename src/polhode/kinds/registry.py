@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import contextlib
 import pkgutil
-import sys
 from collections.abc import Iterator
 from functools import cache
 from importlib import import_module
@@ -77,20 +76,19 @@ def known_figures() -> set[str]:
 
 
 def kind_of_source(source: Any) -> AbstractKind | None:
-    """Return the kind whose pictures show what a trajectory came from; None where no kind has any of its own."""
-    return next((kind for kind in _importable() if any(_is_made_by(source, name) for name in kind.sources)), None)
+    """Return the kind whose pictures show what a trajectory came from; None where no kind has any of its own.
+
+    A subclass of a kind's source is of that kind too: of the one that its nearest ancestor belongs to.
+    """
+    kinds = list(_importable())
+    ancestors = type(source).__mro__
+    return next((kind for one in ancestors for kind in kinds if one in kind.source_classes()), None)
 
 
 def next_steps(spec: Spec) -> list[NextStep]:
     """Return the commands to go on with from a report: those of its own kind, and what other kinds make of its body."""
     others = (kind for kind in _importable() if kind is not spec.kind)
     return [*spec.kind.next_steps(spec), *(step for kind in others for step in kind.offers(spec))]
-
-
-def _is_made_by(source: Any, name: str) -> bool:
-    """Whether a source is of a class ``module.name``, whose module must be loaded then."""
-    module, _, own = name.rpartition(".")
-    return module in sys.modules and type(source) is getattr(sys.modules[module], own)
 
 
 def _importable() -> Iterator[AbstractKind]:

@@ -15,6 +15,7 @@ from polhode.motion.outcome import Ends, Outcome
 from polhode.motion.plotting import Plotted
 from polhode.types import Array, ArrayLike, ArrayOrFloat, Double, Float64, Integer
 
+NAMES = 17  # columns of the names of what there is, and more where one is longer
 _SAMPLED = ("states", "attitude", "momentum", "angular_velocity")
 _BY_NAME = ("invariants", "balances", "received")
 
@@ -138,7 +139,9 @@ class Trajectory(Plotted):
         return replace(self, times=np.asarray(self.times)[rows], **cut, **named)
 
     def __repr__(self) -> str:
-        return "\n".join(f"{name:<17}{words}" for name, words in self._lines())
+        lines = self._lines()
+        width = max(NAMES, 2 + max(len(name) for name, _ in lines))
+        return "\n".join(f"{name:<{width}}{words}" for name, words in lines)
 
     def _repr_html_(self) -> str:
         from html import escape

@@ -9,9 +9,10 @@ import jax
 import jax.numpy as jnp
 
 from polhode.algebra.base import AbstractLieAlgebra
+from polhode.algebra.functions import check_scalar
 from polhode.algebra.se3 import SE3
 from polhode.arrays import known_numbers_only
-from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, Kick, check_scalar, components
+from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, Kick, components
 from polhode.systems.free_flow import free_flow
 from polhode.systems.free_rigid_body import checked_moments
 from polhode.types import Array, ArrayLike, Float64, Real

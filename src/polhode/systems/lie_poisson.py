@@ -7,9 +7,10 @@ import jax
 import jax.numpy as jnp
 
 from polhode.algebra.base import AbstractLieAlgebra
+from polhode.algebra.functions import Function, check_scalar
 from polhode.arrays import refuse_single_precision
 from polhode.errors import InvalidInput, shown
-from polhode.systems.base import AbstractLiePoissonSystem, Function, check_scalar
+from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.types import Array, ArrayLike, Float64, Real
 
 

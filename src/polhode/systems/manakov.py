@@ -7,10 +7,11 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode.algebra.base import AbstractLieAlgebra
+from polhode.algebra.functions import Function
 from polhode.algebra.matrix import SO
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput
-from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, Function, components
+from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, components
 from polhode.types import Array, ArrayLike, Float64, Real
 
 Matrices = Float64[Array, "*batch {self.size} {self.size}"]

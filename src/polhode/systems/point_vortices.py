@@ -8,13 +8,14 @@ from typing import ClassVar
 import jax.numpy as jnp
 import numpy as np
 
+from polhode.algebra.functions import Function
 from polhode.algebra.heisenberg import Heisenberg
 from polhode.algebra.power import Power
 from polhode.algebra.so3 import SO3
 from polhode.arrays import is_traced, known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
 from polhode.motion.layout import Quantity
-from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, Function, Round
+from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, Round
 from polhode.systems.lattice_bonds import dot, turn
 from polhode.types import Array, ArrayLike, Double, Float64, Integer, Real
 

@@ -9,12 +9,13 @@ import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
 
+from polhode.algebra.functions import Function
 from polhode.algebra.quantized_sphere import QuantizedSphere
 from polhode.algebra.sphere_laplacian import inverse_laplacian
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
 from polhode.motion.layout import Quantity
-from polhode.systems.base import AbstractLiePoissonSystem, Function
+from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.systems.sphere_harmonics import (
     checked_coefficients,
     checked_energies,

@@ -8,11 +8,12 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode.algebra.dual_numbers import DualNumbers
+from polhode.algebra.functions import Function
 from polhode.algebra.quantized_sphere import QuantizedSphere
 from polhode.algebra.sphere_laplacian import inverse_laplacian, laplacian
 from polhode.arrays import known_numbers_only
 from polhode.motion.layout import Quantity
-from polhode.systems.base import AbstractLiePoissonSystem, Function
+from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.systems.sphere_fluid import SphereFluid
 from polhode.systems.sphere_harmonics import (
     checked_coefficients,

@@ -8,11 +8,12 @@ import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
 
+from polhode.algebra.functions import Function
 from polhode.algebra.power import Power
 from polhode.algebra.so3 import SO3
 from polhode.arrays import is_traced, known_numbers_only
 from polhode.errors import InvalidInput, shown
-from polhode.systems.base import AbstractLiePoissonSystem, Balance, Components, Flow, Function
+from polhode.systems.base import AbstractLiePoissonSystem, Balance, Components, Flow
 from polhode.systems.dipoles import dipole_field, dipole_kernel
 from polhode.systems.lattice import Bond, Lattice
 from polhode.systems.lattice_bonds import BondType, Matrix, bond_flows, checked_bonds, dot, existing, turn

@@ -12,8 +12,9 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode.algebra.bidiagonal import Bidiagonal
+from polhode.algebra.functions import Function
 from polhode.arrays import refuse_single_precision
-from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, Function, Kick
+from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, Kick
 from polhode.types import Array, ArrayLike, Float64, Real
 
 LONGEST = 700.0  # of t(λ_max − λ_min): weights beyond it underflow, and the motion is over

@@ -10,11 +10,12 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode.algebra.functions import Function
 from polhode.algebra.heisenberg import Heisenberg
 from polhode.algebra.power import Power
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
-from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, Function, Kick
+from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, Kick
 from polhode.types import Array, ArrayLike, Double, Float64, Real
 
 NEWTON_STEPS = 60  # with halvings: a density of contrast below one is solved long before

@@ -1,4 +1,4 @@
-"""Laws of a Lie–Poisson system, at random states."""
+"""Laws of a system, at random states or given ones."""
 
 from __future__ import annotations
 
@@ -8,48 +8,98 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.systems.base import AbstractLiePoissonSystem, components
+from polhode.errors import InvalidInput, shown
+from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem, components
 from polhode.testing.laws import hold
-from polhode.types import Array
+from polhode.types import Array, ArrayLike, Real
 
 EXACT = 1e-11  # relative; derivatives of polynomials of a few degrees
 FLOWS = 1e-5  # of the flows' sum over a short time, whose commutators are of second order in it
 SHORT, LONG = 1e-7, 0.3
 POINTS = 3
+TIME = 0.3  # at which what depends on time is looked at
 
 
-def check_system(system: AbstractLiePoissonSystem, seed: int = 0, size: float = 1.0) -> None:
-    """Check velocity = ∇H, dH·ẋ = 0, dC·ẋ = 0, other invariants, exact flows, and batch = loop.
+def check_system(
+    system: AbstractSystem, seed: int = 0, size: float = 1.0, states: Real[ArrayLike, "m ..."] | None = None
+) -> None:
+    """Check batch = loop, that invariants are constant along the field, and that balances change at their rates.
+
+    Of a Lie–Poisson system also velocity = ∇H and exact flows.
 
     Args:
-        system: any Lie–Poisson system.
-        seed: of the random states.
+        system: any.
+        seed: of random states.
         size: of these, where H has a scale.
+        states: (m, …) states to check at, as ``simulate`` takes them. By default random ones, of a Lie–Poisson system;
+            of others it is not known which make sense, so that they must be given.
 
     Raises:
         LawBroken: naming the first law that fails.
+        InvalidInput: for what is not a system, a seed that is no whole number, states that the system refuses, and
+            where states must be given.
+
+    >>> from polhode.systems import SpinOrbit
+    >>> check_system(SpinOrbit(0.89, 0.1), states=[[0.3, 1.0], [1.0, -0.5]])
     """
-    algebra = system.algebra
-    rng = np.random.default_rng(seed)
+    if not isinstance(system, AbstractSystem):
+        raise InvalidInput(f"`system` must be one of polhode.systems, or your own; got {shown(system)}.")
+    if isinstance(seed, bool) or not isinstance(seed, int) or seed < 0:
+        raise InvalidInput(f"`seed` must be a whole number, not negative; got {shown(seed)}. Give states by `states=`.")
+    for batch in _states_of(system, seed, size) if states is None else [_checked(system, states)]:
+        if isinstance(system, AbstractLiePoissonSystem):
+            point = system.parts(batch).point
+            gradient = jax.grad(lambda m: jnp.sum(system.energy(m)))(point)
+            hold("velocity = ∇H", system.velocity(point), system.algebra.from_gradient(gradient), EXACT)
+        _check_laws(system, batch)
+        if isinstance(system, AbstractLiePoissonSystem):
+            _check_flows(system, batch, system.vector_field(jnp.asarray(0.0), batch))
+
+
+def _states_of(system: AbstractSystem, seed: int, size: float) -> list[Array]:
+    """Return random states, with and without an attitude where they may have one."""
+    if not isinstance(system, AbstractLiePoissonSystem):
+        name = type(system).__name__
+        raise InvalidInput(
+            f"`states` must be given for {name}, as it is not a Lie–Poisson system and which of its states make sense "
+            f"is not known: check_system({name}(…), states=[…]), as `simulate` takes them, (m, …)."
+        )
+    algebra, rng = system.algebra, np.random.default_rng(seed)
     point = algebra.from_dual_vector(jnp.asarray(size * rng.normal(size=(POINTS, algebra.dim))))
-    gradient = jax.grad(lambda m: jnp.sum(system.energy(m)))(point)
-    hold("velocity = ∇H", system.velocity(point), algebra.from_gradient(gradient), EXACT)
-    states = [point]
-    if system.carries_attitude:
-        q = rng.normal(size=(POINTS, 4))
-        states.append(jnp.concatenate([q / np.linalg.norm(q, axis=1, keepdims=True), point], axis=-1))
-    for state in states:
-        flow = system.vector_field(jnp.asarray(0.0), state)
-        loop = jnp.stack([system.vector_field(jnp.asarray(0.0), one) for one in state])
-        hold("vector field: batch = loop", flow, loop, EXACT)
-        values, rates = jax.jvp(system.invariants, (state,), (flow,))
-        known = {"energy", *algebra.named_casimirs(point), *system.extra_invariants}
-        for name, rate in rates.items():
-            if name not in known and bool(jnp.isnan(values[name]).all()):
-                continue  # holds on other leaves only
-            scale = jnp.maximum(jnp.max(jnp.abs(values[name])), 1.0)
-            hold(f"{name} is constant along the motion", rate / scale, jnp.zeros_like(rate), EXACT)
-        _check_flows(system, state, flow)
+    if not system.carries_attitude:
+        return [point]
+    q = rng.normal(size=(POINTS, 4))
+    return [point, jnp.concatenate([q / np.linalg.norm(q, axis=1, keepdims=True), point], axis=-1)]
+
+
+def _checked(system: AbstractSystem, states: Any) -> Array:
+    given = system.check_state(states)
+    if given.ndim != system.state_axes + 1 or not len(given):
+        raise InvalidInput(f"`states` must be several states, (m, …); got shape {given.shape}. Put one in brackets.")
+    return given
+
+
+def _check_laws(system: AbstractSystem, state: Array) -> None:
+    time = jnp.asarray(TIME)
+    flow = system.vector_field(time, state)
+    loop = jnp.stack([system.vector_field(time, one) for one in state])
+    hold("vector field: batch = loop", flow, loop, EXACT)
+    values, rates = jax.jvp(system.invariants, (state,), (flow,))
+    known = {"energy"}
+    if isinstance(system, AbstractLiePoissonSystem):
+        known |= {*system.algebra.named_casimirs(system.parts(state).point), *system.extra_invariants}
+    for name, rate in rates.items():
+        if name not in known and bool(jnp.isnan(values[name]).all()):
+            continue  # holds on other leaves only
+        scale = jnp.maximum(jnp.max(jnp.abs(values[name])), 1.0)
+        hold(f"{name} is constant along the motion", rate / scale, jnp.zeros_like(rate), EXACT)
+
+    def balanced(t: Array, x: Array) -> dict[str, Array]:
+        return {name: balance.value for name, balance in system.balances(t, x).items()}
+
+    _, changes = jax.jvp(balanced, (time, state), (jnp.ones_like(time), flow))
+    for name, balance in system.balances(time, state).items():
+        hold(f"{name} changes at the rate that its balance tells", changes[name], balance.rate, EXACT)
 
 
 def _check_flows(system: AbstractLiePoissonSystem, state: Array, field: Array) -> None:

@@ -14,15 +14,16 @@ import numpy as np
 
 from polhode.bodies.surface import Surface
 from polhode.errors import InvalidInput, shown
+from polhode.exact.free_body import FreeMotion
+from polhode.exact.lagrange_top import LagrangeMotion
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.wording import unit_in_words
 from polhode.types import Array
 from polhode.viewer.encoding import as_script_json, packed, with_powers
-from polhode.viewer.panels import Content, content_of, free_moments_of, title_of, up_of
+from polhode.viewer.panels import Content, content_of, free_moments_of, moves_as_one_of, title_of, up_of
 from polhode.viewer.samples import Samples, samples_of
 
 UNTRUSTED = "Here stands the page of a motion. Run this cell, or trust the notebook, to see it."
-SOLVED = ("FreeMotion", "LagrangeMotion")  # what the page solves itself, by reference/polhode.js
 
 
 @dataclass(frozen=True, repr=False)
@@ -147,12 +148,13 @@ def check_given(trajectory: Any, name: Any, summary: Any, notes: Any) -> None:
 def model_of(trajectory: Trajectory) -> dict[str, Any] | None:
     """Return what the page's own solver needs of an exact motion, along its principal axes; None of others."""
     motion = trajectory.motion
-    if motion is None or motion.batch_shape or type(motion).__name__ not in SOLVED:
+    solved = next((kind for kind in (FreeMotion, LagrangeMotion) if moves_as_one_of((kind,), motion)), None)
+    if motion is None or motion.batch_shape or solved is None:
         return None
     along = motion.along_principal_axes()
     numbers = {name: float(getattr(along, name)) for name in along.body_numbers}
     return {
-        "solver": type(along).__name__, "moments": np.asarray(along.moments).tolist(), **numbers,
+        "solver": solved.__name__, "moments": np.asarray(along.moments).tolist(), **numbers,
         "momentum": np.asarray(along.momentum_at_epoch).tolist(),
         "attitude": np.asarray(along.attitude_at_epoch).tolist(), "epoch": float(along.epoch),
         **({} if trajectory.frame is None or trajectory.frame.mass is None else {"mass": float(trajectory.frame.mass)}),

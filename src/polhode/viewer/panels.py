@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -77,6 +78,16 @@ def is_mechanical(source: Any) -> bool:
     return hasattr(source, "has_vertical") and hasattr(source, "free_moments")
 
 
+def moves_as_one_of(classes: Iterable[type], source: Any) -> bool:
+    """Whether a source is of one of these classes and keeps all of it: an heir may be called or moved otherwise."""
+    ancestors = type(source).__mro__
+    own = next((kind for kind in ancestors if kind in set(classes)), None)
+    if own is None:
+        return False
+    added = {name for heir in ancestors[: ancestors.index(own)] for name in vars(heir)}
+    return not any(hasattr(own, name) for name in added if not name.startswith(("__", "_abc_")) and name != "title")
+
+
 def _turns_as_one(samples: Samples, moments: Array | None) -> bool:
     """Whether L = IΩ: with rotors inside, levels of ½ L·I⁻¹L are not those of the energy."""
     momentum, velocity = samples.momentum, samples.angular_velocity
@@ -101,6 +112,9 @@ def moments_of(source: Any) -> Float64[Array, "3"] | None:
 def free_moments_of(source: Any, samples: Samples) -> list[float] | None:
     """Return the principal moments of a body without torques that turns, or None: the page then knows how L goes on."""
     if not is_mechanical(source) or source.free_moments is None:
+        return None
+    says_so = next(kind for kind in type(source).__mro__ if "free_moments" in vars(kind))
+    if not moves_as_one_of((says_so,), source):
         return None
     if samples.momentum is None or not np.linalg.norm(samples.momentum, axis=-1).all():
         return None

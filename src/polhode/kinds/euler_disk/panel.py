@@ -10,6 +10,7 @@ from polhode.bodies.surface import Surface
 from polhode.kinds.euler_disk.laws import LAWS
 from polhode.kinds.euler_disk.report import EulerDiskReport
 from polhode.motion.trajectory import Trajectory
+from polhode.systems import rolling_dissipation
 from polhode.viewer.encoding import packed
 from polhode.viewer.panels import Panel
 from polhode.viewer.samples import Samples
@@ -30,8 +31,8 @@ def panels_of(trajectory: Trajectory, samples: Samples, surface: Surface | None)
 def model_of(trajectory: Trajectory) -> dict[str, Any] | None:
     """Return the disk, its losses and its start; None with a law that a spec has no name for."""
     disk, found = trajectory.source, trajectory.source.mechanics
-    names = {law.model: name for name, law in LAWS.items()}
-    laws = [(names.get(type(law).__name__), law) for law in disk.dissipation]
+    names = {getattr(rolling_dissipation, law.model): name for name, law in LAWS.items()}
+    laws = [(names.get(type(law)), law) for law in disk.dissipation]
     if trajectory.batch_shape or not len(trajectory) or any(name is None for name, _ in laws):
         return None
     moments = [float(found.diametral_moment), float(found.axial_moment)]
