@@ -94,5 +94,5 @@ def test_what_is_refused(spec, system, words):
 
 @pytest.mark.parametrize("size", ["1e-200", "1e200"])
 def test_sizes_beyond_the_numbers(spec, size):
-    with pytest.raises(InvalidInput, match="vorticity or field at the start must be within"):
+    with pytest.raises(InvalidInput, match="must be zero or, in SI units, of a size from"):
         spec(f'resolution = 6\nfield_waves = [{{degree = 2, order = 1, field = "{size} rad/s"}}]').report()

@@ -128,7 +128,7 @@ BAD = [
     ('orbital_period = "87.969 day"\n', "", "system: needs orbital_period"),
     ("orbital_period", 'semi_major_axis = "1 km"\norbital_period', "orbital_period: goes without semi_major_axis"),
     ('orbital_period = "87.969 day"', 'semi_major_axis = "1 km"', "got semi_major_axis"),
-    ('"87.969 day"', '"1e200 s"', "mean motion within 1e±100 rad/s"),
+    ('"87.969 day"', '"1e-100 s"', "mean motion within 1e±100 rad/s"),
     ('"10 deg"', '"10 m"', "system.angle: has the wrong unit"),
     ("spin_ratio = 1.5", "spin_ratio = 31", "system.spin_ratio: must be from -30 to 30"),
     ("= 200", "= 0", "system.section_orbits: must be at least 1; got 0"),

@@ -82,6 +82,65 @@ dissipation = [
 [time]
 until = "1 s"
 """,
+    "drag on an orbit": """
+[system]
+kind = "damped-body"
+quadratic_drag = "1e-3 N*m*s^2"
+orbital_period = "10 s"
+eccentricity = 0.1
+[body]
+moments = ["1 kg*m^2", "2 kg*m^2", "2.5 kg*m^2"]
+[spin]
+angular_velocity = ["1 rad/s", "0.1 rad/s", "0 rad/s"]
+[time]
+until = "20 s"
+""",
+    "nodding": """
+[system]
+kind = "heavy-top"
+pivot = ["0 m", "0 m", "-1 m"]
+lean = "20 deg"
+[body]
+moments = ["1 kg*m^2", "1.2 kg*m^2", "1.5 kg*m^2"]
+mass = "1 kg"
+[spin]
+spin = "20 rad/s"
+precession = "1 rad/s"
+nutation_rate = "0.1 rad/s"
+[time]
+until = "1 s"
+""",
+    "wave of both": """
+[system]
+kind = "sphere-mhd"
+resolution = 8
+alfven_wave = {degree = 3, order = 2, vorticity = "1 rad/s", turning = "0.1 rad/s", field = "0.5 rad/s"}
+[time]
+until = "1 s"
+""",
+    "coupled by matrices": """
+[system]
+kind = "spin-lattice"
+vectors = [[1.0]]
+cells = [4]
+bonds = [{cell = [1], matrix = [["1 meV", "0 meV", "0 meV"], ["0 meV", "1 meV", "0 meV"], ["0 meV", "0 meV", "2 meV"]]}]
+dipolar = "0.1 meV"
+periodic = false
+random = true
+[time]
+until = "1 ps"
+""",
+    "moon of a planet": """
+[system]
+kind = "spin-orbit"
+eccentricity = 0.05
+semi_major_axis = "4e8 m"
+gravitational_parameter = "4e14 m^3/s^2"
+asphericity = 0.2
+section_orbits = 2
+[time]
+until = "30 d"
+""",
 }  # fmt: skip
 NUMBERS = [
     "0", "-0.0", "1", "-1", "3", "1e-300", "1e-160", "1e-20", "1e-6", "1e6", "1e20", "1e160", "1e300", "1e308",

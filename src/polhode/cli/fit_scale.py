@@ -11,6 +11,7 @@ from polhode.estimation.attitude_fit import AttitudeFit
 from polhode.estimation.estimate import Estimate
 from polhode.estimation.scale import moments_from_one, moments_from_weight
 from polhode.estimation.throw import ThrowFit
+from polhode.spec.reach import check_reach
 from polhode.spec.units import parse_quantity
 
 _MOMENT = re.compile(r"\s*I([123])\s*=\s*(.+)")
@@ -93,6 +94,7 @@ def quantity(name: str, text: str, unit: str, positive: bool = True) -> float:
         value = parse_quantity(text, unit)
     except ValueError as error:
         raise InvalidInput(f"{name} {error}.") from None
+    check_reach(name, value)
     if positive and not value > 0:
         raise InvalidInput(f"{name} must be positive; got {shown(text)}.")
     return value

@@ -6,11 +6,11 @@ import os
 import signal
 import sys
 import warnings
-from typing import NoReturn
+from typing import Any, NoReturn
 
 from polhode.cli.stopping import SIGNALS, Stopped, said, stopped_by_signals
 from polhode.cli.terminal import readable_output
-from polhode.errors import InvalidInput, PolhodeError
+from polhode.errors import InvalidInput, PolhodeError, one_line
 
 MISTAKE, PIPE_CLOSED = 2, 1  # exit codes
 
@@ -25,7 +25,9 @@ def main(arguments: list[str] | None = None) -> NoReturn:
         SystemExit: always; with 128 and its number after a signal, and 1 where nobody reads the output any more.
     """
     try:
-        with readable_output(), stopped_by_signals():
+        with readable_output(), stopped_by_signals(), warnings.catch_warnings():
+            warnings.filterwarnings("ignore", category=RuntimeWarning)  # NumPy's; what is not finite is seen in the end
+            warnings.showwarning = _say_warning
             code = _run(arguments)
     except Stopped as stop:
         if arguments is None:
@@ -66,6 +68,9 @@ def _run(arguments: list[str] | None) -> int | str | None:
     except MemoryError as error:
         _tell(f"polhode: there is not enough memory ({error}). Give fewer `samples` under [time], or a smaller file.\n")
         return MISTAKE
+    except (ArithmeticError, *_singular()) as error:
+        _tell(f"polhode: a number leaves double precision on the way ({error}). Give sizes that are nearer to one.\n")
+        return MISTAKE
     except BrokenPipeError:
         _silence()
         return PIPE_CLOSED
@@ -74,6 +79,17 @@ def _run(arguments: list[str] | None) -> int | str | None:
         _silence()
         return MISTAKE
     return 0
+
+
+def _singular() -> tuple[type[Exception], ...]:
+    """Return what NumPy raises for a matrix that is not finite; nothing where it has not been imported."""
+    numpy = sys.modules.get("numpy")
+    return () if numpy is None else (numpy.linalg.LinAlgError,)
+
+
+def _say_warning(message: Warning | str, *where: Any, **more: Any) -> None:
+    """Say a warning in one line, without the line of code that it came from."""
+    _tell(f"polhode: {one_line(str(message))}\n")
 
 
 def _tell(message: str) -> None:

@@ -22,6 +22,7 @@ from polhode.quantum.strengths import DEBYE, Lines
 from polhode.reports.answer import Table, units_of, values_of
 from polhode.reports.base import plain
 from polhode.reports.spectra import AREA, frequency, level_table, line_table
+from polhode.spec.reach import check_reach
 from polhode.spec.rotors import SpecRotor, asked_of, check_summable, doubts_of_weights
 from polhode.spec.units import parse_quantity, parse_spectroscopic
 
@@ -155,6 +156,7 @@ def _read(option: str, text: str | None, read: Callable[[str], float]) -> float 
         raise InvalidInput(f"{option} {error}.") from None
     if found < 0.0:
         raise InvalidInput(f"{option} must not be negative; got {shown(text)}.")
+    check_reach(option, found)
     return found
 
 
@@ -166,4 +168,5 @@ def _dipole(text: str) -> tuple[float, ...]:
         values = ()
     if len(values) != 3 or not all(map(math.isfinite, values)):
         raise InvalidInput(f"--dipole must be three numbers in debye with commas, like 0,1.857,0; got {shown(text)}.")
+    check_reach("--dipole", *values)
     return values

@@ -22,6 +22,7 @@ from polhode.formats.paths import written_whole
 from polhode.reports.answer import units_of, values_of
 from polhode.reports.base import plain
 from polhode.reports.tumble import Damping, LightCurve, Tumbler, tumble_groups, tumble_notes, tumble_summary
+from polhode.spec.reach import check_reach
 
 _ERROR = re.compile(r"\s*(?:±|\+/-|\+-)\s*")
 _TRAILING_UNIT = re.compile(r"[a-zA-Zµμ][^±]*$")
@@ -133,6 +134,7 @@ def _given(known: KnownTumbler | None, options: TumbleOptions) -> _Given:
     if moments is not None:
         return _Given(periods[0], periods[1], _moments(moments))
     assert options.semi_axes is not None
+    check_reach("--semi-axes", *options.semi_axes)
     squares = np.sort(np.square(options.semi_axes))[::-1]
     if not (np.isfinite(squares).all() and squares[2] > 0):
         raise InvalidInput(f"--semi-axes must be three positive numbers; got {shown(options.semi_axes)}.")
@@ -156,6 +158,7 @@ def _uncertain(name: str, text: str, unit: str, bare: bool = False) -> tuple[flo
             numbers = [read_number(part) for part in (value, *rest)]
         except ValueError:
             raise InvalidInput(f"{name} must be numbers; got {shown(text)}.") from None
+        check_reach(name, *numbers)
         parts = numbers
         if not parts[0] > 0:
             raise InvalidInput(f"{name} must be positive; got {shown(text)}.")
@@ -195,6 +198,7 @@ def _damping(motion: Tumbling, options: TumbleOptions) -> Damping | None:
     shape = 0.03 if options.shape_factor is None else options.shape_factor
     if not 0 < shape < np.inf:
         raise InvalidInput(f"--shape-factor must be positive, like 0.03; got {shown(shape)}.")
+    check_reach("--shape-factor", shape)
     time = internal_damping_time(motion.precession, diameter, density, rigidity, shape)
     return Damping(time, diameter, density, rigidity, shape)
 

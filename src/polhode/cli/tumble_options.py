@@ -38,7 +38,8 @@ Mode = Annotated[
     typer.Option("--mode", metavar="MODE", help="short-axis or long-axis (default: the one of least energy)."),
 ]
 Diameter = Annotated[
-    str | None, typer.Option("--diameter", metavar="LENGTH", help="Mean, for the time of damping by internal friction.")
+    str | None,
+    typer.Option("--diameter", metavar="LENGTH", help='Mean, like "340 m", for the damping by internal friction.'),
 ]
 Density = Annotated[
     str | None, typer.Option("--density", metavar="DENSITY", help="For the damping (default: 2000 kg/m^3).")

@@ -12,6 +12,7 @@ from scipy.spatial.transform import Rotation
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.estimation.estimate import Estimate
+from polhode.estimation.gyro_log import check_sizes
 from polhode.estimation.linear_start import linear_inertia
 from polhode.estimation.principal import Principal, principal, why_undetermined
 from polhode.estimation.throw_fit import ROBUST, covariance_of, cross_matrix, right_jacobian
@@ -222,6 +223,7 @@ def _cleaned(times: ArrayLike, quaternions: ArrayLike, rates: ArrayLike | None) 
     whole = np.isfinite(t) & np.isfinite(q).all(axis=1)
     whole &= True if gyro is None else np.isfinite(gyro).all(axis=1)
     t, q, gyro = t[whole], q[whole], None if gyro is None else gyro[whole]
+    check_sizes(times=t, rates=np.zeros(0) if gyro is None else gyro)
     if len(t) < 12 or not (np.diff(t) > 0).all():
         raise InvalidInput(f"at least 12 attitudes at increasing times are needed; got {len(t)}. Sort them by time and "
                            "leave out repeated times.")  # fmt: skip

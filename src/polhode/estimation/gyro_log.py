@@ -14,6 +14,8 @@ MIN_SAMPLES = 8
 HICCUPS = 3  # samples at a time that was there already, at most
 COARSE = 0.02  # of the samples at a time that was there already: more is a clock that is rounded, not a hiccup
 EVEN = 1.1  # of the clock's step, within which its rounding keeps the times of equal steps
+MOST = {"times": (1e12, "s"), "rates": (1e12, "rad/s"), "acceleration": (1e12, "m/s²")}
+"""The largest size of what a log may hold, beyond any clock and gyro: what levitated grains do is 3e10 rad/s."""
 
 
 @dataclass(frozen=True)
@@ -82,6 +84,23 @@ def clean_log(
     return GyroLog(t, x, ta if some else None, a if some else None, dropped, repeats, reordered, spread)
 
 
+def check_sizes(**values: Array) -> None:
+    """Refuse numbers that no log holds, as of columns that are something else.
+
+    Args:
+        values: by name, one of MOST.
+
+    Raises:
+        InvalidInput: naming what is too large, and the rule.
+    """
+    for name, numbers in values.items():
+        most, unit = MOST[name]
+        largest = float(np.max(np.abs(numbers), initial=0.0))
+        if largest > most:
+            raise InvalidInput(f"{name} must be at most {most:g} {unit} in size; got {largest:g} {unit}. Check which "
+                               "columns of the log they are, and their unit.")  # fmt: skip
+
+
 def _cleaned(name: str, times: ArrayLike, values: ArrayLike) -> tuple[Array, Array, int, int, bool, int]:
     t, x = (np.asarray(v, dtype=np.float64) for v in (times, values))
     if t.ndim != 1 or x.shape != (*t.shape, 3):
@@ -91,6 +110,7 @@ def _cleaned(name: str, times: ArrayLike, values: ArrayLike) -> tuple[Array, Arr
     whole = np.isfinite(t) & np.isfinite(x).all(axis=1)
     if not whole.all():
         t, x = t[whole], x[whole]
+    check_sizes(**{"times": t, name: x})
     steps = np.diff(t)
     if (steps > 0).all():
         return t.copy(), x.copy(), int((~whole).sum()), 0, False, 0

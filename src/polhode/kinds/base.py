@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import re
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from importlib import import_module, resources
@@ -22,6 +24,7 @@ from polhode.reports.answer import Group, Table
 from polhode.reports.base import AbstractMotionReport, AbstractReport
 from polhode.spec.building import build_spin
 from polhode.spec.models import BodyTable, SpinTable, SystemTable
+from polhode.spec.reach import REACH, most_extreme
 from polhode.spec.remarks import remarks_on
 from polhode.spec.rules import Mistake
 from polhode.spec.surfaces import surface_of_body
@@ -33,6 +36,9 @@ if TYPE_CHECKING:
     from polhode.spec.rotors import SpecRotor
     from polhode.viewer.panels import Content
     from polhode.viewer.samples import Samples
+
+
+NOT_FINITE = re.compile(r"(?<![\w'\"])-?(inf|nan)(?![\w'\"])")  # as Python writes it in a sentence
 
 
 class SpecMotion(NamedTuple):
@@ -131,6 +137,7 @@ class AbstractKind:
         has_motion: whether something moves in time, so that its report is an ``AbstractMotionReport``.
         has_attitude: whether the motion is that of a body that turns in space.
         is_default: whether a spec without [system] means this kind; of the kinds here one does.
+        reach: the largest size, in SI, that its spec may give to a number, and one over the smallest.
     """
 
     name: ClassVar[str]
@@ -142,6 +149,7 @@ class AbstractKind:
     has_motion: ClassVar[bool] = True
     has_attitude: ClassVar[bool] = True
     is_default: ClassVar[bool] = False
+    reach: ClassVar[float] = REACH
 
     @property
     def example(self) -> str:
@@ -401,8 +409,31 @@ class Spec:
 
     def report(self) -> AbstractReport:
         """Return the answers; see ``AbstractKind.report``."""
-        return self.kind.report(self)
+        with self._within_double_precision():
+            found = self.kind.report(self)
+            if wrong := NOT_FINITE.search("\n".join([found.summary, *found.notes])):
+                raise OverflowError(f"its sentences would say {wrong.group()}")
+        return found
 
     def motion(self) -> SpecMotion:
         """Return the motion without the answers; see ``AbstractKind.motion``."""
-        return self.kind.motion(self)
+        with self._within_double_precision():
+            return self.kind.motion(self)
+
+    @contextmanager
+    def _within_double_precision(self) -> Iterator[None]:
+        """Refuse, in words, what leaves double precision on the way to the answers.
+
+        NumPy says nothing meanwhile: what is not finite in the end is seen there.
+        """
+        try:
+            with np.errstate(all="ignore"):
+                yield
+        except (ArithmeticError, np.linalg.LinAlgError) as error:
+            until = {} if self.until is None else {"until": self.until}
+            given = {"system": self.system, "body": self.source, "spin": self.spin, "time": until}
+            farthest = most_extreme(given)
+            told = f" Farthest from one {farthest}: check its number and unit." if farthest else ""
+            raise InvalidInput(
+                f"numbers on the way to the answers leave double precision ({error}).{told}"
+            ) from error

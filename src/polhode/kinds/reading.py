@@ -21,6 +21,7 @@ from polhode.spec.export import labels_of
 from polhode.spec.mistakes import as_message, mistakes_of
 from polhode.spec.models import BodyTable, PartTable, SpecFile, SystemTable
 from polhode.spec.parsing import read_tables
+from polhode.spec.reach import beyond_reach
 from polhode.spec.rules import SOURCES, Location, Mistake, broken_rules, table_rules
 
 SWEEP = "sweep"  # the table that asks for many motions, of which a spec is one
@@ -68,6 +69,10 @@ def spec_of_tables(tables: dict[str, Any], path: Path) -> Spec:
         model = SpecFile.model_validate(table)
     except ValidationError as error:
         mistakes += mistakes_of(error)
+    if kind is not None:
+        beyond = [*beyond_reach(system, ("system",), kind.reach), *beyond_reach(model, (), kind.reach)]
+        told = {location for location, _ in mistakes}
+        mistakes += [mistake for mistake in beyond if mistake[0] not in told]
     body, unphysical = _built_body(table.get("body"), path.parent, mistakes)
     if model is None or kind is None or mistakes or unphysical:
         found = mistakes + [(location, str(error)) for location, error in unphysical]

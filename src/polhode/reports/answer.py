@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Any, NamedTuple
 
@@ -30,6 +31,8 @@ class Answer(NamedTuple):
     @property
     def words(self) -> str | None:
         """The value for people; None where there is nothing to say."""
+        if isinstance(self.value, float) and math.isnan(self.value):
+            return None
         return worded(self.value, self.unit) if self.text is None else self.text
 
 

@@ -187,8 +187,8 @@ def _quality(fit: ThrowFit) -> Group:
     how = "as given" if first.window.reason == "given" else first.window.reason
     how += f"; {counted(len(fit.throws) - 1, 'more throw')} below" if len(fit.throws) > 1 else ""
     return Group("Fit", [
-        Answer("rms", fit.rms if sure else None, "rad/s", "residuals", "root mean square",
-               f"{fit.rms:.3g} rad/s rms"),
+        Answer("rms", fit.rms if sure else None, "rad/s", "residuals" if np.isfinite(fit.rms) else "",
+               "root mean square", f"{fit.rms:.3g} rad/s rms"),
         Answer("sigma", fit.sigma if sure else None, "rad/s", "noise of a sample", "", f"{fit.sigma:.3g} rad/s"),
         Answer("jitter", fit.jitter if sure else None, "s", "jitter of the clock" if fit.jitter > 0 else "", "",
                f"{fit.jitter:.2g} s rms"),

@@ -23,7 +23,11 @@ RAISED = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def number(value: float | None, unit: str = "") -> str | None:
-    """Return a number with its unit."""
+    """Return a number with its unit; None where it is not defined, which is None or NaN.
+
+    >>> number(0.5, "J"), number(float("inf")), number(float("nan"))
+    ('0.5 J', 'infinite', None)
+    """
     return _unless_infinite(value, lambda x: f"{x:.8g} {unit}".rstrip())
 
 
@@ -167,7 +171,7 @@ def worded(value: Any, unit: str = "") -> str | None:
 
 
 def _unless_infinite(value: float | None, words: Callable[[float], str]) -> str | None:
-    if value is None:
+    if value is None or math.isnan(value):
         return None
     return "infinite" if math.isinf(value) else words(value)
 

@@ -150,9 +150,15 @@ def within(least: float, most: float, what: str) -> Callable[[float], float]:
     return check
 
 
+def _in_degrees(value: float) -> str:
+    """Return an angle [rad] in degrees; in radians where that many degrees overflow."""
+    turned = math.degrees(value)
+    return f"{turned:g} deg" if math.isfinite(turned) else f"{value:g} rad"
+
+
 def _racket_tilt(value: float) -> float:
     if not 0.0 <= value <= math.radians(85.0):
-        raise ValueError(f"must be from 0 to 85 deg; got {math.degrees(value):g} deg. At 90 L is on another axis")
+        raise ValueError(f"must be from 0 to 85 deg; got {_in_degrees(value)}. At 90 L is on another axis")
     return value
 
 
@@ -192,7 +198,7 @@ def _precession(value: Any) -> float | str:
 
 def _lean(value: float) -> float:
     if not 0.0 <= value <= math.pi * (1.0 + 1e-15):
-        raise ValueError(f"must lie from 0 to 180 deg; got {math.degrees(value):g} deg. Check it")
+        raise ValueError(f"must lie from 0 to 180 deg; got {_in_degrees(value)}. Check it")
     return value
 
 
@@ -204,7 +210,7 @@ def not_zero(value: float) -> float:
 
 def _latitude(value: float) -> float:
     if not abs(value) <= 0.5 * math.pi * (1.0 + 1e-15):
-        raise ValueError(f"must lie from -90 to 90 deg; got {math.degrees(value):g} deg. Check it")
+        raise ValueError(f"must lie from -90 to 90 deg; got {_in_degrees(value)}. Check it")
     return value
 
 
@@ -217,7 +223,7 @@ def _thickness(value: float) -> float:
 def _standing(value: float) -> float:
     if not 0.0 < value < math.pi:
         raise ValueError(
-            f"must lie between 0 and 180 deg; got {math.degrees(value):g} deg. A disk that lies flat touches with all "
+            f"must lie between 0 and 180 deg; got {_in_degrees(value)}. A disk that lies flat touches with all "
             "of its face and does not roll: start at a small tilt, such as 5 deg"
         )
     return value

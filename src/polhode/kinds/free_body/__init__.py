@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import ClassVar
 
 from polhode.kinds.base import AbstractKind
@@ -15,6 +16,7 @@ class FreeBody(AbstractKind):
     name: ClassVar[str] = "free-body"
     table: ClassVar[type[SystemTable]] = FreeBodyTable
     in_closed_form: ClassVar[bool] = True
+    reach: ClassVar[float] = math.inf  # closed forms are computed at any size
     sources: ClassVar[tuple[str, ...]] = ("polhode.exact.free_body.FreeMotion",)
     is_default: ClassVar[bool] = True
     figure_names: ClassVar[tuple[str, ...]] = ("momentum_sphere", "inertia_ellipsoid", "components", "herpolhode")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from typing import Any, ClassVar
 
@@ -19,6 +20,7 @@ class LagrangeTopKind(AbstractKind):
     subject: ClassVar[str] = "top"
     sources: ClassVar[tuple[str, ...]] = ("polhode.exact.lagrange_top.LagrangeMotion",)
     in_closed_form: ClassVar[bool] = True
+    reach: ClassVar[float] = math.inf  # closed forms are computed at any size
     figure_names: ClassVar[tuple[str, ...]] = ("spinning_top", "axis_locus", "motion")
 
     def rules(self, tables: dict[str, Any]) -> Iterator[Mistake]:
