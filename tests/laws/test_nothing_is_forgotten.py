@@ -118,6 +118,7 @@ NO_ARRAYS = {
     "SpinMotion.predictable_time", "SpinMotion.regular_exponent", "DiskPath.part",
     "Lattice.positions",
     "GyroLog", "estimation.flight.free_flights", "estimation.flight.Window", "FittedThrow", "ModelScore", "ThrowFit",
+    "estimation.rest.rest_stretches",
     "AttitudeFit", "Tumbling", "TumblingInterval",
     "ChandlerFit", "ChandlerFit.term", "ChandlerFit.amplitude", "ChandlerProcess", "ChandlerWindows",
     "PoleSpectrum", "PolarExcitation", "EulerPeriod",

@@ -11,6 +11,7 @@ from .gyro_log import GyroLog as GyroLog
 from .gyro_log import clean_log as clean_log
 from .polar_motion import ChandlerFit as ChandlerFit
 from .polar_motion import chandler_fit as chandler_fit
+from .rest import rest_stretches as rest_stretches
 from .scale import moments_from_one as moments_from_one
 from .scale import moments_from_weight as moments_from_weight
 from .throw import FittedThrow as FittedThrow

@@ -1,0 +1,101 @@
+"""Where in a log the device lies still, so that its gyro reads its bias alone."""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy.ndimage import maximum_filter1d, minimum_filter1d, uniform_filter1d
+
+from polhode.arrays import known_numbers_only
+from polhode.estimation.gyro_log import GyroLog
+from polhode.types import Array, Bool, Float64
+
+SHORTEST = 0.3  # s
+MEAN_OVER = 0.1  # s: means over it keep the noise small and show a hand's tremor
+WANDER = 0.015  # rad/s, by which means over MEAN_OVER may differ within a stretch; hands shake by several times as much
+LARGEST_BIAS = 0.35  # rad/s: what cheap gyros are sold with, 20 deg/s
+BIASES_APART = 0.03  # rad/s: the bias of one log warms up by less
+GRAVITY = (8.8, 10.8)  # m/s², as accelerometers that are a few percent off feel it
+TILT = 0.3  # m/s², by which what is felt may change within SHORTEST: a turn of 0.1 rad/s
+
+
+@known_numbers_only
+def rest_stretches(log: GyroLog) -> list[tuple[float, float]]:
+    """Return the start and end [s] of the stretches in which the device lies still, in the order of time.
+
+    Still is where means of the rates over a tenth of a second differ by less than noise lets them, near zero, and near
+    the longest stretch's; where there is an accelerometer it feels a constant weight too. The mean of the rates within
+    is the gyro's bias. Neither a hand nor a flight is so still.
+
+    Args:
+        log: from ``clean_log``.
+
+    Example:
+        >>> import numpy as np
+        >>> from polhode.estimation import clean_log
+        >>> t = np.arange(0, 3, 0.01)
+        >>> rates = np.where(t > 1, 9 * np.cos(5 * t), 0.002)[:, None] * [0.0, 1.0, 1.0]
+        >>> [(start, end)] = rest_stretches(clean_log(t, rates))
+        >>> bool(start == 0.0 and 0.85 < end < 1.0)
+        True
+    """
+    t, rates = log.times, log.rates
+    means, size = _means(t, rates)
+    wander = WANDER + 0.5 * _step_between_values(rates)
+    still = _steady(means, size, wander) & _without_gaps(t, size)
+    still &= np.linalg.norm(means, axis=1) < LARGEST_BIAS
+    if log.acceleration is not None and log.acceleration_times is not None:
+        still &= _weight_is_constant(log.acceleration_times, log.acceleration, t)
+    totals = np.concatenate([np.zeros((1, 3)), np.cumsum(rates, axis=0)])
+    found = [(i, j, (totals[j + 1] - totals[i]) / (j + 1 - i)) for i, j in _stretches(still, t)]
+    if not found:
+        return []
+    _, _, bias = max(found, key=lambda each: t[each[1]] - t[each[0]])
+    return [(float(t[i]), float(t[j])) for i, j, mean in found if np.linalg.norm(mean - bias) < BIASES_APART]
+
+
+def _means(t: Array, values: Array) -> tuple[Array, int]:
+    """Return means over MEAN_OVER, and over how many samples SHORTEST is."""
+    step = float(np.median(np.diff(t)))
+    return (uniform_filter1d(values, max(1, round(MEAN_OVER / step)), axis=0, mode="nearest"),
+            max(2, round(SHORTEST / step)))  # fmt: skip
+
+
+def _step_between_values(rates: Array) -> float:
+    """Return the usual step between the values that a gyro rounds to [rad/s]; zero where it hardly rounds."""
+    values = np.unique(np.round(rates[:20_000], 9))  # of a long log its beginning says it
+    return float(np.median(np.diff(values))) if len(values) > 1 else 0.0
+
+
+def _steady(means: Array, size: int, wander: float) -> Bool[Array, "n"]:
+    """Return which samples belong to a stretch of so many in which no component wanders."""
+    span = maximum_filter1d(means, size, axis=0) - minimum_filter1d(means, size, axis=0)
+    whole = np.asarray((span < wander).all(axis=1))
+    whole[: size // 2] = whole[len(whole) - (size - 1) // 2 :] = False  # stretches that reach beyond the log
+    return maximum_filter1d(whole, size, origin=-1 if size % 2 == 0 else 0)
+
+
+def _without_gaps(t: Float64[Array, "n"], size: int) -> Bool[Array, "n"]:
+    """Return which samples have neighbours within SHORTEST."""
+    steps = np.diff(t, prepend=t[0], append=t[-1])
+    return (steps[:-1] < SHORTEST) & (steps[1:] < SHORTEST)
+
+
+def _weight_is_constant(clock: Array, felt: Array, t: Array) -> Bool[Array, "n"]:
+    if len(clock) < 2:
+        return np.zeros(len(t), dtype=bool)
+    means, size = _means(clock, felt)
+    weight = np.linalg.norm(means, axis=1)
+    calm = _steady(means, size, TILT) & (weight > GRAVITY[0]) & (weight < GRAVITY[1])
+    return np.interp(t, clock, calm.astype(float), 0.0, 0.0) > 0.5
+
+
+def _stretches(still: Bool[Array, "n"], t: Float64[Array, "n"]) -> list[tuple[int, int]]:
+    """Return the first and last sample of each long enough run, whose ends a mean has spread over are cut off."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], still, [False]]).astype(np.int8)))
+    found = []
+    for first, behind in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
+        start = first if first == 0 else int(np.searchsorted(t, t[first] + MEAN_OVER / 2))
+        last = behind - 1 if behind == len(t) else int(np.searchsorted(t, t[behind - 1] - MEAN_OVER / 2, "right")) - 1
+        if last > start and t[last] - t[start] >= SHORTEST - MEAN_OVER:
+            found.append((start, last))
+    return found
