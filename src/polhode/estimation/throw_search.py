@@ -1,0 +1,219 @@
+"""Which motion throws are of: models from the simple to the rich, each from the one before it, and other starts."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from polhode.estimation.linear_start import linear_inertia, turned_by
+from polhode.estimation.principal import why_undetermined
+from polhode.estimation.throw_fit import LIMITS, Model, Solution, Throw, fitted
+from polhode.estimation.throw_models import shape_of
+from polhode.types import Array
+
+MISFIT = 1.4  # times the noise of the samples: larger residuals ask for other starts
+NEAR = 1e-4  # of a bound of the drag: a fit that ends there may be in a wrong valley
+FLAT = -0.05  # of c: a body cannot be as flat, so that a fit that ends there is in a wrong valley
+SAME, AGREED = 5.0, 3  # of the logarithm of the likelihood, and how many starts that end alike are believed
+ALIKE = 0.3  # correlation of neighbouring residuals, from which a motion does not explain the data
+ROD = 0.98  # of s: hardly a body is so long and thin
+RESTARTS = np.array([[0.3, 0.05], [0.6, 0.05], [0.85, 0.02], [0.3, 0.3]])  # shapes s and c: plates, a rod, round
+MIN_TURN = 0.5  # rad: of less nothing can be said
+MOST_TURN = 2.0  # rad from sample to sample: a third of a turn, between which the motion cannot be followed
+SURE = 10.0  # of AICc, by which a wheel must do better than air: few bodies have one
+AIR = ((), ("drag",), ("drag", "linear_drag"), ("drag", "linear_drag", "one_sided_drag"))
+WHEEL = (("rotor",), ("drag", "rotor"))
+
+
+@dataclass(frozen=True)
+class Start:
+    """What the linear method says, and why nothing can be said, if so."""
+
+    shape: Array
+    axes: Array
+    singular_values: Array
+    noise: float
+    degenerate: str | None
+
+    @classmethod
+    def of(cls, throws: list[Throw]) -> Start:
+        """Return the start for throws of one body."""
+        rates = [throw.rates for throw in throws]
+        found = linear_inertia(rates, [turned_by(t.elapsed, t.rates) for t in throws])
+        noise = _noise(throws)
+        # noise of σ makes each singular value about σ √n; biases and drag make them larger, so the fit judges again
+        floor = 6.0 * noise * np.sqrt(sum(len(r) for r in rates))
+        steps = [np.linalg.norm(t.rates[1:], axis=1) * np.diff(t.elapsed) for t in throws]
+        turned = max(float(step.sum()) for step in steps)
+        between = max(float(np.median(step)) for step in steps)
+        reason = None
+        if between > MOST_TURN:
+            reason = (f"the rates say that the body turns by {between:.3g} rad from sample to sample, too far to be "
+                      "followed: the rates are of another unit, like deg/s, or the times are.")  # fmt: skip
+        elif turned < MIN_TURN:
+            reason = f"the body turned by {turned:.2g} rad only: nothing can be said of its inertia."
+        elif found.singular_values[-2] < floor:
+            reason = why_undetermined(rates, None)
+        return cls(shape_of(found.moments), found.axes, found.singular_values, noise, reason)
+
+
+def _noise(throws: list[Throw]) -> float:
+    """Return the noise of a sample from third differences, in which smooth motion vanishes."""
+    parts = [np.abs(np.diff(throw.rates, n=3, axis=0)) for throw in throws]
+    return float(np.median(np.concatenate(parts)) / (0.6745 * np.sqrt(20.0)))
+
+
+def solutions_of(
+    plain: Model, start: Start, throws: list[Throw], drag: bool | str, rotor: bool | str, gain: bool | str
+) -> list[Solution]:
+    """Return the fits of the models that are asked for, the best of them first.
+
+    Args:
+        plain: the model of the free motion, with gains where they are asked for.
+        start: of the linear method.
+        throws: the samples.
+        drag: whether air acts; "auto" for what the criterion says, as below.
+        rotor: whether a wheel turns in the body.
+        gain: whether the gyro has gains.
+    """
+    found = []
+    if rotor is not True:
+        found += _in_air(plain, start, throws, drag)
+    if rotor is True or (rotor == "auto" and _doubtful(min(found, key=criterion), start)):
+        found += _with_wheel(plain, throws, drag)
+    best = min(found, key=criterion)
+    if _in_a_valley(best, start):
+        kept = best.model if best.model.rotor else replace(plain, forces=() if drag is False else AIR[1])
+        again = _retried(best if best.model == kept else _richer(best, kept, throws), start, throws)
+        found.append(again)
+        if drag is not False and not kept.rotor and again.aicc < best.aicc:
+            found.append(_richer(again, replace(plain, forces=AIR[2]), throws))
+    if gain == "auto":
+        best = min(found, key=criterion)
+        found.append(_richer(best, replace(best.model, gain=True), throws))
+    return sorted(found, key=criterion)
+
+
+def criterion(solution: Solution) -> float:
+    """Return the criterion by which models are compared: AICc, and more for a wheel, of which few bodies have one."""
+    return solution.aicc + SURE * solution.model.rotor
+
+
+def _in_air(plain: Model, start: Start, throws: list[Throw], drag: bool | str) -> list[Solution]:
+    """Return fits without a wheel; richer ones only while they do better."""
+    begin = [start.axes.T @ throw.rates[len(throw.rates) // 2] for throw in throws]
+    gains = [np.ones(3), np.zeros(3)] * plain.gain
+    x = np.concatenate([start.shape, np.zeros(3), plain.bias, *gains, *begin])
+    last = _grown(plain, x, start.axes, throws)
+    found = [last]
+    for forces in () if drag is False else AIR[1:]:
+        more = _richer(last, replace(plain, forces=forces), throws)
+        found.append(more)
+        if len(forces) > 1 and more.aicc > last.aicc:
+            break
+        last = more
+    return found[1:] if drag is True else found
+
+
+def _with_wheel(plain: Model, throws: list[Throw], drag: bool | str) -> list[Solution]:
+    """Return fits with a wheel, from the linear method's with one."""
+    rates = [throw.rates - np.array(plain.bias) for throw in throws]
+    linear = linear_inertia(rates, [turned_by(t.elapsed, r) for t, r in zip(throws, rates, strict=True)], rotor=True)
+    begin = [linear.axes.T @ throw.rates[len(throw.rates) // 2] for throw in throws]
+    gains = [np.ones(3), np.zeros(3)] * plain.gain
+    x = np.concatenate([shape_of(linear.moments), np.zeros(3), plain.bias, *gains, linear.axes.T @ linear.rotor,
+                        *begin])  # fmt: skip
+    found = [_grown(replace(plain, forces=WHEEL[0]), x, linear.axes, throws)]
+    if drag is not False:
+        found.append(_richer(found[0], replace(plain, forces=WHEEL[1]), throws))
+    return found[1:] if drag is True else found
+
+
+def _richer(base: Solution, model: Model, throws: list[Throw]) -> Solution:
+    return fitted(model, carried(base, model), base.axes, throws, (base.sigma, base.jitter))
+
+
+def _in_a_valley(solution: Solution, start: Start) -> bool:
+    """Whether a fit may have ended at a wrong place: at a bound, or with residuals beyond the samples' own noise."""
+    misfit = np.median(np.abs(solution.residuals)) > MISFIT * 0.6745 * start.noise
+    return bool(misfit) or at_bound(solution) is not None
+
+
+def _doubtful(solution: Solution, start: Start) -> bool:
+    """Whether residuals are larger than the samples' noise, or neighbouring ones alike."""
+    return _in_a_valley(solution, start) or alike(solution.residuals) > ALIKE
+
+
+def alike(residuals: Array) -> float:
+    """Return the correlation of neighbouring residuals (n, 3)."""
+    return float((residuals[:-1] * residuals[1:]).sum() / max(float((residuals**2).sum()), 1e-300))
+
+
+def at_bound(solution: Solution) -> str | None:
+    """Return which of shape and drag ran to where no body is, where drag may do the work of a wrong shape."""
+    x, places = solution.parameters, solution.model.places
+    s, c = x[places["shape"]]
+    if abs(s) > ROD or c < FLAT:
+        return "shape"
+    for name in solution.model.forces:
+        low, high = LIMITS.get(name, ([-np.inf], [np.inf]))
+        if np.minimum(x[places[name]] - low[0], high[0] - x[places[name]]).min() < NEAR:
+            return name
+    return None
+
+
+def _grown(model: Model, x: Array, axes: Array, throws: list[Throw]) -> Solution:
+    """Return a fit that begins with the middles of long throws, where a rough start keeps the count of turns."""
+    for samples in (500, 2500):
+        if max(len(throw.elapsed) for throw in throws) > 2 * samples:
+            middles = [_middle(throw, samples) for throw in throws]
+            found = fitted(model, x, axes, middles, None)
+            x, axes = carried(found, model), found.axes
+    return fitted(model, x, axes, throws, None)
+
+
+def _middle(throw: Throw, samples: int) -> Throw:
+    centre = int(np.argmin(np.abs(throw.elapsed)))
+    part = slice(max(centre - samples // 2, 0), centre + samples // 2)
+    return Throw(throw.elapsed[part], throw.rates[part], throw.epoch)
+
+
+def _retried(solution: Solution, start: Start, throws: list[Throw]) -> Solution:
+    """Return the best of several starts: shapes by the axes of the linear method and by those of the rates themselves.
+
+    The linear method knows of no bias. Where the body turns about its middle axis, that may exchange its axes.
+    """
+    model = solution.model
+    begin = carried(solution, model)
+    begin[model.places["bias"]] = model.bias
+    for name in model.forces:
+        begin[model.places[name]] = 0.0
+    one, two, three = np.linalg.svd(np.concatenate([throw.rates for throw in throws]), full_matrices=False)[2]
+    found = [solution]
+    for axes in (np.stack([three, one, np.cross(three, one)], axis=1), start.axes,
+                 np.stack([two, one, np.cross(two, one)], axis=1)):  # fmt: skip
+        for k, throw in enumerate(throws):
+            begin[model.places[f"start {k}"]] = axes.T @ throw.rates[len(throw.rates) // 2]
+        for shape in RESTARTS:
+            begin[model.places["shape"]] = shape
+            found.append(fitted(model, begin, axes, throws, None))
+            if not _in_a_valley(found[-1], start):
+                return max(found, key=lambda each: each.log_likelihood)
+        likelihoods = np.array([each.log_likelihood for each in found])
+        if (likelihoods > likelihoods.max() - SAME).sum() >= AGREED:
+            break  # the data are not of this model, wherever one starts
+    return max(found, key=lambda each: each.log_likelihood)
+
+
+def carried(base: Solution, model: Model) -> Array:
+    """Return a solution's parameters where another model has them, its axes taken for the start."""
+    x = np.zeros(model.size)
+    for name, place in model.places.items():
+        if name in base.model.places:
+            x[place] = base.parameters[base.model.places[name]]
+        elif name == "gain":
+            x[place] = 1.0
+    x[model.places["turn"]] = 0.0
+    return x
+
