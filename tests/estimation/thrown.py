@@ -9,13 +9,13 @@ BODIES = {"phone": (0.22, 0.84, 1.0), "book": (0.35, 0.75, 1.0), "racket": (0.1,
 SPINS = {"short": (2.0, 3.0, 9.0), "middle": (0.9, 11.0, 0.9), "long": (10.0, 2.5, 2.0)}
 # what goes wrong beside bias, gains of 1 %, drag along the axes and a clock that jitters
 TROUBLES = {
-    "nominal": {},
+    "gains 1 %": {},
     "cross-axis 1 %": dict(cross=0.01),
-    "gains 3 %": dict(gain=0.03),
-    "clock 1 %": dict(clock=0.01),
-    "linear and quadratic drag": dict(linear=0.1),
-    "one-sided drag": dict(one_sided=0.6),
-    "drag across axes": dict(across=0.01),
+    "gains 3 %": dict(cross=0.01, gain=0.03),
+    "clock 1 %": dict(cross=0.01, clock=0.01),
+    "linear and quadratic drag": dict(cross=0.01, linear=0.1),
+    "one-sided drag": dict(cross=0.01, one_sided=0.6),
+    "drag across axes": dict(cross=0.01, across=0.01),
 }
 
 

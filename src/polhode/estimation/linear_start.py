@@ -68,14 +68,14 @@ def inertia_matrix(entries: Float64[Array, "6"]) -> Float64[Array, "3 3"]:
 
 def linear_inertia(
     rates: list[Float64[Array, "n 3"]], attitudes: list[Float64[Array, "n 4"]],
-    kept: list[Integer[Array, "k"]] | None = None, rotor: bool = False,
+    parts: list[list[Integer[Array, "k"]]] | None = None, rotor: bool = False,
 ) -> LinearInertia:  # fmt: skip
     """Return moments and axes from one or several throws of one body.
 
     Args:
         rates: of each throw [rad/s, device frame].
         attitudes: of each throw, quaternions xyzw, device → any frame at rest.
-        kept: which samples of each throw to use, by default all.
+        parts: which samples of each throw keep one momentum, by default all.
         rotor: whether a wheel of constant momentum h turns in the body: R (J ω + h) is constant then.
     """
     rows = []
@@ -83,8 +83,8 @@ def linear_inertia(
         maps = momentum_map(attitude, rate)
         if rotor:
             maps = np.concatenate([maps, Rotation.from_quat(attitude).as_matrix()], axis=2)
-        maps = maps if kept is None else maps[kept[k]]
-        rows.append((maps - maps.mean(axis=0)).reshape(-1, maps.shape[2]))
+        for part in [slice(None)] if parts is None else parts[k]:
+            rows.append((maps[part] - maps[part].mean(axis=0)).reshape(-1, maps.shape[2]))
     _, values, right = np.linalg.svd(np.concatenate(rows), full_matrices=False)  # at least 24 rows
     J = inertia_matrix(right[-1, :6])
     sign = np.sign(np.trace(J) or 1.0)

@@ -15,7 +15,7 @@ from polhode.estimation.flight import Window, check_windows, free_flights
 from polhode.estimation.gyro_log import GyroLog
 from polhode.estimation.principal import Principal, principal
 from polhode.estimation.rest_bias import RestBias, rest_bias
-from polhode.estimation.throw_doubts import why_no_result
+from polhode.estimation.throw_doubts import why_no_result, why_nothing_explains
 from polhode.estimation.throw_fit import PAIRS, Model, Solution, Throw
 from polhode.estimation.throw_search import Start, solutions_of
 from polhode.estimation.unmodelled import Settled, settled
@@ -221,6 +221,9 @@ def fit_throw(
     best = tried[0]
     scores = [ModelScore(s.model.air, s.model.rotor, s.model.gain, s.model.size, s.aicc, s.bic, _rms(s.residuals),
                          s is best) for s in tried]  # fmt: skip
+    reason = why_nothing_explains(best, throws)
+    if reason is not None:
+        return replace(_nothing(cut, start, level), criterion=scores, degenerate=reason)
     return _result(settled(best, throws), rest, scores, cut, start, level)
 
 

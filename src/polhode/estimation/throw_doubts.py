@@ -15,6 +15,16 @@ IMPOSSIBLE = 3.0  # standard errors, by which a body may miss I1 + I2 ≥ I3
 CALLED = {"drag": "drag", "linear_drag": "linear drag", "one_sided_drag": "one-sided drag", "shape": "shape"}
 
 
+def why_nothing_explains(solution: Solution, throws: list[Throw]) -> str | None:
+    """Return that residuals are hardly smaller than the rates themselves, in a sentence, or None."""
+    rates = np.concatenate([throw.rates for throw in throws])
+    size, left = _rms(rates - rates.mean(axis=0)), _rms(solution.residuals)
+    if left < UNEXPLAINED * size:
+        return None
+    return (f"no motion that was tried explains the rates: {left:.3g} rad/s of {size:.3g} rad/s are left. The rates may "
+            "be of another unit, like deg/s, or the stretch no free flight.")  # fmt: skip
+
+
 def why_no_result(solution: Solution, found: Principal, throws: list[Throw]) -> str | None:
     """Return why a fit says nothing of the inertia, in a sentence, or None where it does.
 
@@ -23,11 +33,6 @@ def why_no_result(solution: Solution, found: Principal, throws: list[Throw]) -> 
         found: what it says of moments and axes.
         throws: the samples.
     """
-    rates = np.concatenate([throw.rates for throw in throws])
-    size, left = _rms(rates - rates.mean(axis=0)), _rms(solution.residuals)
-    if not left < UNEXPLAINED * size:
-        return (f"no motion that was tried explains the rates: {left:.3g} rad/s of {size:.3g} rad/s are left. The rates "
-                "may be of another unit, like deg/s, or the stretch no free flight.")  # fmt: skip
     bound = at_bound(solution)
     if bound is not None:
         return (f"the fit ended at a bound of the {CALLED[bound]}, where no body is: the motion is another one than "

@@ -23,6 +23,7 @@ MIN_TURN = 0.5  # rad: of less nothing can be said
 MOST_TURN = 2.0  # rad from sample to sample: a third of a turn, between which the motion cannot be followed
 SURE = 10.0  # of AICc, by which a wheel must do better than air: few bodies have one
 AIR = ((), ("drag",), ("drag", "linear_drag"), ("drag", "linear_drag", "one_sided_drag"))
+SPANS = (100.0, 0.3, 0.15)  # s, of stretches over which a momentum is constant: biases add up over long ones
 WHEEL = (("rotor",), ("drag", "rotor"))
 
 
@@ -81,7 +82,7 @@ def solutions_of(
     if rotor is not True:
         found += _in_air(plain, start, throws, drag)
     if rotor is True or (rotor == "auto" and _doubtful(min(found, key=criterion), start)):
-        found += _with_wheel(plain, throws, drag)
+        found += _with_wheel(plain, start, throws, drag)
     best = min(found, key=criterion)
     if _in_a_valley(best, start):
         kept = best.model if best.model.rotor else replace(plain, forces=() if drag is False else AIR[1])
@@ -116,18 +117,27 @@ def _in_air(plain: Model, start: Start, throws: list[Throw], drag: bool | str) -
     return found[1:] if drag is True else found
 
 
-def _with_wheel(plain: Model, throws: list[Throw], drag: bool | str) -> list[Solution]:
-    """Return fits with a wheel, from the linear method's with one."""
+def _with_wheel(plain: Model, start: Start, throws: list[Throw], drag: bool | str) -> list[Solution]:
+    """Return fits with a wheel, from the linear method's with one, over wholes or parts of the throws."""
     rates = [throw.rates - np.array(plain.bias) for throw in throws]
-    linear = linear_inertia(rates, [turned_by(t.elapsed, r) for t, r in zip(throws, rates, strict=True)], rotor=True)
-    begin = [linear.axes.T @ throw.rates[len(throw.rates) // 2] for throw in throws]
+    turns = [turned_by(t.elapsed, r) for t, r in zip(throws, rates, strict=True)]
     gains = [np.ones(3), np.zeros(3)] * plain.gain
-    x = np.concatenate([shape_of(linear.moments), np.zeros(3), plain.bias, *gains, linear.axes.T @ linear.rotor,
-                        *begin])  # fmt: skip
-    found = [_grown(replace(plain, forces=WHEEL[0]), x, linear.axes, throws)]
-    if drag is not False:
-        found.append(_richer(found[0], replace(plain, forces=WHEEL[1]), throws))
-    return found[1:] if drag is True else found
+    found: list[Solution] = []
+    for span in SPANS:
+        parts = [np.array_split(np.arange(len(t.elapsed)), max(1, round((t.elapsed[-1] - t.elapsed[0]) / span)))
+                 for t in throws]  # fmt: skip
+        linear = linear_inertia(rates, turns, parts, rotor=True)
+        begin = [linear.axes.T @ throw.rates[len(throw.rates) // 2] for throw in throws]
+        x = np.concatenate([shape_of(linear.moments), np.zeros(3), plain.bias, *gains, linear.axes.T @ linear.rotor,
+                            *begin])  # fmt: skip
+        found.append(_grown(replace(plain, forces=WHEEL[0]), x, linear.axes, throws))
+        if drag is not False:
+            found.append(_richer(found[-1], replace(plain, forces=WHEEL[1]), throws))
+        if not _in_a_valley(found[-1], start):
+            break
+    wanted = [one for one in found if drag is not True or "drag" in one.model.forces]
+    kinds = {one.model.forces for one in wanted}
+    return [min((one for one in wanted if one.model.forces == kind), key=criterion) for kind in kinds]
 
 
 def _richer(base: Solution, model: Model, throws: list[Throw]) -> Solution:
