@@ -33,6 +33,7 @@ class ThrowOptions(NamedTuple):
     clip: str | None = None
     figures: Path | None = None
     torque: bool | None = None
+    rotor: bool | None = None
 
 
 def named(options: Any) -> list[str]:
@@ -68,11 +69,12 @@ def run_fit_throw(
     logs = [read_gyro_log(path, mapping, _progress(path)) for path in paths]
     windows = _windows(options.windows, len(paths))
     drag: bool | str = "auto" if options.drag is None else options.drag
-    fit = fit_throw([each.log for each in logs], windows, drag, options.gain is not False, clip)
+    rotor: bool | str = "auto" if options.rotor is None else options.rotor
+    fit = fit_throw([each.log for each in logs], windows, drag, options.gain is not False, clip, rotor=rotor)
     heavier = None
     if weighted:
         more = [read_gyro_log(path, mapping, _progress(path)).log for path in weighted]
-        heavier = fit_throw(more, None, drag, options.gain is not False, clip)
+        heavier = fit_throw(more, None, drag, options.gain is not False, clip, rotor=rotor)
     moments = known.moments(fit, heavier)
     names = [path.name or str(path) for path in paths]
     groups = throw_groups(fit, names, logs, moments)

@@ -23,6 +23,7 @@ from polhode.exact.free_body.motion import FreeMotion
 from polhode.types import Array, Float64
 
 BIAS = ("bias x", "bias y", "bias z")
+GAIN_SPREAD = 0.01  # as phones have gains and cross-axis sensitivities
 SATURATED = 3  # samples of one axis at exactly the largest size are a gyro at its limit
 
 
@@ -162,7 +163,7 @@ class ThrowFit:
 @known_numbers_only
 def fit_throw(
     logs: GyroLog | Sequence[GyroLog], windows: Sequence[Sequence[Window]] | None = None, drag: bool | str = "auto",
-    gain: bool | str = True, clip: float | None = None, gain_spread: float = 0.01, rotor: bool | str = "auto",
+    gain: bool | str = True, clip: float | None = None, gain_spread: float = GAIN_SPREAD, rotor: bool | str = "auto",
 ) -> ThrowFit:  # fmt: skip
     """Fit the inertia of one body to gyro logs of its free throws.
 

@@ -329,7 +329,7 @@ def _descended(
         done = least_squares(
             system.residuals, x, jac=system.jacobian, bounds=model.limits(),  # pyright: ignore[reportArgumentType]
             loss=system.loss,  # pyright: ignore[reportArgumentType]
-            f_scale=ROBUST, x_scale="jac", xtol=1e-9, ftol=1e-6, gtol=1e-12, max_nfev=40,
+            f_scale=ROBUST, x_scale="jac", xtol=1e-9, ftol=1e-4, gtol=1e-12, max_nfev=40,
         )  # fmt: skip
         x = done.x
         values, _, fast = predicted(model, x, axes0, throws)

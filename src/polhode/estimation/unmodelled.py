@@ -205,11 +205,11 @@ class _Mixed:
         shape = self.model.places["shape"]
         rows = np.array([[-0.5, 1.0], [0.5, 1.0]]) @ self.covariance[shape]
         total = np.einsum("ij,ij->i", rows[:, shape], np.array([[-0.5, 1.0], [0.5, 1.0]]))
-        least = np.inf
+        least = float("inf")
         for row, variance in zip(rows, total, strict=True):
             shares = [float(row @ part @ row) / max(variance, 1e-300) for part in (gains, torque, fixed)]
             noise = max(1.0 - sum(shares), 0.0)
             parts = zip((*shares[:2], noise), (GAINS_KNOWN + self.told, max(self.seen, 1.0),
                         max(self.count - self.used, 1.0)), strict=True)  # fmt: skip
             least = min(least, 1.0 / max(sum(share**2 / known for share, known in parts), 1e-12))
-        return max(least, 1.0)
+        return float(max(least, 1.0))
