@@ -8,7 +8,7 @@ from scipy.spatial.transform import Rotation
 from estimation.thrown import BODIES, SPINS, TROUBLES, euler, throw
 from polhode import estimation
 from polhode.errors import InvalidInput
-from polhode.estimation import Window, clean_log, fit_throw, throw_fit
+from polhode.estimation import Window, clean_log, fit_throw
 from polhode.estimation.throw_models import forced_rates, free_rates
 from polhode.figures.throw_figure import throw_figures
 
@@ -42,7 +42,8 @@ def test_rates_and_their_derivatives(forces):
     at = np.concatenate([shape, start, *forces.values()])
     rates, slopes = of(at)
     moments = ((1 - 0.25) / 2 + 0.1, (1 + 0.25) / 2 + 0.1, 1.0)
-    field = euler(moments, forces.get("drag", 0.0), np.array(forces.get("linear_drag", 0.0)), rotor=forces.get("rotor", 0.0))
+    linear = np.array(forces.get("linear_drag", 0.0))
+    field = euler(moments, forces.get("drag", 0.0), linear, rotor=forces.get("rotor", 0.0))
     for k in (0, 6) if "one_sided_drag" not in forces else ():
         there = solve_ivp(field, (0.0, t[k]), start, rtol=1e-11, atol=1e-11, method="DOP853").y[:, -1]
         assert np.allclose(rates[k], there, atol=2e-6)
@@ -65,16 +66,12 @@ def test_a_throw_with_all_that_goes_wrong():
     assert fit.rms < 2.5e-3
 
 
-def test_ignoring_the_bias_misses_the_truth(monkeypatch):
+def test_a_bias_is_found():
     plain, _ = made(3, "long", "book", **CALM)
     log = clean_log(plain.times, plain.rates + np.array([0.05, -0.05, 0.05]))
     fit = fit_throw(log, WHOLE, drag=False, gain=False)
     assert (off(fit, BODIES["book"]) < FAR).all()
     assert np.allclose(fit.bias.value, [0.05, -0.05, 0.05], atol=5 * fit.bias.standard_error.max())
-    monkeypatch.setattr(throw_fit, "BIAS_SPREAD", 1e-6)
-    blind = fit_throw(log, WHOLE, drag=False, gain=False)
-    assert blind.rms > 3 * fit.rms  # which widens the intervals, and yet not by enough
-    assert off(blind, BODIES["book"]).max() > 3.0
 
 
 @pytest.mark.sweep
@@ -267,7 +264,11 @@ def test_rests_tell_the_bias():
     assert blind.rest is None and blind.bias.standard_error.max() > 2 * fit.bias.standard_error.max()
 
 
-WHEELS = [("book", "middle", (0.3, -0.5, 0.8)), ("racket", "long", (14.0, -9.0, 11.0)), ("phone", "short", (3.0, 2.0, -3.0))]
+WHEELS = [
+    ("phone", "short", (3.0, 2.0, -3.0)),
+    pytest.param("book", "middle", (0.3, -0.5, 0.8), marks=pytest.mark.sweep),
+    pytest.param("racket", "long", (14.0, -9.0, 11.0), marks=pytest.mark.sweep),
+]
 
 
 @pytest.mark.parametrize("body, spin, wheel", WHEELS)
@@ -280,8 +281,6 @@ def test_a_wheel_that_turns_in_the_body_is_noticed(body, spin, wheel):
     in_device = fit.axes @ fit.rotor.value
     assert np.abs(in_device - axes @ wheel).max() < 0.1 * np.linalg.norm(wheel)
     assert fit.regimes == [None] and "polhode" not in throw_figures(fit)
-    blind = fit_throw(clean_log(times, rates), WHOLE, rotor=False)
-    assert blind.ratios is None or blind.unmodelled > 100 * fit.unmodelled
 
 
 def test_a_body_without_a_wheel_is_given_none():
@@ -300,7 +299,7 @@ def test_rates_in_degrees_called_radians_are_no_result():
     slow = clean_log(10 * log.times, 0.1 * log.rates)  # .2 rad a sample, were they degrees
     finer = clean_log(np.linspace(0, 5.9, 3000), np.stack([np.interp(np.linspace(0, 5.9, 3000), slow.times, column)
                                                           for column in np.degrees(slow.rates).T], axis=1))  # fmt: skip
-    assert fit_throw(finer, WHOLE).ratios is None
+    assert fit_throw(finer, WHOLE, drag=False, rotor=False).ratios is None
 
 
 def test_what_no_body_does_is_no_result():

@@ -99,8 +99,8 @@ class ThrowFit:
         linear_drag: b_i/I3 of the torque −b_i ω_i [1/s], or None.
         one_sided_drag: d_i/I3 of the torque −d_i |ω| |ω_i|, or None.
         rotor: momentum of a wheel that turns in the body, over I3 [rad/s, principal axes]; None where there is none.
-            The ratios are then of the body with the wheel locked but for its own axis, about which the wheel's moment
-            does not count.
+            The ratios are then of the body with the wheel; where no motor keeps its speed, without the wheel's own
+            moment about its axis.
         unmodelled: rms of a smooth torque over I3 |ω|² that no model has, and that the intervals allow for.
         widened: factor on the variances of the noise, because neighbouring residuals are alike.
         criterion: the models that were compared, by Akaike's corrected criterion, which a wheel must do better by 10.
@@ -298,12 +298,13 @@ def _result(
     assert bias is not None
     at_rest = None if rest is None else Estimate(BIAS, rest.value, np.diag(rest.spread**2))
     return ThrowFit(
-        found.ratios, found.axes, found.turn, found.joint, found.equal, bias, at_rest,
-        _part(best, "gain", ("gain x", "gain y", "gain z")),
-        _part(best, "cross_axis", ("gain yz", "gain xz", "gain xy")), done.gain_spread,
-        *(found.forces.get(name) for name in ("drag", "linear_drag", "one_sided_drag", "rotor")),
-        done.torque, done.widened, scores, told, best.residuals, _rms(best.residuals), best.sigma, best.jitter, None,
-        start.singular_values, level,
+        ratios=found.ratios, axes=found.axes, axes_error=found.turn, joint=found.joint, equal=found.equal, bias=bias,
+        rest=at_rest, gain=_part(best, "gain", ("gain x", "gain y", "gain z")),
+        cross_axis=_part(best, "cross_axis", ("gain yz", "gain xz", "gain xy")), gain_spread=done.gain_spread,
+        drag=found.forces.get("drag"), linear_drag=found.forces.get("linear_drag"),
+        one_sided_drag=found.forces.get("one_sided_drag"), rotor=found.forces.get("rotor"), unmodelled=done.torque,
+        widened=done.widened, criterion=scores, throws=told, residuals=best.residuals, rms=_rms(best.residuals),
+        sigma=best.sigma, jitter=best.jitter, degenerate=None, singular_values=start.singular_values, clip=level,
     )  # fmt: skip
 
 
@@ -321,6 +322,8 @@ def _nothing(cut: list[Any], start: Start, level: float | None) -> ThrowFit:
             for k, window, times, throw in cut]  # fmt: skip
     unknown = Estimate(BIAS, np.full(3, np.nan), np.full((3, 3), np.nan))
     return ThrowFit(
-        None, None, None, None, None, unknown, None, None, None, float("nan"), None, None, None, None, float("nan"),
-        1.0, [], told, np.empty((0, 3)), float("nan"), start.noise, 0.0, start.degenerate, start.singular_values, level,
+        ratios=None, axes=None, axes_error=None, joint=None, equal=None, bias=unknown, rest=None, gain=None,
+        cross_axis=None, gain_spread=float("nan"), drag=None, linear_drag=None, one_sided_drag=None, rotor=None,
+        unmodelled=float("nan"), widened=1.0, criterion=[], throws=told, residuals=np.empty((0, 3)), rms=float("nan"),
+        sigma=start.noise, jitter=0.0, degenerate=start.degenerate, singular_values=start.singular_values, clip=level,
     )  # fmt: skip

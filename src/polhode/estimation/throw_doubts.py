@@ -21,8 +21,8 @@ def why_nothing_explains(solution: Solution, throws: list[Throw]) -> str | None:
     size, left = _rms(rates - rates.mean(axis=0)), _rms(solution.residuals)
     if left < UNEXPLAINED * size:
         return None
-    return (f"no motion that was tried explains the rates: {left:.3g} rad/s of {size:.3g} rad/s are left. The rates may "
-            "be of another unit, like deg/s, or the stretch no free flight.")  # fmt: skip
+    return (f"no motion that was tried explains the rates: {left:.3g} rad/s of {size:.3g} rad/s are left. The rates "
+            "may be of another unit, like deg/s, or the stretch no free flight.")  # fmt: skip
 
 
 def why_no_result(solution: Solution, found: Principal, throws: list[Throw]) -> str | None:
@@ -65,7 +65,7 @@ def _far_from_expected(solution: Solution) -> str | None:
 
 def _impossible(found: Principal) -> str | None:
     """Return why no body has such moments."""
-    for name, value, (low, high) in zip(found.ratios.names, found.ratios.value, found.ratios.interval(), strict=True):
+    for name, (low, high) in zip(found.ratios.names, found.ratios.interval().tolist(), strict=True):
         if low <= 0.0:
             return (f"the interval of {name}, {low:.2g} to {high:.2g}, reaches zero, which no moment is. Throw it "
                     "longer, or with more tumble.")  # fmt: skip

@@ -48,25 +48,13 @@ def settled(solution: Solution, throws: list[Throw]) -> Settled:
     model, x, axes0 = solution.model, solution.parameters.copy(), solution.axes
     x[model.places["turn"]] = 0.0
     data = np.concatenate([throw.rates for throw in throws])
-    scales = _Scales(model.gain_spread, TORQUE, 1.0, 1.0)
-    push = np.zeros(0)
-    for last in (False,) * (ROUNDS - 1) + (True,):
-        values, slopes, fast = predicted(model, x, axes0, throws)
-        response = _responses(model, x, axes0, throws, slopes)
-        push = push if len(push) else np.zeros(response.shape[2])
-        white = whitening(fast, solution.sigma, solution.jitter)
-        left = data - values
-        A = np.concatenate([(white @ slopes), (white @ response)], axis=2).reshape(data.size, -1)
-        z = (white @ left[..., None]).ravel()
-        size = np.abs(z - A[:, model.size :] @ push)
-        A, z = _drawn_in(A, z, size)
-        mixed = _Mixed(model, x, A, z, scales)
-        scales = mixed.scales
+    mixed, response = _mixed(solution, x, throws, data, np.zeros(0), _Scales(model.gain_spread, TORQUE, 1.0, 1.0))
+    for _ in range(ROUNDS - 1):
         x, push = x + mixed.step[: model.size], mixed.step[model.size :]
-        if last:
-            break
-    values, slopes, fast = predicted(model, x, axes0, throws)
-    values = values + response @ push
+        mixed, response = _mixed(solution, x, throws, data, push, mixed.scales)
+    x, push = x + mixed.step[: model.size], mixed.step[model.size :]
+    scales = mixed.scales
+    values = predicted(model, x, axes0, throws)[0] + response @ push
     turned, change = turned_axes(model, x, axes0)
     keep = slice(0, model.size)
     covariance = change @ mixed.covariance[keep, keep] @ change.T
@@ -77,13 +65,27 @@ def settled(solution: Solution, throws: list[Throw]) -> Settled:
     return Settled(done, values, float(np.sqrt(np.mean(push**2))), scales.gain, scales.widened)
 
 
+def _mixed(
+    solution: Solution, x: Array, throws: list[Throw], data: Array, push: Array, scales: _Scales
+) -> tuple[_Mixed, Float64[Array, "n 3 m"]]:
+    """Return the least squares about parameters, and how the rates follow the torque."""
+    model = solution.model
+    values, slopes, fast = predicted(model, x, solution.axes, throws)
+    response = _responses(model, x, throws, slopes)
+    white = whitening(fast, solution.sigma, solution.jitter)
+    A = np.concatenate([white @ slopes, white @ response], axis=2).reshape(data.size, -1)
+    z = (white @ (data - values)[..., None]).ravel()
+    size = np.abs(z - (A[:, model.size :] @ push if len(push) else 0.0))
+    return _Mixed(model, x, *_drawn_in(A, z, size), scales), response
+
+
 def _drawn_in(A: Array, z: Array, size: Array) -> tuple[Array, Array]:
     """Return rows with Huber's weights: outliers count less."""
     weight = np.sqrt(np.minimum(1.0, ROBUST / np.maximum(size, 1e-300)))
     return A * weight[:, None], z * weight
 
 
-def _responses(model: Model, x: Array, axes0: Array, throws: list[Throw], slopes: Array) -> Float64[Array, "n 3 m"]:
+def _responses(model: Model, x: Array, throws: list[Throw], slopes: Array) -> Float64[Array, "n 3 m"]:
     """Return how the rates follow torques |ω|² I3 along the principal axes that are linear from node to node.
 
     By the variation of constants with the derivatives by the starting rates, Φ: ∫ Φ(t) Φ(s)⁻¹ I⁻¹ N(s) ds.
@@ -181,7 +183,7 @@ class _Mixed:
 
     def _scale(self) -> None:
         """Take each variance from what its group turned out to be, over how much of the group the data tell."""
-        _, gains, torque, pull = self.parts
+        _, gains, torque, _ = self.parts
         here = self.step.copy()
         here[: self.model.size] += self.x
         if "gain" in self.model.places:

@@ -78,9 +78,9 @@ def _doubts(fit: ThrowFit) -> list[str]:
     notes = []
     if fit.rotor is not None:
         size = float(np.linalg.norm(fit.rotor.value))
-        notes.append(f"a wheel turns in the body, by what the rates say: its momentum is {size:.3g} rad/s of the largest "
-                     "moment. The moments are those of the body with the wheel, but about the wheel's axis without "
-                     "it.")  # fmt: skip
+        notes.append(f"a wheel turns in the body, by what the rates say: its momentum is {size:.3g} rad/s of the "
+                     "largest moment. The moments are of the body with the wheel; where no motor keeps its speed, "
+                     "without the wheel's own moment about its axis.")  # fmt: skip
     size = float(np.abs(fit.bias.value).max())
     if size > LARGE_BIAS and fit.rest is None:
         notes.append(f"the bias is large, {size:.2g} rad/s, and no rest in the log confirms it: it may stand for "
@@ -272,8 +272,8 @@ def _throws(fit: ThrowFit, names: Sequence[str]) -> Table:
 
 def _models(fit: ThrowFit) -> Table:
     least = min((score.aicc for score in fit.criterion), default=0.0)
-    rows = [{"drag": s.drag, "rotor": s.rotor, "gain": s.gain, "parameters": s.parameters, "aicc": s.aicc, "bic": s.bic, "rms": s.rms,
-             "chosen": s.chosen} for s in fit.criterion]  # fmt: skip
+    rows = [{"drag": s.drag, "rotor": s.rotor, "gain": s.gain, "parameters": s.parameters, "aicc": s.aicc,
+             "bic": s.bic, "rms": s.rms, "chosen": s.chosen} for s in fit.criterion]  # fmt: skip
     return Table("models", "Models, by Akaike's corrected criterion", {
         "model": lambda row: ("bias" + (", gains" if row["gain"] else "") + (", a wheel" if row["rotor"] else "")
                               + ("" if row["drag"] == "none" else f", {row['drag']} drag")),
