@@ -16,7 +16,7 @@ from polhode.estimation.gyro_log import GyroLog
 from polhode.estimation.principal import Principal, principal
 from polhode.estimation.rest_bias import RestBias, rest_bias
 from polhode.estimation.throw_doubts import why_no_result, why_nothing_explains
-from polhode.estimation.throw_fit import PAIRS, Model, Solution, Throw
+from polhode.estimation.throw_fit import PAIRS, Model, Solution, Throw, rms
 from polhode.estimation.throw_search import Start, solutions_of
 from polhode.estimation.unmodelled import Settled, settled
 from polhode.exact.free_body.motion import FreeMotion
@@ -220,11 +220,11 @@ def fit_throw(
         plain = replace(plain, bias=tuple(rest.value.tolist()), bias_spread=tuple(rest.spread.tolist()))
     tried = solutions_of(plain, start, throws, drag, rotor, gain)
     best = tried[0]
-    scores = [ModelScore(s.model.air, s.model.rotor, s.model.gain, s.model.size, s.aicc, s.bic, _rms(s.residuals),
-                         s is best) for s in tried]  # fmt: skip
+    scores = [ModelScore(s.model.air, s.model.rotor, s.model.gain, s.model.size, s.aicc, s.bic, rms(s.residuals),
+                         s is best) for s in tried if np.isfinite(s.aicc)]  # fmt: skip
     reason = why_nothing_explains(best, throws)
     if reason is not None:
-        return replace(_nothing(cut, start, level), criterion=scores, degenerate=reason)
+        return replace(_nothing(cut, start, level), degenerate=reason)
     return _result(settled(best, throws), rest, scores, cut, start, level)
 
 
@@ -272,10 +272,6 @@ def _cut(log: GyroLog, window: Window, level: float | None) -> tuple[Array, Thro
     return times, Throw(times - epoch, rates, epoch)
 
 
-def _rms(x: Array) -> float:
-    return float(np.sqrt(np.mean(x * x)))
-
-
 def _part(solution: Solution, group: str, names: tuple[str, ...]) -> Estimate | None:
     if group not in solution.model.places:
         return None
@@ -303,7 +299,7 @@ def _result(
         cross_axis=_part(best, "cross_axis", ("gain yz", "gain xz", "gain xy")), gain_spread=done.gain_spread,
         drag=found.forces.get("drag"), linear_drag=found.forces.get("linear_drag"),
         one_sided_drag=found.forces.get("one_sided_drag"), rotor=found.forces.get("rotor"), unmodelled=done.torque,
-        widened=done.widened, criterion=scores, throws=told, residuals=best.residuals, rms=_rms(best.residuals),
+        widened=done.widened, criterion=scores, throws=told, residuals=best.residuals, rms=rms(best.residuals),
         sigma=best.sigma, jitter=best.jitter, degenerate=None, singular_values=start.singular_values, clip=level,
     )  # fmt: skip
 

@@ -5,22 +5,20 @@ from __future__ import annotations
 import numpy as np
 
 from polhode.estimation.principal import Principal, why_undetermined
-from polhode.estimation.throw_fit import Solution, Throw
+from polhode.estimation.throw_fit import Solution, Throw, explains, rms, variation
 from polhode.estimation.throw_search import at_bound
-from polhode.types import Array
 
-UNEXPLAINED = 0.2  # of the rates, that residuals may be
 FAR = 10.0  # times what a bias or a gain was known by beforehand
+DRIVEN = 0.02  # over I3 |ω|²: twice what slows a plate
 IMPOSSIBLE = 3.0  # standard errors, by which a body may miss I1 + I2 ≥ I3
 CALLED = {"drag": "drag", "linear_drag": "linear drag", "one_sided_drag": "one-sided drag", "shape": "shape"}
 
 
 def why_nothing_explains(solution: Solution, throws: list[Throw]) -> str | None:
     """Return that residuals are hardly smaller than the rates themselves, in a sentence, or None."""
-    rates = np.concatenate([throw.rates for throw in throws])
-    size, left = _rms(rates - rates.mean(axis=0)), _rms(solution.residuals)
-    if left < UNEXPLAINED * size:
+    if explains(solution, throws):
         return None
+    left, size = rms(solution.residuals), variation(throws)
     return (f"no motion that was tried explains the rates: {left:.3g} rad/s of {size:.3g} rad/s are left. The rates "
             "may be of another unit, like deg/s, or the stretch no free flight.")  # fmt: skip
 
@@ -42,7 +40,7 @@ def why_no_result(solution: Solution, found: Principal, throws: list[Throw]) -> 
         return far
     if not found.determined:
         return why_undetermined([throw.rates for throw in throws], found)
-    return _impossible(found)
+    return why_impossible(found) or _driven_by_air(found, throws)
 
 
 def _far_from_expected(solution: Solution) -> str | None:
@@ -63,8 +61,23 @@ def _far_from_expected(solution: Solution) -> str | None:
     return None
 
 
-def _impossible(found: Principal) -> str | None:
-    """Return why no body has such moments."""
+def _driven_by_air(found: Principal, throws: list[Throw]) -> str | None:
+    """Return that the drag would drive the body on, in a sentence, or None."""
+    typical = float(np.median(np.linalg.norm(np.concatenate([throw.rates for throw in throws]), axis=1)))
+    least, variance = np.zeros(3), np.zeros(3)
+    for name, scale in (("drag", 1.0), ("linear_drag", 1.0 / typical), ("one_sided_drag", 1.0)):
+        if name in found.forces:
+            value = scale * found.forces[name].value
+            least += -np.abs(value) if name == "one_sided_drag" else value
+            variance += (scale * found.forces[name].standard_error) ** 2
+    if (least < -np.maximum(DRIVEN, IMPOSSIBLE * np.sqrt(variance))).any():
+        return (f"the fit needs air that drives the body on instead of slowing it, by {-least.min():.2g} I3 |ω|²: the "
+                "motion is another one than those that were tried, or the stretch is no free flight.")  # fmt: skip
+    return None
+
+
+def why_impossible(found: Principal) -> str | None:
+    """Return why no body has such moments, in a sentence, or None."""
     for name, (low, high) in zip(found.ratios.names, found.ratios.interval().tolist(), strict=True):
         if low <= 0.0:
             return (f"the interval of {name}, {low:.2g} to {high:.2g}, reaches zero, which no moment is. Throw it "
@@ -76,6 +89,3 @@ def _impossible(found: Principal) -> str | None:
                 "another one than those that were tried, or the stretch is no free flight.")  # fmt: skip
     return None
 
-
-def _rms(x: Array) -> float:
-    return float(np.sqrt(np.mean(x * x)))

@@ -26,7 +26,8 @@ CLOCK = 0.25  # of the gains' variance: a clock that is too slow is a gain of al
 SPREADS = {"drag": 0.02, "linear_drag": 0.2, "one_sided_drag": 0.02}
 """Of coefficients over I3; thin plates in air have a drag of 0.01."""
 PAIRS = ((1, 2), (0, 2), (0, 1))  # of axes, whose rates leak into each other
-MAX_ROUNDS = 10
+UNEXPLAINED = 0.2  # of the rates, that residuals may be
+MAX_ROUNDS, MAX_STEPS = 6, 25
 LATEST = 0.1  # of the time between samples: a clock that is worse would explain anything
 
 
@@ -228,6 +229,22 @@ def gain_matrix(model: Model, x: Array) -> Float64[Array, "3 3"]:
     return matrix
 
 
+def explains(solution: Solution, throws: list[Throw]) -> bool:
+    """Whether residuals are small beside the rates."""
+    return rms(solution.residuals) < UNEXPLAINED * variation(throws)
+
+
+def variation(throws: list[Throw]) -> float:
+    """Return by how much the rates vary [rad/s]."""
+    rates = np.concatenate([throw.rates for throw in throws])
+    return rms(rates - rates.mean(axis=0))
+
+
+def rms(x: Array) -> float:
+    """Return the root mean square."""
+    return float(np.sqrt(np.mean(x * x)))
+
+
 def whitening(fast: Array, sigma: float, jitter: float) -> Float64[Array, "n 3 3"]:
     """Return Σ^(−1/2) (n, 3, 3) of Σ = σ² + τ² ω̇ ω̇ᵀ: a clock's error shows along the acceleration."""
     size = np.linalg.norm(fast, axis=1)
@@ -270,7 +287,10 @@ def noise_of(residuals: Array, fast: Array, lost: float, latest: float) -> tuple
     return max(sigma, 1e-12), float(np.sqrt(ratio) * sigma), float(cost + count * (1 + np.log(2 * np.pi)))
 
 
-def fitted(model: Model, x: Array, axes0: Array, throws: list[Throw], noise: tuple[float, float] | None) -> Solution:
+def fitted(
+    model: Model, x: Array, axes0: Array, throws: list[Throw], noise: tuple[float, float] | None,
+    rounds: int = MAX_ROUNDS,
+) -> Solution:  # fmt: skip
     """Return the robust least squares of a model from a start.
 
     Args:
@@ -279,6 +299,7 @@ def fitted(model: Model, x: Array, axes0: Array, throws: list[Throw], noise: tup
         axes0: (3, 3) device from principal at zero turn.
         throws: the samples.
         noise: σ and τ to begin with; None to take the start's own residuals.
+        rounds: how often least squares and noise take turns at most; 0 to stay at the start.
     """
     data = np.concatenate([throw.rates for throw in throws])
     low, high = model.limits()
@@ -290,7 +311,7 @@ def fitted(model: Model, x: Array, axes0: Array, throws: list[Throw], noise: tup
         sigma, jitter = float(np.median(np.abs(data - values)) * 1.5 + 1e-9), 0.0
     else:
         sigma, jitter = noise
-    x, noise, cost, converged = _descended(model, x, axes0, throws, data, (sigma, jitter))
+    x, noise, cost, converged = _descended(model, x, axes0, throws, data, (sigma, jitter), rounds)
     sigma, jitter = noise
     values, slopes, fast = predicted(model, x, axes0, throws)
     white = whitening(fast, sigma, jitter)
@@ -318,18 +339,19 @@ def turned_axes(model: Model, x: Array, axes0: Array) -> tuple[Float64[Array, "3
 
 
 def _descended(
-    model: Model, x: Array, axes0: Array, throws: list[Throw], data: Array, noise: tuple[float, float]
-) -> tuple[Array, tuple[float, float], float, bool]:
+    model: Model, x: Array, axes0: Array, throws: list[Throw], data: Array, noise: tuple[float, float],
+    rounds: int,
+) -> tuple[Array, tuple[float, float], float, bool]:  # fmt: skip
     """Return parameters, noise, −2 ln(likelihood) and whether they settled: least squares and noise in turn."""
     lost = model.size - 6 * model.gain
     cost = np.inf
     latest = LATEST * float(np.median(np.concatenate([np.diff(throw.elapsed) for throw in throws])))
-    for _ in range(MAX_ROUNDS):
+    for k in range(rounds):
         system = _System(model, axes0, throws, data, *noise)
         done = least_squares(
             system.residuals, x, jac=system.jacobian, bounds=model.limits(),  # pyright: ignore[reportArgumentType]
             loss=system.loss,  # pyright: ignore[reportArgumentType]
-            f_scale=ROBUST, x_scale="jac", xtol=1e-9, ftol=1e-4, gtol=1e-12, max_nfev=40,
+            f_scale=ROBUST, x_scale="jac", xtol=1e-9, ftol=1e-4, gtol=1e-12, max_nfev=MAX_STEPS,
         )  # fmt: skip
         x = done.x
         values, _, fast = predicted(model, x, axes0, throws)
@@ -338,6 +360,8 @@ def _descended(
         noise = sigma, jitter
         if done.status > 0 and abs(noise[0] / before - 1.0) < 0.02:
             return x, noise, cost, True
+        if k and rms(data - values) > UNEXPLAINED * variation(throws):
+            break  # it will not be explained by more of it
     return x, noise, cost, False
 
 

@@ -8,19 +8,20 @@ import numpy as np
 
 from polhode.estimation.linear_start import linear_inertia, turned_by
 from polhode.estimation.principal import why_undetermined
-from polhode.estimation.throw_fit import LIMITS, Model, Solution, Throw, fitted
+from polhode.estimation.throw_fit import LIMITS, Model, Solution, Throw, explains, fitted
 from polhode.estimation.throw_models import shape_of
 from polhode.types import Array
 
 MISFIT = 1.4  # times the noise of the samples: larger residuals ask for other starts
 NEAR = 1e-4  # of a bound of the drag: a fit that ends there may be in a wrong valley
 FLAT = -0.05  # of c: a body cannot be as flat, so that a fit that ends there is in a wrong valley
-SAME, AGREED = 5.0, 3  # of the logarithm of the likelihood, and how many starts that end alike are believed
+GLANCED, GLANCED_TURN = 200, 15.0  # samples and rad of a throw, at which several starts are compared
 ALIKE = 0.3  # correlation of neighbouring residuals, from which a motion does not explain the data
 ROD = 0.98  # of s: hardly a body is so long and thin
 RESTARTS = np.array([[0.3, 0.05], [0.6, 0.05], [0.85, 0.02], [0.3, 0.3]])  # shapes s and c: plates, a rod, round
 MIN_TURN = 0.5  # rad: of less nothing can be said
 MOST_TURN = 2.0  # rad from sample to sample: a third of a turn, between which the motion cannot be followed
+FASTEST, ROUND = 75.0, 0.9  # rad/s, 4300 deg/s; I1/I3 of what looks like a sphere when rates are 57 times too large
 SURE = 10.0  # of AICc, by which a wheel must do better than air: few bodies have one
 AIR = ((), ("drag",), ("drag", "linear_drag"), ("drag", "linear_drag", "one_sided_drag"))
 SPANS = (100.0, 0.3, 0.15)  # s, of stretches over which a momentum is constant: biases add up over long ones
@@ -52,11 +53,19 @@ class Start:
         if between > MOST_TURN:
             reason = (f"the rates say that the body turns by {between:.3g} rad from sample to sample, too far to be "
                       "followed: the rates are of another unit, like deg/s, or the times are.")  # fmt: skip
+        elif max(_typical(r) for r in rates) > FASTEST and found.moments[0] > ROUND:
+            reason = (f"the rates, about {max(_typical(r) for r in rates):.3g} rad/s, are beyond what gyros can tell, "
+                      "and make the body nearly a sphere, as rates in deg/s do that are called rad/s: say their unit."
+                      )  # fmt: skip
         elif turned < MIN_TURN:
             reason = f"the body turned by {turned:.2g} rad only: nothing can be said of its inertia."
         elif found.singular_values[-2] < floor:
             reason = why_undetermined(rates, None)
         return cls(shape_of(found.moments), found.axes, found.singular_values, noise, reason)
+
+
+def _typical(rates: Array) -> float:
+    return float(np.median(np.linalg.norm(rates, axis=1)))
 
 
 def _noise(throws: list[Throw]) -> float:
@@ -82,13 +91,13 @@ def solutions_of(
     if rotor is not True:
         found += _in_air(plain, start, throws, drag)
     if rotor is True or (rotor == "auto" and _doubtful(min(found, key=criterion), start)):
-        found += _with_wheel(plain, start, throws, drag)
+        found += _with_wheel(plain, throws, drag)
     best = min(found, key=criterion)
     if _in_a_valley(best, start):
         kept = best.model if best.model.rotor else replace(plain, forces=() if drag is False else AIR[1])
-        again = _retried(best if best.model == kept else _richer(best, kept, throws), start, throws)
+        again = _retried(kept, start, throws)
         found.append(again)
-        if drag is not False and not kept.rotor and again.aicc < best.aicc:
+        if drag is not False and not kept.rotor and again.aicc < best.aicc and explains(again, throws):
             found.append(_richer(again, replace(plain, forces=AIR[2]), throws))
     if gain == "auto":
         best = min(found, key=criterion)
@@ -104,40 +113,49 @@ def criterion(solution: Solution) -> float:
 def _in_air(plain: Model, start: Start, throws: list[Throw], drag: bool | str) -> list[Solution]:
     """Return fits without a wheel; richer ones only while they do better."""
     begin = [start.axes.T @ throw.rates[len(throw.rates) // 2] for throw in throws]
-    gains = [np.ones(3), np.zeros(3)] * plain.gain
-    x = np.concatenate([start.shape, np.zeros(3), plain.bias, *gains, *begin])
+    x = np.concatenate([start.shape, np.zeros(3), plain.bias, *_no_gains(plain), *begin])
     last = _grown(plain, x, start.axes, throws)
     found = [last]
-    for forces in () if drag is False else AIR[1:]:
+    for forces in AIR[1:] if drag is not False and explains(last, throws) else ():
         more = _richer(last, replace(plain, forces=forces), throws)
         found.append(more)
         if len(forces) > 1 and more.aicc > last.aicc:
             break
         last = more
-    return found[1:] if drag is True else found
+    return found[1:] if drag is True and len(found) > 1 else found
 
 
-def _with_wheel(plain: Model, start: Start, throws: list[Throw], drag: bool | str) -> list[Solution]:
+def _no_gains(plain: Model) -> list[Array]:
+    return [np.ones(3), np.zeros(3)] * plain.gain
+
+
+def _with_wheel(plain: Model, throws: list[Throw], drag: bool | str) -> list[Solution]:
     """Return fits with a wheel, from the linear method's with one, over wholes or parts of the throws."""
     rates = [throw.rates - np.array(plain.bias) for throw in throws]
     turns = [turned_by(t.elapsed, r) for t, r in zip(throws, rates, strict=True)]
-    gains = [np.ones(3), np.zeros(3)] * plain.gain
-    found: list[Solution] = []
+    starts = []
     for span in SPANS:
         parts = [np.array_split(np.arange(len(t.elapsed)), max(1, round((t.elapsed[-1] - t.elapsed[0]) / span)))
                  for t in throws]  # fmt: skip
         linear = linear_inertia(rates, turns, parts, rotor=True)
         begin = [linear.axes.T @ throw.rates[len(throw.rates) // 2] for throw in throws]
-        x = np.concatenate([shape_of(linear.moments), np.zeros(3), plain.bias, *gains, linear.axes.T @ linear.rotor,
-                            *begin])  # fmt: skip
-        found.append(_grown(replace(plain, forces=WHEEL[0]), x, linear.axes, throws))
-        if drag is not False:
-            found.append(_richer(found[-1], replace(plain, forces=WHEEL[1]), throws))
-        if not _in_a_valley(found[-1], start):
-            break
-    wanted = [one for one in found if drag is not True or "drag" in one.model.forces]
-    kinds = {one.model.forces for one in wanted}
-    return [min((one for one in wanted if one.model.forces == kind), key=criterion) for kind in kinds]
+        x = np.concatenate([shape_of(linear.moments), np.zeros(3), plain.bias, *_no_gains(plain),
+                            linear.axes.T @ linear.rotor, *begin])  # fmt: skip
+        starts.append((x, linear.axes))
+    found = [_best_of(replace(plain, forces=WHEEL[0]), starts, throws)]
+    if drag is not False:
+        found.append(_richer(found[0], replace(plain, forces=WHEEL[1]), throws))
+    return found[1:] if drag is True else found
+
+
+def _best_of(model: Model, starts: list[tuple[Array, Array]], throws: list[Throw]) -> Solution:
+    """Return the fit from the best of several starts, which a glance at the middles of the throws tells."""
+    middles = [_middle(throw, _glanced(throw)) for throw in throws]
+    seen = [fitted(model, x, axes, middles, None, rounds=1) for x, axes in starts]
+    best = max(seen, key=lambda one: one.log_likelihood)
+    if not explains(best, middles):
+        return fitted(model, carried(best, model), best.axes, throws, None, rounds=0)
+    return _grown(model, carried(best, model), best.axes, throws)
 
 
 def _richer(base: Solution, model: Model, throws: list[Throw]) -> Solution:
@@ -174,13 +192,24 @@ def at_bound(solution: Solution) -> str | None:
 
 
 def _grown(model: Model, x: Array, axes: Array, throws: list[Throw]) -> Solution:
-    """Return a fit that begins with the middles of long throws, where a rough start keeps the count of turns."""
+    """Return a fit that begins with the middles of long throws, where a rough start keeps the count of turns.
+
+    Where the model explains nothing of a middle, it is left at that.
+    """
     for samples in (500, 2500):
         if max(len(throw.elapsed) for throw in throws) > 2 * samples:
             middles = [_middle(throw, samples) for throw in throws]
             found = fitted(model, x, axes, middles, None)
             x, axes = carried(found, model), found.axes
+            if not explains(found, middles):
+                return fitted(model, x, axes, throws, None, rounds=0)
     return fitted(model, x, axes, throws, None)
+
+
+def _glanced(throw: Throw) -> int:
+    """Return how many samples from the middle are enough to compare starts."""
+    between = np.median(np.linalg.norm(throw.rates, axis=1)) * np.median(np.diff(throw.elapsed))
+    return int(np.clip(GLANCED_TURN / max(float(between), 1e-9), 24, GLANCED))
 
 
 def _middle(throw: Throw, samples: int) -> Throw:
@@ -189,31 +218,25 @@ def _middle(throw: Throw, samples: int) -> Throw:
     return Throw(throw.elapsed[part], throw.rates[part], throw.epoch)
 
 
-def _retried(solution: Solution, start: Start, throws: list[Throw]) -> Solution:
+def _retried(model: Model, start: Start, throws: list[Throw]) -> Solution:
     """Return the best of several starts: shapes by the axes of the linear method and by those of the rates themselves.
 
     The linear method knows of no bias. Where the body turns about its middle axis, that may exchange its axes.
     """
-    model = solution.model
-    begin = carried(solution, model)
+    begin = np.zeros(model.size)
     begin[model.places["bias"]] = model.bias
-    for name in model.forces:
-        begin[model.places[name]] = 0.0
+    if model.gain:
+        begin[model.places["gain"]] = 1.0
     one, two, three = np.linalg.svd(np.concatenate([throw.rates for throw in throws]), full_matrices=False)[2]
-    found = [solution]
+    starts = []
     for axes in (np.stack([three, one, np.cross(three, one)], axis=1), start.axes,
                  np.stack([two, one, np.cross(two, one)], axis=1)):  # fmt: skip
         for k, throw in enumerate(throws):
             begin[model.places[f"start {k}"]] = axes.T @ throw.rates[len(throw.rates) // 2]
         for shape in RESTARTS:
             begin[model.places["shape"]] = shape
-            found.append(fitted(model, begin, axes, throws, None))
-            if not _in_a_valley(found[-1], start):
-                return max(found, key=lambda each: each.log_likelihood)
-        likelihoods = np.array([each.log_likelihood for each in found])
-        if (likelihoods > likelihoods.max() - SAME).sum() >= AGREED:
-            break  # the data are not of this model, wherever one starts
-    return max(found, key=lambda each: each.log_likelihood)
+            starts.append((begin.copy(), axes))
+    return _best_of(model, starts, throws)
 
 
 def carried(base: Solution, model: Model) -> Array:
