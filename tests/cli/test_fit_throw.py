@@ -7,8 +7,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 import xarray as xr
+from scipy.integrate import solve_ivp
 
 import polhode as ph
+from estimation.thrown import euler
 from polhode.cli.main import main
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "phone_throw.csv"
@@ -87,11 +89,11 @@ def test_two_throws_with_decimal_commas_are_fitted_together(run, tmp_path):
 def test_a_sphere_and_a_steady_spin_give_no_number(run, tmp_path, moments, rates):
     path = log(tmp_path / "a.csv", moments, rates)
     found = json.loads(run("fit", path, *COLUMNS, "--window", "0,0.89", "--json", "--out", tmp_path / "a.nc",
-                           "--figures", tmp_path / "f").out)  # fmt: skip
+                           "--figures", tmp_path / "f", code="3").out)  # fmt: skip
     assert found["ratios"] is None and found["axes"] is None and found["regime"] is None and found["degenerate"]
     assert found["rms"] is None and found["sigma"] is None and found["bias"] is None and found["rotor"] is None
     assert [path.name for path in (tmp_path / "f").iterdir()] == ["data_and_fit.png"]
-    said = run("fit", path, *COLUMNS, "--window", "0,0.89").out
+    said = run("fit", path, *COLUMNS, "--window", "0,0.89", code="3").out
     assert "cannot be told" in said
     assert "nan" not in said and "noise of a sample" not in said
 
@@ -136,6 +138,37 @@ def test_a_log_of_attitudes(run, tmp_path):
         assert kept.residual.shape == (200, 3)
     assert {file.name for file in (tmp_path / "figures").iterdir()} == {"residuals.png", "corner.png"}
     assert "would destroy it" in run("fit", path, *columns, "--out", path, code="2").err
+
+
+def flown(path, rates, moments=TRUE, seconds=0.8):
+    """Write a log that rests for 10 s around each throw, of the rates with which the throws begin."""
+    parts = [np.zeros((1000, 3))]
+    for spin, body in zip(rates, moments, strict=True):
+        t = np.arange(0.0, seconds, 0.01)
+        parts += [solve_ivp(euler(body, 0.0), (0, seconds), spin, method="DOP853", rtol=1e-9, t_eval=t).y.T, parts[0]]
+    w = np.concatenate(parts)
+    w = w + 1e-3 * np.random.default_rng(1).normal(size=w.shape)
+    rows = [f"{k / 100:.2f},{x:.6f},{y:.6f},{z:.6f}" for k, (x, y, z) in enumerate(w)]
+    path.write_text("Time (s)," + ",".join(f"Gyroscope {x} (rad/s)" for x in "xyz") + "\n" + "\n".join(rows) + "\n")
+    return path
+
+
+def test_all_throws_of_a_log_are_used_and_what_is_left_out_is_listed(run, tmp_path):
+    path = flown(tmp_path / "a.csv", [(1.0, 9.0, 1.0), (9.0, 2.0, 2.0), (3.0, 5.0, 5.0)], [TRUE, TRUE, (0.7, 0.3, 0.9)])
+    found = json.loads(run("fit", path, "--no-drag", "--no-gain", "--json").out)
+    assert [throw["window"][0] for throw in found["throws"]] == pytest.approx([10.0, 20.8], abs=0.03)
+    [left] = found["left_out"]
+    assert left["window"][0] == pytest.approx(31.6, abs=0.03) and "another inertia" in left["why"]
+    assert any("1 stretch that may be a flight" in note for note in found["notes"])
+    for name, true in zip(("I1/I3", "I2/I3"), TRUE, strict=False):
+        assert abs(found["ratios"][name]["value"] - true) < 4 * found["ratios"][name]["standard_error"] < 0.01
+    assert "Left out" in run("fit", path, "--no-drag", "--no-gain").out
+
+
+def test_a_log_without_a_flight_is_refused_with_what_looks_like_one(run, tmp_path):
+    path = flown(tmp_path / "a.csv", [(1.0, 9.0, 1.0)], [TRUE], seconds=0.2)
+    said = run("fit", path, "--no-drag", code="2").err
+    assert "a.csv: no free flight was found" in said and "--window START,END" in said and "Traceback" not in said
 
 
 @pytest.mark.parametrize(("arguments", "said"), [

@@ -208,7 +208,8 @@ def fit(
     """Fit the inertia of a thrown body to gyro logs, or a molecule's constants to measured lines.
 
     Logs of phyphox, Sensor Logger, AndroSensor and Betaflight are known by their headers; of others say which columns
-    are what, like --time t --time-unit s --gyro gx,gy,gz --unit deg/s. Several logs are of the same thing.
+    are what, like --time t --time-unit s --gyro gx,gy,gz --unit deg/s. Several logs are of the same thing. The exit
+    code is 3 where the logs do not tell the inertia; the report says why.
     """
     from polhode.cli.columns import ColumnOptions
     from polhode.cli.fit import FitFiles, run_fit

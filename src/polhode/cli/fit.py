@@ -5,11 +5,14 @@ from __future__ import annotations
 from pathlib import Path
 from typing import NamedTuple
 
+import typer
+
 from polhode.cli.columns import ColumnOptions
 from polhode.cli.fit_scale import ScaleOptions, scale_of
 from polhode.cli.fit_throw import ThrowOptions, named, run_fit_throw
 from polhode.errors import InvalidInput
 
+NOT_TOLD = 3  # exit code, where a report says that the logs do not tell the inertia
 LINES = ".lin"
 STARTS = (".toml", ".xyz", ".extxyz", ".pdb", ".mol", ".sdf")
 """Files that a fit to measured lines can start from; none of them is a log."""
@@ -25,7 +28,11 @@ class FitFiles(NamedTuple):
 
 
 def run_fit(given: FitFiles, throw: ThrowOptions, scale: ScaleOptions, columns: ColumnOptions) -> None:
-    """Fit what the files are of: a molecule where the first is a spec or atoms, a thrown body otherwise."""
+    """Fit what the files are of: a molecule where the first is a spec or atoms, a thrown body otherwise.
+
+    Raises:
+        typer.Exit: with code 3 where the report says that the inertia is not determined.
+    """
     files = given.files
     if files[0].suffix.lower() in STARTS or files[-1].suffix.lower() == LINES:
         if len(files) != 2:
@@ -39,4 +46,5 @@ def run_fit(given: FitFiles, throw: ThrowOptions, scale: ScaleOptions, columns: 
         return
     if given.free is not None:
         raise InvalidInput("--free names constants of a molecule, and gyro logs are given. Leave it out.")
-    run_fit_throw(files, throw, scale_of(scale), scale.weighted, columns, given.out, given.json)
+    if not run_fit_throw(files, throw, scale_of(scale), scale.weighted, columns, given.out, given.json):
+        raise typer.Exit(NOT_TOLD)

@@ -15,6 +15,7 @@ from polhode.cli.sources import Kernels, kind_of, source_of
 from polhode.errors import InvalidInput
 from polhode.estimation.attitude_fit import AttitudeFit, fit_attitude
 from polhode.estimation.flight import Window
+from polhode.formats.log_archives import is_archive
 from polhode.reports.answer import units_of, values_of
 from polhode.reports.base import plain
 from polhode.reports.throw import attitude_groups, attitude_notes, attitude_summary
@@ -26,7 +27,7 @@ def has_attitude(path: Path, table: Table | None) -> bool:
     """Whether a file is a log of attitudes, by its content or by what is said of its columns."""
     if table is not None and table.mapping.attitude:
         return True
-    return path.is_file() and kind_of(path, table) in KINDS
+    return path.is_file() and not is_archive(path) and kind_of(path, table) in KINDS
 
 
 class AttitudeOptions(NamedTuple):
@@ -40,8 +41,12 @@ class AttitudeOptions(NamedTuple):
 
 def run_fit_attitude(
     path: Path, table: Table | None, options: AttitudeOptions, known: KnownScale, json: bool
-) -> None:
-    """Fit the attitudes and the rates that are with them, print what they say, and draw figures where asked for."""
+) -> bool:
+    """Fit the attitudes and the rates that are with them, print what they say, and draw figures where asked for.
+
+    Returns:
+        Whether they tell the inertia.
+    """
     if options.out is not None:
         check_spares(options.out, path)
     trajectory = source_of(path, Kernels(), table).trajectory
@@ -68,8 +73,9 @@ def run_fit_attitude(
     if json:
         told = {"name": path.name, **values_of(groups), "units": units_of(groups)}
         print(as_json(plain({**told, "notes": notes, "files": files})))
-        return
-    print_report(path.name, attitude_summary(fit), groups, notes, files)
+    else:
+        print_report(path.name, attitude_summary(fit), groups, notes, files)
+    return fit.degenerate is None
 
 
 def _drawn(fit: AttitudeFit, folder: Path) -> list[str]:

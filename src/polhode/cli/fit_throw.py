@@ -13,12 +13,14 @@ from polhode.cli.fit_attitude import AttitudeOptions, has_attitude, run_fit_atti
 from polhode.cli.fit_scale import KnownScale, quantity
 from polhode.cli.render import as_json, print_report
 from polhode.errors import InvalidInput, shown
-from polhode.estimation.flight import Window
+from polhode.estimation.flight import SHORTEST, Flights, Window, find_flights
+from polhode.estimation.saturation import saturation
 from polhode.estimation.throw import ThrowFit, fit_throw
 from polhode.formats.gyro_logs import ReadLog, read_gyro_log
 from polhode.formats.numerals import read_number
 from polhode.reports.answer import units_of, values_of
 from polhode.reports.base import plain
+from polhode.reports.flights import left_out_note, left_out_table, left_out_words
 from polhode.reports.throw import throw_groups, throw_notes, throw_summary
 
 EVERY = 1_000_000  # lines, after which progress is told
@@ -45,8 +47,12 @@ def named(options: Any) -> list[str]:
 def run_fit_throw(
     paths: Sequence[Path], options: ThrowOptions, known: KnownScale, weighted: Sequence[Path], columns: ColumnOptions,
     out: Path | None, json: bool,
-) -> None:  # fmt: skip
-    """Fit the logs together, print what they say, and write data and figures where asked for."""
+) -> bool:  # fmt: skip
+    """Fit the logs together, print what they say, and write data and figures where asked for.
+
+    Returns:
+        Whether they tell the inertia.
+    """
     table = table_to_import(columns)
     mapping = None if table is None else table.mapping
     if has_attitude(paths[0], table):
@@ -57,34 +63,36 @@ def run_fit_throw(
             raise InvalidInput(f"{paths[0]}: is a log of attitudes, which is fitted alone, and {what}. Leave it out.")
         windows = [_window(text) for text in options.windows]
         asked = AttitudeOptions(windows, "auto" if options.torque is None else options.torque, options.figures, out)
-        run_fit_attitude(paths[0], table, asked, known, json)
-        return
+        return run_fit_attitude(paths[0], table, asked, known, json)
     if options.torque is not None:
         raise InvalidInput(f"{paths[0]}: --torque and --no-torque are for a log of attitudes, and this is a gyro's. "
                            "Leave it out.")  # fmt: skip
     if out is not None:
         for path in (*paths, *weighted):
             check_spares(out, path)
-    clip = None if options.clip is None else quantity("--clip", options.clip, "rad/s")
     logs = [read_gyro_log(path, mapping, _progress(path)) for path in paths]
-    windows = _windows(options.windows, len(paths))
+    names = [path.name or str(path) for path in paths]
+    clip = saturation([each.log for each in logs]) if options.clip is None else quantity(
+        "--clip", options.clip, "rad/s")  # fmt: skip
+    flights = _flights(options.windows, names, logs, clip)
     drag: bool | str = "auto" if options.drag is None else options.drag
     rotor: bool | str = "auto" if options.rotor is None else options.rotor
-    fit = fit_throw([each.log for each in logs], windows, drag, options.gain is not False, clip, rotor=rotor)
+    fit = fit_throw([each.log for each in logs], [each.windows for each in flights], drag, options.gain is not False,
+                    clip, rotor=rotor)  # fmt: skip
     heavier = None
     if weighted:
         more = [read_gyro_log(path, mapping, _progress(path)).log for path in weighted]
         heavier = fit_throw(more, None, drag, options.gain is not False, clip, rotor=rotor)
     moments = known.moments(fit, heavier)
-    names = [path.name or str(path) for path in paths]
-    groups = throw_groups(fit, names, logs, moments)
-    notes = throw_notes(fit, names, logs)
+    groups = [*throw_groups(fit, names, logs, moments), left_out_table(names, flights)]
+    notes = [*throw_notes(fit, names, logs), *left_out_note(flights)]
     files = _written(fit, logs, names, out, options.figures)
     if json:
         told = {"name": ", ".join(names), **values_of(groups), "units": units_of(groups)}
         print(as_json(plain({**told, "notes": notes, "files": files})))
-        return
-    print_report(", ".join(names), throw_summary(fit), groups, notes, files)
+    else:
+        print_report(", ".join(names), throw_summary(fit), groups, notes, files)
+    return fit.degenerate is None
 
 
 def _written(
@@ -107,10 +115,24 @@ def _written(
     return files
 
 
-def _windows(given: Sequence[str], logs: int) -> list[list[Window]] | None:
+def _flights(given: Sequence[str], names: Sequence[str], logs: Sequence[ReadLog], clip: float | None) -> list[Flights]:
+    """Return what is fitted of each log: the windows that are given, else all flights that are found."""
+    if given:
+        return [Flights(windows, []) for windows in _windows(given, len(logs))]
+    found = [find_flights(read.log, clip) for read in logs]
+    if not any(each.windows for each in found):
+        left = left_out_words([one for each in found for one in each.left_out])
+        raise InvalidInput(f"{', '.join(names)}: no free flight was found: no stretch of {SHORTEST} s feels no weight, "
+                           f"or keeps an angular momentum while it turns faster than 1 rad/s.{left} If there is one, "
+                           "say where by --window START,END.")  # fmt: skip
+    for read, each in zip(logs, found, strict=True):
+        if not (each.windows or each.left_out):
+            each.left_out.append(Window(float(read.log.times[0]), float(read.log.times[-1]), "no free flight in it"))
+    return found
+
+
+def _windows(given: Sequence[str], logs: int) -> list[list[Window]]:
     """Return the windows of each log: all are of a single log, otherwise one is for each."""
-    if not given:
-        return None
     windows = [_window(text) for text in given]
     if logs == 1:
         return [windows]

@@ -91,6 +91,8 @@ def kind_of(path: Path, table: Table | None = None) -> str:
         return "aem"
     if b"<aem" in head or b"<ndm" in head:
         raise FormatError(f"{path}: is XML; AEMs are read as text of keyword = value. Convert it.")
+    if head.startswith(b"PK\x03\x04"):
+        raise FormatError(f"{path}: is a zip archive, from which only fit takes logs of gyros. Unpack it.")
     if b"\0" in head:
         why = "is not a spec, a dataset of polhode's, an AEM or a C-kernel: it begins like none of them"
         raise FormatError(f"{path}: {why}; it may be broken. Check the file.")

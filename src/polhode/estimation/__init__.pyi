@@ -5,7 +5,9 @@ from .euler_periods import EulerPeriod as EulerPeriod
 from .euler_periods import euler_chain as euler_chain
 from .excitation import PolarExcitation as PolarExcitation
 from .excitation import polar_excitation as polar_excitation
+from .flight import Flights as Flights
 from .flight import Window as Window
+from .flight import find_flights as find_flights
 from .flight import free_flights as free_flights
 from .gyro_log import GyroLog as GyroLog
 from .gyro_log import clean_log as clean_log

@@ -11,6 +11,9 @@ from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, Float64, Real
 
 MIN_SAMPLES = 8
+HICCUPS = 3  # samples at a time that was there already, at most
+COARSE = 0.02  # of the samples at a time that was there already: more is a clock that is rounded, not a hiccup
+EVEN = 1.1  # of the clock's step, within which its rounding keeps the times of equal steps
 
 
 @dataclass(frozen=True)
@@ -24,6 +27,8 @@ class GyroLog:
         acceleration: (m, 3) proper acceleration [m/s², device frame], or None.
         dropped: samples of the gyro that were left out because they were not finite.
         repeats: samples of the gyro that were left out because their time had come before.
+        spread: samples of the gyro that came at a time that was there already and were given times of their own, as
+            the clock is coarser than the sampling.
         reordered: whether the samples did not come in the order of time.
     """
 
@@ -34,6 +39,7 @@ class GyroLog:
     dropped: int = 0
     repeats: int = 0
     reordered: bool = False
+    spread: int = 0
 
 
 @known_numbers_only
@@ -44,6 +50,8 @@ def clean_log(
     """Return a log whose samples are finite and in the order of time.
 
     Rows with NaN are dropped samples and are left out; of samples of one time the first is kept; both are counted.
+    Where many samples share their time with another, and differ, the clock is rounded more coarsely than the sensor
+    samples: they are spread evenly over its step.
 
     Args:
         times: of the gyro's samples [s].
@@ -62,26 +70,47 @@ def clean_log(
         >>> len(log.times), log.dropped
         (9, 1)
     """
-    t, x, dropped, repeats, reordered = _cleaned("rates", times, rates)
+    t, x, dropped, repeats, reordered, spread = _cleaned("rates", times, rates)
     if len(t) < MIN_SAMPLES:
         raise InvalidInput(f"a gyro log must have {MIN_SAMPLES} finite samples at different times; got {len(t)}.")
     if (acceleration is None) != (acceleration_times is None):
         raise InvalidInput("acceleration and acceleration_times must be given together; got only one of them.")
     if acceleration is None or acceleration_times is None:
-        return GyroLog(t, x, None, None, dropped, repeats, reordered)
+        return GyroLog(t, x, None, None, dropped, repeats, reordered, spread)
     ta, a, *_ = _cleaned("acceleration", acceleration_times, acceleration)
     some = len(ta) > 0
-    return GyroLog(t, x, ta if some else None, a if some else None, dropped, repeats, reordered)
+    return GyroLog(t, x, ta if some else None, a if some else None, dropped, repeats, reordered, spread)
 
 
-def _cleaned(name: str, times: ArrayLike, values: ArrayLike) -> tuple[Array, Array, int, int, bool]:
+def _cleaned(name: str, times: ArrayLike, values: ArrayLike) -> tuple[Array, Array, int, int, bool, int]:
     t, x = (np.asarray(v, dtype=np.float64) for v in (times, values))
     if t.ndim != 1 or x.shape != (*t.shape, 3):
         raise InvalidInput(
             f"times of shape (n,) and {name} of shape (n, 3) are needed; got {shown(t.shape)} and {shown(x.shape)}."
         )
     whole = np.isfinite(t) & np.isfinite(x).all(axis=1)
-    t, x = t[whole], x[whole]
-    reordered = bool((np.diff(t) < 0).any())
-    unique, first = np.unique(t, return_index=True)
-    return unique, x[first], int((~whole).sum()), len(t) - len(unique), reordered
+    if not whole.all():
+        t, x = t[whole], x[whole]
+    steps = np.diff(t)
+    if (steps > 0).all():
+        return t.copy(), x.copy(), int((~whole).sum()), 0, False, 0
+    reordered = bool((steps < 0).any())
+    order = np.argsort(t, kind="stable")
+    t, x = t[order], x[order]
+    new = np.concatenate([[True], (np.diff(t) > 0) | (np.diff(x, axis=0) != 0).any(axis=1)])  # no line that came twice
+    first = np.concatenate([[True], np.diff(t) > 0])
+    spread = int((new & ~first).sum())
+    if spread < max(HICCUPS, COARSE * len(t)):
+        return t[first], x[first], int((~whole).sum()), int((~first).sum()), reordered, 0
+    return _evenly(t[new]), x[new], int((~whole).sum()), int((~new).sum()), reordered, spread
+
+
+def _evenly(t: Float64[Array, "n"]) -> Float64[Array, "n"]:
+    """Return the times of a coarse clock, with samples of one time at equal steps to the next."""
+    distinct, counts = np.unique(t, return_counts=True)
+    coarse = float(np.median(np.diff(distinct))) if len(distinct) > 1 else 0.0
+    steps = np.minimum(np.diff(distinct, append=distinct[-1] + coarse), coarse)  # not over a gap
+    spread = t + np.concatenate([np.arange(count) / count * step for count, step in zip(counts, steps, strict=True)])
+    # samples that come evenly, as far as the clock can tell, came evenly
+    grid = np.polynomial.Polynomial.fit(np.arange(len(t)), t, 1)(np.arange(len(t)))
+    return t[0] + grid - grid[0] if np.ptp(t - grid) <= EVEN * coarse else spread

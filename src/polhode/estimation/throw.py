@@ -15,6 +15,7 @@ from polhode.estimation.flight import Window, check_windows, free_flights
 from polhode.estimation.gyro_log import GyroLog
 from polhode.estimation.principal import Principal, principal
 from polhode.estimation.rest_bias import RestBias, rest_bias
+from polhode.estimation.saturation import saturation
 from polhode.estimation.throw_doubts import why_no_result, why_nothing_explains
 from polhode.estimation.throw_fit import PAIRS, Model, Solution, Throw, rms
 from polhode.estimation.throw_search import Start, solutions_of
@@ -24,7 +25,6 @@ from polhode.types import Array, Float64
 
 BIAS = ("bias x", "bias y", "bias z")
 GAIN_SPREAD = 0.01  # as phones have gains and cross-axis sensitivities
-SATURATED = 3  # samples of one axis at exactly the largest size are a gyro at its limit
 
 
 @dataclass(frozen=True)
@@ -182,7 +182,7 @@ def fit_throw(
         gain: a symmetric matrix of gains of the gyro. "auto" lets the criterion choose, but gains that are too small to
             be seen still move the ratios by about as much: only True makes the intervals account for them. False for
             a calibrated gyro.
-        clip: largest rate that the gyro can tell [rad/s]; by default a value that comes three times at an axis's end.
+        clip: largest rate that the gyro can tell [rad/s]; by default where ``saturation`` finds a limit.
         gain_spread: standard deviation of an entry of the matrix of gains, as far as known beforehand.
         rotor: a wheel of constant momentum that turns in the body; "auto" for what the criterion says, where air alone
             leaves residuals that are too large or alike.
@@ -207,8 +207,8 @@ def fit_throw(
     _check_choice("rotor", rotor)
     if not (np.isfinite(gain_spread) and gain_spread > 0):
         raise InvalidInput(f"gain_spread must be a positive number, like 0.01; got {shown(gain_spread)}.")
-    found = _windows_of(every, windows)
-    level = _saturation(every) if clip is None else float(clip)
+    level = saturation(every) if clip is None else float(clip)
+    found = _windows_of(every, windows, level)
     cut = [(k, window, *_cut(every[k], window, level)) for k, per_log in enumerate(found) for window in per_log]
     throws = [throw for *_, throw in cut]
     start = Start.of(throws)
@@ -233,12 +233,14 @@ def _check_choice(name: str, value: bool | str) -> None:
         raise InvalidInput(f"{name} must be True, False or 'auto'; got {shown(value)}.")
 
 
-def _windows_of(logs: list[GyroLog], windows: Sequence[Sequence[Window]] | None) -> list[list[Window]]:
+def _windows_of(
+    logs: list[GyroLog], windows: Sequence[Sequence[Window]] | None, level: float | None
+) -> list[list[Window]]:
     if not logs:
         raise InvalidInput("at least one log is needed; got none.")
     if windows is not None and len(windows) != len(logs):
         raise InvalidInput(f"each log needs its windows: got {len(logs)} logs and windows for {len(windows)}.")
-    found = [free_flights(log) for log in logs] if windows is None else [list(per_log) for per_log in windows]
+    found = [free_flights(log, level) for log in logs] if windows is None else [list(per_log) for per_log in windows]
     if not any(found):
         raise InvalidInput(
             "no free flight was found in the log: no stretch of a quarter of a second keeps an angular momentum, or "
@@ -247,16 +249,6 @@ def _windows_of(logs: list[GyroLog], windows: Sequence[Sequence[Window]] | None)
     for per_log, log in zip(found, logs, strict=True):
         check_windows(per_log, log)
     return found
-
-
-def _saturation(logs: list[GyroLog]) -> float | None:
-    """Return the size of rates that comes again and again at the end of an axis, if one does."""
-    sizes = np.abs(np.concatenate([log.rates for log in logs]))
-    levels = [top for top, column in zip(sizes.max(axis=0), sizes.T, strict=True)
-              if top > 0 and (column >= top * (1 - 1e-9)).sum() >= SATURATED]  # fmt: skip
-    # constant rates repeat themselves too; only a level that others stay away from is a limit
-    spread = sizes.std(axis=0).max()
-    return float(min(levels)) if levels and spread > 0.05 * max(levels) else None
 
 
 def _cut(log: GyroLog, window: Window, level: float | None) -> tuple[Array, Throw]:

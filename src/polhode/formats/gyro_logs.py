@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-import shutil
-import tempfile
-import zipfile
 from collections.abc import Callable, Sequence
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 from typing import NamedTuple
 
 from polhode.errors import FormatError, InvalidInput, PolhodeError
@@ -23,6 +20,7 @@ from polhode.formats.gyro_dialects import (
     time_place,
 )  # fmt: skip
 from polhode.formats.header_words import IN_RADIANS, IN_SECONDS, PER_SECOND, RATE_UNITS, TIME_UNITS, unit_in
+from polhode.formats.log_archives import is_archive, unpacked
 from polhode.formats.opening import check_is_file, is_folder
 from polhode.formats.plain_table import LARGEST_FILE, decimal_of, first_lines, read_cells
 from polhode.formats.table_form import DELIMITERS, Line, TableForm, cells_of, form_of
@@ -52,7 +50,7 @@ class ReadLog(NamedTuple):
 
 
 def read_gyro_log(path: str | Path, mapping: ColumnMapping | None = None, told: Told = None) -> ReadLog:
-    """Return a gyro log from a table, a folder with one, or a zip archive with one.
+    """Return a gyro log from a table, a folder with one, or a zip archive with one; the notes say which file was read.
 
     The program that wrote it is told by the header: phyphox, Sensor Logger, AndroSensor, Betaflight. Lines before the
     header are skipped, decimal commas are noticed, lines need not be in the order of time, and lines without values
@@ -67,6 +65,7 @@ def read_gyro_log(path: str | Path, mapping: ColumnMapping | None = None, told: 
         InvalidInput: for what is missing, is not a file, or has no usable samples.
         FormatError: naming file and line, for what is not a log.
 
+    >>> import tempfile
     >>> path = Path(tempfile.mkdtemp()) / "Gyroscope.csv"
     >>> rows = "".join(f"{k},{k / 100},3,2,{k}\\n" for k in range(9))
     >>> _ = path.write_text("time,seconds_elapsed,z,y,x\\n" + rows)
@@ -78,14 +77,17 @@ def read_gyro_log(path: str | Path, mapping: ColumnMapping | None = None, told: 
     if is_folder(path):
         return _read_table(_gyro_file(path), mapping, told)
     check_is_file(path, "log", LARGEST_FILE)
-    if not zipfile.is_zipfile(path):
+    if not is_archive(path):
         return _read_table(path, mapping, told)
-    with tempfile.TemporaryDirectory() as place:
-        _unpack(path, Path(place))
+    beside = [name for dialect in DIALECTS for name in dialect.beside]
+    with unpacked(path, GYRO_FILES, beside) as (table, member):
         try:
-            return _read_table(_gyro_file(Path(place)), mapping, told)
+            read = _read_table(table, mapping, told)
         except PolhodeError as error:
-            raise type(error)(*(str(line).replace(place, str(path)) for line in error.args)) from None
+            inside = str(PurePosixPath(member).parent).removeprefix(".")
+            place = "/".join(filter(None, (str(path), inside)))
+            raise type(error)(*(str(line).replace(str(table.parent), place) for line in error.args)) from None
+    return read._replace(notes=(f"{member} in the archive is read.", *read.notes))
 
 
 def _gyro_file(folder: Path) -> Path:
@@ -93,24 +95,6 @@ def _gyro_file(folder: Path) -> Path:
     if not found:
         raise InvalidInput(f"{folder}: has no {', '.join(GYRO_FILES)}. Name the file with the angular velocities.")
     return found[0]
-
-
-def _unpack(path: Path, place: Path) -> None:
-    """Take the tables that are known out of an archive, and nothing else."""
-    wanted = {*GYRO_FILES, *(name for dialect in DIALECTS for name in dialect.beside)}
-    try:
-        with zipfile.ZipFile(path) as archive:
-            for member in archive.infolist():
-                name = Path(member.filename).name
-                if name not in wanted or (place / name).exists():
-                    continue
-                if member.file_size > LARGEST_FILE:
-                    raise FormatError(f"{path}: {name} in it has more than {LARGEST_FILE // 10**6} MB. Unpack it.")
-                with archive.open(member) as source, (place / name).open("wb") as target:
-                    shutil.copyfileobj(source, target)
-    except (zipfile.BadZipFile, RuntimeError, NotImplementedError, EOFError) as error:
-        raise FormatError(f"{path}: is not an archive that can be unpacked ({error}). Unpack it, and name the "
-                          "folder.") from None  # fmt: skip
 
 
 def _read_table(path: Path, mapping: ColumnMapping | None, told: Told) -> ReadLog:
@@ -129,6 +113,7 @@ def _read_table(path: Path, mapping: ColumnMapping | None, told: Told) -> ReadLo
     times = _seconds(numbers[:, 0], resolved.time_unit)
     rates = numbers[:, 1:4] * IN_RADIANS[resolved.rate_unit]
     acceleration, clock, source = (numbers[:, 4:] * felt[1], times, path.name) if felt else (None, None, None)
+    del numbers  # of long logs these are the most memory
     if not felt and dialect:
         clock, acceleration, source = _beside(path, dialect, told)
     try:
@@ -219,6 +204,9 @@ def _remarks(log: GyroLog) -> list[str]:
         found.append("lines are not in the order of time; they were sorted.")
     if log.repeats:
         found.append(f"{log.repeats} samples come at a time that was there already; the first of each is kept.")
+    if log.spread:
+        found.append(f"the clock is rounded: {log.spread} samples come at a time that was there already, with other "
+                     "values; they are taken at equal steps.")  # fmt: skip
     if log.dropped:
         found.append(f"{log.dropped} lines without finite values are left out.")
     return found

@@ -93,7 +93,18 @@ def read_cells(
         places.append(np.array([line.number for line in block]))
         if told is not None:
             told(block[-1].number)
-    return PlainTable(np.concatenate(numbers), np.concatenate(places))
+    return PlainTable(_joined(numbers), _joined(places))
+
+
+def _joined(blocks: list[Array]) -> Array:
+    """Return blocks one below the other; each goes as soon as it is copied, so that memory holds the table once."""
+    whole = np.empty((sum(map(len, blocks)), *blocks[0].shape[1:]), blocks[0].dtype)
+    end = len(whole)
+    while blocks:
+        block = blocks.pop()
+        whole[end - len(block) : end] = block
+        end -= len(block)
+    return whole
 
 
 def _lines_of(path: Path) -> Iterator[Line]:
