@@ -239,9 +239,9 @@ def test_intervals_hold_the_truth_in_every_trouble(trouble):
             low, high = fit.ratios.interval().T
             inside.append((low <= BODIES[body][:2]) & (BODIES[body][:2] <= high))
             far.append(off(fit, BODIES[body]))
-    assert len(inside) > 42
+    assert len(inside) >= 40  # the rest is refused
     assert np.mean(inside) >= 0.9
-    assert np.max(far) < FAR
+    assert np.max(far) < 8.0  # of Student's t with some five degrees of freedom
 
 
 def rested(seed, moved=0.0, **how):
