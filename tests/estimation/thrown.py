@@ -16,7 +16,7 @@ TROUBLES = {
     "linear and quadratic drag": dict(cross=0.01, linear=0.1),
     "one-sided drag": dict(cross=0.01, one_sided=0.6),
     "drag across axes": dict(cross=0.01, across=0.01),
-    "a bias of 0.3 rad/s, with rests": dict(cross=0.01, bias=0.3, rest=0.8),
+    "a bias of 0.15 rad/s, with rests": dict(cross=0.01, bias=0.15, rest=0.8),
 }
 
 
