@@ -309,6 +309,7 @@ def test_what_no_body_does_is_no_result():
     assert nothing_said(fit, "no motion that was tried explains the rates")
 
 
+@pytest.mark.sweep
 def test_gains_far_outside_what_was_known_are_no_result():
     log, _ = made(5, "middle", "book", drag=0.0, gain=0.0)
     wrong = clean_log(log.times, log.rates * [1.25, 1.0, 0.8])
