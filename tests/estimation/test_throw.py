@@ -5,11 +5,12 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.spatial.transform import Rotation
 
-from estimation.thrown import BODIES, SPINS, euler, throw
+from estimation.thrown import BODIES, SPINS, TROUBLES, euler, throw
 from polhode import estimation
 from polhode.errors import InvalidInput
-from polhode.estimation import Window, clean_log, fit_throw, throw_fit
-from polhode.estimation.throw_models import dragged_rates, free_rates
+from polhode.estimation import Window, clean_log, fit_throw
+from polhode.estimation.throw_models import forced_rates, free_rates
+from polhode.figures.throw_figure import throw_figures
 
 WHOLE = [[Window(-1.0, 99.0)]]
 PHONE = BODIES["phone"]
@@ -26,15 +27,24 @@ def off(fit, true):
     return np.abs(fit.ratios.value - true[:2]) / fit.ratios.standard_error
 
 
-@pytest.mark.parametrize("drag", [None, (0.01, 0.02, 0.03)])
-def test_rates_and_their_derivatives(drag):
+@pytest.mark.parametrize("forces", [
+    {}, {"drag": (0.01, 0.02, 0.03), "linear_drag": (0.1, 0.2, 0.05), "rotor": (3.0, -1.0, 2.0)},
+    {"one_sided_drag": (0.01, -0.02, 0.005)},
+])  # fmt: skip
+def test_rates_and_their_derivatives(forces):
     shape, start, t = np.array([0.25, 0.1]), np.array([2.0, 9.0, 1.0]), np.linspace(-0.3, 0.3, 7)
-    of = (lambda p: free_rates(p[:2], p[2:], t)) if drag is None else (lambda p: dragged_rates(p[:2], p[2:5], p[5:], t))
-    at = np.concatenate([shape, start, [] if drag is None else drag])
+
+    def of(p):
+        if not forces:
+            return free_rates(p[:2], p[2:], t)
+        return forced_rates(p[:2], p[2:5], dict(zip(forces, p[5:].reshape(-1, 3), strict=True)), t)
+
+    at = np.concatenate([shape, start, *forces.values()])
     rates, slopes = of(at)
     moments = ((1 - 0.25) / 2 + 0.1, (1 + 0.25) / 2 + 0.1, 1.0)
-    field = euler(moments, drag or 0.0)
-    for k in (0, 6):
+    linear = np.array(forces.get("linear_drag", 0.0))
+    field = euler(moments, forces.get("drag", 0.0), linear, rotor=forces.get("rotor", 0.0))
+    for k in (0, 6) if "one_sided_drag" not in forces else ():
         there = solve_ivp(field, (0.0, t[k]), start, rtol=1e-11, atol=1e-11, method="DOP853").y[:, -1]
         assert np.allclose(rates[k], there, atol=2e-6)
     step = 1e-4
@@ -47,7 +57,7 @@ def test_a_throw_with_all_that_goes_wrong():
     fit = fit_throw(log, WHOLE, gain=False)
     assert log.dropped > 0
     assert (off(fit, BODIES["book"]) < FAR).all()
-    assert fit.drag is not None and next(s for s in fit.criterion if s.chosen).drag
+    assert fit.drag is not None and "quadratic" in next(s for s in fit.criterion if s.chosen).drag
     turn = Rotation.from_matrix(fit.axes.T @ (axes * np.sign((fit.axes * axes).sum(axis=0)))).magnitude()
     assert turn < 0.01
     assert np.isclose(fit.sigma, 1e-3, rtol=0.3)
@@ -56,16 +66,12 @@ def test_a_throw_with_all_that_goes_wrong():
     assert fit.rms < 2.5e-3
 
 
-def test_ignoring_the_bias_misses_the_truth(monkeypatch):
+def test_a_bias_is_found():
     plain, _ = made(3, "long", "book", **CALM)
     log = clean_log(plain.times, plain.rates + np.array([0.05, -0.05, 0.05]))
     fit = fit_throw(log, WHOLE, drag=False, gain=False)
     assert (off(fit, BODIES["book"]) < FAR).all()
     assert np.allclose(fit.bias.value, [0.05, -0.05, 0.05], atol=5 * fit.bias.standard_error.max())
-    monkeypatch.setattr(throw_fit, "BIAS_SPREAD", 1e-6)
-    blind = fit_throw(log, WHOLE, drag=False, gain=False)
-    assert blind.rms > 3 * fit.rms  # which widens the intervals, and yet not by enough
-    assert off(blind, BODIES["book"]).max() > 3.0
 
 
 @pytest.mark.sweep
@@ -218,25 +224,94 @@ def test_bad_input_is_refused(call, said):
         call()
 
 
-def coverage(count, **choice):
-    """Return for which ratios of many throws the interval holds the truth, and the errors of the determined ones."""
-    inside, errors, nothing = [], [], 0
+@pytest.mark.sweep
+@pytest.mark.parametrize("trouble", TROUBLES)
+def test_intervals_hold_the_truth_in_every_trouble(trouble):
+    """Of 45 throws, five of each body about each axis. Without a matrix of gains, .41 were held at 1 % across axes, .72
+    at gains of 3 %, .48 with a drag across axes (and 31, 7 and 10 standard errors at worst)."""
+    inside, far = [], []
     cases = [(body, spin) for body in BODIES for spin in SPINS]
-    for i in range(count):
+    for i in range(45):
         body, spin = cases[i % 9]
-        times, rates, _ = throw(np.random.default_rng([5, i]), BODIES[body], SPINS[spin])
-        fit = fit_throw(clean_log(times, rates), WHOLE, **choice)
-        if fit.ratios is None:
-            nothing += 1
-            continue
-        true, ends = np.array(BODIES[body][:2]), fit.ratios.interval()
-        inside.append((ends[:, 0] <= true) & (true <= ends[:, 1]))
-        errors.append(np.abs(fit.ratios.value - true))
-    return np.array(inside), np.array(errors), nothing
+        times, rates, _ = throw(np.random.default_rng([12, i]), BODIES[body], SPINS[spin], **TROUBLES[trouble])
+        fit = fit_throw(clean_log(times, rates), [[Window(-0.01, 0.61)]])
+        if fit.ratios is not None:
+            low, high = fit.ratios.interval().T
+            inside.append((low <= BODIES[body][:2]) & (BODIES[body][:2] <= high))
+            far.append(off(fit, BODIES[body]))
+    assert len(inside) >= 40  # the rest is refused
+    assert np.mean(inside) >= 0.9
+    assert np.max(far) < 8.0  # of Student's t with some five degrees of freedom
+
+
+def rested(seed, moved=0.0, **how):
+    """A log of a throw with rests before and after, whose window has something that no body does: a bias that moves."""
+    rng = np.random.default_rng(seed)
+    times, rates, _ = throw(rng, PHONE, SPINS["middle"], rest=1.0, dropped=0.0, **how)
+    flight = (times >= 0) & (times < 0.6)
+    rates[flight, 0] += moved
+    return clean_log(times, rates), [[Window(-0.001, 0.6)]]
+
+
+def test_rests_tell_the_bias():
+    log, window = rested(3, bias=0.2)
+    fit = fit_throw(log, window)
+    assert fit.rest is not None and np.abs(fit.rest.value).max() > 0.05
+    assert (np.abs(fit.bias.value - fit.rest.value) < 0.01).all() and (fit.bias.standard_error < 0.0035).all()
+    assert (off(fit, PHONE) < FAR).all()
+    flight = (log.times >= 0) & (log.times < 0.6)
+    blind = fit_throw(clean_log(log.times[flight], log.rates[flight]), WHOLE)
+    assert blind.rest is None and blind.bias.standard_error.max() > 2 * fit.bias.standard_error.max()
+
+
+WHEELS = [
+    ("phone", "short", (3.0, 2.0, -3.0)),
+    pytest.param("book", "middle", (0.3, -0.5, 0.8), marks=pytest.mark.sweep),
+    pytest.param("racket", "long", (14.0, -9.0, 11.0), marks=pytest.mark.sweep),
+]
+
+
+@pytest.mark.parametrize("body, spin, wheel", WHEELS)
+def test_a_wheel_that_turns_in_the_body_is_noticed(body, spin, wheel):
+    """Integrated by SciPy from (I ω + h) × ω. Without the model, ratios came out with fine errors and wrong."""
+    times, rates, axes = throw(np.random.default_rng(4), BODIES[body], SPINS[spin], rotor=wheel, seconds=0.8)
+    fit = fit_throw(clean_log(times, rates), WHOLE)
+    assert fit.rotor is not None and next(s for s in fit.criterion if s.chosen).rotor
+    assert (off(fit, BODIES[body]) < FAR).all()
+    in_device = fit.axes @ fit.rotor.value
+    assert np.abs(in_device - axes @ wheel).max() < 0.1 * np.linalg.norm(wheel)
+    assert fit.regimes == [None] and "polhode" not in throw_figures(fit)
+
+
+def test_a_body_without_a_wheel_is_given_none():
+    log, _ = made(8, "middle", "racket", cross=0.01)
+    assert fit_throw(log, WHOLE, rotor="auto").rotor is None
+
+
+def nothing_said(fit, why):
+    return fit.ratios is fit.axes is fit.joint is fit.drag is fit.gain is None and why in fit.degenerate
+
+
+def test_rates_in_degrees_called_radians_are_no_result():
+    log, _ = made(1, "middle")
+    fit = fit_throw(clean_log(log.times, np.degrees(log.rates)), WHOLE)
+    assert nothing_said(fit, "rad from sample to sample")
+    times = np.linspace(0.0, 0.58, 3000)  # .12 rad from each to the next, as a near sphere would turn
+    finer = np.stack([np.interp(times, log.times, column) for column in np.degrees(log.rates).T], axis=1)
+    assert nothing_said(fit_throw(clean_log(times, finer), WHOLE), "beyond what gyros can tell")
+
+
+def test_what_no_body_does_is_no_result():
+    rng = np.random.default_rng(2)
+    t = np.arange(0, 0.8, 0.01)
+    waved = np.stack([6 * np.sin(9 * t + 1), 5 * np.cos(13 * t), 4 * np.sin(17 * t)], axis=1)
+    fit = fit_throw(clean_log(t, waved + 1e-3 * rng.normal(size=(80, 3))), WHOLE, drag=False, rotor=False)
+    assert nothing_said(fit, "no motion that was tried explains the rates")
 
 
 @pytest.mark.sweep
-def test_intervals_hold_the_truth_as_often_as_they_say():
-    inside, _, nothing = coverage(500, gain=True)
-    assert nothing < 25
-    assert 0.93 <= inside.mean() <= 0.97
+def test_gains_far_outside_what_was_known_are_no_result():
+    log, _ = made(5, "middle", "book", drag=0.0, gain=0.0)
+    wrong = clean_log(log.times, log.rates * [1.25, 1.0, 0.8])
+    assert nothing_said(fit_throw(wrong, WHOLE), "air that drives the body on")
+    assert nothing_said(fit_throw(wrong, WHOLE, drag=False, rotor=False), "")

@@ -187,6 +187,7 @@ def fit(
     window: options.FitWindows = None,
     drag: options.WithDrag = None,
     torque: options.WithTorque = None,
+    rotor: options.WithRotor = None,
     gain: options.WithGain = None,
     clip: options.ClipRate = None,
     moment: options.OneMoment = None,
@@ -218,7 +219,7 @@ def fit(
 
     columns = ColumnOptions(mapping, time, time_unit, quat, order, direction, euler, sequence, gyro, unit, decimal)
     scale = ScaleOptions(moment, mass, added_weight, weighted or [])
-    throw = ThrowOptions(window or [], drag, gain, clip, figures, torque)
+    throw = ThrowOptions(window or [], drag, gain, clip, figures, torque, rotor)
     run_fit(FitFiles(files, free, out, json), throw, scale, columns)
 
 

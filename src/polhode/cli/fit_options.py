@@ -33,6 +33,11 @@ FitWindows = Annotated[
 WithDrag = Annotated[
     bool | None, typer.Option("--drag/--no-drag", help="Of logs: drag or none (default: by a criterion).")
 ]
+WithRotor = Annotated[
+    bool | None,
+    typer.Option("--rotor/--no-rotor", help="Of logs: a wheel that turns in the body, or none (default: by a "
+                 "criterion)."),
+]  # fmt: skip
 WithTorque = Annotated[
     bool | None,
     typer.Option("--torque/--no-torque", help="Of a log of attitudes: a constant torque in the body, or none "

@@ -35,6 +35,7 @@ class ThrowOptions(NamedTuple):
     clip: str | None = None
     figures: Path | None = None
     torque: bool | None = None
+    rotor: bool | None = None
 
 
 def named(options: Any) -> list[str]:
@@ -75,12 +76,13 @@ def run_fit_throw(
         "--clip", options.clip, "rad/s")  # fmt: skip
     flights = _flights(options.windows, names, logs, clip)
     drag: bool | str = "auto" if options.drag is None else options.drag
+    rotor: bool | str = "auto" if options.rotor is None else options.rotor
     fit = fit_throw([each.log for each in logs], [each.windows for each in flights], drag, options.gain is not False,
-                    clip)  # fmt: skip
+                    clip, rotor=rotor)  # fmt: skip
     heavier = None
     if weighted:
         more = [read_gyro_log(path, mapping, _progress(path)).log for path in weighted]
-        heavier = fit_throw(more, None, drag, options.gain is not False, clip)
+        heavier = fit_throw(more, None, drag, options.gain is not False, clip, rotor=rotor)
     moments = known.moments(fit, heavier)
     groups = [*throw_groups(fit, names, logs, moments), left_out_table(names, flights)]
     notes = [*throw_notes(fit, names, logs), *left_out_note(flights)]

@@ -15,6 +15,7 @@ from polhode.estimation.estimate import Estimate
 from polhode.estimation.gyro_log import check_sizes
 from polhode.estimation.linear_start import linear_inertia
 from polhode.estimation.principal import Principal, principal, why_undetermined
+from polhode.estimation.throw_doubts import why_impossible
 from polhode.estimation.throw_fit import ROBUST, covariance_of, cross_matrix, right_jacobian
 from polhode.estimation.throw_models import D_MOMENTS, free_states, moments_of, shape_of
 from polhode.estimation.torqued_states import torqued_start, torqued_states
@@ -155,8 +156,8 @@ def _told(
     residuals = system.blocks(x)[0][0]
     rms = float(np.sqrt(np.mean(residuals**2)))
     sigma, rate_sigma = float(solution.noise[0]), float(solution.noise[1]) if len(solution.noise) > 1 else None
-    if not found.determined:
-        reason = why_undetermined([rates], found)
+    reason = why_impossible(found) if found.determined else why_undetermined([rates], found)
+    if reason is not None:
         return AttitudeFit(None, None, None, None, None, None, None, None, t, residuals, rms, sigma, rate_sigma, scores,
                            reason, singular)  # fmt: skip
     start = found.order.T @ x[PLACES["start"]]

@@ -20,12 +20,15 @@ class LinearInertia(NamedTuple):
     Attributes:
         moments: (3,) ascending, the largest 1.
         axes: (3, 3) principal axes by columns [device frame], right-handed.
-        singular_values: (6,) descending, of the centred map [rad/s times the root of the number of samples].
+        singular_values: (6,) descending, of the centred map [rad/s times the root of the number of samples]; with a
+            rotor (9,).
+        rotor: (3,) momentum of a wheel over the largest moment [rad/s, device frame]; zero where none was asked for.
     """
 
     moments: Float64[Array, "3"]
     axes: Float64[Array, "3 3"]
-    singular_values: Float64[Array, "6"]
+    singular_values: Float64[Array, "k"]
+    rotor: Float64[Array, "3"]
 
 
 def turned_by(times: Float64[Array, "n"], rates: Float64[Array, "n 3"]) -> Float64[Array, "n 4"]:
@@ -65,25 +68,30 @@ def inertia_matrix(entries: Float64[Array, "6"]) -> Float64[Array, "3 3"]:
 
 def linear_inertia(
     rates: list[Float64[Array, "n 3"]], attitudes: list[Float64[Array, "n 4"]],
-    kept: list[Integer[Array, "k"]] | None = None,
+    parts: list[list[Integer[Array, "k"]]] | None = None, rotor: bool = False,
 ) -> LinearInertia:  # fmt: skip
     """Return moments and axes from one or several throws of one body.
 
     Args:
         rates: of each throw [rad/s, device frame].
         attitudes: of each throw, quaternions xyzw, device → any frame at rest.
-        kept: which samples of each throw to use, by default all.
+        parts: which samples of each throw keep one momentum, by default all.
+        rotor: whether a wheel of constant momentum h turns in the body: R (J ω + h) is constant then.
     """
     rows = []
     for k, (rate, attitude) in enumerate(zip(rates, attitudes, strict=True)):
         maps = momentum_map(attitude, rate)
-        maps = maps if kept is None else maps[kept[k]]
-        rows.append((maps - maps.mean(axis=0)).reshape(-1, 6))
+        if rotor:
+            maps = np.concatenate([maps, Rotation.from_quat(attitude).as_matrix()], axis=2)
+        for part in [slice(None)] if parts is None else parts[k]:
+            rows.append((maps[part] - maps[part].mean(axis=0)).reshape(-1, maps.shape[2]))
     _, values, right = np.linalg.svd(np.concatenate(rows), full_matrices=False)  # at least 24 rows
-    J = inertia_matrix(right[-1])
-    moments, axes = np.linalg.eigh(J * np.sign(np.trace(J) or 1.0))
+    J = inertia_matrix(right[-1, :6])
+    sign = np.sign(np.trace(J) or 1.0)
+    moments, axes = np.linalg.eigh(J * sign)
     axes[:, 2] = np.cross(axes[:, 0], axes[:, 1])
-    return LinearInertia(possible_moments(moments), axes, values)
+    wheel = sign * right[-1, 6:] / max(float(moments[2]), 1e-300) if rotor else np.zeros(3)
+    return LinearInertia(possible_moments(moments), axes, values, wheel)
 
 
 def possible_moments(moments: Float64[Array, "3"]) -> Float64[Array, "3"]:

@@ -11,6 +11,8 @@ from polhode.estimation.throw_models import D_MOMENTS, moments_of
 from polhode.types import Array, Float64
 
 WIDEST = 0.1  # half an interval of a ratio that still says something
+FORCES = {"drag": "c", "linear_drag": "b", "one_sided_drag": "d", "rotor": "h"}
+DIRECTED = ("one_sided_drag", "rotor")
 
 
 @dataclass(frozen=True)
@@ -23,7 +25,7 @@ class Principal:
         axes: (3, 3) by columns [device frame].
         turn: error of the axes [rad, principal axes].
         joint: ratios and turn together, with all their correlations.
-        drag: c_i/I3 along the sorted axes, or None.
+        forces: coefficients over I3 of what acts, along the sorted axes, by name.
         order: (3, 3) columns are the sorted axes along the fit's own.
         equal: neighbours that are equal within their errors, or None.
         determined: whether the intervals of the ratios say something.
@@ -34,7 +36,7 @@ class Principal:
     axes: Float64[Array, "3 3"]
     turn: Estimate
     joint: Estimate
-    drag: Estimate | None
+    forces: dict[str, Estimate]
     order: Float64[Array, "3 3"]
     equal: str | None
     determined: bool
@@ -44,12 +46,12 @@ def principal(
     parameters: Float64[Array, "p"], covariance: Float64[Array, "p p"], places: dict[str, slice],
     axes: Float64[Array, "3 3"], freedom: float,
 ) -> Principal:  # fmt: skip
-    """Return moments ascending over the largest, with axes, drag and errors in their order.
+    """Return moments ascending over the largest, with axes, forces and errors in their order.
 
     Args:
         parameters: of the fit.
         covariance: of these, the turn along the fit's principal axes.
-        places: where "shape", "turn" and perhaps "drag" stand among them.
+        places: where "shape", "turn" and perhaps forces stand among them.
         axes: the fit's principal axes by columns [device frame].
         freedom: degrees of freedom of the residuals.
     """
@@ -67,15 +69,20 @@ def principal(
     joint = Estimate(names, np.r_[moments[:2], np.zeros(3)], by @ covariance[np.ix_(both, both)] @ by.T, freedom)
     ratios = Estimate(names[:2], moments[:2], joint.covariance[:2, :2], freedom)
     turn = Estimate(names[2:], np.zeros(3), joint.covariance[2:, 2:], freedom)
-    drag = None
-    if "drag" in places:
-        both = np.r_[places["drag"], places["shape"]]
-        values = parameters[places["drag"]][which] / largest
-        # the fit's drag is over its own third moment
-        by = np.concatenate([np.eye(3)[which] / largest, -np.outer(values, D_MOMENTS[:, which[2]]) / largest], axis=1)
-        drag = Estimate(("c1/I3", "c2/I3", "c3/I3"), values, by @ covariance[np.ix_(both, both)] @ by.T, freedom)
+    forces = {}
+    for name in FORCES:
+        if name not in places:
+            continue
+        both = np.r_[places[name], places["shape"]]
+        # what has a sign along an axis turns with it
+        turned = order.T if name in DIRECTED else np.eye(3)[which]
+        values = turned @ parameters[places[name]] / largest
+        # the fit's coefficients are over its own third moment
+        by = np.concatenate([turned / largest, -np.outer(values, D_MOMENTS[:, which[2]]) / largest], axis=1)
+        names = tuple(f"{FORCES[name]}{k}/I3" for k in (1, 2, 3))
+        forces[name] = Estimate(names, values, by @ covariance[np.ix_(both, both)] @ by.T, freedom)
     half = 0.5 * np.diff(ratios.interval(), axis=1)[:, 0]
-    return Principal(ratios, moments, axes @ order, turn, joint, drag, order, _equal(ratios),
+    return Principal(ratios, moments, axes @ order, turn, joint, forces, order, _equal(ratios),
                      bool(np.isfinite(half).all() and half.max() < WIDEST))  # fmt: skip
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -13,20 +13,18 @@ from polhode.errors import InvalidInput, shown
 from polhode.estimation.estimate import Estimate
 from polhode.estimation.flight import Window, check_windows, free_flights
 from polhode.estimation.gyro_log import GyroLog
-from polhode.estimation.linear_start import linear_inertia, turned_by
-from polhode.estimation.principal import Principal, principal, why_undetermined
+from polhode.estimation.principal import Principal, principal
+from polhode.estimation.rest_bias import RestBias, rest_bias
 from polhode.estimation.saturation import saturation
-from polhode.estimation.throw_fit import Model, Solution, Throw, fitted, predicted
-from polhode.estimation.throw_models import shape_of
+from polhode.estimation.throw_doubts import why_no_result, why_nothing_explains
+from polhode.estimation.throw_fit import PAIRS, Model, Solution, Throw, rms
+from polhode.estimation.throw_search import Start, solutions_of
+from polhode.estimation.unmodelled import Settled, settled
 from polhode.exact.free_body.motion import FreeMotion
 from polhode.types import Array, Float64
 
-MISFIT = 1.4  # times the noise of the samples: larger residuals ask for other starts
-NEAR = 1e-4  # of a bound of the shape or the drag: a fit that ends there may be in a wrong valley
-SAME, AGREED = 5.0, 3  # of the logarithm of the likelihood, and how many starts that end alike are believed
-ROD = 0.98  # of s: hardly a body is so long and thin
-RESTARTS = np.array([[0.3, 0.05], [0.6, 0.05], [0.85, 0.02], [0.3, 0.3]])  # shapes s and c: plates, a rod, round
-MIN_TURN = 0.5  # rad: of less nothing can be said
+BIAS = ("bias x", "bias y", "bias z")
+GAIN_SPREAD = 0.01  # as phones have gains and cross-axis sensitivities
 
 
 @dataclass(frozen=True)
@@ -40,8 +38,9 @@ class FittedThrow:
         rates: (n, 3) measured [rad/s, device frame].
         predicted: (n, 3) by the fitted model, with bias and gains [rad/s, device frame].
         motion: the free motion along the principal axes, moments over the largest, with the fitted rates at its epoch;
-            where there is drag, the one that touches the fitted motion at its epoch. None where the fit is degenerate.
-        regime: of that motion; None where the fit is degenerate.
+            where there is drag, the one that touches the fitted motion at its epoch. None where the fit is degenerate,
+            or a wheel turns in the body.
+        regime: of that motion; None where there is none.
     """
 
     log: int
@@ -55,9 +54,21 @@ class FittedThrow:
 
 @dataclass(frozen=True)
 class ModelScore:
-    """How well a model did: what it has besides motion and bias, its parameters, criteria and residuals [rad/s]."""
+    """How well a model did: what it has besides motion and bias, its parameters, criteria and residuals [rad/s].
 
-    drag: bool
+    Attributes:
+        drag: "none", "quadratic", "linear and quadratic" or "one-sided, linear and quadratic".
+        rotor: whether a wheel turns in the body.
+        gain: whether the gyro has gains.
+        parameters: how many.
+        aicc: Akaike's criterion, corrected for few samples.
+        bic: Schwarz's criterion.
+        rms: of the residuals [rad/s].
+        chosen: whether the answer is of this model.
+    """
+
+    drag: str
+    rotor: bool
     gain: bool
     parameters: int
     aicc: float
@@ -79,9 +90,20 @@ class ThrowFit:
         equal: which neighbours, "I1 = I2" or "I2 = I3", are equal within their errors, so that the axes between them
             are not determined; None for none.
         bias: of the gyro [rad/s, device axes].
+        rest: the bias that the gyro shows at rest, which was known beforehand; None where no log has rests.
         gain: of the gyro along the device axes, 1 without error; None where it was not fitted.
+        cross_axis: how much of the rate about one axis shows about another, of y and z, x and z, x and y, the mean of
+            both ways; their difference turns the axes of the device. None where it was not fitted.
+        gain_spread: standard deviation of such gains, as far as the log shows it and it was known beforehand.
         drag: c_i/I3 of the torque −c_i |ω| ω_i along the principal axes; None where there is none.
-        criterion: the models that were compared, by Akaike's corrected criterion.
+        linear_drag: b_i/I3 of the torque −b_i ω_i [1/s], or None.
+        one_sided_drag: d_i/I3 of the torque −d_i |ω| |ω_i|, or None.
+        rotor: momentum of a wheel that turns in the body, over I3 [rad/s, principal axes]; None where there is none.
+            The ratios are then of the body with the wheel; where no motor keeps its speed, without the wheel's own
+            moment about its axis.
+        unmodelled: rms of a smooth torque over I3 |ω|² that no model has, and that the intervals allow for.
+        widened: factor on the variances of the noise, because neighbouring residuals are alike.
+        criterion: the models that were compared, by Akaike's corrected criterion, which a wheel must do better by 10.
         throws: each throw, with measured and predicted rates.
         residuals: (n, 3) of all throws [rad/s].
         rms: of the residuals [rad/s].
@@ -98,8 +120,16 @@ class ThrowFit:
     joint: Estimate | None
     equal: str | None
     bias: Estimate
+    rest: Estimate | None
     gain: Estimate | None
+    cross_axis: Estimate | None
+    gain_spread: float
     drag: Estimate | None
+    linear_drag: Estimate | None
+    one_sided_drag: Estimate | None
+    rotor: Estimate | None
+    unmodelled: float
+    widened: float
     criterion: list[ModelScore]
     throws: list[FittedThrow]
     residuals: Float64[Array, "n 3"]
@@ -109,6 +139,15 @@ class ThrowFit:
     degenerate: str | None
     singular_values: Float64[Array, "6"]
     clip: float | None
+
+    @property
+    def gains(self) -> Float64[Array, "3 3"]:
+        """The matrix that the gyro multiplies rates by [device frame]."""
+        matrix = np.eye(3) if self.gain is None else np.diag(self.gain.value)
+        if self.cross_axis is not None:
+            for value, (i, j) in zip(self.cross_axis.value, PAIRS, strict=True):
+                matrix[i, j] = matrix[j, i] = value
+        return matrix
 
     @property
     def windows(self) -> list[Window]:
@@ -124,24 +163,29 @@ class ThrowFit:
 @known_numbers_only
 def fit_throw(
     logs: GyroLog | Sequence[GyroLog], windows: Sequence[Sequence[Window]] | None = None, drag: bool | str = "auto",
-    gain: bool | str = True, clip: float | None = None, gain_spread: float = 0.01,
+    gain: bool | str = True, clip: float | None = None, gain_spread: float = GAIN_SPREAD, rotor: bool | str = "auto",
 ) -> ThrowFit:  # fmt: skip
     """Fit the inertia of one body to gyro logs of its free throws.
 
-    The start is linear: R J ω is constant in space, R from the gyro itself. The end is a robust least squares on the
-    motion with its exact derivatives: the closed form, or Euler's equations with drag and their variations. The noise
-    of a sample is that of the gyro and, along the acceleration, that of the clock; both come from the residuals.
-    Samples need not be at equal times.
+    The start is linear: R J ω is constant in space, R from the gyro itself. Then comes a robust least squares on the
+    motion with its exact derivatives: the closed form, or Euler's equations with torques and their variations. The
+    noise of a sample is that of the gyro and, along the acceleration, that of the clock; both come from the residuals.
+    At the end the intervals take in what is not known: a smooth torque that no model has, gains larger than expected,
+    residuals that are alike. Where a log has rests, they tell the bias. Samples need not be at equal times.
 
     Args:
         logs: from ``clean_log``, one or several of the same thing.
         windows: of each log, the stretches of free flight; by default those that ``free_flights`` finds.
-        drag: quadratic drag, the torque −c_i |ω| ω_i along the principal axes; "auto" lets Akaike's criterion choose.
-        gain: a gain of each axis of the gyro. "auto" lets the criterion choose, but gains that are too small to be
-            seen still move the ratios by about as much: only True makes the intervals account for them. False for a
-            calibrated gyro.
+        drag: torques of air along the principal axes; False for none, True for some, "auto" to let Akaike's criterion
+            choose that too. It also chooses between quadratic drag, −c_i |ω| ω_i, quadratic and linear drag, −b_i ω_i,
+            and both with one that is not the same both ways, −d_i |ω| |ω_i|.
+        gain: a symmetric matrix of gains of the gyro. "auto" lets the criterion choose, but gains that are too small to
+            be seen still move the ratios by about as much: only True makes the intervals account for them. False for
+            a calibrated gyro.
         clip: largest rate that the gyro can tell [rad/s]; by default where ``saturation`` finds a limit.
-        gain_spread: standard deviation of gains about 1, as far as known beforehand.
+        gain_spread: standard deviation of an entry of the matrix of gains, as far as known beforehand.
+        rotor: a wheel of constant momentum that turns in the body; "auto" for what the criterion says, where air alone
+            leaves residuals that are too large or alike.
 
     Raises:
         InvalidInput: if no free flight is found, a window does not fit its log, or a throw has too few samples.
@@ -160,20 +204,28 @@ def fit_throw(
     every = [logs] if isinstance(logs, GyroLog) else list(logs)
     _check_choice("drag", drag)
     _check_choice("gain", gain)
+    _check_choice("rotor", rotor)
     if not (np.isfinite(gain_spread) and gain_spread > 0):
         raise InvalidInput(f"gain_spread must be a positive number, like 0.01; got {shown(gain_spread)}.")
     level = saturation(every) if clip is None else float(clip)
     found = _windows_of(every, windows, level)
     cut = [(k, window, *_cut(every[k], window, level)) for k, per_log in enumerate(found) for window in per_log]
     throws = [throw for *_, throw in cut]
-    start = _Start.of(throws)
+    start = Start.of(throws)
     if start.degenerate:
         return _nothing(cut, start, level)
-    tried = _tried(start, throws, drag, gain, gain_spread)
-    best = min(tried, key=lambda one: one.aicc)
-    scores = [ModelScore(s.model.drag, s.model.gain, s.model.size, s.aicc, s.bic, _rms(s.residuals), s is best)
-              for s in tried]  # fmt: skip
-    return _result(best, scores, cut, start, level)
+    rest = rest_bias(every, found)
+    plain = Model((), gain is True, len(throws), gain_spread)
+    if rest is not None:
+        plain = replace(plain, bias=tuple(rest.value.tolist()), bias_spread=tuple(rest.spread.tolist()))
+    tried = solutions_of(plain, start, throws, drag, rotor, gain)
+    best = tried[0]
+    scores = [ModelScore(s.model.air, s.model.rotor, s.model.gain, s.model.size, s.aicc, s.bic, rms(s.residuals),
+                         s is best) for s in tried if np.isfinite(s.aicc)]  # fmt: skip
+    reason = why_nothing_explains(best, throws)
+    if reason is not None:
+        return replace(_nothing(cut, start, level), degenerate=reason)
+    return _result(settled(best, throws), rest, scores, cut, start, level)
 
 
 def _check_choice(name: str, value: bool | str) -> None:
@@ -212,185 +264,54 @@ def _cut(log: GyroLog, window: Window, level: float | None) -> tuple[Array, Thro
     return times, Throw(times - epoch, rates, epoch)
 
 
-@dataclass(frozen=True)
-class _Start:
-    """What the linear method says, and why nothing can be said, if so."""
-
-    shape: Array
-    axes: Array
-    singular_values: Array
-    noise: float
-    degenerate: str | None
-
-    @classmethod
-    def of(cls, throws: list[Throw]) -> _Start:
-        rates = [throw.rates for throw in throws]
-        found = linear_inertia(rates, [turned_by(t.elapsed, t.rates) for t in throws])
-        noise = _noise(throws)
-        # noise of σ makes each singular value about σ √n; biases and drag make them larger, so the fit judges again
-        floor = 6.0 * noise * np.sqrt(sum(len(r) for r in rates))
-        turned = max(float(np.sum(np.linalg.norm(t.rates[1:], axis=1) * np.diff(t.elapsed))) for t in throws)
-        reason = None
-        if turned < MIN_TURN:
-            reason = f"the body turned by {turned:.2g} rad only: nothing can be said of its inertia."
-        elif found.singular_values[-2] < floor:
-            reason = why_undetermined(rates, None)
-        return cls(shape_of(found.moments), found.axes, found.singular_values, noise, reason)
-
-
-def _noise(throws: list[Throw]) -> float:
-    """Return the noise of a sample from third differences, in which smooth motion vanishes."""
-    parts = [np.abs(np.diff(throw.rates, n=3, axis=0)) for throw in throws]
-    return float(np.median(np.concatenate(parts)) / (0.6745 * np.sqrt(20.0)))
-
-
-def _tried(
-    start: _Start, throws: list[Throw], drag: bool | str, gain: bool | str, spread: float
-) -> list[Solution]:
-    """Return the models that are asked for, each started from the one before it that it contains."""
-    choices = lambda x: (False, True) if x == "auto" else (x,)  # noqa: E731
-    plain = Model(False, gain is True, len(throws), spread)
-    begin = [start.axes.T @ throw.rates[len(throw.rates) // 2] for throw in throws]
-    x = np.concatenate([start.shape, np.zeros(6), *[np.ones(3)] * plain.gain, *begin])
-    first = _grown(plain, x, start.axes, throws)
-    solutions = {(False, plain.gain): first}
-    for wanted_drag in choices(drag):
-        for wanted_gain in choices(gain):
-            if (wanted_drag, wanted_gain) in solutions:
-                continue
-            base = solutions.get((wanted_drag, False), first)
-            model = Model(bool(wanted_drag), bool(wanted_gain), len(throws), spread)
-            noise = (base.sigma, base.jitter)
-            solutions[wanted_drag, wanted_gain] = fitted(model, _carried(base, model), base.axes, throws, noise)
-    asked = [solutions[d, g] for d in choices(drag) for g in choices(gain)]
-    if _in_a_valley(min(asked, key=lambda one: one.aicc), start):
-        asked[-1] = _retried(asked[-1], start, throws)  # it contains the others
-    return asked
-
-
-def _in_a_valley(solution: Solution, start: _Start) -> bool:
-    """Whether a fit may have ended at a wrong place: at a bound, or with residuals beyond the samples' own noise."""
-    return bool(np.median(np.abs(solution.residuals)) > MISFIT * 0.6745 * start.noise) or _at_bound(solution)
-
-
-def _at_bound(solution: Solution) -> bool:
-    """Whether the shape or the drag ran to a bound, where drag may do the work of a wrong shape."""
-    low, high = solution.model.limits()
-    near = np.minimum(solution.parameters - low, high - solution.parameters) < NEAR
-    near[0] = abs(solution.parameters[0]) > ROD
-    places = solution.model.places
-    return any(bool(near[places[name]].any()) for name in ("shape", "drag") if name in places)
-
-
-def _grown(model: Model, x: Array, axes: Array, throws: list[Throw]) -> Solution:
-    """Return a fit that begins with the middles of long throws, where a rough start keeps the count of turns."""
-    for samples in (500, 2500):
-        if max(len(throw.elapsed) for throw in throws) > 2 * samples:
-            middles = [_middle(throw, samples) for throw in throws]
-            found = fitted(model, x, axes, middles, None)
-            x, axes = _carried(found, model), found.axes
-    return fitted(model, x, axes, throws, None)
-
-
-def _middle(throw: Throw, samples: int) -> Throw:
-    centre = int(np.argmin(np.abs(throw.elapsed)))
-    part = slice(max(centre - samples // 2, 0), centre + samples // 2)
-    return Throw(throw.elapsed[part], throw.rates[part], throw.epoch)
-
-
-def _retried(solution: Solution, start: _Start, throws: list[Throw]) -> Solution:
-    """Return the best of several starts: shapes by the axes of the linear method and by those of the rates themselves.
-
-    The linear method knows of no bias. Where the body turns about its middle axis, that may exchange its axes.
-    """
-    model = solution.model
-    begin = _carried(solution, model)
-    for name, place in model.places.items():
-        if name in ("bias", "drag"):
-            begin[place] = 0.0
-    one, two, three = np.linalg.svd(np.concatenate([throw.rates for throw in throws]), full_matrices=False)[2]
-    found = [solution]
-    for axes in (np.stack([three, one, np.cross(three, one)], axis=1), start.axes,
-                 np.stack([two, one, np.cross(two, one)], axis=1)):  # fmt: skip
-        for k, throw in enumerate(throws):
-            begin[model.places[f"start {k}"]] = axes.T @ throw.rates[len(throw.rates) // 2]
-        for shape in RESTARTS:
-            begin[model.places["shape"]] = shape
-            found.append(fitted(model, begin, axes, throws, None))
-            if not _in_a_valley(found[-1], start):
-                return max(found, key=lambda each: each.log_likelihood)
-        likelihoods = np.array([each.log_likelihood for each in found])
-        if (likelihoods > likelihoods.max() - SAME).sum() >= AGREED:
-            break  # the data are not of this model, wherever one starts
-    return max(found, key=lambda each: each.log_likelihood)
-
-
-def _carried(base: Solution, model: Model) -> Array:
-    """Return a solution's parameters where another model has them, its axes taken for the start."""
-    x = np.zeros(model.size)
-    for name, place in model.places.items():
-        if name in base.model.places:
-            x[place] = base.parameters[base.model.places[name]]
-        elif name == "gain":
-            x[place] = 1.0
-    x[model.places["turn"]] = 0.0
-    return x
-
-
-def _rms(x: Array) -> float:
-    return float(np.sqrt(np.mean(x * x)))
-
-
-def _part(solution: Solution, group: str, names: tuple[str, ...]) -> Estimate:
+def _part(solution: Solution, group: str, names: tuple[str, ...]) -> Estimate | None:
+    if group not in solution.model.places:
+        return None
     place = solution.model.places[group]
     return Estimate(names, solution.parameters[place], solution.covariance[place, place], solution.freedom)
 
 
 def _result(
-    best: Solution, scores: list[ModelScore], cut: list[Any], start: _Start, level: float | None
+    done: Settled, rest: RestBias | None, scores: list[ModelScore], cut: list[Any], start: Start, level: float | None
 ) -> ThrowFit:
-    throws = [throw for *_, throw in cut]
+    best, throws = done.solution, [throw for *_, throw in cut]
     found = principal(best.parameters, best.covariance, best.model.places, best.axes, best.freedom)
-    reason = None
-    if not found.determined:
-        reason = why_undetermined([throw.rates for throw in throws], found)
-    zero = _without_turn(best)
-    values, *_ = predicted(best.model, zero, best.axes, throws)
-    parts = np.split(values, np.cumsum([len(throw.rates) for throw in throws])[:-1])
-    bias = _part(best, "bias", ("bias x", "bias y", "bias z"))
-    gain = _part(best, "gain", ("gain x", "gain y", "gain z")) if best.model.gain else None
-    told = [FittedThrow(k, window, times, throw.rates, part, *_motion(found, best, i, throw, reason))
+    reason = why_no_result(best, found, throws)
+    if reason is not None:
+        return replace(_nothing(cut, start, level), criterion=scores, degenerate=reason)
+    parts = np.split(done.predicted, np.cumsum([len(throw.rates) for throw in throws])[:-1])
+    told = [FittedThrow(k, window, times, throw.rates, part, *_motion(found, best, i, throw))
             for i, ((k, window, times, throw), part) in enumerate(zip(cut, parts, strict=True))]  # fmt: skip
-    sure = reason is None
+    bias = _part(best, "bias", BIAS)
+    assert bias is not None
+    at_rest = None if rest is None else Estimate(BIAS, rest.value, np.diag(rest.spread**2))
     return ThrowFit(
-        found.ratios if sure else None, found.axes if sure else None, found.turn if sure else None,
-        found.joint if sure else None, found.equal if sure else None, bias, gain, found.drag if sure else None,
-        scores, told, best.residuals, _rms(best.residuals), best.sigma, best.jitter, reason, start.singular_values,
-        level,
+        ratios=found.ratios, axes=found.axes, axes_error=found.turn, joint=found.joint, equal=found.equal, bias=bias,
+        rest=at_rest, gain=_part(best, "gain", ("gain x", "gain y", "gain z")),
+        cross_axis=_part(best, "cross_axis", ("gain yz", "gain xz", "gain xy")), gain_spread=done.gain_spread,
+        drag=found.forces.get("drag"), linear_drag=found.forces.get("linear_drag"),
+        one_sided_drag=found.forces.get("one_sided_drag"), rotor=found.forces.get("rotor"), unmodelled=done.torque,
+        widened=done.widened, criterion=scores, throws=told, residuals=best.residuals, rms=rms(best.residuals),
+        sigma=best.sigma, jitter=best.jitter, degenerate=None, singular_values=start.singular_values, clip=level,
     )  # fmt: skip
 
 
-def _without_turn(solution: Solution) -> Array:
-    """Return the parameters with no turn, for use with the solution's own axes."""
-    x = solution.parameters.copy()
-    x[solution.model.places["turn"]] = 0.0
-    return x
-
-
-def _motion(
-    found: Principal, best: Solution, k: int, throw: Throw, reason: str | None
-) -> tuple[FreeMotion | None, str | None]:
-    if reason is not None:
+def _motion(found: Principal, best: Solution, k: int, throw: Throw) -> tuple[FreeMotion | None, str | None]:
+    if best.model.rotor:
         return None, None
     rates = found.order.T @ best.parameters[best.model.places[f"start {k}"]]
     motion = FreeMotion(found.moments, found.moments * rates, epoch=throw.epoch)
     return motion, motion.regime
 
 
-def _nothing(cut: list[Any], start: _Start, level: float | None) -> ThrowFit:
+def _nothing(cut: list[Any], start: Start, level: float | None) -> ThrowFit:
     """Return the fit of throws that say nothing of the inertia."""
     told = [FittedThrow(k, window, times, throw.rates, np.full_like(throw.rates, np.nan), None, None)
             for k, window, times, throw in cut]  # fmt: skip
-    unknown = Estimate(("bias x", "bias y", "bias z"), np.full(3, np.nan), np.full((3, 3), np.nan))
-    return ThrowFit(None, None, None, None, None, unknown, None, None, [], told, np.empty((0, 3)), float("nan"),
-                    start.noise, 0.0, start.degenerate, start.singular_values, level)  # fmt: skip
+    unknown = Estimate(BIAS, np.full(3, np.nan), np.full((3, 3), np.nan))
+    return ThrowFit(
+        ratios=None, axes=None, axes_error=None, joint=None, equal=None, bias=unknown, rest=None, gain=None,
+        cross_axis=None, gain_spread=float("nan"), drag=None, linear_drag=None, one_sided_drag=None, rotor=None,
+        unmodelled=float("nan"), widened=1.0, criterion=[], throws=told, residuals=np.empty((0, 3)), rms=float("nan"),
+        sigma=start.noise, jitter=0.0, degenerate=start.degenerate, singular_values=start.singular_values, clip=level,
+    )  # fmt: skip

@@ -6,19 +6,29 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from scipy.linalg import block_diag
 from scipy.optimize import least_squares, minimize_scalar
 from scipy.spatial.transform import Rotation
 
-from polhode.estimation.throw_models import dragged_rates, free_rates, moments_of
+from polhode.estimation.throw_models import forced_rates, free_rates, moments_of
 from polhode.types import Array, Float64, Integer
 
 ROBUST = 3.0  # standard deviations, beyond which residuals count linearly (Huber)
-LIMITS = {"shape": ([-1.0, 0.0], [1.0, 2.0]), "drag": ([-0.2] * 3, [1.0] * 3), "gain": ([0.7] * 3, [1.3] * 3)}
-BIAS_SPREAD = 0.03  # rad/s, of offsets anywhere within ±0.05, as gyros of phones have them
-DRAG_SPREAD = 0.02  # of c/I3; thin plates in air have 0.01
-MAX_ROUNDS = 10
-LATEST = 0.1  # of the time between samples: a clock that is worse would explain anything
+LEAST_MOMENT = 0.003  # over the largest: a smaller one is no body's
+FLATTER = -0.1  # c of a body flatter than a plate, which noise may pretend
+LIMITS = {
+    "shape": ([-1.0, FLATTER], [1.0, 2.0]), "gain": ([0.7] * 3, [1.3] * 3), "cross_axis": ([-0.3] * 3, [0.3] * 3),
+    "drag": ([-0.2] * 3, [1.0] * 3), "linear_drag": ([-2.0] * 3, [10.0] * 3), "one_sided_drag": ([-0.5] * 3, [0.5] * 3),
+}  # fmt: skip
 UNLIMITED = ([-np.inf] * 3, [np.inf] * 3)
+BIAS_SPREAD = 0.03  # rad/s, of offsets anywhere within ±0.05, as gyros of phones have them
+CLOCK = 0.25  # of the gains' variance: a clock that is too slow is a gain of all axes alike
+SPREADS = {"drag": 0.02, "linear_drag": 0.2, "one_sided_drag": 0.02}
+"""Of coefficients over I3; thin plates in air have a drag of 0.01."""
+PAIRS = ((1, 2), (0, 2), (0, 1))  # of axes, whose rates leak into each other
+UNEXPLAINED = 0.2  # of the rates, that residuals may be
+MAX_ROUNDS, MAX_STEPS = 6, 25
+LATEST = 0.1  # of the time between samples: a clock that is worse would explain anything
 
 
 @dataclass(frozen=True)
@@ -35,21 +45,25 @@ class Model:
     """Which parameters are fitted, and where they stand.
 
     Attributes:
-        drag: whether there is a quadratic drag.
-        gain: whether the gyro's axes have gains.
+        forces: names of what acts, of ``throw_models.TORQUES``.
+        gain: whether the gyro has a matrix of gains, symmetric: what is left of it turns the axes of the device.
         throws: how many.
-        gain_spread: standard deviation of gains about 1, known beforehand.
+        gain_spread: standard deviation of an entry of that matrix, known beforehand.
+        bias: of the gyro, known beforehand [rad/s].
+        bias_spread: standard deviations of it [rad/s].
     """
 
-    drag: bool
+    forces: tuple[str, ...]
     gain: bool
     throws: int
     gain_spread: float
+    bias: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    bias_spread: tuple[float, float, float] = (BIAS_SPREAD, BIAS_SPREAD, BIAS_SPREAD)
 
     @property
     def places(self) -> dict[str, slice]:
         """Where each group of parameters stands."""
-        names = ["shape", "turn", "bias", *["gain"] * self.gain, *["drag"] * self.drag]
+        names = ["shape", "turn", "bias", *["gain", "cross_axis"] * self.gain, *self.forces]
         names += [f"start {k}" for k in range(self.throws)]
         found, at = {}, 0
         for name in names:
@@ -61,25 +75,38 @@ class Model:
     @property
     def size(self) -> int:
         """How many parameters there are."""
-        return 8 + 3 * (self.gain + self.drag + self.throws)
+        return 8 + 3 * (2 * self.gain + len(self.forces) + self.throws)
 
     @property
-    def name(self) -> str:
-        """What the model adds to the free motion with a bias."""
-        return " and ".join([*["drag"] * self.drag, *["gain"] * self.gain]) or "neither"
+    def air(self) -> str:
+        """What the air does."""
+        known = {0: "none", 1: "quadratic", 2: "linear and quadratic", 3: "one-sided, linear and quadratic"}
+        return known[sum(name != "rotor" for name in self.forces)]
 
-    def known_before(self) -> tuple[Integer[Array, "k"], Float64[Array, "k"], Float64[Array, "k"]]:
-        """Return which parameters are known beforehand, their means and standard deviations.
+    @property
+    def rotor(self) -> bool:
+        """Whether a wheel turns in the body."""
+        return "rotor" in self.forces
 
-        Bias and drag are known so loosely that no good log feels it; it keeps the iteration out of the long valleys
-        where a large bias does the work of drag.
+    def believed(self) -> tuple[Integer[Array, "k"], Float64[Array, "k"], Float64[Array, "k k"]]:
+        """Return which parameters are known beforehand, their means m and W, so that W (x − m) has unit covariance.
+
+        Drag, and a bias that no rest shows, are known so loosely that no good log feels it; it keeps the iteration out
+        of the long valleys where a large bias does the work of drag.
         """
-        spreads = {"bias": BIAS_SPREAD, "gain": self.gain_spread, "drag": DRAG_SPREAD}
+        parts: dict[str, tuple[Any, Array]] = {"bias": (self.bias, np.diag(1.0 / np.array(self.bias_spread)))}
+        if self.gain:
+            # of the covariance s² (1 + κ) of the three gains, κ everywhere: a clock's error is common to all
+            root = np.eye(3) + (1.0 / np.sqrt(1.0 + 3.0 * CLOCK) - 1.0) / 3.0
+            parts["gain"] = np.ones(3), root / self.gain_spread
+            parts["cross_axis"] = np.zeros(3), np.eye(3) * np.sqrt(2.0) / self.gain_spread  # halves of two entries
+        for name in self.forces:
+            if name in SPREADS:
+                parts[name] = np.zeros(3), np.eye(3) / SPREADS[name]
         places = self.places
-        names = [name for name in spreads if name in places]
-        which = np.concatenate([np.r_[places[name]] for name in names])
-        means = np.repeat([float(name == "gain") for name in names], 3)
-        return which, means, np.repeat([spreads[name] for name in names], 3)
+        which = np.concatenate([np.r_[places[name]] for name in parts])
+        weights = block_diag(*(weight for _, weight in parts.values()))
+        return which, np.concatenate([mean for mean, _ in parts.values()]), weights
 
     def limits(self) -> tuple[Float64[Array, "p"], Float64[Array, "p"]]:
         """Return the bounds of the parameters."""
@@ -100,7 +127,7 @@ class Solution:
         residuals: (n, 3) of all throws [rad/s, device frame].
         sigma: noise of a sample [rad/s].
         jitter: of the clock [s], rms.
-        log_likelihood: with the priors of the gains.
+        log_likelihood: with what is known beforehand.
         aicc: Akaike's criterion, corrected for few samples.
         bic: Schwarz's criterion.
         freedom: degrees of freedom.
@@ -123,8 +150,15 @@ class Solution:
 
 def cross_matrix(v: Array) -> Float64[Array, "3 3"]:
     """Return hat(v), hat(v) x = v × x."""
-    x, y, z = v
-    return np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
+    return cross_matrices(v[None])[0]
+
+
+def cross_matrices(v: Float64[Array, "n 3"]) -> Float64[Array, "n 3 3"]:
+    """Return hat(v), hat(v) x = v × x, of each row."""
+    found = np.zeros((len(v), 3, 3))
+    found[:, [2, 0, 1], [1, 2, 0]] = v
+    found[:, [1, 2, 0], [2, 0, 1]] = -v
+    return found
 
 
 def right_jacobian(turn: Array) -> Float64[Array, "3 3"]:
@@ -152,30 +186,63 @@ def predicted(
     moved = right_jacobian(x[places["turn"]])
     shape = x[places["shape"]]
     moments = moments_of(shape)
-    gain = x[places["gain"]] if model.gain else np.ones(3)
+    gain = gain_matrix(model, x)
+    forces = {name: x[places[name]] for name in model.forces}
+    to_device = gain @ axes
     values, slopes, fast = [], [], []
     for k, throw in enumerate(throws):
         start = x[places[f"start {k}"]]
-        if model.drag:
-            rates, d = dragged_rates(shape, start, x[places["drag"]], throw.elapsed)
-        else:
-            rates, d = free_rates(shape, start, throw.elapsed)
+        rates, d = _rates(shape, start, forces, throw.elapsed)
         J = np.zeros((len(rates), 3, model.size))
-        to_device = gain[:, None] * axes
         J[:, :, places["shape"]] = np.einsum("ij,pnj->nip", to_device, d[:2])
         J[:, :, places[f"start {k}"]] = np.einsum("ij,pnj->nip", to_device, d[2:5])
-        if model.drag:
-            J[:, :, places["drag"]] = np.einsum("ij,pnj->nip", to_device, d[5:])
-        hats = np.stack([cross_matrix(-w) for w in rates])
-        J[:, :, places["turn"]] = to_device @ hats @ moved
+        for m, name in enumerate(model.forces):
+            J[:, :, places[name]] = np.einsum("ij,pnj->nip", to_device, d[5 + 3 * m : 8 + 3 * m])
+        J[:, :, places["turn"]] = to_device @ cross_matrices(-rates) @ moved
         J[:, :, places["bias"]] = np.eye(3)
         seen = rates @ axes.T
         if model.gain:
-            J[:, [0, 1, 2], [places["gain"].start + i for i in range(3)]] = seen
-        values.append(gain * seen + x[places["bias"]])
+            for i, (one, other) in enumerate(PAIRS):
+                J[:, i, places["gain"].start + i] = seen[:, i]
+                J[:, one, places["cross_axis"].start + i] = seen[:, other]
+                J[:, other, places["cross_axis"].start + i] = seen[:, one]
+        values.append(seen @ gain + x[places["bias"]])
         slopes.append(J)
-        fast.append(gain * (np.cross(rates * moments, rates) / moments @ axes.T))
+        momentum = rates * moments + forces.get("rotor", np.zeros(3))
+        fast.append(np.cross(momentum, rates) / moments @ to_device.T)
     return np.concatenate(values), np.concatenate(slopes), np.concatenate(fast)
+
+
+def _rates(shape: Array, start: Array, forces: dict[str, Array], elapsed: Array) -> tuple[Array, Array]:
+    if moments_of(shape).min() < LEAST_MOMENT:
+        return np.full((len(elapsed), 3), np.nan), np.zeros((5 + 3 * len(forces), len(elapsed), 3))
+    return forced_rates(shape, start, forces, elapsed) if forces else free_rates(shape, start, elapsed)
+
+
+def gain_matrix(model: Model, x: Array) -> Float64[Array, "3 3"]:
+    """Return what the gyro multiplies rates by [device frame]."""
+    if not model.gain:
+        return np.eye(3)
+    matrix = np.diag(x[model.places["gain"]])
+    for value, (i, j) in zip(x[model.places["cross_axis"]], PAIRS, strict=True):
+        matrix[i, j] = matrix[j, i] = value
+    return matrix
+
+
+def explains(solution: Solution, throws: list[Throw]) -> bool:
+    """Whether residuals are small beside the rates."""
+    return rms(solution.residuals) < UNEXPLAINED * variation(throws)
+
+
+def variation(throws: list[Throw]) -> float:
+    """Return by how much the rates vary [rad/s]."""
+    rates = np.concatenate([throw.rates for throw in throws])
+    return rms(rates - rates.mean(axis=0))
+
+
+def rms(x: Array) -> float:
+    """Return the root mean square."""
+    return float(np.sqrt(np.mean(x * x)))
 
 
 def whitening(fast: Array, sigma: float, jitter: float) -> Float64[Array, "n 3 3"]:
@@ -220,7 +287,10 @@ def noise_of(residuals: Array, fast: Array, lost: float, latest: float) -> tuple
     return max(sigma, 1e-12), float(np.sqrt(ratio) * sigma), float(cost + count * (1 + np.log(2 * np.pi)))
 
 
-def fitted(model: Model, x: Array, axes0: Array, throws: list[Throw], noise: tuple[float, float] | None) -> Solution:
+def fitted(
+    model: Model, x: Array, axes0: Array, throws: list[Throw], noise: tuple[float, float] | None,
+    rounds: int = MAX_ROUNDS,
+) -> Solution:  # fmt: skip
     """Return the robust least squares of a model from a start.
 
     Args:
@@ -229,10 +299,9 @@ def fitted(model: Model, x: Array, axes0: Array, throws: list[Throw], noise: tup
         axes0: (3, 3) device from principal at zero turn.
         throws: the samples.
         noise: σ and τ to begin with; None to take the start's own residuals.
+        rounds: how often least squares and noise take turns at most; 0 to stay at the start.
     """
     data = np.concatenate([throw.rates for throw in throws])
-    places = model.places
-    lost = model.size - 3 * model.gain
     low, high = model.limits()
     inside = np.isfinite(low)
     x = x.copy()
@@ -242,41 +311,47 @@ def fitted(model: Model, x: Array, axes0: Array, throws: list[Throw], noise: tup
         sigma, jitter = float(np.median(np.abs(data - values)) * 1.5 + 1e-9), 0.0
     else:
         sigma, jitter = noise
-    x, noise, cost, converged = _descended(model, x, axes0, throws, data, (sigma, jitter))
+    x, noise, cost, converged = _descended(model, x, axes0, throws, data, (sigma, jitter), rounds)
     sigma, jitter = noise
     values, slopes, fast = predicted(model, x, axes0, throws)
     white = whitening(fast, sigma, jitter)
     J = (white @ slopes).reshape(-1, model.size)
     z = (white @ (data - values)[..., None]).ravel()
-    which, means, spreads = model.known_before()
-    J = np.concatenate([J, np.eye(model.size)[which] / spreads[:, None]])
-    cost += float((((x[which] - means) / spreads) ** 2).sum())
-    count, size = data.size, lost + 3 * model.gain + 2
-    covariance = covariance_of(J) / np.mean(np.abs(z) < ROBUST) ** 2
-    turn = places["turn"]
-    change = np.eye(model.size)
-    change[turn, turn] = right_jacobian(x[turn])
-    axes = axes0 @ Rotation.from_rotvec(x[turn]).as_matrix()
+    which, means, weights = model.believed()
+    covariance = covariance_of(np.concatenate([J, weights @ np.eye(model.size)[which]]))
+    cost += float(((weights @ (x[which] - means)) ** 2).sum())
+    count, size = data.size, float(np.einsum("ij,ik,kj->", J, J, covariance)) + 2.0
+    turned, change = turned_axes(model, x, axes0)
+    covariance = change @ covariance @ change.T / np.mean(np.abs(z) < ROBUST) ** 2
     return Solution(
-        model, x, axes, change @ covariance @ change.T, data - values, sigma, jitter, -0.5 * cost,
+        model, x, turned, covariance, data - values, sigma, jitter, -0.5 * cost,
         cost + 2 * size * count / max(count - size - 1, 1), cost + size * np.log(count),
-        float(max(count - lost, 1)), converged,
+        float(max(count - size, 1)), converged,
     )  # fmt: skip
 
 
+def turned_axes(model: Model, x: Array, axes0: Array) -> tuple[Float64[Array, "3 3"], Float64[Array, "p p"]]:
+    """Return the axes after the turn, and the Jacobian that makes changes of the turn those about these axes."""
+    turn = model.places["turn"]
+    change = np.eye(model.size)
+    change[turn, turn] = right_jacobian(x[turn])
+    return axes0 @ Rotation.from_rotvec(x[turn]).as_matrix(), change
+
+
 def _descended(
-    model: Model, x: Array, axes0: Array, throws: list[Throw], data: Array, noise: tuple[float, float]
-) -> tuple[Array, tuple[float, float], float, bool]:
+    model: Model, x: Array, axes0: Array, throws: list[Throw], data: Array, noise: tuple[float, float],
+    rounds: int,
+) -> tuple[Array, tuple[float, float], float, bool]:  # fmt: skip
     """Return parameters, noise, −2 ln(likelihood) and whether they settled: least squares and noise in turn."""
-    lost = model.size - 3 * model.gain
+    lost = model.size - 6 * model.gain
     cost = np.inf
     latest = LATEST * float(np.median(np.concatenate([np.diff(throw.elapsed) for throw in throws])))
-    for _ in range(MAX_ROUNDS):
+    for k in range(rounds):
         system = _System(model, axes0, throws, data, *noise)
         done = least_squares(
             system.residuals, x, jac=system.jacobian, bounds=model.limits(),  # pyright: ignore[reportArgumentType]
             loss=system.loss,  # pyright: ignore[reportArgumentType]
-            f_scale=ROBUST, x_scale="jac", xtol=1e-9, ftol=1e-6, gtol=1e-12, max_nfev=40,
+            f_scale=ROBUST, x_scale="jac", xtol=1e-9, ftol=1e-4, gtol=1e-12, max_nfev=MAX_STEPS,
         )  # fmt: skip
         x = done.x
         values, _, fast = predicted(model, x, axes0, throws)
@@ -285,6 +360,8 @@ def _descended(
         noise = sigma, jitter
         if done.status > 0 and abs(noise[0] / before - 1.0) < 0.02:
             return x, noise, cost, True
+        if k and rms(data - values) > UNEXPLAINED * variation(throws):
+            break  # it will not be explained by more of it
     return x, noise, cost, False
 
 
@@ -316,9 +393,9 @@ class _System:
             self.white = whitening(fast, *self.noise)
         r = (self.white @ (values - self.data)[..., None]).ravel()
         K = (self.white @ J).reshape(-1, model.size)
-        which, means, spreads = model.known_before()
-        r = np.concatenate([r, (x[which] - means) / spreads])
-        K = np.concatenate([K, np.eye(model.size)[which] / spreads[:, None]])
+        which, means, weights = model.believed()
+        r = np.concatenate([r, weights @ (x[which] - means)])
+        K = np.concatenate([K, weights @ np.eye(model.size)[which]])
         self.at, self.r, self.K = x.copy(), np.nan_to_num(r, nan=1e6), np.nan_to_num(K)
 
     def loss(self, z: Array) -> Float64[Array, "3 m"]:

@@ -1,10 +1,12 @@
-"""Rates of a thrown body and their exact derivatives: the free motion in closed form, or with drag by integration.
+"""Rates of a thrown body and their exact derivatives: free motion in closed form, with air or a rotor by integration.
 
 A body's parameters are s and c of the moments ((1 − s)/2 + c, (1 + s)/2 + c, 1), so that |s| ≤ 1 and c ≥ 0 are all that
 the triangle inequality asks; those of a throw are the rates at its epoch. Everything is along the principal axes.
 """
 
 from __future__ import annotations
+
+from collections.abc import Callable
 
 import numpy as np
 from scipy.integrate import solve_ivp
@@ -15,6 +17,8 @@ from polhode.types import Array, Float64
 
 D_MOMENTS = np.array([[-0.5, 0.5, 0.0], [1.0, 1.0, 0.0]])  # by s and c
 TOLERANCE = 1e-8  # of the integration, far below the noise of any gyro
+ROUNDED = 0.05  # of the rate: within it one-sided drag passes from one side to the other
+Torque = tuple[Float64[Array, "3"], Float64[Array, "3 3"], Float64[Array, "3 3"]]
 States = tuple[Float64[Array, "n 4"], Float64[Array, "n 3"], Float64[Array, "p n 4"], Float64[Array, "p n 3"]]
 
 
@@ -56,23 +60,29 @@ def free_rates(
     return rates, d_rates
 
 
-def dragged_rates(
-    shape: Float64[Array, "2"], start: Float64[Array, "3"], drag: Float64[Array, "3"], elapsed: Float64[Array, "n"]
-) -> tuple[Float64[Array, "n 3"], Float64[Array, "8 n 3"]]:
-    """Return the rates and their derivatives by s, c, the starting rates and the drag, with the torque −c_i |ω| ω_i.
+def forced_rates(
+    shape: Float64[Array, "2"], start: Float64[Array, "3"], forces: dict[str, Array], elapsed: Float64[Array, "n"]
+) -> tuple[Float64[Array, "n 3"], Float64[Array, "p n 3"]]:
+    """Return the rates and their derivatives by s, c, the starting rates and each force, of air or a rotor.
 
-    The drag coefficients are over the third moment, along the principal axes. The derivatives are of the variational
-    equations, integrated with the motion.
+    All is over the third moment and along the principal axes. The derivatives are of the variational equations,
+    integrated with the motion.
+
+    Args:
+        shape: s and c.
+        start: rates at zero time [rad/s].
+        forces: three numbers of each of ``TORQUES`` that acts.
+        elapsed: [s].
     """
-    moments = moments_of(shape)
-    field = _Field(moments, drag)
-    begin = np.zeros((9, 3))
+    field = _Field(moments_of(shape), forces)
+    count = 6 + 3 * len(forces)
+    begin = np.zeros((count, 3))
     begin[0] = start
     begin[3:6] = np.eye(3)
-    out = np.empty((len(elapsed), 27))
+    out = np.empty((len(elapsed), 3 * count))
     scale = max(float(np.linalg.norm(start)), 1e-3)
     # errors of the derivatives only slow the convergence down: they are held to a looser tolerance than the rates
-    allowed = np.repeat([TOLERANCE * scale, *[1e-5] * 8], 3)
+    allowed = np.repeat([TOLERANCE * scale, *[1e-5] * (count - 1)], 3)
     for side in (elapsed < 0, elapsed >= 0):
         if not side.any():
             continue
@@ -81,38 +91,70 @@ def dragged_rates(
         done = solve_ivp(
             field, (0.0, wanted[-1] or 1e-9), begin.ravel(), method="DOP853", t_eval=wanted, rtol=1e-8, atol=allowed
         )
-        values = done.y.T if done.success else np.full((len(wanted), 27), np.nan)
+        values = done.y.T if done.success else np.full((len(wanted), 3 * count), np.nan)
         out[side] = values[::-1] if wanted[-1] < 0 else values
-    shaped = out.reshape(-1, 9, 3)
+    shaped = out.reshape(-1, count, 3)
     return shaped[:, 0], np.moveaxis(shaped[:, 1:], 1, 0)
 
 
-class _Field:
-    """Euler's equations with drag and their variations by s, c, the starting rates and the drag."""
+def _quadratic(c: Array, w: Array, size: float) -> Torque:
+    """−c_i |ω| ω_i."""
+    return -size * c * w, -np.diag(size * c) - np.outer(c * w, w / (size or 1.0)), -np.diag(size * w)
 
-    def __init__(self, moments: Array, drag: Array) -> None:
+
+def _linear(c: Array, w: Array, size: float) -> Torque:
+    """−c_i ω_i."""
+    return -c * w, -np.diag(c), -np.diag(w)
+
+
+def _one_sided(c: Array, w: Array, size: float) -> Torque:
+    """−c_i |ω| |ω_i|, rounded off where ω_i changes its sign: what turns one way in air feels more than the other."""
+    length = np.sqrt(w * w + (ROUNDED * size) ** 2) + 1e-300
+    slope = np.diag(size * w / length) + np.outer(length / (size or 1.0) + ROUNDED**2 * size / length, w)
+    return -size * c * length, -c[:, None] * slope, -np.diag(size * length)
+
+
+def _rotor(h: Array, w: Array, size: float) -> Torque:
+    """h × ω of a wheel that turns in the body at a constant momentum."""
+    hat = np.array([[0.0, -h[2], h[1]], [h[2], 0.0, -h[0]], [-h[1], h[0], 0.0]])
+    by_h = np.array([[0.0, -w[2], w[1]], [w[2], 0.0, -w[0]], [-w[1], w[0], 0.0]])  # row i: e_i × ω
+    return hat @ w, hat, by_h
+
+
+TORQUES: dict[str, Callable[[Array, Array, float], Torque]] = {
+    "drag": _quadratic, "linear_drag": _linear, "one_sided_drag": _one_sided, "rotor": _rotor,
+}  # fmt: skip
+"""What may act beside inertia: torque (3,), its slopes (3, 3) by the rates, and by the coefficients (row by row)."""
+
+
+class _Field:
+    """Euler's equations with torques, and their variations by s, c, the starting rates and the coefficients."""
+
+    def __init__(self, moments: Array, forces: dict[str, Array]) -> None:
         self.over = 1.0 / moments
         i1, i2, i3 = moments
         self.k = np.array([i2 - i3, i3 - i1, i1 - i2]) * self.over
         d = D_MOMENTS
         spread = np.stack([d[:, 1] - d[:, 2], d[:, 2] - d[:, 0], d[:, 0] - d[:, 1]], axis=-1)
         self.dk = (spread - self.k * d) * self.over
-        self.drag = drag * self.over
-        self.d_drag = -self.drag * d * self.over
+        self.d_over = -d * self.over**2
+        self.forces = [(TORQUES[name], values) for name, values in forces.items()]
 
     def __call__(self, t: float, y: Array) -> Array:
-        state = y.reshape(9, 3)
+        state = y.reshape(-1, 3)
         x1, x2, x3 = w = state[0]
         size = float(np.sqrt(x1 * x1 + x2 * x2 + x3 * x3))
         pairs = np.array([x2 * x3, x3 * x1, x1 * x2])
-        pull = size * w
         k1, k2, k3 = self.k
         jacobian = np.array([[0.0, k1 * x3, k1 * x2], [k2 * x3, 0.0, k2 * x1], [k3 * x2, k3 * x1, 0.0]])
-        jacobian -= np.outer(self.drag * w, w / (size or 1.0))
-        jacobian[[0, 1, 2], [0, 1, 2]] -= self.drag * size
-        out = np.empty((9, 3))
-        out[0] = self.k * pairs - self.drag * pull
-        out[1:] = state[1:] @ jacobian.T
-        out[1:3] += self.dk * pairs - self.d_drag * pull
-        out[[6, 7, 8], [0, 1, 2]] -= pull * self.over
+        out = np.zeros_like(state)
+        torque = np.zeros(3)
+        for m, (of, values) in enumerate(self.forces):
+            push, by_rate, by_value = of(values, w, size)
+            torque += push
+            jacobian += self.over[:, None] * by_rate
+            out[6 + 3 * m : 9 + 3 * m] = by_value * self.over
+        out[0] = self.k * pairs + self.over * torque
+        out[1:] += state[1:] @ jacobian.T
+        out[1:3] += self.dk * pairs + self.d_over * torque
         return out.ravel()

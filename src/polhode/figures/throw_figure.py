@@ -38,7 +38,9 @@ def throw_figures(fit: ThrowFit) -> dict[str, Figure]:
     found = {"data_and_fit": _data(fit)}
     if fit.degenerate is None and fit.ratios is not None and fit.axes is not None:
         known = [part for part in (fit.ratios, fit.drag) if part is not None]
-        found |= {"residuals": _residuals(fit), "polhode": _polhode(fit), "corner": _corner(known)}
+        found |= {"residuals": _residuals(fit), "corner": _corner(known)}
+        if fit.rotor is None:  # with a wheel the motion is on no polhode of the body
+            found["polhode"] = _polhode(fit)
     return found
 
 
@@ -150,8 +152,8 @@ def _path(throw: FittedThrow, motion: FreeMotion) -> Array:
 def _samples(fit: ThrowFit, throw: FittedThrow, moments: Array) -> Array:
     """Return the directions (n, 3) of the momentum that the samples tell."""
     assert fit.axes is not None
-    gain = np.ones(3) if fit.gain is None else fit.gain.value
-    momentum = ((throw.rates - fit.bias.value) / gain) @ fit.axes * moments
+    turning = np.linalg.solve(fit.gains, (throw.rates - fit.bias.value).T).T
+    momentum = turning @ fit.axes * moments
     return momentum / np.linalg.norm(momentum, axis=1, keepdims=True)
 
 

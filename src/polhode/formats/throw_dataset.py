@@ -16,7 +16,7 @@ from polhode.formats.dataset import pack
 from polhode.formats.paths import written_whole
 from polhode.types import Array
 
-SQUARED = {"1": "1", "rad s-1": "rad2 s-2", "rad s-2": "rad2 s-4"}
+SQUARED = {"1": "1", "s-1": "s-2", "rad s-1": "rad2 s-2", "rad s-2": "rad2 s-4"}
 
 
 def write_throw(fit: ThrowFit, names: Sequence[str], path: str | Path) -> Path:
@@ -75,7 +75,8 @@ def _axes(axes: Array) -> tuple[Any, ...]:
 
 
 def _coordinates() -> dict[str, Any]:
-    return {"device_axis": ("device_axis", np.array(["x", "y", "z"]), {}), "axis": ("axis", [1, 2, 3], {})}
+    return {"device_axis": ("device_axis", np.array(["x", "y", "z"]), {}), "axis": ("axis", [1, 2, 3], {}),
+            "device_pair": ("device_pair", np.array(["yz", "xz", "xy"]), {})}  # fmt: skip
 
 
 def _described(fit: ThrowFit, names: Sequence[str]) -> tuple[dict[str, Any], dict[str, Any], dict[str, str]]:
@@ -100,7 +101,11 @@ def _described(fit: ThrowFit, names: Sequence[str]) -> tuple[dict[str, Any], dic
             ("ratios", fit.ratios, "ratio", "1", "I1/I3 and I2/I3"),
             ("bias", fit.bias, "device_axis", "rad s-1", "bias of the gyro"),
             ("gain", fit.gain, "device_axis", "1", "gain of the gyro"),
+            ("cross_axis", fit.cross_axis, "device_pair", "1", "gain of the gyro across axes"),
             ("drag", fit.drag, "axis", "1", "drag over I3, of the torque -c |w| w"),
+            ("linear_drag", fit.linear_drag, "axis", "s-1", "drag over I3, of the torque -b w"),
+            ("one_sided_drag", fit.one_sided_drag, "axis", "1", "drag over I3, of the torque -d |w| abs(w)"),
+            ("rotor", fit.rotor, "axis", "rad s-1", "momentum of a wheel in the body, over I3"),
         ])  # fmt: skip
     header = {"Conventions": "CF-1.11", "source": "polhode", "title": "inertia of a thrown body from gyro logs"}
     return variables, _coordinates(), header | ({} if fit.degenerate is None else {"degenerate": fit.degenerate})

@@ -9,7 +9,7 @@ import numpy as np
 
 from polhode.estimation.attitude_fit import AttitudeFit
 from polhode.estimation.estimate import Estimate
-from polhode.estimation.throw import ThrowFit
+from polhode.estimation.throw import GAIN_SPREAD, ThrowFit
 from polhode.formats.gyro_logs import ReadLog
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.wording import counted, known_digits, uncertain
@@ -17,6 +17,9 @@ from polhode.types import Array
 
 EXACT = 1e-9  # rad; residuals of computed attitudes, which rounding makes alike
 ALIKE = 0.5  # correlation of neighbouring residuals, above which a fit does not explain its data
+LARGE_BIAS = 0.1  # rad/s: a gyro's offset is smaller, but a fit may put into it what its motion does not explain
+PUSHED = 0.002  # over I3 |ω|²: a torque that no model has, from which a reader should know of it
+LARGER = 1.5  # times the gains that were expected
 BARELY = 2.0  # AICc less than this apart: the criterion hardly prefers one model
 
 
@@ -46,14 +49,16 @@ def throw_notes(fit: ThrowFit, names: Sequence[str], logs: Sequence[ReadLog]) ->
         notes.append(f"{fit.equal} within their errors: the axes between them are not determined.")
     if fit.degenerate is None:
         misses = [throw.rates - throw.predicted for throw in fit.throws]
-        notes += _misfit(misses, "Look at the residuals by --figures, and give the free flight by --window")
+        wider = f"the intervals are widened by {np.sqrt(fit.widened):.2g} for it, which may not be enough"
+        notes += _misfit(misses, wider, "Look at the residuals by --figures, and give the free flight by --window")
+        notes += _doubts(fit)
         chosen = next((score for score in fit.criterion if score.chosen), None)
         others = [score for score in fit.criterion if not score.chosen]
         if chosen and others and min(score.aicc for score in others) - chosen.aicc < BARELY:
             notes.append("the criterion hardly prefers the chosen model to the next one; see the table of models.")
         if fit.gain is None:
-            notes.append("no gains were fitted, so the intervals hold for a calibrated gyro: a gain that "
-                         "is 1 % off moves the ratios by about as much.")  # fmt: skip
+            notes.append("no gains were fitted, so the intervals hold for a calibrated gyro: a gain or cross-axis "
+                         "sensitivity of 1 % moves the ratios by about as much.")  # fmt: skip
     return notes
 
 
@@ -62,20 +67,42 @@ def attitude_notes(fit: AttitudeFit) -> list[str]:
     if fit.degenerate is not None:
         return []
     remedy = "Look at the residuals by --figures: a torque may act that changes in the body"
-    notes = [] if fit.rms < EXACT else _misfit([fit.residuals], remedy)
+    notes = [] if fit.rms < EXACT else _misfit([fit.residuals], "the intervals are too narrow", remedy)
     if fit.equal:
         notes.append(f"{fit.equal} within their errors: the axes between them are not determined.")
     return notes
 
 
-def _misfit(residuals: Sequence[Array], remedy: str) -> list[str]:
+def _doubts(fit: ThrowFit) -> list[str]:
+    """Return notes on what makes numbers of a fit less sure than they look."""
+    notes = []
+    if fit.rotor is not None:
+        size = float(np.linalg.norm(fit.rotor.value))
+        notes.append(f"a wheel turns in the body, by what the rates say: its momentum is {size:.3g} rad/s of the "
+                     "largest moment. The moments are of the body with the wheel; where no motor keeps its speed, "
+                     "without the wheel's own moment about its axis.")  # fmt: skip
+    size = float(np.abs(fit.bias.value).max())
+    if size > LARGE_BIAS and fit.rest is None:
+        notes.append(f"the bias is large, {size:.2g} rad/s, and no rest in the log confirms it: it may stand for "
+                     "something that the motion does not explain, and the ratios may be wrong by more than their "
+                     "intervals. Let the device lie still for a second before and after the throw.")  # fmt: skip
+    if fit.unmodelled > PUSHED:
+        notes.append(f"a torque acts that no model has, about {fit.unmodelled:.2g} I3 |ω|²: the intervals allow for "
+                     "it.")  # fmt: skip
+    if fit.gain is not None and fit.gain_spread > LARGER * GAIN_SPREAD:
+        notes.append(f"the gyro's gains are off by about {100 * fit.gain_spread:.2g} %, more than expected: the "
+                     "intervals allow for it.")  # fmt: skip
+    return notes
+
+
+def _misfit(residuals: Sequence[Array], so: str, remedy: str) -> list[str]:
     """Return a note where neighbouring residuals are alike: then the model does not explain the data."""
     pairs = [(r[:-1], r[1:]) for r in residuals if len(r) > 2]
     alike = sum(float((a * b).sum()) for a, b in pairs) / max(sum(float((a * a).sum()) for a, _ in pairs), 1e-300)
     if alike < ALIKE:
         return []
     said = f"neighbouring residuals are alike (correlation {alike:.2f}): the fitted motion does not explain the data"
-    return [f"{said}, and the intervals are too narrow. {remedy}."]
+    return [f"{said}, and {so}. {remedy}."]
 
 
 def attitude_summary(fit: AttitudeFit) -> str:
@@ -169,16 +196,38 @@ def _axes(fit: ThrowFit | AttitudeFit) -> Group:
 
 def _gyro(fit: ThrowFit) -> Group:
     sure = fit.degenerate is None
-    gain, drag = fit.gain, fit.drag
+    rest, gain, cross = fit.rest, fit.gain, fit.cross_axis
     return Group("Gyro and air", [
         Answer("bias", _values(fit.bias) if sure else None, "rad/s", "bias", "along the device's x, y, z",
                f"{_listed(fit.bias)} rad/s" if sure else None),
+        Answer("rest", None if rest is None else _values(rest), "rad/s", "bias at rest",
+               "known beforehand to this; null where no log has rests",
+               None if rest is None else f"{_listed(rest)} rad/s"),
         Answer("gain", None if gain is None else _values(gain), "", "gains", "along the device's x, y, z",
                None if gain is None else _listed(gain)),
-        Answer("drag", None if drag is None else _values(drag), "",  "drag c/I3",
-               "of the torque −c_i |ω| ω_i along the principal axes; null where there is none",
-               _listed(drag) if drag is not None else "none" if sure else None),
+        Answer("cross_axis", None if cross is None else _values(cross), "", "cross-axis gains",
+               "of y and z, x and z, x and y", None if cross is None else _listed(cross)),
+        Answer("gain_spread", fit.gain_spread if sure and gain is not None else None, "", "",
+               "standard deviation of the gains, by the log and by what was known beforehand"),
+        _torque_of("drag", fit.drag, "", "drag c/I3", "−c_i |ω| ω_i", "none" if sure else None),
+        _torque_of("linear_drag", fit.linear_drag, "1/s", "linear drag b/I3", "−b_i ω_i"),
+        _torque_of("one_sided_drag", fit.one_sided_drag, "", "one-sided drag d/I3", "−d_i |ω| |ω_i|"),
+        Answer("rotor", None if fit.rotor is None else _values(fit.rotor), "rad/s", "wheel's momentum h/I3",
+               "along the principal axes; null where no wheel turns",
+               None if fit.rotor is None else f"{_listed(fit.rotor)} rad/s"),
+        Answer("unmodelled", fit.unmodelled if sure else None, "", "",
+               "torque over I3 |ω|² that no model has, rms; intervals allow for it"),
+        Answer("widened", fit.widened if sure else None, "", "",
+               "factor on the variances of the noise, because neighbouring residuals are alike"),
     ])  # fmt: skip
+
+
+def _torque_of(key: str, found: Estimate | None, unit: str, label: str, torque: str, words: str | None = None
+               ) -> Answer:  # fmt: skip
+    if found is None:
+        return Answer(key, None, unit, label if words else "", "", words)
+    about = f"of the torque {torque} along the principal axes; null where there is none"
+    return Answer(key, _values(found), unit, label, about, f"{_listed(found)} {unit}".strip())
 
 
 def _quality(fit: ThrowFit) -> Group:
@@ -187,11 +236,12 @@ def _quality(fit: ThrowFit) -> Group:
     how = "as given" if first.window.reason == "given" else first.window.reason
     how += f"; {counted(len(fit.throws) - 1, 'more throw')} below" if len(fit.throws) > 1 else ""
     return Group("Fit", [
-        Answer("rms", fit.rms if sure else None, "rad/s", "residuals" if np.isfinite(fit.rms) else "",
-               "root mean square", f"{fit.rms:.3g} rad/s rms"),
-        Answer("sigma", fit.sigma if sure else None, "rad/s", "noise of a sample", "", f"{fit.sigma:.3g} rad/s"),
+        Answer("rms", fit.rms if sure else None, "rad/s", "residuals", "root mean square",
+               f"{fit.rms:.3g} rad/s rms" if sure else None),
+        Answer("sigma", fit.sigma if sure else None, "rad/s", "noise of a sample", "",
+               f"{fit.sigma:.3g} rad/s" if sure else None),
         Answer("jitter", fit.jitter if sure else None, "s", "jitter of the clock" if fit.jitter > 0 else "", "",
-               f"{fit.jitter:.2g} s rms"),
+               f"{fit.jitter:.2g} s rms" if sure else None),
         Answer("samples", sum(len(throw.times) for throw in fit.throws), "", "samples used"),
         Answer("clip", fit.clip, "rad/s", "gyro's limit"),
         Answer("window", [first.window.start, first.window.end], "s", "free flight", "of the first throw",
@@ -222,10 +272,11 @@ def _throws(fit: ThrowFit, names: Sequence[str]) -> Table:
 
 def _models(fit: ThrowFit) -> Table:
     least = min((score.aicc for score in fit.criterion), default=0.0)
-    rows = [{"drag": s.drag, "gain": s.gain, "parameters": s.parameters, "aicc": s.aicc, "bic": s.bic, "rms": s.rms,
-             "chosen": s.chosen} for s in fit.criterion]  # fmt: skip
+    rows = [{"drag": s.drag, "rotor": s.rotor, "gain": s.gain, "parameters": s.parameters, "aicc": s.aicc,
+             "bic": s.bic, "rms": s.rms, "chosen": s.chosen} for s in fit.criterion]  # fmt: skip
     return Table("models", "Models, by Akaike's corrected criterion", {
-        "model": lambda row: "bias" + (", drag" if row["drag"] else "") + (", gains" if row["gain"] else ""),
+        "model": lambda row: ("bias" + (", gains" if row["gain"] else "") + (", a wheel" if row["rotor"] else "")
+                              + ("" if row["drag"] == "none" else f", {row['drag']} drag")),
         "parameters": lambda row: str(row["parameters"]),
         "AICc above the least": lambda row: f"{row['aicc'] - least:.1f}",
         "residuals": lambda row: f"{row['rms']:.3g} rad/s",

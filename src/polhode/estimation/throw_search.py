@@ -1,0 +1,252 @@
+"""Which motion throws are of: models from the simple to the rich, each from the one before it, and other starts."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from polhode.estimation.linear_start import linear_inertia, turned_by
+from polhode.estimation.principal import why_undetermined
+from polhode.estimation.throw_fit import LIMITS, Model, Solution, Throw, explains, fitted
+from polhode.estimation.throw_models import shape_of
+from polhode.types import Array
+
+MISFIT = 1.4  # times the noise of the samples: larger residuals ask for other starts
+NEAR = 1e-4  # of a bound of the drag: a fit that ends there may be in a wrong valley
+FLAT = -0.05  # of c: a body cannot be as flat, so that a fit that ends there is in a wrong valley
+GLANCED, GLANCED_TURN = 200, 15.0  # samples and rad of a throw, at which several starts are compared
+ALIKE = 0.3  # correlation of neighbouring residuals, from which a motion does not explain the data
+ROD = 0.98  # of s: hardly a body is so long and thin
+RESTARTS = np.array([[0.3, 0.05], [0.6, 0.05], [0.85, 0.02], [0.3, 0.3]])  # shapes s and c: plates, a rod, round
+MIN_TURN = 0.5  # rad: of less nothing can be said
+MOST_TURN = 2.0  # rad from sample to sample: a third of a turn, between which the motion cannot be followed
+FASTEST, ROUND = 75.0, 0.6  # rad/s, 4300 deg/s; I1/I3 by the linear method: rates too large make a body round
+SURE = 10.0  # of AICc, by which a wheel must do better than air: few bodies have one
+AIR = ((), ("drag",), ("drag", "linear_drag"), ("drag", "linear_drag", "one_sided_drag"))
+SPANS = (100.0, 0.3, 0.15)  # s, of stretches over which a momentum is constant: biases add up over long ones
+WHEEL = (("rotor",), ("drag", "rotor"))
+
+
+@dataclass(frozen=True)
+class Start:
+    """What the linear method says, and why nothing can be said, if so."""
+
+    shape: Array
+    axes: Array
+    singular_values: Array
+    noise: float
+    degenerate: str | None
+
+    @classmethod
+    def of(cls, throws: list[Throw]) -> Start:
+        """Return the start for throws of one body."""
+        rates = [throw.rates for throw in throws]
+        found = linear_inertia(rates, [turned_by(t.elapsed, t.rates) for t in throws])
+        noise = _noise(throws)
+        # noise of σ makes each singular value about σ √n; biases and drag make them larger, so the fit judges again
+        floor = 6.0 * noise * np.sqrt(sum(len(r) for r in rates))
+        steps = [np.linalg.norm(t.rates[1:], axis=1) * np.diff(t.elapsed) for t in throws]
+        turned = max(float(step.sum()) for step in steps)
+        between = max(float(np.median(step)) for step in steps)
+        reason = None
+        if between > MOST_TURN:
+            reason = (f"the rates say that the body turns by {between:.3g} rad from sample to sample, too far to be "
+                      "followed: the rates are of another unit, like deg/s, or the times are.")  # fmt: skip
+        elif max(_typical(r) for r in rates) > FASTEST and found.moments[0] > ROUND:
+            reason = (f"the rates, about {max(_typical(r) for r in rates):.3g} rad/s, are beyond what gyros can tell, "
+                      "and make the body nearly a sphere, as rates in deg/s do that are called rad/s: say their unit."
+                      )  # fmt: skip
+        elif turned < MIN_TURN:
+            reason = f"the body turned by {turned:.2g} rad only: nothing can be said of its inertia."
+        elif found.singular_values[-2] < floor:
+            reason = why_undetermined(rates, None)
+        return cls(shape_of(found.moments), found.axes, found.singular_values, noise, reason)
+
+
+def _typical(rates: Array) -> float:
+    return float(np.median(np.linalg.norm(rates, axis=1)))
+
+
+def _noise(throws: list[Throw]) -> float:
+    """Return the noise of a sample from third differences, in which smooth motion vanishes."""
+    parts = [np.abs(np.diff(throw.rates, n=3, axis=0)) for throw in throws]
+    return float(np.median(np.concatenate(parts)) / (0.6745 * np.sqrt(20.0)))
+
+
+def solutions_of(
+    plain: Model, start: Start, throws: list[Throw], drag: bool | str, rotor: bool | str, gain: bool | str
+) -> list[Solution]:
+    """Return the fits of the models that are asked for, the best of them first.
+
+    Args:
+        plain: the model of the free motion, with gains where they are asked for.
+        start: of the linear method.
+        throws: the samples.
+        drag: whether air acts; "auto" for what the criterion says, as below.
+        rotor: whether a wheel turns in the body.
+        gain: whether the gyro has gains.
+    """
+    found = []
+    if rotor is not True:
+        found += _in_air(plain, start, throws, drag)
+    if rotor is True or (rotor == "auto" and _doubtful(min(found, key=criterion), start)):
+        found += _with_wheel(plain, throws, drag)
+    best = min(found, key=criterion)
+    if _in_a_valley(best, start):
+        kept = best.model if best.model.rotor else replace(plain, forces=() if drag is False else AIR[1])
+        again = _retried(kept, start, throws)
+        found.append(again)
+        if drag is not False and not kept.rotor and again.aicc < best.aicc and explains(again, throws):
+            found.append(_richer(again, replace(plain, forces=AIR[2]), throws))
+    if gain == "auto":
+        best = min(found, key=criterion)
+        found.append(_richer(best, replace(best.model, gain=True), throws))
+    return sorted(found, key=criterion)
+
+
+def criterion(solution: Solution) -> float:
+    """Return the criterion by which models are compared: AICc, and more for a wheel, of which few bodies have one."""
+    return solution.aicc + SURE * solution.model.rotor
+
+
+def _in_air(plain: Model, start: Start, throws: list[Throw], drag: bool | str) -> list[Solution]:
+    """Return fits without a wheel; richer ones only while they do better."""
+    begin = [start.axes.T @ throw.rates[len(throw.rates) // 2] for throw in throws]
+    x = np.concatenate([start.shape, np.zeros(3), plain.bias, *_no_gains(plain), *begin])
+    last = _grown(plain, x, start.axes, throws)
+    found = [last]
+    for forces in AIR[1:] if drag is not False and explains(last, throws) else ():
+        more = _richer(last, replace(plain, forces=forces), throws)
+        found.append(more)
+        if len(forces) > 1 and more.aicc > last.aicc:
+            break
+        last = more
+    return found[1:] if drag is True and len(found) > 1 else found
+
+
+def _no_gains(plain: Model) -> list[Array]:
+    return [np.ones(3), np.zeros(3)] * plain.gain
+
+
+def _with_wheel(plain: Model, throws: list[Throw], drag: bool | str) -> list[Solution]:
+    """Return fits with a wheel, from the linear method's with one, over wholes or parts of the throws."""
+    rates = [throw.rates - np.array(plain.bias) for throw in throws]
+    turns = [turned_by(t.elapsed, r) for t, r in zip(throws, rates, strict=True)]
+    starts = []
+    for span in SPANS:
+        parts = [np.array_split(np.arange(len(t.elapsed)), max(1, round((t.elapsed[-1] - t.elapsed[0]) / span)))
+                 for t in throws]  # fmt: skip
+        linear = linear_inertia(rates, turns, parts, rotor=True)
+        begin = [linear.axes.T @ throw.rates[len(throw.rates) // 2] for throw in throws]
+        x = np.concatenate([shape_of(linear.moments), np.zeros(3), plain.bias, *_no_gains(plain),
+                            linear.axes.T @ linear.rotor, *begin])  # fmt: skip
+        starts.append((x, linear.axes))
+    found = [_best_of(replace(plain, forces=WHEEL[0]), starts, throws)]
+    if drag is not False:
+        found.append(_richer(found[0], replace(plain, forces=WHEEL[1]), throws))
+    return found[1:] if drag is True else found
+
+
+def _best_of(model: Model, starts: list[tuple[Array, Array]], throws: list[Throw]) -> Solution:
+    """Return the fit from the best of several starts, which a glance at the middles of the throws tells."""
+    middles = [_middle(throw, _glanced(throw)) for throw in throws]
+    seen = [fitted(model, x, axes, middles, None, rounds=1) for x, axes in starts]
+    best = max(seen, key=lambda one: one.log_likelihood)
+    if not explains(best, middles):
+        return fitted(model, carried(best, model), best.axes, throws, None, rounds=0)
+    return _grown(model, carried(best, model), best.axes, throws)
+
+
+def _richer(base: Solution, model: Model, throws: list[Throw]) -> Solution:
+    return fitted(model, carried(base, model), base.axes, throws, (base.sigma, base.jitter))
+
+
+def _in_a_valley(solution: Solution, start: Start) -> bool:
+    """Whether a fit may have ended at a wrong place: at a bound, or with residuals beyond the samples' own noise."""
+    misfit = np.median(np.abs(solution.residuals)) > MISFIT * 0.6745 * start.noise
+    return bool(misfit) or at_bound(solution) is not None
+
+
+def _doubtful(solution: Solution, start: Start) -> bool:
+    """Whether residuals are larger than the samples' noise, or neighbouring ones alike."""
+    return _in_a_valley(solution, start) or alike(solution.residuals) > ALIKE
+
+
+def alike(residuals: Array) -> float:
+    """Return the correlation of neighbouring residuals (n, 3)."""
+    return float((residuals[:-1] * residuals[1:]).sum() / max(float((residuals**2).sum()), 1e-300))
+
+
+def at_bound(solution: Solution) -> str | None:
+    """Return which of shape and drag ran to where no body is, where drag may do the work of a wrong shape."""
+    x, places = solution.parameters, solution.model.places
+    s, c = x[places["shape"]]
+    if abs(s) > ROD or c < FLAT:
+        return "shape"
+    for name in solution.model.forces:
+        low, high = LIMITS.get(name, ([-np.inf], [np.inf]))
+        if np.minimum(x[places[name]] - low[0], high[0] - x[places[name]]).min() < NEAR:
+            return name
+    return None
+
+
+def _grown(model: Model, x: Array, axes: Array, throws: list[Throw]) -> Solution:
+    """Return a fit that begins with the middles of long throws, where a rough start keeps the count of turns.
+
+    Where the model explains nothing of a middle, it is left at that.
+    """
+    for samples in (500, 2500):
+        if max(len(throw.elapsed) for throw in throws) > 2 * samples:
+            middles = [_middle(throw, samples) for throw in throws]
+            found = fitted(model, x, axes, middles, None)
+            x, axes = carried(found, model), found.axes
+            if not explains(found, middles):
+                return fitted(model, x, axes, throws, None, rounds=0)
+    return fitted(model, x, axes, throws, None)
+
+
+def _glanced(throw: Throw) -> int:
+    """Return how many samples from the middle are enough to compare starts."""
+    between = np.median(np.linalg.norm(throw.rates, axis=1)) * np.median(np.diff(throw.elapsed))
+    return int(np.clip(GLANCED_TURN / max(float(between), 1e-9), 24, GLANCED))
+
+
+def _middle(throw: Throw, samples: int) -> Throw:
+    centre = int(np.argmin(np.abs(throw.elapsed)))
+    part = slice(max(centre - samples // 2, 0), centre + samples // 2)
+    return Throw(throw.elapsed[part], throw.rates[part], throw.epoch)
+
+
+def _retried(model: Model, start: Start, throws: list[Throw]) -> Solution:
+    """Return the best of several starts: shapes by the axes of the linear method and by those of the rates themselves.
+
+    The linear method knows of no bias. Where the body turns about its middle axis, that may exchange its axes.
+    """
+    begin = np.zeros(model.size)
+    begin[model.places["bias"]] = model.bias
+    if model.gain:
+        begin[model.places["gain"]] = 1.0
+    one, two, three = np.linalg.svd(np.concatenate([throw.rates for throw in throws]), full_matrices=False)[2]
+    starts = []
+    for axes in (np.stack([three, one, np.cross(three, one)], axis=1), start.axes,
+                 np.stack([two, one, np.cross(two, one)], axis=1)):  # fmt: skip
+        for k, throw in enumerate(throws):
+            begin[model.places[f"start {k}"]] = axes.T @ throw.rates[len(throw.rates) // 2]
+        for shape in RESTARTS:
+            begin[model.places["shape"]] = shape
+            starts.append((begin.copy(), axes))
+    return _best_of(model, starts, throws)
+
+
+def carried(base: Solution, model: Model) -> Array:
+    """Return a solution's parameters where another model has them, its axes taken for the start."""
+    x = np.zeros(model.size)
+    for name, place in model.places.items():
+        if name in base.model.places:
+            x[place] = base.parameters[base.model.places[name]]
+        elif name == "gain":
+            x[place] = 1.0
+    x[model.places["turn"]] = 0.0
+    return x
+
