@@ -274,18 +274,17 @@ class LeafIsPoint(AbstractReason):
     what: str = "the leaf"
 
     def __str__(self) -> str:
-        text = f"{self.what} is a point"
-        if self.leaves_nearby == "near":
-            return f"{text}, and the group is compact, so that leaves nearby stay near it"
-        if self.leaves_nearby == "larger":
-            return f"{text}, on which nothing moves; but leaves nearby are larger, and motions on these may go far"
-        return text
+        rest = {
+            "near": ", and the group is compact, so that leaves nearby stay near it",
+            "larger": ", on which nothing moves; but leaves nearby are larger, and motions on these may go far",
+        }.get(self.leaves_nearby, "")
+        return f"{self.what} is a point{rest}"
 
     @property
     def words(self) -> str:
-        if self.leaves_nearby == "larger":
-            return "nothing moves with the same Casimirs; motions with other Casimirs are not held by it"
-        return "nothing moves with the same Casimirs, and neighbours cannot leave"
+        larger = self.leaves_nearby == "larger"
+        rest = "; motions with other Casimirs are not held by it" if larger else ", and neighbours cannot leave"
+        return f"nothing moves with the same Casimirs{rest}"
 
 
 @dataclass(frozen=True)
