@@ -69,9 +69,8 @@ class DefiniteVariation(AbstractReason):
         extreme, names = _extreme(self.sign), _listed(self.function.names)
         if not self.function.weights[0]:
             return f"a combination of {names} is at its {extreme}: neighbours cannot leave"
-        if not names:
-            return f"the energy is at its {extreme}: neighbours cannot leave"
-        return f"the energy is at its {extreme} among motions with the same {names}"
+        rest = f" among motions with the same {names}" if names else ": neighbours cannot leave"
+        return f"the energy is at its {extreme}{rest}"
 
 
 @dataclass(frozen=True)
@@ -282,9 +281,8 @@ class LeafIsPoint(AbstractReason):
 
     @property
     def words(self) -> str:
-        larger = self.leaves_nearby == "larger"
-        rest = "; motions with other Casimirs are not held by it" if larger else ", and neighbours cannot leave"
-        return f"nothing moves with the same Casimirs{rest}"
+        others = "motions with other Casimirs are not held by it" if self.leaves_nearby == "larger" else ""
+        return f"nothing moves with the same Casimirs{'; ' + others if others else ', and neighbours cannot leave'}"
 
 
 @dataclass(frozen=True)
