@@ -21,7 +21,7 @@ LONGEST = 20.0  # s of the processor that a command may take without a word
 MOST_MEMORY = 4e9  # bytes more than before
 NOT_A_NUMBER = re.compile(r"(?<![\w'\"./-])[-+]?(nan|inf)(?![\w'\"./-])", re.IGNORECASE)
 CODE_LINE = re.compile(r"\w*Warning\b|Traceback|\.py:\d+|^\s+File \"|warnings\.warn", re.MULTILINE)
-CODES = (0, 1, 2)  # as docs/files.md lists them, of a command that no signal stops
+CODES = (0, 1, 2, 3)  # as docs/files.md lists them, of a command that no signal stops
 
 
 class Outcome(NamedTuple):

@@ -46,6 +46,7 @@ FROM = {
     "formats/plain_table.py": "import compare fit", "formats/spice_reading.py": "import compare fit",
     "reports/comparison.py": "compare", "reports/throw.py": "fit", "sweeps/running.py": "sweep",
     "sweeps/evaluation.py": "sweep", "estimation/throw_fit.py": "fit", "estimation/flight.py": "fit",
+    "reports/flights.py": "fit",
 }  # fmt: skip
 DECLARED = ("cli/commands.py", "cli/source_options.py", "cli/fit_options.py", "cli/tumble_options.py")
 """Where options are declared, with help that speaks of several commands."""

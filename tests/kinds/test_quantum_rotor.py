@@ -100,6 +100,9 @@ def test_a_distortion_constant_in_another_unit_is_said(spec_of, large):
     for drawn in (spectrum(report.lines), level_diagram(report.rotor, 20)):
         if drawn is not None:  # no line is left of those of the larger
             drawn.canvas.draw()
+
+
+def test_a_distortion_constant_in_its_unit_is_not_doubted(spec_of):
     assert not any("below the ground" in note for note in spec_of(RUNAWAY.format("2.59 MHz")).report().notes)
 
 

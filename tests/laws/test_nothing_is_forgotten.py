@@ -128,6 +128,7 @@ NO_ARRAYS = {
 }  # fmt: skip
 """Functions of objects, words and whole numbers, and records of known answers."""
 CALLED_BY_OTHERS = {
+    "estimation.gyro_log.check_sizes",
     "algebra.base.HashableModule", "algebra.constants.checked_constants", "algebra.matrix.adjoint",
     "algebra.matrix.traceless", "algebra.matrix.checked_size",
     "algebra.matrix.pfaffian", "algebra.so3.half_angle_factors", "algebra.so3.scaled_norm",
