@@ -42,6 +42,7 @@ FROM = {
     "cli/fit_rotor.py": "fit", "cli/fit.py": "fit", "cli/spectra.py": "lines",
     "cli/destinations.py": "view export import fit wobble lines", "formats/known_tumblers.py": "tumble",
     "reports/tumble.py": "tumble", "sweeps/store.py": "sweep",
+    "sweeps/store_checks.py": "sweep",
     "formats/column_reading.py": "import compare fit", "formats/gyro_logs.py": "fit",
     "formats/plain_table.py": "import compare fit", "formats/spice_reading.py": "import compare fit",
     "reports/comparison.py": "compare", "reports/throw.py": "fit", "sweeps/running.py": "sweep",

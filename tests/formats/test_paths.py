@@ -42,7 +42,7 @@ def test_stores_are_replaced_and_other_folders_are_not(tmp_path):
             (draft / "mark").write_text(text)
     assert (tmp_path / "store" / "mark").read_text() == "second" and names(tmp_path) == ["store"]
     (tmp_path / "photos").mkdir()
-    for known, words in ((None, "is a folder, where a file has to go"), (is_store, "is a folder, but not the store of a motion")):
+    for known, words in ((None, "is a folder, where a file has to go"), (is_store, "is a folder, but not the store")):
         with pytest.raises(InvalidInput, match=f"photos: {words}"), written_whole(tmp_path / "photos", known):
             pytest.fail("nothing may be written")
     assert names(tmp_path) == ["photos", "store"]

@@ -108,10 +108,12 @@ def test_a_motor_and_an_actuator_name_their_jumps():
     assert got == pytest.approx(0.002, rel=1e-6)
 
 
+PUSHED = RigidBody(MOMENTS, torques=[Pulse(jnp.asarray(500.3), jnp.asarray(1.0), 0.5, True)])
+
+
 def last(width, rate):
     """Return what a pulse of this width adds to the momentum of a body of this rate, by ``solve``."""
-    body = RigidBody(MOMENTS, torques=[Pulse(jnp.asarray(500.3), jnp.asarray(1.0), 0.5, True)])
-    system = eqx.tree_at(lambda b: b.torques[0].width, body, width)
+    system = eqx.tree_at(lambda b: b.torques[0].width, PUSHED, width)
     return ph.solve(system, jnp.array([0.0, 0.0, 3.0 * rate]), SPAN).end_state[2] - 3.0 * rate
 
 
