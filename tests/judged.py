@@ -17,7 +17,7 @@ from typing import NamedTuple
 
 from polhode.cli.main import main
 
-LONGEST = 20.0  # s of the processor that a command may take without a word
+LONGEST = 60.0  # s of the processor, compiling included, that a command may take without a word
 MOST_MEMORY = 4e9  # bytes more than before
 NOT_A_NUMBER = re.compile(r"(?<![\w'\"./-])[-+]?(nan|inf)(?![\w'\"./-])", re.IGNORECASE)
 CODE_LINE = re.compile(r"\w*Warning\b|Traceback|\.py:\d+|^\s+File \"|warnings\.warn", re.MULTILINE)

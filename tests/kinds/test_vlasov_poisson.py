@@ -1,6 +1,7 @@
 """Reports on plasmas: growth against linear theory, words, figures, and what is refused."""
 
 import re
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -9,6 +10,7 @@ from polhode.analysis import PlasmaWave, fastest_growing_wave, fitted_growth, tw
 from polhode.analysis.plasma_waves import MAXWELLIAN, Beam, bump_on_tail, dispersion
 from polhode.errors import InvalidInput
 from polhode.kinds.reading import read_spec
+from polhode.kinds.vlasov_poisson.figures import draw_phase_space
 
 
 @pytest.fixture
@@ -111,3 +113,13 @@ def test_a_beam_too_cold_for_its_velocities(spec):
 def test_beams_are_kept_in_the_answers(spec):
     report = spec(GOOD + "\nvelocities = 16\nparticles_per_velocity = 4\nbeams = [{drift = 1.0}]", "1 s", 5).report()
     assert report.beams == (Beam(1.0, 1.0, 1.0),) and report.as_json_dict()["beams"][0]["drift"] == 1.0
+
+
+def test_particles_that_span_no_area_are_drawn_as_points(spec):
+    """Qhull refuses what lies on one line, as electrons of one velocity do, and the report ended in its words."""
+    text = "wavenumber = 0.5\namplitude = 0.01\nmodes = 1\nvelocities = 8\nparticles_per_velocity = 8"
+    report = spec(text, "1 s", 3).report()
+    states = np.array(report.trajectory.states)
+    states[..., 0] = 0.0
+    drawn = draw_phase_space(replace(report, trajectory=replace(report.trajectory, states=states)))
+    assert [len(axes.lines[0].get_xdata()) for axes in drawn.axes] == [states.shape[1]] * 3

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from matplotlib.figure import Figure
 from scipy.interpolate import LinearNDInterpolator
+from scipy.spatial import QhullError
 
 from polhode.figures import style
 from polhode.kinds.vlasov_poisson.answers import PlasmaReport
@@ -48,9 +49,13 @@ def draw_phase_space(report: PlasmaReport) -> Figure:
     length = float(report.system.length)
     fastest = min(report.fastest, max(abs(beam.drift) + SHOWN * beam.spread for beam in report.beams))
     for axes, k in zip(panels, chosen, strict=True):
-        found = _pictured(states[k], values, length, fastest)
-        axes.imshow(found, extent=(0.0, length, -fastest, fastest), origin="lower", aspect="auto", cmap="viridis",
-                    vmin=0.0, vmax=float(values.max()), interpolation="nearest")  # fmt: skip
+        try:
+            found = _pictured(states[k], values, length, fastest)
+            axes.imshow(found, extent=(0.0, length, -fastest, fastest), origin="lower", aspect="auto", cmap="viridis",
+                        vmin=0.0, vmax=float(values.max()), interpolation="nearest")  # fmt: skip
+        except QhullError:  # particles of one velocity span no area between them
+            axes.plot(np.mod(states[k][:, 1], length), states[k][:, 0], ",", color=style.BLUE)
+            axes.set(xlim=(0.0, length), ylim=(-fastest, fastest))
         axes.set_title(f"t = {float(report.trajectory.times[k]):.4g}", fontsize=style.FONT)
         axes.set_xlabel("x  [λ$_D$]")
     panels[0].set_ylabel("v  [v$_{th}$]")
