@@ -95,7 +95,7 @@ def read_gyro_log(path: str | Path, mapping: ColumnMapping | None = None, told: 
 def _gyro_file(folder: Path) -> Path:
     found = [folder / name for name in GYRO_FILES if (folder / name).is_file()]
     if not found:
-        raise InvalidInput(f"{folder}: has no {', '.join(GYRO_FILES)}. Name the file with the angular velocities.")
+        raise InvalidInput(f"{folder}: has no {' or '.join(GYRO_FILES)}. Name the file with the angular velocities.")
     return found[0]
 
 
