@@ -214,7 +214,7 @@ def test_nobody_who_has_asked_for_repair_is_told_to():
     inside = [[a + 4, b + 4, c + 4] for a, b, c in faces]
     for wrong in ([*faces[:3], *inside], [[0, 1, 2], *faces[1:]], [face[::-1] for face in faces], [*faces, *inside],
                   [*faces, [0, 0, 1]]):  # fmt: skip
-        with pytest.raises(InvalidInput, match=r"ask for repair|Ask for repair|with repair"):
+        with pytest.raises(InvalidInput, match=r"(ask for|Ask for|with) repair.*repair = true in a spec, repair=True"):
             from_mesh(corners, wrong, density=1.0)
         try:
             from_mesh(corners, wrong, density=1.0, repair=True)

@@ -404,7 +404,10 @@ def test_clocks_that_nothing_says_are_one_are_refused_until_told(logs, capsys):
     assert "do not explain it" in out and "explain all" not in out
     for wrong in ("68", "soon", "nan s", "1_0 s", "3 kg"):
         code, _, err = run(["compare", "free.toml", "boot.csv", *COLUMNS, f"--offset={wrong}"], capsys)
-        assert code == 2 and "--offset must be" in err and err.count("\n") == 1
+        assert code == 2 and "--offset must be `start`" in err and err.count("\n") == 1
+    for wrong in ("1e300 s", "-1e400 s", "1e-31 s"):
+        code, _, err = run(["compare", "free.toml", "boot.csv", *COLUMNS, f"--offset={wrong}"], capsys)
+        assert code == 2 and "--offset must be between 1e-30 and 1e30 in size" in err and err.count("\n") == 1
 
 
 def test_what_is_assumed_of_clocks_is_said(files, capsys):

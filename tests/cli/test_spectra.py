@@ -164,6 +164,34 @@ def test_a_fit_in_words(run, measured):
     assert "3 constants from 60 observations" in said and "Observations that fit worst" in said
 
 
+TOP = """
+[system]
+kind = "quantum-rotor"
+constants = ["158099 MHz", "9198 MHz", "9198 MHz"]
+reduction = "S"
+representation = "Ir"
+[system.distortion]
+D_J = "3 kHz"
+D_JK = "170 kHz"
+"""
+
+
+def test_a_symmetric_top_is_fitted_by_the_plain_command(run, tmp_path):
+    """Lines of methyl cyanide by 2(J + 1)(B − D_JK K²) − 4 D_J (J + 1)³; the command said: A is not determined."""
+    (tmp_path / "top.toml").write_text(TOP)
+    lines = [(J + 1, K, J + 1 - K, J, K, J - K, 2 * (J + 1) * (9198.899 - 0.1774 * K**2) - 4 * 3.8e-3 * (J + 1) ** 3)
+             for J in range(7) for K in range(J + 1)]  # fmt: skip
+    text = "".join("".join(f"{n:3d}" for n in line[:6]) + f"{'':18}{line[6]:16.6f} 0.001\n" for line in lines)
+    (tmp_path / "top.lin").write_text(text)
+    for free, kept in (((), True), (("--free", "C,B,D_J,D_JK"), False)):
+        found = json.loads(run("fit", tmp_path / "top.toml", tmp_path / "top.lin", *free, "--json").out)
+        name = "C" if free else "B"
+        assert list(found["constants"]) == [name, "D_J", "D_JK"] and found["rms"] < 1e-2
+        assert found["constants"][name]["value"] == pytest.approx(9198.899e6, abs=2.0)
+        assert any("fitted as one" in note for note in found["notes"])
+        assert any("A is kept as the spec says" in note for note in found["notes"]) == kept
+
+
 def test_lines_and_constants_for_other_programs(run, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     said = run("export", EXAMPLES / "formaldehyde.toml", "--to", "cat", "--to", "par").out

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from polhode.errors import InvalidInput
 from polhode.estimation import clean_log
 
 TRUE = np.arange(1000) / 50
@@ -42,3 +43,13 @@ def test_a_log_does_not_share_memory_with_what_it_is_made_of():
     log = clean_log(times, rates)
     rates[:] = 0.0
     np.testing.assert_array_equal(log.rates, RATES)
+
+
+def test_samples_closer_than_any_sensors_are_refused():
+    """Of steps of 1e-302 s the answer was: Python int too large to convert to C ssize_t; of 1e-12 s, no memory."""
+    for scale in (5e-301, 5e-11):
+        with pytest.raises(InvalidInput, match=r"times of rates must lie 1e-09 s apart or more; got 1e-.*their unit"):
+            clean_log(scale * TRUE, RATES)
+    times = TRUE.copy()
+    times[500] = np.nextafter(times[499], 1e3)  # rounding parts two samples of one time
+    assert len(clean_log(times, RATES).times) == 1000

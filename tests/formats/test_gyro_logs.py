@@ -5,6 +5,7 @@ import zipfile
 import numpy as np
 import pytest
 
+from polhode.cli.main import main
 from polhode.errors import FormatError, InvalidInput
 from polhode.formats.column_mapping import ColumnMapping
 from polhode.formats.gyro_logs import read_gyro_log
@@ -129,6 +130,20 @@ def test_samples_out_of_order_repeated_and_missing(tmp_path):
 def test_what_is_no_log_is_refused_by_name(tmp_path, text, said):
     with pytest.raises(InvalidInput, match=rf"log\.csv.*{said}"):
         read_gyro_log(written(tmp_path, text))
+
+
+def test_the_unit_of_a_known_apps_table_can_be_said(tmp_path, capsys):
+    """The remedy for rates in deg/s under a header of rad/s was --unit, which alone ended in: time is missing."""
+    path = written(tmp_path, table(PHYPHOX, [TIMES, RATES]))
+    found, plain = read_gyro_log(path, rate_unit="deg/s"), read_gyro_log(path)
+    np.testing.assert_allclose(found.log.rates, np.radians(plain.log.rates), rtol=1e-15)
+    assert any("it is read in deg/s, as said" in note for note in found.notes)
+    with pytest.raises(InvalidInput, match="unit"):
+        read_gyro_log(path, rate_unit="Hz")
+    for unit, said in (("deg/s", "--window"), ("Hz", "'Hz'")):
+        with pytest.raises(SystemExit):
+            main(["fit", str(path), "--unit", unit])
+        assert "time is missing" not in (err := capsys.readouterr().err) and said in err
 
 
 def test_a_folder_or_an_archive_without_a_gyro_is_refused(tmp_path):

@@ -63,7 +63,7 @@ def test_the_command_takes_an_archive(tmp_path, capsys):
 
 
 @pytest.mark.parametrize(("members", "said"), [
-    ({}, r"has no Gyroscope\.csv"),
+    ({}, r"has no Gyroscope\.csv or Raw Data\.csv or Gyroscope rotation rate\.csv\."),
     ({"a.csv": "1", "b/c.csv": "2"}, r"has no Gyroscope.*; its tables are a\.csv, b/c\.csv\. Unpack it"),
     ({"1/Gyroscope.csv": "", "2/Gyroscope.csv": ""}, r"has 2 logs, 1/Gyroscope\.csv, 2/Gyroscope\.csv\. Unpack it"),
     ({"Gyroscope.csv": "0," * 15_000_000}, r"Gyroscope\.csv in it has 30 MB packed into \d+ bytes, which no log is"),

@@ -292,6 +292,8 @@ def changed(text, line, begin, new):
     ("a.cat", changed(CAT, 2, 68, "  "), r"line 2, columns 68 to 69: lower quantum number 1"),
     ("a.cat", changed(CAT, 2, 42, " 1."), r"line 2, columns 42 to 44: upper degeneracy"),
     ("a.cat", CAT[:-30], r"line 3, columns 5"), ("a.cat", "\n \n", "holds no lines"),
+    ("a.lin", "\n" + LIN, "line 1 is blank, and reading ends at the first blank line"),
+    ("a.lin", "\n", "holds no lines"),
     ("a.cat", CAT.replace("      \n", "      9 9\n", 1), "line 1, columns 80"),
     ("a.lin", changed(LIN, 1, 7, "   "), r"line 1, columns 1 to 36"),
     ("a.lin", changed(LIN, 1, 1, " x1"), r"line 1, columns 1 to 3: quantum number 1"),

@@ -124,6 +124,7 @@ def test_constants_from_a_body():
     ("make", "said"),
     [
         (lambda: Rotor((9.0, 14.0, 27.0)), "order A ≥ B ≥ C"), (lambda: Rotor((27.0, 14.0, -9.0)), "not negative"),
+        (lambda: Rotor((0.0, 57635.96e6, 57635.96e6)), r"infinite A: write \(inf, 5\.7636e\+10, 5\.7636e\+10\)"),
         (lambda: Rotor((27.0, 14.0)), "three numbers"), (lambda: Rotor((27.0, np.nan, 9.0)), "finite"),
         (lambda: Rotor((math.inf, 14.0, 9.0)), "B = C"),
         (lambda: rotor((27.0, 14.0, 9.0), {"D_J": 1.0}), "`reduction`"),

@@ -125,6 +125,16 @@ def check_many(made, tmp_path, cases):
     return same, refused
 
 
+def test_a_pipe_in_the_place_of_a_chunk_is_called_what_it_is(made, tmp_path):
+    sweep, whole, _, _ = made
+    store = shutil.copytree(whole, tmp_path / "a.zarr")
+    chunk = next(path for path in damage.files(store) if path.parent.name == "polhode_period" and path.name == "1")
+    chunk.unlink()
+    os.mkfifo(chunk)
+    with in_time(), pytest.raises(FormatError, match="'1' in 'polhode_period' is neither a file nor"):
+        run(sweep, store)
+
+
 def test_each_way_of_damage(made, tmp_path):
     same, refused = check_many(made, tmp_path, [(way, 1, k % 2 == 1) for k, way in enumerate(damage.WAYS)])
     assert same + refused >= 25 and same > refused > 3

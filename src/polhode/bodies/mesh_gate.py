@@ -14,6 +14,7 @@ from polhode.types import Array, ArrayLike, Float64, Integer, Real
 
 FINEST = 1e-30  # m; fifth powers of coordinates must neither overflow nor underflow
 NO_VOLUME = 1e-12  # of the tetrahedra's own size: a flat surface leaves rounding, a foil of 1e-9 of its width far more
+ASKED = "repair = true in a spec, repair=True in Python"
 
 
 def checked_mesh(
@@ -171,20 +172,20 @@ def _volume(corners: Array) -> float:
 
 def _or_repair(repaired: bool) -> str:
     """Return the remedy that is left to those who have not asked for it yet."""
-    return "" if repaired else ", or ask for repair"
+    return "" if repaired else f", or ask for repair ({ASKED})"
 
 
 def _check_edges(faces: Array, repaired: bool) -> None:
     """Require that every edge is used once in each direction."""
     if (faces == np.roll(faces, 1, axis=1)).any():
-        raise InvalidInput("the mesh has a triangle with a repeated corner. Ask for repair to drop it.")
+        raise InvalidInput(f"the mesh has a triangle with a repeated corner. Ask for repair to drop it ({ASKED}).")
     edges, _, forward, uses = _edges(faces)
     balance = np.bincount(edges, weights=np.where(forward, 1.0, -1.0))
     if open_edges := int((uses == 1).sum()):
         raise InvalidInput(
             f"the mesh is open: {open_edges} edges border only one triangle, so it encloses nothing. "
             f"{'Repair fills small holes only; close' if repaired else 'Close'} the surface, or merge duplicate corners"
-            f"{'' if repaired else ', or read the file with repair'}."
+            f"{'' if repaired else f', or read the file with repair: {ASKED}'}."
         )
     if shared_edges := int((uses > 2).sum()):
         raise InvalidInput(
@@ -231,5 +232,5 @@ def _check_nesting(volumes: Array, depth: Array, several: bool, repaired: bool) 
     if bodies > 1 and not several:
         raise InvalidInput(
             f"the mesh holds {bodies} separate bodies, which need not move as one. "
-            "Give them apart, or say that they are rigidly joined (several)."
+            "Give them apart, or say that they are rigidly joined: several = true in a spec, several=True in Python."
         )

@@ -36,12 +36,21 @@ def offset_of(text: str | None) -> Decimal | str | None:
         return text
     found = _TIME.fullmatch(text)
     unit = unit_named(found["unit"], TIME_UNITS) if found else None
-    try:
-        if found and unit:
+    if found and unit and _is_number(found["number"]):
+        try:
             return exact_number(found["number"]) * IN_DECIMAL_SECONDS[unit]
-    except ValueError:
-        pass
+        except ValueError:
+            raise InvalidInput(f"--offset must be between 1e-30 and 1e30 in size, or 0; got {shown(text)}. Say A's "
+                               "time at B's time zero.") from None  # fmt: skip
     raise InvalidInput(f"--offset must be `{START}`, or a time with its unit like `-68.5 s`; got {shown(text)}.")
+
+
+def _is_number(text: str) -> bool:
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True
 
 
 def lay_side_by_side(a: Source, b: Source, told: Decimal | str | None) -> Laid:

@@ -102,7 +102,13 @@ def _mapping(words: dict[str, Any], where: str) -> ColumnMapping:
     try:
         return mapping_of_words(words)
     except InvalidInput as error:
-        raise InvalidInput(*(f"{where}{line}" for line in error.args)) from None
+        raise InvalidInput(*(f"{where}{line if where else _of_options(line)}" for line in error.args)) from None
+
+
+def _of_options(line: str) -> str:
+    """Return what is wrong with a word of a mapping as what is wrong with the option that gave it."""
+    name, *rest = line.split(" ", 1)
+    return " ".join([f"--{name.replace('_', '-')}", *rest]) if name in ColumnOptions._fields else line
 
 
 def needs_mapping(path: Path) -> InvalidInput:

@@ -15,7 +15,7 @@ FitFiles = Annotated[
 FreeNames = Annotated[
     str | None,
     typer.Option("--free", metavar="NAMES",
-                 help="Of a molecule: like A,B,C,D_J (default: all constants that the spec gives)."),
+                 help="Of a molecule: like A,B,C,D_J (default: those of the spec that lines depend on)."),
 ]  # fmt: skip
 FitOut = Annotated[
     Path | None,

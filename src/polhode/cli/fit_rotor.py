@@ -13,7 +13,7 @@ from polhode.cli.spectra import told_of
 from polhode.errors import InvalidInput, shown
 from polhode.formats.spfit import read_lin
 from polhode.kinds.reading import read_spec_or_molecule
-from polhode.quantum.derivatives import value_of
+from polhode.quantum.derivatives import AXES, once_each, value_of
 from polhode.quantum.fitting import RotorFit, fit_rotor
 from polhode.quantum.measured import MeasuredLines
 from polhode.quantum.rotor import Rotor
@@ -38,13 +38,13 @@ def run_fit_rotor(path: Path, lines: Path, free: str | None, out: Path | None, j
     with told_of(lines) as more:
         measured = read_lin(lines).measured()
     with told_of(path) as others:
-        names = _names(start) if free is None else [name.strip() for name in free.split(",")]
-        if not all(names):
+        names = None if free is None else [name.strip() for name in free.split(",")]
+        if names is not None and not all(names):
             raise InvalidInput(f"--free must be names of constants with commas, like A,B,C,D_J; got {shown(free)}.")
         fit = fit_rotor(start, measured, names)
         if out is not None:
             _write(fit, out, spec.name)
-    notes += [*more, *others, *_remarks(fit)]
+    notes += [*more, *others, *_together(start, fit, names), *_fixed(start, fit, names), *_remarks(fit)]
     groups = [_quality(fit, measured), _constants(fit, start), _worst(fit, measured)]
     if json:
         told = {"name": spec.name, **values_of(groups), "correlation": fit.correlation, "units": units_of(groups)}
@@ -55,9 +55,25 @@ def run_fit_rotor(path: Path, lines: Path, free: str | None, out: Path | None, j
     print_report(spec.name, said, groups, notes, [] if out is None else [str(out)])
 
 
-def _names(rotor: Rotor) -> list[str]:
-    """Return all constants that the spec gives; of equal ones the first, with which the others go."""
-    return [*(name for name in "ABC" if name not in rotor.equal[1:]), *rotor.distortion]
+def _together(start: Rotor, fit: RotorFit, asked: list[str] | None) -> list[str]:
+    """Return which equal constants were fitted as one."""
+    first = next((name for name in fit.names if name in start.equal), None)
+    others = [name for name in start.equal if name != first and (asked is None or name in asked)]
+    if first is None or not others:
+        return []
+    both = f"{first} and {' and '.join(others)}"
+    return [f"{both} are equal at the start and fitted as one, {first}; to fit each, start from values that differ."]
+
+
+def _fixed(start: Rotor, fit: RotorFit, asked: list[str] | None) -> list[str]:
+    """Return which constants that the spec gives were left as they are, as no line depends on them."""
+    if asked is not None:
+        return []
+    left = [name for name in once_each(start, [*AXES, *start.distortion]) if name not in fit.names]
+    if not left:
+        return []
+    kept, them = ("is", "it") if len(left) == 1 else ("are", "them")
+    return [f"{', '.join(left)} {kept} kept as the spec says: no line changes with {them}."]
 
 
 def _write(fit: RotorFit, out: Path, title: str) -> None:

@@ -53,9 +53,12 @@ def run_fit_throw(
     Returns:
         Whether they tell the inertia.
     """
-    table = table_to_import(columns)
+    # alone it is the unit of a known app's table, of which the rest is known
+    unit = columns.unit if columns.mapping is None and columns.words.keys() == {"unit"} else None
+    table = None if unit else table_to_import(columns)
     mapping = None if table is None else table.mapping
     if has_attitude(paths[0], table):
+        table = table if unit is None else table_to_import(columns)  # which says what is missing
         wrong = named(options._replace(windows=[], figures=None, torque=None))
         wrong += ["--weighted"] if weighted else []
         if wrong or len(paths) > 1:
@@ -70,7 +73,7 @@ def run_fit_throw(
     if out is not None:
         for path in (*paths, *weighted):
             check_spares(out, path)
-    logs = [read_gyro_log(path, mapping, _progress(path)) for path in paths]
+    logs = [read_gyro_log(path, mapping, _progress(path), unit) for path in paths]
     names = [path.name or str(path) for path in paths]
     clip = saturation([each.log for each in logs]) if options.clip is None else quantity(
         "--clip", options.clip, "rad/s")  # fmt: skip
@@ -81,7 +84,7 @@ def run_fit_throw(
                     clip, rotor=rotor)  # fmt: skip
     heavier = None
     if weighted:
-        more = [read_gyro_log(path, mapping, _progress(path)).log for path in weighted]
+        more = [read_gyro_log(path, mapping, _progress(path), unit).log for path in weighted]
         heavier = fit_throw(more, None, drag, options.gain is not False, clip, rotor=rotor)
     moments = known.moments(fit, heavier)
     groups = [*throw_groups(fit, names, logs, moments), left_out_table(names, flights)]

@@ -68,8 +68,8 @@ def _run(arguments: list[str] | None) -> int | str | None:
     except MemoryError as error:
         _tell(f"polhode: there is not enough memory ({error}). Give fewer `samples` under [time], or a smaller file.\n")
         return MISTAKE
-    except (ArithmeticError, *_singular()) as error:
-        _tell(f"polhode: a number leaves double precision on the way ({error}). Give sizes that are nearer to one.\n")
+    except (ArithmeticError, *_singular()):  # what Python says of it helps nobody
+        _tell("polhode: a number leaves double precision on the way. Give sizes that are nearer to one.\n")
         return MISTAKE
     except BrokenPipeError:
         _silence()

@@ -16,6 +16,7 @@ COARSE = 0.02  # of the samples at a time that was there already: more is a cloc
 EVEN = 1.1  # of the clock's step, within which its rounding keeps the times of equal steps
 MOST = {"times": (1e12, "s"), "rates": (1e12, "rad/s"), "acceleration": (1e12, "m/s²")}
 """The largest size of what a log may hold, beyond any clock and gyro: what levitated grains do is 3e10 rad/s."""
+CLOSEST = 1e-9  # s from sample to sample: no gyro comes near it, and a second of such a log fills the memory
 
 
 @dataclass(frozen=True)
@@ -62,7 +63,8 @@ def clean_log(
         acceleration: proper acceleration [m/s², device frame]; one that rests on a table feels about 9.8 upwards.
 
     Raises:
-        InvalidInput: for wrong shapes, or fewer than eight usable samples of the gyro.
+        InvalidInput: for wrong shapes, fewer than eight usable samples of the gyro, samples less than 1e-9 s apart, or
+            numbers that no log holds.
 
     Example:
         >>> import numpy as np
@@ -101,6 +103,14 @@ def check_sizes(**values: Array) -> None:
                                "columns of the log they are, and their unit.")  # fmt: skip
 
 
+def _check_steps(name: str, steps: Float64[Array, "_"]) -> None:
+    """Refuse samples closer than those of any sensor; by their median, as rounding parts some that are of one time."""
+    usual = float(np.median(steps)) if len(steps) else CLOSEST
+    if usual < CLOSEST:
+        raise InvalidInput(f"times of {name} must lie {CLOSEST:g} s apart or more; got {usual:g} s. Check which column "
+                           "has the times, and their unit.")  # fmt: skip
+
+
 def _cleaned(name: str, times: ArrayLike, values: ArrayLike) -> tuple[Array, Array, int, int, bool, int]:
     t, x = (np.asarray(v, dtype=np.float64) for v in (times, values))
     if t.ndim != 1 or x.shape != (*t.shape, 3):
@@ -112,6 +122,7 @@ def _cleaned(name: str, times: ArrayLike, values: ArrayLike) -> tuple[Array, Arr
         t, x = t[whole], x[whole]
     check_sizes(**{"times": t, name: x})
     steps = np.diff(t)
+    _check_steps(name, np.abs(steps[steps != 0.0]))
     if (steps > 0).all():
         return t.copy(), x.copy(), int((~whole).sum()), 0, False, 0
     reordered = bool((steps < 0).any())

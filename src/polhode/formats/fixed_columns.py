@@ -130,6 +130,8 @@ def rows_of(
         except ValueError as error:
             raise FormatError(f"{path}, line {number}, {error}. {remedy}") from None
         pending = ""
+    if held is None and pending.strip():
+        raise FormatError(f"{path}: line 1 is blank, and reading ends at the first blank line. Take it out.")
     if held is None:
         raise FormatError(f"{path}: holds no lines. Check the path.")
     yield held[0], held[1] + pending

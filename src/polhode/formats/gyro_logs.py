@@ -51,7 +51,9 @@ class ReadLog(NamedTuple):
     notes: tuple[str, ...]
 
 
-def read_gyro_log(path: str | Path, mapping: ColumnMapping | None = None, told: Told = None) -> ReadLog:
+def read_gyro_log(
+    path: str | Path, mapping: ColumnMapping | None = None, told: Told = None, rate_unit: str | None = None
+) -> ReadLog:
     """Return a gyro log from a table, a folder with one, or a zip archive with one; the notes say which file was read.
 
     The program that wrote it is told by the header: phyphox, Sensor Logger, AndroSensor, Betaflight. Lines before the
@@ -62,6 +64,7 @@ def read_gyro_log(path: str | Path, mapping: ColumnMapping | None = None, told: 
         path: of the table, the folder or the archive.
         mapping: what the columns are, for tables of other programs.
         told: called with how many lines are read, now and then.
+        rate_unit: "deg/s", "rad/s" or "rpm" of a known app's table that says it wrongly; where there is no mapping.
 
     Raises:
         InvalidInput: for what is missing, is not a file, or has no usable samples.
@@ -77,14 +80,14 @@ def read_gyro_log(path: str | Path, mapping: ColumnMapping | None = None, told: 
     """
     path = Path(path)
     if is_folder(path):
-        return _read_table(_gyro_file(path), mapping, told)
+        return _read_table(_gyro_file(path), mapping, told, rate_unit)
     check_is_file(path, "log", LARGEST_FILE)
     if not is_archive(path):
-        return _read_table(path, mapping, told)
+        return _read_table(path, mapping, told, rate_unit)
     beside = [name for dialect in DIALECTS for name in dialect.beside]
     with unpacked(path, GYRO_FILES, beside) as (table, member):
         try:
-            read = _read_table(table, mapping, told)
+            read = _read_table(table, mapping, told, rate_unit)
         except PolhodeError as error:
             inside = str(PurePosixPath(member).parent).removeprefix(".")
             place = "/".join(filter(None, (str(path), inside)))
@@ -95,16 +98,16 @@ def read_gyro_log(path: str | Path, mapping: ColumnMapping | None = None, told: 
 def _gyro_file(folder: Path) -> Path:
     found = [folder / name for name in GYRO_FILES if (folder / name).is_file()]
     if not found:
-        raise InvalidInput(f"{folder}: has no {', '.join(GYRO_FILES)}. Name the file with the angular velocities.")
+        raise InvalidInput(f"{folder}: has no {' or '.join(GYRO_FILES)}. Name the file with the angular velocities.")
     return found[0]
 
 
-def _read_table(path: Path, mapping: ColumnMapping | None, told: Told) -> ReadLog:
+def _read_table(path: Path, mapping: ColumnMapping | None, told: Told, rate_unit: str | None) -> ReadLog:
     form, dialect = _form(path, mapping)
     notes: list[str] = []
     if mapping is None:
         assert dialect is not None
-        mapping = _mapping(form, dialect)
+        mapping = _mapping(form, dialect, rate_unit)
     if not mapping.gyro:
         raise InvalidInput(f"{path}: its angular velocities are needed. Say their columns by --gyro.")
     resolved = resolved_on(path, form, mapping)
@@ -155,13 +158,13 @@ def _below(path: Path, lines: Sequence[Line]) -> Sequence[Line]:
     return lines
 
 
-def _mapping(form: TableForm, dialect: GyroDialect) -> ColumnMapping:
+def _mapping(form: TableForm, dialect: GyroDialect, rate_unit: str | None) -> ColumnMapping:
     time, gyro = time_place(form.names, dialect), places_of(form.names, dialect.gyro)
     assert time is not None and gyro is not None
     named = unit_in(form.names[time], TIME_UNITS), unit_in(form.names[gyro[0]], RATE_UNITS)
     return ColumnMapping(
         time + 1, time_unit=None if named[0] else dialect.time_unit, gyro=tuple(place + 1 for place in gyro),
-        unit=None if named[1] else dialect.rate_unit,
+        unit=rate_unit or (None if named[1] else dialect.rate_unit),
     )  # fmt: skip
 
 

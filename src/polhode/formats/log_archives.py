@@ -90,7 +90,7 @@ def _log_in(path: Path, members: Sequence[zipfile.ZipInfo], wanted: Sequence[str
     found = found or (tables if len(tables) == 1 else [])
     if not found:
         has = f"; its tables are {_listed(tables)}" if tables else ""
-        raise InvalidInput(f"{path}: has no {', '.join(wanted)}{has}. Unpack it, and name the file with the angular "
+        raise InvalidInput(f"{path}: has no {' or '.join(wanted)}{has}. Unpack it, and name the file with the angular "
                            "velocities.")  # fmt: skip
     if len(found) > 1:
         raise InvalidInput(f"{path}: has {len(found)} logs, {_listed(found)}. Unpack it, and name those of one body.")

@@ -51,6 +51,16 @@ def tied(rotor: Rotor, name: str, free: Sequence[str]) -> list[str]:
     return [axis for axis in AXES if axis == name or ({axis, name} <= set(rotor.equal) and axis not in free)]
 
 
+def once_each(rotor: Rotor, names: Sequence[str]) -> list[str]:
+    """Return names of constants without those that go with one before them, as C does with B in a symmetric top.
+
+    >>> once_each(Rotor((9.0, 3.0, 3.0)), ["A", "B", "C"]), once_each(Rotor((9.0, 3.0, 3.0)), ["C", "B"])
+    (['A', 'B'], ['C'])
+    """
+    first = next((name for name in names if name in rotor.equal), None)
+    return [name for name in names if name not in rotor.equal or name == first]
+
+
 class _Block(NamedTuple):
     """One block: (p, bands, k, k) lower bands of each constant, those of the rest, and the levels that are asked."""
 

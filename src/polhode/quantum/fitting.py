@@ -15,7 +15,7 @@ from scipy.optimize import least_squares
 
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, NotConverged
-from polhode.quantum.derivatives import AXES, LevelModel, checked_names, tied, value_of
+from polhode.quantum.derivatives import AXES, LevelModel, checked_names, once_each, tied, value_of
 from polhode.quantum.measured import MeasuredLines, Observations, checked_labels, observations
 from polhode.quantum.rotor import Rotor
 from polhode.types import Array, Float64, Integer
@@ -86,17 +86,18 @@ class RotorFit:
 
 
 @known_numbers_only
-def fit_rotor(rotor: Rotor, lines: MeasuredLines, free: Sequence[str]) -> RotorFit:
+def fit_rotor(rotor: Rotor, lines: MeasuredLines, free: Sequence[str] | None = None) -> RotorFit:
     """Fit constants of a rotor to measured lines by weighted least squares, from the rotor's own as a start.
 
     Derivatives are exact; Levenberg and Marquardt's damping leads there from far away, if the labels fit the start's.
-    Of a symmetric top, whose B and C (or A and B) are equal at the start, they stay so if one of them is free, and are
-    fitted each if both are.
+    Of a symmetric top, whose B and C (or A and B) are equal at the start, these are one constant and stay equal: it is
+    free under the first of its names that is given. To fit them each, start from constants that differ.
 
     Args:
         rotor: the start; its constants that are not free stay.
         lines: measured.
-        free: names of constants, "A", "B", "C" and those of the rotor's reduction, such as "D_J".
+        free: names of constants, "A", "B", "C" and those of the rotor's reduction, such as "D_J"; where left out, all
+            that the rotor has, but for those that change none of these lines, such as A where no line has another K.
 
     Raises:
         InvalidInput: for constants that the lines do not determine, which are named; lines or names that are none;
@@ -112,7 +113,10 @@ def fit_rotor(rotor: Rotor, lines: MeasuredLines, free: Sequence[str]) -> RotorF
     """
     if rotor.is_linear:
         raise InvalidInput("`rotor` must not be linear: its lines are a polynomial in J + 1, which `np.polyfit` fits.")
-    names, seen = checked_names(rotor, free), observations(lines)
+    seen = observations(lines)
+    names = once_each(rotor, checked_names(rotor, [*AXES, *rotor.distortion] if free is None else free))
+    if free is None:
+        names = _felt(rotor, names, seen)
     model = _LineModel(rotor, names, seen.upper, seen.lower)
     start = np.array([value_of(rotor, name) for name in names])
     _, scale, _, _ = _decomposed(*_at(model, seen, start)[1:], names)
@@ -129,6 +133,19 @@ def fit_rotor(rotor: Rotor, lines: MeasuredLines, free: Sequence[str]) -> RotorF
     if found.status <= 0 or not np.isfinite(values).all():
         raise NotConverged("the fit found no minimum. Start nearer, check the labels, or free fewer constants.")
     return _fit_at(rotor, names, values, model, seen)
+
+
+def _felt(rotor: Rotor, names: list[str], seen: Observations) -> list[str]:
+    """Return the constants that change any line; all where none does, so that they are named as undetermined."""
+    _, slope, size = _at(_LineModel(rotor, names, seen.upper, seen.lower), seen,
+                         np.array([value_of(rotor, name) for name in names]))  # fmt: skip
+    alone = _of_rounding(slope, size)
+    return [name for name, silent in zip(names, alone, strict=True) if not silent] or names
+
+
+def _of_rounding(slope: Array, size: Array) -> Array:
+    """Whether derivatives by a constant (p,) are nothing but rounding."""
+    return np.linalg.norm(slope, axis=0) <= ROUNDING * np.linalg.norm(size, axis=0)
 
 
 class _LineModel:
@@ -159,7 +176,7 @@ def _decomposed(slope: Array, size: Array, names: list[str]) -> tuple[Array, Arr
         InvalidInput: naming constants without which S has no zeros.
     """
     length = np.linalg.norm(slope, axis=0)
-    alone = length <= ROUNDING * np.linalg.norm(size, axis=0)  # nothing but rounding
+    alone = _of_rounding(slope, size)
     scale = 1.0 / np.where(alone, 1.0, length)
     few = len(slope) < len(names)  # only then does what no line determines need the whole of V
     U, S, V = np.linalg.svd(slope * scale * ~alone, full_matrices=few)
