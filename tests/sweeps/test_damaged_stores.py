@@ -162,6 +162,9 @@ def test_a_report_that_is_asked_later(made, tmp_path, name):
     store = sweep.begin(copied(made, tmp_path))
     sweep.run(store, 1)
     path = store.path / name
+    if not path.exists():  # of a sweep that keeps statistics alone
+        assert sweep.plan.keep == "statistics" and name.startswith("polhode_period")
+        return
     os.truncate(path, path.stat().st_size // 2)
     with pytest.raises(FormatError, match=r"is damaged\. Run the sweep again"):
         SweepReport(sweep, store).as_json_dict()
