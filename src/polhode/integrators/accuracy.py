@@ -19,9 +19,9 @@ import numpy as np
 
 from polhode.errors import NotConverged
 from polhode.integrators.base import AbstractOrbitSolver, Memory
-from polhode.integrators.difference import LARGE, LUCK, difference, starts_a_rounding_away
+from polhode.integrators.difference import EPS, LARGE, LUCK, difference, starts_a_rounding_away
 from polhode.integrators.equal_steps import Run, run_by_equal_steps, step_counts
-from polhode.integrators.probing import jumps_between
+from polhode.integrators.probing import depends_on_time, jumps_between
 from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.types import Array, Double, Float64
 
@@ -75,6 +75,8 @@ def measured_run(
     # what a rounding could make of the motion, it has not made where the two runs are much nearer to each other
     error = np.where(off > LARGE, off * np.maximum(1.0, 1.0 / gain),
                      np.maximum(off / gain, np.minimum(LUCK * off, grown)))  # fmt: skip
+    if depends_on_time(system, state):  # a pulse that no run met makes them alike, which proves nothing
+        error = np.maximum(error, EPS * np.sqrt(counts.sum(axis=-1)))
     return Measured(run, sizes, np.where(fine, error, np.inf))
 
 

@@ -20,9 +20,9 @@ import numpy as np
 
 from polhode.errors import InvalidInput, NotConverged
 from polhode.integrators import embedded
-from polhode.integrators.difference import EPS, LARGE, LUCK, difference, starts_a_rounding_away
+from polhode.integrators.difference import EPS, LARGE, difference, starts_a_rounding_away
 from polhode.integrators.interrupts import interrupts_kept
-from polhode.integrators.probing import jumps_between
+from polhode.integrators.probing import depends_on_time, jumps_between
 from polhode.integrators.sampled import (
     MOST_STEPS,
     Sampled,
@@ -164,7 +164,9 @@ def adaptive_error(
         if more is not None:
             grown, unknown = np.maximum(grown, np.where(more[1], 0.0, more[0])), unknown | ~third.successful
     rounding = np.minimum(off, EPS * motion.steps)
-    error = np.where(off > LARGE, off, np.max([off / GAIN, rounding, np.minimum(LUCK * off, grown)], axis=0))
+    if depends_on_time(system, state):  # a pulse that neither run met makes them alike, which proves nothing
+        rounding = np.maximum(rounding, EPS * motion.steps)
+    error = np.where(off > LARGE, off, np.max([off / GAIN, rounding, grown], axis=0))
     return np.where(motion.successful & other.successful & ~np.asarray(unknown), error, np.inf)
 
 
