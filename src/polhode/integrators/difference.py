@@ -64,7 +64,7 @@ def starts_a_rounding_away(system: AbstractSystem, state: Double[Array, "..."]) 
         return [jnp.asarray(state) + EPS * sizes * rng.normal(size=own) for _ in range(KICKS)]
     attitude, point = system.parts(state)
     return [
-        joined(None if attitude is None else jnp.asarray(attitude) + EPS * _unit(rng, 4), _kicked(system, point, rng))
+        joined(None if attitude is None else attitude + EPS * _unit(rng, 4), _kicked(system, point, rng))
         for _ in range(KICKS)
     ]
 
@@ -75,7 +75,7 @@ def _kicked(system: AbstractLiePoissonSystem, point: Array, rng: np.random.Gener
     vector = np.array(algebra.to_dual_vector(jnp.asarray(point)))
     for part in parts_with_units(system, point) if len(algebra.element_shape) == 1 else [(...,)]:
         size = np.linalg.norm(vector[part], axis=-1, keepdims=True)
-        vector[part] += EPS * size * _unit(rng, vector[part].shape[-1])
+        vector[part] += EPS * size * _unit(rng, vector[part].shape[-1]) * (vector[part] != 0.0)  # as a saddle may need
     return algebra.from_dual_vector(jnp.asarray(vector))
 
 

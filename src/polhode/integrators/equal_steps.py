@@ -105,6 +105,25 @@ def run_by_equal_steps(
     return jax.tree.map(lambda *x: np.concatenate(x)[back].reshape(*batch, *x[0].shape[1:]), *found)
 
 
+def run_through_windows(
+    solver: AbstractOrbitSolver, state: Double[Array, "..."], times: Float64[np.ndarray, "time"],
+    sizes: Float64[Array, "*batch"], rates: Float64[Array, "*batch"], meter: Any, windows: int,
+) -> Run:  # fmt: skip
+    """Return the motion at so many times as many times, by runs one after the other, for which nothing is compiled."""
+    axis, memory, states = np.ndim(sizes), None, []
+    for part in windowed(times, windows):
+        run = run_by_equal_steps(solver, state, part, sizes, rates, meter, 1, memory)
+        states.append(np.take(run.states, np.arange(int(bool(states)), len(part)), axis=axis))
+        state, memory = jnp.asarray(run.last), run.memory
+    return run._replace(states=np.concatenate(states, axis=axis))
+
+
+def windowed(times: Float64[np.ndarray, "time"], windows: int) -> Float64[np.ndarray, "windows time"]:
+    """Return as many times in each of the windows, of which those of all contain the times."""
+    fine = np.append(np.linspace(times[:-1], times[1:], windows, endpoint=False, axis=1).ravel(), times[-1])
+    return np.stack([fine[k * (len(times) - 1) : (k + 1) * (len(times) - 1) + 1] for k in range(windows)])
+
+
 def step_counts(
     times: Float64[np.ndarray, "time"], sizes: Float64[Array, "*batch"]
 ) -> Float64[Array, "*batch intervals"]:
