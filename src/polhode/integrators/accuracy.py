@@ -20,7 +20,14 @@ import numpy as np
 from polhode.errors import NotConverged
 from polhode.integrators.base import AbstractOrbitSolver, Memory
 from polhode.integrators.difference import EPS, LARGE, LUCK, difference, starts_a_rounding_away
-from polhode.integrators.equal_steps import Run, run_by_equal_steps, run_through_windows, step_counts, windowed
+from polhode.integrators.equal_steps import (
+    Run,
+    inner_windows,
+    run_by_equal_steps,
+    run_through_windows,
+    step_counts,
+    windowed,
+)
 from polhode.integrators.probing import depends_on_time, jumps_between
 from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.types import Array, Double, Float64
@@ -28,8 +35,6 @@ from polhode.types import Array, Double, Float64
 SAFETY = 0.7  # of the tolerance, at which the next step size aims
 SHORTEST = 1 / 32  # of a step, in one round
 ROUNDS = 8
-PLACES = 48  # at about so many at least motions are compared
-STEPS_IN_PART = 8  # between two of them at least, so that longer steps are longer there too
 MAX_STEPS = 1e9  # of all copies together, in one round
 
 
@@ -97,14 +102,6 @@ def _power(ends: Float64[np.ndarray, "ends"], counts: Array, order: int) -> Floa
     """Return Σ Δt hᵖ of steps (batch…, T − 1) in each interval, over the whole time."""
     gaps = np.abs(np.diff(ends)) / np.ptp(ends)
     return np.sum(gaps * (gaps / counts) ** order, axis=-1)
-
-
-def inner_windows(times: int, steps: int) -> int:
-    """Return into how many parts an interval between samples is cut to compare two motions along the way too.
-
-    They may by chance be at the same saddle at all samples, and differ only in between.
-    """
-    return int(np.clip(steps // STEPS_IN_PART, 1, -(-PLACES // (times - 1))))
 
 
 def _ends(system: AbstractLiePoissonSystem, times: Float64[np.ndarray, "time"]) -> Float64[np.ndarray, "ends"]:

@@ -26,6 +26,8 @@ from polhode.types import Array, Bool, Double, Float64, Integer
 BLOCK = 64  # copies: enough that a step's fixed costs do not count, few enough that a fast copy slows few others
 STRETCH = 50_000  # steps in one call, which take from a quarter of a second to a few seconds
 MAX_STEPS = 1e10  # of a run, which takes hours
+PLACES = 48  # at about so many at least motions are compared
+STEPS_IN_PART = 8  # between two of them at least, so that longer steps are longer there too
 AS_ONE = 8  # copies in a block that cost about as much as one
 
 
@@ -116,6 +118,14 @@ def run_through_windows(
         states.append(np.take(run.states, np.arange(int(bool(states)), len(part)), axis=axis))
         state, memory = jnp.asarray(run.last), run.memory
     return run._replace(states=np.concatenate(states, axis=axis))
+
+
+def inner_windows(times: int, steps: int) -> int:
+    """Return into how many parts an interval between samples is cut to compare two motions along the way too.
+
+    They may by chance be at the same saddle at all samples, and differ only in between.
+    """
+    return int(np.clip(steps // STEPS_IN_PART, 1, -(-PLACES // (times - 1))))
 
 
 def windowed(times: Float64[np.ndarray, "time"], windows: int) -> Float64[np.ndarray, "windows time"]:
