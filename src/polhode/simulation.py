@@ -102,9 +102,9 @@ def simulate(
         tolerance: of the error relative to the state's size, instead of a step. Steps are shortened from the default
             until ``error_estimate`` is below it. diffrax's solvers take it as the tolerance of a step.
         estimate_error: whether to run again and say by ``error_estimate`` how far the motion is from the true one. Our
-            methods are run once more with other steps, and twice from starts a rounding away, as near a saddle a
-            rounding grows to most of the error: this costs one and a half times as much as the first run, four times
-            where samples are a step apart. Adaptive steps are run once more, with another tolerance.
+            methods are run with other steps, and twice from starts a rounding away, which near a saddle grows to most
+            of the error: this costs one and a half times the first run, four times where samples are a step apart.
+            Adaptive steps are run with another tolerance. Pulses shorter than 1/131072 of the time need ``jumps``.
         save: every how many-th of the times is kept as a sample, so that a long run need not fill the memory; the steps
             are those to all times.
         resumable: whether the trajectory keeps its ``memory``, which needs a method of ours and a last time that is

@@ -204,3 +204,20 @@ def test_samples_that_make_the_steps_do_not_hide_the_error():
     other = ph.simulate(hyperion, start, np.linspace(0.0, 60.0 * np.pi, 1501), estimate_error=False)
     apart = np.abs(found.states[-1] - other.states[-1]).max() / np.abs(found.states).max()
     assert apart > 1e-13 and found.error_estimate > 0.1 * apart
+
+
+LEFT_THE_SADDLE = [
+    # splitting, ends at the other saddle: told 9.6e-7
+    (body, [-2.8334101348668622e-11, 4.680678258523867, -2.858871617749798e-11], 2),
+    # adaptive steps: error 3.5e-4, told 2.2e-6
+    (systems.RigidBody(MOMENTS), [1e-12, 2.0, 1e-12], 13),
+]
+
+
+@pytest.mark.parametrize(("system", "start", "count"), LEFT_THE_SADDLE, ids=["by splitting", "by adaptive steps"])
+def test_runs_that_are_at_the_same_saddle_by_chance_do_not_vouch_for_each_other(system, start, count):
+    start, times = np.array(start), np.linspace(0.0, 60.0, count)
+    found = ph.simulate(system, start, times)
+    exact = ph.FreeMotion(MOMENTS, start).state(times)[1]
+    error = np.linalg.norm(found.states[:, -3:] - exact, axis=-1).max() / np.linalg.norm(start)
+    assert error > 1e-5 and error < 30.0 * found.error_estimate

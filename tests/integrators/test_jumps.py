@@ -13,6 +13,7 @@ import polhode as ph
 from polhode import systems
 from polhode.errors import InvalidInput
 from polhode.integrators import LieMidpoint, MuntheKaas
+from polhode.integrators.probing import undeclared_jumps
 from polhode.systems import AbstractTorque, LaggedTorque, RigidBody, Rotor
 
 MOMENTS = (1.0, 2.0, 3.0)
@@ -176,3 +177,40 @@ def test_bad_jumps_are_refused():
         Rotor((0.0, 0.0, 1.0), 0.1, jumps=[np.nan])
     with pytest.raises(InvalidInput, match="`jumps` must be finite times"):
         gained(RigidBody(MOMENTS, torques=[Pulse(np.inf, 1.0, 0.5, True)]), 0.0, SPAN)
+
+
+class Brake(AbstractTorque):
+    """Nothing for what rests."""
+
+    def torque(self, t, attitude, angular_velocity, actuator=None):
+        return -jnp.where((t >= 633.3) & (t < 633.315), 3.0, 0.0)[..., None] * angular_velocity
+
+
+def test_a_pulse_that_only_another_copy_feels_is_found():
+    """The first copy rests, and was the only one that was tried: 3.0 stayed 3.0, told 0.0."""
+    system = RigidBody(MOMENTS, torques=[Brake()])
+    found = ph.simulate(system, system.pack(angular_velocity=np.array([[0.0, 0.0, 0.0], [0.0, 0.0, 1.0]])), SPAN)
+    np.testing.assert_allclose(found.momentum[:, -1, 2], [0.0, 3.0 * np.exp(-0.015)], rtol=1e-9)
+
+
+class Switched(AbstractTorque):
+    """On for a part of each period."""
+
+    frequency: float
+
+    def torque(self, t, attitude, angular_velocity, actuator=None):
+        on = jnp.mod(t * self.frequency, 1.0) < 0.3
+        return jnp.where(on, 5e-4, 0.0)[..., None] * jnp.array([0.0, 0.0, 1.0]) + 0.0 * angular_velocity
+
+
+def test_it_is_said_where_rates_switch_too_often():
+    """17,000 switchings in 100 s were all thrown away without a word, with an error of 20 %."""
+    system = RigidBody(MOMENTS, torques=[Switched(85.0)])
+    with pytest.warns(UserWarning, match=r"switch at least 17\d+ times .* Give `step=` shorter"):
+        undeclared_jumps(system, system.pack(angular_velocity=(0.0, 0.0, 0.0)), np.array([0.0, 100.0]))
+
+
+def test_a_pulse_that_nobody_met_leaves_a_doubt():
+    """The estimate was exactly 0.0, which would say that the motion is exact."""
+    _, found = gained(RigidBody(MOMENTS, torques=[Pulse(123.456, 1e-6, 0.5)]), 0.0, SPAN)
+    assert found.error_estimate > 0.0

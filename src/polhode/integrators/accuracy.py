@@ -19,9 +19,16 @@ import numpy as np
 
 from polhode.errors import NotConverged
 from polhode.integrators.base import AbstractOrbitSolver, Memory
-from polhode.integrators.difference import LARGE, LUCK, difference, starts_a_rounding_away
-from polhode.integrators.equal_steps import Run, run_by_equal_steps, step_counts
-from polhode.integrators.probing import jumps_between
+from polhode.integrators.difference import EPS, LARGE, LUCK, difference, starts_a_rounding_away
+from polhode.integrators.equal_steps import (
+    Run,
+    inner_windows,
+    run_by_equal_steps,
+    run_through_windows,
+    step_counts,
+    windowed,
+)
+from polhode.integrators.probing import depends_on_time, jumps_between
 from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.types import Array, Double, Float64
 
@@ -53,29 +60,48 @@ def measured_run(
     run = run_by_equal_steps(solver, state, times, sizes, rates, meter, every, memory)
     ends = _ends(solver.system, times)
     counts = step_counts(ends, sizes)
+    windows = 1 if every > 1 else inner_windows(len(times), int(step_counts(times, sizes).min()))
+
+    def again(start: Any, at: Any) -> Run:
+        if windows > 1:
+            return run_through_windows(solver, start, times, at, rates, quiet, windows)
+        return run_by_equal_steps(solver, start, times, at, rates, quiet, every)
+
     others = np.where(counts.min(axis=-1) > 1, 2.0, 0.5) * sizes
-    second = run_by_equal_steps(solver, state, times, others, rates, quiet, every)
+    second = again(state, others)
     failed = ~second.fine & run.fine & (others > sizes)
     if failed.any():
         others = np.where(failed, 0.5 * sizes, others)
-        second = run_by_equal_steps(solver, state, times, others, rates, quiet, every)
+        second = again(state, others)
     order = solver.order(None)
-    gaps = np.abs(np.diff(ends)) / np.ptp(ends)
-    power, other_power = (np.sum(gaps * (gaps / n) ** order, axis=-1) for n in (counts, step_counts(ends, others)))
+    finer = _ends(solver.system, np.append(np.ravel(windowed(times, windows)[:, :-1]), times[-1]))
+    power, other_power = (_power(at, n, order) for at, n in ((ends, counts), (finer, step_counts(finer, others))))
     gain = np.abs(other_power / power - 1.0)
     longer = others > sizes
     system, axes = solver.system, run.states.ndim - np.ndim(sizes)
-    base = np.where(longer.reshape(*longer.shape, *(1,) * axes), second.states, run.states)
+    at_times = np.take(second.states, np.arange(0, second.states.shape[np.ndim(sizes)], windows), axis=np.ndim(sizes))
+    base = second.states if windows > 1 else (
+        np.where(longer.reshape(*longer.shape, *(1,) * axes), second.states, run.states))  # fmt: skip
     fine, grown = run.fine & second.fine, np.zeros(np.shape(sizes))
     with np.errstate(invalid="ignore"):
-        off = difference(system, run.states, second.states)
+        off = difference(system, run.states, at_times)
         for kicked in starts_a_rounding_away(system, state):
-            third = run_by_equal_steps(solver, kicked, times, np.maximum(sizes, others), rates, quiet, every)
+            third = again(kicked, others if windows > 1 else np.maximum(sizes, others))
             grown, fine = np.maximum(grown, difference(system, base, third.states)), fine & third.fine
+        if windows > 1 and (fine & (grown > LUCK * off)).any():  # they may be near to each other at the samples only
+            off = np.maximum(off, difference(system, again(state, sizes).states, second.states))
     # what a rounding could make of the motion, it has not made where the two runs are much nearer to each other
     error = np.where(off > LARGE, off * np.maximum(1.0, 1.0 / gain),
                      np.maximum(off / gain, np.minimum(LUCK * off, grown)))  # fmt: skip
+    if depends_on_time(system, state):  # a pulse that no run met makes them alike, which proves nothing
+        error = np.maximum(error, EPS * np.sqrt(counts.sum(axis=-1)))
     return Measured(run, sizes, np.where(fine, error, np.inf))
+
+
+def _power(ends: Float64[np.ndarray, "ends"], counts: Array, order: int) -> Float64[Array, "*batch"]:
+    """Return Σ Δt hᵖ of steps (batch…, T − 1) in each interval, over the whole time."""
+    gaps = np.abs(np.diff(ends)) / np.ptp(ends)
+    return np.sum(gaps * (gaps / counts) ** order, axis=-1)
 
 
 def _ends(system: AbstractLiePoissonSystem, times: Float64[np.ndarray, "time"]) -> Float64[np.ndarray, "ends"]:

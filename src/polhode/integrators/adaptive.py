@@ -20,9 +20,10 @@ import numpy as np
 
 from polhode.errors import InvalidInput, NotConverged
 from polhode.integrators import embedded
-from polhode.integrators.difference import EPS, LARGE, LUCK, difference, starts_a_rounding_away
+from polhode.integrators.difference import EPS, LARGE, difference, starts_a_rounding_away
+from polhode.integrators.equal_steps import inner_windows, windowed
 from polhode.integrators.interrupts import interrupts_kept
-from polhode.integrators.probing import jumps_between
+from polhode.integrators.probing import depends_on_time, jumps_between
 from polhode.integrators.sampled import (
     MOST_STEPS,
     Sampled,
@@ -43,7 +44,8 @@ TOLERANCE = 1e-12  # of a step, relative; below it rounding of the stages is all
 STRETCH = 20_000  # steps in one call, which take from a tenth of a second to some seconds
 AS_ONE = 8  # copies of a batch that cost about as much as one
 LOOSER = 100.0  # the tolerance of the second run, by which the error is estimated
-GAIN = 30.0  # at least so much larger its error is
+GAIN = 20.0  # at least so much larger its error is
+STAGES = 3.0  # as many roundings as one each of the first steps makes, in its dozen stages
 SAME_STEPS = 0.9  # of the steps, from which on the samples and not the tolerance make those of the second run
 CLOSE = 1e-3  # of an interval between samples; a step as short as that costs no accuracy
 
@@ -158,13 +160,33 @@ def adaptive_error(
         return None
     off, unknown = found
     grown = np.zeros(np.shape(off))
+    windows = 1 if kept > 1 or every > 1 or system.events else inner_windows(len(times), motion.steps // len(times[1:]))
+
+    def along(start: Array) -> tuple[Array, Array]:
+        """Return the motion at more times, as runs may be near to each other by chance at the samples only."""
+        states, fine = [], np.ones(np.shape(off), bool)
+        for part in windowed(times, windows):
+            more = again(start, part)
+            states.append(more.states)
+            start, fine = jnp.asarray(np.take(more.states, -1, axis=np.ndim(off))), fine & more.successful
+        return np.concatenate(states, axis=np.ndim(off)), fine
+
+    inner = along(state) if windows > 1 else None
     for kicked in starts_a_rounding_away(system, state):
+        if inner is not None:
+            states, fine = along(kicked)
+            with np.errstate(invalid="ignore"):
+                apart = difference(system, inner[0], states)
+            grown, unknown = np.maximum(grown, apart), unknown | ~(fine & inner[1])
+            continue
         third = again(kicked, at)
         more = _apart(system, other, third, kept, 1)
         if more is not None:
             grown, unknown = np.maximum(grown, np.where(more[1], 0.0, more[0])), unknown | ~third.successful
     rounding = np.minimum(off, EPS * motion.steps)
-    error = np.where(off > LARGE, off, np.max([off / GAIN, rounding, np.minimum(LUCK * off, grown)], axis=0))
+    if depends_on_time(system, state):  # a pulse that neither run met makes them alike, which proves nothing
+        rounding = np.maximum(rounding, EPS * motion.steps)
+    error = np.where(off > LARGE, off, np.max([off / GAIN, rounding, STAGES * grown], axis=0))
     return np.where(motion.successful & other.successful & ~np.asarray(unknown), error, np.inf)
 
 

@@ -57,11 +57,14 @@ def starts_a_rounding_away(system: AbstractSystem, state: Double[Array, "..."]) 
     rng = np.random.default_rng(1)
     if not isinstance(system, AbstractLiePoissonSystem):
         own = np.shape(state)[np.ndim(state) - system.state_axes :]
-        # what is zero stays so, as it may have to be
-        return [jnp.asarray(state) * (1.0 + EPS * rng.normal(size=own)) for _ in range(KICKS)]
+        copies = jnp.reshape(jnp.asarray(state), (-1, *own))
+        sizes = np.asarray(jax.vmap(lambda one: system.scales(one) * jnp.ones(own))(copies)).reshape(np.shape(state))
+        # what is zero stays so, as it may have to be; the rest has the rounding of its part, however small it is
+        sizes = np.where(np.asarray(state) != 0.0, sizes, 0.0)
+        return [jnp.asarray(state) + EPS * sizes * rng.normal(size=own) for _ in range(KICKS)]
     attitude, point = system.parts(state)
     return [
-        joined(None if attitude is None else jnp.asarray(attitude) + EPS * _unit(rng, 4), _kicked(system, point, rng))
+        joined(None if attitude is None else attitude + EPS * _unit(rng, 4), _kicked(system, point, rng))
         for _ in range(KICKS)
     ]
 
@@ -72,7 +75,7 @@ def _kicked(system: AbstractLiePoissonSystem, point: Array, rng: np.random.Gener
     vector = np.array(algebra.to_dual_vector(jnp.asarray(point)))
     for part in parts_with_units(system, point) if len(algebra.element_shape) == 1 else [(...,)]:
         size = np.linalg.norm(vector[part], axis=-1, keepdims=True)
-        vector[part] += EPS * size * _unit(rng, vector[part].shape[-1])
+        vector[part] += EPS * size * _unit(rng, vector[part].shape[-1]) * (vector[part] != 0.0)  # as a saddle may need
     return algebra.from_dual_vector(jnp.asarray(vector))
 
 

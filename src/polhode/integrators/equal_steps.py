@@ -26,6 +26,8 @@ from polhode.types import Array, Bool, Double, Float64, Integer
 BLOCK = 64  # copies: enough that a step's fixed costs do not count, few enough that a fast copy slows few others
 STRETCH = 50_000  # steps in one call, which take from a quarter of a second to a few seconds
 MAX_STEPS = 1e10  # of a run, which takes hours
+PLACES = 48  # at about so many at least motions are compared
+STEPS_IN_PART = 8  # between two of them at least, so that longer steps are longer there too
 AS_ONE = 8  # copies in a block that cost about as much as one
 
 
@@ -103,6 +105,33 @@ def run_by_equal_steps(
     meter.close(shown)
     back = np.argsort(order)
     return jax.tree.map(lambda *x: np.concatenate(x)[back].reshape(*batch, *x[0].shape[1:]), *found)
+
+
+def run_through_windows(
+    solver: AbstractOrbitSolver, state: Double[Array, "..."], times: Float64[np.ndarray, "time"],
+    sizes: Float64[Array, "*batch"], rates: Float64[Array, "*batch"], meter: Any, windows: int,
+) -> Run:  # fmt: skip
+    """Return the motion at so many times as many times, by runs one after the other, for which nothing is compiled."""
+    axis, memory, states = np.ndim(sizes), None, []
+    for part in windowed(times, windows):
+        run = run_by_equal_steps(solver, state, part, sizes, rates, meter, 1, memory)
+        states.append(np.take(run.states, np.arange(int(bool(states)), len(part)), axis=axis))
+        state, memory = jnp.asarray(run.last), run.memory
+    return run._replace(states=np.concatenate(states, axis=axis))
+
+
+def inner_windows(times: int, steps: int) -> int:
+    """Return into how many parts an interval between samples is cut to compare two motions along the way too.
+
+    They may by chance be at the same saddle at all samples, and differ only in between.
+    """
+    return int(np.clip(steps // STEPS_IN_PART, 1, -(-PLACES // (times - 1))))
+
+
+def windowed(times: Float64[np.ndarray, "time"], windows: int) -> Float64[np.ndarray, "windows time"]:
+    """Return as many times in each of the windows, of which those of all contain the times."""
+    fine = np.append(np.linspace(times[:-1], times[1:], windows, endpoint=False, axis=1).ravel(), times[-1])
+    return np.stack([fine[k * (len(times) - 1) : (k + 1) * (len(times) - 1) + 1] for k in range(windows)])
 
 
 def step_counts(

@@ -10,6 +10,7 @@ names it.
 from __future__ import annotations
 
 import dataclasses
+import warnings
 from functools import cache
 from typing import Any, TypeVar
 
@@ -30,7 +31,8 @@ STILL = 1e-13  # of the largest rate: changes below it are rounding
 ABOVE = 8.0  # of the usual change between two trials, from which on something acts
 INNER = np.array([0.25, 0.5, 0.75])  # places within a smooth change
 INSIDE = len(INNER)  # cells between trials that it must have for them
-MOST = 1 << 14  # places; where there are more, steps cannot overlook them
+MOST = 1 << 14  # beginnings and ends at which steps are made to end; of more a warning tells
+COPIES = 8  # of a batch that are tried: the first by all trials, the others by as many together
 BISECTIONS = 60
 REMEMBERED = 256  # systems
 FURTHER = "further_jumps"  # the field of those that a system does not name itself
@@ -90,11 +92,15 @@ def undeclared_jumps(
 
     Args:
         system: what moves.
-        state: packed (batch…, …), at which rates are tried: the first copy of a batch.
+        state: packed (batch…, …), at which rates are tried: up to eight copies of a batch, spread over it.
         times: (T,) [s], in one direction.
+
+    Warns where there are more than steps can be made to end at.
     """
-    first = np.reshape(np.asarray(state), (-1, *np.shape(state)[np.ndim(state) - system.state_axes :]))[:1]
-    return _changes(system, first, np.asarray(times, dtype=float)[[0, -1]])
+    copies = np.reshape(np.asarray(state), (-1, *np.shape(state)[np.ndim(state) - system.state_axes :]))
+    ends = np.asarray(times, dtype=float)[[0, -1]]
+    chosen = _spread(len(copies))
+    return _together(ends, [_changes(system, copies[[k]], ends, trials) for k, trials in chosen], warned=True)
 
 
 def jumps_along(
@@ -104,21 +110,50 @@ def jumps_along(
 
     Args:
         system: what moves.
-        states: (batch…, T, …), of which the first copy counts, up to its end.
+        states: (batch…, T, …), of which up to eight copies count, each up to its end.
         times: (T,) [s], in one direction.
     """
     own = np.shape(states)[np.ndim(states) - system.state_axes :]
-    first = np.reshape(states, (-1, len(times), *own))[0]
-    there = np.isfinite(first).reshape(len(first), -1).all(axis=-1)
-    return _changes(system, first[there][:-1], times[there]) if there.sum() > 1 else np.zeros(0)
+    copies, found = np.reshape(states, (-1, len(times), *own)), []
+    for k, trials in _spread(len(copies)):
+        there = np.isfinite(copies[k]).reshape(len(times), -1).all(axis=-1)
+        if there.sum() > 1:
+            found.append(_changes(system, copies[k][there][:-1], times[there], trials))
+    return _together(times, found)
 
 
-def _changes(system: AbstractSystem, states: Double[np.ndarray, "..."], times: Array) -> Float64[np.ndarray, "found"]:
-    """Return where rates change with time at states (T − 1, …), each from one of the times (T,) up to the next."""
+def _spread(copies: int) -> list[tuple[int, int]]:
+    """Return which copies of a batch are tried, and at how many times each."""
+    chosen = np.unique(np.linspace(0, copies - 1, min(copies, COPIES)).round().astype(int))
+    return [(int(k), TRIALS if k == 0 else TRIALS // (len(chosen) - 1)) for k in chosen]
+
+
+def _together(
+    times: Float64[np.ndarray, "time"], found: list[Any], warned: bool = False
+) -> Float64[np.ndarray, "inside"]:
+    """Return what was found at several copies, of which those with too many changes give their number."""
+    many = max((x for x in found if isinstance(x, int)), default=0)
+    if many and warned:
+        warnings.warn(
+            f"the torque or other rates of change switch at least {many} times between {times.min():g} s and "
+            f"{times.max():g} s, and steps are not made to end at all of these times; `error_estimate` may not see it. "
+            f"Give `step=` shorter than a switching lasts, as {0.1 * np.ptp(times) / many:.2g} s.",
+            stacklevel=5,
+        )
+    return jumps_between(times, np.concatenate([np.zeros(0), *(x for x in found if not isinstance(x, int))]))
+
+
+def _changes(
+    system: AbstractSystem, states: Double[np.ndarray, "..."], times: Array, trials: int
+) -> Float64[np.ndarray, "found"] | int:
+    """Return where rates change with time at states (T − 1, …), each from one of the times (T,) up to the next.
+
+    Where there are too many such places it is their number.
+    """
     if not depends_on_time(system, jnp.asarray(states[0])):
         return np.zeros(0)
     spans = len(times) - 1
-    each = int(np.clip(min(NUMBERS // max(np.size(states[0]), 1), TRIALS) // spans, 2, TRIALS))
+    each = int(np.clip(min(NUMBERS // max(np.size(states[0]), 1), trials) // spans, 2, TRIALS))
     tried = np.linspace(times[:-1], times[1:], each + 1, axis=-1)
     rates, which = _Rates(system, np.asarray(states)), np.repeat(np.arange(spans), each)
     values = rates(np.ravel(tried), np.repeat(np.arange(spans), each + 1)).reshape(spans, each + 1, -1)
@@ -131,7 +166,9 @@ def _changes(system: AbstractSystem, states: Double[np.ndarray, "..."], times: A
     acts = changes > (np.maximum(least, ABOVE * np.maximum(usual, beside)) if usual > least else least)
     edges = np.flatnonzero(np.diff(np.concatenate([[0], acts.view(np.int8), [0]])))
     begins, ends = edges[::2], edges[1::2] - 1  # first and last cell of each run in which something acts
-    if not len(begins) or len(edges) > MOST:
+    if len(edges) > MOST:
+        return len(begins)
+    if not len(begins):
         return np.zeros(0)
     # a jump lies in the first or the last cell of such a run, or stands out inside it
     cells = np.unique(np.concatenate([begins, ends, np.flatnonzero(acts & (changes > ABOVE * beside))]))
