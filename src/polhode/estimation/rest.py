@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 from scipy.ndimage import maximum_filter1d, minimum_filter1d, uniform_filter1d
 
@@ -69,7 +71,7 @@ def _handled_between(found: list[tuple[int, int]], rates: Array) -> bool:
     if len(found) < 2:
         return False
     bias = rates[found[0][0] : found[0][1] + 1].mean(axis=0)
-    gaps = [rates[one[1] : two[0]] for one, two in zip(found, found[1:], strict=False)]
+    gaps = [rates[one[1] : two[0]] for one, two in pairwise(found)]
     return any(len(gap) > 0 and np.linalg.norm(gap - bias, axis=1).max() > HANDLED for gap in gaps)
 
 

@@ -55,8 +55,8 @@ class Start:
                       "followed: the rates are of another unit, like deg/s, or the times are.")  # fmt: skip
         elif max(_typical(r) for r in rates) > FASTEST and found.moments[0] > ROUND:
             reason = (f"the rates, about {max(_typical(r) for r in rates):.3g} rad/s, are beyond what gyros can tell, "
-                      "and make the body nearly a sphere. Both happen where rates in deg/s are read as rad/s: give their "
-                      "unit.")  # fmt: skip
+                      "and make the body nearly a sphere. Both happen where rates in deg/s are read as rad/s: give "
+                      "their unit.")  # fmt: skip
         elif turned < MIN_TURN:
             reason = f"the body turned by {turned:.2g} rad only: nothing can be said of its inertia."
         elif found.singular_values[-2] < floor:
