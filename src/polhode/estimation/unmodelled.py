@@ -48,11 +48,12 @@ def settled(solution: Solution, throws: list[Throw]) -> Settled:
     model, x, axes0 = solution.model, solution.parameters.copy(), solution.axes
     x[model.places["turn"]] = 0.0
     data = np.concatenate([throw.rates for throw in throws])
-    scales, push = _Scales(model.gain_spread, TORQUE, 1.0, 1.0), np.zeros(0)
-    for _ in range(ROUNDS):
-        mixed, response = _mixed(solution, x, throws, data, push, scales)
+    mixed, response = _mixed(solution, x, throws, data, np.zeros(0), _Scales(model.gain_spread, TORQUE, 1.0, 1.0))
+    x, push = _stepped(solution, x, np.zeros(0), throws, data, mixed, response)
+    for _ in range(ROUNDS - 1):
+        mixed, response = _mixed(solution, x, throws, data, push, mixed.scales)
         x, push = _stepped(solution, x, push, throws, data, mixed, response)
-        scales = mixed.scales
+    scales = mixed.scales
     values = predicted(model, x, axes0, throws)[0] + response @ push
     turned, change = turned_axes(model, x, axes0)
     keep = slice(0, model.size)
@@ -70,6 +71,7 @@ def _mixed(
     """Return the least squares about parameters, and how the rates follow the torque."""
     model = solution.model
     values, slopes, fast = predicted(model, x, solution.axes, throws)
+    slopes = np.nan_to_num(slopes)  # as in the fit itself
     response = _responses(model, x, throws, slopes)
     white = whitening(fast, solution.sigma, solution.jitter)
     A = np.concatenate([white @ slopes, white @ response], axis=2).reshape(data.size, -1)
