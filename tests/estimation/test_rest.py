@@ -31,6 +31,20 @@ def test_rest_before_and_after_a_hand(rate, noise, step):
     assert np.abs(w[still].mean(axis=0) - BIAS).max() < 0.5 * step + 5 * noise / np.sqrt(still.sum())
 
 
+def test_a_bias_of_a_cheap_gyro_needs_two_rests_or_a_weight():
+    # 20 deg/s on each axis; a body that turns slowly and steadily in flight shows one such stretch
+    t, w = handled(100, 4e-3, 0.0)
+    large = w + np.array([0.33, -0.2, 0.25])
+    assert rest_stretches(clean_log(t, large))[0][0] == 0.0
+    once = t < 4.9
+    assert rest_stretches(clean_log(t[once], large[once])) == []
+    down = np.broadcast_to([0.0, 0.0, 9.8], w.shape)
+    assert len(rest_stretches(clean_log(t[once], large[once], t[once], down[once]))) == 1
+    # turned steadily before and after, at rest between: what is near zero is the rest
+    turned = np.where(((t >= 4) & (t < 5))[:, None], 0.01, large)
+    assert all(4 <= start and end <= 5 for start, end in rest_stretches(clean_log(t, turned)))
+
+
 def test_a_flight_a_hand_and_a_turn_are_no_rest():
     t, w = handled(100, 2e-3, 0.0)
     moved = (t > 2.2) & (t < 4.8)

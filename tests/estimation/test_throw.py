@@ -9,7 +9,11 @@ from estimation.thrown import BODIES, SPINS, TROUBLES, euler, throw
 from polhode import estimation
 from polhode.errors import InvalidInput
 from polhode.estimation import Window, clean_log, fit_throw
+from polhode.estimation.principal import why_undetermined
+from polhode.estimation.throw_fit import Model, Throw, fitted
 from polhode.estimation.throw_models import forced_rates, free_rates
+from polhode.estimation.throw_search import AIR, Start
+from polhode.estimation.unmodelled import settled
 from polhode.figures.throw_figure import throw_figures
 
 WHOLE = [[Window(-1.0, 99.0)]]
@@ -280,6 +284,38 @@ def test_a_wheel_that_turns_in_the_body_is_noticed(body, spin, wheel):
     in_device = fit.axes @ fit.rotor.value
     assert np.abs(in_device - axes @ wheel).max() < 0.1 * np.linalg.norm(wheel)
     assert fit.regimes == [None] and "polhode" not in throw_figures(fit)
+
+
+def test_a_small_wheel_does_not_hide_in_drag_and_gains():
+    """Air was taken for a wheel of 4 % of the momentum: .464 ± .006 and .682 ± .006."""
+    body = (0.5, 0.75, 1.0)
+    times, rates, _ = throw(np.random.default_rng(4), body, (1.5, 7.0, 1.5), noise=4e-3, dropped=0.0, gain=0.0,
+                            drag=0.0, bias=0.02, rest=1.0, seconds=0.8, rotor=(0.1, -0.2, 0.2))  # fmt: skip
+    fit = fit_throw(clean_log(times, rates), [[Window(-0.001, 0.8)]])
+    assert fit.rotor is not None and (off(fit, body) < FAR).all()
+
+
+@pytest.mark.parametrize("shape", [(0.9, 0.02), (0.1, 0.4)])
+def test_the_last_least_squares_ends_in_numbers_from_a_wrong_place(shape):
+    """Whole steps ran to moments of 15 000, or to a singular matrix."""
+    times, rates, _ = throw(np.random.default_rng(1), (0.5, 0.75, 1.0), (1.5, 8.0, 1.5), noise=4e-3, dropped=0.0)
+    throws = [Throw(times - times[30], rates, 0.0)]
+    axes, model = Start.of(throws).axes, Model(AIR[3], True, 1, 0.01)
+    x = np.zeros(model.size)
+    x[model.places["shape"]], x[model.places["gain"]], x[model.places["start 0"]] = shape, 1.0, axes.T @ rates[30]
+    wrong = fitted(model, x, axes, throws, (4e-3, 0.0), rounds=0)
+    done = settled(wrong, throws)
+    low, high = model.limits()
+    inside = (done.solution.parameters >= low) & (done.solution.parameters <= high)
+    assert inside.all() and np.isfinite(done.predicted).all()
+    assert (done.solution.residuals**2).sum() <= (wrong.residuals**2).sum()
+
+
+def test_noisy_rates_all_around_are_not_called_a_steady_spin():
+    """It was said that rates within 54° of a direction are those of a steady spin or a sphere."""
+    rates = np.array([[5.0, 0.0, 0.0], [4.0, 5.0, 0.0], [4.0, -5.0, 0.0]])
+    assert "principal axis" not in why_undetermined([rates], None) and "51°" in why_undetermined([rates], None)
+    assert "principal axis" in why_undetermined([rates[:1]], None)
 
 
 def test_a_body_without_a_wheel_is_given_none():

@@ -10,6 +10,7 @@ from polhode.estimation.estimate import Estimate
 from polhode.estimation.throw_models import D_MOMENTS, moments_of
 from polhode.types import Array, Float64
 
+STEADY = 5.0  # degrees: rates that stay so near one direction are those of a steady spin
 WIDEST = 0.1  # half an interval of a ratio that still says something
 FORCES = {"drag": "c", "linear_drag": "b", "one_sided_drag": "d", "rotor": "h"}
 DIRECTED = ("one_sided_drag", "rotor")
@@ -110,13 +111,18 @@ def why_undetermined(rates: list[Float64[Array, "n 3"]], found: Principal | None
     k = int(np.argmax(away))
     toward = means[k] / max(float(np.linalg.norm(means[k])), 1e-300)
     text = ", ".join(f"{x:.2f}" for x in toward)
-    start = (
-        f"the rates ({sizes[k]:.3g} rad/s) stay within {away[k]:.2g}° of one direction of the device, ({text}): the "
-        "body spins about a principal axis, or is a sphere; either way the log does not determine the moments. "
-        "Throw it with a tumble, best about its middle axis."
-    )
-    if found is None or away[k] < 5.0:
-        return start
+    if away[k] < STEADY:
+        return (
+            f"the rates ({sizes[k]:.3g} rad/s) stay within {away[k]:.2g}° of one direction of the device, ({text}): "
+            "the body spins about a principal axis, or is a sphere; either way the log does not determine the moments. "
+            "Throw it with a tumble, best about its middle axis."
+        )
+    if found is None:
+        return (
+            f"within the noise, bodies of quite different moments fit the rates ({sizes[k]:.3g} rad/s, up to "
+            f"{away[k]:.0f}° from ({text})). Throw it longer or faster, with a tumble about its middle axis, or give "
+            "more throws of it."
+        )
     half = 0.5 * np.diff(found.ratios.interval(), axis=1)[:, 0]
     return (
         f"the intervals of I1/I3 and I2/I3 are ±{half[0]:.2g} and ±{half[1]:.2g}, too wide to say something; the rates "

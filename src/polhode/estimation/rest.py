@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 from scipy.ndimage import maximum_filter1d, minimum_filter1d, uniform_filter1d
 
@@ -12,7 +14,9 @@ from polhode.types import Array, Bool, Float64
 SHORTEST = 0.3  # s
 MEAN_OVER = 0.1  # s: means over it keep the noise small and show a hand's tremor
 WANDER = 0.015  # rad/s, by which means over MEAN_OVER may differ within a stretch; hands shake by several times as much
-LARGEST_BIAS = 0.35  # rad/s: what cheap gyros are sold with, 20 deg/s
+LARGEST_BIAS = 0.35  # rad/s, its length: what one stretch may show alone
+LARGEST_OF_AN_AXIS = 0.6  # rad/s: cheap gyros are sold with 20 deg/s on each axis; so slow may a body turn too
+HANDLED = 1.0  # rad/s, by which the rates leave the bias between two rests
 BIASES_APART = 0.03  # rad/s: the bias of one log warms up by less
 GRAVITY = (8.8, 10.8)  # m/s², as accelerometers that are a few percent off feel it
 TILT = 0.3  # m/s², by which what is felt may change within SHORTEST: a turn of 0.1 rad/s
@@ -24,7 +28,8 @@ def rest_stretches(log: GyroLog) -> list[tuple[float, float]]:
 
     Still is where means of the rates over a tenth of a second differ by less than noise lets them, near zero, and near
     the longest stretch's; where there is an accelerometer it feels a constant weight too. The mean of the rates within
-    is the gyro's bias. Neither a hand nor a flight is so still.
+    is the gyro's bias. Neither a hand nor a flight is so still. A body may turn slowly and steadily, though: a bias
+    above 0.35 rad/s needs the accelerometer, or two rests that show the same before and after a motion.
 
     Args:
         log: from ``clean_log``.
@@ -42,15 +47,32 @@ def rest_stretches(log: GyroLog) -> list[tuple[float, float]]:
     means, size = _means(t, rates)
     wander = WANDER + 0.5 * _step_between_values(rates)
     still = _steady(means, size, wander) & _without_gaps(t, size)
-    still &= np.linalg.norm(means, axis=1) < LARGEST_BIAS
-    if log.acceleration is not None and log.acceleration_times is not None:
+    weighed = log.acceleration is not None and log.acceleration_times is not None
+    if weighed:
         still &= _weight_is_constant(log.acceleration_times, log.acceleration, t)
-    totals = np.concatenate([np.zeros((1, 3)), np.cumsum(rates, axis=0)])
-    found = [(i, j, (totals[j + 1] - totals[i]) / (j + 1 - i)) for i, j in _stretches(still, t)]
+    found = _alike(_stretches(still & (np.linalg.norm(means, axis=1) < LARGEST_BIAS), t), t, rates)
+    if not found:
+        found = _alike(_stretches(still & (np.abs(means) < LARGEST_OF_AN_AXIS).all(axis=1), t), t, rates)
+        found = found if weighed or _handled_between(found, rates) else []
+    return [(float(t[i]), float(t[j])) for i, j in found]
+
+
+def _alike(found: list[tuple[int, int]], t: Array, rates: Array) -> list[tuple[int, int]]:
+    """Return the stretches whose mean is near that of the longest."""
     if not found:
         return []
-    _, _, bias = max(found, key=lambda each: t[each[1]] - t[each[0]])
-    return [(float(t[i]), float(t[j])) for i, j, mean in found if np.linalg.norm(mean - bias) < BIASES_APART]
+    means = [rates[i : j + 1].mean(axis=0) for i, j in found]
+    bias = means[int(np.argmax([t[j] - t[i] for i, j in found]))]
+    return [each for each, mean in zip(found, means, strict=True) if np.linalg.norm(mean - bias) < BIASES_APART]
+
+
+def _handled_between(found: list[tuple[int, int]], rates: Array) -> bool:
+    """Whether the device was moved between two of the stretches, and shows the same rates before and after."""
+    if len(found) < 2:
+        return False
+    bias = rates[found[0][0] : found[0][1] + 1].mean(axis=0)
+    gaps = [rates[one[1] : two[0]] for one, two in pairwise(found)]
+    return any(len(gap) > 0 and np.linalg.norm(gap - bias, axis=1).max() > HANDLED for gap in gaps)
 
 
 def _means(t: Array, values: Array) -> tuple[Array, int]:

@@ -22,6 +22,7 @@ RESTARTS = np.array([[0.3, 0.05], [0.6, 0.05], [0.85, 0.02], [0.3, 0.3]])  # sha
 MIN_TURN = 0.5  # rad: of less nothing can be said
 MOST_TURN = 2.0  # rad from sample to sample: a third of a turn, between which the motion cannot be followed
 FASTEST, ROUND = 75.0, 0.6  # rad/s, 4300 deg/s; I1/I3 by the linear method: rates too large make a body round
+FAR_GAIN = 2.0  # standard deviations of the gains
 SURE = 10.0  # of AICc, by which a wheel must do better than air: few bodies have one
 AIR = ((), ("drag",), ("drag", "linear_drag"), ("drag", "linear_drag", "one_sided_drag"))
 SPANS = (100.0, 0.3, 0.15)  # s, of stretches over which a momentum is constant: biases add up over long ones
@@ -55,8 +56,8 @@ class Start:
                       "followed: the rates are of another unit, like deg/s, or the times are.")  # fmt: skip
         elif max(_typical(r) for r in rates) > FASTEST and found.moments[0] > ROUND:
             reason = (f"the rates, about {max(_typical(r) for r in rates):.3g} rad/s, are beyond what gyros can tell, "
-                      "and make the body nearly a sphere, as rates in deg/s do that are called rad/s: say their unit."
-                      )  # fmt: skip
+                      "and make the body nearly a sphere. Both happen where rates in deg/s are read as rad/s: give "
+                      "their unit.")  # fmt: skip
         elif turned < MIN_TURN:
             reason = f"the body turned by {turned:.2g} rad only: nothing can be said of its inertia."
         elif found.singular_values[-2] < floor:
@@ -90,7 +91,7 @@ def solutions_of(
     found = []
     if rotor is not True:
         found += _in_air(plain, start, throws, drag)
-    if rotor is True or (rotor == "auto" and _doubtful(min(found, key=criterion), start)):
+    if rotor is True or (rotor == "auto" and (_needs_much(found) or _doubtful(min(found, key=criterion), start))):
         found += _with_wheel(plain, throws, drag)
     best = min(found, key=criterion)
     if _in_a_valley(best, start):
@@ -171,6 +172,17 @@ def _in_a_valley(solution: Solution, start: Start) -> bool:
 def _doubtful(solution: Solution, start: Start) -> bool:
     """Whether residuals are larger than the samples' noise, or neighbouring ones alike."""
     return _in_a_valley(solution, start) or alike(solution.residuals) > ALIKE
+
+
+def _needs_much(found: list[Solution]) -> bool:
+    """Whether air does much better than none, or gains are far from expected: both can hide a wheel."""
+    best = min(found, key=criterion)
+    if max(one.aicc for one in found) - best.aicc > SURE:
+        return True
+    which, means, weights = best.model.believed()
+    gains = [best.model.places[name] for name in ("gain", "cross_axis") if name in best.model.places]
+    of_gains = np.any([(which >= place.start) & (which < place.stop) for place in gains], axis=0) if gains else False
+    return bool(np.abs(np.where(of_gains, weights @ (best.parameters[which] - means), 0.0)).max() > FAR_GAIN)
 
 
 def alike(residuals: Array) -> float:

@@ -21,7 +21,7 @@ TORQUE = 0.003  # over I3 |ω|², to begin with: a third of what thin plates fee
 NOTHING = 1e-7  # over I3 |ω|²: less is no torque
 GAINS_KNOWN = 4.0  # degrees of freedom by which the spread of the gains is known beforehand
 PER_NODE, MOST_NODES = 1.0, 20  # rad of turning from node to node of the torque; how many nodes a throw has at most
-ROUNDS, STEPS = 4, 40
+ROUNDS, STEPS, HALVINGS = 4, 40, 8
 
 
 @dataclass(frozen=True)
@@ -49,10 +49,10 @@ def settled(solution: Solution, throws: list[Throw]) -> Settled:
     x[model.places["turn"]] = 0.0
     data = np.concatenate([throw.rates for throw in throws])
     mixed, response = _mixed(solution, x, throws, data, np.zeros(0), _Scales(model.gain_spread, TORQUE, 1.0, 1.0))
+    x, push = _stepped(solution, x, np.zeros(0), throws, data, mixed, response)
     for _ in range(ROUNDS - 1):
-        x, push = x + mixed.step[: model.size], mixed.step[model.size :]
         mixed, response = _mixed(solution, x, throws, data, push, mixed.scales)
-    x, push = x + mixed.step[: model.size], mixed.step[model.size :]
+        x, push = _stepped(solution, x, push, throws, data, mixed, response)
     scales = mixed.scales
     values = predicted(model, x, axes0, throws)[0] + response @ push
     turned, change = turned_axes(model, x, axes0)
@@ -71,12 +71,41 @@ def _mixed(
     """Return the least squares about parameters, and how the rates follow the torque."""
     model = solution.model
     values, slopes, fast = predicted(model, x, solution.axes, throws)
+    slopes = np.nan_to_num(slopes)  # as in the fit itself
     response = _responses(model, x, throws, slopes)
     white = whitening(fast, solution.sigma, solution.jitter)
     A = np.concatenate([white @ slopes, white @ response], axis=2).reshape(data.size, -1)
     z = (white @ (data - values)[..., None]).ravel()
     size = np.abs(z - (A[:, model.size :] @ push if len(push) else 0.0))
     return _Mixed(model, x, *_drawn_in(A, z, size), scales), response
+
+
+def _stepped(
+    solution: Solution, x: Array, push: Array, throws: list[Throw], data: Array, mixed: _Mixed, response: Array
+) -> tuple[Array, Array]:
+    """Return parameters and torque after as much of a step as lowers the sum of squares that it is for.
+
+    Along what a log hardly tells a whole step may lead to where the motion is another one, or no number.
+    """
+    model = solution.model
+    low, high = model.limits()
+    push = push if len(push) else np.zeros(response.shape[2])
+    values, _, fast = predicted(model, x, solution.axes, throws)
+    white = whitening(fast, solution.sigma, solution.jitter)
+
+    def cost(x: Array, push: Array, values: Array) -> float:
+        z = np.abs((white @ (data - values - response @ push)[..., None]).ravel())
+        return mixed.cost(x, push, float(np.where(z > ROBUST, ROBUST * (2 * z - ROBUST), z * z).sum()))
+
+    before = cost(x, push, values)
+    for part in 0.5 ** np.arange(HALVINGS):
+        there = np.clip(x + part * mixed.step[: model.size], low, high)
+        pushed = push + part * (mixed.step[model.size :] - push)
+        with np.errstate(all="ignore"):
+            reached = cost(there, pushed, predicted(model, there, solution.axes, throws)[0])
+        if reached <= before:  # not so where a number is none
+            return there, pushed
+    return x, push
 
 
 def _drawn_in(A: Array, z: Array, size: Array) -> tuple[Array, Array]:
@@ -97,10 +126,11 @@ def _responses(model: Model, x: Array, throws: list[Throw], slopes: Array) -> Fl
         moved = slopes[at : at + len(t), :, model.places[f"start {k}"]]  # G R Φ, and at the epoch G R
         at += len(t)
         origin = moved[np.argmin(np.abs(t))]
-        inner = np.linalg.solve(origin, moved)  # Φ along the principal axes
+        inner = np.linalg.pinv(origin, rcond=1e-10) @ moved  # Φ along the principal axes
         squares = (throw.rates**2).sum(axis=1)
         hats = _hats(t, squares)
-        push = np.linalg.solve(inner, np.broadcast_to(np.diag(over), inner.shape)) * squares[:, None, None]
+        # where a rate has hardly an effect any more, inner is all but singular
+        push = np.linalg.pinv(inner, rcond=1e-10) @ np.diag(over) * squares[:, None, None]
         rate = np.einsum("nij,nm->nimj", push, hats).reshape(len(t), 3, -1)
         steps = 0.5 * (rate[1:] + rate[:-1]) * np.diff(t)[:, None, None]
         total = np.concatenate([np.zeros((1, *rate.shape[1:])), np.cumsum(steps, axis=0)])
@@ -180,6 +210,12 @@ class _Mixed:
         vectors = vectors * scale[:, None]
         self.covariance = (vectors / np.maximum(values, 1e-14)) @ vectors.T
         self.step = self.covariance @ (self.right / level + pull)
+
+    def cost(self, x: Array, push: Array, squares: float) -> float:
+        """Return the sum of squares that the step makes least, of whitened residuals and what is known beforehand."""
+        which, means, weights = replace(self.model, gain_spread=self.scales.gain).believed()
+        known = float(((weights @ (x[which] - means)) ** 2).sum()) + float(push @ push) / self.scales.torque**2
+        return squares / (self.scales.noise * self.scales.widened) + known
 
     def _scale(self) -> None:
         """Take each variance from what its group turned out to be, over how much of the group the data tell."""

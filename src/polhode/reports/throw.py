@@ -10,6 +10,7 @@ import numpy as np
 from polhode.estimation.attitude_fit import AttitudeFit
 from polhode.estimation.estimate import Estimate
 from polhode.estimation.throw import GAIN_SPREAD, ThrowFit
+from polhode.estimation.throw_fit import BIAS_SPREAD
 from polhode.formats.gyro_logs import ReadLog
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.wording import counted, known_digits, uncertain
@@ -29,7 +30,8 @@ def throw_summary(fit: ThrowFit) -> str:
     if fit.degenerate is not None or fit.ratios is None:
         return f"{what}: the inertia cannot be told. {_sentence(fit.degenerate or '')}"
     said = ", ".join(f"{name} = {uncertain(value, error)}" for name, value, error in _each(fit.ratios))
-    return f"{what}: {said}; {_named(fit.throws[0].regime)}, residuals {fit.rms:.2g} rad/s rms."
+    how = _named(fit.throws[0].regime) if fit.rotor is None else "a wheel turns in the body"
+    return f"{what}: {said}; {how}, residuals {fit.rms:.2g} rad/s rms."
 
 
 def throw_groups(
@@ -86,6 +88,10 @@ def _doubts(fit: ThrowFit) -> list[str]:
         notes.append(f"the bias is large, {size:.2g} rad/s, and no rest in the log confirms it: it may stand for "
                      "something that the motion does not explain, and the ratios may be wrong by more than their "
                      "intervals. Let the device lie still for a second before and after the throw.")  # fmt: skip
+    elif fit.rest is None:
+        notes.append(f"no rest was found in the log, so that the bias was assumed to be 0 ± {BIAS_SPREAD:.2g} rad/s "
+                     "along each axis: with a larger one the bias and its errors are wrong, and so may the ratios be. "
+                     "Let the device lie still for a second before and after the throw.")  # fmt: skip
     if fit.unmodelled > PUSHED:
         notes.append(f"a torque acts that no model has, about {fit.unmodelled:.2g} I3 |ω|²: the intervals allow for "
                      "it.")  # fmt: skip
@@ -199,7 +205,7 @@ def _gyro(fit: ThrowFit) -> Group:
     rest, gain, cross = fit.rest, fit.gain, fit.cross_axis
     return Group("Gyro and air", [
         Answer("bias", _values(fit.bias) if sure else None, "rad/s", "bias", "along the device's x, y, z",
-               f"{_listed(fit.bias)} rad/s" if sure else None),
+               _bias_in_words(fit) if sure else None),
         Answer("rest", None if rest is None else _values(rest), "rad/s", "bias at rest",
                "known beforehand to this; null where no log has rests",
                None if rest is None else f"{_listed(rest)} rad/s"),
@@ -220,6 +226,11 @@ def _gyro(fit: ThrowFit) -> Group:
         Answer("widened", fit.widened if sure else None, "", "",
                "factor on the variances of the noise, because neighbouring residuals are alike"),
     ])  # fmt: skip
+
+
+def _bias_in_words(fit: ThrowFit) -> str:
+    assumed = "" if fit.rest is not None else f" (no rest: assumed to be 0 ± {BIAS_SPREAD:.2g})"
+    return f"{_listed(fit.bias)} rad/s{assumed}"
 
 
 def _torque_of(key: str, found: Estimate | None, unit: str, label: str, torque: str, words: str | None = None
