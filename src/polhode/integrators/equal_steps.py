@@ -112,11 +112,12 @@ def run_through_windows(
     sizes: Float64[Array, "*batch"], rates: Float64[Array, "*batch"], meter: Any, windows: int,
 ) -> Run:  # fmt: skip
     """Return the motion at so many times as many times, by runs one after the other, for which nothing is compiled."""
-    axis, memory, states = np.ndim(sizes), None, []
-    for part in windowed(times, windows):
-        run = run_by_equal_steps(solver, state, part, sizes, rates, meter, 1, memory)
-        states.append(np.take(run.states, np.arange(int(bool(states)), len(part)), axis=axis))
-        state, memory = jnp.asarray(run.last), run.memory
+    first, *others = windowed(times, windows)
+    run = run_by_equal_steps(solver, state, first, sizes, rates, meter)
+    axis, states = np.ndim(sizes), [run.states]
+    for part in others:
+        run = run_by_equal_steps(solver, jnp.asarray(run.last), part, sizes, rates, meter, 1, run.memory)
+        states.append(np.take(run.states, np.arange(1, len(part)), axis=axis))
     return run._replace(states=np.concatenate(states, axis=axis))
 
 
