@@ -230,20 +230,22 @@ def test_bad_input_is_refused(call, said):
 @pytest.mark.sweep
 @pytest.mark.parametrize("trouble", TROUBLES)
 def test_intervals_hold_the_truth_in_every_trouble(trouble):
-    """Of 45 throws, five of each body about each axis. Without a matrix of gains, .41 were held at 1 % across axes, .72
-    at gains of 3 %, .48 with a drag across axes (and 31, 7 and 10 standard errors at worst)."""
+    """One of each body about each axis, 18 ratios; docs/fit.md has the shares of 45 throws, five times as long to do.
+
+    Without a matrix of gains, .41 were held at 1 % across axes, .72 at gains of 3 %, .48 with a drag across axes (and
+    31, 7 and 10 standard errors at worst). Of 18 that are held nine times in ten, more than 5 are missed once in 500.
+    """
     inside, far = [], []
     cases = [(body, spin) for body in BODIES for spin in SPINS]
-    for i in range(45):
-        body, spin = cases[i % 9]
+    for i, (body, spin) in enumerate(cases):
         times, rates, _ = throw(np.random.default_rng([12, i]), BODIES[body], SPINS[spin], **TROUBLES[trouble])
         fit = fit_throw(clean_log(times, rates), [[Window(-0.01, 0.61)]])
         if fit.ratios is not None:
             low, high = fit.ratios.interval().T
             inside.append((low <= BODIES[body][:2]) & (BODIES[body][:2] <= high))
             far.append(off(fit, BODIES[body]))
-    assert len(inside) >= 40  # the rest is refused
-    assert np.mean(inside) >= 0.9
+    assert len(inside) >= 7  # the rest is refused
+    assert np.mean(inside) >= 0.72
     assert np.max(far) < 8.0  # of Student's t with some five degrees of freedom
 
 
