@@ -246,7 +246,7 @@ def test_intervals_hold_the_truth_in_every_trouble(trouble):
             far.append(off(fit, BODIES[body]))
     assert len(inside) >= 7  # the rest is refused
     assert np.mean(inside) >= 0.72
-    assert np.max(far) < 12.0  # 8.7 where a wheel that is not there is seen in a drag across the axes, else below 5
+    assert np.max(far) < 12.0  # 8.7 where a drag across the axes is taken for a wheel, else below 8
 
 
 def rested(seed, moved=0.0, **how):
