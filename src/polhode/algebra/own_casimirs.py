@@ -49,8 +49,8 @@ def checked_casimirs(algebra: AbstractLieAlgebra, given: Any) -> tuple[Function,
     """Return functions of one point (dim,), after checking that they are independent Casimirs.
 
     Raises:
-        InvalidInput: for one that is no real scalar of one point, that does not commute with every coordinate at random
-            points or is defined at few of them, and for functions that depend on each other.
+        InvalidInput: for one that is not a real scalar of one point, that does not commute with every coordinate at
+            random points or is defined at few of them, and for functions that depend on each other.
     """
     functions = checked_functions("casimirs", given, algebra.element_shape, algebra.dtype)
     if not functions:

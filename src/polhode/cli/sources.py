@@ -75,7 +75,7 @@ def begin_of(path: Path, trajectory: Trajectory) -> Decimal:
     """Return the stamp of its file's clock that a trajectory's times count from [s], exactly; 0 for the clock's zero.
 
     Raises:
-        FormatError: where a dataset says it in words that are no number.
+        FormatError: where a dataset says it in words instead of a number.
     """
     told = trajectory.source.attributes.get(COUNTED_FROM) if isinstance(trajectory.source, Recording) else None
     try:

@@ -109,7 +109,7 @@ def _figures_of(out: Path) -> Path:
     """Return the folder beside a store, whose name may stand behind ``.`` or ``..``.
 
     Raises:
-        InvalidInput: where there is no name.
+        InvalidInput: if no name is given.
     """
     named = out if out.name not in ("", "..") else out.resolve()
     if not named.name:
