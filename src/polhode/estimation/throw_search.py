@@ -10,7 +10,7 @@ from polhode.estimation.linear_start import linear_inertia, turned_by
 from polhode.estimation.principal import why_undetermined
 from polhode.estimation.throw_fit import LIMITS, Model, Solution, Throw, explains, fitted
 from polhode.estimation.throw_models import shape_of
-from polhode.types import Array
+from polhode.types import Array, Float64
 
 MISFIT = 1.4  # times the noise of the samples: larger residuals ask for other starts
 NEAR = 1e-4  # of a bound of the drag: a fit that ends there may be in a wrong valley
@@ -251,7 +251,7 @@ def _retried(model: Model, start: Start, throws: list[Throw]) -> Solution:
     return _best_of(model, starts, throws)
 
 
-def carried(base: Solution, model: Model) -> Array:
+def carried(base: Solution, model: Model) -> Float64[Array, "parameters"]:
     """Return a solution's parameters where another model has them, its axes taken for the start."""
     x = np.zeros(model.size)
     for name, place in model.places.items():

@@ -162,22 +162,26 @@ def adaptive_error(
     grown = np.zeros(np.shape(off))
     windows = 1 if kept > 1 or every > 1 or system.events else inner_windows(len(times), motion.steps // len(times[1:]))
 
-    def along(start: Array) -> tuple[Array, Array]:
-        """Return the motion at more times, as runs may be near to each other by chance at the samples only."""
-        states, fine = [], np.ones(np.shape(off), bool)
+    def along(start: Array) -> Array | None:
+        """Return the motion at more times, as runs may be near to each other by chance at the samples only.
+
+        None where a window fails: one may end where rates jump, which no sample does.
+        """
+        states = []
         for part in windowed(times, windows):
             more = again(start, part)
+            if not np.all(more.successful):
+                return None
             states.append(more.states)
-            start, fine = jnp.asarray(np.take(more.states, -1, axis=np.ndim(off))), fine & more.successful
-        return np.concatenate(states, axis=np.ndim(off)), fine
+            start = jnp.asarray(np.take(more.states, -1, axis=np.ndim(off)))
+        return np.concatenate(states, axis=np.ndim(off))
 
     inner = along(state) if windows > 1 else None
     for kicked in starts_a_rounding_away(system, state):
-        if inner is not None:
-            states, fine = along(kicked)
+        states = None if inner is None else along(kicked)
+        if inner is not None and states is not None:
             with np.errstate(invalid="ignore"):
-                apart = difference(system, inner[0], states)
-            grown, unknown = np.maximum(grown, apart), unknown | ~(fine & inner[1])
+                grown = np.maximum(grown, difference(system, inner, states))
             continue
         third = again(kicked, at)
         more = _apart(system, other, third, kept, 1)
