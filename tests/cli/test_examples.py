@@ -1,6 +1,8 @@
 """Every example runs, and says what is known of its body."""
 
+import contextlib
 import importlib.util
+import io
 import json
 from pathlib import Path
 
@@ -23,12 +25,10 @@ def reports(tmp_path_factory):
     found = {}
     for path in sorted(EXAMPLES.glob("*.toml")):
         out = folder / path.stem
-        with pytest.MonkeyPatch.context() as patch, pytest.raises(SystemExit) as stopped:
-            lines: list[str] = []
-            patch.setattr("builtins.print", lambda text, lines=lines: lines.append(text))
+        with contextlib.redirect_stdout(io.StringIO()) as said, pytest.raises(SystemExit) as stopped:
             main(["report", str(path), "--json", "--out", str(out)])
         assert not stopped.value.code, path
-        found[path.stem] = json.loads("\n".join(lines))
+        found[path.stem] = json.loads(said.getvalue())
     return found
 
 
