@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import sys
 import warnings
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple
 
@@ -23,6 +23,7 @@ from polhode.integrators.base import AbstractOrbitSolver
 from polhode.integrators.difference import EPS
 from polhode.integrators.equal_steps import run_by_equal_steps, step_counts
 from polhode.integrators.probing import jumps_along, jumps_between, naming_jumps, undeclared_jumps
+from polhode.integrators.series import Taylor, is_series, series_error, series_to_tolerance, solve_by_series
 from polhode.integrators.splitting import Splitting
 from polhode.motion.outcome import Ending, Ends, Outcome, Status
 from polhode.motion.trajectory import Trajectory
@@ -38,7 +39,8 @@ from polhode.solving import (
 )
 from polhode.systems.agreement import check_agreement, moves_by_generator
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
-from polhode.types import Array, ArrayLike, Double, Float64, Real
+from polhode.systems.trajectories import trajectory_of
+from polhode.types import Array, ArrayLike, Double, Real
 
 
 class _Asked(NamedTuple):
@@ -55,7 +57,6 @@ class _Asked(NamedTuple):
     memory: Sequence[Array] | None
 
 
-TINY = 1e-150  # a state whose squares lose digits, or are zero
 TOO_LONG = 1.0  # rad in a step from which a given step draws a warning
 LONG_RUN = 2_000_000  # steps from which progress is shown, on a terminal
 
@@ -65,7 +66,7 @@ def simulate(
     system: AbstractSystem,
     state: Real[ArrayLike, "..."],
     times: Real[ArrayLike, "time"],
-    method: type[AbstractOrbitSolver] | diffrax.AbstractSolver | None = None,
+    method: type[AbstractOrbitSolver | Taylor] | diffrax.AbstractSolver | Taylor | None = None,
     step: float | None = None,
     order: int | None = None,
     progress: bool | None = None,
@@ -78,11 +79,11 @@ def simulate(
 ) -> Trajectory:
     """Return the motion of a system from a state at the first time, sampled at all times.
 
-    Methods of ours take equal steps from each time to the next, so that samples are steps; nothing is interpolated.
-    diffrax's solvers step adaptively with tolerance 1e-12, and end where one of the system's events does: the last
-    sample is then the event's own, and ``outcome`` names it. Each copy of a batch ends at its own event: its samples
-    from there on are infinite, and ``ends`` has time and state of its end. ``polhode.solve`` makes the same runs as a
-    pure function, and can save functions of the states instead of the states.
+    Methods of ours but ``Taylor`` take equal steps from each time to the next, so that samples are steps. ``Taylor``
+    and diffrax's solvers step adaptively, the latter with tolerance 1e-12, and end where one of the system's events
+    does: the last sample is then the event's own, and ``outcome`` names it. Each copy of a batch ends at its own event:
+    its samples from there on are infinite, and ``ends`` has time and state of its end. ``polhode.solve`` makes the same
+    runs but Taylor's as a pure function, and can save functions of the states instead of the states.
 
     Args:
         system: what moves.
@@ -90,7 +91,8 @@ def simulate(
             front where the system carries one and it is wanted. Leading axes are a batch.
         times: (T,) [s], in one direction.
         method: a class of ``polhode.integrators``, an object of one, made for this system with its own step and order,
-            or any diffrax solver. By default splitting into exact flows where a Lie–Poisson system has them, the
+            or any diffrax solver. ``Taylor`` is exact to rounding by the fewest steps, where rates of change have no
+            branches on the state. By default splitting into exact flows where a Lie–Poisson system has them, the
             spherical midpoint rule for spins, else Lie's midpoint rule; diffrax's ``Dopri8`` for any other system, and
             for one that overrides ``vector_field``.
         step: largest step [s]; by default each copy's fastest rotation at the start turns by 0.2 rad in a step at order
@@ -99,8 +101,8 @@ def simulate(
         progress: whether to show it on standard error; by default for long runs on a terminal.
         throw: raise if an implicit step fails in any copy; otherwise the outcome says so, and the states of that copy
             after it are infinite.
-        tolerance: of the error relative to the state's size, instead of a step. Steps are shortened from the default
-            until ``error_estimate`` is below it. diffrax's solvers take it as the tolerance of a step.
+        tolerance: of the error relative to the state's size, instead of a step. Steps are shortened until
+            ``error_estimate`` is below it. diffrax's solvers take it as the tolerance of a step.
         estimate_error: whether to run again and say by ``error_estimate`` how far the motion is from the true one. Our
             methods are run with other steps, and twice from starts a rounding away, which near a saddle grows to most
             of the error: this costs one and a half times the first run, four times where samples are a step apart.
@@ -134,7 +136,7 @@ def simulate(
         raise InvalidInput(
             f"`tolerance` must be at least {EPS:.2g}, a rounding; got {shown(tolerance)}. Leave it out for the default."
         )
-    if step is not None and tolerance is not None and not is_adaptive(method):
+    if step is not None and tolerance is not None and not (is_adaptive(method) or is_series(method)):
         raise InvalidInput("give `step` or `tolerance`, which chooses the step, not both.")
     every = checked_every(save, len(times))
     asked = _Asked(step, order, progress, throw, tolerance, estimate_error, every, resumable, memory)
@@ -145,11 +147,14 @@ def simulate(
         warnings.filterwarnings("ignore", message="Complex dtype support in Diffrax")
         if isinstance(system, AbstractLiePoissonSystem):
             check_agreement(system, state, times, by_flows=_would_split(system, method))
+        if is_series(method) and not (resumable or memory is not None):
+            return _by_series(system, state, times, method, asked)
+        if isinstance(system, AbstractLiePoissonSystem) and not is_series(method):
             if goes_along_orbit(system, method):
                 return _by_equal_steps(system, state, times, method, asked)
         if resumable or memory is not None:
             raise InvalidInput(
-                "`resumable` and `memory` go with the methods of polhode.integrators; diffrax's solvers begin anew."
+                "`resumable` and `memory` go with methods of equal steps; Taylor and diffrax's solvers start afresh."
             )
         return _by_adaptive_steps(system, state, times, method, asked)
 
@@ -158,14 +163,37 @@ def _by_adaptive_steps(
     system: AbstractSystem, state: Array, times: np.ndarray, method: Any, asked: _Asked
 ) -> Trajectory:
     solver = adaptive_solver(system, method, asked.order)
-    meter = _meter(bool(asked.progress))
-    motion, named = _seeing_jumps(system, solver, state, times, meter, asked)
+    motion, named = _seeing_jumps(system, solver, state, times, _meter(bool(asked.progress)), asked)
+    error = None
+    if asked.estimate_error and not (asked.throw and not np.all(motion.successful)):
+        error = adaptive_error(named, solver, state, times, motion, asked.step, asked.tolerance, asked.every)
+    return _finished(system, type(solver).__name__, motion, error, asked.throw)
+
+
+def _by_series(system: AbstractSystem, state: Array, times: np.ndarray, method: Any, asked: _Asked) -> Trajectory:
+    method = Taylor(asked.order) if method is Taylor else method
+    if asked.order is not None and method.order != asked.order:
+        raise InvalidInput("`order` goes with the class; the object of Taylor that is given has its own.")
+    named, meter = naming_jumps(system, undeclared_jumps(system, state, times)), _meter(bool(asked.progress))
+    if asked.tolerance is not None and asked.estimate_error:
+        given = named, method, state, times, meter, asked.step, asked.tolerance, asked.every
+        motion, error = series_to_tolerance(*given)
+    else:
+        motion = solve_by_series(named, method, state, times, meter, asked.step, asked.tolerance, asked.every)
+        known = asked.estimate_error and bool(np.any(motion.successful))
+        error = series_error(named, method, state, times, motion, asked.step, asked.tolerance) if known else None
+    return _finished(system, type(method).__name__, motion, error, asked.throw)
+
+
+def _finished(
+    system: AbstractSystem, name: str, motion: AdaptiveMotion, error: Array | None, throw: bool
+) -> Trajectory:
     failed = np.argwhere(~motion.successful)
     which = "" if not np.ndim(motion.successful) or not len(failed) else (
         f" in {len(failed)} of {motion.successful.size} copies, first {_indices(failed[0])}")  # fmt: skip
-    if asked.throw and len(failed):
+    if throw and len(failed):
         raise NotConverged(
-            f"{type(solver).__name__} could not hold its tolerance after {motion.steps} steps{which}: the motion runs "
+            f"{name} could not hold its tolerance after {motion.steps} steps{which}: the motion runs "
             "into a singularity, leaves the finite numbers, or its rates jump in time. End it earlier, or let the "
             "system name such times as `jumps`."
         )
@@ -173,16 +201,13 @@ def _by_adaptive_steps(
     if motion.event:
         outcome = Outcome(Ending.EVENT, motion.event)
     elif len(failed):
-        outcome = Outcome(Ending.NOT_CONVERGED, message=f"{type(solver).__name__} failed{which}")
+        outcome = Outcome(Ending.NOT_CONVERGED, message=f"{name} failed{which}")
     elif ended.any():
         names = [motion.ends.events[k] for k in np.unique(np.asarray(motion.ends.event)[ended])]
         said = "" if ended.all() else f"in {int(ended.sum())} of {ended.size} copies"
         outcome = Outcome(Ending.EVENT, " or ".join(names), said)
     else:
         outcome = Outcome(Ending.COMPLETED)
-    error = None
-    if asked.estimate_error:
-        error = adaptive_error(named, solver, state, times, motion, asked.step, asked.tolerance, asked.every)
     steps, ends = {"steps": motion.steps}, motion.ends if np.ndim(motion.successful) else None
     return trajectory_of(system, motion.times, motion.states, outcome, steps, motion.received, error, ends)
 
@@ -299,137 +324,6 @@ def _would_split(system: AbstractLiePoissonSystem, method: Any) -> bool:
     if method is None:
         return bool(system.flows) and moves_by_generator(system)
     return isinstance(method, Splitting) or (isinstance(method, type) and issubclass(method, Splitting))
-
-
-def trajectory_of(
-    system: AbstractSystem, times: Float64[np.ndarray, "time"], states: Double[Array, "..."], outcome: Outcome,
-    statistics: dict[str, int], received: dict[str, Float64[Array, "*batch time"]],
-    error_estimate: Float64[Array, "*batch"] | None = None, ends: Ends | None = None,
-) -> Trajectory:  # fmt: skip
-    """Return samples (batch…, T, …) as a trajectory with all that the system says of them."""
-    axis = jnp.ndim(states) - 1 - system.state_axes
-    states = jnp.asarray(states)
-    invariants = {name: np.asarray(value) for name, value in _invariants(system, states).items()}
-    # what holds on other leaves only is NaN on this one
-    invariants = {name: value for name, value in invariants.items() if not np.isnan(value).all()}
-    invariants = _representable(system, np.asarray(states), invariants)
-    balances = eqx.filter_jit(system.balances)(jnp.asarray(times), states)
-    values = {name: np.asarray(balance.value) for name, balance in balances.items()}
-    got = {name: np.asarray(value) for name, value in received.items()}
-    vectors = [None if x is None else np.asarray(x) for x in _vectors(system, states)]
-    terms = _terms(system, np.take(np.asarray(states), 0, axis=axis))
-    own = {name for name, quantity in system.quantities.items() if quantity.of_copies}
-    beyond = None if ends is None or not ends.events else ends.beyond(times)
-    drift = {name: _drift(value, axis, terms.get(name), name in own, beyond) for name, value in invariants.items()}
-    with np.errstate(invalid="ignore"):  # beyond the end of a copy
-        drift |= {name: _drift(values[name] - value, axis, beyond=beyond) for name, value in got.items()}
-    return Trajectory(
-        source=system,
-        times=times,
-        states=np.asarray(states),
-        layout=system.layout(states),
-        attitude=vectors[0],
-        momentum=vectors[1],
-        angular_velocity=vectors[2],
-        invariants=invariants,
-        balances=values,
-        received=got,
-        drift=drift,
-        quantities=system.quantities,
-        outcome=outcome,
-        statistics=statistics,
-        error_estimate=error_estimate,
-        ends=ends,
-    )
-
-
-def _representable(system: AbstractSystem, states: Array, invariants: dict[str, Array]) -> dict[str, Array]:
-    """Return the invariants whose values neither overflow nor vanish in underflow, with a warning of the others."""
-    if not np.isfinite(states).all() or not isinstance(system, AbstractLiePoissonSystem):
-        return invariants
-    size = float(np.max(np.abs(np.asarray(system.parts(states).point)), initial=0.0))
-    tiny = 0.0 < size < TINY
-    lost = [k for k, v in invariants.items() if not np.isfinite(v).all() or (tiny and np.abs(v).max() < TINY**2)]
-    if lost:
-        warnings.warn(
-            f"{', '.join(lost)}: the values of what is conserved are beyond double precision at states of size "
-            f"{size:.1e}, and are left out. Choose units in which states are nearer to one.",
-            stacklevel=2,
-        )
-    return {name: value for name, value in invariants.items() if name not in lost}
-
-
-@eqx.filter_jit
-def _invariants(system: AbstractSystem, states: Array) -> dict[str, Array]:
-    return system.invariants(states)
-
-
-@eqx.filter_jit
-def _vectors(system: AbstractSystem, states: Array) -> tuple[Array | None, ...]:
-    return tuple(system.vectors(states))
-
-
-@eqx.filter_jit
-def _terms(system: AbstractSystem, state: Array) -> dict[str, Array]:
-    """Return Σ |x ∂C/∂x| of each invariant C but vectors at states: the size of its terms, which may cancel in it.
-
-    What each of n copies has depends on that copy alone, so that one derivative serves all copies; of the others one
-    pass backwards gives all derivatives.
-    """
-    own = {name for name, quantity in system.quantities.items() if quantity.of_copies}
-
-    def chosen(x: Array, of_copies: bool) -> dict[str, Array]:
-        wanted = system.invariants(x).items()
-        return {name: value for name, value in wanted if (name in own if of_copies else not jnp.ndim(value))}
-
-    def of_one(x: Array) -> dict[str, Array]:
-        values, back = jax.vjp(lambda y: chosen(y, False), x)
-        found = {}
-        for name in values:
-            picked = {other: jnp.asarray(other == name, values[other].dtype) for other in values}
-            found[name] = jnp.sum(jnp.abs(x * back(picked)[0]))
-        for name, each in chosen(x, True).items():
-            found[name] = _of_copies(lambda y, name=name: chosen(y, True)[name], x, each.size)
-        return found
-
-    for _ in range(jnp.ndim(state) - system.state_axes):
-        of_one = jax.vmap(of_one)
-    return of_one(state) | system.invariant_sizes(state)
-
-
-def _of_copies(function: Callable[[Array], Array], x: Array, copies: int) -> Array:
-    """Return Σ |x ∂C/∂x| (copies,) of what each copy has, by its components one after the other."""
-    width = x.size // copies
-    places = jnp.arange(x.size).reshape(x.shape) % width
-    sums = jnp.zeros(copies)
-    for k in range(width):
-        sums = sums + jnp.abs(jax.jvp(function, (x,), (jnp.where(places == k, x, 0.0),))[1])
-    return sums
-
-
-def _drift(
-    values: np.ndarray, axis: int, terms: Array | None = None, of_copies: bool = False, beyond: Array | None = None
-) -> Array:
-    """Return the largest deviation from the first sample, relative to its size, or that of its terms if larger.
-
-    Args:
-        values: (batch…, T), or with a further axis of components or copies.
-        axis: that of time.
-        terms: sizes of the terms.
-        of_copies: whether each copy along the last axis has a drift of its own.
-        beyond: (batch…, T) samples that do not count, as a copy of the batch has ended before.
-    """
-    vector = values.ndim > axis + 1 and not of_copies
-    first = np.take(values, [0], axis=axis)
-    off, size = np.abs(values - first), np.abs(first)
-    if beyond is not None:
-        off = np.where(beyond.reshape(*beyond.shape, *(1,) * (off.ndim - beyond.ndim)), 0.0, off)
-    if vector:
-        off, size = np.linalg.norm(off, axis=-1), np.linalg.norm(size, axis=-1)
-    size = np.take(size, 0, axis=axis)
-    if terms is not None:
-        size = np.maximum(size, np.nan_to_num(np.asarray(terms)))
-    return np.max(off, axis=axis) / np.where(size > 0, size, 1.0)
 
 
 def _meter(wanted: bool) -> Any:

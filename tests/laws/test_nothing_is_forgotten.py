@@ -36,12 +36,13 @@ INNER = {
               "lagrange_top.periods", "lagrange_top.preparation", "lagrange_top.reduction", "lagrange_top.roots",
               "lagrange_top.series", "lagrange_top.standing", "lagrange_top.symmetry", "lagrange_top.tangent"},
     "integrators": {"accuracy", "adaptive", "composition", "difference", "either_mode", "embedded", "equal_steps",
-                    "fixed_point", "group", "interrupts", "reversal", "sampled", "step_noise"},
+                    "fixed_point", "group", "interrupts", "reversal", "sampled", "series", "step_noise"},
     "motion": {"inputs", "invariants", "layout", "outcome", "trajectory"},
     "quantum": {"derivatives", "level_polhodes", "measured", "operators", "orbits", "partition", "strengths", "wang"},
     "special": {"agm", "spherical_tensors", "circular", "doubledouble", "first_kind", "legendre"},
     "systems": {"agreement", "dipoles", "forward_only", "free_flow", "lattice_bonds",
                 "moser_veselov_table", "rolling_mechanics", "sphere_harmonics", "top_integrals"},
+    "taylor": None,
 }  # fmt: skip
 """Modules by room; None for a whole room."""
 
@@ -148,7 +149,7 @@ CALLED_BY_OTHERS = {
     "integrators.probing.naming_jumps", "integrators.probing.undeclared_jumps", "systems.attachments.checked_jumps",
     "integrators.base.explicit", "integrators.base.step_count", "poisson.brackets.as_points",
     "poisson.reconstruction.hermite",
-    "simulation.fastest_rate", "simulation.trajectory_of", "solving.adaptive_solver", "solving.checked_every",
+    "simulation.fastest_rate", "systems.trajectories.trajectory_of", "solving.adaptive_solver", "solving.checked_every",
     "solving.goes_along_orbit", "solving.is_adaptive", "solving.orbit_solver", "solving.step_angle",
     "solving.turning_rates",
     "estimation.flight.check_windows",

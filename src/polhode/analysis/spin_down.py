@@ -27,9 +27,9 @@ from polhode.integrators import embedded
 from polhode.integrators.adaptive import TOLERANCE, solve_adaptively
 from polhode.motion.outcome import Ending, Outcome, Status
 from polhode.motion.trajectory import Trajectory
-from polhode.simulation import trajectory_of
 from polhode.systems.euler_disk import LAYOUT, EulerDisk, rolling_parts
 from polhode.systems.rolling_dissipation import RollingDissipation
+from polhode.systems.trajectories import trajectory_of
 from polhode.types import Array, ArrayLike, Float64, Real
 
 ASYMPTOTIC_END = 0.3  # |θ̇|/(θ|φ̇|), beyond which the tilt falls as fast as the disk goes round

@@ -42,7 +42,11 @@ def compiled(**options: Any) -> Callable[[Callable[..., Any]], Any]:
     """
     inner = {} if "cache" in options else {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
     options = inner | options
-    return lambda function: function if njit is None else njit(error_model="numpy", **options)(inspect.unwrap(function))
+    return lambda function: _compiled(inspect.unwrap(function), options)
+
+
+def _compiled(function: Callable[..., Any], options: dict[str, Any]) -> Callable[..., Any]:
+    return function if njit is None else njit(error_model="numpy", **options)(function)
 
 
 inlined = compiled(forceinline=True)

@@ -6,6 +6,7 @@ from polhode.integrators.isospectral_qr import IsospectralQR
 from polhode.integrators.lie_midpoint import LieMidpoint
 from polhode.integrators.moser_veselov import MoserVeselov
 from polhode.integrators.munthe_kaas import MuntheKaas
+from polhode.integrators.series import Taylor
 from polhode.integrators.spherical_midpoint import SphericalMidpoint
 from polhode.integrators.splitting import Splitting
 from polhode.integrators.sublattice_turns import SublatticeTurns
@@ -24,5 +25,6 @@ __all__ = [
     "SphericalMidpoint",
     "Splitting",
     "SublatticeTurns",
+    "Taylor",
     "TransportNoise",
 ]

@@ -98,7 +98,7 @@ def solve_adaptively(
         InvalidInput: if an event has already happened at the start.
         NotConverged: if it takes too many steps.
     """  # fmt: skip
-    _check_events(system, times[0], state)
+    check_events(system, times[0], state)
     largest = None if step is None else jnp.asarray(float(step))
     if meter is None:
         meter = diffrax.NoProgressMeter()
@@ -221,7 +221,8 @@ def _in_pairs(times: np.ndarray) -> np.ndarray:
     return moved
 
 
-def _check_events(system: AbstractSystem, t: float, state: Array) -> None:
+def check_events(system: AbstractSystem, t: float, state: Double[Array, "..."]) -> None:
+    """Refuse states (batch…, …) at which one of the system's events has already happened."""
     if not system.events:
         return
     batch = jnp.shape(state)[: jnp.ndim(state) - system.state_axes]

@@ -1,0 +1,198 @@
+"""Any system whose rates are made of products, powers and elementary functions, by Taylor series of its motion."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import jax.numpy as jnp
+import numpy as np
+
+from polhode.errors import InvalidInput, NotConverged, shown
+from polhode.integrators.adaptive import AdaptiveMotion, check_events
+from polhode.integrators.difference import EPS, LARGE, difference, starts_a_rounding_away
+from polhode.integrators.interrupts import interrupts_kept
+from polhode.integrators.probing import jumps_between
+from polhode.motion.outcome import Ends, Status
+from polhode.systems.base import AbstractSystem
+from polhode.taylor.expressions import Untraceable
+from polhode.taylor.runs import LOCAL, MOST_STEPS, Precision, Runs, precision_of, runs_of
+from polhode.types import Array, Double, Float64
+
+LOWEST, HIGHEST = 4, 60  # orders
+COMPARED = 64  # times at least, at which runs are compared, as they may meet by chance at a few samples
+ROUNDS = 6  # of shorter steps
+FINER = 8  # orders more of the run by which the error of the series is seen
+SAFETY = 4.0  # of the estimate, as a few other runs see most of what roundings grow to, not all
+LUCK = 10.0  # by which runs with other roundings may by chance be nearer to each other than to the true motion
+FEWEST = 4.0  # roundings of the last step and of the sample itself
+
+
+@dataclass(frozen=True)
+class Taylor:
+    """Taylor series of the motion, by steps that reach as far as the series converges fast.
+
+    Coefficients follow from recurrences in the operations that the rates of change are made of: sums, products, powers,
+    exponentials, logarithms, sines and cosines. Rates with a branch on the state, or with other functions, are refused.
+    Samples lie on the series, so that they cost and change no steps. After each step the state is put back onto
+    energy, Casimirs and what else the system says is conserved, where rounding has moved it away.
+
+    Args:
+        order: of the series; by default 24, and lower where a tolerance is given.
+
+    Raises:
+        InvalidInput: for an order that is not between 4 and 60.
+
+    Source: Jorba & Zou, Exp. Math. 14 (2005) 99.
+    """
+
+    order: int | None = None
+
+    def __post_init__(self) -> None:
+        if self.order is not None and not (isinstance(self.order, int) and LOWEST <= self.order <= HIGHEST):
+            raise InvalidInput(f"`order` of Taylor must be from {LOWEST} to {HIGHEST}; got {shown(self.order)}.")
+
+
+def is_series(method: Any) -> bool:
+    """Return whether a method is that of this file, as a class or an object."""
+    return method is Taylor or isinstance(method, Taylor)
+
+
+def solve_by_series(
+    system: AbstractSystem, method: Taylor, state: Double[Array, "..."], times: Float64[np.ndarray, "time"],
+    meter: Any = None, step: float | None = None, tolerance: float | None = None, every: int = 1,
+) -> AdaptiveMotion:  # fmt: skip
+    """Return the motion at times, or up to the first of the system's events; see ``solve_adaptively``.
+
+    Raises:
+        InvalidInput: if the system's rates are not made of operations that have a recurrence, or if an event has
+            already happened at the start.
+        NotConverged: if it takes too many steps.
+    """
+    kept, longest = times[::every], math.inf if step is None else float(step)
+    batch = np.shape(state)[: np.ndim(state) - system.state_axes]
+    states = np.reshape(np.asarray(state), (-1, *np.shape(state)[len(batch) :]))
+    check_events(system, times[0], state)
+    jumps_between(times, system.jumps)  # refuses what is no time
+    found = _checked_runs(system, states, kept, times[-1], precision_of(tolerance, method.order), longest, meter)
+    shaped = lambda x: x.reshape((*batch, *x.shape[1:]))  # noqa: E731
+    ends = Ends(shaped(found.status), shaped(found.event), shaped(found.end), shaped(found.end_state),
+                tuple(system.events))  # fmt: skip
+    names, fine = tuple(_names(system, states)), shaped(found.status) != Status.NOT_CONVERGED
+    received = {name: shaped(found.received[..., k]) for k, name in enumerate(names)}
+    steps = int(found.steps.max())
+    if batch or found.status[0] != Status.EVENT:
+        return AdaptiveMotion(kept, shaped(found.states), received, None, fine, steps, ends)
+    before = np.abs(kept - times[0]) < abs(float(found.end[0]) - times[0])
+    # one row more, for the event itself
+    received = {
+        name: np.append(value[before], found.end_received[0, k]) for k, (name, value) in enumerate(received.items())
+    }
+    rows = np.concatenate([found.states[0][before], found.end_state])
+    event = tuple(system.events)[int(found.event[0])]
+    return AdaptiveMotion(np.append(kept[before], found.end[0]), rows, received, event, fine, steps, ends)
+
+
+def series_error(
+    system: AbstractSystem, method: Taylor, state: Double[Array, "..."], times: Float64[np.ndarray, "time"],
+    motion: AdaptiveMotion, step: float | None = None, tolerance: float | None = None,
+) -> Float64[Array, "*batch"]:  # fmt: skip
+    """Return the estimated error (batch…) of a motion, from further runs.
+
+    A run of higher order, with steps that are shorter, shows what series leave out. Two from starts a rounding away
+    show what roundings grow to. All are compared at many times, which cost next to nothing.
+    """
+    parts = max(1, math.ceil(COMPARED / (len(times) - 1)))
+    fine = np.append(np.linspace(times[:-1], times[1:], parts, endpoint=False, axis=1), times[-1])
+    precision = precision_of(tolerance, method.order)
+    better = Precision(precision.order + FINER, 0.5 * precision.reach)
+    batch = np.shape(state)[: np.ndim(state) - system.state_axes]
+    longest = math.inf if step is None else float(step)
+
+    def again(start: Array, by: Precision) -> Runs:
+        states = np.reshape(np.asarray(start), (-1, *np.shape(start)[len(batch) :]))
+        return _checked_runs(system, states, fine, fine[-1], by, longest, None)
+
+    first, second = again(state, precision), again(state, better)
+    off, failed = _apart(system, fine, first, second)
+    grown = np.zeros_like(off)
+    for kicked in starts_a_rounding_away(system, state):
+        gap, lost = _apart(system, fine, second, again(kicked, better))
+        grown, failed = np.maximum(grown, gap), failed | lost
+    # what a rounding could make of the motion, it has not made where runs by other steps are much nearer to each other
+    grown = np.minimum(LUCK * off, SAFETY * grown)
+    error = np.where(off > LARGE, off, np.max([SAFETY * off, grown, np.full(off.shape, FEWEST * EPS)], axis=0))
+    return np.where(failed, np.inf, error).reshape(batch)
+
+
+def series_to_tolerance(
+    system: AbstractSystem, method: Taylor, state: Double[Array, "..."], times: Float64[np.ndarray, "time"],
+    meter: Any, step: float | None, tolerance: float, every: int = 1,
+) -> tuple[AdaptiveMotion, Float64[Array, "*batch"]]:  # fmt: skip
+    """Return a motion whose estimated error is within a tolerance, and that error.
+
+    Raises:
+        NotConverged: if rounding alone makes more of it.
+    """
+    local, error, given = tolerance, np.inf, (system, method, state, times)
+    for k in range(ROUNDS):
+        motion = solve_by_series(*given, meter, step, local, every)
+        found = series_error(*given, motion, step, local)
+        error = float(np.max(np.where(motion.successful, found, 0.0), initial=0.0))
+        if error <= tolerance:
+            return motion, found
+        if local == LOCAL or k == ROUNDS - 1:
+            break
+        local = max(local * min(0.1 * tolerance / error, 0.1), LOCAL)
+    raise NotConverged(
+        f"`tolerance` {tolerance:g} could not be met: the estimated error is {error:.2g}, and shorter steps do not "
+        "help, as it comes from rounding or chaos. Allow more, or shorten the time."
+    )
+
+
+def _apart(system: AbstractSystem, times: Array, one: Runs, other: Runs) -> tuple[Array, Array]:
+    """Return how far runs are apart (C,) until either ends, and which of them failed."""
+    found = np.zeros(len(one.states))
+    for k in range(len(found)):
+        last = np.nanmin([abs(one.end[k] - times[0]), abs(other.end[k] - times[0]), abs(times[-1] - times[0])])
+        count = max(int(np.sum(np.abs(times - times[0]) <= last * (1.0 - 1e-9))), 1)
+        count = len(times) if (one.event[k], other.event[k]) == (-1, -1) else count
+        with np.errstate(invalid="ignore"):
+            found[k] = difference(system, one.states[k, :count], other.states[k, :count])
+    failed = (one.status == Status.NOT_CONVERGED) | (other.status == Status.NOT_CONVERGED)
+    return np.nan_to_num(found, nan=np.inf), failed
+
+
+def _checked_runs(
+    system: AbstractSystem, states: Array, times: Array, last: float, precision: Precision, longest: float, meter: Any
+) -> Runs:
+    """Return runs up to a last time, which need not be a sample, or say why there are none."""
+    with interrupts_kept() as check:
+        shown_state = [None if meter is None else meter.init()]
+
+        def seen(share: float) -> None:
+            check()
+            if meter is not None:
+                shown_state[0] = meter.step(shown_state[0], jnp.asarray(share))
+
+        whole = times if times[-1] == last else np.append(times, last)
+        try:
+            found = runs_of(system, states, whole, precision, longest, seen)
+        except Untraceable as error:
+            raise InvalidInput(
+                f"{type(system).__name__} cannot be moved by Taylor series: its rates of change contain {error}. Leave "
+                "out `method`, or give a solver of diffrax."
+            ) from None
+        if meter is not None:
+            meter.close(shown_state[0])
+    if (steps := int(found.steps.max())) >= MOST_STEPS:
+        raise NotConverged(
+            f"{steps:.1e} steps did not reach the last time, {last:g} s, and at most so many are taken. Give an "
+            "earlier last time, which is `time.until` in a spec, or follow the motion in parts."
+        )
+    return found._replace(states=found.states[:, : len(times)], received=found.received[:, : len(times)])
+
+
+def _names(system: AbstractSystem, states: Array) -> list[str]:
+    return list(system.balances(0.0, jnp.asarray(states[0])))

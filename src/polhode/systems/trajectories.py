@@ -1,0 +1,149 @@
+"""Samples of states as a trajectory, with all that the system says of them: invariants, balances, drift."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Callable
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+import numpy as np
+
+from polhode.motion.outcome import Ends, Outcome
+from polhode.motion.trajectory import Trajectory
+from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
+from polhode.types import Array, Double, Float64
+
+TINY = 1e-150  # a state whose squares lose digits, or are zero
+
+
+def trajectory_of(
+    system: AbstractSystem, times: Float64[np.ndarray, "time"], states: Double[Array, "..."], outcome: Outcome,
+    statistics: dict[str, int], received: dict[str, Float64[Array, "*batch time"]],
+    error_estimate: Float64[Array, "*batch"] | None = None, ends: Ends | None = None,
+) -> Trajectory:  # fmt: skip
+    """Return samples (batch…, T, …) as a trajectory with all that the system says of them."""
+    axis = jnp.ndim(states) - 1 - system.state_axes
+    states = jnp.asarray(states)
+    invariants = {name: np.asarray(value) for name, value in _invariants(system, states).items()}
+    # what holds on other leaves only is NaN on this one
+    invariants = {name: value for name, value in invariants.items() if not np.isnan(value).all()}
+    invariants = _representable(system, np.asarray(states), invariants)
+    balances = eqx.filter_jit(system.balances)(jnp.asarray(times), states)
+    values = {name: np.asarray(balance.value) for name, balance in balances.items()}
+    got = {name: np.asarray(value) for name, value in received.items()}
+    vectors = [None if x is None else np.asarray(x) for x in _vectors(system, states)]
+    terms = _terms(system, np.take(np.asarray(states), 0, axis=axis))
+    own = {name for name, quantity in system.quantities.items() if quantity.of_copies}
+    beyond = None if ends is None or not ends.events else ends.beyond(times)
+    drift = {name: _drift(value, axis, terms.get(name), name in own, beyond) for name, value in invariants.items()}
+    with np.errstate(invalid="ignore"):  # beyond the end of a copy
+        drift |= {name: _drift(values[name] - value, axis, beyond=beyond) for name, value in got.items()}
+    return Trajectory(
+        source=system,
+        times=times,
+        states=np.asarray(states),
+        layout=system.layout(states),
+        attitude=vectors[0],
+        momentum=vectors[1],
+        angular_velocity=vectors[2],
+        invariants=invariants,
+        balances=values,
+        received=got,
+        drift=drift,
+        quantities=system.quantities,
+        outcome=outcome,
+        statistics=statistics,
+        error_estimate=error_estimate,
+        ends=ends,
+    )
+
+
+def _representable(system: AbstractSystem, states: Array, invariants: dict[str, Array]) -> dict[str, Array]:
+    """Return the invariants whose values neither overflow nor vanish in underflow, with a warning of the others."""
+    if not np.isfinite(states).all() or not isinstance(system, AbstractLiePoissonSystem):
+        return invariants
+    size = float(np.max(np.abs(np.asarray(system.parts(states).point)), initial=0.0))
+    tiny = 0.0 < size < TINY
+    lost = [k for k, v in invariants.items() if not np.isfinite(v).all() or (tiny and np.abs(v).max() < TINY**2)]
+    if lost:
+        warnings.warn(
+            f"{', '.join(lost)}: the values of what is conserved are beyond double precision at states of size "
+            f"{size:.1e}, and are left out. Choose units in which states are nearer to one.",
+            stacklevel=2,
+        )
+    return {name: value for name, value in invariants.items() if name not in lost}
+
+
+@eqx.filter_jit
+def _invariants(system: AbstractSystem, states: Array) -> dict[str, Array]:
+    return system.invariants(states)
+
+
+@eqx.filter_jit
+def _vectors(system: AbstractSystem, states: Array) -> tuple[Array | None, ...]:
+    return tuple(system.vectors(states))
+
+
+@eqx.filter_jit
+def _terms(system: AbstractSystem, state: Array) -> dict[str, Array]:
+    """Return Σ |x ∂C/∂x| of each invariant C but vectors at states: the size of its terms, which may cancel in it.
+
+    What each of n copies has depends on that copy alone, so that one derivative serves all copies; of the others one
+    pass backwards gives all derivatives.
+    """
+    own = {name for name, quantity in system.quantities.items() if quantity.of_copies}
+
+    def chosen(x: Array, of_copies: bool) -> dict[str, Array]:
+        wanted = system.invariants(x).items()
+        return {name: value for name, value in wanted if (name in own if of_copies else not jnp.ndim(value))}
+
+    def of_one(x: Array) -> dict[str, Array]:
+        values, back = jax.vjp(lambda y: chosen(y, False), x)
+        found = {}
+        for name in values:
+            picked = {other: jnp.asarray(other == name, values[other].dtype) for other in values}
+            found[name] = jnp.sum(jnp.abs(x * back(picked)[0]))
+        for name, each in chosen(x, True).items():
+            found[name] = _of_copies(lambda y, name=name: chosen(y, True)[name], x, each.size)
+        return found
+
+    for _ in range(jnp.ndim(state) - system.state_axes):
+        of_one = jax.vmap(of_one)
+    return of_one(state) | system.invariant_sizes(state)
+
+
+def _of_copies(function: Callable[[Array], Array], x: Array, copies: int) -> Array:
+    """Return Σ |x ∂C/∂x| (copies,) of what each copy has, by its components one after the other."""
+    width = x.size // copies
+    places = jnp.arange(x.size).reshape(x.shape) % width
+    sums = jnp.zeros(copies)
+    for k in range(width):
+        sums = sums + jnp.abs(jax.jvp(function, (x,), (jnp.where(places == k, x, 0.0),))[1])
+    return sums
+
+
+def _drift(
+    values: np.ndarray, axis: int, terms: Array | None = None, of_copies: bool = False, beyond: Array | None = None
+) -> Array:
+    """Return the largest deviation from the first sample, relative to its size, or that of its terms if larger.
+
+    Args:
+        values: (batch…, T), or with a further axis of components or copies.
+        axis: that of time.
+        terms: sizes of the terms.
+        of_copies: whether each copy along the last axis has a drift of its own.
+        beyond: (batch…, T) samples that do not count, as a copy of the batch has ended before.
+    """
+    vector = values.ndim > axis + 1 and not of_copies
+    first = np.take(values, [0], axis=axis)
+    off, size = np.abs(values - first), np.abs(first)
+    if beyond is not None:
+        off = np.where(beyond.reshape(*beyond.shape, *(1,) * (off.ndim - beyond.ndim)), 0.0, off)
+    if vector:
+        off, size = np.linalg.norm(off, axis=-1), np.linalg.norm(size, axis=-1)
+    size = np.take(size, 0, axis=axis)
+    if terms is not None:
+        size = np.maximum(size, np.nan_to_num(np.asarray(terms)))
+    return np.max(off, axis=axis) / np.where(size > 0, size, 1.0)

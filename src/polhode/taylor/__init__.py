@@ -1,0 +1,1 @@
+"""Taylor series of motions: tapes, programs, the kernel that runs them."""

@@ -1,0 +1,344 @@
+"""Affine expressions of nodes, and the tape of nodes that a vector field is made of.
+
+A node is a component of the state, or the result of one operation on nodes: an affine combination, a product, a power,
+an exponential, a logarithm, a sine with its cosine. Taylor coefficients of each obey a recurrence in those of its
+arguments, so that a field which is a tape needs nothing else to be integrated.
+
+Source: Jorba & Zou, Exp. Math. 14 (2005) 99, §2.1; Moore, *Methods and Applications of Interval Analysis*, §3.4.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from enum import IntEnum
+from typing import Any, NamedTuple
+
+MOST_NODES = 40_000  # of a tape; larger fields are better stepped by operations on whole arrays
+
+
+class Untraceable(Exception):
+    """A field that is not made of the operations of a tape; the message names what is not."""
+
+
+class Operation(IntEnum):
+    """What a node does with its arguments."""
+
+    AFFINE = 0
+    PRODUCT = 1
+    POWER = 2
+    EXPONENTIAL = 3
+    LOGARITHM = 4
+    SINE = 5
+    COSINE = 6  # of the sine before it, with which it shares the recurrence
+
+
+class Node(NamedTuple):
+    """One operation.
+
+    Attributes:
+        operation: which.
+        arguments: numbers of nodes.
+        coefficients: of the arguments of an affine combination, as many.
+        number: what an affine combination adds, or the exponent of a power.
+    """
+
+    operation: Operation
+    arguments: tuple[int, ...]
+    coefficients: tuple[float, ...] = ()
+    number: float = 0.0
+
+
+class Tape:
+    """Nodes, each once: 0 … size − 1 are the state, the others come in the order in which they can be computed.
+
+    Args:
+        size: of the state.
+        clock: which of its components is the time, or None.
+        instant: a time between the jumps of the rates, by which branches on the time are chosen.
+    """
+
+    def __init__(self, size: int, clock: int | None = None, instant: float = math.nan) -> None:
+        self.size, self.clock, self.instant = size, clock, instant
+        self.nodes: list[Node] = []
+        self._known: dict[Node, int] = {}
+
+    def state(self) -> list[Expression]:
+        """Return the components of the state."""
+        return [Expression(self, {k: 1.0}) for k in range(self.size)]
+
+    def constant(self, value: float) -> Expression:
+        """Return a number as an expression."""
+        return Expression(self, {}, float(value))
+
+    def node(self, node: Node) -> int:
+        """Return the number of a node, a new one if there is none like it."""
+        if node not in self._known:
+            if len(self.nodes) >= MOST_NODES:
+                raise Untraceable(f"more than {MOST_NODES} operations")
+            self.nodes.append(node)
+            self._known[node] = self.size + len(self.nodes) - 1
+        return self._known[node]
+
+    def as_node(self, x: Expression) -> tuple[int, float]:
+        """Return a node and the factor by which an expression is that node; sums equal up to sign are one node."""
+        if len(x.terms) == 1 and x.constant == 0.0:
+            return next(iter(x.terms.items()))
+        items = sorted(x.terms.items())
+        sign = 1.0 if items[0][1] > 0.0 else -1.0
+        places, factors = zip(*items, strict=True)
+        coefficients = tuple(sign * c for c in factors)
+        return self.node(Node(Operation.AFFINE, places, coefficients, sign * x.constant)), sign
+
+    def at_instant(self, x: Any) -> float:
+        """Return the value of an expression of the time alone at the instant by which branches are chosen."""
+        if not isinstance(x, Expression):
+            return float(x)
+        return x.constant + sum(c * self._node_at_instant(k) for k, c in x.terms.items())
+
+    def _node_at_instant(self, place: int) -> float:
+        if place < self.size:
+            if place != self.clock:
+                raise Untraceable("a branch on something that moves")
+            return self.instant
+        node = self.nodes[place - self.size]
+        if node.operation is Operation.COSINE:
+            return math.cos(self._node_at_instant(node.arguments[0]))
+        values = [self._node_at_instant(k) for k in node.arguments]
+        match node.operation:
+            case Operation.AFFINE:
+                return node.number + sum(c * v for c, v in zip(node.coefficients, values, strict=True))
+            case Operation.PRODUCT:
+                return values[0] * values[1]
+            case Operation.POWER:
+                return values[0] ** node.number
+            case Operation.EXPONENTIAL:
+                return math.exp(values[0])
+            case Operation.LOGARITHM:
+                return math.log(values[0])
+            case _:
+                return math.sin(values[0])
+
+    def product(self, x: Expression, y: Expression) -> Expression:
+        """Return x y."""
+        (i, a), (j, b) = self.as_node(x), self.as_node(y)
+        return Expression(self, {self.node(Node(Operation.PRODUCT, (min(i, j), max(i, j)))): a * b})
+
+    def unary(self, operation: Operation, x: Expression, number: float = 0.0) -> Expression:
+        """Return a function of an expression."""
+        place, factor = self.as_node(x)
+        if factor != 1.0:  # these functions are not homogeneous
+            place = self.node(Node(Operation.AFFINE, (place,), (factor,)))
+        found = self.node(Node(operation, (place,), (), number))
+        if operation is Operation.SINE:  # the pair is computed together
+            self.node(Node(Operation.COSINE, (place, found)))
+        return Expression(self, {found: 1.0})
+
+
+def gradient(x: Expression) -> list[Expression]:
+    """Return the derivatives of an expression by the components of the state, as expressions of the same tape."""
+    tape = x.tape
+    slopes: dict[int, Expression] = {k: tape.constant(c) for k, c in x.terms.items()}
+    waiting = sorted((k for k in slopes if k >= tape.size), reverse=True)
+    while waiting:
+        place = waiting.pop(0)
+        by = slopes.pop(place)
+        node = tape.nodes[place - tape.size]
+        for argument, slope in _slopes(tape, place, node):
+            if argument >= tape.size and argument not in slopes:
+                waiting.append(argument)
+                waiting.sort(reverse=True)
+            slopes[argument] = slopes.get(argument, tape.constant(0.0)) + by * slope
+    return [slopes.get(k, tape.constant(0.0)) for k in range(tape.size)]
+
+
+def _slopes(tape: Tape, place: int, node: Node) -> list[tuple[int, Any]]:
+    """Return the derivatives of a node by its arguments."""
+    z = [Expression(tape, {k: 1.0}) for k in node.arguments]
+    own = Expression(tape, {place: 1.0})
+    match node.operation:
+        case Operation.AFFINE:
+            return list(zip(node.arguments, node.coefficients, strict=True))
+        case Operation.PRODUCT:
+            return [(node.arguments[0], z[1]), (node.arguments[1], z[0])]
+        case Operation.POWER:
+            return [(node.arguments[0], node.number * z[0] ** (node.number - 1.0))]
+        case Operation.EXPONENTIAL:
+            return [(node.arguments[0], own)]
+        case Operation.LOGARITHM:
+            return [(node.arguments[0], z[0] ** -1.0)]
+        case Operation.SINE:
+            return [(node.arguments[0], Expression(tape, {place + 1: 1.0}))]
+        case _:  # of a cosine, whose second argument only says which sine goes with it
+            return [(node.arguments[0], -z[1])]
+
+
+class Expression:
+    """c + Σ cᵢ zᵢ over nodes zᵢ of one tape."""
+
+    __slots__ = ("constant", "tape", "terms")
+    __array_priority__ = 1000.0
+
+    def __init__(self, tape: Tape, terms: dict[int, float], constant: float = 0.0) -> None:
+        self.tape, self.terms, self.constant = tape, terms, constant
+
+    def _like(self, other: Any) -> Expression:
+        return other if isinstance(other, Expression) else Expression(self.tape, {}, float(other))
+
+    def scaled(self, factor: float) -> Expression:
+        """Return a multiple."""
+        if factor == 0.0:
+            return Expression(self.tape, {})
+        return Expression(self.tape, {k: c * factor for k, c in self.terms.items()}, self.constant * factor)
+
+    def __add__(self, other: Any) -> Any:
+        if isinstance(other, Complex | complex):
+            return Complex.of(other) + self
+        return total(self.tape, (self, self._like(other)))
+
+    __radd__ = __add__
+
+    def __neg__(self) -> Expression:
+        return self.scaled(-1.0)
+
+    def __sub__(self, other: Any) -> Any:
+        return self + (-other)
+
+    def __rsub__(self, other: Any) -> Any:
+        return (-self) + other
+
+    def __mul__(self, other: Any) -> Any:
+        if isinstance(other, Complex | complex):
+            return Complex.of(other) * self
+        if not isinstance(other, Expression):
+            return self.scaled(float(other))
+        if not self.terms:
+            return other.scaled(self.constant)
+        return self.tape.product(self, other) if other.terms else self.scaled(other.constant)
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other: Any) -> Any:
+        if isinstance(other, Complex | complex):
+            return Complex.of(self) / other
+        if isinstance(other, Expression) and other.terms:
+            return self * other**-1.0
+        divisor = other.constant if isinstance(other, Expression) else float(other)
+        # divided, not multiplied by the reciprocal, which would round twice
+        terms = {k: c / divisor for k, c in self.terms.items()}
+        return Expression(self.tape, terms, self.constant / divisor)
+
+    def __rtruediv__(self, other: Any) -> Expression:
+        return self**-1.0 * other
+
+    def __pow__(self, exponent: float) -> Expression:
+        exponent = float(exponent)
+        if not self.terms:
+            return Expression(self.tape, {}, self.constant**exponent)
+        whole = int(exponent) if exponent.is_integer() and 0.0 <= exponent <= 64.0 else None
+        if whole is None:
+            return self.tape.unary(Operation.POWER, self, exponent)
+        if whole == 0:
+            return Expression(self.tape, {}, 1.0)
+        half = self ** (whole // 2) if whole > 1 else None
+        square = self if half is None else half * half
+        return square if half is None or whole % 2 == 0 else square * self
+
+
+class Complex:
+    """A complex number whose parts are expressions or numbers."""
+
+    __slots__ = ("imag", "real")
+    __array_priority__ = 2000.0
+
+    def __init__(self, real: Any, imag: Any) -> None:
+        self.real, self.imag = real, imag
+
+    @staticmethod
+    def of(x: Any) -> Complex:
+        """Return anything as such a number."""
+        if isinstance(x, Complex):
+            return x
+        return Complex(x, 0.0) if isinstance(x, Expression) else Complex(float(x.real), float(x.imag))
+
+    def conjugate(self) -> Complex:
+        return Complex(self.real, -self.imag)
+
+    def __neg__(self) -> Complex:
+        return Complex(-self.real, -self.imag)
+
+    def __add__(self, other: Any) -> Complex:
+        other = Complex.of(other)
+        return Complex(self.real + other.real, self.imag + other.imag)
+
+    __radd__ = __add__
+
+    def __sub__(self, other: Any) -> Complex:
+        return self + (-Complex.of(other))
+
+    def __rsub__(self, other: Any) -> Complex:
+        return (-self) + other
+
+    def __mul__(self, other: Any) -> Complex:
+        other = Complex.of(other)
+        return Complex(self.real * other.real - self.imag * other.imag,
+                       self.real * other.imag + self.imag * other.real)  # fmt: skip
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other: Any) -> Complex:
+        other = Complex.of(other)
+        square = other.real * other.real + other.imag * other.imag
+        product = self * other.conjugate()
+        return Complex(product.real / square, product.imag / square)
+
+    def __rtruediv__(self, other: Any) -> Complex:
+        return Complex.of(other) / self
+
+    def __pow__(self, exponent: float) -> Complex:
+        if not (float(exponent).is_integer() and 1 <= exponent <= 64):
+            raise Untraceable(f"a complex number to the power {exponent:g}")
+        result = self
+        for _ in range(int(exponent) - 1):
+            result = result * self
+        return result
+
+
+def total(tape: Tape, summands: Iterable[Any]) -> Any:
+    """Return a sum of expressions, numbers and complex ones; of expressions alone in one pass."""
+    terms: dict[int, float] = {}
+    constant, complex_part = 0.0, None
+    for x in summands:
+        if isinstance(x, Expression):
+            constant += x.constant
+            for k, c in x.terms.items():
+                terms[k] = terms.get(k, 0.0) + c
+        elif isinstance(x, Complex | complex):
+            complex_part = Complex.of(x) if complex_part is None else complex_part + x
+        else:
+            constant += float(x)
+    found = Expression(tape, {k: c for k, c in terms.items() if c != 0.0}, constant)
+    return found if complex_part is None else complex_part + found
+
+
+def sine_and_cosine(x: Expression) -> tuple[Expression, Expression]:
+    """Return sin x and cos x."""
+    if not x.terms:
+        return x.tape.constant(math.sin(x.constant)), x.tape.constant(math.cos(x.constant))
+    sine = x.tape.unary(Operation.SINE, x)
+    place = next(iter(sine.terms))
+    return sine, Expression(x.tape, {place + 1: 1.0})
+
+
+def exponential(x: Expression) -> Expression:
+    """Return eˣ."""
+    if not x.terms:
+        return x.tape.constant(math.exp(x.constant))
+    return x.tape.unary(Operation.EXPONENTIAL, x)
+
+
+def logarithm(x: Expression) -> Expression:
+    """Return log x."""
+    if not x.terms:
+        return x.tape.constant(math.log(x.constant))
+    return x.tape.unary(Operation.LOGARITHM, x)

@@ -1,0 +1,186 @@
+"""From a system to the programs that its motion needs: rates of change, what is watched, and what is conserved."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import lru_cache
+from typing import Any, NamedTuple
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+import numpy as np
+
+from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
+from polhode.taylor.expressions import Expression, Tape, Untraceable, gradient
+from polhode.taylor.program import Program, program_of
+from polhode.taylor.tracing import traced
+from polhode.types import Array, Double, Float64
+
+MOST_GRADIENTS = 600  # numbers in the gradients of what is conserved, from which projecting costs more than it gives
+
+
+class Form(NamedTuple):
+    """How a state lies in the real numbers of a kernel.
+
+    Attributes:
+        shape: of one state.
+        is_complex: whether its parts are real and imaginary ones by turns.
+    """
+
+    shape: tuple[int, ...]
+    is_complex: bool
+
+    @property
+    def size(self) -> int:
+        """How many real numbers there are."""
+        return int(np.prod(self.shape)) * (2 if self.is_complex else 1)
+
+    def flat(self, states: Array) -> Float64[Array, "*batch n"]:
+        """Return states (…, *shape) as real numbers (…, n)."""
+        states = np.ascontiguousarray(states, complex if self.is_complex else float)
+        leading = states.shape[: states.ndim - len(self.shape)]
+        return states.reshape(*leading, -1).view(float)
+
+    def back(self, numbers: Float64[Array, "*batch n"]) -> Double[Array, "..."]:
+        """Return states of their own shape."""
+        numbers = np.ascontiguousarray(numbers[..., : self.size])
+        if self.is_complex:
+            numbers = numbers.view(complex)
+        return numbers.reshape(*numbers.shape[:-1], *self.shape)
+
+    def state(self, numbers: Any) -> Any:
+        """Return one state within a function that is traced."""
+        if self.is_complex:
+            pairs = jnp.reshape(numbers, (-1, 2))
+            numbers = jax.lax.complex(pairs[:, 0], pairs[:, 1])
+        return jnp.reshape(numbers, self.shape)
+
+    def numbers(self, state: Any) -> Any:
+        """Return the real numbers of a state within a function that is traced."""
+        flat = jnp.ravel(state)
+        return jnp.ravel(jnp.stack([jnp.real(flat), jnp.imag(flat)], axis=-1)) if self.is_complex else flat
+
+
+class Machine(NamedTuple):
+    """What a kernel needs for a system between two of its jumps.
+
+    Attributes:
+        form: of a state.
+        program: of rates of change of the state, of what balances receive, of the time; then of what is watched.
+        integrals: of what is conserved, then of its gradients.
+        names: of what is conserved.
+        balances: names.
+        events: names.
+        clock: component that is the time, or −1.
+    """
+
+    form: Form
+    program: Program
+    integrals: Program
+    names: tuple[str, ...]
+    balances: tuple[str, ...]
+    events: tuple[str, ...]
+    clock: int
+
+
+def machine_of(system: AbstractSystem, state: Array, instant: float) -> Machine:
+    """Return the programs of a system for states like one.
+
+    Args:
+        system: what moves.
+        state: one, as ``check_state`` gives it.
+        instant: a time [s] between the same jumps as the motion.
+
+    Raises:
+        Untraceable: if rates, balances or events are not made of operations that have a recurrence.
+    """
+    form = Form(np.shape(state), np.iscomplexobj(state))
+    try:
+        return _kept(system, form, instant if np.size(system.jumps) else 0.0)
+    except TypeError:  # what cannot be hashed is traced each time
+        return _made(system, form, instant)
+
+
+@lru_cache(maxsize=64)
+def _kept(system: AbstractSystem, form: Form, instant: float) -> Machine:
+    return _made(system, form, instant)
+
+
+def _made(system: AbstractSystem, form: Form, instant: float) -> Machine:
+    zero = jnp.zeros(()), jax.ShapeDtypeStruct(form.shape, complex if form.is_complex else float)
+    balances = tuple(jax.eval_shape(system.balances, *zero))
+    events = dict(system.events)
+
+    def everything(t: Any, numbers: Any) -> Any:
+        state = form.state(numbers)
+        received = [jnp.ravel(b.rate) for b in system.balances(t, state).values()]
+        watched = [jnp.ravel(jnp.asarray(event(t, state), float)) for event in events.values()]
+        return form.numbers(system.vector_field(t, state)), *received, *watched
+
+    timed = _uses_time(everything, form)
+    size = form.size + len(balances) + timed
+    tape = Tape(size, size - 1 if timed else None, instant)
+    given = tape.state()
+    t = np.asarray(given[-1] if timed else 0.0, object if timed else float)
+    state = np.empty(form.size, object)
+    state[:] = given[: form.size]
+    found = [np.ravel(x) for x in traced(everything, t, state)]
+    rates = [tape_value(tape, x) for part in found[: 1 + len(balances)] for x in part]
+    if timed:
+        rates.append(tape.constant(1.0))
+    watched = [tape_value(tape, x) for part in found[1 + len(balances) :] for x in part]
+    names, integrals = _integrals(system, form)
+    return Machine(form, program_of(tape, rates + watched), integrals, names, balances, tuple(events),
+                   size - 1 if timed else -1)  # fmt: skip
+
+
+def tape_value(tape: Tape, x: Any) -> Expression:
+    """Return an element of an array as an expression."""
+    return x if isinstance(x, Expression) else tape.constant(float(x))
+
+
+def _uses_time(function: Callable[..., Any], form: Form) -> bool:
+    jaxpr = jax.make_jaxpr(function)(jnp.zeros(()), jnp.zeros(form.size)).jaxpr
+    clock = jaxpr.invars[0]
+    return any(v is clock for equation in jaxpr.eqns for v in equation.invars)
+
+
+def _integrals(system: AbstractSystem, form: Form) -> tuple[tuple[str, ...], Program]:
+    """Return names and program of all conserved numbers of which gradients can be traced, one after the other."""
+    names, outputs = [], []
+    tape = Tape(form.size)
+    state = np.empty(form.size, object)
+    state[:] = tape.state()
+    for name, function in _conserved(system, form).items():
+        count = int(np.prod(jax.eval_shape(function, jnp.zeros(form.size)).shape))
+        if (len(outputs) + count) * form.size > MOST_GRADIENTS:
+            continue
+        try:
+            values = [tape_value(tape, x) for x in np.ravel(traced(function, state)[0])]
+        except Untraceable:
+            continue
+        outputs.extend((value, gradient(value)) for value in values)
+        names.extend([name] * count)
+    rows = [value for value, _ in outputs] + [x for _, slopes in outputs for x in slopes]
+    return tuple(names), program_of(tape, rows)
+
+
+def _conserved(system: AbstractSystem, form: Form) -> dict[str, Callable[[Any], Any]]:
+    """Return the conserved numbers as functions of a state's real numbers: no vectors, but one of each copy."""
+    kind = complex if form.is_complex else float
+    shapes = jax.eval_shape(system.invariants, jax.ShapeDtypeStruct(form.shape, kind))
+    quantities = system.quantities
+    found = {}
+    for name, shape in shapes.items():
+        if shape.ndim == 0 or (name in quantities and quantities[name].of_copies):
+            found[name] = lambda x, name=name: jnp.real(system.invariants(form.state(x))[name])
+    if isinstance(system, AbstractLiePoissonSystem) and _carries_attitude(system, form):
+        found["|q|²"] = lambda x: jnp.sum(x[:4] ** 2)
+    return found
+
+
+def _carries_attitude(system: AbstractLiePoissonSystem, form: Form) -> bool:
+    if form.is_complex or len(form.shape) != 1:
+        return False
+    return eqx.filter_eval_shape(system.parts, jax.ShapeDtypeStruct(form.shape, float)).attitude is not None

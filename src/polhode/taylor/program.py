@@ -1,0 +1,132 @@
+"""A tape as arrays, in the order in which its coefficients are computed.
+
+Coefficients of one order of all nodes lie in one row. Nodes of a level need only nodes of lower levels; within a level
+come affine combinations, then products in blocks of eight, then functions.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from polhode.taylor.expressions import Expression, Node, Operation, Tape
+from polhode.types import Array, Float64, Integer
+
+BLOCK = 8  # products at a time
+# where a program says how many, and where; see ``Program``
+SIZE, SLOTS, OPERATIONS, PRODUCTS, FIRST = range(5)
+CODE, OUT, ARGUMENT, LEFT, RIGHT, START, INDEX, NUMBER, FACTOR, CONSTANT = range(5, 15)
+HEADER = 15
+
+
+class Program(NamedTuple):
+    """What a kernel runs, in two flat arrays, as compiled functions take two arguments faster than twenty.
+
+    Attributes:
+        whole: (W,) integers. It begins with sizes, and with places of what stands behind them:
+            of the state, of a row, how many operations and products there are; then, for each operation, its code
+            (a block of eight where it is a product), the slot where its result begins, and its argument: the row of
+            START for an affine combination, the first product of a block, else a slot; the slots of both factors of
+            products; where combinations begin among the terms, and the slots of terms; and which combination is the
+            first of the outputs.
+        number: (F,) for each operation the constant or exponent, the factors of terms, the constants of outputs.
+    """
+
+    whole: Integer[Array, "integers"]
+    number: Float64[Array, "numbers"]
+
+    @property
+    def slots(self) -> int:
+        """How many numbers are in a row."""
+        return int(self.whole[SLOTS])
+
+    @property
+    def size(self) -> int:
+        """How many numbers the state has."""
+        return int(self.whole[SIZE])
+
+    @property
+    def products(self) -> int:
+        """How many products there are, in blocks."""
+        return int(self.whole[PRODUCTS])
+
+
+def program_of(tape: Tape, outputs: list[Expression]) -> Program:
+    """Return the program that computes outputs, without the nodes that they do not need."""
+    needed = _needed(tape, outputs)
+    level = [0] * tape.size
+    for node in tape.nodes:
+        level.append(1 + max((level[k] for k in node.arguments), default=0))
+    at = {k: k for k in range(tape.size)}
+    slots = tape.size
+    code, out, argument, number = [], [], [], []
+    left: list[int] = []
+    right: list[int] = []
+    start, index, factor = [0], [], []
+
+    def combine(terms: list[tuple[int, float]]) -> int:
+        index.extend(at[k] for k, _ in terms)
+        factor.extend(c for _, c in terms)
+        start.append(len(index))
+        return len(start) - 2
+
+    def add(operation: Operation, where: int, of: int, value: float = 0.0) -> None:
+        code.append(int(operation))
+        out.append(where)
+        argument.append(of)
+        number.append(value)
+
+    for step in range(1, max(level) + 1):
+        of_step = [k for k in needed if level[k] == step]
+        by = {k: tape.nodes[k - tape.size] for k in of_step}
+        for k in (k for k in of_step if by[k].operation is Operation.AFFINE):
+            row = combine(list(zip(by[k].arguments, by[k].coefficients, strict=True)))
+            add(Operation.AFFINE, slots, row, by[k].number)
+            at[k], slots = slots, slots + 1
+        products = [k for k in of_step if by[k].operation is Operation.PRODUCT]
+        for begin in range(0, len(products), BLOCK):
+            block = products[begin : begin + BLOCK]
+            add(Operation.PRODUCT, slots, len(left))
+            pairs = [by[k].arguments for k in block]
+            pairs += [pairs[0]] * (BLOCK - len(block))
+            left.extend(at[i] for i, _ in pairs)
+            right.extend(at[j] for _, j in pairs)
+            at.update((k, slots + lane) for lane, k in enumerate(block))
+            slots += BLOCK
+        for k in of_step:
+            node = by[k]
+            if node.operation in (Operation.AFFINE, Operation.PRODUCT, Operation.COSINE):
+                continue
+            add(node.operation, slots, at[node.arguments[0]], node.number)
+            at[k], slots = slots, slots + 1
+            if node.operation is Operation.SINE:
+                at[k + 1], slots = slots, slots + 1
+    first = len(start) - 1
+    for x in outputs:
+        combine(sorted(x.terms.items()))
+    integers = {CODE: code, OUT: out, ARGUMENT: argument, LEFT: left, RIGHT: right, START: start, INDEX: index}
+    numbers = {NUMBER: number, FACTOR: factor, CONSTANT: [x.constant for x in outputs]}
+    header = np.zeros(HEADER, np.int64)
+    header[[SIZE, SLOTS, OPERATIONS, PRODUCTS, FIRST]] = tape.size, slots, len(code), len(left), first
+    for parts, place in ((integers, HEADER), (numbers, 0)):
+        for name, values in parts.items():
+            header[name], place = place, place + len(values)
+    whole = np.concatenate([header, *(np.array(values, np.int64) for values in integers.values())])
+    return Program(whole, np.concatenate([np.array(values, float) for values in numbers.values()]))
+
+
+def _needed(tape: Tape, outputs: list[Expression]) -> list[int]:
+    """Return the nodes that outputs are made of, in order; a sine and its cosine together."""
+    found: set[int] = set()
+    left = [k for x in outputs for k in x.terms]
+    while left:
+        k = left.pop()
+        if k < tape.size or k in found:
+            continue
+        found.add(k)
+        node: Node = tape.nodes[k - tape.size]
+        left.extend(node.arguments)
+        if node.operation is Operation.SINE:
+            left.append(k + 1)
+    return sorted(found)

@@ -1,0 +1,206 @@
+"""Motions by Taylor series: one copy after the other, from stretch to stretch between jumps."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Callable
+from typing import NamedTuple
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+import numpy as np
+
+from polhode.motion.outcome import Status
+from polhode.systems.base import AbstractSystem
+from polhode.taylor import kernel
+from polhode.taylor.machine import Machine, machine_of
+from polhode.types import Array, Double, Float64, Integer
+
+ORDER, LOCAL = 24, 1e-19  # to rounding: of an order at which errors of single steps do not add up with one sign
+LOOSEST_ORDER = 8
+STRETCH = 200_000  # steps in one call, which take some tenths of a second; Ctrl-C is seen between two
+WITHOUT_NUMBA = 200  # the same for plain Python
+MOST_STEPS = 15_000_000
+
+
+class Precision(NamedTuple):
+    """How far a step reaches.
+
+    Attributes:
+        order: of the series.
+        reach: of a step, in radii of convergence.
+    """
+
+    order: int
+    reach: float
+
+
+def precision_of(tolerance: float | None, order: int | None = None) -> Precision:
+    """Return order and reach of steps whose error is a tolerance of the state's size; to rounding if it is None.
+
+    Source: Jorba & Zou, Exp. Math. 14 (2005) 99, §3.1 for the order, §3.2 for the reach.
+    """
+    local = LOCAL if tolerance is None else tolerance
+    if order is None:
+        order = ORDER if tolerance is None else max(LOOSEST_ORDER, math.ceil(1.0 - 0.5 * math.log(local)))
+    return Precision(order, local ** (1.0 / order) * math.exp(-0.7 / (order - 1)))
+
+
+class Runs(NamedTuple):
+    """What came out for each of C copies.
+
+    Attributes:
+        states: (C, T, *shape) samples; infinite after the end.
+        received: (C, T, B) what balances received.
+        status: (C,) numbers of ``Status``.
+        event: (C,) which event ended it, −1 where none did.
+        end: (C,) [s] the event's own time, or the last; NaN where steps shrank to nothing.
+        end_state: (C, *shape) the state then.
+        end_received: (C, B) what balances received until then.
+        steps: (C,) how many were taken.
+    """
+
+    states: Double[Array, "..."]
+    received: Float64[Array, "copies time balances"]
+    status: Integer[Array, "copies"]
+    event: Integer[Array, "copies"]
+    end: Float64[Array, "copies"]
+    end_state: Double[Array, "..."]
+    end_received: Float64[Array, "copies balances"]
+    steps: Integer[Array, "copies"]
+
+
+class Plan(NamedTuple):
+    """What is common to all copies: where steps must end, the machine up to there, and how far steps reach."""
+
+    borders: list[float]
+    machines: list[Machine]
+    times: Float64[np.ndarray, "time"]
+    precision: Precision
+    longest: float
+    forth: float
+
+
+def runs_of(
+    system: AbstractSystem,
+    states: Double[Array, "..."],
+    times: Float64[np.ndarray, "time"],
+    precision: Precision,
+    longest: float = math.inf,
+    check: Callable[[float], None] = lambda share: None,
+) -> Runs:
+    """Return the motions of states at times, which are no steps but lie on the series of steps.
+
+    Args:
+        system: what moves.
+        states: (C, *shape).
+        times: (T,) [s], in one direction.
+        precision: of the steps.
+        longest: step [s].
+        check: called with the share that is done, between parts of a long run.
+
+    Raises:
+        Untraceable: if the system's rates are not made of operations that have a recurrence.
+    """
+    forth = 1.0 if times[-1] > times[0] else -1.0
+    borders = _borders(system, times, forth)
+    middles = [0.5 * (low + high) for low, high in itertools.pairwise(borders)]
+    plan = Plan(borders, [machine_of(system, states[0], t) for t in middles], times, precision, longest, forth)
+    form, program = plan.machines[0].form, plan.machines[0].program
+    y = np.zeros((len(states), program.size))
+    y[:, : form.size] = form.flat(states)
+    scale = _scales(system, states, times[0], plan.machines[0], program.size)
+    samples = np.full((len(states), len(times), program.size), np.inf)
+    found = [_one(plan, *each, lambda part, k=k: check((k + part) / len(states)))
+             for k, each in enumerate(zip(y, scale, samples, strict=True))]  # fmt: skip
+    status, event, end, steps = (np.array(column) for column in zip(*found, strict=True))
+    extra = slice(form.size, form.size + len(plan.machines[0].balances))
+    return Runs(form.back(samples), samples[..., extra], status, event, end, form.back(y), y[:, extra].copy(), steps)
+
+
+def _one(
+    plan: Plan, y: Array, scale: Array, samples: Array, check: Callable[[float], None]
+) -> tuple[int, int, float, int]:
+    """Move one copy, and return its status, event, end and number of steps."""
+    now, counts, hits = np.zeros(3), np.array([0, 1, 0, 0, -1]), np.zeros((1, 2 + len(y)))
+    now[0], samples[0] = plan.times[0], y
+    wanted = _conserved_values(plan.machines[0], y)
+    status = kernel.DONE
+    for machine, end in zip(plan.machines, plan.borders[1:], strict=True):
+        if machine.clock >= 0:
+            y[machine.clock] = now[0]
+        status = _through(plan, machine, y, scale, wanted, end, samples, now, counts, hits, check)
+        if status != kernel.DONE:
+            break
+    if status == kernel.STOPPED:
+        return Status.EVENT, int(hits[0, 1]), float(now[0]), int(counts[0])
+    if status == kernel.DONE:
+        return Status.COMPLETED, -1, float(now[0]), int(counts[0])
+    samples[counts[1] :] = np.inf
+    return Status.NOT_CONVERGED, -1, math.nan, int(counts[0])
+
+
+def _through(
+    plan: Plan, machine: Machine, y: Array, scale: Array, wanted: Array, end: float, samples: Array, now: Array,
+    counts: Array, hits: Array, check: Callable[[float], None],
+) -> int:  # fmt: skip
+    """Go on up to a jump, the last time or an event."""
+    stops = np.ones(len(machine.events), bool)  # which fall from positive to zero, and end the motion
+    counts[2] = 0
+    limit = STRETCH if hasattr(kernel.advance, "py_func") else WITHOUT_NUMBA
+    first, last = plan.times[0], plan.times[-1]
+    while True:
+        with np.errstate(all="ignore"):
+            status = kernel.advance(
+                *machine.program, *machine.integrals, y, scale, wanted, np.array([end]), plan.times, samples, now,
+                counts, hits, plan.precision.order, plan.precision.reach, plan.longest, plan.forth, machine.clock,
+                stops, stops, limit,
+            )  # fmt: skip
+        if status != kernel.RUNNING or counts[0] >= MOST_STEPS:
+            return int(status)
+        check(float((now[0] - first) / (last - first)))
+
+
+def _borders(system: AbstractSystem, times: np.ndarray, forth: float) -> list[float]:
+    jumps = np.ravel(np.asarray(system.jumps, float))
+    inside = jumps[(forth * jumps > forth * times[0]) & (forth * jumps < forth * times[-1])]
+    return [float(times[0]), *sorted({float(t) for t in inside}, key=lambda t: forth * t), float(times[-1])]
+
+
+def _scales(system: AbstractSystem, states: Array, t: float, machine: Machine, size: int) -> Float64[Array, "copies n"]:
+    """Return the sizes by which components are compared; infinite of the time, which never limits a step."""
+    form = machine.form
+    own, values = _sizes(system, jnp.asarray(states), jnp.asarray(t))
+    scale = np.full((len(states), size), np.inf)
+    own = np.broadcast_to(own.reshape(len(states), -1), (len(states), int(np.prod(form.shape))))
+    scale[:, : form.size] = np.repeat(own, 2, axis=1) if form.is_complex else own
+    for k, name in enumerate(machine.balances):
+        value = np.abs(np.asarray(values[name]))
+        scale[:, form.size + k] = np.where(value > 0.0, value, 1.0)
+    return scale
+
+
+@eqx.filter_jit
+def _sizes(system: AbstractSystem, states: Array, t: Array) -> tuple[Array, dict[str, Array]]:
+    """Return scales (C, *shape) and values (C,) of balances at states (C, *shape)."""
+
+    def one(state: Array) -> tuple[Array, dict[str, Array]]:
+        own = jnp.broadcast_to(system.scales(state), jnp.shape(state))
+        return own, {name: balance.value for name, balance in system.balances(t, state).items()}
+
+    own, values = jax.vmap(one)(states)
+    return jnp.real(own), values
+
+
+def _conserved_values(machine: Machine, y: Array) -> Float64[Array, "conserved"]:
+    """Return what is conserved at a start, computed as the kernel does."""
+    program = machine.integrals
+    if not machine.names:
+        return np.zeros(0)
+    z, blank = np.zeros(program.slots + 8), np.zeros(program.products + 8)
+    z[: machine.form.size] = y[: machine.form.size]
+    with np.errstate(all="ignore"):
+        values = kernel.values_at(*program, z, blank, blank.copy(), len(machine.names))
+    return np.where(np.isfinite(values), values, 0.0)

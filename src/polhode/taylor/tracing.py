@@ -1,0 +1,414 @@
+"""From a function written with JAX to a tape: its jaxpr, evaluated on arrays of expressions.
+
+Numbers stay numbers, so that what depends on parameters alone is computed once. What moves data is done to arrays of
+expressions as to any others; what is linear with known coefficients is done to unit vectors. Branches on the state,
+and functions that no recurrence is known of, raise ``Untraceable``.
+"""
+
+from __future__ import annotations
+
+import math
+import operator
+from collections.abc import Callable
+from typing import Any
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+from jax.extend.core import Literal
+
+from polhode.taylor.expressions import (
+    Complex,
+    Expression,
+    Tape,
+    Untraceable,
+    exponential,
+    logarithm,
+    sine_and_cosine,
+    total,
+)
+from polhode.types import Array
+
+Rule = Callable[[list[Array], dict[str, Any], Any], list[Array]]
+RULES: dict[str, Rule] = {}
+INNER = ("jaxpr", "call_jaxpr", "fun_jaxpr")
+MOST_ROUNDS = 1000  # of a loop that is written out
+LARGEST_LINEAR = 4096  # numbers that an operation may take, of which unit vectors are made
+
+
+def traced(function: Callable[..., Any], *arguments: Array) -> list[Any]:
+    """Return the values of a function of arrays of expressions, as arrays of expressions or numbers.
+
+    Args:
+        function: of real arrays, written with JAX.
+        arguments: arrays of expressions (dtype object), or of numbers.
+
+    Raises:
+        Untraceable: if it is not made of operations that have a recurrence.
+    """
+    shapes = [jax.ShapeDtypeStruct(np.shape(a), float) for a in arguments]
+    closed = jax.make_jaxpr(function)(*shapes)
+    return _evaluated(closed.jaxpr, closed.consts, [np.asarray(a) for a in arguments])
+
+
+def _evaluated(jaxpr: Any, constants: Any, arguments: list[Array]) -> list[Array]:
+    known: dict[Any, Array] = {}
+
+    def read(variable: Any) -> Array:
+        return np.asarray(variable.val) if isinstance(variable, Literal) else known[variable]
+
+    known.update(zip(jaxpr.constvars, map(np.asarray, constants), strict=True))
+    known.update(zip(jaxpr.invars, arguments, strict=True))
+    for equation in jaxpr.eqns:
+        given = [read(v) for v in equation.invars]
+        known.update(zip(equation.outvars, _applied(equation, given), strict=True))
+    return [read(v) for v in jaxpr.outvars]
+
+
+def _applied(equation: Any, given: list[Array]) -> list[Array]:
+    name, parameters = equation.primitive.name, equation.params
+    inner = next((parameters[k] for k in INNER if k in parameters), None)
+    if name not in RULES and inner is not None and name not in ("scan", "while", "cond"):
+        return _evaluated(inner.jaxpr, inner.consts, given) if hasattr(inner, "jaxpr") else _evaluated(inner, [], given)
+    if not any(a.dtype == object for a in given):
+        return _by_numbers(equation, given)
+    if name not in RULES:
+        raise Untraceable(f"`{name}` of something that moves")
+    return [a if isinstance(a, np.ndarray) else _array(a) for a in RULES[name](given, parameters, equation)]
+
+
+def _by_numbers(equation: Any, given: list[Array]) -> list[Array]:
+    name = equation.primitive.name
+    if name in BY_NUMPY:  # JAX would compile each operation by itself
+        found = BY_NUMPY[name](given, equation.params)
+        return [np.asarray(found, equation.outvars[0].aval.dtype)]
+    found = equation.primitive.bind(*[jnp.asarray(a) for a in given], **equation.params)
+    return [np.asarray(x) for x in (found if equation.primitive.multiple_results else [found])]
+
+
+def _array(x: Any) -> Array:
+    found = np.empty((), object)
+    found[()] = x
+    return found
+
+
+def _each(function: Callable[[Any], Any], x: Array) -> Array:
+    found = np.empty(x.shape, object)
+    for k in np.ndindex(x.shape):
+        found[k] = function(x[k])
+    return found
+
+
+def _rule(*names: str) -> Callable[[Rule], Rule]:
+    def register(rule: Rule) -> Rule:
+        RULES.update(dict.fromkeys(names, rule))
+        return rule
+
+    return register
+
+
+def _tape_of(*arrays: Array) -> Tape:
+    for a in arrays:
+        for x in a.flat:
+            for part in (x.real, x.imag) if isinstance(x, Complex) else (x,):
+                if isinstance(part, Expression):
+                    return part.tape
+    return Tape(0)  # of numbers alone
+
+
+# ---------------------------------------------------------------------- arithmetic
+
+RULES["add"] = RULES["add_any"] = lambda x, p, e: [np.asarray(x[0] + x[1], object)]
+RULES["sub"] = lambda x, p, e: [np.asarray(x[0] - x[1], object)]
+RULES["mul"] = lambda x, p, e: [np.asarray(x[0] * x[1], object)]
+RULES["div"] = lambda x, p, e: [np.asarray(x[0] / x[1], object)]
+RULES["neg"] = lambda x, p, e: [np.asarray(-x[0], object)]
+RULES["integer_pow"] = lambda x, p, e: [_each(lambda a: a ** p["y"], x[0])]
+RULES["square"] = lambda x, p, e: [np.asarray(x[0] * x[0], object)]
+RULES["sqrt"] = lambda x, p, e: [_each(lambda a: a**0.5, x[0])]
+RULES["rsqrt"] = lambda x, p, e: [_each(lambda a: a**-0.5, x[0])]
+RULES["cbrt"] = lambda x, p, e: [_each(lambda a: a ** (1.0 / 3.0), x[0])]
+
+
+@_rule("pow")
+def _power(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
+    if x[1].dtype == object:
+        raise Untraceable("a power whose exponent moves")
+    base, exponent = np.broadcast_arrays(*x)
+    found = np.empty(base.shape, object)
+    for k in np.ndindex(base.shape):
+        found[k] = base[k] ** float(exponent[k])
+    return [found]
+
+
+def _elementary(function: Callable[[Expression], Expression]) -> Rule:
+    def rule(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
+        tape = _tape_of(x[0])
+
+        def of(a: Any) -> Expression:
+            if isinstance(a, Complex):
+                raise Untraceable(f"`{equation.primitive.name}` of a complex number")
+            return function(a if isinstance(a, Expression) else tape.constant(float(a)))
+
+        return [_each(of, x[0])]
+
+    return rule
+
+
+def _hyperbolic(sign: float) -> Callable[[Expression], Expression]:
+    return lambda a: (exponential(a) + sign * exponential(-a)) * 0.5
+
+
+RULES["sin"] = _elementary(lambda a: sine_and_cosine(a)[0])
+RULES["cos"] = _elementary(lambda a: sine_and_cosine(a)[1])
+RULES["tan"] = _elementary(lambda a: sine_and_cosine(a)[0] / sine_and_cosine(a)[1])
+RULES["exp"] = _elementary(exponential)
+RULES["log"] = _elementary(logarithm)
+RULES["log1p"] = _elementary(lambda a: logarithm(a + 1.0))
+RULES["sinh"], RULES["cosh"] = _elementary(_hyperbolic(-1.0)), _elementary(_hyperbolic(1.0))
+# of exponentials that cannot overflow where the function is one
+RULES["logistic"] = _elementary(lambda a: 1.0 / (exponential(-a) + 1.0))
+RULES["tanh"] = _elementary(lambda a: 1.0 - 2.0 / (exponential(a * 2.0) + 1.0))
+
+
+BY_NUMPY: dict[str, Callable[[list[Array], dict[str, Any]], Any]] = {
+    "add": lambda x, p: x[0] + x[1],
+    "add_any": lambda x, p: x[0] + x[1],
+    "sub": lambda x, p: x[0] - x[1],
+    "mul": lambda x, p: x[0] * x[1],
+    "neg": lambda x, p: -x[0],
+    "lt": lambda x, p: x[0] < x[1],
+    "ge": lambda x, p: x[0] >= x[1],
+    "reshape": lambda x, p: x[0].reshape(p["new_sizes"]),
+    "squeeze": lambda x, p: np.squeeze(x[0], axis=tuple(p["dimensions"])),
+    "transpose": lambda x, p: np.transpose(x[0], p["permutation"]),
+    "broadcast_in_dim": lambda x, p: _spread(x, p, None)[0],
+    "slice": lambda x, p: _slice(x, p, None)[0],
+    "concatenate": lambda x, p: np.concatenate(x, axis=p["dimension"]),
+    "convert_element_type": lambda x, p: x[0].astype(p["new_dtype"]),
+    "select_n": lambda x, p: np.choose(x[0].astype(int), x[1:]),
+}
+
+
+# ---------------------------------------------------------------------- branches on the time alone
+
+
+def _comparison(compare: Callable[[float, float], bool]) -> Rule:
+    def rule(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
+        tape = _tape_of(*x)
+        one, other = np.broadcast_arrays(*x)
+        found = np.empty(one.shape, bool)
+        for k in np.ndindex(found.shape):
+            found[k] = compare(tape.at_instant(one[k]), tape.at_instant(other[k]))
+        return [found]
+
+    return rule
+
+
+for _name, _compare in (("lt", operator.lt), ("le", operator.le), ("gt", operator.gt), ("ge", operator.ge)):
+    RULES[_name] = _comparison(_compare)
+
+
+def _chosen(first: Callable[[float, float], bool]) -> Rule:
+    def rule(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
+        value = _tape_of(*x).at_instant
+        return [_pairs(lambda a, b: a if first(value(a), value(b)) else b, *np.broadcast_arrays(*x))]
+
+    return rule
+
+
+RULES["max"], RULES["min"] = _chosen(operator.ge), _chosen(operator.le)
+RULES["abs"] = _elementary(lambda a: a if a.tape.at_instant(a) >= 0.0 else -a)
+RULES["sign"] = _elementary(lambda a: a.tape.constant(math.copysign(1.0, a.tape.at_instant(a))))
+
+
+# ---------------------------------------------------------------------- sums
+
+
+@_rule("reduce_sum")
+def _sum(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
+    axes, tape = tuple(parameters["axes"]), _tape_of(x[0])
+    kept = [k for k in range(x[0].ndim) if k not in axes]
+    moved = np.transpose(x[0], (*kept, *axes))
+    shape = moved.shape[: len(kept)]
+    found = np.empty(shape, object)
+    for k in np.ndindex(shape):
+        found[k] = total(tape, np.ravel(moved[k]) if axes else [moved[k]])
+    return [found]
+
+
+@_rule("reduce_prod")
+def _all_multiplied(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
+    return [np.multiply.reduce(x[0], axis=tuple(parameters["axes"]))]
+
+
+@_rule("dot_general")
+def _dot(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
+    (summed_a, summed_b), (batch_a, batch_b) = parameters["dimension_numbers"]
+    a, b = x
+    free_a = [k for k in range(a.ndim) if k not in (*summed_a, *batch_a)]
+    free_b = [k for k in range(b.ndim) if k not in (*summed_b, *batch_b)]
+    batch = [a.shape[k] for k in batch_a]
+    left = np.transpose(a, (*batch_a, *free_a, *summed_a)).reshape(*batch, *(a.shape[k] for k in free_a), -1)
+    right = np.transpose(b, (*batch_b, *free_b, *summed_b)).reshape(*batch, *(b.shape[k] for k in free_b), -1)
+    tape = _tape_of(a, b)
+    found = np.empty((*batch, *(a.shape[k] for k in free_a), *(b.shape[k] for k in free_b)), object)
+    for k in np.ndindex(found.shape):
+        place, rest = k[: len(batch)], k[len(batch) :]
+        one, two = left[(*place, *rest[: len(free_a)])], right[(*place, *rest[len(free_a) :])]
+        found[k] = total(tape, (u * v for u, v in zip(one, two, strict=True) if not (_is_zero(u) or _is_zero(v))))
+    return [found]
+
+
+def _is_zero(x: Any) -> bool:
+    if isinstance(x, Complex):
+        return False
+    return not x.terms and x.constant == 0.0 if isinstance(x, Expression) else bool(x == 0)
+
+
+# ---------------------------------------------------------------------- complex numbers
+
+RULES["complex"] = lambda x, p, e: [_pairs(Complex, *np.broadcast_arrays(*x))]
+RULES["real"] = lambda x, p, e: [_each(lambda a: Complex.of(a).real, x[0])]
+RULES["imag"] = lambda x, p, e: [_each(lambda a: Complex.of(a).imag, x[0])]
+RULES["conj"] = lambda x, p, e: [_each(lambda a: Complex.of(a).conjugate(), x[0])]
+
+
+def _pairs(make: Callable[[Any, Any], Any], a: Array, b: Array) -> Array:
+    found = np.empty(a.shape, object)
+    for k in np.ndindex(a.shape):
+        found[k] = make(a[k], b[k])
+    return found
+
+
+# ---------------------------------------------------------------------- data that moves
+
+for _name in ("copy", "copy_p", "stop_gradient", "device_put", "reduce_precision"):
+    RULES[_name] = lambda x, p, e: [x[0]]
+RULES["optimization_barrier"] = lambda x, p, e: x
+RULES["reshape"] = lambda x, p, e: [x[0].reshape(p["new_sizes"])]
+RULES["squeeze"] = lambda x, p, e: [np.squeeze(x[0], axis=tuple(p["dimensions"]))]
+RULES["expand_dims"] = lambda x, p, e: [np.expand_dims(x[0], tuple(p["dimensions"]))]
+RULES["transpose"] = lambda x, p, e: [np.transpose(x[0], p["permutation"])]
+RULES["rev"] = lambda x, p, e: [np.flip(x[0], tuple(p["dimensions"]))]
+RULES["concatenate"] = lambda x, p, e: [np.concatenate([np.asarray(a, object) for a in x], axis=p["dimension"])]
+
+
+@_rule("convert_element_type")
+def _converted(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
+    if not jnp.issubdtype(parameters["new_dtype"], jnp.inexact):
+        raise Untraceable(f"conversion to {parameters['new_dtype']}")
+    return [x[0]]
+
+
+@_rule("broadcast_in_dim")
+def _spread(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
+    shape = [1] * len(parameters["shape"])
+    for k, axis in enumerate(parameters["broadcast_dimensions"]):
+        shape[axis] = x[0].shape[k]
+    return [np.broadcast_to(x[0].reshape(shape), parameters["shape"])]
+
+
+@_rule("slice")
+def _slice(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
+    strides = parameters["strides"] or [1] * x[0].ndim
+    limits = zip(parameters["start_indices"], parameters["limit_indices"], strides, strict=True)
+    return [x[0][tuple(slice(*each) for each in limits)]]
+
+
+@_rule("split")
+def _split(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
+    return np.split(x[0], np.cumsum(parameters["sizes"])[:-1], axis=parameters["axis"])
+
+
+@_rule("select_n")
+def _selected(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
+    if x[0].dtype == object:
+        raise Untraceable("a branch on something that moves (`select_n`)")
+    which, *cases = np.broadcast_arrays(*x)
+    found = np.empty(which.shape, object)
+    for k in np.ndindex(which.shape):
+        found[k] = cases[int(which[k])][k]
+    return [found]
+
+
+@_rule("gather", "dynamic_slice", "scatter", "pad", "dynamic_update_slice", "unstack", "stack")
+def _moved(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
+    """Do to numbers of elements what is to be done to elements, and read from it which goes where."""
+    elements: list[Any] = []
+    numbered = []
+    for a in x:
+        if a.dtype == object or jnp.issubdtype(a.dtype, jnp.inexact):
+            places = np.arange(len(elements), len(elements) + a.size, dtype=float)
+            elements.extend(a.flat)
+            numbered.append(places.reshape(a.shape))
+        else:
+            numbered.append(a)
+    return [_each(lambda k: elements[int(k)], places) for places in _by_numbers(equation, numbered)]
+
+
+@_rule("scatter-add", "scatter_add", "cumsum", "triangular_solve", "reduce_window_sum", "fft")
+def _linear(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
+    """Do to unit vectors what is linear in what moves, in real and imaginary parts."""
+    moving = [k for k, a in enumerate(x) if a.dtype == object]
+    if equation.primitive.name == "triangular_solve" and 0 in moving:
+        raise Untraceable("a linear system whose matrix moves")
+    kinds = [equation.invars[k].aval.dtype for k in range(len(x))]
+    parts = [2 if jnp.issubdtype(kind, jnp.complexfloating) else 1 for kind in kinds]
+    size = sum(x[k].size * parts[k] for k in moving)
+    if size > LARGEST_LINEAR:
+        raise Untraceable(f"`{equation.primitive.name}` of {size} numbers")
+    result = equation.outvars[0].aval
+    is_complex = jnp.issubdtype(result.dtype, jnp.complexfloating)
+
+    def of(flat: Any) -> Any:
+        given, start = [jnp.asarray(np.zeros(a.shape) if a.dtype == object else a, k)
+                        for a, k in zip(x, kinds, strict=True)], 0  # fmt: skip
+        for k in moving:
+            numbers = flat[start : start + x[k].size * parts[k]].reshape(*x[k].shape, parts[k])
+            given[k] = numbers[..., 0] if parts[k] == 1 else jax.lax.complex(numbers[..., 0], numbers[..., 1])
+            start += x[k].size * parts[k]
+        found = equation.primitive.bind(*given, **parameters)
+        found = jnp.ravel(found[0] if equation.primitive.multiple_results else found)
+        return jnp.stack([jnp.real(found), jnp.imag(found)], -1).ravel() if is_complex else found
+
+    zero, matrix = np.asarray(of(jnp.zeros(size))), np.asarray(jax.jacfwd(of)(jnp.zeros(size)))
+    elements: list[Any] = []
+    for k in moving:
+        for a in x[k].flat:
+            elements.extend([Complex.of(a).real, Complex.of(a).imag] if parts[k] == 2 else [a])
+    tape = _tape_of(*(x[k] for k in moving))
+    found = np.empty(len(matrix), object)
+    for row, (start, coefficients) in enumerate(zip(zero, matrix, strict=True)):
+        where = np.flatnonzero(coefficients)
+        found[row] = total(tape, [float(start), *(elements[k] * float(coefficients[k]) for k in where)])
+    if is_complex:
+        found = _pairs(Complex, found[::2], found[1::2])
+    return [found.reshape(result.shape)]
+
+
+@_rule("scan")
+def _scan(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
+    """Write out a loop whose number of rounds is known."""
+    rounds, known, carried = parameters["length"], parameters["num_consts"], parameters["num_carry"]
+    if rounds > MOST_ROUNDS:
+        raise Untraceable(f"a loop of {rounds} rounds")
+    closed = parameters["jaxpr"]
+    constants, now, streams = x[:known], x[known : known + carried], x[known + carried :]
+    outputs: list[list[Array]] = []
+    for k in reversed(range(rounds)) if parameters["reverse"] else range(rounds):
+        found = _evaluated(closed.jaxpr, closed.consts, [*constants, *now, *(s[k, ...] for s in streams)])
+        now, rest = found[:carried], found[carried:]
+        outputs.append([np.asarray(a, object) for a in rest])
+    if parameters["reverse"]:
+        outputs.reverse()
+    return [*now, *(np.stack(each) for each in zip(*outputs, strict=True))]
+
+
+@_rule("cond")
+def _branch(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
+    if x[0].dtype == object:
+        raise Untraceable("a branch on something that moves (`cond`)")
+    branches = parameters["branches"]
+    chosen = branches[int(np.clip(int(x[0]), 0, len(branches) - 1))]
+    return _evaluated(chosen.jaxpr, chosen.consts, x[1:])

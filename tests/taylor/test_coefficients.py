@@ -1,0 +1,193 @@
+"""Taylor coefficients of every operation, against power series of python-flint, and the tape they come from."""
+
+import flint
+import jax
+import jax.numpy as jnp
+import numpy as np
+import pytest
+
+from polhode import systems
+from polhode.taylor import kernel
+from polhode.taylor.expressions import MOST_NODES, Tape, Untraceable
+from polhode.taylor.machine import machine_of
+from polhode.taylor.program import CODE, OPERATIONS, program_of
+from polhode.taylor.tracing import traced
+
+ORDER = 20
+EPS = 2.0**-52
+
+
+class OwnField(systems.base.AbstractSystem):
+    """A system of any field."""
+
+    field: object
+
+    def vector_field(self, t, state):
+        return self.field(t, state)
+
+    def invariants(self, state):
+        return {}
+
+
+def coefficients(field, start, t=0.0, order=ORDER):
+    """Return the coefficients (order + 1, n) of the motion by the kernel."""
+    machine = machine_of(OwnField(field), np.array(start), 0.0)
+    program, n = machine.program, len(start)
+    z = np.zeros((order + 1) * program.slots + 8)
+    z[:n] = start
+    if machine.clock >= 0:
+        z[machine.clock] = t
+    a = np.zeros((order + 1) * program.products + 8)
+    run = getattr(kernel.coefficients, "py_func", kernel.coefficients)
+    run(*program, z, a, a.copy(), order)
+    return z[:-8].reshape(order + 1, -1)[:, :n]
+
+
+def by_flint(field, start, t=0.0, order=ORDER):
+    """Return the same by integrating power series of intervals, one order more each time."""
+    flint.ctx.prec, flint.ctx.cap = 200, order + 1
+    time = flint.arb_series([t, 1])
+    now = [flint.arb_series([x]) for x in start]
+    for _ in range(order):
+        rates = field(time, now)
+        now = [flint.arb_series([x]) + flint.arb_series(r).integral() for x, r in zip(start, rates, strict=True)]
+    return np.array([[float(x[k].mid()) for x in now] for k in range(order + 1)])
+
+
+def two(f, g=None):
+    """Return a field of two components from functions of both, for JAX and for flint."""
+    one = lambda t, y: jnp.stack(f(jnp, t, y))  # noqa: E731
+    return one, lambda t, y: (g or f)(Series, t, y)
+
+
+class Series:
+    """The names of JAX for flint's series."""
+
+    sin, cos, exp, log, sqrt = (staticmethod(lambda x, name=name: getattr(x, name)())
+                                for name in ("sin", "cos", "exp", "log", "sqrt"))  # fmt: skip
+
+    @staticmethod
+    def tanh(x):
+        return ((2 * x).exp() - 1) / ((2 * x).exp() + 1)
+
+    @staticmethod
+    def sinh(x):
+        return (x.exp() - (-x).exp()) / 2
+
+
+FIELDS = {
+    "products": two(lambda m, t, y: [y[0] * y[1] - 0.3 * y[0], 1.5 - y[0] * y[0] * y[1]]),
+    "reciprocal": two(lambda m, t, y: [1.0 / (1.0 + y[1] * y[1]), y[0] / y[1]]),
+    "whole powers": two(lambda m, t, y: [y[1] ** 5 - 0.1 * y[0], -(y[0] ** 3)]),
+    "negative power": two(lambda m, t, y: [y[1] ** -3, 0.2 * y[0]]),
+    "roots": two(lambda m, t, y: [m.sqrt(y[0] + y[1]), 1.0 / m.sqrt(y[0])]),
+    "real power": two(lambda m, t, y: [-(y[0] ** 1.7), y[0] ** -0.4],
+                      lambda m, t, y: [-((y[0].log() * 1.7).exp()), (y[0].log() * -0.4).exp()]),
+    "circular": two(lambda m, t, y: [m.sin(2.0 * y[1]) * y[0], m.cos(y[0]) - m.sin(y[0])]),
+    "tangent": two(lambda m, t, y: [0.1 * jnp.tan(y[1]), y[0]], lambda m, t, y: [0.1 * y[1].tan(), y[0]]),
+    "exponential and logarithm": two(lambda m, t, y: [-m.exp(-0.5 * y[0]), m.log(1.0 + y[0] * y[1])]),
+    "hyperbolic": two(lambda m, t, y: [m.tanh(y[1]), m.sinh(-0.5 * y[0])]),
+    "time": two(lambda m, t, y: [m.cos(3.0 * t) * y[1], t * t - y[0]]),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", FIELDS)
+def test_every_operation_has_the_coefficients_of_power_series(name):
+    ours, theirs = FIELDS[name]
+    start, t = [0.7, 1.3], 0.4
+    got, wanted = coefficients(ours, start, t), by_flint(theirs, start, t)
+    sizes = np.abs(wanted).max(axis=1, keepdims=True)
+    assert np.abs((got - wanted) / sizes).max() < 300 * EPS
+
+
+def test_a_wrong_recurrence_is_seen(monkeypatch):
+    """The power's weights with one sign wrong."""
+    right = kernel._function
+    plain = getattr(right, "py_func", right)
+
+    def wrong(operation, z, base, width, k, out, x, exponent):
+        plain(operation, z, base, width, k, out, x, exponent if k < 2 else -exponent)
+
+    monkeypatch.setattr(kernel, "_function", wrong)
+    for name in ("nodes", "coefficients"):
+        made = getattr(kernel, name)
+        monkeypatch.setattr(kernel, name, getattr(made, "py_func", made))
+    ours, theirs = FIELDS["reciprocal"]
+    assert np.abs(coefficients(ours, [0.7, 1.3]) - by_flint(theirs, [0.7, 1.3])).max() > 1e-3
+
+
+# ---------------------------------------------------------------------- the tape
+
+
+def tape_of(function, size):
+    tape = Tape(size)
+    state = np.empty(size, object)
+    state[:] = tape.state()
+    return tape, [x for part in traced(function, state) for x in np.ravel(part)]
+
+
+def test_equal_nodes_are_one_also_up_to_sign():
+    tape, found = tape_of(lambda y: (y[0] * y[1], y[1] * -y[0], (y[0] - y[1]) * y[2], (y[1] - y[0]) * y[2]), 3)
+    assert len(tape.nodes) == 3  # a product, a difference, their product
+    assert found[1].terms == {k: -c for k, c in found[0].terms.items()}
+    assert found[3].terms == {k: -c for k, c in found[2].terms.items()}
+
+
+def test_what_no_output_needs_is_not_computed():
+    tape, found = tape_of(lambda y: (y[0] * y[1] * 0.0 + y[0], jnp.sin(y[1])), 2)
+    assert program_of(tape, found[:1]).whole[OPERATIONS] == 0
+    program = program_of(tape, found)
+    assert program.whole[OPERATIONS] == 1 and program.whole[program.whole[CODE]] == 5
+
+
+def moved(y):
+    matrix = jnp.reshape(y, (2, 3))
+    turned = jnp.flip(jnp.transpose(jnp.concatenate([matrix, 2.0 * matrix], axis=0)), 0)
+    put = jnp.zeros(6).at[jnp.array([0, 2, 2])].add(y[:3]).at[5].set(y[4])
+    return jnp.sum(turned, axis=0), put, jnp.cumsum(y)[1:4], jnp.pad(y[:2], (1, 2)), jnp.where(jnp.arange(6) > 2, y, -y)
+
+
+def complex_parts(y):
+    z = jax.lax.complex(y[:3], y[3:])
+    matrix = jnp.outer(z, jnp.conj(z)) @ jnp.diag(jnp.array([1.0, 2.0j, 1.0 - 1.0j]))
+    spectrum = jnp.fft.fft(z)
+    return jnp.real(matrix), jnp.imag(matrix), jnp.real(spectrum), jnp.imag(1.0 / z), jnp.real(z**3)
+
+
+def loops(y):
+    total, rest = jax.lax.scan(lambda c, x: (c * 0.5 + x * y[0], c + x), jnp.array(1.0), y)
+    return total, rest, jax.lax.fori_loop(0, 3, lambda k, c: c * y[1], y[2]), jnp.linalg.norm(y) ** 2
+
+
+@pytest.mark.parametrize("function", [moved, complex_parts, loops])
+def test_tracing_gives_the_function(function):
+    """Values of the tape at numbers, against JAX."""
+    y = np.array([0.3, -1.2, 0.8, 2.0, -0.5, 1.1])
+    tape, found = tape_of(function, 6)
+    program = program_of(tape, [x if hasattr(x, "terms") else tape.constant(float(x)) for x in found])
+    z, blank = np.zeros(program.slots + 8), np.zeros(program.products + 8)
+    z[:6] = y
+    run = getattr(kernel.values_at, "py_func", kernel.values_at)
+    got = run(*program, z, blank, blank.copy(), len(found))
+    wanted = np.concatenate([np.ravel(x) for x in function(jnp.asarray(y))])
+    assert got == pytest.approx(wanted, rel=1e-14, abs=1e-14)
+
+
+@pytest.mark.parametrize(("function", "said"), [
+    (lambda y: jnp.where(y[0] > 0.0, y[0], 0.0), "a branch on something that moves"),
+    (lambda y: jnp.abs(y[0]), "a branch on something that moves"),
+    (lambda y: jax.scipy.special.erf(y[0]), "`erf` of something that moves"),
+    (lambda y: y[0] ** y[1], "a power whose exponent moves"),
+    (lambda y: jnp.linalg.inv(y[:4].reshape(2, 2)), "something that moves"),
+])  # fmt: skip
+def test_what_has_no_recurrence_is_named(function, said):
+    with pytest.raises(Untraceable, match=said):
+        tape_of(function, 6)
+
+
+def test_a_tape_that_grows_too_long_is_refused():
+    tape = Tape(2)
+    x, y = tape.state()
+    with pytest.raises(Untraceable, match=f"more than {MOST_NODES} operations"):
+        for k in range(MOST_NODES + 2):
+            tape.product(x + float(k), y)
