@@ -8,7 +8,7 @@ import numpy as np
 
 from polhode.estimation.linear_start import linear_inertia, turned_by
 from polhode.estimation.principal import why_undetermined
-from polhode.estimation.throw_fit import LIMITS, Model, Solution, Throw, explains, fitted
+from polhode.estimation.throw_fit import LIMITS, ROBUST, Model, Solution, Throw, explains, fitted, predicted, whitening
 from polhode.estimation.throw_models import shape_of
 from polhode.types import Array, Float64
 
@@ -22,7 +22,7 @@ RESTARTS = np.array([[0.3, 0.05], [0.6, 0.05], [0.85, 0.02], [0.3, 0.3]])  # sha
 MIN_TURN = 0.5  # rad: of less nothing can be said
 MOST_TURN = 2.0  # rad from sample to sample: a third of a turn, between which the motion cannot be followed
 FASTEST, ROUND = 75.0, 0.6  # rad/s, 4300 deg/s; I1/I3 by the linear method: rates too large make a body round
-FAR_GAIN = 2.0  # standard deviations of the gains
+ASKED = 12.0  # of χ² for three numbers, by which residuals ask for a wheel: one throw in 130 without one does so
 SURE = 10.0  # of AICc, by which a wheel must do better than air: few bodies have one
 AIR = ((), ("drag",), ("drag", "linear_drag"), ("drag", "linear_drag", "one_sided_drag"))
 SPANS = (100.0, 0.3, 0.15)  # s, of stretches over which a momentum is constant: biases add up over long ones
@@ -91,7 +91,7 @@ def solutions_of(
     found = []
     if rotor is not True:
         found += _in_air(plain, start, throws, drag)
-    if rotor is True or (rotor == "auto" and (_needs_much(found) or _doubtful(min(found, key=criterion), start))):
+    if rotor is True or (rotor == "auto" and _asks_for_wheel(min(found, key=criterion), start, throws)):
         found += _with_wheel(plain, throws, drag)
     best = min(found, key=criterion)
     if _in_a_valley(best, start):
@@ -117,8 +117,15 @@ def _in_air(plain: Model, start: Start, throws: list[Throw], drag: bool | str) -
     x = np.concatenate([start.shape, np.zeros(3), plain.bias, *_no_gains(plain), *begin])
     last = _grown(plain, x, start.axes, throws)
     found = [last]
-    for forces in AIR[1:] if drag is not False and explains(last, throws) else ():
-        more = _richer(last, replace(plain, forces=forces), throws)
+    for forces in AIR[1:] if drag is not False else ():
+        model = replace(plain, forces=forces)
+        if explains(last, throws):
+            more = _richer(last, model, throws)
+        elif len(forces) == 1:  # without drag the fit went to a wrong place: with it, from the linear method's again
+            at = np.insert(x, model.places["drag"].start, np.zeros(3))
+            more = _best_of(model, [(at, start.axes)], throws)
+        else:
+            break
         found.append(more)
         if len(forces) > 1 and more.aicc > last.aicc:
             break
@@ -169,20 +176,27 @@ def _in_a_valley(solution: Solution, start: Start) -> bool:
     return bool(misfit) or at_bound(solution) is not None
 
 
-def _doubtful(solution: Solution, start: Start) -> bool:
-    """Whether residuals are larger than the samples' noise, or neighbouring ones alike."""
-    return _in_a_valley(solution, start) or alike(solution.residuals) > ALIKE
-
-
-def _needs_much(found: list[Solution]) -> bool:
-    """Whether air does much better than none, or gains are far from expected: both can hide a wheel."""
-    best = min(found, key=criterion)
-    if max(one.aicc for one in found) - best.aicc > SURE:
+def _asks_for_wheel(solution: Solution, start: Start, throws: list[Throw]) -> bool:
+    """Whether residuals are larger than the samples' noise, neighbouring ones alike, or what a wheel would lessen."""
+    if _in_a_valley(solution, start) or alike(solution.residuals) > ALIKE:
         return True
-    which, means, weights = best.model.believed()
-    gains = [best.model.places[name] for name in ("gain", "cross_axis") if name in best.model.places]
-    of_gains = np.any([(which >= place.start) & (which < place.stop) for place in gains], axis=0) if gains else False
-    return bool(np.abs(np.where(of_gains, weights @ (best.parameters[which] - means), 0.0)).max() > FAR_GAIN)
+    return lessened_by_wheel(solution, throws) > ASKED
+
+
+def lessened_by_wheel(solution: Solution, throws: list[Throw]) -> float:
+    """Return by how much a small wheel would lessen χ², all else being free to follow (Rao's score test)."""
+    model = replace(solution.model, forces=(*solution.model.forces, "rotor"))
+    x = carried(solution, model)
+    _, slopes, fast = predicted(model, x, solution.axes, throws)
+    white = whitening(fast, solution.sigma, solution.jitter)
+    which, means, weights = model.believed()
+    A = np.concatenate([(white @ slopes).reshape(-1, model.size), weights @ np.eye(model.size)[which]])
+    z = np.clip((white @ solution.residuals[..., None]).ravel(), -ROBUST, ROBUST)
+    z = np.concatenate([z, weights @ (means - x[which])])
+    scaled = A / np.maximum(np.linalg.norm(A, axis=0), 1e-300)
+    without = np.delete(scaled, np.r_[model.places["rotor"]], axis=1)
+    explained = [z @ part @ np.linalg.lstsq(part, z, rcond=1e-9)[0] for part in (without, scaled)]
+    return float(explained[1] - explained[0])
 
 
 def alike(residuals: Array) -> float:
