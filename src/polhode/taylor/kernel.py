@@ -420,3 +420,14 @@ def values_at(
     for c in range(count):
         found[c] = combination(whole, number, z, 0, whole[FIRST] + c) + number[whole[CONSTANT] + c]
     return found
+
+
+@compiled(fastmath={"contract", "nsz"}, nogil=True, cache=True)
+def coefficients_at(whole: Array, number: Array, state: Array, order: Any) -> Float64[Array, "numbers"]:
+    """Return the coefficients of all nodes, order after order, of the motion through a state (n,)."""
+    z = np.zeros((order + 1) * whole[SLOTS] + 8)
+    a = np.zeros((order + 1) * whole[PRODUCTS] + 8)
+    for i in range(whole[SIZE]):
+        z[i] = state[i]
+    coefficients(whole, number, z, a, np.zeros_like(a), order)
+    return z
