@@ -23,7 +23,7 @@ if hasattr(os, "sched_setaffinity"):
     os.sched_setaffinity(0, {min(os.sched_getaffinity(0))})
 os.environ.setdefault("XLA_FLAGS", "--xla_cpu_multi_thread_eigen=false")
 HOME = Path(__file__).parent
-PEERS = ("numpy", "scipy", "jax", "diffrax", "numba", "mujoco", "orekit-jpype", "numericalpoissongeometry")
+PEERS = ("numpy", "scipy", "jax", "diffrax", "numba", "heyoka", "mujoco", "orekit-jpype", "numericalpoissongeometry")
 
 
 def main() -> None:

@@ -1,0 +1,141 @@
+"""A hundred motions to t = 20 by Taylor series, at the error that the peer has or less"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from functools import partial
+from typing import Any, NamedTuple
+
+import diffrax
+import jax
+import jax.numpy as jnp
+import numpy as np
+from measure import Row, compared, median, missing
+
+from polhode import systems
+from polhode.taylor.expressions import Expression, Operation, Tape
+from polhode.taylor.runs import Precision, precision_of, runs_of
+from polhode.taylor.tracing import traced
+
+SPAN, COPIES, TURNS = 20.0, 100, 7
+TARGETS = (1e-8, 1e-12, 3e-15)
+OURS = (None, *10.0 ** -np.arange(6.0, 17.0))
+THEIRS = 10.0 ** -np.arange(5.0, 17.0)
+DOPRI8 = 10.0 ** -np.arange(6.0, 15.0)
+
+
+class Case(NamedTuple):
+    """A system and where it starts from; copies start near to it."""
+
+    name: str
+    system: systems.base.AbstractSystem
+    start: np.ndarray
+
+
+def cases() -> Iterator[Case]:
+    """Yield the systems, those of bodies with their attitude."""
+    turned = np.array([1.0, 0.0, 0.0, 0.0])
+    yield Case("free body", systems.FreeRigidBody((1.0, 2.0, 3.5)), np.concatenate([turned, [0.3, 2.0, 0.1]]))
+    top = systems.HeavyTop((1.0, 2.0, 3.5), 1.3, (0.6, 0.0, 0.8))
+    yield Case("heavy top", top, np.asarray(top.pack(attitude=turned, angular_velocity=(0.3, 1.0, 0.1))))
+    point = np.array([0.3, 1.0, 0.2, 0.5, -0.4, 1.0])
+    yield Case("Clebsch's body", systems.BrunBody((1.0, 2.0, 3.0), 0.7), point)
+    yield Case("Kirchhoff's body", systems.Kirchhoff((1.0, 2.0, 3.0, 2.0, 3.0, 5.0)), point)
+    full = np.diag([1.0, 2.0, 3.0, 2.0, 3.0, 5.0]) + 0.1
+    yield Case("Kirchhoff's body, full matrix", systems.Kirchhoff(full), point)
+    yield Case("Toda, four", systems.Toda(4), np.array([0.5, -0.2, 0.1, 0.3, 1.0, 0.8, 1.2]))
+
+
+def rows(quick: bool) -> Iterator[Row]:
+    """Yield heyoka and Dopri8 at each error, with the cheapest order and reach of ours that is as exact."""
+    copies = 2 if quick else COPIES
+    for case in list(cases())[: 2 if quick else None]:
+        starts = np.repeat(case.start[None], copies, axis=0)
+        exact = _ours(case, starts[:1], Precision(40, 0.2))[0]
+        for target in TARGETS[1:2] if quick else TARGETS:
+            mine = _cheapest(partial(_ours, case, starts), map(precision_of, OURS), exact, target)
+            work = f"{case.name}, error at most {target:.0e}"
+            for name, make, choices in (("heyoka", _heyoka, THEIRS), ("diffrax Dopri8", _dopri8, DOPRI8)):
+                peer = make(case, starts)
+                if peer is None:
+                    yield missing(work, name, "`pip install heyoka`")
+                    continue
+                theirs = _cheapest(peer, choices, exact, target)
+                if mine is None or theirs is None:
+                    who = "ours" if mine is None else "the peer"
+                    yield Row(work, name, note=f"{who} does not come as near")
+                    continue
+                both = partial(_ours, case, starts, mine[1]), partial(peer, theirs[1])
+                found = compared(*both, 2 if quick else TURNS)
+                note = f"order {mine[1].order}; peer's tolerance {theirs[1]:g}"
+                yield Row(work, name, mine[2], theirs[2], *found, note)
+
+
+def _cheapest(run: Callable[[Any], np.ndarray], choices: Any, exact: np.ndarray, target: float) -> Any:
+    """Return time, choice and error of the cheapest run whose error is small enough, or None."""
+    found = []
+    for choice in choices:
+        error = float(np.abs(run(choice)[0] - exact).max() / np.abs(exact).max())
+        if error <= target:
+            found.append((median(lambda c=choice: run(c), 3), choice, error))
+    return min(found, key=lambda one: one[0], default=None)
+
+
+def _ours(case: Case, starts: np.ndarray, by: Precision) -> np.ndarray:
+    return runs_of(case.system, starts, np.array([0.0, SPAN]), by).end_state
+
+
+def _dopri8(case: Case, starts: np.ndarray) -> Callable[[float], np.ndarray]:
+    @jax.jit
+    def run(states: Any, tolerance: Any) -> Any:
+        def one(state: Any) -> Any:
+            term = diffrax.ODETerm(lambda t, y, args: case.system.vector_field(t, y))
+            control = diffrax.PIDController(rtol=tolerance, atol=tolerance)
+            return diffrax.diffeqsolve(term, diffrax.Dopri8(), 0.0, SPAN, None, state, stepsize_controller=control,
+                                       max_steps=100_000).ys[0]  # fmt: skip
+
+        return jax.lax.map(one, states)
+
+    return lambda tolerance: np.asarray(run(jnp.asarray(starts), tolerance))
+
+
+def _heyoka(case: Case, starts: np.ndarray) -> Callable[[float], np.ndarray] | None:
+    try:
+        import heyoka
+    except ImportError:
+        return None
+    n = starts.shape[1]
+    tape = Tape(n)
+    state = np.empty(n, object)
+    state[:] = tape.state()
+    rates = np.ravel(traced(lambda y: case.system.vector_field(0.0, y), state)[0])
+    values = list(heyoka.make_vars(*[f"x{k}" for k in range(n)]))
+    variables = list(values)
+
+    def combined(terms: Any, constant: float) -> Any:
+        parts = [c * values[k] for k, c in terms]
+        parts += [heyoka.expression(float(constant))] if constant or not parts else []
+        return heyoka.sum(parts)
+
+    for node in tape.nodes:
+        if node.operation is Operation.AFFINE:
+            values.append(combined(zip(node.arguments, node.coefficients, strict=True), node.number))
+        elif node.operation is Operation.PRODUCT:
+            values.append(values[node.arguments[0]] * values[node.arguments[1]])
+        else:
+            values.append(values[node.arguments[0]] ** node.number)
+    whole = [r if isinstance(r, Expression) else tape.constant(float(r)) for r in rates]
+    equations = [(v, combined(r.terms.items(), r.constant)) for v, r in zip(variables, whole, strict=True)]
+    made: dict[float, Any] = {}
+
+    def run(tolerance: float) -> np.ndarray:
+        if tolerance not in made:
+            made[tolerance] = heyoka.taylor_adaptive(equations, list(starts[0]), tol=float(tolerance))
+        engine, found = made[tolerance], np.empty_like(starts)
+        for k, start in enumerate(starts):
+            engine.time, engine.state[:] = 0.0, start
+            engine.propagate_until(SPAN)
+            found[k] = engine.state
+        return found
+
+    return run
