@@ -43,6 +43,7 @@ from . import (
 from .analysis.comparison import AttitudeHistory as AttitudeHistory
 from .analysis.comparison import compare as compare
 from .analysis.equilibria import find_equilibria as find_equilibria
+from .analysis.sections import section as section
 from .analysis.stability import stability as stability
 from .analysis.twist import racket_twist as racket_twist
 from .arrays import closed_forms as closed_forms

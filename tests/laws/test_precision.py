@@ -88,6 +88,8 @@ ENTRIES = {
     "solve times": ((0.0, 1.0), lambda x: ph.solve(BODY, THREE, x)),
     "solve step": (0.1, lambda x: ph.solve(BODY, THREE, (0.0, 1.0), step=x)),
     "stability": ((0.0, 1.0, 0.0), lambda x: ph.stability(BODY, x)),
+    "section state": (THREE, lambda x: ph.section(BODY, x, lambda t, point: point[1], (0.0, 1.0))),
+    "section times": ((0.0, 1.0), lambda x: ph.section(BODY, THREE, lambda t, point: point[1], x)),
     "find_equilibria": ((0.0, 1.0, 0.0), lambda x: ph.find_equilibria(BODY, x)),
 }
 

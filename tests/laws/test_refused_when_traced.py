@@ -184,6 +184,7 @@ REFUSED = {
         np.array([[1, 0, 1]]), np.array([[0, 0, 0]]), x * np.ones(1), np.ones(1)), ["B"])),
     "find_equilibria": (AXIS, lambda x: ph.find_equilibria(BODY, x)),
     "simulate": (THREE, lambda x: ph.simulate(BODY, x, (0.0, 1.0))),
+    "sections.section": (THREE, lambda x: ph.section(BODY, x, lambda t, point: point[1], (0.0, 1.0))),
     "first_method": (EYE, first_method.first_method),
     "steady_rotations": (1.0, lambda x: analysis.steady_rotations(ROTOR, x)),
     "damped_axis_stability": (1.0, lambda x: analysis.damped_axis_stability(LOSING, x)),

@@ -127,6 +127,8 @@ from .rolling import (
 from .rolling import (
     steady_rolling as steady_rolling,
 )
+from .sections import Section as Section
+from .sections import section as section
 from .spin_correlations import structure_factor as structure_factor
 from .spin_down import (
     SpinDown as SpinDown,

@@ -11,7 +11,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
+from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem, Event
 from polhode.taylor.expressions import Expression, Tape, Untraceable, gradient
 from polhode.taylor.program import Program, program_of
 from polhode.taylor.tracing import traced
@@ -84,38 +84,39 @@ class Machine(NamedTuple):
     clock: int
 
 
-def machine_of(system: AbstractSystem, state: Array, instant: float) -> Machine:
+def machine_of(system: AbstractSystem, state: Array, instant: float, through: Event | None = None) -> Machine:
     """Return the programs of a system for states like one.
 
     Args:
         system: what moves.
         state: one, as ``check_state`` gives it.
         instant: a time [s] between the same jumps as the motion.
+        through: a function of time and state that is watched too, after the events.
 
     Raises:
         Untraceable: if rates, balances or events are not made of operations that have a recurrence.
     """
     form = Form(np.shape(state), np.iscomplexobj(state))
     try:
-        return _kept(system, form, instant if np.size(system.jumps) else 0.0)
+        return _kept(system, form, instant if np.size(system.jumps) else 0.0, through)
     except TypeError:  # what cannot be hashed is traced each time
-        return _made(system, form, instant)
+        return _made(system, form, instant, through)
 
 
 @lru_cache(maxsize=64)
-def _kept(system: AbstractSystem, form: Form, instant: float) -> Machine:
-    return _made(system, form, instant)
+def _kept(system: AbstractSystem, form: Form, instant: float, through: Event | None) -> Machine:
+    return _made(system, form, instant, through)
 
 
-def _made(system: AbstractSystem, form: Form, instant: float) -> Machine:
+def _made(system: AbstractSystem, form: Form, instant: float, through: Event | None) -> Machine:
     zero = jnp.zeros(()), jax.ShapeDtypeStruct(form.shape, complex if form.is_complex else float)
     balances = tuple(jax.eval_shape(system.balances, *zero))
-    events = dict(system.events)
+    events = list(system.events.values()) + ([] if through is None else [through])
 
     def everything(t: Any, numbers: Any) -> Any:
         state = form.state(numbers)
         received = [jnp.ravel(b.rate) for b in system.balances(t, state).values()]
-        watched = [jnp.ravel(jnp.asarray(event(t, state), float)) for event in events.values()]
+        watched = [jnp.ravel(jnp.asarray(event(t, state), float)) for event in events]
         return form.numbers(system.vector_field(t, state)), *received, *watched
 
     timed = _uses_time(everything, form)
@@ -131,7 +132,7 @@ def _made(system: AbstractSystem, form: Form, instant: float) -> Machine:
         rates.append(tape.constant(1.0))
     watched = [tape_value(tape, x) for part in found[1 + len(balances) :] for x in part]
     names, integrals = _integrals(system, form)
-    return Machine(form, program_of(tape, rates + watched), integrals, names, balances, tuple(events),
+    return Machine(form, program_of(tape, rates + watched), integrals, names, balances, tuple(system.events),
                    size - 1 if timed else -1)  # fmt: skip
 
 

@@ -13,7 +13,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode.motion.outcome import Status
-from polhode.systems.base import AbstractSystem
+from polhode.systems.base import AbstractSystem, Event
 from polhode.taylor import kernel
 from polhode.taylor.machine import Machine, machine_of
 from polhode.types import Array, Double, Float64, Integer
@@ -23,6 +23,7 @@ LOOSEST_ORDER = 8
 STRETCH = 200_000  # steps in one call, which take some tenths of a second; Ctrl-C is seen between two
 WITHOUT_NUMBA = 200  # the same for plain Python
 MOST_STEPS = 15_000_000
+FIRST_HITS = 256  # crossings that there is room for at first
 
 
 class Precision(NamedTuple):
@@ -77,7 +78,7 @@ class Plan(NamedTuple):
 
     borders: list[float]
     machines: list[Machine]
-    times: Float64[np.ndarray, "time"]
+    times: Float64[np.ndarray, "later"]
     precision: Precision
     longest: float
     forth: float
@@ -107,56 +108,134 @@ def runs_of(
     forth = 1.0 if times[-1] > times[0] else -1.0
     borders = _borders(system, times, forth)
     middles = [0.5 * (low + high) for low, high in itertools.pairwise(borders)]
-    plan = Plan(borders, [machine_of(system, states[0], t) for t in middles], times, precision, longest, forth)
+    plan = Plan(borders, [machine_of(system, states[0], t) for t in middles], times[1:], precision, longest, forth)
     form, program = plan.machines[0].form, plan.machines[0].program
     y = np.zeros((len(states), program.size))
     y[:, : form.size] = form.flat(states)
     scale = _scales(system, states, times[0], plan.machines[0], program.size)
     samples = np.full((len(states), len(times), program.size), np.inf)
-    found = [_one(plan, *each, lambda part, k=k: check((k + part) / len(states)))
-             for k, each in enumerate(zip(y, scale, samples, strict=True))]  # fmt: skip
+    samples[:, 0] = y  # without the time, which no state has
+    found = []
+    for k in range(len(states)):
+        given = y[k], scale[k], samples[k, 1:], lambda part, k=k: check((k + part) / len(states))
+        found.append(_one(plan, *given, times[0], np.zeros((1, 2 + program.size)))[:4])
     status, event, end, steps = (np.array(column) for column in zip(*found, strict=True))
     extra = slice(form.size, form.size + len(plan.machines[0].balances))
     return Runs(form.back(samples), samples[..., extra], status, event, end, form.back(y), y[:, extra].copy(), steps)
 
 
+class Crossings(NamedTuple):
+    """Where a motion goes through the zeros of a function.
+
+    Attributes:
+        times: (K,) [s].
+        states: (K, *shape).
+        status: one of ``Status``: of the run, which may have ended before all were found.
+        event: which of the system's events ended it, or −1.
+        end: [s] up to when crossings were sought.
+    """
+
+    times: Float64[Array, "crossings"]
+    states: Double[Array, "..."]
+    status: int
+    event: int
+    end: float
+
+
+def crossings_of(
+    system: AbstractSystem,
+    state: Double[Array, "..."],
+    through: Event,
+    times: Float64[np.ndarray, "2"],
+    precision: Precision,
+    most: int,
+    falling: bool,
+    check: Callable[[float], None] = lambda share: None,
+) -> Crossings:
+    """Return where the motion of one state goes through the zeros of a function of time and state.
+
+    Args:
+        system: what moves.
+        state: one.
+        through: the function, written with JAX.
+        times: first and last [s].
+        precision: of the steps.
+        most: how many crossings end the search.
+        falling: whether only those from positive to negative count, in the direction of the motion.
+        check: called between parts of a long run.
+
+    Raises:
+        Untraceable: if rates, events or the function are not made of operations that have a recurrence.
+    """
+    forth = 1.0 if times[-1] > times[0] else -1.0
+    borders = _borders(system, times, forth)
+    middles = [0.5 * (low + high) for low, high in itertools.pairwise(borders)]
+    machines = [machine_of(system, state, t, through) for t in middles]
+    form, size = machines[0].form, machines[0].program.size
+    y = np.zeros(size)
+    y[: form.size] = form.flat(state)
+    scale = _scales(system, np.asarray(state)[None], times[0], machines[0], size)[0]
+    hits = np.zeros((min(most, FIRST_HITS), 2 + size))
+    plan = Plan(borders, machines, times[1:], precision, math.inf, forth)
+    watch = Watch(falling, most)
+    status, event, end, _, hits = _one(plan, y, scale, np.full((1, size), np.inf), check, times[0], hits, watch)
+    found = hits[hits[:, 1] == len(system.events)][:most]
+    return Crossings(found[:, 0], form.back(found[:, 2:]), status, event, end)
+
+
+class Watch(NamedTuple):
+    """What is watched beside the system's events."""
+
+    falling: bool
+    most: int
+
+
 def _one(
-    plan: Plan, y: Array, scale: Array, samples: Array, check: Callable[[float], None]
-) -> tuple[int, int, float, int]:
-    """Move one copy, and return its status, event, end and number of steps."""
-    now, counts, hits = np.zeros(3), np.array([0, 1, 0, 0, -1]), np.zeros((1, 2 + len(y)))
-    now[0], samples[0] = plan.times[0], y
+    plan: Plan, y: Array, scale: Array, samples: Array, check: Callable[[float], None], first: float, hits: Array,
+    watch: Watch | None = None,
+) -> tuple[int, int, float, int, Array]:  # fmt: skip
+    """Move one copy, and return its status, event, end, number of steps, and what was crossed (H, 2 + n)."""
+    now, counts = np.array([first, 0.0, 0.0]), np.array([0, 0, 0, 0, -1])
     wanted = _conserved_values(plan.machines[0], y)
     status = kernel.DONE
     for machine, end in zip(plan.machines, plan.borders[1:], strict=True):
         if machine.clock >= 0:
             y[machine.clock] = now[0]
-        status = _through(plan, machine, y, scale, wanted, end, samples, now, counts, hits, check)
+        given = machine, y, scale, wanted, end, samples, now, counts
+        status = _through(plan, *given, hits, check, watch)
+        while status == kernel.FULL and watch is not None and counts[3] < watch.most:
+            hits = np.concatenate([hits, np.zeros_like(hits)])
+            status = _through(plan, *given, hits, check, watch)
         if status != kernel.DONE:
             break
+    steps, crossed = int(counts[0]), hits[: counts[3]]
     if status == kernel.STOPPED:
-        return Status.EVENT, int(hits[0, 1]), float(now[0]), int(counts[0])
-    if status == kernel.DONE:
-        return Status.COMPLETED, -1, float(now[0]), int(counts[0])
+        return Status.EVENT, int(crossed[-1, 1]), float(now[0]), steps, crossed
+    if status in (kernel.DONE, kernel.FULL):
+        return Status.COMPLETED, -1, float(now[0]), steps, crossed
     samples[counts[1] :] = np.inf
-    return Status.NOT_CONVERGED, -1, math.nan, int(counts[0])
+    return Status.NOT_CONVERGED, -1, math.nan, steps, crossed
 
 
 def _through(
     plan: Plan, machine: Machine, y: Array, scale: Array, wanted: Array, end: float, samples: Array, now: Array,
-    counts: Array, hits: Array, check: Callable[[float], None],
+    counts: Array, hits: Array, check: Callable[[float], None], watch: Watch | None,
 ) -> int:  # fmt: skip
-    """Go on up to a jump, the last time or an event."""
-    stops = np.ones(len(machine.events), bool)  # which fall from positive to zero, and end the motion
+    """Go on up to a jump, the last time or an event, or until there is no room for another crossing."""
+    # the system's events fall from positive to zero, and end the motion
+    falling = np.ones(len(machine.events) + (watch is not None), bool)
+    stops = falling.copy()
+    if watch is not None:
+        falling[-1], stops[-1] = watch.falling, False
     counts[2] = 0
     limit = STRETCH if hasattr(kernel.advance, "py_func") else WITHOUT_NUMBA
-    first, last = plan.times[0], plan.times[-1]
+    first, last = plan.borders[0], plan.borders[-1]
     while True:
         with np.errstate(all="ignore"):
             status = kernel.advance(
                 *machine.program, *machine.integrals, y, scale, wanted, np.array([end]), plan.times, samples, now,
                 counts, hits, plan.precision.order, plan.precision.reach, plan.longest, plan.forth, machine.clock,
-                stops, stops, limit,
+                falling, stops, limit,
             )  # fmt: skip
         if status != kernel.RUNNING or counts[0] >= MOST_STEPS:
             return int(status)

@@ -1,0 +1,107 @@
+"""Poincaré sections: where the motion of any system goes through a surface."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from polhode.arrays import known_numbers_only, refuse_single_precision
+from polhode.errors import InvalidInput, NotConverged, shown
+from polhode.integrators.adaptive import check_events
+from polhode.integrators.interrupts import interrupts_kept
+from polhode.motion.outcome import Status
+from polhode.systems.base import AbstractSystem
+from polhode.taylor.expressions import Untraceable
+from polhode.taylor.runs import crossings_of, precision_of
+from polhode.types import Array, ArrayLike, Double, Float64, Real
+
+DIRECTIONS = ("rising", "falling", "either")
+
+
+class Section(NamedTuple):
+    """Where a motion goes through a surface.
+
+    Attributes:
+        times: (K,) [s], in the order of the motion.
+        states: (K, *shape) of the system there.
+        end: [s] the time up to which crossings were sought.
+        event: name of the system's event that ended the motion, or None.
+    """
+
+    times: Float64[Array, "crossings"]
+    states: Double[Array, "..."]
+    end: float
+    event: str | None
+
+
+@known_numbers_only
+def section(
+    system: AbstractSystem,
+    state: Real[ArrayLike, "..."],
+    surface: Callable[[Any, Any], Any],
+    times: Real[ArrayLike, "2"],
+    direction: str = "rising",
+    most: int = 1_000_000,
+) -> Section:
+    """Return the Poincaré section of a motion: each time when a function of it is zero, and the state then.
+
+    The motion goes by Taylor series, on which zeros are found by excluding where none can be, so that none is missed
+    within a step, and times are exact to rounding. Zeros that the function only touches do not count, nor does one at
+    the start.
+
+    Args:
+        system: what moves; its rates must be made of products, powers and elementary functions.
+        state: one, packed as ``simulate`` takes it.
+        surface: a function of the time [s] and the state, one number, written with JAX; zero on the surface.
+        times: first and last [s].
+        direction: "rising" counts where the function goes from negative to positive along the motion, "falling" the
+            opposite, "either" both.
+        most: how many crossings end the search.
+
+    Raises:
+        InvalidInput: for a batch of states, times, a direction or a number that are none, or what has no Taylor series.
+        NotConverged: if the motion runs into a singularity before.
+
+    >>> import polhode as ph
+    >>> body = ph.systems.FreeRigidBody((1.0, 2.0, 3.0))
+    >>> found = ph.section(body, [0.3, 1.9, 0.1], lambda t, momentum: momentum[1], (0.0, 100.0))
+    >>> bool(abs(found.states[:, 1]).max() < 1e-13)
+    True
+
+    Source: Hénon, Physica D 5 (1982) 412, for what a section is; the zeros by Taylor series on each step.
+    """
+    refuse_single_precision(times=times)
+    start = system.check_state(state)
+    ends = np.asarray(times, dtype=float)
+    if np.ndim(start) != system.state_axes:
+        raise InvalidInput(f"`state` must be one state; got shape {np.shape(start)}. Call `section` for each.")
+    if ends.shape != (2,) or not np.isfinite(ends).all() or ends[0] == ends[1]:
+        raise InvalidInput(f"`times` must be a first and another last time [s], both finite; got {shown(times)}.")
+    if direction not in DIRECTIONS:
+        raise InvalidInput(f"`direction` must be one of {', '.join(map(repr, DIRECTIONS))}; got {shown(direction)}.")
+    if not (isinstance(most, int) and most > 0):
+        raise InvalidInput(f"`most` must be a positive whole number; got {shown(most)}.")
+    check_events(system, ends[0], start)
+    through = surface if direction != "rising" else _negative(surface)
+    with interrupts_kept() as check:
+        try:
+            found = crossings_of(system, np.asarray(start), through, ends, precision_of(None), most,
+                                 direction != "either", lambda share: check())  # fmt: skip
+        except Untraceable as error:
+            raise InvalidInput(
+                f"a section of {type(system).__name__} needs Taylor series, and its rates of change or `surface` "
+                f"contain {error}. Simulate it with close samples instead, and look for changes of sign."
+            ) from None
+    if found.status == Status.NOT_CONVERGED:
+        raise NotConverged(
+            f"the motion of {type(system).__name__} runs into a singularity before {ends[1]:g} s. Give an earlier last "
+            "time."
+        )
+    event = tuple(system.events)[found.event] if found.status == Status.EVENT else None
+    return Section(found.times, found.states, found.end, event)
+
+
+def _negative(surface: Callable[[Any, Any], Any]) -> Callable[[Any, Any], Any]:
+    return lambda t, state: -surface(t, state)

@@ -1,0 +1,87 @@
+"""Poincaré sections against closed forms, and against heavy sampling of a chaotic top."""
+
+import diffrax
+import jax.numpy as jnp
+import numpy as np
+import pytest
+
+import polhode as ph
+from polhode import systems
+from polhode.errors import InvalidInput, NotConverged
+
+MOMENTS, MOMENTUM = (1.0, 2.0, 3.5), np.array([0.3, 2.0, 0.1])
+BODY = systems.FreeRigidBody(MOMENTS)
+MOTION = ph.FreeMotion(MOMENTS, MOMENTUM)
+SPAN = (0.0, 60.0)
+
+
+@pytest.mark.parametrize("direction", ["rising", "falling", "either"])
+@pytest.mark.parametrize("forth", [1.0, -1.0])
+def test_a_free_body_crosses_twice_a_period(direction, forth):
+    """L₂ is a multiple of sn, whose zeros are half a period apart."""
+    found = ph.section(BODY, MOMENTUM, lambda t, point: point[1], forth * np.array(SPAN), direction)
+    exact = MOTION.momentum(found.times)
+    assert np.abs(exact[:, 1]).max() < 1e-12 and np.abs(found.states - exact).max() < 1e-12
+    gap = MOTION.period / (2.0 if direction == "either" else 1.0)
+    assert np.abs(forth * np.diff(found.times) / gap - 1.0).max() < 1e-12
+    assert abs(len(found.times) - SPAN[1] / gap) <= 1.0 and found.end == forth * SPAN[1] and found.event is None
+    later = MOTION.momentum(found.times + forth * 1e-3)[:, 1]
+    assert direction == "either" or (np.sign(later) == (1.0 if direction == "rising" else -1.0)).all()
+
+
+def test_zeros_close_together_and_many():
+    """Zeros of cos 40t, ninety to a step of the body; and the search ends when enough are found."""
+    found = ph.section(BODY, MOMENTUM, lambda t, point: jnp.cos(40.0 * t) + 0.0 * point[0], (0.0, 30.0), "either")
+    assert found.times == pytest.approx((np.arange(len(found.times)) + 0.5) * np.pi / 40.0, rel=1e-12)
+    assert len(found.times) == int(30.0 * 40.0 / np.pi + 0.5)
+    few = ph.section(BODY, MOMENTUM, lambda t, point: jnp.cos(40.0 * t) + 0.0 * point[0], (0.0, 30.0), "either", most=7)
+    assert (few.times == found.times[:7]).all() and few.states.shape == (7, 3)
+
+
+def test_a_chaotic_top_is_that_of_close_samples():
+    top = systems.HeavyTop((1.0, 2.0, 3.5), 1.3, (0.6, 0.0, 0.8))
+    start = top.pack(attitude=(1.0, 0.0, 0.0, 0.0), angular_velocity=(0.3, 1.0, 0.1))
+    found = ph.section(top, start, lambda t, state: state[9], (0.0, 12.0), "either")
+    dense = ph.simulate(top, start, np.linspace(0.0, 12.0, 6001), diffrax.Dopri8(), estimate_error=False)
+    height = dense.states[:, 9]
+    where = np.flatnonzero(np.sign(height[1:]) != np.sign(height[:-1]))
+    share = height[where] / (height[where] - height[where + 1])
+    assert found.times == pytest.approx(dense.times[where] + share * 2e-3, abs=1e-5)
+    assert np.abs(found.states[:, 9]).max() < 1e-14
+
+
+class Falling(systems.FreeRigidBody):
+    @property
+    def events(self):
+        return {"half over": lambda t, state: state[..., 1] - 0.5}
+
+
+def test_an_event_ends_the_search():
+    found = ph.section(Falling(MOMENTS), MOMENTUM, lambda t, point: point[1] - 1.0, SPAN, "falling")
+    assert found.event == "half over" and len(found.times) == 1 and found.times[0] < found.end < SPAN[1]
+    assert MOTION.momentum(found.end)[1] == pytest.approx(0.5, abs=1e-13)
+
+
+@pytest.mark.parametrize(("change", "said"), [
+    ({"state": np.ones((2, 3))}, "`state` must be one state"), ({"times": (1.0, 1.0)}, "`times` must be"),
+    ({"times": (0.0, np.inf)}, "`times` must be"), ({"direction": "up"}, "`direction` must be one of 'rising'"),
+    ({"most": 0}, "`most` must be a positive whole number"),
+    ({"surface": lambda t, point: jnp.abs(point[0]) - 0.1}, "needs Taylor series, .* Simulate it with close samples"),
+])  # fmt: skip
+def test_what_makes_no_section(change, said):
+    given = {"state": MOMENTUM, "surface": lambda t, point: point[0], "times": SPAN} | change
+    with pytest.raises(InvalidInput, match=said):
+        ph.section(BODY, **given)
+
+
+class Blowing(systems.base.AbstractSystem):
+    def vector_field(self, t, state):
+        return state**2
+
+    def invariants(self, state):
+        return {}
+
+
+def test_a_singularity_is_said():
+    with pytest.raises(NotConverged, match="singularity before 2 s"):
+        ph.section(Blowing(), [1.0], lambda t, state: state[0] - 3.0, (0.0, 2.0))
