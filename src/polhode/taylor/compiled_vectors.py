@@ -90,7 +90,8 @@ def _define(symbol: Any, named: str, kind_of: Any, kind: Any) -> None:
             both = len(args) == 2 and args[0] == kind and args[1] == kind
             return signature(kind, kind, kind) if both else None
 
-    infer_global(symbol)(Template)
+    register: Any = infer_global  # whose types say it may be None
+    register(symbol)(Template)
 
     def lower(context: Any, builder: Any, sig: Any, args: Any) -> Any:
         return getattr(builder, named)(args[0], args[1], flags=_FLAGS)
