@@ -154,7 +154,7 @@ def simulate(
                 return _by_equal_steps(system, state, times, method, asked)
         if resumable or memory is not None:
             raise InvalidInput(
-                "`resumable` and `memory` go with methods of equal steps; Taylor and diffrax's solvers start afresh."
+                "`resumable` and `memory` go with methods of equal steps; Taylor and diffrax's solvers start over."
             )
         return _by_adaptive_steps(system, state, times, method, asked)
 

@@ -185,7 +185,22 @@ def test_balances_receive_what_is_lost():
     assert lost == pytest.approx(-7.0 * (1.0 - np.exp(-0.4 * found.times / 3.5)), rel=1e-13, abs=1e-14)
 
 
+@pytest.mark.parametrize("size", [1e-149, 1e-90, 1e60, 1e149])
+def test_slow_and_fast_bodies_move_alike(size):
+    """Coefficients of 1e±90 and their powers would vanish or overflow by a unit of time that does not fit them."""
+    size = float(2.0 ** round(np.log2(size)))
+    alike = ph.simulate(BODY, START[4:], [0.0, 5.0], Taylor)
+    found = ph.simulate(BODY, size * START[4:], [0.0, 5.0 / size], Taylor)
+    assert found.statistics == alike.statistics and (found.states / size == alike.states).all()
+
+
 # ---------------------------------------------------------------------- refusals
+
+
+@pytest.mark.parametrize("size", [1e-160, 1e160])
+def test_states_whose_squares_vanish_or_overflow(size):
+    with pytest.raises(InvalidInput, match="`state` must be of a size within 1e-150 to 1e"):
+        ph.simulate(BODY, size * START[4:], [0.0, 5.0 / size], Taylor)
 
 
 @pytest.mark.parametrize("order", [3, 61])
@@ -200,7 +215,7 @@ def test_what_has_no_recurrence_is_refused():
 
 
 def test_what_goes_with_other_methods_is_refused():
-    with pytest.raises(InvalidInput, match="start afresh"):
+    with pytest.raises(InvalidInput, match="start over"):
         ph.simulate(BODY, START, [0.0, 1.0], Taylor, resumable=True)
     with pytest.raises(InvalidInput, match="has its own"):
         ph.simulate(BODY, START, [0.0, 1.0], Taylor(12), order=8)

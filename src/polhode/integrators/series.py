@@ -23,6 +23,7 @@ from polhode.types import Array, Double, Float64
 LOWEST, HIGHEST = 4, 60  # orders
 COMPARED = 64  # times at least, at which runs are compared, as they may meet by chance at a few samples
 ROUNDS = 6  # of shorter steps
+SMALLEST = 1e-150  # state, and one over it the largest: beyond, products of its numbers vanish or overflow
 FINER = 8  # orders more of the run by which the error of the series is seen
 SAFETY = 4.0  # of the estimate, as a few other runs see most of what roundings grow to, not all
 LUCK = 10.0  # by which runs with other roundings may by chance be nearer to each other than to the true motion
@@ -74,6 +75,7 @@ def solve_by_series(
     batch = np.shape(state)[: np.ndim(state) - system.state_axes]
     states = np.reshape(np.asarray(state), (-1, *np.shape(state)[len(batch) :]))
     check_events(system, times[0], state)
+    _check_sizes(states)
     jumps_between(times, system.jumps)  # refuses what is no time
     found = _checked_runs(system, states, kept, times[-1], precision_of(tolerance, method.order), longest, meter)
     shaped = lambda x: x.reshape((*batch, *x.shape[1:]))  # noqa: E731
@@ -192,6 +194,17 @@ def _checked_runs(
             "earlier last time, which is `time.until` in a spec, or follow the motion in parts."
         )
     return found._replace(states=found.states[:, : len(times)], received=found.received[:, : len(times)])
+
+
+def _check_sizes(states: Array) -> None:
+    """Refuse states whose products vanish or overflow."""
+    sizes = np.abs(states).reshape(len(states), -1).max(axis=-1, initial=0.0)
+    wrong = (sizes > 0.0) & ((sizes < SMALLEST) | (sizes > 1.0 / SMALLEST))
+    if wrong.any():
+        raise InvalidInput(
+            f"`state` must be of a size within {SMALLEST:g} to {1.0 / SMALLEST:g} for Taylor, as products of its numbers "
+            f"are needed; got {sizes[np.argmax(wrong)]:.3g}. Choose units in which it is nearer to one."
+        )
 
 
 def _names(system: AbstractSystem, states: Array) -> list[str]:

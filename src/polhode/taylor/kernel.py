@@ -8,6 +8,7 @@ Source: Jorba & Zou, Exp. Math. 14 (2005) 99, §3.2, for the length of a step.
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
@@ -42,6 +43,8 @@ SHORTEST = 4e-16  # of the present time: shorter steps do not advance
 INDEPENDENT = 0.01  # of a squared gradient, that must be left beside the other gradients
 FARTHEST = 1e-3  # of the scale: a run that is off by more is not to be mended
 CLOSE = 1e-14  # of a step: an event as near to its beginning as that was found at the end of the step before
+UNITS = 300  # of time that are tried
+FAR = 256.0  # units: a longer step may be of coefficients that vanished
 DEPTH = 100  # of intervals that wait to be searched
 
 
@@ -141,8 +144,11 @@ def nodes(whole: Array, number: Array, z: Array, a: Array, b: Array, k: Any) -> 
 
 
 @inner
-def coefficients(whole: Array, number: Array, z: Array, a: Array, b: Array, order: Any) -> None:
-    """Set the coefficients of the state up to an order, and those of all nodes up to the one before it."""
+def coefficients(whole: Array, number: Array, z: Array, a: Array, b: Array, order: Any, unit: Any) -> None:
+    """Set the coefficients of the state up to an order, and those of all nodes up to the one before it.
+
+    They are of powers of the time over a unit, a power of two, so that they neither overflow nor vanish.
+    """
     width, first, constant = whole[SLOTS], whole[FIRST], whole[CONSTANT]
     for k in range(order):
         nodes(whole, number, z, a, b, k)
@@ -152,7 +158,7 @@ def coefficients(whole: Array, number: Array, z: Array, a: Array, b: Array, orde
             if k == 0:
                 value += number[constant + i]
             # divided: multiplied by the reciprocal, errors of all steps would have one sign
-            z[base + width + i] = value / (k + 1)
+            z[base + width + i] = value * unit / (k + 1)
 
 
 @inner
@@ -166,7 +172,7 @@ def step_length(whole: Array, z: Array, scale: Array, order: Any, reach: Any) ->
         largest = 0.0
         for i in range(whole[SIZE]):
             part = abs(z[k * width + i]) / scale[i]
-            if not part <= 1e300:
+            if not part <= 1e250:
                 return np.nan
             largest = max(largest, part)
         if largest > 0.0:
@@ -175,8 +181,41 @@ def step_length(whole: Array, z: Array, scale: Array, order: Any, reach: Any) ->
 
 
 @inner
+def power_of_two(x: Any) -> Any:
+    """Return the power of two at or below a positive number."""
+    return math.ldexp(1.0, math.frexp(x)[1] - 1)
+
+
+@inner
+def fitted_series(
+    whole: Array, number: Array, z: Array, a: Array, b: Array, scale: Array, order: Any, reach: Any, unit: Any,
+    left: Any,
+) -> Any:  # fmt: skip
+    """Set the coefficients by a unit of time that fits them, and return that unit and the length of the step in it.
+
+    Args:
+        whole, number, z, a, b, scale, order, reach: as elsewhere.
+        unit: to begin with, such as the last step's length.
+        left: time up to the end, beyond which a unit need not go.
+    """
+    length = np.nan
+    for _ in range(UNITS):
+        coefficients(whole, number, z, a, b, order, unit)
+        length = step_length(whole, z, scale, order, reach)
+        if not length >= 0.0:
+            if unit < 1e-280:
+                break
+            unit *= 2.0**-8  # they overflow
+        elif length > FAR and unit < left:  # the last ones may have vanished
+            unit = min(unit * 2.0**16, power_of_two(left) * 2.0)
+        else:
+            break
+    return unit, length
+
+
+@inner
 def evaluate(whole: Array, z: Array, order: Any, h: Any, out: Array) -> None:
-    """Set out to the state after h."""
+    """Set out to the state after h units of time."""
     width = whole[SLOTS]
     for i in range(whole[SIZE]):
         value = z[order * width + i]
@@ -316,7 +355,7 @@ def advance(
         ends: (E,) times at which steps end, ascending in the direction of time, the last time last.
         times: (T,) samples likewise.
         out: (T, n) where they are put.
-        now: (3,) the present time, that of the last event, unused.
+        now: (3,) the present time, that of the last event, and a unit of time to begin with, such as a step's length.
         counts: (5,) steps so far, next of ``times``, next of ``ends``, hits so far, which event was last (−1).
         hits: (H, 2 + n) time, number and state of events.
         order: of the coefficients.
@@ -340,10 +379,11 @@ def advance(
         end = ends[counts[2]]
         for i in range(n):
             z[i] = y[i]
-        coefficients(whole, number, z, a, b, order)
-        h = min(step_length(whole, z, scale, order, reach), longest)
+        unit, length = fitted_series(whole, number, z, a, b, scale, order, reach, now[2], abs(end - t))
+        h = min(length * unit, longest)
         if not h > SHORTEST * abs(t) or not h > 0.0:
             return FAILED
+        now[2] = power_of_two(min(h, abs(end - t)))
         last = h >= forth * (end - t) * (1.0 - 1e-12)
         later = end if last else t + forth * h
         h = later - t
@@ -352,20 +392,20 @@ def advance(
             nodes(whole, number, z, a, b, order)
         for w in range(watched):
             row = whole[FIRST] + n + w
-            others, power = 0.0, abs(h)
+            others, power = 0.0, abs(h) / unit
             for k in range(order + 1):
-                p[k] = combination(whole, number, z, k * width, row) * forth**k  # of the time that passes
+                p[k] = combination(whole, number, z, k * width, row) * forth**k  # of the units of time that pass
                 if k == 0:
                     p[k] += number[whole[CONSTANT] + n + w]
                 else:
                     others += abs(p[k]) * power
-                    power *= abs(h)
+                    power *= abs(h) / unit
             if abs(p[0]) > others:
                 continue
             low = 0.0
             if counts[4] == w and abs(now[1] - t) <= CLOSE * abs(h) + SHORTEST * abs(t):
                 low = min(CLOSE * abs(h) + 4.0 * SHORTEST * abs(t), abs(h))
-            found = forth * first_zero(p, order, low, abs(h), falling[w], work, waiting)
+            found = forth * unit * first_zero(p, order, low / unit, abs(h) / unit, falling[w], work, waiting)
             if abs(found) <= abs(first):
                 event, first = w, found
         if event >= 0:
@@ -376,13 +416,13 @@ def advance(
         while counts[1] < times.shape[0] and forth * times[counts[1]] <= forth * later:
             if times[counts[1]] == later and event < 0:
                 break  # samples at the end of a step have its state, put back onto what is conserved
-            evaluate(whole, z, order, times[counts[1]] - t, point)
+            evaluate(whole, z, order, (times[counts[1]] - t) / unit, point)
             for i in range(n):
                 out[counts[1], i] = point[i]
             if clock >= 0:
                 out[counts[1], clock] = times[counts[1]]
             counts[1] += 1
-        evaluate(whole, z, order, h, y)
+        evaluate(whole, z, order, h / unit, y)
         if clock >= 0:
             y[clock] = later
         if wanted.shape[0]:
@@ -429,5 +469,5 @@ def coefficients_at(whole: Array, number: Array, state: Array, order: Any) -> Fl
     a = np.zeros((order + 1) * whole[PRODUCTS] + 8)
     for i in range(whole[SIZE]):
         z[i] = state[i]
-    coefficients(whole, number, z, a, np.zeros_like(a), order)
+    coefficients(whole, number, z, a, np.zeros_like(a), order, 1.0)
     return z

@@ -195,7 +195,7 @@ def _one(
     watch: Watch | None = None,
 ) -> tuple[int, int, float, int, Array]:  # fmt: skip
     """Move one copy, and return its status, event, end, number of steps, and what was crossed (H, 2 + n)."""
-    now, counts = np.array([first, 0.0, 0.0]), np.array([0, 0, 0, 0, -1])
+    now, counts = np.array([first, 0.0, 1.0]), np.array([0, 0, 0, 0, -1])
     wanted = _conserved_values(plan.machines[0], y)
     status = kernel.DONE
     for machine, end in zip(plan.machines, plan.borders[1:], strict=True):
