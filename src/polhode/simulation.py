@@ -149,7 +149,7 @@ def simulate(
                 return _by_equal_steps(system, state, times, method, asked)
         if resumable or memory is not None:
             raise InvalidInput(
-                "`resumable` and `memory` go with the methods of polhode.integrators; diffrax's solvers begin anew."
+                "`resumable` and `memory` go with the methods of polhode.integrators; diffrax's solvers start over."
             )
         return _by_adaptive_steps(system, state, times, method, asked)
 
