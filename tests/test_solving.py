@@ -301,5 +301,5 @@ def test_the_memory_of_another_method_is_refused():
     memory = ph.solve(BODY, START, TIMES).memory
     with pytest.raises(InvalidInput, match="`memory` must be that of a run of IsospectralMidpoint"):
         ph.solve(system, state, TIMES, method, 0.05, order=2, memory=memory)
-    with pytest.raises(InvalidInput, match="begin anew"):
+    with pytest.raises(InvalidInput, match="start over"):
         ph.solve(BODY, START, TIMES, ADAPTIVE, memory=memory)

@@ -142,7 +142,7 @@ def solve(
                 raise InvalidInput("`tolerance` goes with diffrax's solvers; give `step`, or let `simulate` choose it.")
             return _by_equal_steps(system, state, times, method, step, order, every, observe, memory)
         if memory is not None:
-            raise InvalidInput("`memory` goes with the methods of polhode.integrators; diffrax's solvers begin anew.")
+            raise InvalidInput("`memory` goes with the methods of polhode.integrators; diffrax's solvers start over.")
         solver = adaptive_solver(system, method, order)
         if isinstance(observe, Fold):
             raise InvalidInput(
@@ -248,7 +248,7 @@ def memory_of(solver: AbstractOrbitSolver, state: Double[Array, "..."], arrays: 
                                      for w, x in zip(jax.tree.leaves(wanted), given, strict=True)):  # fmt: skip
         raise InvalidInput(
             f"`memory` must be that of a run of {type(solver).__name__} from states of the same shape, at the same "
-            "order; leave it out to begin anew."
+            "order; leave it out to start over."
         )
     leaves = [x.astype(w.dtype) for w, x in zip(jax.tree.leaves(wanted), given, strict=True)]
     return jax.tree.unflatten(jax.tree.structure(wanted), leaves)

@@ -15,6 +15,9 @@ from polhode.estimation.throw_models import forced_rates, free_rates
 from polhode.estimation.throw_search import AIR, Start
 from polhode.estimation.unmodelled import settled
 from polhode.figures.throw_figure import throw_figures
+from polhode.formats.gyro_logs import ReadLog
+from polhode.reports.answer import Group
+from polhode.reports.throw import throw_groups, throw_notes
 
 WHOLE = [[Window(-1.0, 99.0)]]
 PHONE = BODIES["phone"]
@@ -122,6 +125,10 @@ def test_saturated_samples_and_outliers():
     rates[20] += 3.0
     fit = fit_throw(clean_log(log.times, rates), WHOLE, drag=False, gain=False)
     assert fit.clip == 8.0
+    read = [ReadLog(clean_log(log.times, rates), "a mapping", "rad/s", None, ())]
+    [said] = [answer.words for group in throw_groups(fit, ["log"], read, None) if isinstance(group, Group)
+              for answer in group.answers if answer.name == "clip"]  # fmt: skip
+    assert said == "458.366 deg/s (8 rad/s)" and said in throw_notes(fit, ["log"], read)[0]
     assert (off(fit, PHONE) < FAR).all()
 
 

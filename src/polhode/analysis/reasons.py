@@ -315,7 +315,7 @@ class Exponents(AbstractReason):
             return "neighbours leave exponentially"
         if self.all_negative:
             return "neighbours return exponentially"
-        return "no sure growth, nor a sure return: terms of higher order decide"
+        return "neither growth nor return is certain: terms of higher order decide"
 
 
 @dataclass(frozen=True)

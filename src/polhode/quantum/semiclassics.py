@@ -109,8 +109,8 @@ def _warn_of_no_room(constants: Three, G: float, roomless: int) -> None:
     A, B, C = constants
     if roomless or min(A - B, B - C) * G * G < ROOM * (A - C):
         warnings.warn(
-            f"the rotor A, B, C = {A:.9g}, {B:.9g}, {C:.9g} is so nearly symmetric that order 2 has no room beside the "
-            f"saddle of J = {G - 0.5:g}: levels there err by up to {0.25 * (A - C):.3g}. The exact ones are "
+            f"the rotor A, B, C = {A:.9g}, {B:.9g}, {C:.9g} is so nearly symmetric that order 2 has no room next to "
+            f"the saddle of J = {G - 0.5:g}: levels there err by up to {0.25 * (A - C):.3g}. The exact ones are "
             "`Rotor(constants).levels_of(J)`.", stacklevel=4,
         )  # fmt: skip
 

@@ -46,7 +46,7 @@ def throw_notes(fit: ThrowFit, names: Sequence[str], logs: Sequence[ReadLog]) ->
     """Return what a reader should know of files and fit."""
     notes = [f"{name}: {note}" for name, read in zip(names, logs, strict=True) for note in read.notes]
     if fit.clip is not None:
-        notes.append(f"samples at the gyro's limit, {fit.clip:.6g} rad/s, are left out.")
+        notes.append(f"samples at the gyro's limit, {_of_sensor(fit.clip)}, are left out.")
     if fit.equal:
         notes.append(f"{fit.equal} within their errors: the axes between them are not determined.")
     if fit.degenerate is None:
@@ -254,7 +254,7 @@ def _quality(fit: ThrowFit) -> Group:
         Answer("jitter", fit.jitter if sure else None, "s", "jitter of the clock" if fit.jitter > 0 else "", "",
                f"{fit.jitter:.2g} s rms" if sure else None),
         Answer("samples", sum(len(throw.times) for throw in fit.throws), "", "samples used"),
-        Answer("clip", fit.clip, "rad/s", "gyro's limit"),
+        Answer("clip", fit.clip, "rad/s", "gyro's limit", "", None if fit.clip is None else _of_sensor(fit.clip)),
         Answer("window", [first.window.start, first.window.end], "s", "free flight", "of the first throw",
                f"{first.window.start:.6g} to {first.window.end:.6g} s, {how}"),
         Answer("regime", first.regime, "", "", "of the first throw"),
@@ -335,3 +335,12 @@ def _listed(estimate: Estimate) -> str:
 def _sentence(text: str) -> str:
     text = text.strip()
     return text[:1].upper() + text[1:] + ("" if text.endswith(".") else ".")
+
+
+def _of_sensor(rate: float) -> str:
+    """Return a rate [rad/s] as data sheets of gyros state their ranges.
+
+    >>> _of_sensor(34.906585)
+    '2000 deg/s (34.9066 rad/s)'
+    """
+    return f"{np.degrees(rate):.6g} deg/s ({rate:.6g} rad/s)"

@@ -17,7 +17,7 @@ from polhode.formats.zarr_gate import CODECS
 from polhode.sweeps.evaluation import Column
 from polhode.sweeps.layout import COMPRESSOR
 
-AGAIN = "Run the sweep again; what is damaged is computed anew."
+AGAIN = "Run the sweep again; what is damaged is computed again."
 ELSEWHERE = "or choose another store with --out."
 
 
