@@ -202,8 +202,8 @@ def _check_sizes(states: Array) -> None:
     wrong = (sizes > 0.0) & ((sizes < SMALLEST) | (sizes > 1.0 / SMALLEST))
     if wrong.any():
         raise InvalidInput(
-            f"`state` must be of a size within {SMALLEST:g} to {1.0 / SMALLEST:g} for Taylor, as products of its numbers "
-            f"are needed; got {sizes[np.argmax(wrong)]:.3g}. Choose units in which it is nearer to one."
+            f"`state` must be of a size within {SMALLEST:g} to {1.0 / SMALLEST:g} for Taylor, which multiplies its "
+            f"numbers; got {sizes[np.argmax(wrong)]:.3g}. Choose units in which it is nearer to one."
         )
 
 
