@@ -60,35 +60,29 @@ def combination(whole: Array, number: Array, z: Array, base: Any, row: Any) -> A
 @inner
 def _function(operation: Any, z: Array, base: Any, width: Any, k: Any, out: Any, x: Any, exponent: Any) -> None:
     """Set the k-th coefficient of a function of node x; see ``program``."""
-    u, y = out, base + x
+    u, y, total = out, base + x, 0.0
     if operation == 2:
         if k == 0:
             z[base + out] = z[x] ** exponent
             return
-        total = 0.0
         for j in range(k):
             total += (exponent * (k - j) - j) * (z[u] * z[y])
-            u += width
-            y -= width
+            u, y = u + width, y - width
         z[base + out] = total / (k * z[x])
     elif operation == 3:
         if k == 0:
             z[base + out] = np.exp(z[x])
             return
-        total = 0.0
         for j in range(k):
             total += (k - j) * (z[u] * z[y])
-            u += width
-            y -= width
+            u, y = u + width, y - width
         z[base + out] = total / k
     elif operation == 4:
         if k == 0:
             z[base + out] = np.log(z[x])
             return
-        total = 0.0
         for j in range(1, k):
-            u += width
-            y -= width
+            u, y = u + width, y - width
             total += j * (z[u] * z[y])
         z[base + out] = (z[base + x] - total / k) / z[x]
     else:
@@ -101,8 +95,7 @@ def _function(operation: Any, z: Array, base: Any, width: Any, k: Any, out: Any,
             weight = (k - j) * z[y]
             sine += weight * z[u + 1]
             cosine -= weight * z[u]
-            u += width
-            y -= width
+            u, y = u + width, y - width
         z[base + out] = sine / k
         z[base + out + 1] = cosine / k
 
@@ -145,10 +138,7 @@ def nodes(whole: Array, number: Array, z: Array, a: Array, b: Array, k: Any) -> 
 
 @inner
 def coefficients(whole: Array, number: Array, z: Array, a: Array, b: Array, order: Any, unit: Any) -> None:
-    """Set the coefficients of the state up to an order, and those of all nodes up to the one before it.
-
-    They are of powers of the time over a unit, a power of two, so that they neither overflow nor vanish.
-    """
+    """Set the coefficients of the state up to an order, of powers of the time over a unit that is a power of two."""
     width, first, constant = whole[SLOTS], whole[FIRST], whole[CONSTANT]
     for k in range(order):
         nodes(whole, number, z, a, b, k)
@@ -191,12 +181,9 @@ def fitted_series(
     whole: Array, number: Array, z: Array, a: Array, b: Array, scale: Array, order: Any, reach: Any, unit: Any,
     left: Any,
 ) -> Any:  # fmt: skip
-    """Set the coefficients by a unit of time that fits them, and return that unit and the length of the step in it.
+    """Set the coefficients by a unit of time that fits them, and return it and the length of the step in it.
 
-    Args:
-        whole, number, z, a, b, scale, order, reach: as elsewhere.
-        unit: to begin with, such as the last step's length.
-        left: time up to the end, beyond which a unit need not go.
+    The search begins with a unit such as the last step's length, and goes up to the time that is left.
     """
     length = np.nan
     for _ in range(UNITS):
@@ -246,9 +233,8 @@ def zero_between(p: Array, order: Any, low: Any, high: Any) -> Any:
             a = x
         else:
             b = x
-        later = x - value / slope if slope != 0.0 else 0.5 * (a + b)
-        if not a <= later <= b:
-            later = 0.5 * (a + b)
+        later = x - value / slope if slope != 0.0 else np.inf
+        later = later if a <= later <= b else 0.5 * (a + b)
         if abs(later - x) <= 1e-16 * high or later == x:
             return later
         x = later
@@ -259,8 +245,8 @@ def zero_between(p: Array, order: Any, low: Any, high: Any) -> Any:
 def first_zero(p: Array, order: Any, low: Any, high: Any, falling: Any, work: Array, waiting: Array) -> Any:
     """Return the first sign change of a polynomial between low and high, a falling one if so wanted; NaN if none.
 
-    An interval is left where the middle's value exceeds all that the others add up to, searched where the polynomial is
-    monotone there, and halved otherwise, so that no change is missed.
+    An interval is left where the middle's value exceeds all that the others add up to, searched where it is monotone,
+    and halved otherwise, so that no change is missed.
     """
     top = 1
     waiting[0], waiting[1] = low, high
@@ -300,11 +286,10 @@ def back_onto(
 
     Gradients that nearly depend on those before them are left out, as at an equilibrium, where nothing is to be gained.
     """
-    n, count = whole[SIZE], wanted.shape[0]
+    n, count, kept = whole[SIZE], wanted.shape[0], 0
     for i in range(n):
         z[i] = y[i]
     nodes(whole, number, z, a, b, 0)
-    kept = 0
     for c in range(count):
         off = wanted[c] - combination(whole, number, z, 0, whole[FIRST] + c) - number[whole[CONSTANT] + c]
         square = 0.0
@@ -345,26 +330,20 @@ def advance(
     """Go on with a run, for at most so many steps, and return how it stands.
 
     Args:
-        whole: the program of the rates of change, and of what is watched …
-        number: … and its numbers.
-        whole_of: the program of what is conserved, and of its gradients …
-        number_of: … and its numbers.
+        whole, number: the program of the rates of change, and of what is watched.
+        whole_of, number_of: that of what is conserved, and of its gradients.
         y: (n,) the state, which is changed.
         scale: (n,) sizes of its components.
         wanted: (C,) what is conserved, and kept.
         ends: (E,) times at which steps end, ascending in the direction of time, the last time last.
-        times: (T,) samples likewise.
-        out: (T, n) where they are put.
+        times, out: (T,) samples likewise, and (T, n) where they are put.
         now: (3,) the present time, that of the last event, and a unit of time to begin with, such as a step's length.
         counts: (5,) steps so far, next of ``times``, next of ``ends``, hits so far, which event was last (−1).
         hits: (H, 2 + n) time, number and state of events.
-        order: of the coefficients.
-        reach: of a step, in radii of convergence.
-        longest: step.
+        order, reach, longest: of the coefficients, of a step in radii of convergence, and step.
         forth: 1, or −1 of a run backwards in time.
         clock: component of the state that is the time, or −1.
-        falling: (W,) whether only changes from positive to negative are events.
-        stops: (W,) which end the run.
+        falling, stops: (W,) whether only changes from positive to negative are events, and which end the run.
         limit: of the steps.
     """
     n, width, watched = whole[SIZE], whole[SLOTS], falling.shape[0]
@@ -397,9 +376,9 @@ def advance(
                 p[k] = combination(whole, number, z, k * width, row) * forth**k  # of the units of time that pass
                 if k == 0:
                     p[k] += number[whole[CONSTANT] + n + w]
-                else:
-                    others += abs(p[k]) * power
-                    power *= abs(h) / unit
+                    continue
+                others += abs(p[k]) * power
+                power *= abs(h) / unit
             if abs(p[0]) > others:
                 continue
             low = 0.0
@@ -451,9 +430,7 @@ def advance(
 
 
 @compiled(fastmath={"contract", "nsz"}, nogil=True, cache=True)
-def values_at(
-    whole: Array, number: Array, z: Array, a: Array, b: Array, count: Any
-) -> Float64[Array, "outputs"]:
+def values_at(whole: Array, number: Array, z: Array, a: Array, b: Array, count: Any) -> Float64[Array, "outputs"]:
     """Return the first outputs of a program at a state, which z begins with."""
     nodes(whole, number, z, a, b, 0)
     found = np.zeros(count)
