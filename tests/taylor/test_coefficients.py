@@ -32,7 +32,7 @@ class OwnField(systems.base.AbstractSystem):
 
 def coefficients(field, start, t=0.0, order=ORDER):
     """Return the coefficients (order + 1, n) of the motion by the kernel."""
-    machine = machine_of(OwnField(field), np.array(start), 0.0)
+    machine = machine_of(OwnField(field), np.array(start), (0.0, 1.0))
     state = np.array([*start, t] if machine.clock >= 0 else start)
     z = kernel.coefficients_at(*machine.program, state, order)
     return z[:-8].reshape(order + 1, -1)[:, : len(start)]

@@ -34,7 +34,7 @@ def test_every_system_moves_as_by_runge_kutta(system):
     start = np.asarray(_states_of(system, 0, 1.0)[0])[0]
     times = np.linspace(0.0, 2.0, 3)
     try:
-        machine_of(system, start, 0.0)
+        machine_of(system, start, (0.0, 2.0))
     except Untraceable:
         assert isinstance(system, systems.SpinLattice) and system.damping  # of which directions are normalised
         with pytest.raises(InvalidInput, match="cannot be moved by Taylor series"):
@@ -174,6 +174,25 @@ def test_steps_end_where_a_torque_starts_and_ends(times):
     gained = np.diff(found.momentum[:, 2]).sum()
     assert gained == pytest.approx(np.sign(times[-1] - times[0]) * 0.5 * (np.cos(3.0) - np.cos(4.5)), rel=1e-14)
     assert found.error_estimate < 1e-14 and max(v for v in found.drift.values()) < 1e-14
+
+
+class Unnamed(systems.AbstractTorque):
+    """A pulse that nobody named, too short to be found by trying times."""
+
+    def torque(self, t, attitude, angular_velocity, actuator=None):
+        size = jnp.where((t >= 3.0) & (t < 3.0 + 1e-7), 0.5, 0.0)
+        return size[..., None] * jnp.array([0.0, 0.0, 1.0]) + 0.0 * angular_velocity
+
+
+def test_a_branch_on_the_time_without_a_jump_is_refused_and_not_lost():
+    body = systems.RigidBody(MOMENTS, torques=[Unnamed()])
+    start = body.pack(angular_velocity=(0.0, 0.0, 1.0))
+    with pytest.raises(InvalidInput, match="a branch on the time, at which no jump is named"):
+        ph.simulate(body, start, [0.0, 10.0], Taylor)
+    both = systems.RigidBody(MOMENTS, torques=[Pulse(3.0, 4.5), Pulse(6.0, 7.0)])
+    machine_of(both, start, (4.6, 5.9))
+    with pytest.raises(Untraceable, match="changes where no jump is named"):
+        machine_of(both, start, (5.0, 9.0))
 
 
 def test_balances_receive_what_is_lost():

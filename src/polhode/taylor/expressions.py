@@ -14,6 +14,8 @@ from collections.abc import Iterable
 from enum import IntEnum
 from typing import Any, NamedTuple
 
+import numpy as np
+
 MOST_NODES = 40_000  # of a tape; larger fields are better stepped by operations on whole arrays
 
 
@@ -55,11 +57,11 @@ class Tape:
     Args:
         size: of the state.
         clock: which of its components is the time, or None.
-        instant: a time between the jumps of the rates, by which branches on the time are chosen.
+        instants: times between two jumps of the rates, at which branches on the time must come to the same.
     """
 
-    def __init__(self, size: int, clock: int | None = None, instant: float = math.nan) -> None:
-        self.size, self.clock, self.instant = size, clock, instant
+    def __init__(self, size: int, clock: int | None = None, instants: Any = ()) -> None:
+        self.size, self.clock, self.instants = size, clock, np.asarray(instants, float)
         self.nodes: list[Node] = []
         self._known: dict[Node, int] = {}
 
@@ -90,21 +92,26 @@ class Tape:
         coefficients = tuple(sign * c for c in factors)
         return self.node(Node(Operation.AFFINE, places, coefficients, sign * x.constant)), sign
 
-    def at_instant(self, x: Any) -> float:
-        """Return the value of an expression of the time alone at the instant by which branches are chosen."""
-        if not isinstance(x, Expression):
-            return float(x)
-        return x.constant + sum(c * self._node_at_instant(k) for k, c in x.terms.items())
+    def at_instants(self, x: Any) -> np.ndarray:
+        """Return the values of an expression of the time alone at the instants by which branches are chosen.
 
-    def _node_at_instant(self, place: int) -> float:
+        Raises:
+            Untraceable: if it depends on something else, or if no jump is named between which a branch could be chosen.
+        """
+        if not isinstance(x, Expression):
+            return np.full(len(self.instants), float(x))
+        return np.full(len(self.instants), x.constant) + sum(c * self._node_at(k) for k, c in x.terms.items())
+
+    def _node_at(self, place: int) -> Any:
         if place < self.size:
             if place != self.clock:
                 raise Untraceable("a branch on something that moves")
-            return self.instant
+            if not len(self.instants):
+                raise Untraceable("a branch on the time, at which no jump is named")
+            return self.instants
         node = self.nodes[place - self.size]
-        if node.operation is Operation.COSINE:
-            return math.cos(self._node_at_instant(node.arguments[0]))
-        values = [self._node_at_instant(k) for k in node.arguments]
+        values = [self._node_at(k) for k in node.arguments[:1] if node.operation is Operation.COSINE] or [
+            self._node_at(k) for k in node.arguments]  # fmt: skip
         match node.operation:
             case Operation.AFFINE:
                 return node.number + sum(c * v for c, v in zip(node.coefficients, values, strict=True))
@@ -113,11 +120,19 @@ class Tape:
             case Operation.POWER:
                 return values[0] ** node.number
             case Operation.EXPONENTIAL:
-                return math.exp(values[0])
+                return np.exp(values[0])
             case Operation.LOGARITHM:
-                return math.log(values[0])
+                return np.log(values[0])
+            case Operation.SINE:
+                return np.sin(values[0])
             case _:
-                return math.sin(values[0])
+                return np.cos(values[0])
+
+    def decided(self, answers: np.ndarray) -> bool:
+        """Return what a branch on the time comes to, which must be the same at all instants."""
+        if answers.any() != answers.all():
+            raise Untraceable("a branch on the time that changes where no jump is named")
+        return bool(answers.all())
 
     def product(self, x: Expression, y: Expression) -> Expression:
         """Return x y."""

@@ -18,6 +18,9 @@ from polhode.taylor.tracing import traced
 from polhode.types import Array, Double, Float64
 
 MOST_GRADIENTS = 600  # numbers in the gradients of what is conserved, from which projecting costs more than it gives
+SAME_JUMP = 1e-12  # of a time: a jump that is named, and found again by trying times
+INSTANTS = 1024  # at which branches on the time must come to the same
+Span = tuple[float, float] | None
 
 
 class Form(NamedTuple):
@@ -84,31 +87,32 @@ class Machine(NamedTuple):
     clock: int
 
 
-def machine_of(system: AbstractSystem, state: Array, instant: float, through: Event | None = None) -> Machine:
+def machine_of(system: AbstractSystem, state: Array, between: Span, through: Event | None = None) -> Machine:
     """Return the programs of a system for states like one.
 
     Args:
         system: what moves.
         state: one, as ``check_state`` gives it.
-        instant: a time [s] between the same jumps as the motion.
+        between: two times [s] between which no jump is named.
         through: a function of time and state that is watched too, after the events.
 
     Raises:
         Untraceable: if rates, balances or events are not made of operations that have a recurrence.
     """
     form = Form(np.shape(state), np.iscomplexobj(state))
+    between = between if np.size(system.jumps) else None
     try:
-        return _kept(system, form, instant if np.size(system.jumps) else 0.0, through)
+        return _kept(system, form, between, through)
     except TypeError:  # what cannot be hashed is traced each time
-        return _made(system, form, instant, through)
+        return _made(system, form, between, through)
 
 
 @lru_cache(maxsize=64)
-def _kept(system: AbstractSystem, form: Form, instant: float, through: Event | None) -> Machine:
-    return _made(system, form, instant, through)
+def _kept(system: AbstractSystem, form: Form, between: Span, through: Event | None) -> Machine:
+    return _made(system, form, between, through)
 
 
-def _made(system: AbstractSystem, form: Form, instant: float, through: Event | None) -> Machine:
+def _made(system: AbstractSystem, form: Form, between: Span, through: Event | None) -> Machine:
     zero = jnp.zeros(()), jax.ShapeDtypeStruct(form.shape, complex if form.is_complex else float)
     balances = tuple(jax.eval_shape(system.balances, *zero))
     events = list(system.events.values()) + ([] if through is None else [through])
@@ -121,7 +125,8 @@ def _made(system: AbstractSystem, form: Form, instant: float, through: Event | N
 
     timed = _uses_time(everything, form)
     size = form.size + len(balances) + timed
-    tape = Tape(size, size - 1 if timed else None, instant)
+    inside = _instants(between)
+    tape = Tape(size, size - 1 if timed else None, inside)
     given = tape.state()
     t = np.asarray(given[-1] if timed else 0.0, object if timed else float)
     state = np.empty(form.size, object)
@@ -134,6 +139,15 @@ def _made(system: AbstractSystem, form: Form, instant: float, through: Event | N
     names, integrals = _integrals(system, form)
     return Machine(form, program_of(tape, rates + watched), integrals, names, balances, tuple(system.events),
                    size - 1 if timed else -1)  # fmt: skip
+
+
+def _instants(between: Span) -> Float64[np.ndarray, "instants"]:
+    """Return times between two jumps; one alone where they are the same but for rounding."""
+    if between is None:
+        return np.zeros(0)
+    low, high = between
+    count = 1 if abs(high - low) <= SAME_JUMP * max(abs(low), abs(high)) else INSTANTS
+    return np.linspace(low, high, count + 2)[1:-1]
 
 
 def tape_value(tape: Tape, x: Any) -> Expression:

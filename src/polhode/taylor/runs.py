@@ -84,6 +84,16 @@ class Plan(NamedTuple):
     forth: float
 
 
+def _planned(
+    system: AbstractSystem, state: Array, times: np.ndarray, precision: Precision, longest: float,
+    through: Event | None = None,
+) -> Plan:  # fmt: skip
+    forth = 1.0 if times[-1] > times[0] else -1.0
+    borders = _borders(system, times, forth)
+    machines = [machine_of(system, state, between, through) for between in itertools.pairwise(borders)]
+    return Plan(borders, machines, times[1:], precision, longest, forth)
+
+
 def runs_of(
     system: AbstractSystem,
     states: Double[Array, "..."],
@@ -105,10 +115,7 @@ def runs_of(
     Raises:
         Untraceable: if the system's rates are not made of operations that have a recurrence.
     """
-    forth = 1.0 if times[-1] > times[0] else -1.0
-    borders = _borders(system, times, forth)
-    middles = [0.5 * (low + high) for low, high in itertools.pairwise(borders)]
-    plan = Plan(borders, [machine_of(system, states[0], t) for t in middles], times[1:], precision, longest, forth)
+    plan = _planned(system, states[0], times, precision, longest)
     form, program = plan.machines[0].form, plan.machines[0].program
     y = np.zeros((len(states), program.size))
     y[:, : form.size] = form.flat(states)
@@ -167,16 +174,12 @@ def crossings_of(
     Raises:
         Untraceable: if rates, events or the function are not made of operations that have a recurrence.
     """
-    forth = 1.0 if times[-1] > times[0] else -1.0
-    borders = _borders(system, times, forth)
-    middles = [0.5 * (low + high) for low, high in itertools.pairwise(borders)]
-    machines = [machine_of(system, state, t, through) for t in middles]
-    form, size = machines[0].form, machines[0].program.size
+    plan = _planned(system, state, times, precision, math.inf, through)
+    form, size = plan.machines[0].form, plan.machines[0].program.size
     y = np.zeros(size)
     y[: form.size] = form.flat(state)
-    scale = _scales(system, np.asarray(state)[None], times[0], machines[0], size)[0]
+    scale = _scales(system, np.asarray(state)[None], times[0], plan.machines[0], size)[0]
     hits = np.zeros((min(most, FIRST_HITS), 2 + size))
-    plan = Plan(borders, machines, times[1:], precision, math.inf, forth)
     watch = Watch(falling, most)
     status, event, end, _, hits = _one(plan, y, scale, np.full((1, size), np.inf), check, times[0], hits, watch)
     found = hits[hits[:, 1] == len(system.events)][:most]

@@ -7,7 +7,6 @@ and functions that no recurrence is known of, raise ``Untraceable``.
 
 from __future__ import annotations
 
-import math
 import operator
 from collections.abc import Callable
 from typing import Any
@@ -193,13 +192,13 @@ BY_NUMPY: dict[str, Callable[[list[Array], dict[str, Any]], Any]] = {
 # ---------------------------------------------------------------------- branches on the time alone
 
 
-def _comparison(compare: Callable[[float, float], bool]) -> Rule:
+def _comparison(compare: Callable[[Any, Any], Any]) -> Rule:
     def rule(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
         tape = _tape_of(*x)
         one, other = np.broadcast_arrays(*x)
         found = np.empty(one.shape, bool)
         for k in np.ndindex(found.shape):
-            found[k] = compare(tape.at_instant(one[k]), tape.at_instant(other[k]))
+            found[k] = tape.decided(compare(tape.at_instants(one[k]), tape.at_instants(other[k])))
         return [found]
 
     return rule
@@ -209,17 +208,18 @@ for _name, _compare in (("lt", operator.lt), ("le", operator.le), ("gt", operato
     RULES[_name] = _comparison(_compare)
 
 
-def _chosen(first: Callable[[float, float], bool]) -> Rule:
+def _chosen(first: Callable[[Any, Any], Any]) -> Rule:
     def rule(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
-        value = _tape_of(*x).at_instant
-        return [_pairs(lambda a, b: a if first(value(a), value(b)) else b, *np.broadcast_arrays(*x))]
+        tape = _tape_of(*x)
+        is_first = lambda a, b: tape.decided(first(tape.at_instants(a), tape.at_instants(b)))  # noqa: E731
+        return [_pairs(lambda a, b: a if is_first(a, b) else b, *np.broadcast_arrays(*x))]
 
     return rule
 
 
 RULES["max"], RULES["min"] = _chosen(operator.ge), _chosen(operator.le)
-RULES["abs"] = _elementary(lambda a: a if a.tape.at_instant(a) >= 0.0 else -a)
-RULES["sign"] = _elementary(lambda a: a.tape.constant(math.copysign(1.0, a.tape.at_instant(a))))
+RULES["abs"] = _elementary(lambda a: a if a.tape.decided(a.tape.at_instants(a) >= 0.0) else -a)
+RULES["sign"] = _elementary(lambda a: a.tape.constant(1.0 if a.tape.decided(a.tape.at_instants(a) >= 0.0) else -1.0))
 
 
 # ---------------------------------------------------------------------- sums
