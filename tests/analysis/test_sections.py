@@ -65,6 +65,7 @@ def test_an_event_ends_the_search():
 @pytest.mark.parametrize(("change", "said"), [
     ({"state": np.ones((2, 3))}, "`state` must be one state"), ({"times": (1.0, 1.0)}, "`times` must be"),
     ({"times": (0.0, np.inf)}, "`times` must be"), ({"direction": "up"}, "`direction` must be one of 'rising'"),
+    ({"state": 1e-200 * MOMENTUM}, "`state` must be of a size within"),
     ({"most": 0}, "`most` must be a positive whole number"),
     ({"surface": lambda t, point: jnp.abs(point[0]) - 0.1}, "needs Taylor series, .* Simulate it with close samples"),
 ])  # fmt: skip

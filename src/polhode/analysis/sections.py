@@ -11,6 +11,7 @@ from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.integrators.adaptive import check_events
 from polhode.integrators.interrupts import interrupts_kept
+from polhode.integrators.series import check_sizes
 from polhode.motion.outcome import Status
 from polhode.systems.base import AbstractSystem
 from polhode.taylor.expressions import Untraceable
@@ -83,6 +84,7 @@ def section(
         raise InvalidInput(f"`direction` must be one of {', '.join(map(repr, DIRECTIONS))}; got {shown(direction)}.")
     if not (isinstance(most, int) and most > 0):
         raise InvalidInput(f"`most` must be a positive whole number; got {shown(most)}.")
+    check_sizes(np.asarray(start)[None])
     check_events(system, ends[0], start)
     through = surface if direction != "rising" else _negative(surface)
     with interrupts_kept() as check:

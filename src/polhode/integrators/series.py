@@ -75,7 +75,7 @@ def solve_by_series(
     batch = np.shape(state)[: np.ndim(state) - system.state_axes]
     states = np.reshape(np.asarray(state), (-1, *np.shape(state)[len(batch) :]))
     check_events(system, times[0], state)
-    _check_sizes(states)
+    check_sizes(states)
     jumps_between(times, system.jumps)  # refuses what is no time
     found = _checked_runs(system, states, kept, times[-1], precision_of(tolerance, method.order), longest, meter)
     shaped = lambda x: x.reshape((*batch, *x.shape[1:]))  # noqa: E731
@@ -196,8 +196,8 @@ def _checked_runs(
     return found._replace(states=found.states[:, : len(times)], received=found.received[:, : len(times)])
 
 
-def _check_sizes(states: Array) -> None:
-    """Refuse states whose products vanish or overflow."""
+def check_sizes(states: Double[Array, "copies ..."]) -> None:
+    """Refuse states (C, …) whose products vanish or overflow."""
     sizes = np.abs(states).reshape(len(states), -1).max(axis=-1, initial=0.0)
     wrong = (sizes > 0.0) & ((sizes < SMALLEST) | (sizes > 1.0 / SMALLEST))
     if wrong.any():
