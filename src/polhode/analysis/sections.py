@@ -26,7 +26,7 @@ class Section(NamedTuple):
 
     Attributes:
         times: (K,) [s], in the order of the motion.
-        states: (K, *shape) of the system there.
+        states: the system's K states there, one after the other.
         end: [s] the time up to which crossings were sought.
         event: name of the system's event that ended the motion, or None.
     """

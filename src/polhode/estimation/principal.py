@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 
 from polhode.estimation.estimate import Estimate
 from polhode.estimation.throw_models import D_MOMENTS, moments_of
@@ -13,6 +14,7 @@ from polhode.types import Array, Float64
 STEADY = 5.0  # degrees: rates that stay so near one direction are those of a steady spin
 WIDEST = 0.1  # half an interval of a ratio that still says something
 FORCES = {"drag": "c", "linear_drag": "b", "one_sided_drag": "d", "rotor": "h"}
+HALF_TURNS = ((1.0, 1.0, 1.0), (1.0, -1.0, -1.0), (-1.0, 1.0, -1.0), (-1.0, -1.0, 1.0))
 DIRECTED = ("one_sided_drag", "rotor")
 
 
@@ -82,9 +84,24 @@ def principal(
         by = np.concatenate([turned / largest, -np.outer(values, D_MOMENTS[:, which[2]]) / largest], axis=1)
         names = tuple(f"{FORCES[name]}{k}/I3" for k in (1, 2, 3))
         forces[name] = Estimate(names, values, by @ covariance[np.ix_(both, both)] @ by.T, freedom)
+    return Principal(ratios, moments, axes @ order, turn, joint, forces, order, _equal(ratios), _is_narrow(ratios))
+
+
+def reaching(found: Principal, other: Principal) -> Principal:
+    """Return a solution whose errors of ratios and axes reach as far as another solution that may be the true one."""
+    between = Rotation.from_matrix(found.axes.T @ other.axes)
+    halves = [between * Rotation.from_matrix(np.diag(signs)) for signs in HALF_TURNS]  # the same axes
+    apart = min((half.as_rotvec() for half in halves), key=np.linalg.norm)
+    apart = np.concatenate([other.ratios.value - found.ratios.value, apart])
+    joint = replace(found.joint, covariance=found.joint.covariance + np.outer(apart, apart))
+    ratios = replace(found.ratios, covariance=joint.covariance[:2, :2])
+    turn = replace(found.turn, covariance=joint.covariance[2:, 2:])
+    return replace(found, joint=joint, ratios=ratios, turn=turn, equal=_equal(ratios), determined=_is_narrow(ratios))
+
+
+def _is_narrow(ratios: Estimate) -> bool:
     half = 0.5 * np.diff(ratios.interval(), axis=1)[:, 0]
-    return Principal(ratios, moments, axes @ order, turn, joint, forces, order, _equal(ratios),
-                     bool(np.isfinite(half).all() and half.max() < WIDEST))  # fmt: skip
+    return bool(np.isfinite(half).all() and half.max() < WIDEST)
 
 
 def _equal(ratios: Estimate) -> str | None:

@@ -13,12 +13,12 @@ from polhode.errors import InvalidInput, shown
 from polhode.estimation.estimate import Estimate
 from polhode.estimation.flight import Window, check_windows, free_flights
 from polhode.estimation.gyro_log import GyroLog
-from polhode.estimation.principal import Principal, principal
+from polhode.estimation.principal import Principal, principal, reaching
 from polhode.estimation.rest_bias import RestBias, rest_bias
 from polhode.estimation.saturation import saturation
 from polhode.estimation.throw_doubts import why_no_result, why_nothing_explains
 from polhode.estimation.throw_fit import PAIRS, Model, Solution, Throw, rms
-from polhode.estimation.throw_search import Start, solutions_of
+from polhode.estimation.throw_search import Start, covariance_beside_wheel, rival, solutions_of
 from polhode.estimation.unmodelled import Settled, settled
 from polhode.exact.free_body.motion import FreeMotion
 from polhode.types import Array, Float64
@@ -101,9 +101,13 @@ class ThrowFit:
         rotor: momentum of a wheel that turns in the body, over I3 [rad/s, principal axes]; None where there is none.
             The ratios are then of the body with the wheel; where no motor keeps its speed, without the wheel's own
             moment about its axis.
+        beside_wheel: standard errors of the ratios if a wheel, of which nothing is known, might turn in the body; None
+            where one was fitted.
         unmodelled: rms of a smooth torque over I3 |ω|² that no model has, and that the intervals allow for.
         widened: factor on the variances of the noise, because neighbouring residuals are alike.
         criterion: the models that were compared, by Akaike's corrected criterion, which a wheel must do better by 10.
+        with_or_without: whether models with a wheel and without one do about as well, so that the errors of ratios and
+            axes reach as far as what the other one says.
         throws: each throw, with measured and predicted rates.
         residuals: (n, 3) of all throws [rad/s].
         rms: of the residuals [rad/s].
@@ -128,9 +132,11 @@ class ThrowFit:
     linear_drag: Estimate | None
     one_sided_drag: Estimate | None
     rotor: Estimate | None
+    beside_wheel: Float64[Array, "2"] | None
     unmodelled: float
     widened: float
     criterion: list[ModelScore]
+    with_or_without: bool
     throws: list[FittedThrow]
     residuals: Float64[Array, "n 3"]
     rms: float
@@ -225,7 +231,9 @@ def fit_throw(
     reason = why_nothing_explains(best, throws)
     if reason is not None:
         return replace(_nothing(cut, start, level), degenerate=reason)
-    return _result(settled(best, throws), rest, scores, cut, start, level)
+    other = rival(tried)
+    found = settled(best, throws), None if other is None else settled(other, throws)
+    return _result(*found, rest, scores, cut, start, level)
 
 
 def _check_choice(name: str, value: bool | str) -> None:
@@ -272,10 +280,14 @@ def _part(solution: Solution, group: str, names: tuple[str, ...]) -> Estimate | 
 
 
 def _result(
-    done: Settled, rest: RestBias | None, scores: list[ModelScore], cut: list[Any], start: Start, level: float | None
-) -> ThrowFit:
+    done: Settled, other: Settled | None, rest: RestBias | None, scores: list[ModelScore], cut: list[Any],
+    start: Start, level: float | None,
+) -> ThrowFit:  # fmt: skip
+    """Return the fit; where a model with a wheel and one without do about as well, errors reach to the other one."""
     best, throws = done.solution, [throw for *_, throw in cut]
-    found = principal(best.parameters, best.covariance, best.model.places, best.axes, best.freedom)
+    found = _principal(best)
+    if other is not None:
+        found = reaching(found, _principal(other.solution))
     reason = why_no_result(best, found, throws)
     if reason is not None:
         return replace(_nothing(cut, start, level), criterion=scores, degenerate=reason)
@@ -290,10 +302,22 @@ def _result(
         rest=at_rest, gain=_part(best, "gain", ("gain x", "gain y", "gain z")),
         cross_axis=_part(best, "cross_axis", ("gain yz", "gain xz", "gain xy")), gain_spread=done.gain_spread,
         drag=found.forces.get("drag"), linear_drag=found.forces.get("linear_drag"),
-        one_sided_drag=found.forces.get("one_sided_drag"), rotor=found.forces.get("rotor"), unmodelled=done.torque,
-        widened=done.widened, criterion=scores, throws=told, residuals=best.residuals, rms=rms(best.residuals),
+        one_sided_drag=found.forces.get("one_sided_drag"), rotor=found.forces.get("rotor"),
+        beside_wheel=None if best.model.rotor else _beside_wheel(best, done, throws), unmodelled=done.torque,
+        widened=done.widened, criterion=scores, with_or_without=other is not None, throws=told,
+        residuals=best.residuals, rms=rms(best.residuals),
         sigma=best.sigma, jitter=best.jitter, degenerate=None, singular_values=start.singular_values, clip=level,
     )  # fmt: skip
+
+
+def _principal(solution: Solution) -> Principal:
+    return principal(solution.parameters, solution.covariance, solution.model.places, solution.axes, solution.freedom)
+
+
+def _beside_wheel(best: Solution, done: Settled, throws: list[Throw]) -> Float64[Array, "2"]:
+    """Return errors of the ratios if a wheel might turn, none smaller than those without."""
+    more = covariance_beside_wheel(best, throws) * done.widened
+    return np.maximum(*(_principal(each).ratios.standard_error for each in (best, replace(best, covariance=more))))
 
 
 def _motion(found: Principal, best: Solution, k: int, throw: Throw) -> tuple[FreeMotion | None, str | None]:
@@ -312,6 +336,7 @@ def _nothing(cut: list[Any], start: Start, level: float | None) -> ThrowFit:
     return ThrowFit(
         ratios=None, axes=None, axes_error=None, joint=None, equal=None, bias=unknown, rest=None, gain=None,
         cross_axis=None, gain_spread=float("nan"), drag=None, linear_drag=None, one_sided_drag=None, rotor=None,
-        unmodelled=float("nan"), widened=1.0, criterion=[], throws=told, residuals=np.empty((0, 3)), rms=float("nan"),
-        sigma=start.noise, jitter=0.0, degenerate=start.degenerate, singular_values=start.singular_values, clip=level,
+        beside_wheel=None, unmodelled=float("nan"), widened=1.0, criterion=[], with_or_without=False, throws=told,
+        residuals=np.empty((0, 3)), rms=float("nan"), sigma=start.noise, jitter=0.0, degenerate=start.degenerate,
+        singular_values=start.singular_values, clip=level,
     )  # fmt: skip

@@ -8,7 +8,18 @@ import numpy as np
 
 from polhode.estimation.linear_start import linear_inertia, turned_by
 from polhode.estimation.principal import why_undetermined
-from polhode.estimation.throw_fit import LIMITS, ROBUST, Model, Solution, Throw, explains, fitted, predicted, whitening
+from polhode.estimation.throw_fit import (
+    LIMITS,
+    ROBUST,
+    Model,
+    Solution,
+    Throw,
+    covariance_of,
+    explains,
+    fitted,
+    predicted,
+    whitening,
+)
 from polhode.estimation.throw_models import shape_of
 from polhode.types import Array, Float64
 
@@ -24,6 +35,7 @@ MOST_TURN = 2.0  # rad from sample to sample: a third of a turn, between which t
 FASTEST, ROUND = 75.0, 0.6  # rad/s, 4300 deg/s; I1/I3 by the linear method: rates too large make a body round
 ASKED = 12.0  # of χ² for three numbers, by which residuals ask for a wheel: one throw in 130 without one does so
 SURE = 10.0  # of AICc, by which a wheel must do better than air: few bodies have one
+RIVAL = 15.0  # of the criterion, within which a model with a wheel and one without may both be true
 AIR = ((), ("drag",), ("drag", "linear_drag"), ("drag", "linear_drag", "one_sided_drag"))
 SPANS = (100.0, 0.3, 0.15)  # s, of stretches over which a momentum is constant: biases add up over long ones
 WHEEL = (("rotor",), ("drag", "rotor"))
@@ -94,21 +106,39 @@ def solutions_of(
     if rotor is True or (rotor == "auto" and _asks_for_wheel(min(found, key=criterion), start, throws)):
         found += _with_wheel(plain, throws, drag)
     best = min(found, key=criterion)
+    if best.model.rotor and rotor == "auto" and not any(explains(one, throws) for one in found if not one.model.rotor):
+        found += _again(replace(plain, forces=() if drag is False else AIR[1]), best, drag, start, throws)
+        best = min(found, key=criterion)
     if _in_a_valley(best, start):
         kept = best.model if best.model.rotor else replace(plain, forces=() if drag is False else AIR[1])
-        again = _retried(kept, start, throws)
-        found.append(again)
-        if drag is not False and not kept.rotor and again.aicc < best.aicc and explains(again, throws):
-            found.append(_richer(again, replace(plain, forces=AIR[2]), throws))
+        found += _again(kept, best, drag, start, throws)
     if gain == "auto":
         best = min(found, key=criterion)
         found.append(_richer(best, replace(best.model, gain=True), throws))
     return sorted(found, key=criterion)
 
 
+def _again(model: Model, best: Solution, drag: bool | str, start: Start, throws: list[Throw]) -> list[Solution]:
+    """Return the fit of a model from several starts, and with linear drag too where it does better than the best."""
+    again = _retried(model, start, throws)
+    if drag is False or model.rotor or again.aicc >= best.aicc or not explains(again, throws):
+        return [again]
+    return [again, _richer(again, replace(model, forces=AIR[2]), throws)]
+
+
 def criterion(solution: Solution) -> float:
     """Return the criterion by which models are compared: AICc, and more for a wheel, of which few bodies have one."""
     return solution.aicc + SURE * solution.model.rotor
+
+
+def rival(found: list[Solution]) -> Solution | None:
+    """Return the best model of those with a wheel, or without one, as the chosen has it not, where it does as well.
+
+    Args:
+        found: the fits, the best of them first.
+    """
+    others = [each for each in found if each.model.rotor != found[0].model.rotor]
+    return others[0] if others and criterion(others[0]) - criterion(found[0]) < RIVAL else None
 
 
 def _in_air(plain: Model, start: Start, throws: list[Throw], drag: bool | str) -> list[Solution]:
@@ -185,6 +215,27 @@ def _asks_for_wheel(solution: Solution, start: Start, throws: list[Throw]) -> bo
 
 def lessened_by_wheel(solution: Solution, throws: list[Throw]) -> float:
     """Return by how much a small wheel would lessen χ², all else being free to follow (Rao's score test)."""
+    model, A, z = _beside_wheel(solution, throws)
+    scaled = A / np.maximum(np.linalg.norm(A, axis=0), 1e-300)
+    without = np.delete(scaled, np.r_[model.places["rotor"]], axis=1)
+    explained = [z @ part @ np.linalg.lstsq(part, z, rcond=1e-9)[0] for part in (without, scaled)]
+    return float(explained[1] - explained[0])
+
+
+def covariance_beside_wheel(solution: Solution, throws: list[Throw]) -> Float64[Array, "p p"]:
+    """Return the covariance of a solution's parameters if a small wheel, of which nothing is known, may turn beside.
+
+    Args:
+        solution: of a model without one, with p parameters.
+        throws: the samples.
+    """
+    model, A, _ = _beside_wheel(solution, throws)
+    kept = np.delete(np.arange(model.size), np.r_[model.places["rotor"]])
+    return covariance_of(A)[np.ix_(kept, kept)]
+
+
+def _beside_wheel(solution: Solution, throws: list[Throw]) -> tuple[Model, Array, Array]:
+    """Return the model with a wheel too, its linear least squares about the solution, and the residuals for it."""
     model = replace(solution.model, forces=(*solution.model.forces, "rotor"))
     x = carried(solution, model)
     _, slopes, fast = predicted(model, x, solution.axes, throws)
@@ -192,11 +243,7 @@ def lessened_by_wheel(solution: Solution, throws: list[Throw]) -> float:
     which, means, weights = model.believed()
     A = np.concatenate([(white @ slopes).reshape(-1, model.size), weights @ np.eye(model.size)[which]])
     z = np.clip((white @ solution.residuals[..., None]).ravel(), -ROBUST, ROBUST)
-    z = np.concatenate([z, weights @ (means - x[which])])
-    scaled = A / np.maximum(np.linalg.norm(A, axis=0), 1e-300)
-    without = np.delete(scaled, np.r_[model.places["rotor"]], axis=1)
-    explained = [z @ part @ np.linalg.lstsq(part, z, rcond=1e-9)[0] for part in (without, scaled)]
-    return float(explained[1] - explained[0])
+    return model, A, np.concatenate([z, weights @ (means - x[which])])
 
 
 def alike(residuals: Array) -> float:

@@ -21,6 +21,7 @@ ALIKE = 0.5  # correlation of neighbouring residuals, above which a fit does not
 LARGE_BIAS = 0.1  # rad/s: a gyro's offset is smaller, but a fit may put into it what its motion does not explain
 PUSHED = 0.002  # over I3 |ω|²: a torque that no model has, from which a reader should know of it
 LARGER = 1.5  # times the gains that were expected
+HIDDEN = 2.0  # times the errors: those with a wheel, from which a reader should know of it
 BARELY = 2.0  # AICc less than this apart: the criterion hardly prefers one model
 
 
@@ -83,6 +84,9 @@ def _doubts(fit: ThrowFit) -> list[str]:
         notes.append(f"a wheel turns in the body, by what the rates say: its momentum is {size:.3g} rad/s of the "
                      "largest moment. The moments are of the body with the wheel; where no motor keeps its speed, "
                      "without the wheel's own moment about its axis.")  # fmt: skip
+    if fit.with_or_without:
+        notes.append("the log can hardly tell whether a wheel turns in the body: the intervals reach from what it says "
+                     "with one to what it says without. --rotor or --no-rotor decides it.")  # fmt: skip
     size = float(np.abs(fit.bias.value).max())
     if size > LARGE_BIAS and fit.rest is None:
         notes.append(f"the bias is large, {size:.2g} rad/s, and no rest in the log confirms it: it may stand for "
@@ -92,6 +96,13 @@ def _doubts(fit: ThrowFit) -> list[str]:
         notes.append(f"no rest was found in the log, so that the bias was assumed to be 0 ± {BIAS_SPREAD:.2g} rad/s "
                      "along each axis: with a larger one the bias and its errors are wrong, and so may the ratios be. "
                      "Let the device lie still for a second before and after the throw.")  # fmt: skip
+    if fit.beside_wheel is not None and fit.ratios is not None:
+        both = np.stack([fit.beside_wheel, fit.ratios.standard_error])
+        if (both[0] > HIDDEN * both[1]).any():
+            first, second = (f"{error:.2g}" for error in both[0])
+            notes.append("it is assumed that no wheel turns in the body: if one might, the log would tell I1/I3 only "
+                         f"to ± {first} and I2/I3 to ± {second}, and the intervals are too narrow. Throw it longer, "
+                         "or with more tumble, to tell them apart.")  # fmt: skip
     if fit.unmodelled > PUSHED:
         notes.append(f"a torque acts that no model has, about {fit.unmodelled:.2g} I3 |ω|²: the intervals allow for "
                      "it.")  # fmt: skip
@@ -219,8 +230,10 @@ def _gyro(fit: ThrowFit) -> Group:
         _torque_of("linear_drag", fit.linear_drag, "1/s", "linear drag b/I3", "−b_i ω_i"),
         _torque_of("one_sided_drag", fit.one_sided_drag, "", "one-sided drag d/I3", "−d_i |ω| |ω_i|"),
         Answer("rotor", None if fit.rotor is None else _values(fit.rotor), "rad/s", "wheel's momentum h/I3",
-               "along the principal axes; null where no wheel turns",
-               None if fit.rotor is None else f"{_listed(fit.rotor)} rad/s"),
+               "along the principal axes; null where none is fitted",
+               ("none assumed" if sure else None) if fit.rotor is None else f"{_listed(fit.rotor)} rad/s"),
+        Answer("beside_wheel", None if fit.beside_wheel is None else fit.beside_wheel.tolist(), "", "",
+               "standard errors of the ratios if a wheel might turn in the body; null where one was fitted"),
         Answer("unmodelled", fit.unmodelled if sure else None, "", "",
                "torque over I3 |ω|² that no model has, rms; intervals allow for it"),
         Answer("widened", fit.widened if sure else None, "", "",
