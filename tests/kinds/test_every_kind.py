@@ -55,7 +55,7 @@ def moving(kind, report):
 
 
 def test_what_takes_no_motion_is_what_the_report_says(spec, report):
-    """Sweeps ask for these alone; six kinds have some, to the bit."""
+    """Sweeps ask for these alone; ten kinds have some, to the bit."""
     whole, names = report.as_json_dict(), 0
     for group in spec.kind.answers_without_motion(spec):
         for name, value in plain(values_of([group])).items():

@@ -107,24 +107,7 @@ class TopReport(AbstractMotionReport):
         return f"The axis to the centre of mass leans {leans} from the vertical.{case}"
 
     def answers(self) -> list[Group | Table]:
-        case = None if self.top.case is None else self.top.case[0]
-        axes, axis, pivot = np.asarray(self.top.axes), np.asarray(self.top.axis), self.frame.origin
-        moments, there = np.asarray(self.top.moments), "about the pivot"
-        body = Group("Body about the fixed point", [
-            Answer("mass", self.body.mass, "kg", "mass"),
-            Answer("center_of_mass", self.body.center_of_mass, "m", "", "given axes"),
-            Answer("pivot", pivot, "m", "fixed point", "given axes", vector(pivot, "m") + GIVEN),
-            Answer("principal_moments", moments, "kg m²", "principal moments there", there, distinct(moments, "kg m²")),
-            *about_axes("principal_axes", axes),
-            Answer("axis", axis, "", "centre of mass along", "direction from pivot to centre of mass, principal axes",
-                   vector(axis) + "  (principal axes)"),
-            Answer("mgl", float(self.top.mgl), "N m", "weight × distance mgl"),
-            Answer("integrable_case", case, "", "integrable case", "", case or "none"),
-        ])  # fmt: skip
-        rows = [{"position": name, **stability_values(found)} for name, found in self.verdicts.items()]
-        title = "Axis to the centre of mass, upright and hanging"
-        standing = verdicts("equilibria", title, "position", lambda row: row["position"], rows, key="position")
-        return [body, standing, *self._rates(), self.motion()]
+        return [about_body(self.body, self.top, self.frame), about_rests(self.verdicts), *self._rates(), self.motion()]
 
     @property
     def mean_rates(self) -> TopRates:
@@ -171,6 +154,31 @@ class TopReport(AbstractMotionReport):
     def motion(self) -> Group:
         """Return what is said of the motion."""
         return Group("Motion", [*self.kept(), *accuracy(self.trajectory)])
+
+
+def about_body(body: Body, top: HeavyTop, frame: BodyFrame) -> Group:
+    """Return what is said of the body about the fixed point, its frame that of the principal axes there."""
+    case = None if top.case is None else top.case[0]
+    axes, axis, pivot = np.asarray(top.axes), np.asarray(top.axis), frame.origin
+    moments, there = np.asarray(top.moments), "about the pivot"
+    return Group("Body about the fixed point", [
+        Answer("mass", body.mass, "kg", "mass"),
+        Answer("center_of_mass", body.center_of_mass, "m", "", "given axes"),
+        Answer("pivot", pivot, "m", "fixed point", "given axes", vector(pivot, "m") + GIVEN),
+        Answer("principal_moments", moments, "kg m²", "principal moments there", there, distinct(moments, "kg m²")),
+        *about_axes("principal_axes", axes),
+        Answer("axis", axis, "", "centre of mass along", "direction from pivot to centre of mass, principal axes",
+               vector(axis) + "  (principal axes)"),
+        Answer("mgl", float(top.mgl), "N m", "weight × distance mgl"),
+        Answer("integrable_case", case, "", "integrable case", "", case or "none"),
+    ])  # fmt: skip
+
+
+def about_rests(found: dict[str, Stability]) -> Table:
+    """Return the verdicts on the axis upright and hanging, by words."""
+    rows = [{"position": name, **stability_values(verdict)} for name, verdict in found.items()]
+    title = "Axis to the centre of mass, upright and hanging"
+    return verdicts("equilibria", title, "position", lambda row: row["position"], rows, key="position")
 
 
 def top_of(body: Body, pivot: Real[ArrayLike, "3"], gravity: float) -> HeavyTop:

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import replace
 
 import numpy as np
 
-from polhode.analysis.disk_turns import filled_to_its_end, first_turns, last_turns, rolling_path
+from polhode.analysis.disk_turns import DiskPath, filled_to_its_end, first_turns, last_turns, rolling_path
 from polhode.analysis.rolling import (
+    SteadyRolling,
     critical_rolling_speed,
     critical_spin_rate,
     fastest_rolling_rate,
@@ -22,6 +24,8 @@ from polhode.kinds.euler_disk.report import EulerDiskReport, LawShare, law_names
 from polhode.kinds.euler_disk.table import EulerDiskTable
 from polhode.motion.frame import BodyFrame
 from polhode.motion.trajectory import Trajectory
+from polhode.reports.answer import Group, Table
+from polhode.reports.base import WITHOUT_MOTION, left_out
 from polhode.reports.length import ADAPTIVE, check_length
 from polhode.simulation import simulate
 from polhode.systems.euler_disk import EulerDisk
@@ -45,11 +49,8 @@ def report_of(spec: Spec) -> EulerDiskReport:
     """
     table, times = spec.system, spec.times
     assert isinstance(table, EulerDiskTable)
-    sizes = (table.mass, table.radius, table.thickness, table.axial_moment, table.diametral_moment, table.gravity)
-    disk = EulerDisk(*sizes, dissipation=[law.build() for law in table.dissipation])
-    ideal = EulerDisk(*sizes) if table.dissipation else disk
-    start = _start(table, disk)
-    steady = steady_rolling(ideal, table.tilt, table.precession, table.spin, table.heading)
+    disk, ideal = _disks(table)
+    start, steady = _start(table, disk), _steady(table, ideal)
     if table.dissipation and times is None:
         found = _ended(disk, start)
         trajectory = found.trajectory
@@ -68,12 +69,44 @@ def report_of(spec: Spec) -> EulerDiskReport:
     by_energy = None if found is None or table.precession is not None else adiabatic_end(disk, table.tilt)
     A, C = float(disk.mechanics.diametral_moment), float(disk.mechanics.axial_moment)
     trajectory = replace(trajectory, frame=BodyFrame(np.array([A, A, C]), np.eye(3), np.zeros(3), table.mass))
-    upright = not table.thickness and abs(table.tilt - 0.5 * math.pi) < UPRIGHT
     return EulerDiskReport(
-        table=table, disk=disk, trajectory=trajectory, steady=steady, laws=_shares(table, disk, trajectory, found),
-        spin_down=found, end_by_energy=by_energy, path=path, opening=opening,
-        thresholds=(critical_rolling_speed(ideal), critical_spin_rate(ideal)) if upright else None,
+        table=table, disk=disk, trajectory=trajectory, begin=start, steady=steady,
+        laws=_shares(table, disk, trajectory, found), spin_down=found, end_by_energy=by_energy, path=path,
+        opening=opening, thresholds=_thresholds(table, ideal),
     )  # fmt: skip
+
+
+def answers_without_motion(spec: Spec) -> Iterator[Group | Table]:
+    """Yield the answers of the report that take no motion.
+
+    Raises:
+        InvalidInput: for sizes that no disk has, and starts that do not roll or are not steady.
+    """
+    table = spec.system
+    assert isinstance(table, EulerDiskTable)
+    disk, ideal = _disks(table)
+    yield from EulerDiskReport(
+        table=table, disk=disk, trajectory=WITHOUT_MOTION, begin=_start(table, disk), steady=_steady(table, ideal),
+        laws=[], spin_down=None, end_by_energy=None, path=left_out(DiskPath), opening=None,
+        thresholds=_thresholds(table, ideal),
+    ).without_motion()  # fmt: skip
+
+
+def _disks(table: EulerDiskTable) -> tuple[EulerDisk, EulerDisk]:
+    """Return the disk, and the same one without dissipation."""
+    sizes = (table.mass, table.radius, table.thickness, table.axial_moment, table.diametral_moment, table.gravity)
+    disk = EulerDisk(*sizes, dissipation=[law.build() for law in table.dissipation])
+    return disk, EulerDisk(*sizes) if table.dissipation else disk
+
+
+def _steady(table: EulerDiskTable, ideal: EulerDisk) -> SteadyRolling | None:
+    return steady_rolling(ideal, table.tilt, table.precession, table.spin, table.heading)
+
+
+def _thresholds(table: EulerDiskTable, ideal: EulerDisk) -> tuple[float, float] | None:
+    """Return speed and rate above which an upright thin disk rolls and spins stably; None of another one."""
+    upright = not table.thickness and abs(table.tilt - 0.5 * math.pi) < UPRIGHT
+    return (critical_rolling_speed(ideal), critical_spin_rate(ideal)) if upright else None
 
 
 def _start(table: EulerDiskTable, disk: EulerDisk) -> Array:

@@ -20,6 +20,7 @@ from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import AbstractMotionReport
 from polhode.reports.wording import rate, uncertain
 from polhode.systems.euler_disk import LAYOUT, EulerDisk
+from polhode.types import Array
 
 TELLING = 0.3  # of an exponent, beyond which its uncertainty tells no law from another: 1/3, 4/9 and 1/2
 PURE = 0.9  # of the power, from which on one law is said to dominate
@@ -51,6 +52,7 @@ class EulerDiskReport(AbstractMotionReport):
     Attributes:
         table: what the spec asks for.
         disk: what moves.
+        begin: state at the start.
         steady: None where no steady motion is near the start.
         laws: of dissipation.
         spin_down: how it ends; None without dissipation, or where it is only watched for a time.
@@ -64,6 +66,7 @@ class EulerDiskReport(AbstractMotionReport):
     table: EulerDiskTable
     disk: EulerDisk
     trajectory: Trajectory
+    begin: Array
     steady: SteadyRolling | None
     laws: list[LawShare]
     spin_down: SpinDown | None
@@ -144,7 +147,11 @@ class EulerDiskReport(AbstractMotionReport):
     def answers(self) -> list[Group | Table]:
         end = [] if self.spin_down is None else [self._exponents(self.spin_down), self._end(self.spin_down)]
         none = [] if end else [Group("", [Answer("spin_down", None)])]
-        return [self._disk(), self._start(), *self._steady(), self._laws(), *end, *none, self._motion()]
+        return [*self.without_motion(), self._laws(), *end, *none, self._motion()]
+
+    def without_motion(self) -> list[Group | Table]:
+        """Return the answers that take no motion."""
+        return [self._disk(), self._start(), *self._steady()]
 
     def _disk(self) -> Group:
         table, mechanics = self.table, self.disk.mechanics
@@ -160,7 +167,7 @@ class EulerDiskReport(AbstractMotionReport):
         ])  # fmt: skip
 
     def _start(self) -> Group:
-        state = self.trajectory.states[0]
+        state = self.begin
         start = {part.name: float(LAYOUT.part(state, part.name)) for part in LAYOUT.parts}
         rates = [start["tilt_rate"], start["rise_rate"], start["spin"]]
         precession = float(self.disk.precession(state))
@@ -179,7 +186,7 @@ class EulerDiskReport(AbstractMotionReport):
             Answer("", None, "", "small nutation", "", small),
             Answer("critical_rolling_speed", rolling, "m/s", "rolls stably upright from"),
             Answer("critical_spin_rate", spinning, "rad/s", "spins stably upright from"),
-            Answer("start.energy", self.energies[0], "J", "energy"),
+            Answer("start.energy", float(self.disk.energy(state)), "J", "energy"),
             Answer("start.normal_force", float(self.disk.normal_force(state)), "N", "normal force"),
         ])  # fmt: skip
 

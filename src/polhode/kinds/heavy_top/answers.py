@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import warnings
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import ClassVar, NamedTuple
 
@@ -14,9 +15,12 @@ from polhode.kinds.heavy_top.table import HeavyTopTable
 from polhode.kinds.registry import other_kind
 from polhode.motion.layout import Quantity
 from polhode.motion.trajectory import Trajectory
+from polhode.reports.answer import Group, Table
 from polhode.reports.length import check_length, equal_steps, splitting_step
 from polhode.reports.top import (
     TopReport,
+    about_body,
+    about_rests,
     frame_of,
     mechanics_of,
     rest_verdicts,
@@ -65,6 +69,19 @@ def motion_of(spec: Spec) -> SpecMotion:
     return SpecMotion(moved.trajectory, mechanics_of(moved.top, moved.trajectory.frame))
 
 
+def answers_without_motion(spec: Spec) -> Iterator[Group | Table]:
+    """Yield the answers of the report that take no motion.
+
+    Raises:
+        InvalidInput: for a body without mass.
+    """
+    table, body = spec.system, spec.body
+    assert isinstance(table, HeavyTopTable) and body is not None
+    top = top_of(body, table.pivot, table.gravity)
+    yield about_body(body, top, frame_of(top, body, table.pivot))
+    yield about_rests(rest_verdicts(top, _start(spec, top)[0]))
+
+
 class _Moved(NamedTuple):
     """The top, its momentum (3,) at the start along the principal axes, its motion, and what there was to say."""
 
@@ -78,8 +95,7 @@ def _moved(spec: Spec) -> _Moved:
     table, body, times = spec.system, spec.body, spec.times
     assert isinstance(table, HeavyTopTable) and body is not None
     top = top_of(body, table.pivot, table.gravity)
-    momentum, attitude = spec.start(np.asarray(top.moments), np.asarray(top.axes))
-    momentum, attitude = start_of(top, spec.spin, momentum, attitude, table.lean)
+    momentum, attitude = _start(spec, top)
     state = top.pack(rotation.multiply(attitude, rotation.conjugate(rotation.from_matrix(np.asarray(top.axes)))),
                       momentum=np.asarray(top.axes) @ momentum)  # fmt: skip
     if times is None:
@@ -92,6 +108,13 @@ def _moved(spec: Spec) -> _Moved:
         trajectory = _called(simulate(top, state, times, step=table.step, order=table.order))
     trajectory = replace(trajectory, frame=frame_of(top, body, table.pivot))
     return _Moved(top, momentum, trajectory, tuple(str(warning.message) for warning in caught))
+
+
+def _start(spec: Spec, top: HeavyTop) -> tuple[Float64[Array, "3"], Float64[Array, "4"]]:
+    """Return momentum along the principal axes, and their attitude, at the start."""
+    assert isinstance(spec.system, HeavyTopTable)
+    momentum, attitude = spec.start(np.asarray(top.moments), np.asarray(top.axes))
+    return start_of(top, spec.spin, momentum, attitude, spec.system.lean)
 
 
 def _remedy(spec: Spec) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from typing import ClassVar
@@ -17,7 +18,7 @@ from polhode.kinds.sphere_fluid.table import FluidTable
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import accuracy
 from polhode.reports.answer import Answer, Group, Table
-from polhode.reports.base import AbstractMotionReport
+from polhode.reports.base import WITHOUT_MOTION, AbstractMotionReport
 from polhode.reports.length import check_length
 from polhode.reports.wording import duration, number, rate, vector
 from polhode.simulation import simulate
@@ -39,6 +40,7 @@ class FluidReport(AbstractMotionReport):
     Attributes:
         system: on the unit sphere, whose vorticities and times are those of the fluid's.
         table: as the spec has it.
+        start: state at the start.
         trajectory: samples of the motion.
         asked: how many samples the spec asks for; fewer are kept of large matrices.
     """
@@ -46,6 +48,7 @@ class FluidReport(AbstractMotionReport):
     kind: ClassVar[str] = "sphere-fluid"
     system: SphereFluid
     table: FluidTable
+    start: Array
     trajectory: Trajectory
     asked: int
 
@@ -67,8 +70,7 @@ class FluidReport(AbstractMotionReport):
     @cached_property
     def relative_vorticity(self) -> float:
         """Root mean square over the sphere at the start [rad/s]."""
-        relative = self._ends[0] - np.asarray(self.system.planetary)
-        return math.sqrt(float(self.system.algebra.pairing(relative, relative)) / (4.0 * math.pi))
+        return _vorticity(self.system, self.start)
 
     @property
     def mean_degrees(self) -> Float64[Array, "2"]:
@@ -103,16 +105,17 @@ class FluidReport(AbstractMotionReport):
         return found
 
     def answers(self) -> list[Group | Table]:
-        return [self._about_fluid(), self._spectrum(), self._motion()]
+        return [self.about_fluid(), self._spectrum(), self._motion()]
 
-    def _about_fluid(self) -> Group:
+    def about_fluid(self) -> Group:
+        """Return what is said of the fluid at the start."""
         system, size = self.system, self.system.size
-        energy = float(self.energies[0].sum())
+        energy = float(np.asarray(system.energy_spectrum(self.start)).sum())
         speed = self.table.radius * math.sqrt(2.0 * energy / (4.0 * math.pi))
         planetary = 2.0 * abs(float(system.rotation))
         rossby = self.relative_vorticity / planetary if planetary else None
         axes = np.asarray(system.algebra.coordinates)
-        relative = self._ends[0] - np.asarray(system.planetary)
+        relative = np.asarray(self.start) - np.asarray(system.planetary)
         momentum = np.array([float(system.algebra.pairing(relative, axis)) for axis in axes])
         words = f"{size} × {size} matrices, harmonics up to degree {size - 1}"
         turnover = 2.0 * math.pi / self.relative_vorticity
@@ -168,16 +171,8 @@ def report_of(spec: Spec) -> FluidReport:
     """
     table = spec.system
     assert isinstance(table, FluidTable)
-    fluid = SphereFluid(table.resolution, table.rotation)
-    earlier = None if table.start_from is None else earlier_run(spec.folder / table.start_from, fluid)
-    state = start_of(fluid, table) if earlier is None else earlier.states[-1]
-    relative = np.asarray(state - fluid.planetary)
-    vorticity = math.sqrt(float(fluid.algebra.pairing(relative, relative)) / (4.0 * math.pi))
-    if not 1.0 / EXTREME <= vorticity <= EXTREME:
-        raise InvalidInput(
-            f"the vorticity at the start must be within {1.0 / EXTREME:g} to {EXTREME:g} rad/s, root mean square; it "
-            f"is {vorticity:.3g} rad/s. Check `random`, `vortices` and `waves`, which may cancel each other."
-        )
+    fluid, state, earlier = _start(spec, table)
+    vorticity = _vorticity(fluid, state)
     until = TURNOVERS * 2.0 * math.pi / vorticity if spec.until is None else spec.until
     kept = max(2, min(spec.samples, MEMORY // (16 * fluid.size**2)))
     times = np.linspace(0.0, until, kept)
@@ -193,4 +188,36 @@ def report_of(spec: Spec) -> FluidReport:
         fluid, state, times, IsospectralMidpoint, step=step, order=2, progress=shown, estimate_error=False,
         resumable=True, memory=memory,
     )  # fmt: skip
-    return FluidReport(fluid, table, trajectory, spec.samples)
+    return FluidReport(fluid, table, state, trajectory, spec.samples)
+
+
+def answers_without_motion(spec: Spec) -> Iterator[Group | Table]:
+    """Yield the answers of the report that take no motion.
+
+    Raises:
+        InvalidInput: for a fluid at rest or a vorticity beyond the numbers.
+    """
+    table = spec.system
+    assert isinstance(table, FluidTable)
+    fluid, state, _ = _start(spec, table)
+    yield FluidReport(fluid, table, state, WITHOUT_MOTION, spec.samples).about_fluid()
+
+
+def _vorticity(fluid: SphereFluid, state: Array) -> float:
+    """Return the root mean square over the sphere of the vorticity relative to it [rad/s]."""
+    relative = np.asarray(state) - np.asarray(fluid.planetary)
+    return math.sqrt(float(fluid.algebra.pairing(relative, relative)) / (4.0 * math.pi))
+
+
+def _start(spec: Spec, table: FluidTable) -> tuple[SphereFluid, Array, Trajectory | None]:
+    """Return the fluid, its first state, and the run that it goes on from, if any."""
+    fluid = SphereFluid(table.resolution, table.rotation)
+    earlier = None if table.start_from is None else earlier_run(spec.folder / table.start_from, fluid)
+    state = start_of(fluid, table) if earlier is None else earlier.states[-1]
+    vorticity = _vorticity(fluid, state)
+    if not 1.0 / EXTREME <= vorticity <= EXTREME:
+        raise InvalidInput(
+            f"the vorticity at the start must be within {1.0 / EXTREME:g} to {EXTREME:g} rad/s, root mean square; it "
+            f"is {vorticity:.3g} rad/s. Check `random`, `vortices` and `waves`, which may cancel each other."
+        )
+    return fluid, state, earlier

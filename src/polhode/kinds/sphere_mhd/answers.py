@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, ClassVar
@@ -19,7 +20,7 @@ from polhode.kinds.sphere_mhd.table import MagneticFluidTable
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import accuracy
 from polhode.reports.answer import Answer, Group, Table
-from polhode.reports.base import AbstractMotionReport
+from polhode.reports.base import WITHOUT_MOTION, AbstractMotionReport
 from polhode.reports.length import check_length
 from polhode.reports.wording import duration, rate
 from polhode.simulation import simulate
@@ -46,6 +47,7 @@ class MagneticReport(AbstractMotionReport):
     Attributes:
         system: on the unit sphere.
         table: as the spec has it.
+        start: state at the start.
         trajectory: samples of the motion.
         asked: how many samples the spec asks for; fewer are kept of large matrices.
     """
@@ -53,6 +55,7 @@ class MagneticReport(AbstractMotionReport):
     kind: ClassVar[str] = "sphere-mhd"
     system: SphereMHD
     table: MagneticFluidTable
+    start: Array
     trajectory: Trajectory
     asked: int
 
@@ -141,19 +144,21 @@ class MagneticReport(AbstractMotionReport):
         return found
 
     def answers(self) -> list[Group | Table]:
-        found: list[Group | Table] = [self._about(), self._spectrum()]
+        found: list[Group | Table] = [self.about_start(), self._spectrum()]
         if self.table.alfven_wave is not None:
             found.append(self._wave())
         if self.is_zonal:
             found.append(self._growth())
         return [*found, self._motion()]
 
-    def _about(self) -> Group:
+    def about_start(self) -> Group:
+        """Return what is said of fluid and field at the start."""
         system, size = self.system, self.system.size
-        theta, relative = self._ends[0, 0], self._ends[0, 1] - np.asarray(system.fluid.planetary)
+        start = np.asarray(self.start)
+        theta, relative = start[0], start[1] - np.asarray(system.fluid.planetary)
         rotation = float(system.fluid.rotation)
-        kinetic, magnetic = (float(x) for x in self.energies[0].sum(axis=-1))
-        vorticity, current = (_mean_square(system, x) for x in (relative, system.current(self._ends[0])))
+        kinetic, magnetic = (float(x) for x in np.asarray(system.energy_spectrum(self.start)).sum(axis=-1))
+        vorticity, current = (_mean_square(system, x) for x in (relative, system.current(start)))
         field = math.sqrt(2.0 * magnetic / (4.0 * math.pi))
         helicity = float(system.sphere.pairing(theta, relative))
         turnover = 2.0 * math.pi / vorticity if vorticity else None
@@ -171,7 +176,6 @@ class MagneticReport(AbstractMotionReport):
                    None if turnover is None else duration(turnover)),
             Answer("kinetic_energy", kinetic, "rad²/s²", "kinetic energy", "at the start, of the unit sphere"),
             Answer("magnetic_energy", magnetic, "rad²/s²", "magnetic energy", "at the start"),
-            Answer("energies_at_end", self.energies[-1].sum(axis=-1), "rad²/s²", "both at the end"),
             Answer("cross_helicity", helicity, "rad²/s²", "cross-helicity", "∫ ω A, kept without rotation"),
         ])  # fmt: skip
 
@@ -220,6 +224,8 @@ class MagneticReport(AbstractMotionReport):
         statistics = self.trajectory.statistics
         count, each = statistics["steps"], statistics["iterations"] / max(statistics["steps"], 1)
         return Group("Motion", [
+            Answer("energies_at_end", self.energies[-1].sum(axis=-1), "rad²/s²", "energies at the end",
+                   "kinetic and magnetic"),
             Answer("spectrum_change", self.spectrum_change, "", "change of the potential's spectrum",
                    "largest, of the largest eigenvalue", f"{self.spectrum_change:.1e}"),
             Answer("mixed_change", self.mixed_change, "", "change of the mixed Casimirs",
@@ -242,16 +248,8 @@ def report_of(spec: Spec) -> MagneticReport:
     """
     table = spec.system
     assert isinstance(table, MagneticFluidTable)
-    system = SphereMHD(table.resolution, table.rotation)
-    earlier = None if table.start_from is None else earlier_run(spec.folder / table.start_from, system)
-    state = jnp.asarray(start_of(system, table) if earlier is None else earlier.states[-1])
-    relative = _mean_square(system, state[1] - system.fluid.planetary)
-    size = max(relative, _mean_square(system, state[0]))
-    if not 1.0 / EXTREME <= size <= EXTREME:
-        raise InvalidInput(
-            f"vorticity or field at the start must be within {1.0 / EXTREME:g} to {EXTREME:g} rad/s, root mean square; "
-            f"they are {size:.3g} rad/s. Check what they are the sum of, which may cancel."
-        )
+    system, state, earlier = _start(spec, table)
+    size = _size(system, state)
     until = TURNOVERS * 2.0 * math.pi / size if spec.until is None else spec.until
     kept = max(2, min(spec.samples, MEMORY // (32 * system.size**2)))
     times = np.linspace(0.0, until, kept)
@@ -269,4 +267,36 @@ def report_of(spec: Spec) -> MagneticReport:
         system, state, times, IsospectralMidpoint, step=step, order=2, progress=shown, estimate_error=False,
         resumable=True, memory=memory,
     )  # fmt: skip
-    return MagneticReport(system, table, trajectory, spec.samples)
+    return MagneticReport(system, table, state, trajectory, spec.samples)
+
+
+def answers_without_motion(spec: Spec) -> Iterator[Group | Table]:
+    """Yield the answers of the report that take no motion.
+
+    Raises:
+        InvalidInput: for a fluid and field at rest or beyond the numbers.
+    """
+    table = spec.system
+    assert isinstance(table, MagneticFluidTable)
+    system, state, _ = _start(spec, table)
+    yield MagneticReport(system, table, state, WITHOUT_MOTION, spec.samples).about_start()
+
+
+def _size(system: SphereMHD, state: Array) -> float:
+    """Return the root mean square over the sphere of vorticity or potential, whichever is larger [rad/s]."""
+    return max(_mean_square(system, state[1] - system.fluid.planetary), _mean_square(system, state[0]))
+
+
+def _start(spec: Spec, table: MagneticFluidTable) -> tuple[SphereMHD, Array, Trajectory | None]:
+    """Return the system, its first state, and the run that it goes on from, if any."""
+    system = SphereMHD(table.resolution, table.rotation)
+    earlier = None if table.start_from is None else earlier_run(spec.folder / table.start_from, system)
+    state = jnp.asarray(start_of(system, table) if earlier is None else earlier.states[-1])
+    size = _size(system, state)
+    if not 1.0 / EXTREME <= size <= EXTREME:
+        raise InvalidInput(
+            f"vorticity or field at the start must be within {1.0 / EXTREME:g} to {EXTREME:g} rad/s, root mean square; "
+            f"they are {size:.3g} rad/s. Give larger or smaller ones, and check what they are the sum of, which may "
+            "cancel."
+        )
+    return system, state, earlier
