@@ -248,11 +248,14 @@ def test_no_values_at_all(saved):
 
 def test_lines_are_counted_through_all_blocks(saved):
     """The one that is wrong stands behind a block that NumPy reads, and a comment."""
-    rows = [f"{k},1,2,3\n" for k in range(BLOCK + 10)]
-    rows[BLOCK + 5] = "# pause\n" + rows[BLOCK + 5].replace("2", "two")
-    assert f"line {BLOCK + 8}, column 3 'gy': 'two'" in refused(saved("t,gx,gy,gz\n" + "".join(rows)), GYRO)
-    rows[BLOCK + 5] = ""
-    assert len(read_columns(saved("t,gx,gy,gz\n" + "".join(rows)), GYRO)) == BLOCK + 9
+    many = BLOCK // 8
+    rows = [f"{k},1,2,3\n" for k in range(many + 10)]
+    rows[many + 5] = "# pause\n" + rows[many + 5].replace(",2,", ",two,")
+    assert f"line {many + 8}, column 3 'gy': 'two'" in refused(saved("t,gx,gy,gz\n" + "".join(rows)), GYRO)
+    rows[many + 5] = ""
+    assert len(read_columns(saved("t,gx,gy,gz\n" + "".join(rows)), GYRO)) == many + 9
+    found = read_columns(saved("t,gx,gy,gz\n" + "".join(rows).rstrip()), GYRO)  # no line's end at the end
+    assert len(found) == many + 9 and (found.times == [k for k in range(many + 10) if k != many + 5]).all()
 
 
 def test_rates_alone_are_kept_by_a_dataset(saved, tmp_path):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
@@ -81,7 +82,7 @@ def run_fit_throw(
     drag: bool | str = "auto" if options.drag is None else options.drag
     rotor: bool | str = "auto" if options.rotor is None else options.rotor
     fit = fit_throw([each.log for each in logs], [each.windows for each in flights], drag, options.gain is not False,
-                    clip, rotor=rotor)  # fmt: skip
+                    math.inf if clip is None else clip, rotor=rotor)  # fmt: skip
     heavier = None
     if weighted:
         more = [read_gyro_log(path, mapping, _progress(path), unit).log for path in weighted]

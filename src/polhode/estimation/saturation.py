@@ -54,7 +54,7 @@ def _limit(rates: Float64[Array, "n 3"]) -> float | None:
     shown = rates[np.concatenate([[True], (np.diff(rates, axis=0) != 0.0).any(axis=1)])]  # not what a clock repeats
     if len(shown) < 2 * FEWEST:
         return None
-    largest = float(np.sort(np.abs(shown), axis=0)[-FEWEST].max())  # a spike or two may be higher
+    largest = float(np.partition(np.abs(shown), -FEWEST, axis=0)[-FEWEST].max())  # a spike or two may be higher
     plateaus = [each for each in _plateaus(shown) if each.level > (1 - BEYOND) * largest]
     edges = [one.edge for one in plateaus if _is_known(one.level) or one.runs > 1 or _has_twin(one, plateaus)]
     return min(edges, default=None)

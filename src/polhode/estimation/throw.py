@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
@@ -188,7 +189,8 @@ def fit_throw(
         gain: a symmetric matrix of gains of the gyro. "auto" lets the criterion choose, but gains that are too small to
             be seen still move the ratios by about as much: only True makes the intervals account for them. False for
             a calibrated gyro.
-        clip: largest rate that the gyro can tell [rad/s]; by default where ``saturation`` finds a limit.
+        clip: largest rate that the gyro can tell [rad/s], infinity for no limit; by default where ``saturation`` finds
+            one.
         gain_spread: standard deviation of an entry of the matrix of gains, as far as known beforehand.
         rotor: a wheel of constant momentum that turns in the body; "auto" for what the criterion says, where air alone
             leaves residuals that are too large or alike.
@@ -213,7 +215,7 @@ def fit_throw(
     _check_choice("rotor", rotor)
     if not (np.isfinite(gain_spread) and gain_spread > 0):
         raise InvalidInput(f"gain_spread must be a positive number, like 0.01; got {shown(gain_spread)}.")
-    level = saturation(every) if clip is None else float(clip)
+    level = saturation(every) if clip is None else float(clip) if clip < math.inf else None
     found = _windows_of(every, windows, level)
     cut = [(k, window, *_cut(every[k], window, level)) for k, per_log in enumerate(found) for window in per_log]
     throws = [throw for *_, throw in cut]

@@ -15,15 +15,16 @@ import numpy as np
 from polhode.errors import FormatError, shown
 from polhode.formats.numerals import read_number
 from polhode.formats.opening import MB, open_file
-from polhode.formats.table_form import HEAD, MOST_COMMENTS, Line, TableForm, cells_of, form_of, is_comment
+from polhode.formats.table_form import COMMENT, HEAD, MOST_COMMENTS, Line, TableForm, cells_of, form_of, is_comment
 from polhode.types import Array, Float64, Integer
 
 LARGEST_FILE = 2000 * MB
 LONGEST_LINE = 1_000_000  # characters
-BLOCK = 50_000  # lines that are in memory as text at once
+BLOCK = 2_000_000  # characters that are in memory at once
 MISSING = ("", "nan", "na", "n/a", "null", "none", "-")
 """What stands in a cell without a number, in small letters."""
 _MAY_VANISH = re.compile(r"[eE]-\d{3}", re.ASCII)
+_NO_CELLS = re.compile(rf"(?m)^\s*(?:[{''.join(COMMENT)}]|$)")
 _DECIMAL_COMMA = re.compile(r"[+-]?\d*,\d+(?:[eE][+-]?\d+)?", re.ASCII)
 
 
@@ -86,13 +87,18 @@ def read_cells(
             number of cells.
     """
     numbers, places = [np.zeros((0, len(columns)))], [np.zeros(0, dtype=int)]
-    lines = (line for line in _lines_of(path) if line.number >= form.first and not is_comment(line.text))
-    while block := list(islice(lines, BLOCK)):
-        found = _by_numpy(block, form, columns, decimal)
-        numbers.append(_line_by_line(path, block, form, columns, decimal) if found is None else found)
-        places.append(np.array([line.number for line in block]))
+    for first, texts in _blocks_of(path):
+        at = np.arange(first, first + len(texts))
+        last = first + len(texts) - 1
+        if first < form.first or _NO_CELLS.search("\n".join(texts)):
+            kept = [k for k, text in enumerate(texts) if at[k] >= form.first and not is_comment(text)]
+            texts, at = [texts[k] for k in kept], at[kept]
+        if texts:
+            found = _by_numpy(texts, form, columns, decimal)
+            numbers.append(_line_by_line(path, at, texts, form, columns, decimal) if found is None else found)
+            places.append(at)
         if told is not None:
-            told(block[-1].number)
+            told(last)
     return PlainTable(_joined(numbers), _joined(places))
 
 
@@ -119,25 +125,41 @@ def read_texts(path: Path, form: TableForm, column: int) -> Iterator[str]:
 
 
 def _lines_of(path: Path) -> Iterator[Line]:
+    return (Line(first + k, text) for first, texts in _blocks_of(path) for k, text in enumerate(texts))
+
+
+def _blocks_of(path: Path) -> Iterator[tuple[int, list[str]]]:
+    """Yield the lines of a file in blocks, with the number of the first of each."""
     try:
         with io.TextIOWrapper(open_file(path, "table", LARGEST_FILE), "utf-8-sig") as file:
-            number = 0
-            while text := file.readline(LONGEST_LINE + 1):
-                number += 1
-                if len(text) > LONGEST_LINE:
-                    raise FormatError(f"{path}, line {number}: has more than {LONGEST_LINE} characters.")
-                if "\0" in text:
-                    raise FormatError(f"{path}, line {number}: has a NUL byte, so it is not a text file. Save it as "
-                                      "UTF-8 text.")  # fmt: skip
-                yield Line(number, text.rstrip("\n"))
+            first, rest, ended = 1, "", False
+            while not ended:
+                more = file.read(BLOCK)
+                ended = not more
+                texts = (rest + more).split("\n")
+                rest = texts.pop()  # a line that may go on
+                if ended and rest:
+                    texts, rest = [rest], ""
+                _check_lines(path, first, [*texts, rest])
+                if texts:
+                    yield first, texts
+                first += len(texts)
     except UnicodeDecodeError:
         why = "is not UTF-8 text, so it is not a table that can be read"
         raise FormatError(f"{path}: {why}. Save it as UTF-8.") from None
 
 
-def _by_numpy(block: Sequence[Line], form: TableForm, columns: Sequence[int], decimal: str) -> Array | None:
+def _check_lines(path: Path, first: int, texts: Sequence[str]) -> None:
+    for k, text in enumerate(texts):
+        if len(text) > LONGEST_LINE:
+            raise FormatError(f"{path}, line {first + k}: has more than {LONGEST_LINE} characters.")
+        if "\0" in text:
+            raise FormatError(f"{path}, line {first + k}: has a NUL byte, so it is not a text file. Save it as "
+                              "UTF-8 text.")  # fmt: skip
+
+
+def _by_numpy(texts: Sequence[str], form: TableForm, columns: Sequence[int], decimal: str) -> Array | None:
     """Return the numbers of a block, None where a cell or the number of cells needs a closer look."""
-    texts = [line.text for line in block]
     sign = form.delimiter
     if sign == " ":
         regular = all(len(text.split()) == form.width for text in texts)
@@ -160,26 +182,29 @@ def _by_numpy(block: Sequence[Line], form: TableForm, columns: Sequence[int], de
                                    usecols=columns, ndmin=2)  # fmt: skip
         except ValueError:
             continue
-        if len(table) == len(block) and not np.isinf(table).any():
+        if len(table) == len(texts) and not np.isinf(table).any():
             return table
     return None
 
 
-def _line_by_line(path: Path, block: Sequence[Line], form: TableForm, columns: Sequence[int], decimal: str) -> Array:
-    found = np.empty((len(block), len(columns)))
-    for row, line in zip(found, block, strict=True):
+def _line_by_line(
+    path: Path, numbers: Integer[Array, "n"], texts: Sequence[str], form: TableForm, columns: Sequence[int],
+    decimal: str,
+) -> Array:  # fmt: skip
+    found = np.empty((len(texts), len(columns)))
+    for row, number, text in zip(found, numbers.tolist(), texts, strict=True):
         try:
-            cells = cells_of(line.text, form.delimiter)
+            cells = cells_of(text, form.delimiter)
         except ValueError as error:
-            raise FormatError(f"{path}, line {line.number}: {error}. Check the line.") from None
+            raise FormatError(f"{path}, line {number}: {error}. Check the line.") from None
         while len(cells) > form.width and not cells[-1]:
             cells.pop()
         if len(cells) != form.width:
             hint = " Is the comma a decimal one? Then save it with semicolons." if form.delimiter == "," else ""
-            raise FormatError(f"{path}, line {line.number}: has {len(cells)} cells, and line {form.first} has "
+            raise FormatError(f"{path}, line {number}: has {len(cells)} cells, and line {form.first} has "
                               f"{form.width}. Check the line, or delete it.{hint}")  # fmt: skip
         for k, column in enumerate(columns):
-            row[k] = _number(path, line.number, form, column, cells[column], decimal)
+            row[k] = _number(path, number, form, column, cells[column], decimal)
     return found
 
 
