@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import inspect
 import os
+import sys
 import zlib
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
@@ -46,7 +47,26 @@ def compiled(**options: Any) -> Callable[[Callable[..., Any]], Any]:
 
 
 def _compiled(function: Callable[..., Any], options: dict[str, Any]) -> Callable[..., Any]:
-    return function if njit is None else njit(error_model="numpy", **options)(function)
+    if njit is None:
+        return function
+    made = njit(error_model="numpy", **options)(function)
+    return announced("closed forms", made) if "cache" in options else made
+
+
+def announced(what: str, dispatcher: Any) -> Any:
+    """Return a function of Numba's that says on a terminal when it is being compiled."""
+    from numba.core import event
+
+    class Listener(event.Listener):
+        def on_start(self, event: Any) -> None:
+            if event.data["dispatcher"] is dispatcher and sys.stderr.isatty():
+                print(f"polhode: compiling its {what}, once for this installation …", file=sys.stderr, flush=True)
+
+        def on_end(self, event: Any) -> None:
+            pass
+
+    event.register("numba:compile", Listener())
+    return dispatcher
 
 
 inlined = compiled(forceinline=True)

@@ -10,7 +10,7 @@ import operator
 from typing import Any
 
 WIDTH = 8
-_FLAGS = ("contract", "nsz")
+_FLAGS = ()
 
 
 def vector_operations() -> tuple[Any, Any, Any]:

@@ -1,284 +1,26 @@
-"""The kernel of one copy: coefficients, steps, samples, events, and the way back onto what is conserved.
+"""The kernel of one copy: steps, samples, events, and the way back onto what is conserved.
 
-It runs any program, so that it is compiled once for an installation. Eight products are computed at a time, one in each
-lane of a vector. Without Numba the same lines run as Python, a thousand times slower, which is enough for short runs.
-
-Source: Jorba & Zou, Exp. Math. 14 (2005) 99, §3.2, for the length of a step.
+It runs any program, so that it is compiled once for an installation; ``kernels`` says by whom.
 """
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 import numpy as np
 
-from polhode.exact.kernel_arithmetic import compiled
-from polhode.taylor.program import (
-    ARGUMENT,
-    CODE,
-    CONSTANT,
-    FACTOR,
-    FIRST,
-    INDEX,
-    LEFT,
-    NUMBER,
-    OPERATIONS,
-    OUT,
-    PRODUCTS,
-    RIGHT,
-    SIZE,
-    SLOTS,
-    START,
-)
-from polhode.taylor.vectors import gather, load, store
+from polhode.taylor.kernel_series import combination, evaluate, fitted_series, nodes, power_of_two
+from polhode.taylor.kernel_zeros import DEPTH, first_zero
+from polhode.taylor.program import CONSTANT, FIRST, PRODUCTS, SIZE, SLOTS
 from polhode.types import Array, Float64
 
-inner = compiled(fastmath={"contract", "nsz"}, nogil=True)
-inlined = compiled(fastmath={"contract", "nsz"}, nogil=True, forceinline=True)
-
 RUNNING, DONE, STOPPED, FULL, FAILED = 0, 1, 2, 3, 4
-FLOOR = 1e-3  # of the scale: a motion that dies away is computed to this part of its first size
 SHORTEST = 4e-16  # of the present time: shorter steps do not advance
 INDEPENDENT = 0.01  # of a squared gradient, that must be left beside the other gradients
 FARTHEST = 1e-3  # of the scale: a run that is off by more is not to be mended
 CLOSE = 1e-14  # of a step: an event as near to its beginning as that was found at the end of the step before
-UNITS = 300  # of time that are tried
-FAR = 256.0  # units: a longer step may be of coefficients that vanished
-DEPTH = 100  # of intervals that wait to be searched
 
 
-@inlined
-def combination(whole: Array, number: Array, z: Array, base: Any, row: Any) -> Any:
-    start, index, factor = whole[START] + row, whole[INDEX], whole[FACTOR]
-    value = 0.0
-    for q in range(whole[start], whole[start + 1]):
-        value += number[factor + q] * z[base + whole[index + q]]
-    return value
-
-
-@inner
-def _function(operation: Any, z: Array, base: Any, width: Any, k: Any, out: Any, x: Any, exponent: Any) -> None:
-    """Set the k-th coefficient of a function of node x; see ``program``."""
-    u, y, total = out, base + x, 0.0
-    if operation == 2:
-        if k == 0:
-            z[base + out] = z[x] ** exponent
-            return
-        for j in range(k):
-            total += (exponent * (k - j) - j) * (z[u] * z[y])
-            u, y = u + width, y - width
-        z[base + out] = total / (k * z[x])
-    elif operation == 3:
-        if k == 0:
-            z[base + out] = np.exp(z[x])
-            return
-        for j in range(k):
-            total += (k - j) * (z[u] * z[y])
-            u, y = u + width, y - width
-        z[base + out] = total / k
-    elif operation == 4:
-        if k == 0:
-            z[base + out] = np.log(z[x])
-            return
-        for j in range(1, k):
-            u, y = u + width, y - width
-            total += j * (z[u] * z[y])
-        z[base + out] = (z[base + x] - total / k) / z[x]
-    else:
-        if k == 0:
-            z[base + out] = np.sin(z[x])
-            z[base + out + 1] = np.cos(z[x])
-            return
-        sine, cosine = 0.0, 0.0
-        for j in range(k):
-            weight = (k - j) * z[y]
-            sine += weight * z[u + 1]
-            cosine -= weight * z[u]
-            u, y = u + width, y - width
-        z[base + out] = sine / k
-        z[base + out + 1] = cosine / k
-
-
-@inlined
-def nodes(whole: Array, number: Array, z: Array, a: Array, b: Array, k: Any) -> None:
-    """Set the k-th coefficients of all nodes from those of the state; a and b keep the factors of products."""
-    width, products = whole[SLOTS], whole[PRODUCTS]
-    codes, outs, arguments, numbers = whole[CODE], whole[OUT], whole[ARGUMENT], whole[NUMBER]
-    lefts, rights = whole[LEFT], whole[RIGHT]
-    base = k * width
-    for q in range(whole[OPERATIONS]):
-        operation, out = whole[codes + q], base + whole[outs + q]
-        if operation == 1:
-            m = whole[arguments + q]
-            row = k * products + m
-            left, right = gather(z, whole, lefts + m, base), gather(z, whole, rights + m, base)
-            store(a, row, left)
-            store(b, row, right)
-            if k == 0:
-                store(z, out, left * right)
-                continue
-            # the newest from registers, the older from memory; two sums
-            one, two = left * load(b, m), load(a, m) * right
-            x, y = m + products, row - products
-            for _ in range(1, k - 1, 2):
-                one = one + load(a, x) * load(b, y)
-                two = two + load(a, x + products) * load(b, y - products)
-                x += 2 * products
-                y -= 2 * products
-            if k % 2 == 0:
-                one = one + load(a, x) * load(b, y)
-            store(z, out, one + two)
-        elif operation == 0:
-            value = combination(whole, number, z, base, whole[arguments + q])
-            z[out] = value + number[numbers + q] if k == 0 else value
-        else:
-            _function(operation, z, base, width, k, whole[outs + q], whole[arguments + q], number[numbers + q])
-
-
-@inner
-def coefficients(whole: Array, number: Array, z: Array, a: Array, b: Array, order: Any, unit: Any) -> None:
-    """Set the coefficients of the state up to an order, of powers of the time over a unit that is a power of two."""
-    width, first, constant = whole[SLOTS], whole[FIRST], whole[CONSTANT]
-    for k in range(order):
-        nodes(whole, number, z, a, b, k)
-        base = k * width
-        for i in range(whole[SIZE]):
-            value = combination(whole, number, z, base, first + i)
-            if k == 0:
-                value += number[constant + i]
-            # divided: multiplied by the reciprocal, errors of all steps would have one sign
-            z[base + width + i] = value * unit / (k + 1)
-
-
-@inner
-def step_length(whole: Array, z: Array, scale: Array, order: Any, reach: Any) -> Any:
-    """Return the length of a step by the last three coefficients; infinite where all are zero, NaN where none is."""
-    width = whole[SLOTS]
-    size, best = FLOOR, np.inf
-    for i in range(whole[SIZE]):
-        size = max(size, abs(z[i]) / scale[i])
-    for k in range(order - 2, order + 1):
-        largest = 0.0
-        for i in range(whole[SIZE]):
-            part = abs(z[k * width + i]) / scale[i]
-            if not part <= 1e250:
-                return np.nan
-            largest = max(largest, part)
-        if largest > 0.0:
-            best = min(best, (size / largest) ** (1.0 / k))
-    return best * reach
-
-
-@inner
-def power_of_two(x: Any) -> Any:
-    """Return the power of two at or below a positive number."""
-    return math.ldexp(1.0, math.frexp(x)[1] - 1)
-
-
-@inner
-def fitted_series(
-    whole: Array, number: Array, z: Array, a: Array, b: Array, scale: Array, order: Any, reach: Any, unit: Any,
-    left: Any,
-) -> Any:  # fmt: skip
-    """Set the coefficients by a unit of time that fits them, and return it and the length of the step in it.
-
-    The search begins with a unit such as the last step's length, and goes up to the time that is left.
-    """
-    length = np.nan
-    for _ in range(UNITS):
-        coefficients(whole, number, z, a, b, order, unit)
-        length = step_length(whole, z, scale, order, reach)
-        if not length >= 0.0:
-            if unit < 1e-280:
-                break
-            unit *= 2.0**-8  # they overflow
-        elif length > FAR and unit < left:  # the last ones may have vanished
-            unit = min(unit * 2.0**16, power_of_two(left) * 2.0)
-        else:
-            break
-    return unit, length
-
-
-@inner
-def evaluate(whole: Array, z: Array, order: Any, h: Any, out: Array) -> None:
-    """Set out to the state after h units of time."""
-    width = whole[SLOTS]
-    for i in range(whole[SIZE]):
-        value = z[order * width + i]
-        for k in range(order - 1, -1, -1):
-            value = value * h + z[k * width + i]
-        out[i] = value
-
-
-@inner
-def polynomial(p: Array, order: Any, x: Any) -> Any:
-    value = p[order]
-    for k in range(order - 1, -1, -1):
-        value = value * x + p[k]
-    return value
-
-
-@inner
-def zero_between(p: Array, order: Any, low: Any, high: Any) -> Any:
-    """Return the zero of a polynomial that changes its sign once between low and high, by Newton within brackets."""
-    sign = polynomial(p, order, low) < 0.0
-    a, b, x = low, high, 0.5 * (low + high)
-    for _ in range(200):
-        value, slope = p[order], 0.0
-        for k in range(order - 1, -1, -1):
-            slope = slope * x + value
-            value = value * x + p[k]
-        if (value < 0.0) == sign:
-            a = x
-        else:
-            b = x
-        later = x - value / slope if slope != 0.0 else np.inf
-        later = later if a <= later <= b else 0.5 * (a + b)
-        if abs(later - x) <= 1e-16 * high or later == x:
-            return later
-        x = later
-    return x
-
-
-@inner
-def first_zero(p: Array, order: Any, low: Any, high: Any, falling: Any, work: Array, waiting: Array) -> Any:
-    """Return the first sign change of a polynomial between low and high, a falling one if so wanted; NaN if none.
-
-    An interval is left where the middle's value exceeds all that the others add up to, searched where it is monotone,
-    and halved otherwise, so that no change is missed.
-    """
-    top = 1
-    waiting[0], waiting[1] = low, high
-    while top > 0:
-        top -= 1
-        left, right = waiting[2 * top], waiting[2 * top + 1]
-        centre, radius = 0.5 * (left + right), 0.5 * (right - left)
-        for k in range(order + 1):  # Numba takes seconds to compile assignments of slices
-            work[k] = p[k]
-        for i in range(order):
-            for k in range(order - 1, i - 1, -1):
-                work[k] += centre * work[k + 1]
-        others, slopes, power = 0.0, 0.0, radius
-        for k in range(1, order + 1):
-            others += abs(work[k]) * power
-            if k > 1:
-                slopes += k * abs(work[k]) * power / radius
-            power *= radius
-        if abs(work[0]) > others:
-            continue
-        if abs(work[1]) > slopes or radius <= 1e-15 * high or top + 2 > DEPTH:
-            before, after = polynomial(p, order, left), polynomial(p, order, right)
-            if before > 0.0 >= after or (not falling and before < 0.0 <= after):
-                return zero_between(p, order, left, right)
-            continue
-        waiting[2 * top], waiting[2 * top + 1] = centre, right
-        waiting[2 * top + 2], waiting[2 * top + 3] = left, centre
-        top += 2
-    return np.nan
-
-
-@inner
 def back_onto(
     whole: Array, number: Array, y: Array, wanted: Array, scale: Array, z: Array, a: Array, b: Array, rows: Array
 ) -> None:
@@ -321,7 +63,6 @@ def back_onto(
             y[i] += rows[e, n] * rows[e, i] * scale[i]
 
 
-@compiled(fastmath={"contract", "nsz"}, nogil=True, cache=True)
 def advance(
     whole: Array, number: Array, whole_of: Array, number_of: Array, y: Array, scale: Array, wanted: Array, ends: Array,
     times: Array, out: Array, now: Array, counts: Array, hits: Array, order: Any, reach: Any, longest: Any, forth: Any,
@@ -427,9 +168,6 @@ def advance(
     return RUNNING
 
 
-
-
-@compiled(fastmath={"contract", "nsz"}, nogil=True, cache=True)
 def values_at(whole: Array, number: Array, z: Array, a: Array, b: Array, count: Any) -> Float64[Array, "outputs"]:
     """Return the first outputs of a program at a state, which z begins with."""
     nodes(whole, number, z, a, b, 0)
@@ -437,14 +175,3 @@ def values_at(whole: Array, number: Array, z: Array, a: Array, b: Array, count: 
     for c in range(count):
         found[c] = combination(whole, number, z, 0, whole[FIRST] + c) + number[whole[CONSTANT] + c]
     return found
-
-
-@compiled(fastmath={"contract", "nsz"}, nogil=True, cache=True)
-def coefficients_at(whole: Array, number: Array, state: Array, order: Any) -> Float64[Array, "numbers"]:
-    """Return the coefficients of all nodes, order after order, of the motion through a state (n,)."""
-    z = np.zeros((order + 1) * whole[SLOTS] + 8)
-    a = np.zeros((order + 1) * whole[PRODUCTS] + 8)
-    for i in range(whole[SIZE]):
-        z[i] = state[i]
-    coefficients(whole, number, z, a, np.zeros_like(a), order, 1.0)
-    return z

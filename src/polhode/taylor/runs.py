@@ -15,13 +15,12 @@ import numpy as np
 from polhode.motion.outcome import Status
 from polhode.systems.base import AbstractSystem, Event
 from polhode.taylor import kernel
+from polhode.taylor.kernels import chosen_kernel
 from polhode.taylor.machine import Machine, machine_of
 from polhode.types import Array, Double, Float64, Integer
 
 ORDER, LOCAL = 24, 1e-19  # to rounding: of an order at which errors of single steps do not add up with one sign
 LOOSEST_ORDER = 8
-STRETCH = 200_000  # steps in one call, which take some tenths of a second; Ctrl-C is seen between two
-WITHOUT_NUMBA = 200  # the same for plain Python
 MOST_STEPS = 15_000_000
 FIRST_HITS = 256  # crossings that there is room for at first
 
@@ -231,14 +230,14 @@ def _through(
     if watch is not None:
         falling[-1], stops[-1] = watch.falling, False
     counts[2] = 0
-    limit = STRETCH if hasattr(kernel.advance, "py_func") else WITHOUT_NUMBA
     first, last = plan.borders[0], plan.borders[-1]
     while True:
+        use = chosen_kernel()
         with np.errstate(all="ignore"):
-            status = kernel.advance(
+            status = use.advance(
                 *machine.program, *machine.integrals, y, scale, wanted, np.array([end]), plan.times, samples, now,
                 counts, hits, plan.precision.order, plan.precision.reach, plan.longest, plan.forth, machine.clock,
-                falling, stops, limit,
+                falling, stops, use.stretch,
             )  # fmt: skip
         if status != kernel.RUNNING or counts[0] >= MOST_STEPS:
             return int(status)
@@ -284,5 +283,5 @@ def _conserved_values(machine: Machine, y: Array) -> Float64[Array, "conserved"]
     z, blank = np.zeros(program.slots + 8), np.zeros(program.products + 8)
     z[: machine.form.size] = y[: machine.form.size]
     with np.errstate(all="ignore"):
-        values = kernel.values_at(*program, z, blank, blank.copy(), len(machine.names))
+        values = chosen_kernel().values_at(*program, z, blank, blank.copy(), len(machine.names))
     return np.where(np.isfinite(values), values, 0.0)

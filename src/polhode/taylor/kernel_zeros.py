@@ -1,0 +1,75 @@
+"""Zeros of polynomials between two times, none of which is missed."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from polhode.types import Array
+
+DEPTH = 100  # of intervals that wait to be searched
+
+
+def polynomial(p: Array, order: Any, x: Any) -> Any:
+    value = p[order]
+    for k in range(order - 1, -1, -1):
+        value = value * x + p[k]
+    return value
+
+
+def zero_between(p: Array, order: Any, low: Any, high: Any) -> Any:
+    """Return the zero of a polynomial that changes its sign once between low and high, by Newton within brackets."""
+    sign = polynomial(p, order, low) < 0.0
+    a, b, x = low, high, 0.5 * (low + high)
+    for _ in range(200):
+        value, slope = p[order], 0.0
+        for k in range(order - 1, -1, -1):
+            slope = slope * x + value
+            value = value * x + p[k]
+        if (value < 0.0) == sign:
+            a = x
+        else:
+            b = x
+        later = x - value / slope if slope != 0.0 else np.inf
+        later = later if a <= later <= b else 0.5 * (a + b)
+        if abs(later - x) <= 1e-16 * high or later == x:
+            return later
+        x = later
+    return x
+
+
+def first_zero(p: Array, order: Any, low: Any, high: Any, falling: Any, work: Array, waiting: Array) -> Any:
+    """Return the first sign change of a polynomial between low and high, a falling one if so wanted; NaN if none.
+
+    An interval is left where the middle's value exceeds all that the others add up to, searched where it is monotone,
+    and halved otherwise, so that no change is missed.
+    """
+    top = 1
+    waiting[0], waiting[1] = low, high
+    while top > 0:
+        top -= 1
+        left, right = waiting[2 * top], waiting[2 * top + 1]
+        centre, radius = 0.5 * (left + right), 0.5 * (right - left)
+        for k in range(order + 1):  # Numba takes seconds to compile assignments of slices
+            work[k] = p[k]
+        for i in range(order):
+            for k in range(order - 1, i - 1, -1):
+                work[k] += centre * work[k + 1]
+        others, slopes, power = 0.0, 0.0, radius
+        for k in range(1, order + 1):
+            others += abs(work[k]) * power
+            if k > 1:
+                slopes += k * abs(work[k]) * power / radius
+            power *= radius
+        if abs(work[0]) > others:
+            continue
+        if abs(work[1]) > slopes or radius <= 1e-15 * high or top + 2 > DEPTH:
+            before, after = polynomial(p, order, left), polynomial(p, order, right)
+            if before > 0.0 >= after or (not falling and before < 0.0 <= after):
+                return zero_between(p, order, left, right)
+            continue
+        waiting[2 * top], waiting[2 * top + 1] = centre, right
+        waiting[2 * top + 2], waiting[2 * top + 3] = left, centre
+        top += 2
+    return np.nan
