@@ -36,7 +36,8 @@ def check_copies(system, states, method=None, **more):
         alone: Any = ph.simulate(system, state, TIMES, method, **more)
         size = np.abs(alone.states).max() or 1.0
         assert np.abs(both.states[k] - alone.states).max() <= SAME * size, k
-        assert both.error_estimate[k] == pytest.approx(float(alone.error_estimate), rel=0.5, abs=1e-12)
+        said = float(alone.error_estimate)  # one of the others takes other steps, whose roundings grow to other errors
+        assert said / 3.0 - 1e-12 <= both.error_estimate[k] <= 3.0 * said + 1e-12
     return both
 
 

@@ -90,10 +90,10 @@ def test_linear_drag_turns_a_symmetric_body_towards_its_larger_moment(report):
 def test_quadratic_drag_brakes_as_one_over_time(report):
     found = report(TRIAXIAL, 'quadratic_drag = "0.4 N*m*s^2"', 'rate = "3 rad/s"\nabout = 3')
     times = np.asarray(found.trajectory.times)
-    assert found.time_constant == pytest.approx(2.6 / (0.4 * 3), rel=1e-12)
-    assert found.momentum_norm == pytest.approx(7.8 / (1 + times / found.time_constant), rel=MOTION)
-    assert found.axes[2].rate == pytest.approx(0.4 * 3 * (1 / 2.6 - (1 + 1 / 2) / 2), rel=1e-9)
-    assert [axis.verdict for axis in found.axes] == ["unstable", "unstable", "stable"]
+    assert found.start.time_constant == pytest.approx(2.6 / (0.4 * 3), rel=1e-12)
+    assert found.momentum_norm == pytest.approx(7.8 / (1 + times / found.start.time_constant), rel=MOTION)
+    assert found.start.axes[2].rate == pytest.approx(0.4 * 3 * (1 / 2.6 - (1 + 1 / 2) / 2), rel=1e-9)
+    assert [axis.verdict for axis in found.start.axes] == ["unstable", "unstable", "stable"]
 
 
 @pytest.mark.sweep

@@ -138,6 +138,27 @@ def test_an_event_ends_the_motion_at_its_own_time(level, forth):
     assert found.times[-1] == pytest.approx(theirs.times[-1], abs=1e-10)
 
 
+class Falling(systems.AbstractSystem):
+    """z̈ = −2 down to z = 0; another event never happens. Its series is a polynomial."""
+
+    def vector_field(self, t, state):
+        return jnp.stack([state[..., 1], -2.0 + 0.0 * state[..., 0]], axis=-1)
+
+    def invariants(self, state):
+        return {}
+
+    @property
+    def events(self):
+        return {"ground": lambda t, state: state[..., 0], "ceiling": lambda t, state: 1.5 - state[..., 0]}
+
+
+@pytest.mark.parametrize("last", [3.0, 1e12, 1e100, 1e300])
+def test_an_event_is_found_however_late_the_last_time_is(last):
+    """It was found at 1e69 s of 1e100, and never of 1e300: halves of the whole time do not come near to it."""
+    found = ph.simulate(Falling(), [1.0, 1.0], [0.0, last], Taylor)
+    assert str(found.outcome) == "ground" and found.times[-1] == pytest.approx((1 + 5**0.5) / 2, abs=1e-15)
+
+
 def test_events_of_copies_and_one_that_never_happens():
     body = watched(1.0)
     starts = np.stack([START, START * [1, 1, 1, 1, 1, 0.75, 1], [1, 0, 0, 0, 0, 1.5, 0]])

@@ -149,6 +149,11 @@ def step_length(whole: Array, z: Array, scale: Array, order: Any, reach: Any) ->
             largest = max(largest, part)
         if largest > 0.0:
             best = min(best, (size / largest) ** (1.0 / k))
+    if best == np.inf:  # a polynomial, of which earlier ones may overflow
+        for k in range(order - 2):
+            for i in range(whole[SIZE]):
+                if not abs(z[k * width + i]) <= 1e250 * scale[i]:
+                    return np.nan
     return best * reach
 
 
@@ -165,15 +170,15 @@ def fitted_series(
 
     The search begins with a unit such as the last step's length, and goes up to the time that is left.
     """
-    length = np.nan
+    length, lowered = np.nan, False
     for _ in range(UNITS):
         coefficients(whole, number, z, a, b, order, unit)
         length = step_length(whole, z, scale, order, reach)
         if not length >= 0.0:
             if unit < 1e-280:
                 break
-            unit *= 2.0**-8  # they overflow
-        elif length > FAR and unit < left:  # the last ones may have vanished
+            unit, lowered = unit * 2.0**-8, True  # they overflow
+        elif length > FAR and unit < left and not lowered:  # the last ones may have vanished
             unit = min(unit * 2.0**16, power_of_two(left) * 2.0)
         else:
             break

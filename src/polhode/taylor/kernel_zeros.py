@@ -9,6 +9,7 @@ import numpy as np
 from polhode.types import Array
 
 DEPTH = 100  # of intervals that wait to be searched
+NEAREST = 1e-300  # of the last time: the first part ends no earlier
 
 
 def polynomial(p: Array, order: Any, x: Any) -> Any:
@@ -42,6 +43,26 @@ def zero_between(p: Array, order: Any, low: Any, high: Any) -> Any:
 def first_zero(p: Array, order: Any, low: Any, high: Any, falling: Any, work: Array, waiting: Array) -> Any:
     """Return the first sign change of a polynomial between low and high, a falling one if so wanted; NaN if none.
 
+    Each part that is searched ends at twice the time where it begins, as the last time may be far beyond all changes.
+    """
+    left, right = low, low
+    while right < high:
+        # before this there is none: all terms together are less than the first
+        nearest = high
+        for k in range(1, order + 1):
+            if abs(p[k]) > 0.0:
+                nearest = min(nearest, 0.5 * (abs(p[0]) / abs(p[k])) ** (1.0 / k))
+        right = min(2.0 * max(left, nearest, NEAREST * high), high)
+        found = change_within(p, order, left, right, falling, work, waiting)
+        if found == found:
+            return found
+        left = right
+    return np.nan
+
+
+def change_within(p: Array, order: Any, low: Any, high: Any, falling: Any, work: Array, waiting: Array) -> Any:
+    """Return the first sign change between low and high; NaN if none.
+
     An interval is left where the middle's value exceeds all that the others add up to, searched where it is monotone,
     and halved otherwise, so that no change is missed.
     """
@@ -56,14 +77,16 @@ def first_zero(p: Array, order: Any, low: Any, high: Any, falling: Any, work: Ar
         for i in range(order):
             for k in range(order - 1, i - 1, -1):
                 work[k] += centre * work[k + 1]
-        others, slopes, power = 0.0, 0.0, radius
-        for k in range(1, order + 1):
-            others += abs(work[k]) * power
+        others, slopes = 0.0, 0.0
+        for k in range(order, 0, -1):
+            others = others * radius + abs(work[k])
             if k > 1:
-                slopes += k * abs(work[k]) * power / radius
-            power *= radius
+                slopes = slopes * radius + k * abs(work[k])
+        others, slopes = others * radius, slopes * radius
         if abs(work[0]) > others:
             continue
+        if not abs(work[0]) < np.inf:
+            return np.nan
         if abs(work[1]) > slopes or radius <= 1e-15 * high or top + 2 > DEPTH:
             before, after = polynomial(p, order, left), polynomial(p, order, right)
             if before > 0.0 >= after or (not falling and before < 0.0 <= after):
