@@ -10,6 +10,7 @@ from polhode.spec.fields import Direction, Energy, MagneticField, Plain, Positiv
 from polhode.spec.models import Strict, SystemTable
 
 MOST = 1_000_000  # spins
+MOST_BONDS = 100  # in a cell: each is compiled, and hundreds took minutes
 Vector = Annotated[list[Plain], Field(min_length=1, max_length=3)]
 Count = Annotated[StrictInt, Field(ge=1, le=MOST)]
 Site = Annotated[StrictInt, Field(ge=1, le=1000)]
@@ -46,7 +47,7 @@ class SpinLatticeTable(SystemTable):
     basis: list[Vector] | None = None
     periodic: bool = True
     spin: PositivePlain = 1.0
-    bonds: Annotated[list[BondTable], Field(min_length=1)] = Field(
+    bonds: Annotated[list[BondTable], Field(min_length=1, max_length=MOST_BONDS)] = Field(
         description='give them like [{ cell = [1], exchange = "1 meV" }]'
     )
     anisotropy: AxisTable | None = None
