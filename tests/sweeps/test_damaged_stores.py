@@ -128,7 +128,10 @@ def check_many(made, tmp_path, cases):
 def test_a_pipe_in_the_place_of_a_chunk_is_called_what_it_is(made, tmp_path):
     sweep, whole, _, _ = made
     store = shutil.copytree(whole, tmp_path / "a.zarr")
-    chunk = next(path for path in damage.files(store) if path.parent.name == "polhode_period" and path.name == "1")
+    chunks = [path for path in damage.files(store) if path.parent.name == "polhode_period" and path.name == "1"]
+    if not chunks:
+        pytest.skip("a store of statistics keeps no values")
+    (chunk,) = chunks
     chunk.unlink()
     os.mkfifo(chunk)
     with in_time(), pytest.raises(FormatError, match="'1' in 'polhode_period' is neither a file nor"):
