@@ -50,10 +50,9 @@ def test_functions_call_each_other_as_they_are_made():
     assert len(own) >= 14 and space["advance"] in own and space["first_zero"] in own and space["gather"] in own
 
 
+@compiled_only
 def test_what_was_compiled_of_other_sources_is_not_used(monkeypatch):
     """The name under which Numba keeps it changes with each of the files."""
-    if find_spec("numba") is None:
-        pytest.skip("Numba is not installed")
     before = kernels.compiled_kernel.__wrapped__().advance.__qualname__
     monkeypatch.setattr(kernels.zlib, "crc32", lambda data: 1)
     assert kernels.compiled_kernel.__wrapped__().advance.__qualname__ != before

@@ -210,11 +210,12 @@ def fit_throw(
         True
     """
     every = [logs] if isinstance(logs, GyroLog) else list(logs)
-    _check_choice("drag", drag)
-    _check_choice("gain", gain)
-    _check_choice("rotor", rotor)
+    for name, value in (("drag", drag), ("gain", gain), ("rotor", rotor)):
+        _check_choice(name, value)
     if not (np.isfinite(gain_spread) and gain_spread > 0):
         raise InvalidInput(f"gain_spread must be a positive number, like 0.01; got {shown(gain_spread)}.")
+    if clip is not None and not clip > 0:
+        raise InvalidInput(f"clip must be a positive rate, or infinity for no limit; got {shown(clip)} rad/s.")
     level = saturation(every) if clip is None else float(clip) if clip < math.inf else None
     found = _windows_of(every, windows, level)
     cut = [(k, window, *_cut(every[k], window, level)) for k, per_log in enumerate(found) for window in per_log]
@@ -228,14 +229,17 @@ def fit_throw(
         plain = replace(plain, bias=tuple(rest.value.tolist()), bias_spread=tuple(rest.spread.tolist()))
     tried = solutions_of(plain, start, throws, drag, rotor, gain)
     best = tried[0]
-    scores = [ModelScore(s.model.air, s.model.rotor, s.model.gain, s.model.size, s.aicc, s.bic, rms(s.residuals),
-                         s is best) for s in tried if np.isfinite(s.aicc)]  # fmt: skip
     reason = why_nothing_explains(best, throws)
     if reason is not None:
         return replace(_nothing(cut, start, level), degenerate=reason)
     other = rival(tried)
     found = settled(best, throws), None if other is None else settled(other, throws)
-    return _result(*found, rest, scores, cut, start, level)
+    return _result(*found, rest, _scores(tried), cut, start, level)
+
+
+def _scores(tried: list[Solution]) -> list[ModelScore]:
+    return [ModelScore(s.model.air, s.model.rotor, s.model.gain, s.model.size, s.aicc, s.bic, rms(s.residuals),
+                       s is tried[0]) for s in tried if np.isfinite(s.aicc)]  # fmt: skip
 
 
 def _check_choice(name: str, value: bool | str) -> None:

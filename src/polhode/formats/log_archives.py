@@ -59,6 +59,7 @@ def unpacked(path: Path, wanted: Sequence[str], beside: Sequence[str]) -> Iterat
                 _check_sizes(path, [log, *taken])
                 for member in (log, *taken):
                     _take_out(archive, member, Path(place))
+        # what zipfile and zlib raise of damaged, encrypted or unknown members, as fuzzing found
         except (zipfile.BadZipFile, RuntimeError, NotImplementedError, EOFError, ValueError, OSError,
                 zlib.error) as error:  # fmt: skip
             if isinstance(error, FormatError | InvalidInput):

@@ -76,7 +76,7 @@ def solve_by_series(
     states = np.reshape(np.asarray(state), (-1, *np.shape(state)[len(batch) :]))
     check_events(system, times[0], state)
     check_sizes(states)
-    jumps_between(times, system.jumps)  # refuses what is no time
+    jumps_between(times, system.jumps)  # refuses what is not a finite time
     found = _checked_runs(system, states, kept, times[-1], precision_of(tolerance, method.order), longest, meter)
     shaped = lambda x: x.reshape((*batch, *x.shape[1:]))  # noqa: E731
     ends = Ends(shaped(found.status), shaped(found.event), shaped(found.end), shaped(found.end_state),

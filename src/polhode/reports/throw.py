@@ -96,7 +96,7 @@ def _doubts(fit: ThrowFit) -> list[str]:
         notes.append(f"no rest was found in the log, so that the bias was assumed to be 0 ± {BIAS_SPREAD:.2g} rad/s "
                      "along each axis: with a larger one the bias and its errors are wrong, and so may the ratios be. "
                      "Let the device lie still for a second before and after the throw.")  # fmt: skip
-    if fit.beside_wheel is not None and fit.ratios is not None:
+    if fit.beside_wheel is not None and fit.ratios is not None and not fit.with_or_without:
         both = np.stack([fit.beside_wheel, fit.ratios.standard_error])
         if (both[0] > HIDDEN * both[1]).any():
             first, second = (f"{error:.2g}" for error in both[0])

@@ -9,7 +9,8 @@ from __future__ import annotations
 import operator
 from typing import Any
 
-WIDTH = 8
+from polhode.taylor.vectors import WIDTH
+
 _FLAGS = ()
 
 

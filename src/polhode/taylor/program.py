@@ -11,9 +11,10 @@ from typing import NamedTuple
 import numpy as np
 
 from polhode.taylor.expressions import Expression, Node, Operation, Tape
+from polhode.taylor.vectors import WIDTH
 from polhode.types import Array, Float64, Integer
 
-BLOCK = 8  # products at a time
+BLOCK = WIDTH  # products at a time
 # where a program says how many, and where; see ``Program``
 SIZE, SLOTS, OPERATIONS, PRODUCTS, FIRST = range(5)
 CODE, OUT, ARGUMENT, LEFT, RIGHT, START, INDEX, NUMBER, FACTOR, CONSTANT = range(5, 15)

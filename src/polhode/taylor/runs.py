@@ -101,7 +101,7 @@ def runs_of(
     longest: float = math.inf,
     check: Callable[[float], None] = lambda share: None,
 ) -> Runs:
-    """Return the motions of states at times, which are no steps but lie on the series of steps.
+    """Return the motions of states at times, which need not be ends of steps.
 
     Args:
         system: what moves.
