@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import math
 import sys
 import warnings
@@ -23,7 +24,15 @@ from polhode.integrators.base import AbstractOrbitSolver
 from polhode.integrators.difference import EPS
 from polhode.integrators.equal_steps import run_by_equal_steps, step_counts
 from polhode.integrators.probing import jumps_along, jumps_between, naming_jumps, undeclared_jumps
-from polhode.integrators.series import Taylor, is_series, series_error, series_to_tolerance, solve_by_series
+from polhode.integrators.series import (
+    NoSeries,
+    Taylor,
+    has_short_series,
+    is_series,
+    series_error,
+    series_to_tolerance,
+    solve_by_series,
+)
 from polhode.integrators.splitting import Splitting
 from polhode.motion.outcome import Ending, Ends, Outcome, Status
 from polhode.motion.trajectory import Trajectory
@@ -149,6 +158,10 @@ def simulate(
             check_agreement(system, state, times, by_flows=_would_split(system, method))
         if is_series(method) and not (resumable or memory is not None):
             return _by_series(system, state, times, method, asked)
+        if method is None and (step, order, memory) == (None, None, None) and not resumable:
+            # what has no series, or comes to where they end, moves by other steps
+            with contextlib.suppress(NoSeries):
+                return _by_series(system, state, times, None, asked)
         if isinstance(system, AbstractLiePoissonSystem) and not is_series(method):
             if goes_along_orbit(system, method):
                 return _by_equal_steps(system, state, times, method, asked)
@@ -171,7 +184,10 @@ def _by_adaptive_steps(
 
 
 def _by_series(system: AbstractSystem, state: Array, times: np.ndarray, method: Any, asked: _Asked) -> Trajectory:
-    method = Taylor(asked.order) if method is Taylor else method
+    by_default = method is None
+    if by_default and not has_short_series(system, state):
+        raise NoSeries(f"the rates of change of {type(system).__name__} are too many operations.")
+    method = Taylor(asked.order) if method in (None, Taylor) else method
     if asked.order is not None and method.order != asked.order:
         raise InvalidInput("`order` goes with the class; the object of Taylor that is given has its own.")
     named, meter = naming_jumps(system, undeclared_jumps(system, state, times)), _meter(bool(asked.progress))
@@ -182,6 +198,8 @@ def _by_series(system: AbstractSystem, state: Array, times: np.ndarray, method: 
         motion = solve_by_series(named, method, state, times, meter, asked.step, asked.tolerance, asked.every)
         known = asked.estimate_error and bool(np.any(motion.successful))
         error = series_error(named, method, state, times, motion, asked.step, asked.tolerance) if known else None
+    if by_default and not np.all(motion.successful):
+        raise NoSeries("its motion comes to a singularity.")
     return _finished(system, type(method).__name__, motion, error, asked.throw)
 
 

@@ -28,7 +28,6 @@ from polhode.integrators.sampled import (
     MOST_STEPS,
     Sampled,
     Scales,
-    distances,
     sampled,
     scaled,
     scales,
@@ -38,6 +37,7 @@ from polhode.integrators.sampled import (
 )
 from polhode.motion.outcome import Ends, Status
 from polhode.systems.base import AbstractSystem
+from polhode.systems.forms import distances
 from polhode.types import Array, Bool, Double, Float64
 
 TOLERANCE = 1e-12  # of a step, relative; below it rounding of the stages is all that is left

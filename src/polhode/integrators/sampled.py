@@ -13,11 +13,11 @@ import jax
 import jax.numpy as jnp
 import optimistix
 
-from polhode.errors import InvalidInput
 from polhode.integrators import embedded
 from polhode.integrators.either_mode import by_either_mode, by_transposing
 from polhode.motion.outcome import Status
 from polhode.systems.base import AbstractSystem
+from polhode.systems.forms import distances, rates_of_change
 from polhode.types import Array, Bool, Double, Float64, Integer
 
 Observe = Callable[[Float64[Array, ""], Double[Array, "..."]], Any]
@@ -77,7 +77,7 @@ def scaled(system: AbstractSystem, by: Scales, observe: Observe | None = None) -
         now = y.state * by.state
         balances = system.balances(t, now)
         received = [balances[name].rate / size for name, size in by.received.items()]
-        field = _like_state(system, system.vector_field(t, now), now)
+        field = rates_of_change(system, t, now)
         return Carried(field / by.state, jnp.asarray(received, float))
 
     # one function whose zero is the first of all, as one zero is sought
@@ -90,22 +90,6 @@ def scaled(system: AbstractSystem, by: Scales, observe: Observe | None = None) -
         return y if observe is None else as_floats(observe(t, y.state * by.state))
 
     return embedded.Problem(rates, margin if system.events else None, seen)
-
-
-def _like_state(system: AbstractSystem, field: Any, state: Array) -> Array:
-    """Refuse rates of change that would be spread over the state, or lose their imaginary parts."""
-    shape, wanted = jnp.shape(field), jnp.shape(state)
-    if shape != wanted:
-        raise InvalidInput(
-            f"`vector_field` of {type(system).__name__} must give the rates of change of a state, in its shape; "
-            f"got shape {shape} for {wanted}."
-        )
-    if jnp.iscomplexobj(field) and not jnp.iscomplexobj(state):
-        raise InvalidInput(
-            f"`vector_field` of {type(system).__name__} gives complex rates of change of a real state. Override "
-            "`check_state` so that states are complex."
-        )
-    return jnp.asarray(field)
 
 
 def start(by: Scales, state: Double[Array, "..."]) -> Carried:
@@ -268,17 +252,3 @@ def as_floats(observed: Any) -> Any:
     """Return a nest of observations as arrays that can be infinite where there is none."""
     return jax.tree.map(lambda x: x if jnp.issubdtype(jnp.result_type(x), jnp.inexact) else jnp.asarray(x, float),
                         jax.tree.map(jnp.asarray, observed))  # fmt: skip
-
-
-def distances(system: AbstractSystem, t: Float64[Array, ""], state: Double[Array, "..."]) -> Float64[Array, "events"]:
-    """Return the system's events at a state, positive until their zero.
-
-    Raises:
-        InvalidInput: for an event that is not one number.
-    """
-    values = {name: event(t, state) for name, event in system.events.items()}
-    for name, value in values.items():
-        if jnp.shape(value) != ():
-            shape = jnp.shape(value)
-            raise InvalidInput(f"an event must be one number at a time and a state; {name} has shape {shape}.")
-    return jnp.stack(list(values.values()))

@@ -17,17 +17,23 @@ from polhode.integrators.probing import jumps_between
 from polhode.motion.outcome import Ends, Status
 from polhode.systems.base import AbstractSystem
 from polhode.taylor.expressions import Untraceable
+from polhode.taylor.machine import operations_of
 from polhode.taylor.runs import LOCAL, MOST_STEPS, Precision, Runs, precision_of, runs_of
 from polhode.types import Array, Double, Float64
 
 LOWEST, HIGHEST = 4, 60  # orders
 COMPARED = 64  # times at least, at which runs are compared, as they may meet by chance at a few samples
 ROUNDS = 6  # of shorter steps
+LARGEST = 20_000  # operations of the rates of change, beyond which tracing takes longer than what it may save
 SMALLEST = 1e-150  # state, and one over it the largest: beyond, products of its numbers vanish or overflow
 FINER = 8  # orders more of the run by which the error of the series is seen
 SAFETY = 4.0  # of the estimate, as a few other runs see most of what roundings grow to, not all
 LUCK = 10.0  # by which runs with other roundings may by chance be nearer to each other than to the true motion
 FEWEST = 4.0  # roundings of the last step and of the sample itself
+
+
+class NoSeries(InvalidInput):
+    """A motion that series cannot follow, whatever their order."""
 
 
 @dataclass(frozen=True)
@@ -58,6 +64,12 @@ class Taylor:
 def is_series(method: Any) -> bool:
     """Return whether a method is that of this file, as a class or an object."""
     return method is Taylor or isinstance(method, Taylor)
+
+
+def has_short_series(system: AbstractSystem, state: Double[Array, "..."]) -> bool:
+    """Return whether the rates of change at states (batch…, …) are of so few operations that series pay."""
+    one = np.reshape(np.asarray(state), (-1, *np.shape(state)[np.ndim(state) - system.state_axes :]))[0]
+    return operations_of(system, one) <= LARGEST
 
 
 def solve_by_series(
@@ -182,7 +194,7 @@ def _checked_runs(
         try:
             found = runs_of(system, states, whole, precision, longest, seen)
         except Untraceable as error:
-            raise InvalidInput(
+            raise NoSeries(
                 f"{type(system).__name__} cannot be moved by Taylor series: its rates of change contain {error}. Leave "
                 "out `method`, or give a solver of diffrax."
             ) from None
@@ -201,7 +213,7 @@ def check_sizes(states: Double[Array, "copies ..."]) -> None:
     sizes = np.abs(states).reshape(len(states), -1).max(axis=-1, initial=0.0)
     wrong = (sizes > 0.0) & ((sizes < SMALLEST) | (sizes > 1.0 / SMALLEST))
     if wrong.any():
-        raise InvalidInput(
+        raise NoSeries(
             f"`state` must be of a size within {SMALLEST:g} to {1.0 / SMALLEST:g} for Taylor, which multiplies its "
             f"numbers; got {sizes[np.argmax(wrong)]:.3g}. Choose units in which it is nearer to one."
         )

@@ -17,6 +17,7 @@ SAID_FROM = 5.0  # s from which it is said
 SPLITTING, ADAPTIVE = 2e-5, 6e-5
 TURNING = 2.0  # steps of Dopri8 to a radian of steady rotation, at its tolerance: 2.1 was measured
 ORBITING = 7.0  # the same of mean anomaly, for a spin near an orbit's rate: 7.4 was measured at e = 0.1
+HIGHEST = 8  # order of splitting; Taylor series take as many steps or fewer, and each is quicker
 PIECES = 8  # of a long step cost about as much as a step: each of its nine stages has one at least
 UNCOUNTED = 1e15  # steps, beyond which nobody needs to know how many
 DURATIONS = ((60.0, "s"), (60.0, "min"), (24.0, "h"), (365.25, "days"))
@@ -58,7 +59,7 @@ def check_length(
     return seconds > SAID_FROM and sys.stderr.isatty()
 
 
-def equal_steps(span: float, rate: float, step: float | None, order: int = 6) -> float:
+def equal_steps(span: float, rate: float, step: float | None, order: int = HIGHEST) -> float:
     """Return about how many equal steps a run takes; longer steps are taken in pieces that bound what they turn.
 
     Args:

@@ -11,10 +11,12 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode.arrays import in_jax_numpy
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem, Event
+from polhode.systems.forms import distances, rates_of_change
 from polhode.taylor.expressions import Expression, Tape, Untraceable, gradient
 from polhode.taylor.program import Program, program_of
-from polhode.taylor.tracing import traced
+from polhode.taylor.tracing import evaluated, size_of, traced, uses_first, written
 from polhode.types import Array, Double, Float64
 
 MOST_GRADIENTS = 600  # numbers in the gradients of what is conserved, from which projecting costs more than it gives
@@ -101,37 +103,75 @@ def machine_of(system: AbstractSystem, state: Array, between: Span, through: Eve
     """
     form = Form(np.shape(state), np.iscomplexobj(state))
     between = between if np.size(system.jumps) else None
+    return _machine(*_hashable(system), form, between, through)
+
+
+def operations_of(system: AbstractSystem, state: Double[Array, "..."]) -> int:
+    """Return about how many operations a system's rates, balances and events take at a state."""
+    form = Form(np.shape(state), np.iscomplexobj(state))
+    return size_of(_written(*_hashable(system), form, None).closed.jaxpr)
+
+
+class _Unhashable:
+    """A system that cannot be hashed, which is traced each time."""
+
+    def __init__(self, system: AbstractSystem) -> None:
+        self.system = system
+
+
+def _hashable(system: AbstractSystem) -> tuple[Any]:
     try:
-        return _kept(system, form, between, through)
-    except TypeError:  # what cannot be hashed is traced each time
-        return _made(system, form, between, through)
+        hash(system)
+    except TypeError:
+        return (_Unhashable(system),)
+    return (system,)
+
+
+class _Written(NamedTuple):
+    """What a system's functions do to time and real numbers: rates, what balances receive, what is watched.
+
+    Attributes:
+        closed: of JAX.
+        balances: names.
+        timed: whether any of it uses the time.
+    """
+
+    closed: Any
+    balances: tuple[str, ...]
+    timed: bool
 
 
 @lru_cache(maxsize=64)
-def _kept(system: AbstractSystem, form: Form, between: Span, through: Event | None) -> Machine:
-    return _made(system, form, between, through)
-
-
-def _made(system: AbstractSystem, form: Form, between: Span, through: Event | None) -> Machine:
-    zero = jnp.zeros(()), jax.ShapeDtypeStruct(form.shape, complex if form.is_complex else float)
-    balances = tuple(jax.eval_shape(system.balances, *zero))
-    events = list(system.events.values()) + ([] if through is None else [through])
+def _written(given: AbstractSystem | _Unhashable, form: Form, through: Event | None) -> _Written:
+    system = given.system if isinstance(given, _Unhashable) else given
+    balances: list[str] = []
 
     def everything(t: Any, numbers: Any) -> Any:
         state = form.state(numbers)
-        received = [jnp.ravel(b.rate) for b in system.balances(t, state).values()]
-        watched = [jnp.ravel(jnp.asarray(event(t, state), float)) for event in events]
-        return form.numbers(system.vector_field(t, state)), *received, *watched
+        received = system.balances(t, state)
+        balances[:] = received
+        watched = list(distances(system, t, state)) if system.events else []
+        watched += [] if through is None else [jnp.ravel(jnp.asarray(through(t, state), float))]
+        rates = form.numbers(rates_of_change(system, t, state))
+        return rates, *(jnp.ravel(balance.rate) for balance in received.values()), *watched
 
-    timed = _uses_time(everything, form)
+    with in_jax_numpy("systems"):
+        closed = written(everything, (), (form.size,))
+    return _Written(closed, tuple(balances), uses_first(closed))
+
+
+@lru_cache(maxsize=64)
+def _machine(given: AbstractSystem | _Unhashable, form: Form, between: Span, through: Event | None) -> Machine:
+    system = given.system if isinstance(given, _Unhashable) else given
+    closed, balances, timed = _written(given, form, through)
     size = form.size + len(balances) + timed
     inside = _instants(between)
     tape = Tape(size, size - 1 if timed else None, inside)
-    given = tape.state()
-    t = np.asarray(given[-1] if timed else 0.0, object if timed else float)
+    known = tape.state()
+    t = np.asarray(known[-1] if timed else 0.0, object if timed else float)
     state = np.empty(form.size, object)
-    state[:] = given[: form.size]
-    found = [np.ravel(x) for x in traced(everything, t, state)]
+    state[:] = known[: form.size]
+    found = [np.ravel(x) for x in evaluated(closed, t, state)]
     rates = [tape_value(tape, x) for part in found[: 1 + len(balances)] for x in part]
     if timed:
         rates.append(tape.constant(1.0))
@@ -153,12 +193,6 @@ def _instants(between: Span) -> Float64[np.ndarray, "instants"]:
 def tape_value(tape: Tape, x: Any) -> Expression:
     """Return an element of an array as an expression."""
     return x if isinstance(x, Expression) else tape.constant(float(x))
-
-
-def _uses_time(function: Callable[..., Any], form: Form) -> bool:
-    jaxpr = jax.make_jaxpr(function)(jnp.zeros(()), jnp.zeros(form.size)).jaxpr
-    clock = jaxpr.invars[0]
-    return any(v is clock for equation in jaxpr.eqns for v in equation.invars)
 
 
 def _integrals(system: AbstractSystem, form: Form) -> tuple[tuple[str, ...], Program]:

@@ -7,6 +7,7 @@ and functions that no recurrence is known of, raise ``Untraceable``.
 
 from __future__ import annotations
 
+import math
 import operator
 from collections.abc import Callable
 from typing import Any
@@ -45,8 +46,43 @@ def traced(function: Callable[..., Any], *arguments: Array) -> list[Any]:
     Raises:
         Untraceable: if it is not made of operations that have a recurrence.
     """
-    shapes = [jax.ShapeDtypeStruct(np.shape(a), float) for a in arguments]
-    closed = jax.make_jaxpr(function)(*shapes)
+    return evaluated(written(function, *map(np.shape, arguments)), *arguments)
+
+
+def written(function: Callable[..., Any], *shapes: tuple[int, ...]) -> Any:
+    """Return the jaxpr of a function of real arrays of given shapes."""
+    return jax.make_jaxpr(function)(*[jax.ShapeDtypeStruct(shape, float) for shape in shapes])
+
+
+def uses_first(closed: Any) -> bool:
+    """Return whether a jaxpr does anything with its first argument."""
+    first = closed.jaxpr.invars[0]
+    return any(v is first for equation in closed.jaxpr.eqns for v in equation.invars)
+
+
+def size_of(jaxpr: Any) -> int:
+    """Return about how many operations on single numbers a jaxpr is made of."""
+    size = 0
+    for equation in jaxpr.eqns:
+        parameters = equation.params
+        inner = next((parameters[k] for k in INNER if k in parameters), None)
+        if inner is not None:
+            size += size_of(getattr(inner, "jaxpr", inner)) * parameters.get("length", 1)
+            continue
+        each = 1
+        if equation.primitive.name == "dot_general":
+            shape = equation.invars[0].aval.shape
+            each = math.prod(shape[k] for k in parameters["dimension_numbers"][0][0])
+        size += each * sum(math.prod(v.aval.shape) for v in equation.outvars)
+    return size
+
+
+def evaluated(closed: Any, *arguments: Array) -> list[Any]:
+    """Return the values of a jaxpr, as ``traced`` does.
+
+    Raises:
+        Untraceable: if it is not made of operations that have a recurrence.
+    """
     return _evaluated(closed.jaxpr, closed.consts, [np.asarray(a) for a in arguments])
 
 

@@ -8,7 +8,6 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import ClassVar
 
-import diffrax
 import numpy as np
 
 from polhode.analysis.damped_axes import damped_axis_stability
@@ -338,8 +337,7 @@ def _moved(spec: Spec, start: DampedStart) -> tuple[Trajectory, bool]:
     state = np.concatenate([start.attitude, start.momentum])
     steps = _fewest_steps(start, float(np.ptp(times)))
     shown = check_length(spec.until, times, steps, ADAPTIVE)
-    # adaptive steps, as they integrate the energy's balance together with the motion
-    trajectory = simulate(start.system, state, times, method=diffrax.Dopri8(), progress=shown)
+    trajectory = simulate(start.system, state, times, progress=shown)
     return replace(trajectory, frame=start.body.frame), cut
 
 

@@ -18,8 +18,6 @@ from polhode.systems.gyrostat import TorquedGyrostat
 from polhode.types import Array
 
 TURNS = 10
-STEP_ANGLE = 0.05  # rad by which the faster of body and momentum turns in a step
-ORDER = 6
 
 
 def built(spec: Spec) -> RotorInBody:
@@ -55,8 +53,7 @@ def sampled(spec: Spec, made: RotorInBody) -> Trajectory:
     if table.motor_torque is None:
         steps = equal_steps(span, turning, table.step)
         check_length(spec.until, times, steps, SPLITTING, "A longer `system.step` takes less.")
-        step = table.step or (STEP_ANGLE / turning if turning else None)
-        return simulate(made.gyrostat, state, times, order=ORDER, step=step)
+        return simulate(made.gyrostat, state, times, step=table.step)
     system = TorquedGyrostat(made.moments, made.along, table.rotor_moment, table.motor_torque)
     steps = max(_driven_steps(table, made, span), span / (table.step or math.inf))
     shown = check_length(spec.until, times, steps, ADAPTIVE)

@@ -16,7 +16,7 @@ from polhode.kinds.registry import other_kind
 from polhode.motion.layout import Quantity
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.answer import Group, Table
-from polhode.reports.length import check_length, equal_steps, splitting_step
+from polhode.reports.length import HIGHEST, check_length, equal_steps, splitting_step
 from polhode.reports.top import (
     TopReport,
     about_body,
@@ -101,8 +101,9 @@ def _moved(spec: Spec) -> _Moved:
     if times is None:
         times = usual_times(None, top, momentum, spec.samples)
     rate, span = fastest_rate(top, state), float(np.ptp(times))
-    check_length(spec.until, times, equal_steps(span, rate, table.step, table.order), splitting_step(table.order),
-                 _remedy(spec))  # fmt: skip
+    order = table.order or HIGHEST
+    steps = equal_steps(span, rate, table.step, order)
+    check_length(spec.until, times, steps, splitting_step(order), _remedy(spec))
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", UserWarning)
         trajectory = _called(simulate(top, state, times, step=table.step, order=table.order))

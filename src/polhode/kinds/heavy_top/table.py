@@ -21,4 +21,4 @@ class HeavyTopTable(SystemTable):
     gravity: Acceleration = STANDARD_GRAVITY
     lean: Lean | None = None
     step: Duration | None = None
-    order: Order = 8
+    order: Order | None = None

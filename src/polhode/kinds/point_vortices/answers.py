@@ -26,8 +26,7 @@ from polhode.systems.point_vortices import PlaneVortices, SphereVortices
 from polhode.types import Array, Float64
 
 TURNOVERS = 10.0  # times that vortices of this strength need to go round each other, unless the spec says how long
-ORDER = 8  # of the splitting
-EACH, PAIR = 1e-4, 2e-8  # s a step of that order takes, and for each pair
+EACH, PAIR = 1e-4, 2e-8  # s a step of splitting takes, and for each pair
 POLE = 90.0 - 1e-5  # degrees of latitude from which a longitude says nothing
 LARGEST_VERDICT = 40  # vortices: second derivatives of all pairs are dense
 
@@ -208,9 +207,9 @@ def report_of(spec: Spec) -> VorticesReport:
     times = np.linspace(0.0, _usual_end(system, state), spec.samples) if spec.times is None else spec.times
     fastest = float(turning_rates(system, state, times))
     count = len(system.strengths)
-    steps = equal_steps(float(np.ptp(times)), fastest, None, ORDER)
+    steps = equal_steps(float(np.ptp(times)), fastest, None)
     shown = check_length(spec.until, times, steps, EACH + PAIR * count * count)
-    trajectory = simulate(system, state, times, order=ORDER, progress=shown)
+    trajectory = simulate(system, state, times, progress=shown)
     turn = _turn_of(system, state)
     verdict, why = _verdict_of(system, state, turn)
     return VorticesReport(system, radius, trajectory, turn, verdict, why)
