@@ -100,12 +100,13 @@ def simulate(
             front where the system carries one and it is wanted. Leading axes are a batch.
         times: (T,) [s], in one direction.
         method: a class of ``polhode.integrators``, an object of one, made for this system with its own step and order,
-            or any diffrax solver. ``Taylor`` is exact to rounding by the fewest steps, where rates of change have no
-            branches on the state. By default splitting into exact flows where a Lie–Poisson system has them, the
-            spherical midpoint rule for spins, else Lie's midpoint rule; diffrax's ``Dopri8`` for any other system, and
-            for one that overrides ``vector_field``.
-        step: largest step [s]; by default each copy's fastest rotation at the start turns by 0.2 rad in a step at order
-            8, 0.1 at order 6, 0.05 at lower orders.
+            or any diffrax solver. By default ``Taylor``, which is exact to rounding by the fewest steps. Where rates of
+            change have branches on the state, more than 20,000 operations or a singularity on the way, and where
+            ``step``, ``order``, ``resumable`` or ``memory`` is given, it is splitting into exact flows if a Lie–Poisson
+            system has them, the spherical midpoint rule for spins, else Lie's midpoint rule; diffrax's ``Dopri8`` for
+            any other system, and for one that overrides ``vector_field``.
+        step: largest step [s]; by default Taylor's and diffrax's own, of other methods that in which each copy's
+            fastest rotation at the start turns by 0.2 rad at order 8, 0.1 at order 6, 0.05 at lower orders.
         order: of the method, by default its own.
         progress: whether to show it on standard error; by default for long runs on a terminal.
         throw: raise if an implicit step fails in any copy; otherwise the outcome says so, and the states of that copy

@@ -10,9 +10,8 @@ import pytest
 import polhode as ph
 from oracle.families import draw
 from oracle.measures import error_in_eps
-
-pytest.importorskip("numba", reason="Numba is not installed; the extra `fast` has it")
-from polhode.exact.free_body import evaluation, kernel, kernel_setup
+from oracle.numpy_alone import numpy_alone
+from polhode.exact.free_body import kernel, kernel_setup
 
 WORST_ERROR = 16.0
 """eps, as of every evaluation."""
@@ -73,8 +72,6 @@ def many_bodies(rng, count):
     return moments, momentum, attitude / np.linalg.norm(attitude, axis=1, keepdims=True)
 
 
-def numpy_alone(monkeypatch):
-    monkeypatch.setattr(evaluation, "_kernel", lambda: None)
 
 
 def test_many_bodies_agree_with_numpy(monkeypatch):
@@ -114,7 +111,7 @@ def test_long_runs_go_through_it_and_agree(momentum, monkeypatch):
     calls = []
     monkeypatch.setattr(kernel, "states_of_one", lambda *x, run=kernel.states_of_one: calls.append(1) or run(*x))
     found = motion.state(times)
-    monkeypatch.setattr(evaluation, "_kernel", lambda: None)
+    numpy_alone(monkeypatch)
     wanted = motion.state(times)
     assert calls and found[0].shape == (2, 35_000, 4)
     assert max(np.abs(a - b).max() for a, b in zip(found, wanted, strict=True)) < 4e-15

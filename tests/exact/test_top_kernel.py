@@ -8,12 +8,11 @@ import pytest
 
 import polhode as ph
 from oracle.lagrange_families import TopCase, draw_tops
+from oracle.numpy_alone import numpy_alone
 from oracle.test_lagrange_motion import WORST_ERROR, errors
-
-pytest.importorskip("numba", reason="Numba is not installed; the extra `fast` has it")
 from polhode.errors import InvalidInput
 from polhode.exact import blocks
-from polhode.exact.lagrange_top import evaluation, kernel, kernel_setup
+from polhode.exact.lagrange_top import kernel, kernel_setup
 
 PER_FAMILY, PER_FAMILY_OF_MANY, SWEEP_PER_FAMILY = 3, 20, 600
 AGREEMENT = 8e-15
@@ -49,7 +48,7 @@ def test_long_runs_go_through_it_and_agree(momentum, lean, monkeypatch):
     calls = []
     monkeypatch.setattr(kernel, "states_of_one", lambda *x, run=kernel.states_of_one: calls.append(1) or run(*x))
     found = [top.state(times) for top in tops]
-    monkeypatch.setattr(evaluation, "_kernel", lambda: None)
+    numpy_alone(monkeypatch)
     assert len(calls) == 2 and found[0][0].shape == (2, 5000, 4)
     for top, states in zip(tops, found, strict=True):
         assert max(np.abs(a - b).max() for a, b in zip(states, top.state(times), strict=True)) < 6e-15
@@ -75,8 +74,6 @@ def left(monkeypatch):
     return calls
 
 
-def numpy_alone(monkeypatch):
-    monkeypatch.setattr(evaluation, "_kernel", lambda: None)
 
 
 def check_many(per_family, seed, left, announce):

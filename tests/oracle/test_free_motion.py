@@ -11,6 +11,7 @@ import pytest
 import polhode as ph
 from oracle.families import Case, draw
 from oracle.measures import EPS, drift_in_eps, error_in_eps
+from oracle.numpy_alone import numpy_alone
 from oracle.optimized import OPTIMIZED
 from sweeping import first
 
@@ -27,9 +28,15 @@ def columns(cases: list[Case]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     return tuple(np.array([case[i] for case in cases], dtype=np.float64) for i in (1, 2, 3))
 
 
-def numpy_states(cases: list[Case]) -> tuple[np.ndarray, np.ndarray]:
+def many_states(cases: list[Case]) -> tuple[np.ndarray, np.ndarray]:
     moments, momentum, times = columns(cases)
     return ph.FreeMotion(moments, momentum).state(times)
+
+
+def numpy_states(cases: list[Case]) -> tuple[np.ndarray, np.ndarray]:
+    with pytest.MonkeyPatch.context() as patch:
+        numpy_alone(patch)
+        return many_states(cases)
 
 
 def jax_states_one_by_one(cases: list[Case]) -> tuple[np.ndarray, np.ndarray]:
@@ -58,11 +65,11 @@ def one_state(moments, momentum, time):
 
 
 ENGINES = {
-    "numpy": numpy_states, "jax": partial(jax_states, where="host"),
+    "numpy": numpy_states, "kernel": many_states, "jax": partial(jax_states, where="host"),
     "jax-vmap": partial(jax_vmapped_states, where="host"),
     "compiled-one-by-one": jax_states_one_by_one, "compiled": jax_states, "compiled-vmap": jax_vmapped_states,
 }  # fmt: skip
-"""The first three by default: the others are compiled for seconds."""
+"""The first four by default: the others are compiled for seconds."""
 
 
 @cache
@@ -96,7 +103,7 @@ def assert_all_within(worst: dict[str, tuple], bound: float) -> None:
     assert not beyond
 
 
-@pytest.mark.parametrize("engine", first(3, ENGINES))
+@pytest.mark.parametrize("engine", first(4, ENGINES))
 def test_states_are_exact_in_every_family(engine, announce):
     cases = drawn(SUITE_PER_FAMILY, 1)
     assert len(cases) >= 1000

@@ -16,6 +16,7 @@ import polhode as ph
 from oracle.lagrange import TopState, largest_momentum, reference_top
 from oracle.lagrange_families import TopCase, draw_tops
 from oracle.measures import EPS, rotation_of
+from oracle.numpy_alone import numpy_alone
 from oracle.optimized import OPTIMIZED
 from sweeping import first
 
@@ -58,9 +59,15 @@ def columns(cases: list[TopCase]) -> tuple[np.ndarray, ...]:
     return tuple(np.array([case[i] for case in cases], dtype=np.float64) for i in range(1, 6))
 
 
-def numpy_states(cases: list[TopCase]) -> tuple[np.ndarray, np.ndarray]:
+def many_states(cases: list[TopCase]) -> tuple[np.ndarray, np.ndarray]:
     *top, times = columns(cases)
     return ph.LagrangeMotion(*top).state(times)
+
+
+def numpy_states(cases: list[TopCase]) -> tuple[np.ndarray, np.ndarray]:
+    with pytest.MonkeyPatch.context() as patch:
+        numpy_alone(patch)
+        return many_states(cases)
 
 
 def one_state(moments, mgl, momentum, attitude, time):
@@ -82,7 +89,7 @@ def jax_vmapped_states(cases: list[TopCase], where="compiled") -> tuple[np.ndarr
 
 
 ENGINES = {
-    "numpy": numpy_states, "jax": partial(jax_states, where="host"),
+    "numpy": numpy_states, "kernel": many_states, "jax": partial(jax_states, where="host"),
     "jax-vmap": partial(jax_vmapped_states, where="host"),
     "compiled": jax_states, "compiled-vmap": jax_vmapped_states,
 }  # fmt: skip
@@ -117,7 +124,7 @@ def check(engine: str, count: int, seed: int, announce) -> None:
     assert not {family: sizes for family, sizes in worst.items() if not max(sizes) <= WORST_ERROR}
 
 
-@pytest.mark.parametrize("engine", first(3, ["numpy", "jax", "jax-vmap", "compiled"]))
+@pytest.mark.parametrize("engine", first(4, ["numpy", "kernel", "jax", "jax-vmap", "compiled"]))
 def test_states_are_exact_in_every_family(engine, announce):
     assert len(drawn(SUITE_PER_FAMILY, 1)) >= 200
     check(engine, SUITE_PER_FAMILY, 1, announce)

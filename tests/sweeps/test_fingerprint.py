@@ -195,18 +195,6 @@ def test_two_tables_that_were_swapped(tmp_path):
     assert len(found) == 2
 
 
-def test_numba_or_none_compute_other_bits(monkeypatch):
-    """With the extra `fast` and without; each of its versions, too."""
-    versions, found = {"numba": "0.61", "llvmlite": "0.44"}, set()
-    true_version, true_spec = metadata.version, program.find_spec
-    for there in ({}, versions, versions | {"numba": "0.62"}):
-        monkeypatch.setattr(metadata, "version", lambda name, there=there: there.get(name) or true_version(name))
-        monkeypatch.setattr(program, "find_spec", lambda name, there=there: (
-            (object() if there else None) if name == "numba" else true_spec(name)))  # fmt: skip
-        found.add(program.program_digest())
-    assert len(found) == 3
-
-
 @pytest.mark.parametrize("name", program.SETTINGS)
 def test_settings_that_compute_other_bits(monkeypatch, name):
     before = program.program_digest()
@@ -242,7 +230,7 @@ def test_every_library_that_computes_is_told(tmp_path):
     others = imported - sys.stdlib_module_names - {"polhode"}
     silent = {"matplotlib", "IPython", "lazy_loader", "dask", "distributed", "filelock", "astropy_iers_data", "SALib",
               "spiceypy", "flint", "networkx", "tqdm", "jaxtyping"}  # fmt: skip
-    told = {name.replace("-", "_") for name in (*program.COMPUTED_BY, *program.COMPILERS)}
+    told = {name.replace("-", "_") for name in program.COMPUTED_BY}
     assert others - silent - told == set()
 
 

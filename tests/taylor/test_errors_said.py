@@ -36,8 +36,6 @@ def test_what_is_said_of_the_error_holds(count, longest):
 
     The true error is never three times what is said. It may be much less where few samples miss the worst of a motion.
     """
-    if count == MANY:
-        pytest.importorskip("numba")
     rng = np.random.default_rng(5)
     errors, said = np.array([one_case(rng, longest) for _ in range(count)]).T
     known = said < 0.05
@@ -64,7 +62,6 @@ LONG = {
 @pytest.mark.parametrize("name", LONG)
 def test_what_is_conserved_stays_for_many_steps(name):
     """To some roundings of its terms, also at samples within steps; without the way back it drifts as √steps."""
-    pytest.importorskip("numba")
     system, start = LONG[name]
     found = ph.simulate(system, start, np.linspace(0.0, 5e4, 101), Taylor, estimate_error=False)
     drift = {k: float(np.max(v)) for k, v in found.drift.items() if "space" not in k}

@@ -1,14 +1,9 @@
 """The kernel as Python and as Numba compiles it: the same bits, and each used where it is worth its while."""
 
-from importlib.util import find_spec
-
 import numpy as np
-import pytest
 
 from polhode import integrators, simulate, systems
 from polhode.taylor import kernels
-
-compiled_only = pytest.mark.skipif(find_spec("numba") is None, reason="Numba is not installed")
 
 
 def motions():
@@ -24,7 +19,6 @@ def motions():
             for system, start in starts]  # fmt: skip
 
 
-@compiled_only
 def test_compiled_or_not_the_bits_are_the_same(monkeypatch):
     monkeypatch.setattr(kernels._Spent, "compiled", False)
     monkeypatch.setattr(kernels, "LOADED", np.inf)
@@ -34,7 +28,6 @@ def test_compiled_or_not_the_bits_are_the_same(monkeypatch):
         np.testing.assert_array_equal(one, other)
 
 
-@compiled_only
 def test_long_runs_are_compiled_and_short_ones_are_not(monkeypatch):
     monkeypatch.setattr(kernels._Spent, "compiled", False)
     monkeypatch.setattr(kernels, "_is_on_disk", lambda: False)
@@ -50,7 +43,6 @@ def test_functions_call_each_other_as_they_are_made():
     assert len(own) >= 14 and space["advance"] in own and space["first_zero"] in own and space["gather"] in own
 
 
-@compiled_only
 def test_what_was_compiled_of_other_sources_is_not_used(monkeypatch):
     """The name under which Numba keeps it changes with each of the files."""
     before = kernels.compiled_kernel.__wrapped__().advance.__qualname__

@@ -68,16 +68,16 @@ def are_many(arguments: Vectors) -> bool:
 
 
 def state_by_kernel(
-    load: Callable[[], ModuleType | None], columns: Columns, elapsed: Float64[Array, "..."], rest: Float64[Array, "..."]
+    load: Callable[[], ModuleType], columns: Columns, elapsed: Float64[Array, "..."], rest: Float64[Array, "..."]
 ) -> tuple[Float64[Array, "*batch 4"], Float64[Array, "*batch 3"]] | None:
-    """Return what ``state_in_blocks`` does, by a compiled kernel; None where it is not worth it or not there."""
+    """Return what ``state_in_blocks`` does, by a compiled kernel; None where it is not worth it."""
     batch = np.shape(columns[0])
     shape = np.broadcast_shapes(batch, elapsed.shape)
     one = math.prod(batch) == 1
     many = isinstance(elapsed, np.ndarray | np.generic) and math.prod(shape) >= (MANY if one else MANY_BODIES)
-    kernel = load() if many else None
-    if kernel is None:
+    if not many:
         return None
+    kernel = load()
     times, rests = (
         np.ascontiguousarray(np.broadcast_to(x, shape), dtype=float).reshape(-1) for x in (elapsed, rest)
     )

@@ -17,12 +17,10 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-
-try:
-    from numba import njit
-    from numba.extending import intrinsic
-except ImportError:  # plain functions then, which nothing calls
-    njit = intrinsic = None
+from numba import njit
+from numba.core import event
+from numba.core.types import float64, int64
+from numba.extending import intrinsic
 
 _KERNELS = sorted(Path(__file__).parent.rglob("kernel*.py"))
 SOURCES = zlib.crc32(b"".join(path.read_bytes() for path in _KERNELS))
@@ -47,15 +45,12 @@ def compiled(**options: Any) -> Callable[[Callable[..., Any]], Any]:
 
 
 def _compiled(function: Callable[..., Any], options: dict[str, Any]) -> Callable[..., Any]:
-    if njit is None:
-        return function
     made = njit(error_model="numpy", **options)(function)
     return announced("closed forms", made) if "cache" in options else made
 
 
 def announced(what: str, dispatcher: Any) -> Any:
     """Return a function of Numba's that says on a terminal when it is being compiled."""
-    from numba.core import event
 
     class Listener(event.Listener):
         def on_start(self, event: Any) -> None:
@@ -85,36 +80,27 @@ def in_threads(fill: Callable[[int, int], Any], size: int, worth: int) -> None:
 
 
 def _instruction(function: Callable[..., Any]) -> Any:
-    return function if intrinsic is None else intrinsic(inspect.unwrap(function))
-
-
-def _kinds() -> tuple[Any, Any]:
-    from numba.core.types import float64, int64
-
-    return float64, int64
+    return intrinsic(inspect.unwrap(function))
 
 
 @_instruction
 def fused(context: Any, a: Any, b: Any, c: Any) -> Any:
     """Return a b + c, rounded once."""
-    number, _ = _kinds()
-    return number(number, number, number), lambda _, builder, __, values: builder.fma(*values)
+    return float64(float64, float64, float64), lambda _, builder, __, values: builder.fma(*values)
 
 
 @_instruction
 def bits_of(context: Any, x: Any) -> Any:
     """Return the bits of a float as an integer."""
-    number, whole_number = _kinds()
-    cast = lambda made, builder, _, values: builder.bitcast(values[0], made.get_value_type(whole_number))  # noqa: E731
-    return whole_number(number), cast
+    cast = lambda made, builder, _, values: builder.bitcast(values[0], made.get_value_type(int64))  # noqa: E731
+    return int64(float64), cast
 
 
 @_instruction
 def of_bits(context: Any, n: Any) -> Any:
     """Return the float with these bits."""
-    number, whole_number = _kinds()
-    cast = lambda made, builder, _, values: builder.bitcast(values[0], made.get_value_type(number))  # noqa: E731
-    return number(whole_number), cast
+    cast = lambda made, builder, _, values: builder.bitcast(values[0], made.get_value_type(float64))  # noqa: E731
+    return float64(int64), cast
 
 
 # ---------------------------------------------------------------------- whole numbers, circular functions, phases

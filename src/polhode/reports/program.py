@@ -15,10 +15,9 @@ from importlib.util import find_spec
 from pathlib import Path
 
 # whose versions change numbers, or how a spec is read; a test of the house looks for others
-COMPUTED_BY = ("numpy", "scipy", "array-api-compat", "jax", "jaxlib", "equinox", "diffrax", "optimistix", "lineax",
-               "pydantic", "pydantic-core", "pint", "trimesh", "ase", "xarray", "h5netcdf", "h5py", "zarr",
-               "numcodecs")  # fmt: skip
-COMPILERS = ("numba", "llvmlite")  # of the extra `fast`: other last bits with them than without
+COMPUTED_BY = ("numpy", "scipy", "array-api-compat", "numba", "llvmlite", "jax", "jaxlib", "equinox", "diffrax",
+               "optimistix", "lineax", "pydantic", "pydantic-core", "pint", "trimesh", "ase", "xarray", "h5netcdf",
+               "h5py", "zarr", "numcodecs")  # fmt: skip
 SETTINGS = ("XLA_FLAGS", "NUMBA_DISABLE_JIT", "NUMBA_CPU_NAME", "NUMBA_CPU_FEATURES", "NPY_DISABLE_CPU_FEATURES",
             "OPENBLAS_CORETYPE")  # fmt: skip
 """Environment variables by which the same libraries compute other last bits."""
@@ -32,8 +31,7 @@ def program_digest(*packages: str) -> str:
     Args:
         packages: others whose code computes too, such as that of a kind of motion.
     """
-    compilers = COMPILERS if find_spec("numba") is not None else ()
-    versions = [(name, _version(name)) for name in (*COMPUTED_BY, *compilers)]
+    versions = [(name, _version(name)) for name in COMPUTED_BY]
     settings = [(name, os.environ.get(name)) for name in SETTINGS]
     sources = [(name, _sources(name)) for name in sorted({"polhode", *packages})]
     system = platform.python_version(), sys.platform, platform.machine()

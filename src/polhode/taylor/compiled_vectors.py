@@ -19,9 +19,6 @@ def vector_operations() -> tuple[Any, Any, Any]:
 
     ``load(array, index)`` is array[index : index + 8] of a contiguous flat array, ``store(array, index, value)`` sets
     it, and ``gather(array, places, first, base)`` is array[base + places[first + l]] for l = 0 … 7. Nothing is checked.
-
-    Raises:
-        ImportError: where Numba is not installed.
     """
     from llvmlite import ir
     from numba.core import types

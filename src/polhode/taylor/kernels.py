@@ -11,7 +11,6 @@ import time
 import zlib
 from collections.abc import Callable
 from functools import cache
-from importlib.util import find_spec
 from pathlib import Path
 from types import FunctionType, ModuleType
 from typing import Any, NamedTuple
@@ -43,7 +42,7 @@ class _Spent:
 def chosen_kernel() -> Kernel:
     """Return the compiled kernel if it is there or worth its while, else that of plain Python."""
     spent = _Spent.seconds
-    wait = not _Spent.compiled and (spent < LOADED or not _has_numba() or (spent < COMPILED and not _is_on_disk()))
+    wait = not _Spent.compiled and (spent < LOADED or (spent < COMPILED and not _is_on_disk()))
     if wait:
         return python_kernel()
     _Spent.compiled = True
@@ -61,11 +60,6 @@ def _counted(function: Function) -> Function:
 
 
 @cache
-def _has_numba() -> bool:
-    return find_spec("numba") is not None
-
-
-@cache
 def python_kernel() -> Kernel:
     """Return the kernel as it is written."""
     space = _joined(lambda function, name: function, {})
@@ -77,7 +71,6 @@ def compiled_kernel() -> Kernel:
     """Return the kernel as Numba compiles it when it is first called, or has it on the disk."""
     from polhode.exact.kernel_arithmetic import announced, njit
 
-    assert njit is not None
     sources = [Path(inspect.getfile(module)).read_bytes() for module in (*MODULES, compiled_vectors)]
     version = zlib.crc32(b"".join(sources))
     load, store, gather = compiled_vectors.vector_operations()
@@ -98,8 +91,7 @@ def compiled_kernel() -> Kernel:
 
 def use_compiled_kernel() -> None:
     """Take the compiled kernel from now on, however short the runs."""
-    if _has_numba():
-        _Spent.compiled = True
+    _Spent.compiled = True
 
 
 @cache

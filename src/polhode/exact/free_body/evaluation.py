@@ -38,8 +38,8 @@ def motion_columns(arguments: Vectors) -> Columns:
 
 
 def _columns(arguments: Vectors) -> Columns:
-    """Return the columns; those of many bodies by the compiled kernel, where Numba is installed."""
-    if not are_many(arguments) or _kernel() is None:
+    """Return the columns; those of many bodies by the compiled kernel."""
+    if not are_many(arguments):
         return columns_in_blocks(_columns_of_bodies, arguments)
     from polhode.exact.free_body import kernel_setup
 
@@ -67,17 +67,17 @@ def state(
 
 
 def _on_numpy(columns: Columns, elapsed: Array, rest: Array) -> tuple[Array, Array]:
-    """Return the states; those of one body at many times, and of many bodies, by the compiled kernel if it is there."""
+    """Return the states; those of one body at many times, and of many bodies, by the compiled kernel."""
     found = state_by_kernel(_kernel, columns, elapsed, rest)
     return state_in_blocks(evaluate, columns, elapsed, rest) if found is None else found
 
 
 @cache
-def _kernel() -> ModuleType | None:
-    """Return the kernel's module; None without Numba."""
+def _kernel() -> ModuleType:
+    """Return the kernel's module."""
     from polhode.exact.free_body import kernel  # which loads Numba
 
-    return None if kernel.njit is None else kernel
+    return kernel
 
 
 def _state(moments: Array, momentum: Array, attitude: Array, elapsed: Array, rest: Array) -> tuple[Array, Array]:

@@ -1,4 +1,4 @@
-"""The evaluation of ``spinor`` for many times at once, compiled by Numba (extra ``fast``): of one body, and of many.
+"""The evaluation of ``spinor`` for many times at once, compiled by Numba: of one body, and of many.
 
 The same arithmetic, in blocks that stay in the first-level cache and in loops that LLVM turns into vector instructions:
 no branches, no calls but to the exponential, which has a loop of its own. What Numba compiles is kept in its cache
@@ -20,7 +20,6 @@ from polhode.exact.kernel_arithmetic import (
     halves,
     in_threads,
     inlined,
-    njit,
     phase,
     sine_cosine,
     two_sum,
@@ -28,7 +27,7 @@ from polhode.exact.kernel_arithmetic import (
 )
 from polhode.types import Float64, Integer
 
-__all__ = ["BLOCK", "njit", "spinors", "states_of_many", "states_of_one"]
+__all__ = ["BLOCK", "spinors", "states_of_many", "states_of_one"]
 
 WORTH = 30_000  # states for which a thread is worth its start
 COLUMNS = 50  # of a flattened ``spinor.Motion``

@@ -1,4 +1,4 @@
-"""The set-up of many bodies, from moments to the columns of ``spinor.Motion``, compiled by Numba (extra ``fast``).
+"""The set-up of many bodies, from moments to the columns of ``spinor.Motion``, compiled by Numba.
 
 The same steps as ``reduction``, ``frequencies`` and ``preparation``, in blocks of bodies and in loops that LLVM turns
 into vector instructions. Bodies are sorted on the way: those that take the full form first, then those that take the

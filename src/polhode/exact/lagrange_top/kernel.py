@@ -1,4 +1,4 @@
-"""The evaluation of ``series`` for many times at once, compiled by Numba (extra ``fast``): of one top, and of many.
+"""The evaluation of ``series`` for many times at once, compiled by Numba: of one top, and of many.
 
 The same arithmetic in blocks and in loops without branches, as of the free body's kernel.
 """
@@ -16,7 +16,6 @@ from polhode.exact.kernel_arithmetic import (
     halves,
     in_threads,
     inlined,
-    njit,
     phase,
     sine_cosine,
     two_sum,
@@ -24,7 +23,7 @@ from polhode.exact.kernel_arithmetic import (
 )
 from polhode.types import Float64, Integer
 
-__all__ = ["COLUMNS", "WORK", "njit", "numerators", "states_of_many", "states_of_one"]
+__all__ = ["COLUMNS", "WORK", "numerators", "states_of_many", "states_of_one"]
 
 WORTH = 20_000  # states for which a thread is worth its start
 COLUMNS, WORK = 45, 17  # of a flattened ``series.Motion``, and rows that evaluating it takes

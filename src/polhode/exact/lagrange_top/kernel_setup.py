@@ -1,4 +1,4 @@
-"""The set-up of many tops, from moments to the columns of ``series.Motion``, compiled by Numba (extra ``fast``).
+"""The set-up of many tops, from moments to the columns of ``series.Motion``, compiled by Numba.
 
 The same steps as ``reduction``, ``roots``, ``frequencies`` and ``preparation``, in blocks of tops and in loops that
 LLVM turns into vector instructions. Tops are sorted on the way: those that take the full form first, then those that
