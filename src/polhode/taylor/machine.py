@@ -201,32 +201,47 @@ def _integrals(system: AbstractSystem, form: Form) -> tuple[tuple[str, ...], Pro
     tape = Tape(form.size)
     state = np.empty(form.size, object)
     state[:] = tape.state()
-    for name, function in _conserved(system, form).items():
-        count = int(np.prod(jax.eval_shape(function, jnp.zeros(form.size)).shape))
-        if (len(outputs) + count) * form.size > MOST_GRADIENTS:
-            continue
-        try:
-            values = [tape_value(tape, x) for x in np.ravel(traced(function, state)[0])]
-        except Untraceable:
-            continue
+    for name, found in _traced_if_possible(*_conserved(system, form), state).items():
+        values = [tape_value(tape, x) for x in np.ravel(found)]
         outputs.extend((value, gradient(value)) for value in values)
-        names.extend([name] * count)
+        names.extend([name] * len(values))
     rows = [value for value, _ in outputs] + [x for _, slopes in outputs for x in slopes]
     return tuple(names), program_of(tape, rows)
 
 
-def _conserved(system: AbstractSystem, form: Form) -> dict[str, Callable[[Any], Any]]:
-    """Return the conserved numbers as functions of a state's real numbers: no vectors, but one of each copy."""
-    kind = complex if form.is_complex else float
-    shapes = jax.eval_shape(system.invariants, jax.ShapeDtypeStruct(form.shape, kind))
-    quantities = system.quantities
-    found = {}
-    for name, shape in shapes.items():
-        if shape.ndim == 0 or (name in quantities and quantities[name].of_copies):
-            found[name] = lambda x, name=name: jnp.real(system.invariants(form.state(x))[name])
-    if isinstance(system, AbstractLiePoissonSystem) and _carries_attitude(system, form):
-        found["|q|²"] = lambda x: jnp.sum(x[:4] ** 2)
-    return found
+def _traced_if_possible(
+    names: list[str], function: Callable[[Any], dict[str, Any]], state: Array
+) -> dict[str, Array]:
+    """Return those named values of a function that can be traced; all at once takes the least time."""
+    try:
+        return dict(zip(names, traced(lambda x: _chosen(function(x), names), state), strict=True))
+    except Untraceable:
+        alone = [_traced_if_possible([name], function, state) for name in names] if len(names) > 1 else []
+        return {name: value for found in alone for name, value in found.items()}
+
+
+def _chosen(found: dict[str, Any], names: list[str]) -> list[Any]:
+    return [found[name] for name in names]
+
+
+def _conserved(system: AbstractSystem, form: Form) -> tuple[list[str], Callable[[Any], dict[str, Any]]]:
+    """Return names of conserved numbers, and the function of a state's real numbers that gives them.
+
+    They are no vectors, but may be one of each copy; those are left out whose gradients would be too many numbers.
+    """
+    carries_attitude = isinstance(system, AbstractLiePoissonSystem) and _carries_attitude(system, form)
+
+    def values(x: Any) -> dict[str, Any]:
+        found = {name: jnp.real(value) for name, value in system.invariants(form.state(x)).items()}
+        return found | ({"|q|²": jnp.sum(x[:4] ** 2)} if carries_attitude else {})
+
+    quantities, names, count = system.quantities, [], 0
+    for name, shape in jax.eval_shape(values, jnp.zeros(form.size)).items():
+        fits = (count + shape.size) * form.size <= MOST_GRADIENTS
+        if fits and (shape.ndim == 0 or (name in quantities and quantities[name].of_copies)):
+            names.append(name)
+            count += shape.size
+    return names, values
 
 
 def _carries_attitude(system: AbstractLiePoissonSystem, form: Form) -> bool:
