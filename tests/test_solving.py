@@ -64,7 +64,7 @@ def exactly_weighed(momentum):
     return np.sum(ph.FreeMotion(MOMENTS, momentum).momentum(TIMES) * WEIGHTS)
 
 
-@pytest.mark.parametrize("method", [None, pytest.param(LieMidpoint, marks=pytest.mark.sweep), ADAPTIVE])
+@pytest.mark.parametrize("method", [Splitting, pytest.param(LieMidpoint, marks=pytest.mark.sweep), ADAPTIVE])
 def test_solve_is_simulate(method):
     """With a step or a tolerance, and with the default step of every copy of a batch."""
     states = np.stack([START, 3.0 * START])
@@ -172,12 +172,12 @@ def test_every_copy_of_a_batch_ends_at_its_own_event():
     times = np.linspace(0.0, 1.7, 18)
     starts = np.array([[[1.0, 1.0], [1.0, 2.0], [0.3, 0.1], [1.0, 1.3]]])  # ground, ceiling, ground sooner, none
     ended = ["ground", "ceiling", "ground", None]
-    found, plain = ph.simulate(Falling(), starts, times), ph.solve(Falling(), starts, times)
+    found, plain = ph.simulate(Falling(), starts, times, ADAPTIVE), ph.solve(Falling(), starts, times, ADAPTIVE)
     assert found.states.shape == (1, 4, 18, 2) and found.outcome.ending is Ending.EVENT
     assert str(found.outcome) == "ground or ceiling: in 3 of 4 copies"
     assert found.ends is not None
     for k, event in enumerate(ended):
-        alone = ph.simulate(Falling(), starts[0, k], times)
+        alone = ph.simulate(Falling(), starts[0, k], times)  # by series
         assert alone.outcome.event == event == found.ends.outcome((0, k)).event
         last = found.ends.time[0, k]
         assert abs(last - alone.times[-1]) < SAME and np.abs(found.ends.state[0, k] - alone.states[-1]).max() < SAME

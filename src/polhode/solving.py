@@ -88,9 +88,9 @@ def solve(
 ) -> Solution:
     """Return the motion of a system from a state at the first time, as a pure function of arrays.
 
-    Its steps are those of ``simulate``. It works under ``jax.jit``, ``vmap`` and derivatives of either mode, by the
-    state, by the times and by the arrays in the system. It raises for wrong shapes, but not for what numbers do: status
-    says how each copy ended, and numbers that make no sense give states that are not finite.
+    Its steps are those of ``simulate`` by the same method. It works under ``jax.jit``, ``vmap`` and derivatives of
+    either mode, by the state, by the times and by the arrays in the system. It raises for wrong shapes, but not for
+    what numbers do: status says how each copy ended, and numbers that make no sense give states that are not finite.
 
     Reverse-mode derivatives of methods of ours go back from one of the times to the one before by steps of the other
     sign, instead of storing the path: the memory does not grow with the steps between two times. What is regained is
@@ -107,7 +107,8 @@ def solve(
         system: what moves.
         state: (batch…, …) packed, as for ``simulate``.
         times: (T,) [s], in one direction.
-        method: as for ``simulate``.
+        method: a class or object of ``polhode.integrators`` other than ``Taylor``, or any diffrax solver; by default
+            what ``simulate`` takes where there is no Taylor series.
         step: largest step [s]; by default from each copy's fastest rotation at the start.
         order: of the method, by default its own.
         tolerance: of a step of diffrax's solvers, relative; by default 1e-12.

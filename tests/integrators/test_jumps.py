@@ -97,11 +97,11 @@ def test_what_shows_only_along_the_motion_is_found_there():
     assert got == pytest.approx(np.exp(-0.3 * 20.0 / 3.0), rel=1e-9)
 
 
-def test_a_motor_and_an_actuator_name_their_jumps():
+def test_a_motor_and_an_actuator_name_their_jumps(stepper):
     on = lambda t: jnp.where((t >= 400.0) & (t < 400.001), 2.0, 0.0)  # noqa: E731
     wheel = Rotor((0.0, 0.0, 1.0), 0.1, motor=lambda t, *more: on(t), jumps=[400.0, 400.001])
     system = RigidBody(MOMENTS, mounts=[wheel])
-    found = ph.simulate(system, system.pack(angular_velocity=(0.0, 0.0, 0.0)), SPAN)
+    found = ph.simulate(system, system.pack(angular_velocity=(0.0, 0.0, 0.0)), SPAN, stepper)
     assert found.angular_velocity[-1, 2] == pytest.approx(-0.002 / 2.9, rel=1e-6)
     command = lambda t, attitude, velocity: on(t)[..., None] * jnp.array([0.0, 0.0, 1.0]) + 0.0 * velocity  # noqa: E731
     system = RigidBody(MOMENTS, torques=[LaggedTorque(command, 0.5, jumps=[400.0, 400.001])])
@@ -123,7 +123,7 @@ def test_derivatives_of_reverse_mode_by_the_width():
     assert float(jax.grad(last)(1.0, 1e-3)) == pytest.approx(0.5, rel=1e-6)
 
 
-def test_a_batch_and_transformations():
+def test_a_batch_and_transformations(stepper):
     """ΔL = τ × width by ``solve`` under jit and vmap, with the derivative by the width."""
     widths, rates = jnp.array([0.02, 1.0, 1e-4]), jnp.array([0.0, 1e-3, 0.1])
     got = jax.jit(jax.vmap(last))(widths, rates)
@@ -131,7 +131,7 @@ def test_a_batch_and_transformations():
     assert float(jax.jacfwd(last)(1.0, 1e-3)) == pytest.approx(0.5, rel=1e-6)
     system = RigidBody(MOMENTS, torques=[Pulse(500.3, 0.02, 0.5)])
     many = system.pack(angular_velocity=jnp.array([[0.0, 0.0, 0.0], [0.0, 0.0, 0.1]]))
-    found = ph.simulate(system, many, SPAN)
+    found = ph.simulate(system, many, SPAN, stepper)
     np.testing.assert_allclose(found.momentum[:, -1, 2] - found.momentum[:, 0, 2], 0.01, rtol=1e-7)
 
 
@@ -186,10 +186,11 @@ class Brake(AbstractTorque):
         return -jnp.where((t >= 633.3) & (t < 633.315), 3.0, 0.0)[..., None] * angular_velocity
 
 
-def test_a_pulse_that_only_another_copy_feels_is_found():
+def test_a_pulse_that_only_another_copy_feels_is_found(stepper):
     """The first copy rests, and was the only one that was tried: 3.0 stayed 3.0, told 0.0."""
     system = RigidBody(MOMENTS, torques=[Brake()])
-    found = ph.simulate(system, system.pack(angular_velocity=np.array([[0.0, 0.0, 0.0], [0.0, 0.0, 1.0]])), SPAN)
+    start = system.pack(angular_velocity=np.array([[0.0, 0.0, 0.0], [0.0, 0.0, 1.0]]))
+    found = ph.simulate(system, start, SPAN, stepper)
     np.testing.assert_allclose(found.momentum[:, -1, 2], [0.0, 3.0 * np.exp(-0.015)], rtol=1e-9)
 
 

@@ -20,7 +20,7 @@ INNER = {
     "algebra": {"fixed_array", "functions", "own_casimirs", "polynomial", "precision", "real_products",
                 "sphere_laplacian"},
     "analysis": {"conserved", "conserved_function", "equilibrium_data", "mechanics", "periapsis_map", "power_law",
-                 "reasons", "second_variation"},
+                 "reasons", "second_variation", "tangent_flow"},
     "bodies": {"digits", "mesh_crossing", "mesh_gate", "pivot", "turned"},
     "estimation": {"estimate", "line_noise", "linear_start", "momentum_flight", "pole_series", "principal", "rest_bias",
                    "saturation", "throw_doubts", "throw_fit", "throw_models", "throw_search", "torqued_states",
@@ -40,7 +40,7 @@ INNER = {
     "motion": {"inputs", "invariants", "layout", "outcome", "trajectory"},
     "quantum": {"derivatives", "level_polhodes", "measured", "operators", "orbits", "partition", "strengths", "wang"},
     "special": {"agm", "spherical_tensors", "circular", "doubledouble", "first_kind", "legendre"},
-    "systems": {"agreement", "dipoles", "forward_only", "free_flow", "lattice_bonds",
+    "systems": {"agreement", "dipoles", "forms", "forward_only", "free_flow", "lattice_bonds",
                 "moser_veselov_table", "rolling_mechanics", "sphere_harmonics", "top_integrals"},
     "taylor": None,
 }  # fmt: skip

@@ -90,6 +90,11 @@ ENTRIES = {
     "stability": ((0.0, 1.0, 0.0), lambda x: ph.stability(BODY, x)),
     "section state": (THREE, lambda x: ph.section(BODY, x, lambda t, point: point[1], (0.0, 1.0))),
     "section times": ((0.0, 1.0), lambda x: ph.section(BODY, THREE, lambda t, point: point[1], x)),
+    "lyapunov state": (THREE, lambda x: ph.lyapunov(BODY, x, (0.0, 1.0))),
+    "lyapunov times": ((0.0, 1.0), lambda x: ph.lyapunov(BODY, THREE, x)),
+    "monodromy state": (THREE, lambda x: ph.monodromy(BODY, x, (0.0, 1.0))),
+    "monodromy times": ((0.0, 1.0), lambda x: ph.monodromy(BODY, THREE, x)),
+    "periodic_motion": (THREE, lambda x: ph.periodic_motion(BODY, x, 9.0)),
     "find_equilibria": ((0.0, 1.0, 0.0), lambda x: ph.find_equilibria(BODY, x)),
 }
 

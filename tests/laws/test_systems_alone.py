@@ -34,7 +34,7 @@ SPECIMENS = [
     systems.LinearDrag((0.1, 0.2, 0.3)), systems.QuadraticDrag(0.05), systems.GravityGradient(ORBIT, MOMENTS),
     ROTOR, HELD, SLUG, SINK, LAGGED, systems.RigidBody(MOMENTS, [ROTOR, HELD, SLUG, SINK], [GRAVITY, LAGGED]),
     systems.TorquedBody(MOMENTS, [systems.LinearDrag(0.3), systems.GravityGradient(ORBIT, MOMENTS)]),
-    systems.TorquedGyrostat(MOMENTS, (1.0, 2.0, 3.0), 0.3, 0.1),
+    systems.TorquedGyrostat(MOMENTS, (1.0, 2.0, 3.0), 0.3, 0.1), systems.Variations(systems.FreeRigidBody(MOMENTS), 2),
 ]  # fmt: skip
 NOT_MOVING = {systems.AbstractLiePoissonSystem, systems.AbstractSystem, systems.AbstractTorque, systems.AbstractMount,
               systems.AbstractRigidBody, systems.RollingDissipation, systems.Balance, systems.RotorInBody,
@@ -62,6 +62,7 @@ LEFT_OUT = {
     "zonal_velocity": "refuses traced numbers, see test_refused_when_traced",
     "vortex": "refuses traced numbers, see test_refused_when_traced",
     "SphereFluid.cost": "takes whole numbers, and is tested in tests/systems/test_sphere_fluid.py",
+    "Variations.scales": "are infinite for changes",
     "layout": "says what numbers mean, and returns none",
     "part": "takes the name of a part of a state",
     "parts": "takes a state apart, and is called by the others",
@@ -82,6 +83,8 @@ def starts(system):
         return DISK_START * (1.0 + 0.1 * RNG.uniform(size=(3, 8)))
     if isinstance(system, systems.SpinOrbit):
         return RNG.normal(size=(3, 2))
+    if isinstance(system, systems.Variations):
+        return RNG.normal(size=(3, 1 + system.count, 3))
     attitude = unit(RNG.normal(size=(3, 4)))
     if not isinstance(system, AbstractLiePoissonSystem):
         own = sum(part.size for part in system.own_parts)

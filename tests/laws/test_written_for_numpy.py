@@ -104,5 +104,5 @@ def test_a_fault_of_ours_is_not_blamed_on_a_right_hamiltonian():
     """So were algebras of one's own refused: "must be written with jax.numpy", which the Hamiltonian was."""
     system = systems.LiePoisson(Careless(np.ones(3)), lambda m: 0.5 * jnp.sum(m**2 / jnp.arange(1.0, 4.0)))
     with pytest.raises(InvalidInput, match=r"at polhode/algebra/careless\.py, line 1.*please report it") as caught:
-        ph.simulate(system, (0.3, 1.8, 1.5), LAST)
+        ph.simulate(system, (0.3, 1.8, 1.5), LAST, ph.integrators.LieMidpoint)
     assert "must be written" not in str(caught.value)

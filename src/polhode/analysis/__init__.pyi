@@ -34,6 +34,9 @@ from .energy_sink import flat_spin_time as flat_spin_time
 from .energy_sink import sink_rate_by_loss as sink_rate_by_loss
 from .energy_sink import sink_rate_by_time as sink_rate_by_time
 from .equilibria import find_equilibria as find_equilibria
+from .floquet import PeriodicMotion as PeriodicMotion
+from .floquet import monodromy as monodromy
+from .floquet import periodic_motion as periodic_motion
 from .free_axes import axis_stability as axis_stability
 from .gyrostat_rotations import SteadyRotation as SteadyRotation
 from .gyrostat_rotations import SymmetricRates as SymmetricRates
@@ -47,6 +50,8 @@ from .light_curves import LightCurveLines as LightCurveLines
 from .light_curves import ellipsoid_brightness as ellipsoid_brightness
 from .light_curves import light_curve as light_curve
 from .light_curves import light_curve_lines as light_curve_lines
+from .lyapunov import LyapunovExponents as LyapunovExponents
+from .lyapunov import lyapunov as lyapunov
 from .manakov_rotations import plane_rotation_exponents as plane_rotation_exponents
 from .mechanics import Mechanics as Mechanics
 from .mechanics import invariants_along as invariants_along

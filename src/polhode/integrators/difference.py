@@ -31,10 +31,12 @@ def difference(
     own = tuple(range(axis, one.ndim))
     gap, size = np.abs(one - other), np.abs(one)
     if not isinstance(system, AbstractLiePoissonSystem):
-        first = np.take(one, 0, axis=axis).reshape(-1, one.shape[-1])
-        scales = np.asarray(jax.vmap(system.scales)(first)).reshape(*one.shape[:axis], -1)
+        shape = one.shape[axis + 1 :]
+        first = np.take(one, 0, axis=axis).reshape(-1, *shape)
+        scales = np.asarray(jax.vmap(lambda state: system.scales(state) * jnp.ones(shape))(first))
+        scales = np.where(np.isinf(scales), 0.0, scales).reshape(*one.shape[:axis], *shape)
         largest = np.maximum(size.max(axis=axis), scales)
-        return np.max(gap.max(axis=axis) / np.where(largest > 0, largest, 1.0), axis=-1)
+        return np.max(gap.max(axis=axis) / np.where(largest > 0, largest, 1.0), axis=own[:-1])
     turns, shares = system.parts(one).attitude is not None, []
     for place, part in enumerate(parts_with_units(system, one)):
         largest = np.ones(size.shape[:axis]) if turns and place == 0 else size[part].max(axis=own)
@@ -59,6 +61,7 @@ def starts_a_rounding_away(system: AbstractSystem, state: Double[Array, "..."]) 
         own = np.shape(state)[np.ndim(state) - system.state_axes :]
         copies = jnp.reshape(jnp.asarray(state), (-1, *own))
         sizes = np.asarray(jax.vmap(lambda one: system.scales(one) * jnp.ones(own))(copies)).reshape(np.shape(state))
+        sizes = np.where(np.isinf(sizes), np.abs(np.asarray(state)), sizes)
         # what is zero stays so, as it may have to be; the rest has the rounding of its part, however small it is
         sizes = np.where(np.asarray(state) != 0.0, sizes, 0.0)
         return [jnp.asarray(state) + EPS * sizes * rng.normal(size=own) for _ in range(KICKS)]

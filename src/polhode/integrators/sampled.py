@@ -21,6 +21,7 @@ from polhode.systems.forms import distances, rates_of_change
 from polhode.types import Array, Bool, Double, Float64, Integer
 
 Observe = Callable[[Float64[Array, ""], Double[Array, "..."]], Any]
+NEGLIGIBLE = 2.0**100  # a size that no error is compared with; finite, as states are divided by it
 MOST_STEPS = 15_000_000  # of a run, some ten minutes
 
 
@@ -66,7 +67,8 @@ def scales(system: AbstractSystem, t: Float64[Array, ""], state: Double[Array, "
     """Return the scales that go with a start."""
     balances = system.balances(t, state)
     sizes = {name: jnp.where(balance.value != 0, jnp.abs(balance.value), 1.0) for name, balance in balances.items()}
-    return Scales(jnp.asarray(system.scales(state)), sizes)
+    own = jnp.asarray(system.scales(state))
+    return Scales(jnp.where(jnp.isinf(own), NEGLIGIBLE, own), sizes)
 
 
 def scaled(system: AbstractSystem, by: Scales, observe: Observe | None = None) -> embedded.Problem:

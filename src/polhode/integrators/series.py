@@ -17,7 +17,7 @@ from polhode.integrators.probing import jumps_between
 from polhode.motion.outcome import Ends, Status
 from polhode.systems.base import AbstractSystem
 from polhode.taylor.expressions import Untraceable
-from polhode.taylor.machine import operations_of
+from polhode.taylor.machine import machine_of, operations_of
 from polhode.taylor.runs import LOCAL, MOST_STEPS, Precision, Runs, precision_of, runs_of
 from polhode.types import Array, Double, Float64
 
@@ -72,6 +72,18 @@ def has_short_series(system: AbstractSystem, state: Double[Array, "..."]) -> boo
     return operations_of(system, one) <= LARGEST
 
 
+def has_series(system: AbstractSystem, state: Double[Array, "*shape"], times: tuple[float, float]) -> bool:
+    """Return whether a motion of one state between two times has a series, and one that is short enough to pay."""
+    try:
+        check_sizes(np.asarray(state)[None])
+        if not has_short_series(system, state):
+            return False
+        machine_of(system, state, times)
+    except (NoSeries, Untraceable):
+        return False
+    return True
+
+
 def solve_by_series(
     system: AbstractSystem, method: Taylor, state: Double[Array, "..."], times: Float64[np.ndarray, "time"],
     meter: Any = None, step: float | None = None, tolerance: float | None = None, every: int = 1,
@@ -93,8 +105,8 @@ def solve_by_series(
     shaped = lambda x: x.reshape((*batch, *x.shape[1:]))  # noqa: E731
     ends = Ends(shaped(found.status), shaped(found.event), shaped(found.end), shaped(found.end_state),
                 tuple(system.events))  # fmt: skip
-    names, fine = tuple(_names(system, states)), shaped(found.status) != Status.NOT_CONVERGED
-    received = {name: shaped(found.received[..., k]) for k, name in enumerate(names)}
+    fine = shaped(found.status) != Status.NOT_CONVERGED
+    received = {name: shaped(found.received[..., k]) for k, name in enumerate(found.balances)}
     steps = int(found.steps.max())
     if batch or found.status[0] != Status.EVENT:
         return AdaptiveMotion(kept, shaped(found.states), received, None, fine, steps, ends)
@@ -134,8 +146,10 @@ def series_error(
     for kicked in starts_a_rounding_away(system, state):
         gap, lost = _apart(system, fine, second, again(kicked, better))
         grown, failed = np.maximum(grown, gap), failed | lost
-    # what a rounding could make of the motion, it has not made where runs by other steps are much nearer to each other
-    grown = np.minimum(LUCK * off, SAFETY * grown)
+    # what a rounding could make of the motion, it has not made where runs by other steps are much nearer to each other;
+    # but they may be so by chance, and the mean of both is between the two cases
+    between = np.sqrt(np.minimum(off, 1.0) * np.minimum(grown, 1.0))
+    grown = np.minimum(SAFETY * grown, np.maximum(LUCK * off, SAFETY * between))
     error = np.where(off > LARGE, off, np.max([SAFETY * off, grown, np.full(off.shape, FEWEST * EPS)], axis=0))
     return np.where(failed, np.inf, error).reshape(batch)
 
@@ -217,7 +231,3 @@ def check_sizes(states: Double[Array, "copies ..."]) -> None:
             f"`state` must be of a size within {SMALLEST:g} to {1.0 / SMALLEST:g} for Taylor, which multiplies its "
             f"numbers; got {sizes[np.argmax(wrong)]:.3g}. Choose units in which it is nearer to one."
         )
-
-
-def _names(system: AbstractSystem, states: Array) -> list[str]:
-    return list(system.balances(0.0, jnp.asarray(states[0])))

@@ -34,6 +34,7 @@ from polhode.systems.spin_orbit import SpinOrbit
 from polhode.systems.toda import Toda
 from polhode.systems.torqued_body import TorquedBody
 from polhode.systems.torques import AbstractTorque, GravityGradient, LaggedTorque, LinearDrag, QuadraticDrag
+from polhode.systems.variations import Variations
 from polhode.systems.vlasov_poisson import VlasovPoisson, quiet_start
 
 __all__ = [
@@ -82,6 +83,7 @@ __all__ = [
     "Toda",
     "TorquedBody",
     "TorquedGyrostat",
+    "Variations",
     "ViscousContourFriction",
     "VlasovPoisson",
     "exchange_matrix",

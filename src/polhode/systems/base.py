@@ -138,7 +138,7 @@ class AbstractSystem(HashableModule):
         Steps end at them, and no stage of a step looks beyond them. ``simulate`` finds others by trying times, but none
         between which less time passes than between its trials.
         """
-        return jnp.zeros(0)
+        return np.zeros(0)  # of NumPy, as JAX makes an operation of it each time
 
     def layout(self, state: Double[Array, "..."]) -> StateLayout:
         """Return which numbers of packed states like this one mean what."""
@@ -169,7 +169,10 @@ class AbstractSystem(HashableModule):
         return as_finite_state(state, float)
 
     def scales(self, state: Double[Array, "..."]) -> Float64[Array, "..."]:
-        """Return the sizes of the components, to which adaptive steps hold their absolute tolerance."""
+        """Return the sizes of the components, to which adaptive steps hold their absolute tolerance.
+
+        What has an infinite size never shortens a step.
+        """
         largest = jnp.max(jnp.abs(state), initial=0.0)
         return jnp.where(largest > 0, largest, 1.0)
 

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from polhode.taylor.kernel_series import combination, evaluate, fitted_series, nodes, power_of_two
-from polhode.taylor.kernel_zeros import DEPTH, first_zero
+from polhode.taylor.kernel_zeros import DEPTH, first_zero, reach_of
 from polhode.taylor.program import CONSTANT, FIRST, PRODUCTS, SIZE, SLOTS
 from polhode.types import Array, Float64
 
@@ -92,7 +92,7 @@ def advance(
     a = np.zeros((order + 1) * whole[PRODUCTS] + 8)
     b = np.zeros_like(a)
     other = np.zeros(whole_of[SLOTS] + 8), np.zeros(whole_of[PRODUCTS] + 8), np.zeros(whole_of[PRODUCTS] + 8)
-    rows, p, work = np.zeros((wanted.shape[0] + 1, n + 1)), np.zeros(order + 1), np.zeros(order + 1)
+    rows, p, work = np.zeros((wanted.shape[0] + 1, n + 1)), np.zeros((watched, order + 1)), np.zeros(order + 1)
     waiting, point = np.zeros(2 * DEPTH + 8), np.zeros(n)
     for _ in range(limit):
         t = now[0]
@@ -101,6 +101,18 @@ def advance(
             z[i] = y[i]
         unit, length = fitted_series(whole, number, z, a, b, scale, order, reach, now[2], abs(end - t))
         h = min(length * unit, longest)
+        if watched:
+            nodes(whole, number, z, a, b, order)
+        for w in range(watched):
+            row, to_t = whole[FIRST] + n + w, 1.0
+            for k in range(order + 1):
+                p[w, k] = combination(whole, number, z, k * width, row) * to_t  # of the units of time that pass
+                to_t *= forth
+            p[w, 0] += number[whole[CONSTANT] + n + w]
+            ahead = min(h, abs(end - t))
+            reached = unit * reach_of(p[w], order, ahead / unit, reach)
+            if reached < ahead:
+                h = reached
         if not h > SHORTEST * abs(t) or not h > 0.0:
             return FAILED
         now[2] = power_of_two(min(h, abs(end - t)))
@@ -108,24 +120,17 @@ def advance(
         later = end if last else t + forth * h
         h = later - t
         event, first = -1, h
-        if watched:
-            nodes(whole, number, z, a, b, order)
         for w in range(watched):
-            row = whole[FIRST] + n + w
             others, power = 0.0, abs(h) / unit
-            for k in range(order + 1):
-                p[k] = combination(whole, number, z, k * width, row) * forth**k  # of the units of time that pass
-                if k == 0:
-                    p[k] += number[whole[CONSTANT] + n + w]
-                    continue
-                others += abs(p[k]) * power
+            for k in range(1, order + 1):
+                others += abs(p[w, k]) * power
                 power *= abs(h) / unit
-            if abs(p[0]) > others:
+            if abs(p[w, 0]) > others:
                 continue
             low = 0.0
             if counts[4] == w and abs(now[1] - t) <= CLOSE * abs(h) + SHORTEST * abs(t):
                 low = min(CLOSE * abs(h) + 4.0 * SHORTEST * abs(t), abs(h))
-            found = forth * unit * first_zero(p, order, low / unit, abs(h) / unit, falling[w], work, waiting)
+            found = forth * unit * first_zero(p[w], order, low / unit, abs(h) / unit, falling[w], work, waiting)
             if abs(found) <= abs(first):
                 event, first = w, found
         if event >= 0:

@@ -9,7 +9,29 @@ import numpy as np
 from polhode.types import Array
 
 DEPTH = 100  # of intervals that wait to be searched
+ROUNDS = 6  # each of which leaves at most an eighth of the powers of ten by which a step is too long
 NEAREST = 1e-300  # of the last time: the first part ends no earlier
+
+
+def reach_of(p: Array, order: Any, h: Any, reach: Any) -> Any:
+    """Return how far a series may be followed, h at most; 0 where its coefficients are no numbers.
+
+    Its first terms tell its size, as the function itself may be at a zero: of a step that is found, not of h.
+    """
+    found = h
+    for _ in range(ROUNDS):
+        size, power, longest = abs(p[0]), 1.0, found
+        for k in range(1, 4):
+            power *= longest
+            size = max(size, abs(p[k]) * power)
+        for k in range(order - 2, order + 1):
+            if not abs(p[k]) < np.inf:
+                return 0.0
+            if abs(p[k]) > 0.0 and size > 0.0:
+                found = min(found, reach * (size / abs(p[k])) ** (1.0 / k))
+        if found == longest:
+            break
+    return found
 
 
 def polynomial(p: Array, order: Any, x: Any) -> Any:

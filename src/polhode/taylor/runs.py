@@ -60,6 +60,7 @@ class Runs(NamedTuple):
         end_state: (C, *shape) the state then.
         end_received: (C, B) what balances received until then.
         steps: (C,) how many were taken.
+        balances: their names.
     """
 
     states: Double[Array, "..."]
@@ -70,6 +71,7 @@ class Runs(NamedTuple):
     end_state: Double[Array, "..."]
     end_received: Float64[Array, "copies balances"]
     steps: Integer[Array, "copies"]
+    balances: tuple[str, ...]
 
 
 class Plan(NamedTuple):
@@ -126,8 +128,10 @@ def runs_of(
         given = y[k], scale[k], samples[k, 1:], lambda part, k=k: check((k + part) / len(states))
         found.append(_one(plan, *given, times[0], np.zeros((1, 2 + program.size)))[:4])
     status, event, end, steps = (np.array(column) for column in zip(*found, strict=True))
-    extra = slice(form.size, form.size + len(plan.machines[0].balances))
-    return Runs(form.back(samples), samples[..., extra], status, event, end, form.back(y), y[:, extra].copy(), steps)
+    balances = plan.machines[0].balances
+    extra = slice(form.size, form.size + len(balances))
+    received = samples[..., extra], y[:, extra].copy()
+    return Runs(form.back(samples), received[0], status, event, end, form.back(y), received[1], steps, balances)
 
 
 class Crossings(NamedTuple):

@@ -1,0 +1,163 @@
+"""Periodic motions of any system: found by shooting, and judged by their Floquet multipliers."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from polhode.analysis.tangent_flow import TangentFlow, checked_start
+from polhode.arrays import known_numbers_only
+from polhode.errors import InvalidInput, NotConverged, shown
+from polhode.systems.base import AbstractSystem
+from polhode.types import ArrayLike, Complex128, Double, Float64, Real
+
+EPS = float(np.finfo(float).eps)
+ROUNDS = 30  # of Newton's method
+FLAT = 1e-8  # singular values below it, relative to the largest, belong to families and to what is conserved
+CLOSED = 1e-9  # of a state's size: a motion that comes back so near is periodic
+AT_REST = 1e-6  # of a state, by which it moves in a period at least
+FURTHEST = 0.3  # of a state's size and of the period, that one round of Newton's method may move them
+
+
+class PeriodicMotion(NamedTuple):
+    """A motion that comes back to its start, and what becomes of small changes of it.
+
+    Attributes:
+        state: the start.
+        period: [s].
+        gap: by how much it misses its start, relative to the size of the state.
+        monodromy: (n, n) the derivative of the state after a period by the state, in the order of a flat state; of
+            complex states in real and imaginary parts by turns.
+        multipliers: (n,) its eigenvalues, the largest first. One belongs to the direction of the motion and is 1; what
+            is conserved adds ones.
+        errors: (n,) what roundings may have made of each. Ones of a family stand in blocks that no basis takes apart,
+            which are off by the root of a rounding.
+    """
+
+    state: Double[np.ndarray, "..."]
+    period: float
+    gap: float
+    monodromy: Float64[np.ndarray, "n n"]
+    multipliers: Complex128[np.ndarray, "n"]
+    errors: Float64[np.ndarray, "n"]
+
+    @property
+    def growth(self) -> float:
+        """The rate [1/s] at which the fastest small change grows; 0 where no multiplier is beyond the unit circle."""
+        beyond = np.abs(self.multipliers) > 1.0 + self.errors
+        return float(np.log(np.abs(self.multipliers[beyond])).max(initial=0.0) / abs(self.period))
+
+    @property
+    def verdict(self) -> str:
+        """``"unstable"``, or ``"spectrally stable"``: no small change grows exponentially, as far as roundings tell."""
+        return "unstable" if self.growth > 0.0 else "spectrally stable"
+
+
+@known_numbers_only
+def monodromy(
+    system: AbstractSystem, state: Real[ArrayLike, "..."], times: Real[ArrayLike, "2"]
+) -> Float64[np.ndarray, "n n"]:
+    """Return the derivative (n, n) of the state at a last time by that at a first.
+
+    It moves with the motion by the linearised equations, and is as exact as the motion.
+
+    Args:
+        system: what moves.
+        state: one, packed as ``simulate`` takes it; n is how many real numbers it has.
+        times: first and last [s].
+
+    Raises:
+        InvalidInput: for a batch of states, times that are none, or a motion that ends earlier.
+
+    >>> import polhode as ph
+    >>> body = ph.systems.FreeRigidBody((1.0, 2.0, 3.0))  # about its middle axis, unstable at 3^-½ / s
+    >>> bool(abs(ph.analysis.monodromy(body, [0.0, 2.0, 0.0], (0.0, 1.0))[0, 0] - np.cosh(3.0**-0.5)) < 1e-14)
+    True
+    """
+    start, first, last = checked_start(system, state, times)
+    flow = TangentFlow(system, start, (first, last))
+    return flow(first, last, start, np.eye(flow.size))[1]
+
+
+@known_numbers_only
+def periodic_motion(
+    system: AbstractSystem, state: Real[ArrayLike, "..."], period: float, first: float = 0.0, fixed: bool = False
+) -> PeriodicMotion:
+    """Return the periodic motion next to a guess, with its Floquet multipliers.
+
+    Newton's method on the state's return; of a whole family it takes the member that is nearest. The period moves too,
+    unless it is that of what drives the system.
+
+    Args:
+        system: what moves.
+        state: a guess of one state on it, packed as ``simulate`` takes it.
+        period: a guess of its period [s].
+        first: the time [s] at which it is in the state, which matters to driven systems.
+        fixed: whether the period is known, as that of a drive.
+
+    Raises:
+        InvalidInput: for a batch of states, or a period that is not positive.
+        NotConverged: where no periodic motion is found near the guess.
+
+    >>> import polhode as ph
+    >>> body = ph.systems.FreeRigidBody((1.0, 2.0, 3.0))
+    >>> found = periodic_motion(body, [0.3, 0.1, 2.0], 9.5)
+    >>> found.verdict, bool(abs(found.multipliers - 1.0).max() < 1e-5)
+    ('spectrally stable', True)
+
+    Source: Seydel, *Practical Bifurcation and Stability Analysis*, ch. 7; for families Muñoz-Almaraz et al., Physica D
+    181 (2003) 1.
+    """
+    if not (np.ndim(period) == 0 and math.isfinite(period) and period > 0):
+        raise InvalidInput(f"`period` must be a positive finite time [s]; got {shown(period)}.")
+    start, first, _ = checked_start(system, state, (first, first + 1.5 * period))
+    flow = TangentFlow(system, start, (first, first + 1.5 * period))
+    z, T, best = flow.flat(start), float(period), math.inf
+    after, M = flow(first, first + T, start, np.eye(flow.size))
+    for _ in range(ROUNDS):
+        gap, size = flow.flat(after) - z, float(np.linalg.norm(z)) or 1.0
+        off = float(np.linalg.norm(gap)) / size
+        if not math.isfinite(off) or (off >= 0.5 * best and off < CLOSED):
+            break
+        best = min(best, off)
+        slopes = M - np.eye(flow.size)
+        if not fixed:
+            slopes = np.column_stack([slopes, T * flow.rates(first + T, after)])
+        move = -np.linalg.lstsq(slopes, gap, rcond=FLAT)[0]
+        far = max(np.linalg.norm(move[: flow.size]) / size, *np.abs(move[flow.size :]), FURTHEST)
+        z, T = z + FURTHEST / far * move[: flow.size], T if fixed else T * float(1.0 + FURTHEST / far * move[-1])
+        after, M = flow(first, first + T, flow.state(z), np.eye(flow.size))
+    gap, size = flow.flat(after) - z, float(np.linalg.norm(z)) or 1.0
+    off = float(np.linalg.norm(gap)) / size
+    if off < CLOSED and np.linalg.norm(flow.rates(first, flow.state(z))) * T <= AT_REST * size:
+        raise NotConverged(
+            f"what was found near this `state` is an equilibrium of {type(system).__name__}, no motion with a period. "
+            "Give a better guess of `state` and `period`."
+        )
+    if not off < CLOSED:
+        raise NotConverged(
+            f"no periodic motion of {type(system).__name__} was found near this `state` and `period` of {period:g} s: "
+            f"the nearest miss their start by {min(best, off):.2g} of their size. Give a better guess."
+        )
+    return PeriodicMotion(flow.state(z), T, off, M, *_multipliers(M))
+
+
+def _multipliers(matrix: Float64[np.ndarray, "n n"]) -> tuple[np.ndarray, np.ndarray]:
+    """Return the eigenvalues and what roundings of the matrix make of each."""
+    values, vectors = np.linalg.eig(matrix)
+    noise = 100.0 * EPS * np.linalg.norm(matrix)
+    # a group of m eigenvalues that fall together is off by the m-th root of what rounding makes of the matrix
+    errors = np.empty(len(values))
+    with np.errstate(all="ignore"):
+        alignment = 1.0 / (np.linalg.norm(np.linalg.pinv(vectors), axis=1) * np.linalg.norm(vectors, axis=0))
+        simple = noise / np.maximum(alignment, EPS)
+    for k, value in enumerate(values):
+        together = np.sort(np.abs(values - value))
+        sizes = np.arange(1, len(values) + 1)
+        spread = noise ** (1.0 / sizes)
+        within = together <= 10.0 * spread
+        errors[k] = max(float((10.0 * spread[within]).max(initial=0.0)), 0.0) if within[1:].any() else simple[k]
+    order = np.argsort(-np.abs(values), kind="stable")
+    return values[order].astype(complex), errors[order]
