@@ -42,6 +42,7 @@ from . import (
 )
 from .analysis.comparison import AttitudeHistory as AttitudeHistory
 from .analysis.comparison import compare as compare
+from .analysis.continuation import continue_equilibria as continue_equilibria
 from .analysis.equilibria import find_equilibria as find_equilibria
 from .analysis.floquet import monodromy as monodromy
 from .analysis.floquet import periodic_motion as periodic_motion

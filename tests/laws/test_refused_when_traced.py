@@ -185,6 +185,7 @@ REFUSED = {
     "find_equilibria": (AXIS, lambda x: ph.find_equilibria(BODY, x)),
     "simulate": (THREE, lambda x: ph.simulate(BODY, x, (0.0, 1.0))),
     "sections.section": (THREE, lambda x: ph.section(BODY, x, lambda t, point: point[1], (0.0, 1.0))),
+    "continue_equilibria": (AXIS, lambda x: ph.continue_equilibria(lambda a: BODY, (0.0, 1.0), x)),
     "lyapunov.lyapunov": (THREE, lambda x: ph.lyapunov(BODY, x, (0.0, 1.0))),
     "monodromy": (THREE, lambda x: ph.monodromy(BODY, x, (0.0, 1.0))),
     "periodic_motion": (THREE, lambda x: ph.periodic_motion(BODY, x, 9.0)),

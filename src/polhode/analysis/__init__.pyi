@@ -8,6 +8,10 @@ from .cone import cone_angles as cone_angles
 from .cone import rotation_form as rotation_form
 from .cone import velocity_angles as velocity_angles
 from .conserved_function import ConservedFunction as ConservedFunction
+from .continuation import Bifurcation as Bifurcation
+from .continuation import Branch as Branch
+from .continuation import Continuation as Continuation
+from .continuation import continue_equilibria as continue_equilibria
 from .damped_axes import damped_axis_stability as damped_axis_stability
 from .damped_motion import angle_to_axis as angle_to_axis
 from .damped_motion import angle_to_major_axis as angle_to_major_axis

@@ -1,0 +1,229 @@
+"""Equilibria along a parameter: branches, their stability, and where they fold, split or lose it."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Callable, Iterator, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from polhode.algebra.functions import Function
+from polhode.analysis.branches import Family, Place, crossings, followed, is_on, split_at
+from polhode.analysis.conserved import casimirs_of
+from polhode.analysis.equilibria import STARTS, find_equilibria
+from polhode.arrays import known_numbers_only, refuse_single_precision
+from polhode.errors import InvalidInput, shown
+from polhode.systems.base import AbstractLiePoissonSystem
+from polhode.types import ArrayLike, Double, Float64, Real
+
+HALVINGS = 40
+NEAR = 1e-2  # in the same units: bifurcations of branches that cross are one
+SAME = 1e-5  # of the state's size and of the range: places so near are one
+HELD = 1e-6  # of the largest exponent: one with a smaller imaginary part is real
+MOST_BRANCHES = 64
+TURNING = 1e-3  # of a direction: a smaller share of the parameter is none
+FLAT = 1e-8  # of the range, by which another branch leaves the place where it begins
+
+
+class Branch(NamedTuple):
+    """Equilibria that follow one another as a parameter changes.
+
+    Attributes:
+        values: (m,) of the parameter, which may turn back.
+        points: (m, *shape) the equilibria.
+        energies: (m,).
+        verdicts: m of them: ``"stable"`` where the energy is definite on the leaf, which proves it, ``"unstable"``
+            where a small change grows exponentially, else ``"undecided"``, which ``stability`` may decide by more.
+        rates: (m,) largest real part of an exponent [1/s].
+        negative: (m,) how many negative directions the energy has on the leaf.
+    """
+
+    values: Float64[np.ndarray, "m"]
+    points: Double[np.ndarray, "m ..."]
+    energies: Float64[np.ndarray, "m"]
+    verdicts: tuple[str, ...]
+    rates: Float64[np.ndarray, "m"]
+    negative: Float64[np.ndarray, "m"]
+
+
+class Bifurcation(NamedTuple):
+    """Where branches turn back or meet, or lose their stability.
+
+    Attributes:
+        kind: ``"fold"``: a branch turns back; ``"pitchfork"``: another branch touches it, both arms on one side;
+            ``"transcritical"``: another crosses it; ``"branch point"``: another begins that could not be followed;
+            ``"Hamiltonian Hopf"``: exponents meet on the imaginary axis and leave it; ``"exchange"``: the verdict
+            changes in another way.
+        value: of the parameter.
+        point: (*shape) the equilibrium.
+        branches: numbers of those that take part.
+    """
+
+    kind: str
+    value: float
+    point: Double[np.ndarray, "..."]
+    branches: tuple[int, ...]
+
+
+class Continuation(NamedTuple):
+    """All equilibria that were found over a range of a parameter.
+
+    Attributes:
+        branches: in the order in which they were found.
+        bifurcations: by the parameter.
+    """
+
+    branches: tuple[Branch, ...]
+    bifurcations: tuple[Bifurcation, ...]
+
+
+@known_numbers_only
+def continue_equilibria(
+    make: Callable[[float], AbstractLiePoissonSystem],
+    limits: Real[ArrayLike, "2"],
+    state: Real[ArrayLike, "..."],
+    starts: int = STARTS,
+    seed: int = 0,
+    casimirs: Sequence[Function] | None = None,
+) -> Continuation:
+    """Return the equilibria on one leaf of a family of systems, followed along its parameter.
+
+    Those at both ends are found by ``find_equilibria``, and followed by the length of their branch, round folds too. A
+    branch is left by another where a direction of the energy on the leaf changes its sign. A branch that
+    reaches neither end, nor another branch, is not found.
+
+    Args:
+        make: the parameter's value → a system; all on one algebra.
+        limits: lowest and highest value.
+        state: a point of the dual, whose Casimirs' levels all equilibria are on.
+        starts, seed: of ``find_equilibria``.
+        casimirs: as functions of one point, real, instead of those that the algebra names or that are found.
+
+    Raises:
+        InvalidInput: for limits that are none, systems that are not of one kind or lose energy, or what
+            ``find_equilibria`` refuses.
+
+    >>> import polhode as ph, jax.numpy as jnp
+    >>> def spin(field):  # with an easy axis z, in a field along x
+    ...     return ph.systems.LiePoisson(ph.algebra.SO3(), lambda m: -0.5 * m[2] ** 2 - field * m[0])
+    >>> found = ph.continue_equilibria(spin, (0.0, 2.0), [0.0, 0.0, 1.0])
+    >>> [(b.kind, round(b.value, 9)) for b in found.bifurcations]
+    [('pitchfork', 1.0)]
+
+    Source: Keller, in *Applications of Bifurcation Theory* (1977); Seydel, *Practical Bifurcation and Stability
+    Analysis*, ch. 4 and 5; the energy's signs on the leaf, Marsden & Ratiu, *Introduction to Mechanics and Symmetry*,
+    §1.7.
+    """
+    low, high = _limits(limits)
+    systems = [make(low), make(high)]
+    for system in systems:
+        if not isinstance(system, AbstractLiePoissonSystem) or not system.conserves_energy:
+            raise InvalidInput(f"`make` must give Lie–Poisson systems that conserve energy; got {shown(system)}.")
+    family = Family(make, casimirs_of(systems[0].algebra, casimirs).source, np.asarray(state), low, high)
+    begins = [
+        family.place(family.vector(point), value)
+        for value, system in zip((low, high), systems, strict=True)
+        for point in find_equilibria(system, state, starts, seed, casimirs)
+    ]
+    atlas = _Atlas(family, [], [])
+    for begin in begins:
+        # one of a family that does not move with the parameter belongs to this value alone
+        stays = begin.flat.shape[1] and abs(begin.tangent[-1]) < TURNING
+        if not stays and atlas.branch_of(begin) is None:
+            atlas.add(followed(family, begin))
+    for number, path in enumerate(atlas.paths):
+        atlas.meetings.extend((kind, place, [number]) for kind, place in _exchanges(family, path)
+                              if not any(number in m[2] and family.apart(m[1], place) < NEAR
+                                         for m in atlas.meetings))  # fmt: skip
+    found = [Bifurcation(kind, place.value, family.point(place.vector), tuple(sorted(set(numbers))))
+             for kind, place, numbers in atlas.meetings]  # fmt: skip
+    branches = tuple(_branch(family, path) for path in atlas.paths)
+    return Continuation(branches, tuple(sorted(found, key=lambda one: one.value)))
+
+
+class _Atlas(NamedTuple):
+    """Branches as they are found, and where they turn or meet: kind, place, numbers of branches."""
+
+    family: Family
+    paths: list[list[Place]]
+    meetings: list[tuple[str, Place, list[int]]]
+
+    def branch_of(self, place: Place) -> int | None:
+        """Return the number of the known branch that a place is on, or None."""
+        return next((k for k, path in enumerate(self.paths) if is_on(self.family, place, path, SAME)), None)
+
+    def add(self, path: list[Place]) -> None:
+        """Add a branch, and those that leave it."""
+        if len(self.paths) >= MOST_BRANCHES:
+            return
+        number = len(self.paths)
+        self.paths.append(path)
+        for before, place, after in crossings(self.family, path):
+            known = [k for k, m in enumerate(self.meetings) if m[0] != "fold" and self.family.apart(m[1], place) < NEAR]
+            if known:
+                kind, other, numbers = self.meetings[known[0]]
+                # where branches cross, the straighter one tells the better where
+                best = min(other, place, key=lambda one: abs(one.least))
+                self.meetings[known[0]] = kind, best, [*numbers, number]
+                continue
+            if before.tangent[-1] * after.tangent[-1] < 0.0 and self._turns(before, place, after):
+                self.meetings.append(("fold", place, [number]))
+                continue
+            self._split(place, number)
+
+    def _turns(self, before: Place, place: Place, after: Place) -> bool:
+        """Return whether the parameter has its extreme at a place between two."""
+        return (place.value - before.value) * (after.value - place.value) < 0.0 or abs(place.tangent[-1]) < TURNING
+
+    def _split(self, place: Place, number: int) -> None:
+        beside = split_at(self.family, place)
+        sides = [np.sign(one.value - place.value) * (abs(one.value - place.value) > FLAT * self.family.range)
+                 for one in beside]  # fmt: skip
+        kind = "branch point"
+        if len(beside) == 2 and sides[0] * sides[1]:
+            kind = "pitchfork" if sides[0] == sides[1] else "transcritical"
+        numbers = [number]
+        self.meetings.append((kind, place, numbers))
+        owners = [self.branch_of(one) for one in beside]
+        numbers.extend(k for k in owners if k is not None)
+        arms = [followed(self.family, one) for one, owner in zip(beside, owners, strict=True) if owner is None]
+        if not arms:
+            return
+        numbers.append(len(self.paths))
+        self.add([*reversed(arms[1]), place, *arms[0]] if len(arms) == 2 else [place, *arms[0]])
+
+
+def _branch(family: Family, path: list[Place]) -> Branch:
+    points = np.stack([family.point(one.vector) for one in path])
+    values, energies, rates, negative = (
+        np.array([getattr(one, name) for one in path]) for name in ("value", "energy", "rate", "negative")
+    )
+    return Branch(values, points, energies, tuple(one.verdict for one in path), rates, negative)
+
+
+def _exchanges(family: Family, path: list[Place]) -> Iterator[tuple[str, Place]]:
+    """Yield where a change begins to grow though no direction of the energy changes its sign."""
+    for one, other in itertools.pairwise(path):
+        same_signs = (one.negative, one.flat.shape) == (other.negative, other.flat.shape)
+        if (one.rate > 0.0) == (other.rate > 0.0) or not same_signs:
+            continue
+        low, high, last, grows = 0.0, 1.0, one, one if one.rate > 0.0 else other
+        for _ in range(HALVINGS):
+            middle = family.between(one, other, 0.5 * (low + high))
+            if middle is None:
+                break
+            grows = middle if middle.rate > 0.0 else grows
+            same = (middle.rate > 0.0) == (one.rate > 0.0)
+            low, high = (0.5 * (low + high), high) if same else (low, 0.5 * (low + high))
+            last = middle
+        fastest = complex(grows.exponents[np.argmax(np.real(grows.exponents))])
+        yield ("Hamiltonian Hopf" if abs(fastest.imag) > HELD * abs(fastest) else "exchange"), last
+
+
+def _limits(limits: ArrayLike) -> tuple[float, float]:
+    refuse_single_precision(limits=limits)
+    ends = np.asarray(limits, dtype=float)
+    if ends.shape != (2,) or not np.isfinite(ends).all() or not ends[0] < ends[1]:
+        raise InvalidInput(f"`limits` must be a lowest and a higher value, both finite; got {shown(limits)}.")
+    return float(ends[0]), float(ends[1])
