@@ -94,7 +94,7 @@ def solve(
 
     Reverse-mode derivatives of methods of ours go back from one of the times to the one before by steps of the other
     sign, instead of storing the path: the memory does not grow with the steps between two times. What is regained is
-    compared with the motion every 64 steps at most, and computed anew from checkpoints where it is off by more than 32
+    compared with the motion every 64 steps at most, and computed again from checkpoints where it is off by more than 32
     ulps of its size. Second derivatives are forward ones of either mode. Those of diffrax's solvers go back from
     checkpoints, and have first derivatives only. What a function encloses is not differentiated by: give parameters as
     fields of a system or of an ``equinox.Module``. The exact flows of bodies with a potential have forward derivatives
@@ -283,7 +283,7 @@ def _run_one(
     solver = eqx.tree_at(lambda s: s.step_size, solver, size)
     state = jnp.where(size > 0.0, state, jnp.nan)
     fold = isinstance(observe, Fold)
-    # of a function of states, derivatives compute anew what they need; of steps, they go back by themselves
+    # of a function of states, derivatives compute again what they need; of steps, they go back by themselves
     folded = jax.checkpoint(observe.function) if fold else None
 
     def over(carried: tuple[Any, ...], interval: Any) -> tuple[tuple[Any, ...], None]:

@@ -51,7 +51,7 @@ class DiskPath(NamedTuple):
 
 @known_numbers_only
 def first_turns(trajectory: Trajectory, turns: float, samples: int) -> DiskPath:
-    """Return the motion itself, or where its contact goes round more often, so many turns of it, sampled anew.
+    """Return the motion itself, or where its contact goes round more often, so many turns of it, sampled again.
 
     Args:
         trajectory: of one disk, from ``simulate``.

@@ -183,7 +183,7 @@ def _function(
 
 
 def _stable(leaf: Leaf, weights: Array, second: Array, function: ConservedFunction) -> Stability:
-    """State the function; multiples of (C − C⁰)² make it definite across leaves too, hence on all of the space."""
+    """State the function; multiples of (C − C⁰)² make it definite across leaves too, and so on all of the space."""
     sizes, vectors = np.linalg.eigh(second)
     sign = -1.0 if sizes.size and sizes[0] < 0 else 1.0
     root = np.sqrt(sign * sizes)

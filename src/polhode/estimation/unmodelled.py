@@ -29,7 +29,7 @@ class Settled:
     """A solution that allows for what its model leaves out.
 
     Attributes:
-        solution: with its parameters, covariance, residuals and degrees of freedom anew.
+        solution: with its parameters, covariance, residuals and degrees of freedom of the new fit.
         predicted: (n, 3) rates, with the torque [rad/s, device frame].
         torque: rms of the torque over I3 |ω|².
         gain_spread: standard deviation of the gains' entries that the log shows, and what was known beforehand.

@@ -44,7 +44,7 @@ class IsospectralMidpoint(AbstractOrbitSolver):
     system: AbstractLiePoissonSystem
     step_size: Float64[Array, ""]
     own_order: int = eqx.field(static=True)
-    keeps: ClassVar[str] = "the spectrum, hence every Casimir; the Poisson structure; time reversal"
+    keeps: ClassVar[str] = "the spectrum, and so every Casimir; the Poisson structure; time reversal"
 
     def __init__(self, system: AbstractLiePoissonSystem, step_size: Scalar, order: int = DEFAULT_ORDER) -> None:
         stages(order)

@@ -37,7 +37,7 @@ class LieMidpoint(AbstractOrbitSolver):
     step_size: Float64[Array, ""]
     own_order: int = eqx.field(static=True)
     coordinates: str = eqx.field(static=True)
-    keeps: ClassVar[str] = "the coadjoint orbit, hence every Casimir; time reversal"
+    keeps: ClassVar[str] = "the coadjoint orbit, and so every Casimir; time reversal"
 
     def __init__(
         self,

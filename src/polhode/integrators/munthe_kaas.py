@@ -29,7 +29,7 @@ class MuntheKaas(AbstractOrbitSolver):
     system: AbstractLiePoissonSystem
     step_size: Float64[Array, ""]
     own_order: int = eqx.field(static=True)
-    keeps: ClassVar[str] = "the coadjoint orbit, hence every Casimir; the energy drifts"
+    keeps: ClassVar[str] = "the coadjoint orbit, and so every Casimir; the energy drifts"
     symmetric: ClassVar[bool] = False
 
     def __init__(self, system: AbstractLiePoissonSystem, step_size: Scalar, order: int = 4) -> None:

@@ -205,7 +205,7 @@ class _Way:
             gaps = self._sizes((state[0] - first[0]) + (state[1] - first[1]))
             # at the segment's start the state is known, and counts instead of what was regained
             state = jax.tree.map(lambda x, known: jnp.where(k > begin, x, known), state, first)
-            # evaluated anew where it is transposed: with implicit stages in half the time
+            # evaluated again where it is transposed: with implicit stages in half the time
             one = jax.checkpoint(lambda moved, *state: self.one(moved, k, *state))
             _, pull = jax.vjp(one, self.moved, *state)
             moved, *weights = pull(now.weights)

@@ -27,7 +27,7 @@ def write_playground(
     Args:
         path: the file.
         examples: the specs that come with the package, by name.
-        report_of: returns the report on a spec, which may have been kept; computed anew without it.
+        report_of: returns the report on a spec, which may have been kept; computed again without it.
 
     Raises:
         InvalidInput: for a path that cannot be written.

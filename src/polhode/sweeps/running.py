@@ -31,7 +31,7 @@ IN_HAND = 2  # chunks that each thread of a cluster has, so that none waits for 
 ALONE = 20.0  # s of computing for which starting a cluster does not pay
 TRIED = 8  # samples whose time tells what all will cost, where they are computed one by one
 NO_DASHBOARD: Any = None
-# Dask's own makes the C library give each array back to the system at once, and take pages anew for the next: six
+# Dask's own makes the C library give each array back to the system at once, and take new pages for the next: six
 # times the CPU time. One thread each, as there is a worker to a core.
 ENVIRONMENT = {"MALLOC_TRIM_THRESHOLD_": str(2**28), "MALLOC_MMAP_THRESHOLD_": str(2**27),
                "OMP_NUM_THREADS": "1", "MKL_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}  # fmt: skip

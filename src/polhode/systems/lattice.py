@@ -16,7 +16,7 @@ SMALL = 1e-12  # of the cell's size: vectors nearer to one plane span no cell
 class Lattice:
     """A Bravais lattice with a basis, in one to three dimensions: shape[k] cells along the k-th vector.
 
-    Numbers, hence equal and hashed by value. In fewer than three dimensions the missing axes have one cell.
+    Numbers, so it is equal and hashed by value. In fewer than three dimensions the missing axes have one cell.
 
     Args:
         vectors: (d, e) rows are the vectors of the cell, d ≤ e ≤ 3, in any unit of length.

@@ -54,7 +54,7 @@ class RollingMechanics(eqx.Module):
         return (inner - m * self.gravity * (a * c - b * s)) / (A + m * a * a + m * b * b)
 
     def transport(self, theta: Operand, w2: Operand, w3: Operand) -> tuple[Result, Result]:
-        """Return d(ω2, ω3)/dθ without couples: linear in both, whence two linear integrals."""
+        """Return d(ω2, ω3)/dθ without couples: linear in both, so that there are two linear integrals."""
         m, a, b, A, C = self._constants
         cot = jnp.cos(theta) / jnp.sin(theta)
         tau2 = C * w3 - (A + m * b * b) * w2 * cot - m * a * b * w2
