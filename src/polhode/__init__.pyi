@@ -43,10 +43,11 @@ from . import (
 from .analysis.comparison import AttitudeHistory as AttitudeHistory
 from .analysis.comparison import compare as compare
 from .analysis.continuation import continue_equilibria as continue_equilibria
+from .analysis.enclosures import certify as certify
 from .analysis.equilibria import find_equilibria as find_equilibria
 from .analysis.floquet import monodromy as monodromy
 from .analysis.floquet import periodic_motion as periodic_motion
-from .analysis.lyapunov import lyapunov as lyapunov
+from .analysis.lyapunov_exponents import lyapunov as lyapunov
 from .analysis.sections import section as section
 from .analysis.stability import stability as stability
 from .analysis.twist import racket_twist as racket_twist

@@ -6,7 +6,7 @@ import pytest
 from scipy.special import mathieu_a, mathieu_b
 
 import polhode as ph
-from analysis.test_lyapunov import Lorenz
+from analysis.test_lyapunov_exponents import Lorenz
 from polhode.analysis.floquet import monodromy, periodic_motion
 from polhode.errors import InvalidInput, NotConverged
 

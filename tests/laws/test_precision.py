@@ -92,6 +92,8 @@ ENTRIES = {
     "section times": ((0.0, 1.0), lambda x: ph.section(BODY, THREE, lambda t, point: point[1], x)),
     "continue_equilibria": ((0.0, 1.0, 0.0), lambda x: ph.continue_equilibria(
         lambda a: systems.FreeRigidBody((1.0, 2.0, 3.0 + a)), (0.0, 1.0), x, starts=4)),
+    "certify state": (THREE, lambda x: ph.certify(BODY, x, (0.0, 0.1))),
+    "certify times": ((0.0, 0.1), lambda x: ph.certify(BODY, THREE, x)),
     "lyapunov state": (THREE, lambda x: ph.lyapunov(BODY, x, (0.0, 1.0))),
     "lyapunov times": ((0.0, 1.0), lambda x: ph.lyapunov(BODY, THREE, x)),
     "monodromy state": (THREE, lambda x: ph.monodromy(BODY, x, (0.0, 1.0))),

@@ -33,6 +33,8 @@ from .disk_turns import (
 from .disk_turns import (
     rolling_path as rolling_path,
 )
+from .enclosures import Enclosure as Enclosure
+from .enclosures import certify as certify
 from .energy_casimir import Stability as Stability
 from .energy_sink import flat_spin_time as flat_spin_time
 from .energy_sink import sink_rate_by_loss as sink_rate_by_loss
@@ -54,8 +56,8 @@ from .light_curves import LightCurveLines as LightCurveLines
 from .light_curves import ellipsoid_brightness as ellipsoid_brightness
 from .light_curves import light_curve as light_curve
 from .light_curves import light_curve_lines as light_curve_lines
-from .lyapunov import LyapunovExponents as LyapunovExponents
-from .lyapunov import lyapunov as lyapunov
+from .lyapunov_exponents import LyapunovExponents as LyapunovExponents
+from .lyapunov_exponents import lyapunov as lyapunov
 from .manakov_rotations import plane_rotation_exponents as plane_rotation_exponents
 from .mechanics import Mechanics as Mechanics
 from .mechanics import invariants_along as invariants_along

@@ -143,7 +143,7 @@ def tidy(axes: Any) -> None:
 
 
 def show_constant(axes: Any, values: Any, around: float) -> None:
-    """Give a curve that is constant but for rounding a range on either side, so that rounding does not fill the axes."""
+    """Give a curve that is constant but for rounding a range, so that rounding does not fill the axes."""
     low, high = float(np.min(values)), float(np.max(values))
     if high - low <= CONSTANT * max(abs(low), abs(high)):
         axes.set_ylim(low - around, high + around)

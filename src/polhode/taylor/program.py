@@ -55,7 +55,7 @@ class Program(NamedTuple):
 
 def program_of(tape: Tape, outputs: list[Expression]) -> Program:
     """Return the program that computes outputs, without the nodes that they do not need."""
-    needed = _needed(tape, outputs)
+    wanted = needed(tape, outputs)
     level = [0] * tape.size
     for node in tape.nodes:
         level.append(1 + max((level[k] for k in node.arguments), default=0))
@@ -79,7 +79,7 @@ def program_of(tape: Tape, outputs: list[Expression]) -> Program:
         number.append(value)
 
     for step in range(1, max(level) + 1):
-        of_step = [k for k in needed if level[k] == step]
+        of_step = [k for k in wanted if level[k] == step]
         by = {k: tape.nodes[k - tape.size] for k in of_step}
         for k in (k for k in of_step if by[k].operation is Operation.AFFINE):
             row = combine(list(zip(by[k].arguments, by[k].coefficients, strict=True)))
@@ -117,7 +117,7 @@ def program_of(tape: Tape, outputs: list[Expression]) -> Program:
     return Program(whole, np.concatenate([np.array(values, float) for values in numbers.values()]))
 
 
-def _needed(tape: Tape, outputs: list[Expression]) -> list[int]:
+def needed(tape: Tape, outputs: list[Expression]) -> list[int]:
     """Return the nodes that outputs are made of, in order; a sine and its cosine together."""
     found: set[int] = set()
     left = [k for x in outputs for k in x.terms]

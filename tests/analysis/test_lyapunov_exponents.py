@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 import polhode as ph
-from polhode.analysis.lyapunov import lyapunov
+from polhode.analysis.lyapunov_exponents import lyapunov
 from polhode.errors import InvalidInput
 from sweeping import first
 
