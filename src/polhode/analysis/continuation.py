@@ -31,7 +31,7 @@ class Branch(NamedTuple):
 
     Attributes:
         values: (m,) of the parameter, which may turn back.
-        points: (m, *shape) the equilibria.
+        points: (m, …) the equilibria.
         energies: (m,).
         verdicts: m of them: ``"stable"`` where the energy is definite on the leaf, which proves it, ``"unstable"``
             where a small change grows exponentially, else ``"undecided"``, which ``stability`` may decide by more.
@@ -56,7 +56,7 @@ class Bifurcation(NamedTuple):
             ``"Hamiltonian Hopf"``: exponents meet on the imaginary axis and leave it; ``"exchange"``: the verdict
             changes in another way.
         value: of the parameter.
-        point: (*shape) the equilibrium.
+        point: (…) the equilibrium.
         branches: numbers of those that take part.
     """
 

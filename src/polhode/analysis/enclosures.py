@@ -36,8 +36,8 @@ class Enclosure(NamedTuple):
 
     Attributes:
         times: (T,) [s].
-        states: (T, *shape) the nearest doubles.
-        radii: (T, *shape) by how much each number of the true state may differ from them at most; of complex states
+        states: (T, …) the nearest doubles.
+        radii: (T, …) by how much each number of the true state may differ from them at most; of complex states
             each of real and imaginary part.
         exact: whether the numbers in the system's fields were taken as they are. Otherwise what is computed of them was
             rounded to doubles, and the enclosure is of the system with those.

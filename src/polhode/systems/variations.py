@@ -15,7 +15,7 @@ from polhode.types import Array, ArrayLike, Double, Float64, Real
 class Variations(AbstractSystem):
     """A system, and changes of its state that move as small differences of two motions do: δ̇ = Df(x) δ.
 
-    A state (1 + count, *shape) is one of the system, and after it the changes. Each moves by itself, so that they
+    A state (1 + count, …) is one of the system, and after it the changes. Each moves by itself, so that they
     may have any size. Of a complex state a change is a direction in its real and imaginary parts.
 
     Args:
@@ -51,7 +51,7 @@ class Variations(AbstractSystem):
         return self.system.jumps
 
     def first(self, state: Double[Array, "..."]) -> Double[Array, "..."]:
-        """Return the system's own state of states (…, 1 + count, *shape)."""
+        """Return the system's own state of states (…, 1 + count, …)."""
         return jnp.take(state, 0, axis=jnp.ndim(state) - self.state_axes)
 
     def vector_field(self, t: Real[ArrayLike, "..."], state: Double[Array, "*shape"]) -> Double[Array, "*shape"]:
