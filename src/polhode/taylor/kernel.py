@@ -27,6 +27,7 @@ def back_onto(
     """Move a state by one Newton step onto what is conserved: the outputs are the values, then their gradients.
 
     Gradients that nearly depend on those before them are left out, as at an equilibrium, where nothing is to be gained.
+    What has an infinite scale is left where it is.
     """
     n, count, kept = whole[SIZE], wanted.shape[0], 0
     for i in range(n):
@@ -38,7 +39,7 @@ def back_onto(
         for i in range(n):
             o = count + c * n + i
             slope = combination(whole, number, z, 0, whole[FIRST] + o) + number[whole[CONSTANT] + o]
-            rows[kept, i] = slope * scale[i]
+            rows[kept, i] = slope * scale[i] if scale[i] < np.inf else 0.0
             square += rows[kept, i] * rows[kept, i]
         # what the earlier ones move is taken out, of gradient and of what is missing
         for e in range(kept):
@@ -60,7 +61,8 @@ def back_onto(
         kept += 1
     for e in range(kept):
         for i in range(n):
-            y[i] += rows[e, n] * rows[e, i] * scale[i]
+            if scale[i] < np.inf:
+                y[i] += rows[e, n] * rows[e, i] * scale[i]
 
 
 def advance(
