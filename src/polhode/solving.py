@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
@@ -23,11 +24,14 @@ from polhode.integrators.base import AbstractOrbitSolver, Memory
 from polhode.integrators.lie_midpoint import LieMidpoint
 from polhode.integrators.probing import naming_jumps, undeclared_jumps
 from polhode.integrators.sampled import Observe, Sampled, as_floats, sampled_by_either_mode
+from polhode.integrators.series import Taylor, is_series
+from polhode.integrators.series_operation import series_solution
 from polhode.integrators.spherical_midpoint import SphericalMidpoint
 from polhode.integrators.splitting import Splitting
 from polhode.motion.outcome import Status
 from polhode.systems.agreement import MOMENTS_OF_TIME, moves_by_generator
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
+from polhode.taylor.runs import precision_of
 from polhode.types import Array, ArrayLike, Double, Float64, Integer, Real
 
 STEP_ANGLE = 0.05  # rad by which the fastest rotation turns in a default step of low order
@@ -79,7 +83,7 @@ def solve(
     system: AbstractSystem,
     state: Real[ArrayLike, "..."],
     times: Real[ArrayLike, "time"],
-    method: type[AbstractOrbitSolver] | diffrax.AbstractSolver | None = None,
+    method: type[AbstractOrbitSolver | Taylor] | diffrax.AbstractSolver | Taylor | None = None,
     step: Real[ArrayLike, ""] | None = None,
     order: int | None = None,
     tolerance: Real[ArrayLike, ""] | None = None,
@@ -107,11 +111,14 @@ def solve(
         system: what moves.
         state: (batch…, …) packed, as for ``simulate``.
         times: (T,) [s], in one direction.
-        method: a class or object of ``polhode.integrators`` other than ``Taylor``, or any diffrax solver; by default
-            what ``simulate`` takes where there is no Taylor series.
+        method: a class or object of ``polhode.integrators``, or any diffrax solver; by default what ``simulate`` takes
+            where there is no Taylor series. ``Taylor`` goes on the host, takes its numbers within compiled functions,
+            and has first derivatives by tangents, all in one run, and second ones by differences of these. It takes
+            systems without events and jumps, whose rates have series in the numbers of their fields too.
         step: largest step [s]; by default from each copy's fastest rotation at the start.
         order: of the method, by default its own.
-        tolerance: of a step of diffrax's solvers, relative; by default 1e-12.
+        tolerance: of a step of diffrax's solvers, relative, by default 1e-12; of Taylor's a known number, by default
+            below rounding.
         save: every how many-th of the times to save; or a function of time and one state, whose values are saved
             instead; or a ``Fold``, whose result does not grow with the times, and which needs one of our methods.
         memory: that of an earlier run by the same method and step, whose ``end_state`` is given as the state: then the
@@ -138,6 +145,8 @@ def solve(
         # within a compiled function all that is computed is traced
         if not is_traced(state, times, jnp.negative(0.0), *jax.tree.leaves(system)):
             system = naming_jumps(system, undeclared_jumps(system, state, times))
+        if is_series(method):
+            return _by_series(system, state, times, method, step, order, tolerance, every, observe)
         if goes_along_orbit(system, method):
             if tolerance is not None:
                 raise InvalidInput("`tolerance` goes with diffrax's solvers; give `step`, or let `simulate` choose it.")
@@ -212,6 +221,48 @@ def _adaptively(
     for _ in range(jnp.ndim(state) - system.state_axes):
         one = jax.vmap(one)
     return one(jnp.asarray(state))
+
+
+def _by_series(
+    system: AbstractSystem, state: Array, times: Array, method: Any, step: Any, order: int | None, tolerance: Any,
+    every: int, observe: Any,
+) -> Solution:  # fmt: skip
+    if is_traced(step, tolerance):
+        raise InvalidInput("`step` and `tolerance` of Taylor must be known numbers, not traced ones.")
+    method = Taylor(order) if method is Taylor else method
+    if order is not None and method.order != order:
+        raise InvalidInput("`order` goes with the class; the object of Taylor that is given has its own.")
+    precision = precision_of(None if tolerance is None else float(tolerance), method.order)
+    found = series_solution(system, state, times, precision, math.inf if step is None else float(step))
+    axis, kept = jnp.ndim(found.failed), jnp.asarray(times)[::every]
+    saved, received = found.states, found.received
+    if isinstance(observe, Fold):
+        saved = _folded(observe, jnp.asarray(times), found.states, axis)
+        received = {}
+    elif observe is not None:
+        seen = jax.vmap(lambda t, one: as_floats(observe(t, one)))
+        for _ in range(axis):
+            seen = jax.vmap(seen, (None, 0))
+        saved = seen(jnp.asarray(times), found.states)
+    else:
+        saved = saved[(slice(None),) * axis + (slice(None, None, every),)]
+        received = {name: value[..., ::every] for name, value in received.items()}
+    status = jnp.where(found.failed, Status.NOT_CONVERGED, Status.COMPLETED)
+    end = jnp.where(found.failed, jnp.nan, jnp.asarray(times)[-1])
+    none = jnp.zeros_like(found.steps)
+    return Solution(kept, saved, received, status, none - 1, end, jnp.take(found.states, -1, axis=axis), found.steps,
+                    none)  # fmt: skip
+
+
+def _folded(fold: Fold, times: Array, states: Array, axis: int) -> Any:
+    """Return what a ``Fold`` comes to over all samples."""
+
+    def one(path: Array) -> Any:
+        return jax.lax.scan(lambda value, at: (fold.function(value, *at), None), fold.start, (times, path))[0]
+
+    for _ in range(axis):
+        one = jax.vmap(one)
+    return one(states)
 
 
 # ---------------------------------------------------------------------- equal steps

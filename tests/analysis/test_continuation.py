@@ -51,7 +51,7 @@ def test_a_rotor_makes_the_middle_axis_stable_by_a_pitchfork():
 def test_a_top_falls_asleep_by_a_hamiltonian_hopf_bifurcation():
     """An upright top is unstable above mgl = (I3 ω)²/(4 I1); its circle of rests that lean is one branch."""
     make = lambda mgl: ph.systems.HeavyTop((1.0, 1.0, 0.5), mgl)  # noqa: E731
-    found = ph.continue_equilibria(make, (0.1, 2.0), [0.0, 0.0, 2.0, 0.0, 0.0, 1.0])
+    found = ph.continue_equilibria(make, (0.1, 2.0), [0.0, 0.0, 2.0, 0.0, 0.0, 1.0], starts=16)
     (one,) = found.bifurcations
     assert one.kind == "Hamiltonian Hopf" and abs(one.value - 1.0) < 1e-9
     assert np.abs(one.point - [0.0, 0.0, 2.0, 0.0, 0.0, 1.0]).max() < 1e-9 and len(found.branches) == 3

@@ -141,7 +141,7 @@ class _Written(NamedTuple):
     timed: bool
 
 
-@lru_cache(maxsize=64)
+@lru_cache(maxsize=256)
 def _written(given: AbstractSystem | _Unhashable, form: Form, through: Event | None) -> _Written:
     system = given.system if isinstance(given, _Unhashable) else given
     balances: list[str] = []
@@ -160,7 +160,7 @@ def _written(given: AbstractSystem | _Unhashable, form: Form, through: Event | N
     return _Written(closed, tuple(balances), uses_first(closed))
 
 
-@lru_cache(maxsize=64)
+@lru_cache(maxsize=256)
 def _machine(given: AbstractSystem | _Unhashable, form: Form, between: Span, through: Event | None) -> Machine:
     system = given.system if isinstance(given, _Unhashable) else given
     closed, balances, timed = _written(given, form, through)

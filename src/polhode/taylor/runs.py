@@ -102,6 +102,7 @@ def runs_of(
     precision: Precision,
     longest: float = math.inf,
     check: Callable[[float], None] = lambda share: None,
+    scales: Float64[Array, "copies n"] | None = None,
 ) -> Runs:
     """Return the motions of states at times, which need not be ends of steps.
 
@@ -112,6 +113,7 @@ def runs_of(
         precision: of the steps.
         longest: step [s].
         check: called with the share that is done, between parts of a long run.
+        scales: sizes of the components, infinite of those that shorten no step; by default the system's.
 
     Raises:
         Untraceable: if the system's rates are not made of operations that have a recurrence.
@@ -120,7 +122,11 @@ def runs_of(
     form, program = plan.machines[0].form, plan.machines[0].program
     y = np.zeros((len(states), program.size))
     y[:, : form.size] = form.flat(states)
-    scale = _scales(system, states, times[0], plan.machines[0], program.size)
+    if scales is None:
+        scale = _scales(system, states, times[0], plan.machines[0], program.size)
+    else:
+        scale = np.full((len(states), program.size), np.inf)
+        scale[:, : form.size] = scales
     samples = np.full((len(states), len(times), program.size), np.inf)
     samples[:, 0] = y  # without the time, which no state has
     found = []

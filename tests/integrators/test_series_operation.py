@@ -1,0 +1,135 @@
+"""Taylor series within functions that JAX compiles, batches and differentiates, against closed forms."""
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+import numpy as np
+import pytest
+
+import polhode as ph
+from polhode import systems
+from polhode.errors import InvalidInput
+from polhode.integrators import LieMidpoint, Taylor
+from polhode.motion import Status
+
+MOMENTS, START = jnp.array([1.0, 2.0, 3.0]), jnp.array([0.3, 1.8, 1.5])
+BODY, TIMES = systems.FreeRigidBody(MOMENTS), jnp.linspace(0.0, 5.0, 6)
+
+
+def moved(moments, momentum, times=TIMES):
+    body = eqx.tree_at(lambda b: b.moments, BODY, moments)
+    return ph.solve(body, momentum, times, Taylor).saved
+
+
+def exact(moments, momentum, times=TIMES):
+    return ph.FreeMotion(moments, momentum, epoch=times[0]).momentum(times)
+
+
+def test_values_are_those_of_the_motion_compiled_or_not():
+    for solve in (moved, jax.jit(moved)):
+        assert np.abs(solve(MOMENTS, START) - exact(MOMENTS, START)).max() < 2e-15
+    found = ph.solve(BODY, START, TIMES, Taylor)
+    assert found.status == Status.COMPLETED and found.end == 5.0 and found.event == -1 and found.steps > 10
+    assert np.abs(found.end_state - exact(MOMENTS, START)[-1]).max() < 2e-15
+
+
+@pytest.mark.parametrize("by", [0, 1], ids=["moments", "start"])
+@pytest.mark.parametrize("mode", [jax.jacfwd, jax.jacrev])
+def test_derivatives_are_those_of_the_closed_form(by, mode):
+    found, wanted = jax.jit(mode(moved, by))(MOMENTS, START), jax.jacfwd(exact, by)(MOMENTS, START)
+    assert np.abs(found - wanted).max() < 1e-12
+
+
+def test_derivatives_by_every_time():
+    """By the first time as well, from which the motion begins."""
+    found = jax.jacrev(lambda times: moved(MOMENTS, START, times))(TIMES)
+    wanted = jax.jacfwd(lambda times: exact(MOMENTS, START, times))(TIMES)
+    assert np.abs(found - wanted).max() < 1e-12 and np.abs(found[0]).max() == 0.0
+
+
+def test_second_derivatives():
+    weigh = lambda solve: lambda x: jnp.sum(solve(MOMENTS, x)[-1] * jnp.array([1.0, -0.5, 0.3]))  # noqa: E731
+    found, wanted = jax.hessian(weigh(moved))(START), jax.hessian(weigh(exact))(START)
+    assert np.abs(found - wanted).max() < 1e-8 * np.abs(wanted).max()
+
+
+def test_batches_are_their_copies():
+    starts, moments = jnp.stack([START, 3.0 * START]), jnp.stack([MOMENTS, MOMENTS[::-1]])
+    for k, (m, x) in enumerate(zip(moments, starts, strict=True)):
+        both = jax.vmap(moved)(moments, starts)
+        np.testing.assert_array_equal(both[k], moved(m, x))
+    np.testing.assert_array_equal(ph.solve(BODY, starts, TIMES, Taylor).saved[1], moved(MOMENTS, starts[1]))
+
+
+def test_what_is_saved_may_be_less_or_a_function():
+    every = ph.solve(BODY, START, TIMES, Taylor, save=2)
+    np.testing.assert_array_equal(every.saved, moved(MOMENTS, START)[::2])
+    np.testing.assert_array_equal(every.times, TIMES[::2])
+    sizes = ph.solve(BODY, START, TIMES, Taylor, save=lambda t, x: x @ x).saved
+    largest = ph.solve(BODY, START, TIMES, Taylor, save=ph.Fold(lambda v, t, x: jnp.maximum(v, x @ x), 0.0)).saved
+    assert sizes.shape == (6,) and largest == sizes.max()
+
+
+def test_what_balances_received_is_integrated_and_differentiated():
+    """A body that is braked loses what its drag takes: T and what it received differ by a constant, at any drag."""
+
+    braked = systems.RigidBody((1.0, 2.0, 3.0), torques=[systems.LinearDrag((0.1, 0.1, 0.1))])
+
+    def left(drag):
+        body = eqx.tree_at(lambda b: b.torques[0].coefficient, braked, drag * jnp.ones(3))
+        found = ph.solve(body, body.pack(angular_velocity=(0.3, 0.9, 0.5)), TIMES, Taylor)
+        energy = jax.vmap(lambda t, x: body.balances(t, x)["kinetic_energy"].value)(TIMES, found.saved)
+        return found.received["kinetic_energy"], energy - found.received["kinetic_energy"]
+
+    received, constant = left(0.1)
+    slopes, none = jax.jacfwd(left)(0.1)
+    assert received[-1] < -0.1 and np.ptp(constant) < 1e-15 and slopes[-1] < -0.1 and np.abs(none).max() < 1e-14
+
+
+def test_complex_states():
+    system = systems.LiePoisson(ph.algebra.SU(2), lambda m: jnp.real(1j * (m[..., 0, 0] - m[..., 1, 1])))
+    of = ph.algebra.SU(2).from_dual_vector
+    end = lambda x: ph.solve(system, of(x), TIMES, Taylor).end_state  # noqa: E731
+    steps = lambda x: ph.solve(system, of(x), TIMES, LieMidpoint).end_state  # noqa: E731
+    x = jnp.array([0.3, 0.4, 0.5])
+    assert np.abs(end(x) - steps(x)).max() < 1e-13
+    parts = lambda f: lambda x: jnp.stack([jnp.real(f(x)), jnp.imag(f(x))])  # noqa: E731
+    assert np.abs(jax.jacfwd(parts(end))(x) - jax.jacfwd(parts(steps))(x)).max() < 1e-12
+
+
+class Growing(systems.AbstractSystem):
+    rate: jax.Array
+
+    def vector_field(self, t, state):
+        return self.rate * state**2
+
+    def invariants(self, state):
+        return {}
+
+
+def test_what_runs_away_says_so():
+    found = jax.jit(lambda r: ph.solve(Growing(r), jnp.ones(1), jnp.array([0.0, 0.5, 1.5]), Taylor))(jnp.asarray(1.0))
+    assert found.status == Status.NOT_CONVERGED and np.isnan(found.end)
+    assert abs(found.saved[1, 0] - 2.0) < 1e-14 and not np.isfinite(found.saved[2, 0])
+    nothing = ph.solve(Growing(jnp.asarray(jnp.nan)), jnp.ones(1), jnp.array([0.0, 0.5]), Taylor)
+    assert nothing.status == Status.NOT_CONVERGED
+
+
+class Ending(Growing):
+    @property
+    def events(self):
+        return {"end": lambda t, state: 2.0 - state[0]}
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda: ph.solve(Ending(jnp.asarray(1.0)), jnp.ones(1), TIMES, Taylor), "as it has events or jumps"),
+        (lambda: ph.solve(systems.SpinOrbit(0.3, 0.1), jnp.ones(2), TIMES, Taylor), "no Taylor series in its numbers"),
+        (lambda: jax.jit(lambda x: ph.solve(BODY, START, TIMES, Taylor, tolerance=x).saved)(1e-8), "known numbers"),
+        (lambda: ph.solve(BODY, START, TIMES, Taylor(12), order=8), "the object of Taylor that is given has its own"),
+    ],
+)
+def test_what_it_cannot_do_is_refused(call, words):
+    with pytest.raises(InvalidInput, match=words):
+        call()
