@@ -91,6 +91,11 @@ def test_parameters_are_exact():
         assert found.exact and abs(at - exact) <= radius < abs(exact - rounded)
 
 
+def test_what_rests_is_where_it_was():
+    found = ph.certify(ph.systems.FreeRigidBody(MOMENTS), [0.0, 0.0, 0.0], [0.0, 1.0])
+    assert (found.states == 0.0).all() and found.radii.max() < 1e-15
+
+
 def test_complex_states_and_other_directions_of_time():
     system = ph.systems.LiePoisson(ph.algebra.SU(2), lambda m: jnp.real(1j * (m[..., 0, 0] - m[..., 1, 1])))
     start = np.asarray(ph.algebra.SU(2).from_dual_vector(np.array([0.3, 0.4, 0.5])))

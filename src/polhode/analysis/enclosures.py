@@ -9,6 +9,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode.analysis.tangent_flow import one_state
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.integrators.interrupts import interrupts_kept
@@ -72,7 +73,7 @@ def certify(
         system: what moves; its rates must be made of products, powers and elementary functions.
         state: one, packed as ``simulate`` takes it: the doubles are taken as exact numbers.
         times: (T,) [s], in one direction; the first is the start's.
-        radius: that is wanted, relative to the largest number of each state; that of the doubles given is added.
+        radius: that is wanted, relative to the largest number of the start; that of the doubles given is added.
 
     Raises:
         InvalidInput: for a batch of states, times out of order, a system with jumps or events between the times, or
@@ -101,8 +102,8 @@ def certify(
             f"{type(system).__name__} has no Taylor series, and no proof by one: its rates of change contain {error}."
         ) from None
     weights, grown, steps = _looked_ahead(system, balls, start, times)
-    # of the weighted norm, whose smallest weight turns it into the radius that is asked for
-    wanted = radius * float(np.min(np.max(np.abs(_flat(balls, start))) / weights))
+    # of the weighted norm, whose largest weight turns it into the radius that is asked for
+    wanted = radius * (float(np.abs(_flat(balls, start)).max()) or 1.0) / float(weights.max())
     digits = math.log(max(steps, 1.0)) + grown + SPARE - math.log(min(wanted, 1.0))
     order, bits = math.ceil(digits / -math.log(SHARE)), math.ceil(digits / math.log(2.0)) + 32
     if order > MOST_ORDER or bits > MOST_BITS:
@@ -353,12 +354,8 @@ def _flat(balls: BallSystem, start: Array) -> Float64[np.ndarray, "n"]:
 def _checked(
     system: AbstractSystem, state: ArrayLike, times: ArrayLike, radius: float
 ) -> tuple[Double[np.ndarray, "..."], Float64[np.ndarray, "time"]]:
-    if not isinstance(system, AbstractSystem):
-        raise InvalidInput(f"`system` must be one of polhode.systems; got {type(system).__name__}.")
     refuse_single_precision(times=times)
-    start, values = np.asarray(system.check_state(state)), np.asarray(times, dtype=float)
-    if np.ndim(start) != system.state_axes:
-        raise InvalidInput(f"`state` must be one state, no batch; got shape {np.shape(start)}. Call it for each.")
+    start, values = one_state(system, state), np.asarray(times, dtype=float)
     gaps = np.sign(np.diff(values))
     if values.ndim != 1 or len(values) < 2 or not np.isfinite(values).all() or not (gaps * gaps[:1] > 0).all():
         raise InvalidInput(f"`times` must be at least two finite times [s] in one direction; got {shown(times)}.")

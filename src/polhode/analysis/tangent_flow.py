@@ -74,6 +74,20 @@ class TangentFlow:
         return self.flat(np.asarray(self._system.vector_field(jnp.asarray(t), jnp.asarray(state))))
 
 
+def one_state(system: AbstractSystem, state: Real[ArrayLike, "..."]) -> Double[np.ndarray, "..."]:
+    """Return one state of a system.
+
+    Raises:
+        InvalidInput: for what is no system, or a batch of states.
+    """
+    if not isinstance(system, AbstractSystem):
+        raise InvalidInput(f"`system` must be one of polhode.systems; got {type(system).__name__}.")
+    start = np.asarray(system.check_state(state))
+    if np.ndim(start) != system.state_axes:
+        raise InvalidInput(f"`state` must be one state, no batch; got shape {np.shape(start)}. Call it for each.")
+    return start
+
+
 def checked_start(
     system: AbstractSystem, state: Real[ArrayLike, "..."], times: Real[ArrayLike, "2"]
 ) -> tuple[Double[np.ndarray, "..."], float, float]:
@@ -82,12 +96,8 @@ def checked_start(
     Raises:
         InvalidInput: for what is no system, a batch of states, or times that are none.
     """
-    if not isinstance(system, AbstractSystem):
-        raise InvalidInput(f"`system` must be one of polhode.systems; got {type(system).__name__}.")
     refuse_single_precision(times=times)
-    start, ends = np.asarray(system.check_state(state)), np.asarray(times, dtype=float)
-    if np.ndim(start) != system.state_axes:
-        raise InvalidInput(f"`state` must be one state, no batch; got shape {np.shape(start)}. Call it for each.")
+    start, ends = one_state(system, state), np.asarray(times, dtype=float)
     if ends.shape != (2,) or not np.isfinite(ends).all() or ends[0] == ends[1]:
         raise InvalidInput(f"`times` must be a first and another last time [s], both finite; got {shown(times)}.")
     return start, float(ends[0]), float(ends[1])
