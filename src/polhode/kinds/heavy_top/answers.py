@@ -1,4 +1,4 @@
-"""The plain answers about a heavy top: any body about a fixed point, by splitting into exact flows."""
+"""The plain answers about a heavy top: any body about a fixed point, by Taylor series or splitting into exact flows."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ class HeavyTopReport(TopReport):
 
 
 def report_of(spec: Spec) -> HeavyTopReport:
-    """Return the report on any body about a fixed point, by splitting into exact flows.
+    """Return the report on any body about a fixed point, by Taylor series or splitting into exact flows.
 
     Raises:
         InvalidInput: for a body without mass.
