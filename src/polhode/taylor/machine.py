@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from functools import lru_cache
 from typing import Any, NamedTuple
@@ -39,7 +40,7 @@ class Form(NamedTuple):
     @property
     def size(self) -> int:
         """How many real numbers there are."""
-        return int(np.prod(self.shape)) * (2 if self.is_complex else 1)
+        return math.prod(self.shape) * (2 if self.is_complex else 1)
 
     def flat(self, states: Array) -> Float64[Array, "*batch n"]:
         """Return states (…, *shape) as real numbers (…, n)."""
