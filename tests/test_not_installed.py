@@ -18,6 +18,8 @@ WAYS = {
     "zarr, written": ("zarr.storage", lambda path: write_zarr(motion(), path / "new.zarr")),
     "zarr, read": ("zarr", lambda path: read_dataset(path / "old.zarr")),
     "spiceypy": ("spiceypy", lambda path: spiceypy()),
+    "python-flint, for proofs": ("flint", lambda path: ph.certify(
+        ph.systems.FreeRigidBody((1.0, 2.0, 3.0)), (0.1, 1.0, 0.1), (0.0, 1.0))),
     "python-flint": ("flint", lambda path: ph.algebra.polynomial_casimirs(ph.algebra.SO3(), 2)),
 }
 

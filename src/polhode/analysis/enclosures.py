@@ -11,7 +11,7 @@ import numpy as np
 
 from polhode.analysis.tangent_flow import one_state
 from polhode.arrays import known_numbers_only, refuse_single_precision
-from polhode.errors import InvalidInput, NotConverged, shown
+from polhode.errors import InvalidInput, NotConverged, not_installed, shown
 from polhode.integrators.interrupts import interrupts_kept
 from polhode.simulation import simulate
 from polhode.systems.base import AbstractSystem
@@ -94,7 +94,7 @@ def certify(
     try:
         import flint
     except ImportError:
-        raise InvalidInput("`certify` computes with python-flint: install polhode with the extra `symbolic`.") from None
+        raise not_installed("Proofs", "python-flint", "symbolic") from None
     try:
         balls = BallSystem(system, start)
     except Untraceable as error:
