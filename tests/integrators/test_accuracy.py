@@ -72,8 +72,10 @@ def test_estimate_beside_the_exact_top():
     state = np.asarray(top.pack(attitude, angular_velocity=(0.3, 0.2, 6.0)))
     exact = ph.LagrangeMotion(moments, 1.0, state[4:7], attitude)
     for order, step in ((None, None), (2, None), (6, 0.1)):
-        found = ph.simulate(top, state, SPARSE, order=order, step=step)
+        found = ph.simulate(top, state, SPARSE, Splitting, order=order, step=step)
         check(found, exact)
+    found = ph.simulate(top, state, SPARSE)
+    assert error_of(found, exact) / 3.0 < found.error_estimate < 30.0 * error_of(found, exact)
     assert error_of(ph.simulate(top, state, SPARSE), exact) < DEFAULT
 
 
