@@ -77,7 +77,8 @@ def _kicked(system: AbstractLiePoissonSystem, point: Array, rng: np.random.Gener
     algebra = system.algebra
     vector = np.array(algebra.to_dual_vector(jnp.asarray(point)))
     for part in parts_with_units(system, point) if len(algebra.element_shape) == 1 else [(...,)]:
-        size = np.linalg.norm(vector[part], axis=-1, keepdims=True)
+        largest = np.abs(vector[part]).max(axis=-1, keepdims=True)  # whose square may be no number
+        size = largest * np.linalg.norm(vector[part] / np.where(largest > 0.0, largest, 1.0), axis=-1, keepdims=True)
         vector[part] += EPS * size * _unit(rng, vector[part].shape[-1]) * (vector[part] != 0.0)  # as a saddle may need
     return algebra.from_dual_vector(jnp.asarray(vector))
 
