@@ -91,6 +91,13 @@ def test_parameters_are_exact():
         assert found.exact and abs(at - exact) <= radius < abs(exact - rounded)
 
 
+def test_a_coarse_proof_holds_too():
+    found = ph.certify(Scalar(lambda t, x: x * jnp.cos(t)), [0.75], [0.0, 20.0], radius=0.5)
+    with mpmath.workprec(200):
+        exact = mpmath.mpf(0.75) * mpmath.exp(mpmath.sin(20))
+        assert abs(mpmath.mpf(float(found.states[-1, 0])) - exact) <= mpmath.mpf(float(found.radii[-1, 0]))
+
+
 def test_what_rests_is_where_it_was():
     found = ph.certify(ph.systems.FreeRigidBody(MOMENTS), [0.0, 0.0, 0.0], [0.0, 1.0])
     assert (found.states == 0.0).all() and found.radii.max() < 1e-15

@@ -27,7 +27,7 @@ TRIALS = 4
 RINGS, NARROW = 8, 0.03  # of a disc; and the share of it below which a ring gains nothing
 FIRST = 10  # terms of a series that tell where the motion is during a step
 FAR = 3.0  # sizes of the state: a disc in which the motion goes farther is bounded no better
-MOST_ORDER, MOST_BITS = 400, 4000
+MOST_ORDER, MOST_BITS, FEWEST_BITS = 400, 4000, 128
 SHORTEST = 1e-12  # of the time: a disc that small is none
 ROUNDS = 3  # by which weights are chosen
 
@@ -105,7 +105,8 @@ def certify(
     # of the weighted norm, whose largest weight turns it into the radius that is asked for
     wanted = radius * (float(np.abs(_flat(balls, start)).max()) or 1.0) / float(weights.max())
     digits = math.log(max(steps, 1.0)) + grown + SPARE - math.log(min(wanted, 1.0))
-    order, bits = math.ceil(digits / -math.log(SHARE)), math.ceil(digits / math.log(2.0)) + 32
+    order = max(math.ceil(digits / -math.log(SHARE)), FIRST)
+    bits = max(math.ceil(digits / math.log(2.0)) + 32, FEWEST_BITS)
     if order > MOST_ORDER or bits > MOST_BITS:
         raise NotConverged(
             f"the bound on errors grows by e^{grown:.0f} up to {times[-1]:g} s, for which {bits} bits and order "
@@ -221,6 +222,8 @@ class _Proof:
             for x in reversed(row[: self.order]):
                 value = value * h + x
             new.append(value.mid())
+            if k == self.moving and not bool(value.rad() == 0):
+                raise NotConverged(f"{self.bits} bits do not hold times of steps exactly. Give a smaller `radius`.")
             if k < self.moving:
                 local += ((arb(value.rad()).upper() + size * cut) / self.weights[k]) ** 2
         local = local.sqrt().upper()
