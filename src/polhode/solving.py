@@ -112,7 +112,7 @@ def solve(
         state: (batch…, …) packed, as for ``simulate``.
         times: (T,) [s], in one direction.
         method: a class or object of ``polhode.integrators``, or any diffrax solver; by default what ``simulate`` takes
-            where there is no Taylor series. ``Taylor`` goes on the host, takes its numbers within compiled functions,
+            where there is no Taylor series. ``Taylor`` runs on the host, also when called from compiled functions,
             and has first derivatives by tangents, all in one run, and second ones by differences of these. It takes
             systems without events and jumps, whose rates have series in the numbers of their fields too.
         step: largest step [s]; by default from each copy's fastest rotation at the start.

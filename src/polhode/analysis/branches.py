@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import itertools
 import math
+import warnings
 from collections.abc import Callable, Iterator
 from typing import Any, NamedTuple
 
@@ -188,7 +189,7 @@ class Family:
         return Place(z, float(value), tangent, int(np.sum((values < 0.0) & ~still)), vectors[:, still],
                      vectors[:, least], float(values[least]), found.energy, exponents, noise)  # fmt: skip
 
-    def settled(
+    def settle(
         self, z: Float64[np.ndarray, "n"], value: float, row: Float64[np.ndarray, "extended"]
     ) -> tuple[Float64[np.ndarray, "n"], float] | None:
         """Return the equilibrium next to a guess, which may not move in a direction; None if there is none."""
@@ -212,13 +213,13 @@ class Family:
         length = float(np.linalg.norm(way))
         if length == 0.0:
             return one
-        found = self.settled(one.vector + share * self.size * way[:-1], one.value + share * self.range * way[-1],
+        found = self.settle(one.vector + share * self.size * way[:-1], one.value + share * self.range * way[-1],
                              way / length)  # fmt: skip
         return None if found is None else self.place(*found, one.tangent)
 
     def at_value(self, z: Float64[np.ndarray, "n"], value: float) -> Float64[np.ndarray, "n"] | None:
         """Return the equilibrium next to a guess at a value of the parameter."""
-        found = self.settled(z, value, np.eye(len(z) + 1)[-1])
+        found = self.settle(z, value, np.eye(len(z) + 1)[-1])
         return None if found is None else found[0]
 
     def apart(self, one: Place, other: Place) -> float:
@@ -227,16 +228,19 @@ class Family:
         return max(gap, abs(one.value - other.value) / self.range)
 
 
-def followed(family: Family, begin: Place, direction: float = 1.0) -> list[Place]:
-    """Return the places of a branch from one on, in its direction or against it, up to an end of the range."""
-    tangent = direction * begin.tangent
-    if direction > 0.0 and begin.value >= family.high and tangent[-1] > 0.0:
+def follow(family: Family, begin: Place) -> list[Place]:
+    """Return the places of a branch from one on, in its direction, up to an end of the range.
+
+    Warns where it cannot be followed that far.
+    """
+    tangent = begin.tangent
+    if begin.value >= family.high and tangent[-1] > 0.0:
         tangent = -tangent
     places, step = [begin], FIRST
     while len(places) < MOST_PLACES and step > SHORTEST:
         last = places[-1]
         guess = last.vector + step * family.size * tangent[:-1], last.value + step * family.range * tangent[-1]
-        found = family.settled(*guess, tangent)
+        found = family.settle(*guess, tangent)
         if found is None:
             step *= 0.5
             continue
@@ -249,12 +253,16 @@ def followed(family: Family, begin: Place, direction: float = 1.0) -> list[Place
             end = family.at_value(place.vector, value)
             if end is not None and value != last.value:
                 places.append(family.place(end, value, tangent))
-            break
+            return places
         places.append(place)
         tangent, step = place.tangent, min(1.3 * step, LONGEST)
         if len(places) > 10 and family.apart(place, begin) < step and place.tangent @ begin.tangent > STRAIGHT:
-            places.append(begin)  # it is closed
-            break
+            return [*places, begin]  # it is closed
+    warnings.warn(
+        f"a branch of equilibria could not be followed beyond the value {places[-1].value:g}: what comes after is not "
+        "known.",
+        stacklevel=4,
+    )
     return places
 
 
@@ -289,7 +297,7 @@ def split_at(family: Family, place: Place) -> list[Place]:
     for sign in (1.0, -1.0):
         way = sign * place.weakest
         row = np.append(way, 0.0)
-        beside = family.settled(place.vector + ASIDE * family.size * way, place.value, row)
+        beside = family.settle(place.vector + ASIDE * family.size * way, place.value, row)
         if beside is not None:
             found.append(family.place(*beside, row))
     return found
@@ -304,7 +312,7 @@ def is_on(family: Family, place: Place, path: list[Place], same: float) -> bool:
         ahead = float(one.tangent @ (here - node))
         if abs(ahead) > 2.0 * LONGEST:
             continue
-        found = family.settled(*_parts((node + ahead * one.tangent) * scale), one.tangent)
+        found = family.settle(*_parts((node + ahead * one.tangent) * scale), one.tangent)
         if found is None:
             continue
         if family.apart(family.place(*found, one.tangent), place) < same:

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import itertools
+import warnings
 from collections.abc import Callable, Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
 
 from polhode.algebra.functions import Function
-from polhode.analysis.branches import Family, Place, crossings, followed, is_on, split_at
+from polhode.analysis.branches import Family, Place, crossings, follow, is_on, split_at
 from polhode.analysis.conserved import casimirs_of
 from polhode.analysis.equilibria import STARTS, find_equilibria
 from polhode.arrays import known_numbers_only, refuse_single_precision
@@ -131,7 +132,7 @@ def continue_equilibria(
         # one of a family that does not move with the parameter belongs to this value alone
         stays = begin.flat.shape[1] and abs(begin.tangent[-1]) < TURNING
         if not stays and atlas.branch_of(begin) is None:
-            atlas.add(followed(family, begin))
+            atlas.add(follow(family, begin))
     for number, path in enumerate(atlas.paths):
         atlas.meetings.extend((kind, place, [number]) for kind, place in _exchanges(family, path)
                               if not any(number in m[2] and family.apart(m[1], place) < NEAR
@@ -156,6 +157,7 @@ class _Atlas(NamedTuple):
     def add(self, path: list[Place]) -> None:
         """Add a branch, and those that leave it."""
         if len(self.paths) >= MOST_BRANCHES:
+            warnings.warn(f"there are more than {MOST_BRANCHES} branches; the others are left out.", stacklevel=4)
             return
         number = len(self.paths)
         self.paths.append(path)
@@ -187,7 +189,7 @@ class _Atlas(NamedTuple):
         self.meetings.append((kind, place, numbers))
         owners = [self.branch_of(one) for one in beside]
         numbers.extend(k for k in owners if k is not None)
-        arms = [followed(self.family, one) for one, owner in zip(beside, owners, strict=True) if owner is None]
+        arms = [follow(self.family, one) for one, owner in zip(beside, owners, strict=True) if owner is None]
         if not arms:
             return
         numbers.append(len(self.paths))

@@ -146,7 +146,7 @@ class _Proof:
                 while True:
                     check()
                     left = (end - now) * self.forth
-                    box, disc = self._bounded(left)
+                    box, disc = self._bound(left)
                     whole = self.flint.arb(SHARE * disc)
                     last = bool(left <= whole)
                     h = left if last else self.flint.arb(float(whole.mid()))
@@ -163,7 +163,7 @@ class _Proof:
         return Enclosure(self.times, form.back(states), radii, self.balls.exact,
                          float(self.growth.upper()), self.steps, self.order, self.bits)  # fmt: skip
 
-    def _bounded(self, left: Ball) -> tuple[list[Ball], float]:
+    def _bound(self, left: Ball) -> tuple[list[Ball], float]:
         """Return radii of a box in which the motion stays for all complex times in a disc, and the disc's radius.
 
         The disc grows ring by ring. If the rates over a box, times the width of a ring, lead nowhere out of the box
@@ -194,19 +194,19 @@ class _Proof:
         """Return the radii of a box that the motion does not leave within one more ring; None if none is found."""
         arb, acb = self.flint.arb, self.flint.acb
 
-        def reached(radii: list[Ball]) -> list[Ball] | None:
+        def reach(radii: list[Ball]) -> list[Ball] | None:
             box = [acb(y + arb(0, r), arb(0, r)) for y, r in zip(self.y, radii, strict=True)]
             rates = self.balls.rates(box, self.parameters)
             if not all(x.is_finite() for x in rates):
                 return None
             return [(size + x.abs_upper() * ring).upper() for size, x in zip(sizes, rates, strict=True)]
 
-        found = reached(sizes)
+        found = reach(sizes)
         for _ in range(TRIALS):
             if found is None:
                 return None
             wider = [(size + (x - size) * WIDENED).upper() for size, x in zip(sizes, found, strict=True)]
-            found = reached(wider)
+            found = reach(wider)
             if found is not None and all(bool(x <= y) for x, y in zip(found, wider, strict=True)):
                 return found
         return None

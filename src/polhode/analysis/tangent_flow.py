@@ -78,7 +78,7 @@ def one_state(system: AbstractSystem, state: Real[ArrayLike, "..."]) -> Double[n
     """Return one state of a system.
 
     Raises:
-        InvalidInput: for what is no system, or a batch of states.
+        InvalidInput: if it is not a system, or for a batch of states.
     """
     if not isinstance(system, AbstractSystem):
         raise InvalidInput(f"`system` must be one of polhode.systems; got {type(system).__name__}.")
@@ -94,7 +94,7 @@ def checked_start(
     """Return one state, first and last time.
 
     Raises:
-        InvalidInput: for what is no system, a batch of states, or times that are none.
+        InvalidInput: if it is not a system, for a batch of states, or for invalid times.
     """
     refuse_single_precision(times=times)
     start, ends = one_state(system, state), np.asarray(times, dtype=float)

@@ -350,12 +350,21 @@ def _explained(sweep: Sweep, store: Store) -> Iterator[None]:
         if isinstance(error, OSError):
             room = "Make room there." if error.errno in FULL else "Check the disk."
             why = f"{store.path}: cannot be written ({error.strerror or error}). {room} {kept}"
-        elif isinstance(error, MemoryError) or type(error).__name__ == "KilledWorker":
+        elif isinstance(error, MemoryError) or _is_killed_worker(error):
             why = (f"{store.path}: workers were killed several times on one chunk, most likely for lack of memory. "
                    f"Set a smaller sweep.chunk, or take fewer workers. {kept}")  # fmt: skip
         else:
             why = f"{store.path}: a worker failed ({type(error).__name__}: {error}). {kept}"
         raise InvalidInput(why) from error
+
+
+def _is_killed_worker(error: Exception) -> bool:
+    """Return whether it is dask's error for a worker that was killed; a sweep by one process has no dask."""
+    try:
+        from distributed import KilledWorker
+    except ImportError:
+        return False
+    return isinstance(error, KilledWorker)
 
 
 def default_workers() -> int:

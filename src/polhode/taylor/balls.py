@@ -164,7 +164,7 @@ def _power(x: Ball, exponent: float) -> Ball:
 
 
 def _analytic(x: Ball, function: str) -> Ball:
-    """Return a square root or logarithm, which is no number where a complex ball meets the branch cut."""
+    """Return a square root or logarithm, not a number where a complex ball meets the branch cut."""
     is_complex = hasattr(x, "complex_rad")
     return getattr(x, function)(analytic=True) if is_complex else getattr(x, function)()
 

@@ -228,7 +228,7 @@ def _chosen(found: dict[str, Any], names: list[str]) -> list[Any]:
 def _conserved(system: AbstractSystem, form: Form) -> tuple[list[str], Callable[[Any], dict[str, Any]]]:
     """Return names of conserved numbers, and the function of a state's real numbers that gives them.
 
-    They are no vectors, but may be one of each copy; those are left out whose gradients would be too many numbers.
+    Vectors are left out, unless they hold one number for each copy, and so is what would have too many gradients.
     """
     carries_attitude = isinstance(system, AbstractLiePoissonSystem) and _carries_attitude(system, form)
 
