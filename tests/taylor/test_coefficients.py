@@ -9,6 +9,7 @@ import pytest
 from polhode import systems
 from polhode.taylor import kernel, kernel_series
 from polhode.taylor.expressions import MOST_NODES, Tape, Untraceable
+from polhode.taylor.kernel_space import series_for
 from polhode.taylor.machine import machine_of
 from polhode.taylor.program import CODE, OPERATIONS, program_of
 from polhode.taylor.tracing import traced
@@ -33,10 +34,10 @@ def coefficients(field, start, t=0.0, order=ORDER):
     """Return the coefficients (order + 1, n) of the motion by the kernel."""
     machine = machine_of(OwnField(field), np.array(start), (0.0, 1.0))
     state = np.array([*start, t] if machine.clock >= 0 else start)
-    z, a = (np.zeros((order + 1) * n + 8) for n in (machine.program.slots, machine.program.products))
-    z[: len(state)] = state
-    kernel_series.coefficients(*machine.program, z, a, a.copy(), order, 1.0)
-    return z[:-8].reshape(order + 1, -1)[:, : len(start)]
+    series = series_for(machine.program, order + 1, 1)
+    series.flat[: len(state)] = state
+    kernel_series.coefficients(series, order, 1.0)
+    return series.flat[:-8].reshape(order + 1, -1)[:, : len(start)]
 
 
 def by_flint(field, start, t=0.0, order=ORDER):
@@ -157,11 +158,10 @@ def test_tracing_gives_the_function(function):
     y = np.array([0.3, -1.2, 0.8, 2.0, -0.5, 1.1])
     tape, found = tape_of(function, 6)
     program = program_of(tape, [x if hasattr(x, "terms") else tape.constant(float(x)) for x in found])
-    z, blank = np.zeros(program.slots + 8), np.zeros(program.products + 8)
-    z[:6] = y
-    got = kernel.values_at(*program, z, blank, blank.copy(), len(found))
+    got = np.zeros((1, len(found)))
+    kernel.conserved_values(series_for(program, 1, 1), y[None], np.zeros(6), got)
     wanted = np.concatenate([np.ravel(x) for x in function(jnp.asarray(y))])
-    assert got == pytest.approx(wanted, rel=1e-14, abs=1e-14)
+    assert got[0] == pytest.approx(wanted, rel=1e-14, abs=1e-14)
 
 
 @pytest.mark.parametrize(("function", "said"), [

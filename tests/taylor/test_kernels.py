@@ -1,50 +1,152 @@
-"""The kernel as Python and as Numba compiles it: the same bits, and each used where it is worth its while."""
+"""The kernel as Python and as Numba compiles it, of one copy and of eight: the same bits, each where it is worth it."""
 
+import jax.numpy as jnp
 import numpy as np
+import pytest
 
-from polhode import integrators, simulate, systems
-from polhode.taylor import kernels
+from polhode import systems
+from polhode.taylor import kernels, lanes
+from polhode.taylor.runs import precision_of, runs_of
 
 
-def motions():
-    """Return states of motions of three systems."""
-    turning = systems.FreeRigidBody((1.0, 2.0, 3.0))
+class OfAllFunctions(systems.AbstractSystem):
+    """A motion with every function that has a recurrence, and a quantity that it conserves, and events."""
+
+    watched: bool = True
+
+    def vector_field(self, t, state):
+        a, b, c, d = state
+        return jnp.stack([
+            jnp.exp(-(a**2)) * jnp.sin(b) + jnp.cos(t), jnp.sqrt(1.0 + c**2) * a,
+            jnp.log(3.0 + a**2) - b / (2.0 + c**2), 0.0 * d,
+        ])  # fmt: skip
+
+    def invariants(self, state):
+        return {"d": state[3]}
+
+    @property
+    def events(self):
+        return {"low": lambda t, y: y[0] + 0.75, "high": lambda t, y: 2.3 - jnp.sin(t) * y[2]} if self.watched else {}
+
+
+class Blowing(systems.AbstractSystem):
+    """A motion that does not last."""
+
+    def vector_field(self, t, state):
+        return state**2
+
+    def invariants(self, state):
+        return {}
+
+
+def cases():
+    """Yield systems, a start, and how far copies start from it."""
+    yield systems.FreeRigidBody((1.0, 2.0, 3.0)), np.array([0.3, 1.9, 0.1]), 0.1
     top = systems.HeavyTop((1.0, 2.0, 3.0), 1.0, (0.0, 0.6, 0.8))
+    yield top, np.array([1.0, 0, 0, 0, 0.5, 1.0, 2.0, 0, 0, 1.0]), 0.1
     vortices = systems.PlaneVortices(np.array([1.0, -0.7, 0.4]))
-    starts = [
-        (turning, np.array([0.3, 1.9, 0.1])), (top, np.array([1.0, 0, 0, 0, 0.5, 1.0, 2.0, 0, 0, 1.0])),
-        (vortices, vortices.pack([[0.0, 0.0], [1.0, 0.2], [-0.3, 0.9]])),
-    ]  # fmt: skip
-    return [simulate(system, start, np.linspace(0.0, 3.0, 7), integrators.Taylor, throw=False).states
-            for system, start in starts]  # fmt: skip
+    yield vortices, vortices.pack([[0.0, 0.0], [1.0, 0.2], [-0.3, 0.9]]), 0.1
+    yield OfAllFunctions(), np.array([0.1, 0.2, 0.3, 1.0]), 0.3
+    yield OfAllFunctions(False), np.array([0.1, 0.2, 0.3, 1.0]), 0.3
+    yield Blowing(), np.array([1.0, -1.0]), 0.3
+    yield systems.HeavyTop((1.0, 2.0, 3.5), 0.0, (0.0, 0.0, 1.0)), np.array([1.0, 0, 0, 0, 0, 0, 0, 0, 0, 1.0]), 0.0
 
 
-def test_compiled_or_not_the_bits_are_the_same(monkeypatch):
-    monkeypatch.setattr(kernels._Spent, "compiled", False)
-    monkeypatch.setattr(kernels, "LOADED", np.inf)
+def motions(copies=1, alone=False):
+    """Return what becomes of copies, together or each alone, forwards and backwards."""
+    found = []
+    for system, start, kick in cases():
+        starts = start + kick * np.random.default_rng(0).normal(size=(copies, *np.shape(start)))
+        for last in (3.0, -3.0):
+            given = system, np.linspace(0.0, last, 7), precision_of(1e-10)
+            parts = starts[:, None] if alone else [starts]
+            runs = [runs_of(given[0], part, *given[1:])[:-1] for part in parts]
+            found.extend(np.concatenate(column) for column in zip(*runs, strict=True))
+    return found
+
+
+def assert_same_bits(one, other):
+    for x, y in zip(one, other, strict=True):
+        np.testing.assert_array_equal(x, y)
+
+
+@pytest.fixture
+def by(monkeypatch):
+    """Let one kernel move all copies."""
+    return lambda use: monkeypatch.setattr("polhode.taylor.flight.chosen_kernel", lambda copies: use)
+
+
+def test_compiled_or_not_the_bits_are_the_same(by):
+    by(kernels.python_kernel(1))
     plain = motions()
-    kernels.use_compiled_kernel()
-    for one, other in zip(plain, motions(), strict=True):
-        np.testing.assert_array_equal(one, other)
+    by(kernels.compiled_kernel(1))
+    assert_same_bits(plain, motions())
 
 
-def test_long_runs_are_compiled_and_short_ones_are_not(monkeypatch):
-    monkeypatch.setattr(kernels._Spent, "compiled", False)
-    monkeypatch.setattr(kernels, "_is_on_disk", lambda: False)
-    for seconds, use in ((0.0, kernels.python_kernel), (1.9, kernels.python_kernel), (2.1, kernels.compiled_kernel)):
-        monkeypatch.setattr(kernels._Spent, "seconds", seconds)
-        assert kernels.chosen_kernel() is use()
+def test_lanes_change_no_bit(by):
+    """Eleven copies, of which three wait for a lane, and some end early, against each alone."""
+    by(kernels.compiled_kernel(1))
+    alone = motions(11, alone=True)
+    assert len({int(status) for status in np.concatenate(alone[2::8])}) == 3  # there are all kinds of ends
+    assert_same_bits(alone, motions(11))
+    by(kernels.compiled_kernel(lanes.LANES))
+    assert_same_bits(alone, motions(11))
 
 
-def test_functions_call_each_other_as_they_are_made():
+def test_lanes_as_python_change_no_bit_either(by):
+    by(kernels.compiled_kernel(1))
+    alone = motions(2)
+    by(kernels.python_kernel(lanes.LANES))
+    assert_same_bits(alone, motions(2))
+
+
+def test_calls_that_end_before_the_copies_do_change_no_bit(by):
+    by(kernels.compiled_kernel(lanes.LANES))
+    whole = motions(11)
+    by(kernels.compiled_kernel(lanes.LANES)._replace(stretch=3))
+    assert_same_bits(whole, motions(11))
+
+
+def test_threads_change_no_bit(by, monkeypatch):
+    by(kernels.compiled_kernel(lanes.LANES))
+    whole = motions(11)
+    monkeypatch.setattr("polhode.taylor.flight.WORTH", 4)
+    monkeypatch.setattr("os.sched_getaffinity", lambda process: range(3), raising=False)
+    assert_same_bits(whole, motions(11))
+
+
+def test_a_kernel_is_taken_once_it_is_worth_it(monkeypatch):
+    monkeypatch.setattr(kernels._Spent, "ready", set())
+    monkeypatch.setattr(kernels, "_is_on_disk", lambda width: False)
+    one, eight = kernels.compiled_kernel(1), kernels.compiled_kernel(lanes.LANES)
+    for by_python, one_by_one, copies, use in (
+        (0.0, 0.0, 100, kernels.python_kernel(1)), (1.9, 0.0, 1, kernels.python_kernel(1)), (2.1, 0.0, 100, one),
+        (2.1, 5.9, 100, one), (2.1, 6.1, 7, one), (2.1, 6.1, 8, eight),
+    ):  # fmt: skip
+        monkeypatch.setattr(kernels._Spent, "by_python", by_python)
+        monkeypatch.setattr(kernels._Spent, "one_by_one", one_by_one)
+        assert kernels.chosen_kernel(copies) is use
+
+
+def test_what_compiling_takes_is_no_reason_to_compile_more(monkeypatch):
+    monkeypatch.setattr(kernels._Spent, "called", set())
+    monkeypatch.setattr(kernels._Spent, "one_by_one", 0.0)
+    for spent, wanted in ((8.0, 0.0), (0.5, 0.5)):
+        kernels.note(kernels.compiled_kernel(1), 100, spent)
+        assert kernels._Spent.one_by_one == wanted
+
+
+@pytest.mark.parametrize("width", [1, lanes.LANES])
+def test_functions_call_each_other_as_they_are_made(width):
     """One that was left with the names of its own file would call what is not compiled."""
-    space = kernels._joined(lambda function, name: function, {})
+    space = kernels._joined(width, lambda function, name: function, {})
     own = [value for value in space.values() if getattr(value, "__globals__", None) is space]
-    assert len(own) >= 14 and space["advance"] in own and space["first_zero"] in own and space["gather"] in own
+    assert len(own) >= 24 and space["advance"] in own and space["first_zero"] in own and space["vectors"] in own
+    assert space["LANES"] == width
 
 
 def test_what_was_compiled_of_other_sources_is_not_used(monkeypatch):
     """The name under which Numba keeps it changes with each of the files."""
-    before = kernels.compiled_kernel.__wrapped__().advance.__qualname__
+    before = kernels.compiled_kernel.__wrapped__(1).advance.__qualname__
     monkeypatch.setattr(kernels.zlib, "crc32", lambda data: 1)
-    assert kernels.compiled_kernel.__wrapped__().advance.__qualname__ != before
+    assert kernels.compiled_kernel.__wrapped__(1).advance.__qualname__ != before

@@ -17,8 +17,9 @@ from polhode.integrators.probing import jumps_between
 from polhode.motion.outcome import Ends, Status
 from polhode.systems.base import AbstractSystem
 from polhode.taylor.expressions import Untraceable
+from polhode.taylor.flight import MOST_STEPS
 from polhode.taylor.machine import machine_of, operations_of
-from polhode.taylor.runs import LOCAL, MOST_STEPS, Precision, Runs, precision_of, runs_of
+from polhode.taylor.runs import LOCAL, Precision, Runs, precision_of, runs_of
 from polhode.types import Array, Double, Float64
 
 LOWEST, HIGHEST = 4, 60  # orders

@@ -1,4 +1,4 @@
-"""Eight doubles as one value of Numba: loads, stores and arithmetic of LLVM's <8 x double>.
+"""What a kernel computes with, for Numba: loads, stores and arithmetic of LLVM's <8 x double>.
 
 LLVM does not find the vectors in these kernels by itself. A value that is one needs no search, and becomes whatever the
 machine has: one register of AVX-512, two of AVX, four of SSE or NEON.
@@ -6,92 +6,262 @@ machine has: one register of AVX-512, two of AVX, four of SSE or NEON.
 
 from __future__ import annotations
 
+import math
 import operator
+from collections.abc import Callable
+from functools import cache
 from typing import Any
+
+from llvmlite import ir
+from numba.core import cgutils, types
+from numba.core.typing.templates import AbstractTemplate, infer_global, signature
+from numba.extending import intrinsic, lower_builtin, models, register_model
+from numba.np.arrayobj import make_array
 
 from polhode.taylor.vectors import WIDTH
 
-_FLAGS = ()
+DOUBLE = ir.DoubleType()
+VECTOR = ir.VectorType(DOUBLE, WIDTH)
+ARITHMETIC = {operator.add: "fadd", operator.sub: "fsub", operator.mul: "fmul", operator.truediv: "fdiv"}
 
 
-def vector_operations() -> tuple[Any, Any, Any]:
-    """Teach Numba sums and products of vectors, and return how they are loaded, stored and gathered.
+class Vector(types.Type):
+    """Eight doubles."""
 
-    ``load(array, index)`` is array[index : index + 8] of a contiguous flat array, ``store(array, index, value)`` sets
-    it, and ``gather(array, places, first, base)`` is array[base + places[first + l]] for l = 0 … 7. Nothing is checked.
-    """
-    from llvmlite import ir
-    from numba.core import types
-    from numba.extending import intrinsic, models, register_model
-
-    vector = ir.VectorType(ir.DoubleType(), WIDTH)
-
-    class Vector(types.Type):
-        def __init__(self) -> None:
-            super().__init__(name="Vector8")
-
-    class Model(models.PrimitiveModel):
-        def __init__(self, manager: Any, kind: Any) -> None:
-            super().__init__(manager, kind, vector)
-
-    register_model(Vector)(Model)
-    kind = Vector()
-    for symbol, named in ((operator.add, "fadd"), (operator.mul, "fmul")):
-        _define(symbol, named, Vector, kind)
-
-    def place(context: Any, builder: Any, of: Any, array: Any, index: Any) -> Any:
-        data = context.make_array(of)(context, builder, array).data
-        return builder.bitcast(builder.gep(data, [index]), vector.as_pointer())
-
-    def load(typing: Any, array: Any, index: Any) -> Any:
-        def generate(context: Any, builder: Any, sig: Any, args: Any) -> Any:
-            value = builder.load(place(context, builder, sig.args[0], args[0], args[1]))
-            value.align = 8
-            return value
-
-        return kind(array, types.int64), generate
-
-    def store(typing: Any, array: Any, index: Any, value: Any) -> Any:
-        def generate(context: Any, builder: Any, sig: Any, args: Any) -> Any:
-            kept = builder.store(args[2], place(context, builder, sig.args[0], args[0], args[1]))
-            kept.align = 8
-            return context.get_dummy_value()
-
-        return types.void(array, types.int64, kind), generate
-
-    def gather(typing: Any, array: Any, places: Any, first: Any, base: Any) -> Any:
-        def generate(context: Any, builder: Any, sig: Any, args: Any) -> Any:
-            numbers = context.make_array(sig.args[0])(context, builder, args[0])
-            where = context.make_array(sig.args[1])(context, builder, args[1])
-            value: Any = ir.Constant(vector, ir.Undefined)
-            for lane in range(WIDTH):
-                at = builder.add(args[2], ir.Constant(ir.IntType(64), lane))
-                found = builder.add(args[3], builder.load(builder.gep(where.data, [at])))
-                number = builder.load(builder.gep(numbers.data, [found]))
-                value = builder.insert_element(value, number, ir.Constant(ir.IntType(32), lane))
-            return value
-
-        return kind(array, places, types.int64, types.int64), generate
-
-    return intrinsic(load), intrinsic(store), intrinsic(gather)
+    def __init__(self) -> None:
+        super().__init__(name="Vector8")
 
 
-def _define(symbol: Any, named: str, kind_of: Any, kind: Any) -> None:
-    """Define an operation of two vectors by an instruction of LLVM."""
-    from numba.core.typing.templates import AbstractTemplate, infer_global, signature
-    from numba.extending import lower_builtin
+@register_model(Vector)
+class Model(models.PrimitiveModel):
+    """It is one value to LLVM."""
 
-    class Template(AbstractTemplate):
-        key = symbol
+    def __init__(self, manager: Any, kind: Any) -> None:
+        super().__init__(manager, kind, VECTOR)
+
+
+class Numbers(types.Type):
+    """Where numbers begin in memory: neither size nor sign of an index is looked at, nor are references counted."""
+
+    def __init__(self, of: Any) -> None:
+        self.of = of
+        super().__init__(name=f"Numbers({of})")
+
+
+@register_model(Numbers)
+class NumbersModel(models.PrimitiveModel):
+    """It is an address to LLVM."""
+
+    def __init__(self, manager: Any, kind: Any) -> None:
+        super().__init__(manager, kind, manager[kind.of].get_value_type().as_pointer())
+
+
+KIND = Vector()
+
+
+@cache
+def of_one_copy() -> dict[str, Any]:
+    """Return how vectors are loaded, stored and gathered from flat arrays; nothing is checked."""
+    _define_arithmetic()
+    made = {"load": _load, "store": _store, "gather": _gather, "borrowed": _borrowed,
+            "vectors": _seen_as(types.float64)}  # fmt: skip
+    return {name: intrinsic(given) for name, given in made.items()}
+
+
+@cache
+def of_lanes() -> dict[str, Any]:
+    """Return what takes the places of the functions in ``lanes``."""
+    _define_arithmetic()
+    made = {"borrowed": _borrowed, "vectors": _seen_as(KIND), "spread": _spread, "where_less": _where_less,
+            "square_root": _square_root}  # fmt: skip
+    each = {"powered": math.pow, "exponential": math.exp, "logarithm": math.log, "sine": math.sin, "cosine": math.cos}
+    return {name: intrinsic(given) for name, given in made.items()} | {
+        name: intrinsic(_of_each(of, 2 if name == "powered" else 1)) for name, of in each.items()
+    }
+
+
+def _load(typing: Any, array: Any, index: Any) -> Any:
+    def generate(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+        value = builder.load(_place(context, builder, sig.args[0], args[0], args[1]))
+        value.align = 8
+        return value
+
+    return KIND(array, types.int64), generate
+
+
+def _store(typing: Any, array: Any, index: Any, value: Any) -> Any:
+    def generate(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+        kept = builder.store(args[2], _place(context, builder, sig.args[0], args[0], args[1]))
+        kept.align = 8
+        return context.get_dummy_value()
+
+    return types.void(array, types.int64, KIND), generate
+
+
+def _place(context: Any, builder: Any, of: Any, array: Any, index: Any) -> Any:
+    data = context.make_array(of)(context, builder, array).data
+    return builder.bitcast(builder.gep(data, [index]), VECTOR.as_pointer())
+
+
+def _gather(typing: Any, array: Any, places: Any, first: Any, base: Any) -> Any:
+    """Declare array[base + places[first + l]] for l = 0 … 7."""
+
+    def generate(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+        numbers = context.make_array(sig.args[0])(context, builder, args[0])
+        where = context.make_array(sig.args[1])(context, builder, args[1])
+        found = []
+        for lane in range(WIDTH):
+            at = builder.add(args[2], ir.Constant(ir.IntType(64), lane))
+            found.append(builder.load(builder.gep(numbers.data, [
+                builder.add(args[3], builder.load(builder.gep(where.data, [at])))])))  # fmt: skip
+        return _joined(builder, found)
+
+    return KIND(array, places, types.int64, types.int64), generate
+
+
+def _borrowed(typing: Any, given: Any) -> Any:
+    return given(given), lambda context, builder, sig, args: _without_owner(context, builder, given, args[0])
+
+
+def _without_owner(context: Any, builder: Any, kind: Any, value: Any) -> Any:
+    if isinstance(kind, types.BaseTuple):
+        for k, of in enumerate(kind):
+            part = _without_owner(context, builder, of, builder.extract_value(value, k))
+            value = builder.insert_value(value, part, k)
+    elif isinstance(kind, types.Array):
+        array = make_array(kind)(context, builder, value)
+        array.meminfo = cgutils.get_null_value(array.meminfo.type)
+        array.parent = cgutils.get_null_value(array.parent.type)
+        value = array._getvalue()
+    return value
+
+
+def _seen_as(of: Any) -> Callable[..., Any]:
+    """Return the declaration of the same memory as numbers of one kind."""
+    kind = Numbers(of)
+
+    def generate(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+        data = make_array(sig.args[0])(context, builder, args[0]).data
+        return builder.bitcast(data, context.get_value_type(kind))
+
+    return lambda typing, array: (kind(array), generate)
+
+
+def _spread(typing: Any, x: Any) -> Any:
+    def generate(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+        return _splat(builder, context.cast(builder, args[0], sig.args[0], types.float64))
+
+    return KIND(x), generate
+
+
+def _where_less(typing: Any, x: Any, y: Any, yes: Any, no: Any) -> Any:
+    def generate(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+        return builder.select(builder.fcmp_ordered("<", args[0], args[1]), args[2], args[3])
+
+    return KIND(KIND, KIND, KIND, KIND), generate
+
+
+def _square_root(typing: Any, x: Any) -> Any:
+    return KIND(KIND), lambda context, builder, sig, args: _called(builder, "llvm.sqrt", args[0])
+
+
+def _of_each(function: Callable[..., float], count: int) -> Callable[..., Any]:
+    """Return the declaration of a function of each number, and of another one that is the same for all."""
+    doubles = (types.float64,) * count
+
+    def generate(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+        of = context.typing_context.resolve_value_type(function)
+        kind = of.get_call_type(context.typing_context, doubles, {})
+        call = context.get_function(of, kind)
+        others = list(args[1:])
+        return _joined(builder, [call(builder, [_lane(builder, args[0], lane), *others]) for lane in range(WIDTH)])
+
+    if count == 1:
+        return lambda typing, x: (KIND(KIND), generate)
+    return lambda typing, x, other: (KIND(KIND, types.float64), generate)
+
+
+def _lane(builder: Any, value: Any, lane: int) -> Any:
+    return builder.extract_element(value, ir.Constant(ir.IntType(32), lane))
+
+
+def _joined(builder: Any, numbers: list[Any]) -> Any:
+    value: Any = ir.Constant(VECTOR, ir.Undefined)
+    for lane, number in enumerate(numbers):
+        value = builder.insert_element(value, number, ir.Constant(ir.IntType(32), lane))
+    return value
+
+
+def _splat(builder: Any, number: Any) -> Any:
+    return _joined(builder, [number] * WIDTH)
+
+
+def _called(builder: Any, name: str, value: Any) -> Any:
+    kind = ir.FunctionType(VECTOR, [VECTOR])
+    return builder.call(cgutils.get_or_insert_function(builder.module, kind, f"{name}.v{WIDTH}f64"), [value])
+
+
+@cache
+def _define_arithmetic() -> None:
+    """Teach Numba sums, products and quotients of vectors, also with one number that is the same for all."""
+    register: Any = infer_global  # whose types say it may be None
+    for symbol, named in ARITHMETIC.items():
+
+        class Template(AbstractTemplate):
+            key = symbol
+
+            def generic(self, args: Any, kws: Any) -> Any:
+                if KIND not in args or not all(kind == KIND or isinstance(kind, types.Number) for kind in args):
+                    return None
+                return signature(KIND, *(kind if kind == KIND else types.float64 for kind in args))
+
+        register(symbol)(Template)
+        for kinds in ((Vector, Vector), (Vector, types.Float), (types.Float, Vector)):
+            lower_builtin(symbol, *kinds)(_lowered(named))
+
+    class Read(AbstractTemplate):
+        key = operator.getitem
 
         def generic(self, args: Any, kws: Any) -> Any:
-            both = len(args) == 2 and args[0] == kind and args[1] == kind
-            return signature(kind, kind, kind) if both else None
+            return signature(args[0].of, args[0], types.int64) if isinstance(args[0], Numbers) else None
 
-    register: Any = infer_global  # whose types say it may be None
-    register(symbol)(Template)
+    class Write(AbstractTemplate):
+        key = operator.setitem
 
+        def generic(self, args: Any, kws: Any) -> Any:
+            kinds = args[0], types.int64, getattr(args[0], "of", None)
+            return signature(types.none, *kinds) if isinstance(args[0], Numbers) else None
+
+    register(operator.getitem)(Read)
+    register(operator.setitem)(Write)
+    lower_builtin(operator.getitem, Numbers, types.Integer)(_read)
+    lower_builtin(operator.setitem, Numbers, types.Integer, types.Any)(_written)
+
+    class Absolute(AbstractTemplate):
+        key = abs
+
+        def generic(self, args: Any, kws: Any) -> Any:
+            return signature(KIND, KIND) if args == (KIND,) else None
+
+    register(abs)(Absolute)
+    lower_builtin(abs, Vector)(lambda context, builder, sig, args: _called(builder, "llvm.fabs", args[0]))
+
+
+def _lowered(named: str) -> Callable[..., Any]:
     def lower(context: Any, builder: Any, sig: Any, args: Any) -> Any:
-        return getattr(builder, named)(args[0], args[1], flags=_FLAGS)
+        both = (x if kind == KIND else _splat(builder, x) for x, kind in zip(args, sig.args, strict=True))
+        return getattr(builder, named)(*both)
 
-    lower_builtin(symbol, kind_of, kind_of)(lower)
+    return lower
+
+
+def _read(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+    value = builder.load(builder.gep(args[0], [args[1]]))
+    value.align = 8
+    return value
+
+
+def _written(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+    kept = builder.store(args[2], builder.gep(args[0], [args[1]]))
+    kept.align = 8
+    return context.get_dummy_value()

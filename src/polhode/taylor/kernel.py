@@ -1,184 +1,218 @@
-"""The kernel of one copy: steps, samples, events, and the way back onto what is conserved.
+"""The kernel: copies side by side, their steps, samples and events, and the way back onto what is conserved.
 
-It runs any program, so that it is compiled once for an installation; ``kernels`` says by whom.
+It runs any program, so that it is compiled once for an installation; ``kernels`` says by whom. A copy takes the same
+steps to the same bits, whatever lane it is in and whatever moves beside it.
 """
 
 from __future__ import annotations
 
 from typing import Any
 
-import numpy as np
-
-from polhode.taylor.kernel_series import combination, evaluate, fitted_series, nodes, power_of_two
-from polhode.taylor.kernel_zeros import DEPTH, first_zero, reach_of
-from polhode.taylor.program import CONSTANT, FIRST, PRODUCTS, SIZE, SLOTS
-from polhode.types import Array, Float64
+from polhode.taylor.kernel_invariants import back_onto, output, outputs_of
+from polhode.taylor.kernel_series import advanced, combination, fitted_series, nodes, power_of_two, sampled
+from polhode.taylor.kernel_space import (
+    EVENT,
+    HITS,
+    LATEST,
+    NEXT,
+    NOBODY,
+    STEPS,
+    TIME,
+    UNIT,
+    Copies,
+    Course,
+    Lanes,
+    Series,
+)
+from polhode.taylor.kernel_zeros import first_zero, reach_of
+from polhode.taylor.program import CONSTANT, FIRST, SIZE, SLOTS
+from polhode.taylor.vectors import LANES, borrowed, vectors
+from polhode.types import Array
 
 RUNNING, DONE, STOPPED, FULL, FAILED = 0, 1, 2, 3, 4
 SHORTEST = 4e-16  # of the present time: shorter steps do not advance
-INDEPENDENT = 0.01  # of a squared gradient, that must be left beside the other gradients
-FARTHEST = 1e-3  # of the scale: a run that is off by more is not to be mended
 CLOSE = 1e-14  # of a step: an event as near to its beginning as that was found at the end of the step before
 
 
-def back_onto(
-    whole: Array, number: Array, y: Array, wanted: Array, scale: Array, z: Array, a: Array, b: Array, rows: Array
-) -> None:
-    """Move a state by one Newton step onto what is conserved: the outputs are the values, then their gradients.
-
-    Gradients that nearly depend on those before them are left out, as at an equilibrium, where nothing is to be gained.
-    What has an infinite scale is left where it is.
-    """
-    n, count, kept = whole[SIZE], wanted.shape[0], 0
-    for i in range(n):
-        z[i] = y[i]
-    nodes(whole, number, z, a, b, 0)
-    for c in range(count):
-        off = wanted[c] - combination(whole, number, z, 0, whole[FIRST] + c) - number[whole[CONSTANT] + c]
-        square = 0.0
-        for i in range(n):
-            o = count + c * n + i
-            slope = combination(whole, number, z, 0, whole[FIRST] + o) + number[whole[CONSTANT] + o]
-            rows[kept, i] = slope * scale[i] if scale[i] < np.inf else 0.0
-            square += rows[kept, i] * rows[kept, i]
-        # what the earlier ones move is taken out, of gradient and of what is missing
-        for e in range(kept):
-            along = 0.0
-            for i in range(n):
-                along += rows[kept, i] * rows[e, i]
-            for i in range(n):
-                rows[kept, i] -= along * rows[e, i]
-            off -= along * rows[e, n]
-        left = 0.0
-        for i in range(n):
-            left += rows[kept, i] * rows[kept, i]
-        length = np.sqrt(left)
-        if not left > INDEPENDENT * square or not abs(off) < FARTHEST * length:
-            continue
-        for i in range(n):
-            rows[kept, i] /= length
-        rows[kept, n] = off / length
-        kept += 1
-    for e in range(kept):
-        for i in range(n):
-            if scale[i] < np.inf:
-                y[i] += rows[e, n] * rows[e, i] * scale[i]
-
-
-def advance(
-    whole: Array, number: Array, whole_of: Array, number_of: Array, y: Array, scale: Array, wanted: Array, ends: Array,
-    times: Array, out: Array, now: Array, counts: Array, hits: Array, order: Any, reach: Any, longest: Any, forth: Any,
-    clock: Any, falling: Array, stops: Array, limit: Any,
-) -> Any:  # fmt: skip
-    """Go on with a run, for at most so many steps, and return how it stands.
+def advance(rates: Series, integrals: Series, copies: Copies, lanes: Lanes, course: Course, limit: Any) -> None:
+    """Go on with the copies that run, for at most so many steps side by side.
 
     Args:
-        whole, number: the program of the rates of change, and of what is watched.
-        whole_of, number_of: that of what is conserved, and of its gradients.
-        y: (n,) the state, which is changed.
-        scale: (n,) sizes of its components.
-        wanted: (C,) what is conserved, and kept.
-        ends: (E,) times at which steps end, ascending in the direction of time, the last time last.
-        times, out: (T,) samples likewise, and (T, n) where they are put.
-        now: (3,) the present time, that of the last event, and a unit of time to begin with, such as a step's length.
-        counts: (5,) steps so far, next of ``times``, next of ``ends``, hits so far, which event was last (−1).
-        hits: (H, 2 + n) time, number and state of events.
-        order, reach, longest: of the coefficients, of a step in radii of convergence, and step.
-        forth: 1, or −1 of a run backwards in time.
-        clock: component of the state that is the time, or −1.
-        falling, stops: (W,) whether only changes from positive to negative are events, and which end the run.
+        rates: of the state, then what is watched.
+        integrals: what is conserved, then its gradients.
+        copies, lanes, course: see there.
         limit: of the steps.
     """
-    n, width, watched = whole[SIZE], whole[SLOTS], falling.shape[0]
-    z = np.zeros((order + 1) * width + 8)
-    a = np.zeros((order + 1) * whole[PRODUCTS] + 8)
-    b = np.zeros_like(a)
-    other = np.zeros(whole_of[SLOTS] + 8), np.zeros(whole_of[PRODUCTS] + 8), np.zeros(whole_of[PRODUCTS] + 8)
-    rows, p, work = np.zeros((wanted.shape[0] + 1, n + 1)), np.zeros((watched, order + 1)), np.zeros(order + 1)
-    waiting, point = np.zeros(2 * DEPTH + 8), np.zeros(n)
+    rates, integrals, copies, lanes = in_lanes(rates), in_lanes(integrals), borrowed(copies), borrowed(lanes)
+    course = borrowed(course)
+    z, states, status, which = rates.z, vectors(lanes.states), copies.status, lanes.which
+    order, watched, following = course.order, lanes.p.shape[0], 0
+    for lane in range(LANES):
+        which[lane] = NOBODY
     for _ in range(limit):
-        t = now[0]
-        end = ends[counts[2]]
-        for i in range(n):
-            z[i] = y[i]
-        unit, length = fitted_series(whole, number, z, a, b, scale, order, reach, now[2], abs(end - t))
-        h = min(length * unit, longest)
+        following, taken = seated(copies, lanes, course, following)
+        if taken == 0:
+            return
+        for i in range(rates.whole[SIZE]):
+            z[i] = states[i]
+        fitted_series(rates, lanes, course)
         if watched:
-            nodes(whole, number, z, a, b, order)
-        for w in range(watched):
-            row, to_t = whole[FIRST] + n + w, 1.0
-            for k in range(order + 1):
-                p[w, k] = combination(whole, number, z, k * width, row) * to_t  # of the units of time that pass
-                to_t *= forth
-            p[w, 0] += number[whole[CONSTANT] + n + w]
-            ahead = min(h, abs(end - t))
-            reached = unit * reach_of(p[w], order, ahead / unit, reach)
-            if reached < ahead:
-                h = reached
-        if not h > SHORTEST * abs(t) or not h > 0.0:
-            return FAILED
-        now[2] = power_of_two(min(h, abs(end - t)))
-        last = h >= forth * (end - t) * (1.0 - 1e-12)
-        later = end if last else t + forth * h
-        h = later - t
-        event, first = -1, h
-        for w in range(watched):
-            others, power = 0.0, abs(h) / unit
-            for k in range(1, order + 1):
-                others += abs(p[w, k]) * power
-                power *= abs(h) / unit
-            if abs(p[w, 0]) > others:
+            nodes(rates, order)
+            series_of_watched(rates, lanes, order, course.forth)
+        for lane in range(LANES):
+            lanes.steps[lane] = 0.0
+            if which[lane] != NOBODY:
+                status[which[lane]] = planned(rates, copies, lanes, course, lane)
+        advanced(rates, order, vectors(lanes.steps)[0], states)
+        if course.clock >= 0:
+            for lane in range(LANES):
+                lanes.states[course.clock * LANES + lane] = lanes.later[lane]
+        if copies.wanted.shape[1]:
+            back_onto(integrals, lanes, copies.wanted.shape[1])
+        for lane in range(LANES):
+            k = which[lane]
+            if k != NOBODY and status[k] == RUNNING:
+                status[k] = arrived(copies, lanes, course, lane)
+            if k != NOBODY and status[k] != RUNNING:
+                which[lane] = NOBODY
+
+
+def in_lanes(series: Series) -> Series:
+    """Return a series as a kernel computes with it."""
+    own = borrowed(series)
+    return Series(own.whole, own.number, own.flat, vectors(own.flat), own.a, own.b)
+
+
+def seated(copies: Copies, lanes: Lanes, course: Course, following: Any) -> tuple[Any, Any]:
+    """Give free lanes to copies that wait, and return which copy is the next one, and how many lanes are taken."""
+    taken, count = 0, copies.y.shape[0]
+    for lane in range(LANES):
+        if lanes.which[lane] == NOBODY:
+            while following < count and copies.status[following] != RUNNING:
+                following += 1
+            if following == count:
                 continue
-            low = 0.0
-            if counts[4] == w and abs(now[1] - t) <= CLOSE * abs(h) + SHORTEST * abs(t):
-                low = min(CLOSE * abs(h) + 4.0 * SHORTEST * abs(t), abs(h))
-            found = forth * unit * first_zero(p[w], order, low / unit, abs(h) / unit, falling[w], work, waiting)
-            if abs(found) <= abs(first):
-                event, first = w, found
-        if event >= 0:
-            if counts[3] == hits.shape[0]:
-                return FULL
-            later, last = t + first, False
-            h = first
-        while counts[1] < times.shape[0] and forth * times[counts[1]] <= forth * later:
-            if times[counts[1]] == later and event < 0:
-                break  # samples at the end of a step have its state, put back onto what is conserved
-            evaluate(whole, z, order, (times[counts[1]] - t) / unit, point)
-            for i in range(n):
-                out[counts[1], i] = point[i]
-            if clock >= 0:
-                out[counts[1], clock] = times[counts[1]]
-            counts[1] += 1
-        evaluate(whole, z, order, h / unit, y)
-        if clock >= 0:
-            y[clock] = later
-        if wanted.shape[0]:
-            back_onto(whole_of, number_of, y, wanted, scale, other[0], other[1], other[2], rows)
-        now[0] = later
-        counts[0] += 1
-        while counts[1] < times.shape[0] and times[counts[1]] == later:
-            for i in range(n):
-                out[counts[1], i] = y[i]
-            counts[1] += 1
-        if event >= 0:
-            hits[counts[3], 0], hits[counts[3], 1] = later, event
-            for i in range(n):
-                hits[counts[3], 2 + i] = y[i]
-            counts[3] += 1
-            counts[4], now[1] = event, later
-            if stops[event]:
-                return STOPPED
-        if last:
-            counts[2] += 1
-            if counts[2] == ends.shape[0]:
-                return DONE
+            k = following
+            lanes.which[lane], following = k, k + 1
+            for i in range(copies.y.shape[1]):
+                lanes.states[i * LANES + lane], lanes.scales[i * LANES + lane] = copies.y[k, i], copies.scale[k, i]
+            for c in range(copies.wanted.shape[1]):
+                lanes.wanted[c * LANES + lane] = copies.wanted[k, c]
+            lanes.units[lane], lanes.left[lane] = copies.now[k, UNIT], abs(course.end - copies.now[k, TIME])
+        taken += 1
+    return following, taken
+
+
+def series_of_watched(rates: Series, lanes: Lanes, order: Any, forth: Any) -> None:
+    """Set the coefficients of what is watched, of powers of the units of time that pass."""
+    whole, found = rates.whole, vectors(lanes.watched)
+    n, width = whole[SIZE], whole[SLOTS]
+    for w in range(lanes.p.shape[0]):
+        row, start, to_t = whole[FIRST] + n + w, w * (order + 1), 1.0
+        for k in range(order + 1):
+            found[start + k] = combination(rates, k * width, row) * to_t
+            to_t *= forth
+        found[start] = found[start] + rates.number[whole[CONSTANT] + n + w]
+
+
+def planned(rates: Series, copies: Copies, lanes: Lanes, course: Course, lane: Any) -> Any:
+    """Set how far a copy goes, put samples on the way where they belong, and return how it stands."""
+    k, unit, p, order = lanes.which[lane], lanes.units[lane], lanes.p, course.order
+    for w in range(p.shape[0]):
+        for j in range(order + 1):
+            p[w, j] = lanes.watched[(w * (order + 1) + j) * LANES + lane]
+    t, left = copies.now[k, TIME], lanes.left[lane]
+    h = min(lanes.lengths[lane] * unit, course.longest)
+    for w in range(p.shape[0]):  # which may shorten the step
+        ahead = min(h, left)
+        reached = unit * reach_of(p[w], order, ahead / unit, course.reach)
+        if reached < ahead:
+            h = reached
+    if not h > SHORTEST * abs(t) or not h > 0.0:
+        return FAILED
+    copies.now[k, UNIT] = power_of_two(min(h, left))
+    last = h >= left * (1.0 - 1e-12)
+    later = course.end if last else t + course.forth * h
+    event, h = event_in(copies, lanes, course, lane, later - t)
+    if event >= 0:
+        if copies.counts[k, HITS] == copies.hits.shape[1]:
+            return FULL
+        later, last = t + h, False
+    lanes.later[lane], lanes.event[lane], lanes.last[lane], lanes.steps[lane] = later, event, last, h / unit
+    following = copies.counts[k, NEXT]
+    while following < course.times.shape[0] and course.forth * course.times[following] <= course.forth * later:
+        sample = course.times[following]
+        if sample == later and event < 0:
+            break  # samples at the end of a step have its state, put back onto what is conserved
+        sampled(rates, order, (sample - t) / unit, lane, lanes.point)
+        for i in range(copies.y.shape[1]):
+            copies.out[k, following, i] = lanes.point[i]
+        if course.clock >= 0:
+            copies.out[k, following, course.clock] = sample
+        following += 1
+    copies.counts[k, NEXT] = following
     return RUNNING
 
 
-def values_at(whole: Array, number: Array, z: Array, a: Array, b: Array, count: Any) -> Float64[Array, "outputs"]:
-    """Return the first outputs of a program at a state, which z begins with."""
-    nodes(whole, number, z, a, b, 0)
-    found = np.zeros(count)
-    for c in range(count):
-        found[c] = combination(whole, number, z, 0, whole[FIRST] + c) + number[whole[CONSTANT] + c]
-    return found
+def event_in(copies: Copies, lanes: Lanes, course: Course, lane: Any, h: Any) -> tuple[Any, Any]:
+    """Return which of what is watched is the first to change its sign within h, or −1, and after what time it does."""
+    k, unit, order, p = lanes.which[lane], lanes.units[lane], course.order, lanes.p
+    t, event, first, length = copies.now[k, TIME], -1, h, abs(h)
+    for w in range(p.shape[0]):
+        others, power = 0.0, length / unit
+        for j in range(1, order + 1):
+            others += abs(p[w, j]) * power
+            power *= length / unit
+        if abs(p[w, 0]) > others:
+            continue
+        low = 0.0
+        if copies.counts[k, EVENT] == w and abs(copies.now[k, LATEST] - t) <= CLOSE * length + SHORTEST * abs(t):
+            low = min(CLOSE * length + 4.0 * SHORTEST * abs(t), length)
+        found = course.forth * unit * first_zero(
+            p[w], order, low / unit, length / unit, course.falling[w], lanes.work, lanes.waiting
+        )  # fmt: skip
+        if abs(found) <= abs(first):
+            event, first = w, found
+    return event, first
+
+
+def arrived(copies: Copies, lanes: Lanes, course: Course, lane: Any) -> Any:
+    """Note that a copy has come to the end of a step, and return how it stands."""
+    k, later, event = lanes.which[lane], lanes.later[lane], lanes.event[lane]
+    n, following = copies.y.shape[1], copies.counts[k, NEXT]
+    for i in range(n):
+        copies.y[k, i] = lanes.states[i * LANES + lane]
+    while following < course.times.shape[0] and course.times[following] == later:
+        for i in range(n):
+            copies.out[k, following, i] = copies.y[k, i]
+        following += 1
+    copies.counts[k, NEXT] = following
+    copies.counts[k, STEPS] += 1
+    copies.now[k, TIME] = later
+    lanes.units[lane], lanes.left[lane] = copies.now[k, UNIT], abs(course.end - later)
+    if event >= 0:
+        hit = copies.counts[k, HITS]
+        copies.hits[k, hit, 0], copies.hits[k, hit, 1] = later, event
+        for i in range(n):
+            copies.hits[k, hit, 2 + i] = copies.y[k, i]
+        copies.counts[k, HITS] = hit + 1
+        copies.counts[k, EVENT], copies.now[k, LATEST] = event, later
+        if course.stops[event]:
+            return STOPPED
+    return DONE if lanes.last[lane] else RUNNING
+
+
+def conserved_values(integrals: Series, y: Array, states: Array, values: Array) -> None:
+    """Set values (C, K) of what is conserved at states (C, n), with room for those of all lanes."""
+    series = in_lanes(integrals)
+    n, given = series.whole[SIZE], vectors(states)
+    for first in range(0, y.shape[0], LANES):
+        there = min(LANES, y.shape[0] - first)
+        for lane in range(there):
+            for i in range(n):
+                states[i * LANES + lane] = y[first + lane, i]
+        outputs_of(series, given)
+        for c in range(values.shape[1]):
+            given[0] = output(series, c)
+            for lane in range(there):
+                values[first + lane, c] = states[lane]

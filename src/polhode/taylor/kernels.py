@@ -1,112 +1,140 @@
-"""The kernel, as plain Python and compiled by Numba: the same lines, and the same bits.
+"""The kernel, as plain Python and compiled by Numba, for one copy at a time and for eight: always the same bits.
 
-Compiling takes five seconds, once for an installation, and loading what was compiled a third of one. Short runs are
-over by then, and are left to Python.
+Compiling takes seconds, once for an installation, and loading what was compiled a third of one. Short runs are over by
+then, and are left to Python, and few copies to the kernel that moves them one after the other.
 """
 
 from __future__ import annotations
 
 import inspect
-import time
 import zlib
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 from types import FunctionType, ModuleType
-from typing import Any, NamedTuple
+from typing import Any, ClassVar, NamedTuple
 
-from polhode.taylor import compiled_vectors, kernel, kernel_series, kernel_zeros, vectors
+from polhode.taylor import (
+    kernel,
+    kernel_invariants,
+    kernel_lanes,
+    kernel_products,
+    kernel_series,
+    kernel_space,
+    kernel_zeros,
+    lanes,
+    vectors,
+)
 
-LOADED, COMPILED = 0.3, 2.0  # s of the processor that runs by Python take before the kernel is loaded, or compiled
-MODULES: tuple[ModuleType, ...] = kernel_series, kernel_zeros, kernel
-ENTRIES = ("advance", "values_at")
-INLINED = ("combination", "nodes")
+LOADED = 0.3  # s of the processor that slower runs take before a kernel is loaded
+COMPILED = {1: 2.0, lanes.LANES: 6.0}  # or compiled, by how many copies it moves at a time
+COMMON: tuple[ModuleType, ...] = kernel_space, kernel_series, kernel_zeros, kernel_invariants, kernel
+MODULES = {1: (vectors, kernel_products, *COMMON), lanes.LANES: (lanes, kernel_lanes, *COMMON)}
+ENTRIES = ("advance", "conserved_values")
+CALLED = ("function", "reach_of", "first_zero", "change_within", "zero_between")  # all others are made part of callers
 Function = Any  # of Numba's or of Python's own
 
 
 class Kernel(NamedTuple):
-    """Functions of ``kernel``, and the steps that one call takes at most, so that Ctrl-C is seen between two."""
+    """Functions of ``kernel``.
 
+    Attributes:
+        lanes: how many copies it moves at a time.
+        stretch: the steps that one call takes at most, so that Ctrl-C is seen between two.
+    """
+
+    lanes: int
     advance: Function
-    values_at: Function
+    conserved_values: Function
     stretch: int
 
 
 class _Spent:
-    """Time that this process has spent in runs by Python [s], and whether it has the compiled kernel."""
+    """Time that this process has spent in runs that a faster kernel would have taken [s], and which ones it has."""
 
-    seconds = 0.0
-    compiled = False
-
-
-def chosen_kernel() -> Kernel:
-    """Return the compiled kernel if it is there or worth its while, else that of plain Python."""
-    spent = _Spent.seconds
-    wait = not _Spent.compiled and (spent < LOADED or (spent < COMPILED and not _is_on_disk()))
-    if wait:
-        return python_kernel()
-    _Spent.compiled = True
-    return compiled_kernel()
+    by_python = 0.0
+    one_by_one = 0.0
+    ready: ClassVar[set[int]] = set()
+    called: ClassVar[set[Kernel]] = set()
 
 
-def _counted(function: Function) -> Function:
-    def counted(*arguments: Any) -> Any:
-        before = time.process_time()
-        found = function(*arguments)
-        _Spent.seconds += time.process_time() - before
-        return found
+def chosen_kernel(copies: int) -> Kernel:
+    """Return the fastest kernel for so many copies that is there or worth its while."""
+    if not _is_worth(1, _Spent.by_python):
+        return python_kernel(1)
+    if copies >= lanes.LANES and _is_worth(lanes.LANES, _Spent.one_by_one):
+        return compiled_kernel(lanes.LANES)
+    return compiled_kernel(1)
 
-    return counted
+
+def note(use: Kernel, copies: int, seconds: float) -> None:
+    """Note what a run took, by which the next kernel is chosen; not the first one, which compiles or loads."""
+    if use not in _Spent.called:
+        _Spent.called.add(use)
+    elif use is python_kernel(1):
+        _Spent.by_python += seconds
+    elif copies >= lanes.LANES:
+        _Spent.one_by_one += seconds
+
+
+def _is_worth(width: int, spent: float) -> bool:
+    if width not in _Spent.ready and spent >= LOADED and (spent >= COMPILED[width] or _is_on_disk(width)):
+        _Spent.ready.add(width)
+    return width in _Spent.ready
 
 
 @cache
-def python_kernel() -> Kernel:
+def python_kernel(width: int) -> Kernel:
     """Return the kernel as it is written."""
-    space = _joined(lambda function, name: function, {})
-    return Kernel(*(_counted(space[name]) for name in ENTRIES), stretch=20)
+    space = _joined(width, lambda function, name: function, {})
+    return Kernel(width, *(space[name] for name in ENTRIES), stretch=20)
 
 
 @cache
-def compiled_kernel() -> Kernel:
+def compiled_kernel(width: int) -> Kernel:
     """Return the kernel as Numba compiles it when it is first called, or has it on the disk."""
     from polhode.exact.kernel_arithmetic import announced, njit
+    from polhode.taylor import compiled_vectors
 
-    sources = [Path(inspect.getfile(module)).read_bytes() for module in (*MODULES, compiled_vectors)]
+    files = [inspect.getfile(module) for module in (*MODULES[width], compiled_vectors)]
+    sources = [Path(file).read_bytes() for file in (*files, __file__)]
     version = zlib.crc32(b"".join(sources))
-    load, store, gather = compiled_vectors.vector_operations()
-    operations = {"load": load, "store": store, "gather": gather}
+    operations = compiled_vectors.of_one_copy() if width == 1 else compiled_vectors.of_lanes()
     take: Any = njit  # whose types do not know all of its options
 
     def compiled(function: FunctionType, name: str) -> Any:
         if name in ENTRIES:
             # Numba looks at one file alone for changes, and keeps what it compiles by this name
-            function.__qualname__ = f"{name}_{version:08x}"
-            return announced("Taylor series", take(error_model="numpy", nogil=True, cache=True)(function))
-        return take(error_model="numpy", nogil=True, forceinline=name in INLINED, no_cpython_wrapper=True,
+            function.__qualname__ = f"{name}_{width}_{version:08x}"
+            what = "Taylor series" if width == 1 else "Taylor series of many copies"
+            return announced(what, take(error_model="numpy", nogil=True, cache=True)(function))
+        return take(error_model="numpy", nogil=True, forceinline=name not in CALLED, no_cpython_wrapper=True,
                     no_cfunc_wrapper=True)(function)  # fmt: skip
 
-    space = _joined(compiled, operations)
-    return Kernel(*(space[name] for name in ENTRIES), stretch=200_000)
+    space = _joined(width, compiled, operations)
+    return Kernel(width, *(space[name] for name in ENTRIES), stretch=50_000)
 
 
-def use_compiled_kernel() -> None:
-    """Take the compiled kernel from now on, however short the runs."""
-    _Spent.compiled = True
+def use_compiled_kernel(*widths: int) -> None:
+    """Take the compiled kernels that move so many copies at a time from now on, however short the runs."""
+    _Spent.ready.update(widths or MODULES)
 
 
 @cache
-def _is_on_disk() -> bool:
+def _is_on_disk(width: int) -> bool:
     """Whether Numba has compiled it before."""
-    kept = [Path(entry.stats.cache_path).glob(f"*{entry.__qualname__}-*.nbi") for entry in compiled_kernel()[:2]]
+    kept = [Path(entry.stats.cache_path).glob(f"*{entry.__qualname__}-*.nbi") for entry in compiled_kernel(width)[1:3]]
     return all(any(found) for found in kept)
 
 
-def _joined(made: Callable[[FunctionType, str], Any], operations: dict[str, Any]) -> dict[str, Any]:
+def _joined(
+    width: int, made: Callable[[FunctionType, str], Any], operations: dict[str, Any]
+) -> dict[str, Any]:  # fmt: skip
     """Return the names of all modules, in which functions, made into what is wanted, call each other."""
     space: dict[str, Any] = {}
-    for module in (vectors, *MODULES):
+    for module in reversed(MODULES[width]):  # the first ones say what numbers are
         space.update({name: value for name, value in vars(module).items() if not inspect.isfunction(value)})
-    own = [(name, value) for module in (vectors, *MODULES) for name, value in vars(module).items()
+    own = [(name, value) for module in MODULES[width] for name, value in vars(module).items()
            if inspect.isfunction(value) and value.__module__ == module.__name__]  # fmt: skip
     for name, value in own:
         plain = inspect.unwrap(value)  # tests wrap functions to check annotations

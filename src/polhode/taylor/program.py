@@ -31,7 +31,8 @@ class Program(NamedTuple):
             START for an affine combination, the first product of a block, else a slot; the slots of both factors of
             products; where combinations begin among the terms, and the slots of terms; and which combination is the
             first of the outputs.
-        number: (F,) for each operation the constant or exponent, the factors of terms, the constants of outputs.
+        number: (F,) for each operation the constant, the exponent, or how many products of a block count; the factors
+            of terms, and the constants of outputs.
     """
 
     whole: Integer[Array, "integers"]
@@ -88,7 +89,7 @@ def program_of(tape: Tape, outputs: list[Expression]) -> Program:
         products = [k for k in of_step if by[k].operation is Operation.PRODUCT]
         for begin in range(0, len(products), BLOCK):
             block = products[begin : begin + BLOCK]
-            add(Operation.PRODUCT, slots, len(left))
+            add(Operation.PRODUCT, slots, len(left), len(block))
             pairs = [by[k].arguments for k in block]
             pairs += [pairs[0]] * (BLOCK - len(block))
             left.extend(at[i] for i, _ in pairs)

@@ -12,16 +12,15 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.motion.outcome import Status
 from polhode.systems.base import AbstractSystem, Event
 from polhode.taylor import kernel
-from polhode.taylor.kernels import chosen_kernel
+from polhode.taylor.flight import fly, outcome, starting
+from polhode.taylor.kernel_space import HITS, STEPS, Copies, Course
 from polhode.taylor.machine import Machine, machine_of
 from polhode.types import Array, Double, Float64, Integer
 
 ORDER, LOCAL = 24, 1e-19  # to rounding: of an order at which errors of single steps do not add up with one sign
 LOOSEST_ORDER = 8
-MOST_STEPS = 15_000_000
 FIRST_HITS = 256  # crossings that there is room for at first
 
 
@@ -129,15 +128,13 @@ def runs_of(
         scale[:, : form.size] = scales
     samples = np.full((len(states), len(times), program.size), np.inf)
     samples[:, 0] = y  # without the time, which no state has
-    found = []
-    for k in range(len(states)):
-        given = y[k], scale[k], samples[k, 1:], lambda part, k=k: check((k + part) / len(states))
-        found.append(_one(plan, *given, times[0], np.zeros((1, 2 + program.size)))[:4])
-    status, event, end, steps = (np.array(column) for column in zip(*found, strict=True))
+    copies = starting(plan.machines[0], y, scale, samples[:, 1:], times[0], hits=1)
+    _fly_through(plan, copies, check)
     balances = plan.machines[0].balances
     extra = slice(form.size, form.size + len(balances))
-    received = samples[..., extra], y[:, extra].copy()
-    return Runs(form.back(samples), received[0], status, event, end, form.back(y), received[1], steps, balances)
+    ended = outcome(copies)
+    return Runs(form.back(samples), samples[..., extra], *ended, form.back(y), y[:, extra].copy(),
+                copies.counts[:, STEPS], balances)  # fmt: skip
 
 
 class Crossings(NamedTuple):
@@ -185,14 +182,15 @@ def crossings_of(
     """
     plan = _planned(system, state, times, precision, math.inf, through)
     form, size = plan.machines[0].form, plan.machines[0].program.size
-    y = np.zeros(size)
-    y[: form.size] = form.flat(state)
-    scale = _scales(system, np.asarray(state)[None], times[0], plan.machines[0], size)[0]
-    hits = np.zeros((min(most, FIRST_HITS), 2 + size))
-    watch = Watch(falling, most)
-    status, event, end, _, hits = _one(plan, y, scale, np.full((1, size), np.inf), check, times[0], hits, watch)
+    y = np.zeros((1, size))
+    y[0, : form.size] = form.flat(state)
+    scale = _scales(system, np.asarray(state)[None], times[0], plan.machines[0], size)
+    copies = starting(plan.machines[0], y, scale, np.full((1, 1, size), np.inf), times[0], min(most, FIRST_HITS))
+    copies = _fly_through(plan, copies, check, Watch(falling, most))
+    status, event, end = outcome(copies)
+    hits = copies.hits[0, : copies.counts[0, HITS]]
     found = hits[hits[:, 1] == len(system.events)][:most]
-    return Crossings(found[:, 0], form.back(found[:, 2:]), status, event, end)
+    return Crossings(found[:, 0], form.back(found[:, 2:]), int(status[0]), int(event[0]), float(end[0]))
 
 
 class Watch(NamedTuple):
@@ -202,56 +200,23 @@ class Watch(NamedTuple):
     most: int
 
 
-def _one(
-    plan: Plan, y: Array, scale: Array, samples: Array, check: Callable[[float], None], first: float, hits: Array,
-    watch: Watch | None = None,
-) -> tuple[int, int, float, int, Array]:  # fmt: skip
-    """Move one copy, and return its status, event, end, number of steps, and what was crossed (H, 2 + n)."""
-    now, counts = np.array([first, 0.0, 1.0]), np.array([0, 0, 0, 0, -1])
-    wanted = _conserved_values(plan.machines[0], y)
-    status = kernel.DONE
-    for machine, end in zip(plan.machines, plan.borders[1:], strict=True):
-        if machine.clock >= 0:
-            y[machine.clock] = now[0]
-        given = machine, y, scale, wanted, end, samples, now, counts
-        status = _through(plan, *given, hits, check, watch)
-        while status == kernel.FULL and watch is not None and counts[3] < watch.most:
-            hits = np.concatenate([hits, np.zeros_like(hits)])
-            status = _through(plan, *given, hits, check, watch)
-        if status != kernel.DONE:
-            break
-    steps, crossed = int(counts[0]), hits[: counts[3]]
-    if status == kernel.STOPPED:
-        return Status.EVENT, int(crossed[-1, 1]), float(now[0]), steps, crossed
-    if status in (kernel.DONE, kernel.FULL):
-        return Status.COMPLETED, -1, float(now[0]), steps, crossed
-    samples[counts[1] :] = np.inf
-    return Status.NOT_CONVERGED, -1, math.nan, steps, crossed
-
-
-def _through(
-    plan: Plan, machine: Machine, y: Array, scale: Array, wanted: Array, end: float, samples: Array, now: Array,
-    counts: Array, hits: Array, check: Callable[[float], None], watch: Watch | None,
-) -> int:  # fmt: skip
-    """Go on up to a jump, the last time or an event, or until there is no room for another crossing."""
+def _fly_through(plan: Plan, copies: Copies, check: Callable[[float], None], watch: Watch | None = None) -> Copies:
+    """Move copies to the last time, or as far as they come, and return them, with more room for what they cross."""
     # the system's events fall from positive to zero, and end the motion
-    falling = np.ones(len(machine.events) + (watch is not None), bool)
+    falling = np.ones(len(plan.machines[0].events) + (watch is not None), bool)
     stops = falling.copy()
     if watch is not None:
         falling[-1], stops[-1] = watch.falling, False
-    counts[2] = 0
     first, last = plan.borders[0], plan.borders[-1]
-    while True:
-        use = chosen_kernel()
-        with np.errstate(all="ignore"):
-            status = use.advance(
-                *machine.program, *machine.integrals, y, scale, wanted, np.array([end]), plan.times, samples, now,
-                counts, hits, plan.precision.order, plan.precision.reach, plan.longest, plan.forth, machine.clock,
-                falling, stops, use.stretch,
-            )  # fmt: skip
-        if status != kernel.RUNNING or counts[0] >= MOST_STEPS:
-            return int(status)
-        check(float((now[0] - first) / (last - first)))
+    share = lambda t: (t - first) / (last - first)  # noqa: E731
+    for machine, end in zip(plan.machines, plan.borders[1:], strict=True):
+        course = Course(plan.times, *plan.precision, plan.longest, plan.forth, falling, stops, end, machine.clock)
+        fly(copies, machine, course, check, share)
+        while watch is not None and copies.status[0] == kernel.FULL and copies.counts[0, HITS] < watch.most:
+            copies = copies._replace(hits=np.concatenate([copies.hits, np.zeros_like(copies.hits)], axis=1))
+            copies.status[0] = kernel.RUNNING
+            fly(copies, machine, course, check, share)
+    return copies
 
 
 def _borders(system: AbstractSystem, times: np.ndarray, forth: float) -> list[float]:
@@ -283,15 +248,3 @@ def _sizes(system: AbstractSystem, states: Array, t: Array) -> tuple[Array, dict
 
     own, values = jax.vmap(one)(states)
     return jnp.real(own), values
-
-
-def _conserved_values(machine: Machine, y: Array) -> Float64[Array, "conserved"]:
-    """Return what is conserved at a start, computed as the kernel does."""
-    program = machine.integrals
-    if not machine.names:
-        return np.zeros(0)
-    z, blank = np.zeros(program.slots + 8), np.zeros(program.products + 8)
-    z[: machine.form.size] = y[: machine.form.size]
-    with np.errstate(all="ignore"):
-        values = chosen_kernel().values_at(*program, z, blank, blank.copy(), len(machine.names))
-    return np.where(np.isfinite(values), values, 0.0)

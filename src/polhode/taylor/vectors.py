@@ -1,12 +1,64 @@
-"""Eight doubles as one value, in plain Python; ``compiled_vectors`` has them for Numba."""
+"""The numbers that a kernel computes with, in plain Python: of one copy; ``lanes`` has eight copies side by side.
+
+``compiled_vectors`` has both for Numba. A kernel keeps all numbers in flat arrays of doubles, and sees them through
+``vectors``: of one copy as they are, of eight copies each number as a vector of eight.
+"""
 
 from __future__ import annotations
 
+import math
 from typing import Any
+
+import numpy as np
 
 from polhode.types import Array, Float64, Integer
 
-WIDTH = 8
+WIDTH = 8  # doubles in a vector
+LANES = 1  # copies side by side
+
+
+def borrowed(x: Any) -> Any:
+    """Return arrays, or tuples of them, that somebody else keeps: Numba counts no references to them."""
+    return x
+
+
+def vectors(array: Float64[Array, " many"]) -> Array:
+    """Return numbers as what the kernel computes with."""
+    return array
+
+
+def spread(x: Any) -> Any:
+    """Return one number for all copies."""
+    return x
+
+
+def where_less(x: Any, y: Any, yes: Any, no: Any) -> Any:
+    """Return what belongs to x < y or to its contrary."""
+    return yes if x < y else no
+
+
+def square_root(x: Any) -> Any:
+    return math.sqrt(x) if x >= 0.0 else np.nan
+
+
+def powered(x: Any, exponent: Any) -> Any:
+    return x**exponent
+
+
+def exponential(x: Any) -> Any:
+    return np.exp(x) if x > 700.0 else math.exp(x)  # math's raises an error where it overflows
+
+
+def logarithm(x: Any) -> Any:
+    return math.log(x) if x > 0.0 else np.log(x)
+
+
+def sine(x: Any) -> Any:
+    return math.sin(x) if abs(x) < np.inf else np.nan
+
+
+def cosine(x: Any) -> Any:
+    return math.cos(x) if abs(x) < np.inf else np.nan
 
 
 def load(array: Float64[Array, " many"], index: Any) -> Float64[Array, "8"]:

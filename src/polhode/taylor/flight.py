@@ -1,0 +1,99 @@
+"""Copies on their way: what a kernel changes while it moves them from one jump of a system to the next."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Callable
+
+import numpy as np
+
+from polhode.motion.outcome import Status
+from polhode.taylor import kernel
+from polhode.taylor.kernel_space import EVENT, NEXT, STEPS, TIME, Copies, Course, lanes_for, series_for
+from polhode.taylor.kernels import Kernel, chosen_kernel, note
+from polhode.taylor.machine import Machine
+from polhode.types import Array, Float64, Integer
+
+MOST_STEPS = 15_000_000
+WORTH = 64  # copies: fewer are not worth a thread
+
+
+def starting(
+    machine: Machine, y: Float64[Array, "copies n"], scale: Float64[Array, "copies n"],
+    samples: Float64[Array, "copies time n"], first: float, hits: int,
+) -> Copies:  # fmt: skip
+    """Return copies at a first time, with room for so many events each."""
+    copies, n = y.shape
+    now, counts = np.tile([first, 0.0, 1.0], (copies, 1)), np.tile([0, 0, 0, -1], (copies, 1))
+    crossed = np.zeros((copies, hits, 2 + n))
+    return Copies(y, scale, _conserved_at(machine, y), np.zeros(copies, np.int64), samples, now, counts, crossed)
+
+
+def fly(
+    copies: Copies, machine: Machine, course: Course, check: Callable[[float], None], share: Callable[[float], float]
+) -> None:  # fmt: skip
+    """Go on up to the end of a course, with all copies that have not stopped before.
+
+    Args:
+        copies: which are changed.
+        machine: of their system, between two of its jumps.
+        course: common to all.
+        check: called with the part of all that is done, between parts of a long run.
+        share: what part of the way a time is.
+    """
+    status = copies.status
+    status[status == kernel.DONE] = kernel.RUNNING
+    if machine.clock >= 0:
+        copies.y[:, machine.clock] = copies.now[:, TIME]
+    while (running := np.flatnonzero(status == kernel.RUNNING)).size:
+        use = chosen_kernel(running.size)
+        before = time.process_time()
+        _advance(copies, machine, course, use, running)
+        note(use, running.size, time.process_time() - before)
+        if copies.counts[:, STEPS].max() >= MOST_STEPS:
+            return
+        if (left := np.flatnonzero(status == kernel.RUNNING)).size:
+            part = share(float(copies.now[left[0], TIME]))
+            check((len(status) - left.size + part) / len(status))
+
+
+def outcome(
+    copies: Copies,
+) -> tuple[Integer[Array, "copies"], Integer[Array, "copies"], Float64[Array, "copies"]]:
+    """Return status, the event that ended each or −1, and the time of the end, or NaN; nothing is left after that."""
+    stopped, fine = copies.status == kernel.STOPPED, np.isin(copies.status, (kernel.DONE, kernel.FULL))
+    status = np.where(stopped, Status.EVENT, np.where(fine, Status.COMPLETED, Status.NOT_CONVERGED))
+    event = np.where(stopped, copies.counts[:, EVENT], -1)
+    end = np.where(stopped | fine, copies.now[:, TIME], math.nan)
+    for k in np.flatnonzero(~stopped & ~fine):
+        copies.out[k, copies.counts[k, NEXT] :] = np.inf
+    return status, event, end
+
+
+def _advance(copies: Copies, machine: Machine, course: Course, use: Kernel, running: Array) -> None:
+    from polhode.exact.kernel_arithmetic import in_threads
+
+    orders, watched, conserved = course.order + 1, len(course.falling), copies.wanted.shape[1]
+
+    def fill(low: int, high: int) -> None:
+        part = slice(running[low], running[high - 1] + 1)
+        rates = series_for(machine.program, orders, use.lanes)
+        integrals = series_for(machine.integrals, 1, use.lanes)
+        lanes = lanes_for(machine.program, course.order, use.lanes, watched, conserved)
+        with np.errstate(all="ignore"):
+            use.advance(rates, integrals, Copies(*(x[part] for x in copies)), lanes, course, use.stretch)
+
+    in_threads(fill, running.size, WORTH)
+
+
+def _conserved_at(machine: Machine, y: Array) -> Float64[Array, "copies conserved"]:
+    """Return what is conserved at starts (C, n), computed as the kernel does."""
+    found = np.zeros((len(y), len(machine.names)))
+    if machine.names:
+        use = chosen_kernel(len(y))
+        integrals = series_for(machine.integrals, 1, use.lanes)
+        start, states = np.ascontiguousarray(y[:, : machine.form.size]), np.zeros(machine.form.size * use.lanes)
+        with np.errstate(all="ignore"):
+            use.conserved_values(integrals, start, states, found)
+    return np.where(np.isfinite(found), found, 0.0)

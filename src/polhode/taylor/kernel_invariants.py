@@ -1,0 +1,69 @@
+"""The way back onto what is conserved, by one Newton step after each step in time."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from polhode.taylor.kernel_series import combination, nodes
+from polhode.taylor.kernel_space import Lanes, Series
+from polhode.taylor.program import CONSTANT, FIRST, SIZE
+from polhode.taylor.vectors import spread, square_root, vectors, where_less
+from polhode.types import Array
+
+INDEPENDENT = 0.01  # of a squared gradient, that must be left beside the other gradients
+FARTHEST = 1e-3  # of the scale: a run that is off by more is not to be mended
+
+
+def back_onto(integrals: Series, lanes: Lanes, count: Any) -> None:
+    """Move states by one Newton step onto what is conserved: the outputs are the values, then their gradients.
+
+    Gradients that nearly depend on those before them are left out, as at an equilibrium, where nothing is to be gained.
+    What has an infinite scale is left where it is.
+    """
+    y, scale, wanted, rows = vectors(lanes.states), vectors(lanes.scales), vectors(lanes.wanted), vectors(lanes.rows)
+    n, none, infinite = integrals.whole[SIZE], spread(0.0), spread(np.inf)
+    outputs_of(integrals, y)
+    for c in range(count):
+        row = c * (n + 1)
+        off = wanted[c] - output(integrals, c)
+        square = spread(0.0)
+        for i in range(n):
+            scaled = where_less(scale[i], infinite, output(integrals, count + c * n + i) * scale[i], none)
+            rows[row + i] = scaled
+            square = square + scaled * scaled
+        # what the earlier ones move is taken out, of gradient and of what is missing
+        for e in range(c):
+            along, earlier = spread(0.0), e * (n + 1)
+            for i in range(n):
+                along = along + rows[row + i] * rows[earlier + i]
+            for i in range(n):
+                rows[row + i] = rows[row + i] - along * rows[earlier + i]
+            off = off - along * rows[earlier + n]
+        left = spread(0.0)
+        for i in range(n):
+            left = left + rows[row + i] * rows[row + i]
+        length = square_root(left)
+        small = where_less(abs(off), FARTHEST * length, length, infinite)
+        kept = where_less(INDEPENDENT * square, left, small, infinite)  # infinite where the gradient is left out
+        for i in range(n):
+            rows[row + i] = where_less(kept, infinite, rows[row + i] / kept, none)
+        rows[row + n] = where_less(kept, infinite, off / kept, none)
+    for c in range(count):
+        row = c * (n + 1)
+        for i in range(n):
+            moved = y[i] + rows[row + n] * rows[row + i] * scale[i]
+            y[i] = where_less(scale[i], infinite, moved, y[i])
+
+
+def outputs_of(integrals: Series, y: Array) -> None:
+    """Compute what ``output`` gives, at states."""
+    for i in range(integrals.whole[SIZE]):
+        integrals.z[i] = y[i]
+    nodes(integrals, 0)
+
+
+def output(integrals: Series, o: Any) -> Any:
+    whole = integrals.whole
+    return combination(integrals, 0, whole[FIRST] + o) + integrals.number[whole[CONSTANT] + o]

@@ -1,0 +1,142 @@
+"""What the kernel works on, in flat arrays that Python makes before it begins."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from polhode.taylor.kernel_zeros import DEPTH
+from polhode.taylor.program import Program
+from polhode.types import Array, Bool, Float64, Integer
+
+LINE = 64  # bytes of the cache
+NOBODY = -1  # in a lane
+TIME, LATEST, UNIT = range(3)  # of a copy, where its ``now`` has them
+STEPS, NEXT, HITS, EVENT = range(4)  # and its ``counts``
+LENGTHS = 5  # numbers of a lane in ``lengths``
+
+
+class Series(NamedTuple):
+    """A program, and the coefficients that it has computed.
+
+    Attributes:
+        whole, number: of the program.
+        flat: coefficients of one order after the other, each of all nodes, each of all lanes.
+        z: the same memory as the numbers that a kernel computes with.
+        a, b: factors of products, where they are kept apart.
+    """
+
+    whole: Integer[Array, "integers"]
+    number: Float64[Array, "numbers"]
+    flat: Float64[Array, " many"]
+    z: Array
+    a: Float64[Array, " many"]
+    b: Float64[Array, " many"]
+
+
+class Copies(NamedTuple):
+    """How C copies of n numbers stand.
+
+    Attributes:
+        y: (C, n) states.
+        scale: (C, n) sizes of their components, infinite of those that neither limit a step nor are put back.
+        wanted: (C, K) what is conserved.
+        status: (C,) see ``kernel``.
+        out: (C, T, n) where samples are put.
+        now: (C, 3) the present time, that of the last event, and a unit of time to begin with, as a step's length.
+        counts: (C, 4) steps so far, next sample, hits so far, which event was last (−1).
+        hits: (C, H, 2 + n) time, number and state of events.
+    """
+
+    y: Float64[Array, "copies n"]
+    scale: Float64[Array, "copies n"]
+    wanted: Float64[Array, "copies conserved"]
+    status: Integer[Array, "copies"]
+    out: Float64[Array, "copies time n"]
+    now: Float64[Array, "copies 3"]
+    counts: Integer[Array, "copies 4"]
+    hits: Float64[Array, "copies hits row"]
+
+
+class Course(NamedTuple):
+    """What is common to all copies.
+
+    Attributes:
+        times: (T,) samples, in the direction of time.
+        order, reach, longest: of the coefficients, of a step in radii of convergence, and step.
+        forth: 1, or −1 of runs backwards in time.
+        falling, stops: (W,) whether only changes from positive to negative are events, and which end a run.
+        end: the last time.
+        clock: component of the state that is the time, or −1.
+    """
+
+    times: Float64[Array, "time"]
+    order: int
+    reach: float
+    longest: float
+    forth: float
+    falling: Bool[Array, "watched"]
+    stops: Bool[Array, "watched"]
+    end: float
+    clock: int
+
+
+class Lanes(NamedTuple):
+    """Copies side by side, and room for what is computed of them; flat arrays have one number of all lanes at a time.
+
+    Attributes:
+        which: the copy in each lane.
+        states, scales, wanted: of these.
+        units, left, steps, lengths: of time in the series, until the end, of a step in units, see ``step_lengths``.
+        later, event, last, lowered: time and event at the end of a step, if that is the last, if the unit was too long.
+        rows: gradients of what is conserved.
+        watched: coefficients of what is watched, and ``p`` (W, order + 1) those of one lane.
+        work, waiting, point: see ``kernel_zeros``, and a sample.
+    """
+
+    which: Integer[Array, "lanes"]
+    states: Float64[Array, " many"]
+    scales: Float64[Array, " many"]
+    wanted: Float64[Array, " many"]
+    units: Float64[Array, "lanes"]
+    left: Float64[Array, "lanes"]
+    steps: Float64[Array, "lanes"]
+    lengths: Float64[Array, " many"]
+    later: Float64[Array, "lanes"]
+    event: Integer[Array, "lanes"]
+    last: Integer[Array, "lanes"]
+    lowered: Integer[Array, "lanes"]
+    rows: Float64[Array, " many"]
+    watched: Float64[Array, " many"]
+    p: Float64[Array, "watched orders"]
+    work: Float64[Array, "orders"]
+    waiting: Float64[Array, " many"]
+    point: Float64[Array, "n"]
+
+
+def series_for(program: Program, orders: int, width: int) -> Series:
+    """Return room for so many orders of so many lanes; one copy alone keeps the factors of its products."""
+    flat = _zeros((orders * program.slots + 8) * width)
+    factors = orders * program.products + 8 if width == 1 else 0
+    return Series(*program, flat, flat, _zeros(factors), _zeros(factors))
+
+
+def lanes_for(program: Program, order: int, width: int, watched: int, conserved: int) -> Lanes:
+    """Return lanes in which nobody is."""
+    n = program.size
+    numbers = lambda count: _zeros(count * width)  # noqa: E731
+    marks = lambda: np.zeros(width, np.int64)  # noqa: E731
+    return Lanes(
+        np.full(width, NOBODY), numbers(n), numbers(n), numbers(conserved), np.ones(width), numbers(1), numbers(1),
+        numbers(LENGTHS), numbers(1), marks(), marks(), marks(), numbers(conserved * (n + 1)),
+        numbers(watched * (order + 1)), np.zeros((watched, order + 1)), np.zeros(order + 1), np.zeros(2 * DEPTH + 8),
+        np.zeros(n),
+    )  # fmt: skip
+
+
+def _zeros(count: int) -> Float64[Array, " many"]:
+    """Return zeros that begin where a line of the cache does: vectors across two of them take twice as long to load."""
+    made = np.zeros(count + LINE // 8)
+    first = -made.ctypes.data % LINE // 8
+    return made[first : first + count]
