@@ -7,13 +7,11 @@ go along with the motion by the same recurrences, and all in one run.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from functools import lru_cache
 from typing import Any, NamedTuple
 
 import equinox as eqx
 import jax
-import jax.flatten_util
 import jax.numpy as jnp
 import numpy as np
 
@@ -23,13 +21,12 @@ from polhode.motion.outcome import Status
 from polhode.systems.base import AbstractSystem
 from polhode.systems.forms import rates_of_change
 from polhode.taylor.expressions import Untraceable
-from polhode.taylor.machine import Form, machine_of
+from polhode.taylor.machine import TRACING, Form, machine_of
 from polhode.taylor.runs import Precision, runs_of
+from polhode.taylor.structure import Structure, parted
 from polhode.types import Array, Double, Float64
 
 TOGETHER = 13  # tangents that go along with one run
-TRACING = (jax.errors.ConcretizationTypeError, jax.errors.TracerArrayConversionError,
-           jax.errors.TracerIntegerConversionError, jax.errors.TracerBoolConversionError)  # fmt: skip
 
 
 class Series(NamedTuple):
@@ -49,17 +46,11 @@ class Series(NamedTuple):
 
 
 class _Skeleton(NamedTuple):
-    """A system without its numbers, and what puts them back."""
+    """How a system lies in real numbers without its own."""
 
-    rest: Any
-    unravel: Callable[[Any], Any]
+    structure: Structure
     form: Form
     balances: tuple[str, ...]
-    size: int
-
-    def system(self, numbers: Any) -> AbstractSystem:
-        """Return the system with these numbers."""
-        return eqx.combine(self.unravel(numbers), self.rest)
 
 
 class _Sensitive(AbstractSystem):
@@ -70,7 +61,6 @@ class _Sensitive(AbstractSystem):
     """
 
     skeleton: _Skeleton = eqx.field(static=True)
-    key: Any = eqx.field(static=True)
     varied: range = eqx.field(static=True)
 
     @property
@@ -80,13 +70,13 @@ class _Sensitive(AbstractSystem):
 
     def flow(self, t: Any, numbers: Any, parameters: Any) -> Any:
         """Return the rates of change of state and balances."""
-        form, system = self.skeleton.form, self.skeleton.system(parameters)
+        form, system = self.skeleton.form, self.skeleton.structure.with_numbers(parameters)
         state = form.state(numbers)
         received = [jnp.ravel(b.rate) for b in system.balances(t, state).values()]
         return jnp.concatenate([form.numbers(rates_of_change(system, t, state)), *received])
 
     def vector_field(self, t: Any, state: Any) -> Any:
-        n, m, rows = self.skeleton.form.size, self.skeleton.size, self.rows
+        n, m, rows = self.skeleton.form.size, self.skeleton.structure.size, self.rows
         numbers, parameters = state[:n], state[rows : rows + m]
         if not self.varied:
             return jnp.concatenate([self.flow(t, numbers, parameters), jnp.zeros(m)])
@@ -97,16 +87,16 @@ class _Sensitive(AbstractSystem):
         return jnp.concatenate([rates, jnp.zeros(m), jnp.ravel(changes)])
 
     def invariants(self, state: Any) -> dict[str, Any]:
-        n, m, rows = self.skeleton.form.size, self.skeleton.size, self.rows
-        system = self.skeleton.system(state[rows : rows + m])
+        n, m, rows = self.skeleton.form.size, self.skeleton.structure.size, self.rows
+        system = self.skeleton.structure.with_numbers(state[rows : rows + m])
         found = system.invariants(self.skeleton.form.state(state[:n]))
         return {name: value for name, value in found.items() if jnp.ndim(value) == 0}
 
     def __hash__(self) -> int:
-        return hash((self.key, self.varied))
+        return hash((self.skeleton, self.varied))
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, _Sensitive) and (self.key, self.varied) == (other.key, other.varied)
+        return isinstance(other, _Sensitive) and (self.skeleton, self.varied) == (other.skeleton, other.varied)
 
 
 def series_solution(
@@ -124,30 +114,24 @@ def series_solution(
             f"Taylor moves {name} by `simulate` alone, as it has events or jumps. Leave out `method`, or give "
             "diffrax.Dopri8()."
         )
-    arrays, rest = eqx.partition(system, lambda x: eqx.is_inexact_array(x) and not jnp.iscomplexobj(x))
-    parameters, unravel = jax.flatten_util.ravel_pytree(arrays)
-    own = np.shape(state)[np.ndim(state) - system.state_axes :]
-    form = Form(tuple(own), bool(jnp.iscomplexobj(state)))
-    shapes = tuple((jnp.shape(x), str(jnp.result_type(x))) for x in jax.tree.leaves(arrays))
-    leaves, structure = jax.tree.flatten(rest)
-    known = tuple((x.shape, np.asarray(x).tobytes()) if hasattr(x, "shape") else x for x in leaves)
-    key = type(system), structure, known, jax.tree.structure(arrays), shapes, form
     try:
-        hash(key)
+        structure, arrays = parted(system)
     except TypeError:
         raise InvalidInput(f"{name} has parts that cannot be hashed; make them arrays or fields of a module.") from None
+    parameters = jnp.concatenate([jnp.zeros(0), *(jnp.ravel(x) for x in arrays)])
+    form = Form(tuple(np.shape(state)[np.ndim(state) - system.state_axes :]), bool(jnp.iscomplexobj(state)))
     kind = complex if form.is_complex else float
     shape = jax.ShapeDtypeStruct((), float), jax.ShapeDtypeStruct(form.shape, kind)
     balances = tuple(jax.eval_shape(lambda t, x: system.balances(t, x), *shape))
-    skeleton = _Skeleton(rest, unravel, form, balances, int(parameters.size))
+    skeleton = _Skeleton(structure, form, balances)
     try:
-        operation = _operation(_Sensitive(skeleton, key, range(0)), len(times), precision, longest)
+        operation = _operation(_Sensitive(skeleton, range(0)), len(times), precision, longest)
     except (Untraceable, *TRACING) as error:
         raise InvalidInput(
             f"{name} has no Taylor series in its numbers, which `solve` needs: {str(error).splitlines()[0]}. Leave out "
             "`method`, or call `simulate`."
         ) from None
-    return _placed(system, skeleton, operation, state, times, jnp.asarray(parameters, float))
+    return _placed(system, skeleton, operation, state, times, parameters)
 
 
 def _placed(
@@ -159,7 +143,7 @@ def _placed(
     if form.is_complex:
         flat = jnp.reshape(jnp.stack([jnp.real(flat), jnp.imag(flat)], axis=-1), (*batch, -1))
     times = jnp.asarray(times)
-    one = _Sensitive(skeleton, None, range(0))
+    one = _Sensitive(skeleton, range(0))
 
     def scales(numbers: Any) -> Any:
         sizes = jnp.ravel(system.scales(form.state(numbers)) * jnp.ones(form.shape))
@@ -209,10 +193,10 @@ def _operation(plain: _Sensitive, count: int, precision: Precision, longest: flo
         Untraceable: if rates have no series.
     """
     skeleton, rows = plain.skeleton, plain.rows
-    n, m = skeleton.form.size, skeleton.size
+    n, m = skeleton.form.size, skeleton.structure.size
     # some at a time, which is a little faster than all at once
     parts = [range(low, min(low + TOGETHER, n + m)) for low in range(0, n + m, TOGETHER)]
-    varied, has_derivatives = [_Sensitive(skeleton, plain.key, part) for part in parts], True
+    varied, has_derivatives = [_Sensitive(skeleton, part) for part in parts], True
     # traced now, as JAX must not be called from within its own computations
     with jax.ensure_compile_time_eval():
         machine_of(plain, np.zeros(rows + m), None)

@@ -26,7 +26,7 @@ from polhode.taylor import (
     vectors,
 )
 
-LOADED = 0.3  # s of the processor that slower runs take before a kernel is loaded
+LOADED = 0.3  # s that slower runs take before a kernel is loaded
 COMPILED = {1: 2.0, lanes.LANES: 6.0}  # or compiled, by how many copies it moves at a time
 COMMON: tuple[ModuleType, ...] = kernel_space, kernel_series, kernel_zeros, kernel_invariants, kernel
 MODULES = {1: (vectors, kernel_products, *COMMON), lanes.LANES: (lanes, kernel_lanes, *COMMON)}
@@ -50,7 +50,7 @@ class Kernel(NamedTuple):
 
 
 class _Spent:
-    """Time that this process has spent in runs that a faster kernel would have taken [s], and which ones it has."""
+    """Time [s] that this process has spent in runs that a faster kernel would have taken, and which ones it has."""
 
     by_python = 0.0
     one_by_one = 0.0

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import math
 from collections.abc import Callable
 from functools import lru_cache
@@ -17,11 +18,14 @@ from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem, Event
 from polhode.systems.forms import distances, rates_of_change
 from polhode.taylor.expressions import Expression, Tape, Untraceable, gradient
 from polhode.taylor.program import Program, program_of
-from polhode.taylor.tracing import evaluated, size_of, traced, uses_first, written
+from polhode.taylor.structure import Structure, itself, structure_of
+from polhode.taylor.tracing import evaluated, operations_on, uses_first, written
 from polhode.types import Array, Double, Float64
 
 MOST_GRADIENTS = 600  # numbers in the gradients of what is conserved, from which projecting costs more than it gives
 SAME_JUMP = 1e-12  # of a time: a jump that is named, and found again by trying times
+TRACING = (jax.errors.ConcretizationTypeError, jax.errors.TracerArrayConversionError,
+           jax.errors.TracerIntegerConversionError, jax.errors.TracerBoolConversionError)  # fmt: skip
 INSTANTS = 1024  # at which branches on the time must come to the same
 Span = tuple[float, float] | None
 
@@ -104,51 +108,55 @@ def machine_of(system: AbstractSystem, state: Array, between: Span, through: Eve
     """
     form = Form(np.shape(state), np.iscomplexobj(state))
     between = between if np.size(system.jumps) else None
-    return _machine(*_hashable(system), form, between, through)
+    try:
+        return _machine(system, form, between, through)
+    except TypeError as error:
+        if "unhashable" not in str(error):
+            raise
+        return _machine.__wrapped__(system, form, between, through)
 
 
 def operations_of(system: AbstractSystem, state: Double[Array, "..."]) -> int:
     """Return about how many operations a system's rates, balances and events take at a state."""
     form = Form(np.shape(state), np.iscomplexobj(state))
-    return size_of(_written(*_hashable(system), form, None).closed.jaxpr)
-
-
-class _Unhashable:
-    """A system that cannot be hashed, which is traced each time."""
-
-    def __init__(self, system: AbstractSystem) -> None:
-        self.system = system
-
-
-def _hashable(system: AbstractSystem) -> tuple[Any]:
-    try:
-        hash(system)
-    except TypeError:
-        return (_Unhashable(system),)
-    return (system,)
+    return _of_any_numbers(_written, system, form, None)[0].operations
 
 
 class _Written(NamedTuple):
-    """What a system's functions do to time and real numbers: rates, what balances receive, what is watched.
+    """What a system's functions do to time, real numbers of a state, and those of the system.
 
     Attributes:
-        closed: of JAX.
+        closed: of JAX: rates, what balances receive, what is watched.
         balances: names.
         timed: whether any of it uses the time.
+        operations: about how many are done to what moves.
     """
 
     closed: Any
     balances: tuple[str, ...]
     timed: bool
+    operations: int
+
+
+def _of_any_numbers(
+    written_of: Callable[..., Any], system: AbstractSystem, *given: Any
+) -> tuple[Any, Float64[Array, "numbers"]]:
+    """Return what is written of a system's structure, and its numbers; of itself alone if it asks for their values."""
+    structure, numbers = structure_of(system)
+    if structure.size:
+        with contextlib.suppress(*TRACING):
+            return written_of(structure, *given), numbers
+    structure, numbers = itself(system)
+    with in_jax_numpy("systems"):
+        return written_of(structure, *given), numbers
 
 
 @lru_cache(maxsize=256)
-def _written(given: AbstractSystem | _Unhashable, form: Form, through: Event | None) -> _Written:
-    system = given.system if isinstance(given, _Unhashable) else given
+def _written(structure: Structure, form: Form, through: Event | None) -> _Written:
     balances: list[str] = []
 
-    def everything(t: Any, numbers: Any) -> Any:
-        state = form.state(numbers)
+    def everything(t: Any, moving: Any, numbers: Any) -> Any:
+        system, state = structure.with_numbers(numbers), form.state(moving)
         received = system.balances(t, state)
         balances[:] = received
         watched = list(distances(system, t, state)) if system.events else []
@@ -156,15 +164,13 @@ def _written(given: AbstractSystem | _Unhashable, form: Form, through: Event | N
         rates = form.numbers(rates_of_change(system, t, state))
         return rates, *(jnp.ravel(balance.rate) for balance in received.values()), *watched
 
-    with in_jax_numpy("systems"):
-        closed = written(everything, (), (form.size,))
-    return _Written(closed, tuple(balances), uses_first(closed))
+    closed = written(everything, (), (form.size,), (structure.size,))
+    return _Written(closed, tuple(balances), uses_first(closed), operations_on(closed, (0, 1)))
 
 
 @lru_cache(maxsize=256)
-def _machine(given: AbstractSystem | _Unhashable, form: Form, between: Span, through: Event | None) -> Machine:
-    system = given.system if isinstance(given, _Unhashable) else given
-    closed, balances, timed = _written(given, form, through)
+def _machine(system: AbstractSystem, form: Form, between: Span, through: Event | None) -> Machine:
+    (closed, balances, timed, _), numbers = _of_any_numbers(_written, system, form, through)
     size = form.size + len(balances) + timed
     inside = _instants(between)
     tape = Tape(size, size - 1 if timed else None, inside)
@@ -172,7 +178,7 @@ def _machine(given: AbstractSystem | _Unhashable, form: Form, between: Span, thr
     t = np.asarray(known[-1] if timed else 0.0, object if timed else float)
     state = np.empty(form.size, object)
     state[:] = known[: form.size]
-    found = [np.ravel(x) for x in evaluated(closed, t, state)]
+    found = [np.ravel(x) for x in evaluated(closed, t, state, numbers)]
     rates = [tape_value(tape, x) for part in found[: 1 + len(balances)] for x in part]
     if timed:
         rates.append(tape.constant(1.0))
@@ -198,11 +204,14 @@ def tape_value(tape: Tape, x: Any) -> Expression:
 
 def _integrals(system: AbstractSystem, form: Form) -> tuple[tuple[str, ...], Program]:
     """Return names and program of all conserved numbers of which gradients can be traced, one after the other."""
+    of_copies = frozenset(name for name, quantity in system.quantities.items() if quantity.of_copies)
+    carries_attitude = isinstance(system, AbstractLiePoissonSystem) and _carries_attitude(system, form)
+    (closed, places), numbers = _of_any_numbers(_conserved, system, form, of_copies, carries_attitude)
     names, outputs = [], []
     tape = Tape(form.size)
     state = np.empty(form.size, object)
     state[:] = tape.state()
-    for name, found in _traced_if_possible(*_conserved(system, form), state).items():
+    for name, found in _evaluated_if_possible(closed, places, state, numbers).items():
         values = [tape_value(tape, x) for x in np.ravel(found)]
         outputs.extend((value, gradient(value)) for value in values)
         names.extend([name] * len(values))
@@ -210,39 +219,41 @@ def _integrals(system: AbstractSystem, form: Form) -> tuple[tuple[str, ...], Pro
     return tuple(names), program_of(tape, rows)
 
 
-def _traced_if_possible(
-    names: list[str], function: Callable[[Any], dict[str, Any]], state: Array
-) -> dict[str, Array]:
-    """Return those named values of a function that can be traced; all at once takes the least time."""
+def _evaluated_if_possible(closed: Any, places: dict[str, int], state: Array, numbers: Array) -> dict[str, Array]:
+    """Return those named values of a jaxpr that have recurrences; all at once takes the least time."""
     try:
-        return dict(zip(names, traced(lambda x: _chosen(function(x), names), state), strict=True))
+        return dict(zip(places, evaluated(closed, state, numbers, places=list(places.values())), strict=True))
     except Untraceable:
-        alone = [_traced_if_possible([name], function, state) for name in names] if len(names) > 1 else []
+        each = places.items() if len(places) > 1 else ()
+        alone = [_evaluated_if_possible(closed, {name: place}, state, numbers) for name, place in each]
         return {name: value for found in alone for name, value in found.items()}
 
 
-def _chosen(found: dict[str, Any], names: list[str]) -> list[Any]:
-    return [found[name] for name in names]
+@lru_cache(maxsize=256)
+def _conserved(
+    structure: Structure, form: Form, of_copies: frozenset[str], carries_attitude: bool
+) -> tuple[Any, dict[str, int]]:  # fmt: skip
+    """Return a jaxpr of a state's real numbers and of those of the system, and where it gives what is conserved.
 
-
-def _conserved(system: AbstractSystem, form: Form) -> tuple[list[str], Callable[[Any], dict[str, Any]]]:
-    """Return names of conserved numbers, and the function of a state's real numbers that gives them.
-
-    Vectors are left out, unless they hold one number for each copy, and so is what would have too many gradients.
+    Vectors are left out, unless they hold one number for each copy (``of_copies``), and so is what would have too many
+    gradients.
     """
-    carries_attitude = isinstance(system, AbstractLiePoissonSystem) and _carries_attitude(system, form)
 
-    def values(x: Any) -> dict[str, Any]:
-        found = {name: jnp.real(value) for name, value in system.invariants(form.state(x)).items()}
+    def values(x: Any, numbers: Any) -> dict[str, Any]:
+        invariants = structure.with_numbers(numbers).invariants(form.state(x))
+        found = {name: jnp.real(value) for name, value in invariants.items()}
         return found | ({"|q|²": jnp.sum(x[:4] ** 2)} if carries_attitude else {})
 
-    quantities, names, count = system.quantities, [], 0
-    for name, shape in jax.eval_shape(values, jnp.zeros(form.size)).items():
-        fits = (count + shape.size) * form.size <= MOST_GRADIENTS
-        if fits and (shape.ndim == 0 or (name in quantities and quantities[name].of_copies)):
-            names.append(name)
-            count += shape.size
-    return names, values
+    closed, shapes = jax.make_jaxpr(values, return_shape=True)(jnp.zeros(form.size), jnp.zeros(structure.size))
+    places, count = {}, 0
+    at = {name: place for place, name in enumerate(sorted(shapes))}  # as JAX has the keys of a dictionary
+    for name in shapes:
+        size, is_number = math.prod(shapes[name].shape), shapes[name].ndim == 0
+        fits = (count + size) * form.size <= MOST_GRADIENTS
+        if fits and (is_number or name in of_copies):
+            places[name] = at[name]
+            count += size
+    return closed, places
 
 
 def _carries_attitude(system: AbstractLiePoissonSystem, form: Form) -> bool:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 import operator
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import jax
@@ -60,33 +60,54 @@ def uses_first(closed: Any) -> bool:
     return any(v is first for equation in closed.jaxpr.eqns for v in equation.invars)
 
 
-def size_of(jaxpr: Any) -> int:
-    """Return about how many operations on single numbers a jaxpr is made of."""
-    size = 0
+def operations_on(closed: Any, moving: tuple[int, ...]) -> int:
+    """Return about how many operations on single numbers a jaxpr makes of those arguments that move."""
+    return _operations(closed.jaxpr, [k in moving for k in range(len(closed.jaxpr.invars))])
+
+
+def _operations(jaxpr: Any, given: list[bool]) -> int:
+    moves, count = {v for v, does in zip(jaxpr.invars, given, strict=True) if does}, 0
     for equation in jaxpr.eqns:
+        which = [not isinstance(v, Literal) and v in moves for v in equation.invars]
+        if not any(which):
+            continue
+        moves.update(equation.outvars)
         parameters = equation.params
         inner = next((parameters[k] for k in INNER if k in parameters), None)
         if inner is not None:
-            size += size_of(getattr(inner, "jaxpr", inner)) * parameters.get("length", 1)
+            inner = getattr(inner, "jaxpr", inner)
+            passed = which if len(which) == len(inner.invars) else [True] * len(inner.invars)
+            count += _operations(inner, passed) * parameters.get("length", 1)
             continue
         each = 1
         if equation.primitive.name == "dot_general":
             shape = equation.invars[0].aval.shape
             each = math.prod(shape[k] for k in parameters["dimension_numbers"][0][0])
-        size += each * sum(math.prod(v.aval.shape) for v in equation.outvars)
-    return size
+        count += each * sum(math.prod(v.aval.shape) for v in equation.outvars)
+    return count
 
 
-def evaluated(closed: Any, *arguments: Array) -> list[Any]:
-    """Return the values of a jaxpr, as ``traced`` does.
+def evaluated(closed: Any, *arguments: Array, places: Sequence[int] | None = None) -> list[Any]:
+    """Return the values of a jaxpr, as ``traced`` does: all, or those at some places, with what these need.
 
     Raises:
-        Untraceable: if it is not made of operations that have a recurrence.
+        Untraceable: if they are not made of operations that have a recurrence.
     """
-    return _evaluated(closed.jaxpr, closed.consts, [np.asarray(a) for a in arguments])
+    outputs = closed.jaxpr.outvars if places is None else [closed.jaxpr.outvars[k] for k in places]
+    return _evaluated(closed.jaxpr, closed.consts, [np.asarray(a) for a in arguments], outputs)
 
 
-def _evaluated(jaxpr: Any, constants: Any, arguments: list[Array]) -> list[Array]:
+def _needed_for(outputs: list[Any], equations: list[Any]) -> list[Any]:
+    needed, found = {v for v in outputs if not isinstance(v, Literal)}, []
+    for equation in reversed(equations):
+        if needed.intersection(equation.outvars):
+            needed.update(v for v in equation.invars if not isinstance(v, Literal))
+            found.append(equation)
+    return found[::-1]
+
+
+def _evaluated(jaxpr: Any, constants: Any, arguments: list[Array], outputs: list[Any] | None = None) -> list[Array]:
+    outputs = jaxpr.outvars if outputs is None else outputs
     known: dict[Any, Array] = {}
 
     def read(variable: Any) -> Array:
@@ -94,10 +115,10 @@ def _evaluated(jaxpr: Any, constants: Any, arguments: list[Array]) -> list[Array
 
     known.update(zip(jaxpr.constvars, map(np.asarray, constants), strict=True))
     known.update(zip(jaxpr.invars, arguments, strict=True))
-    for equation in jaxpr.eqns:
+    for equation in _needed_for(outputs, jaxpr.eqns):
         given = [read(v) for v in equation.invars]
         known.update(zip(equation.outvars, _applied(equation, given), strict=True))
-    return [read(v) for v in jaxpr.outvars]
+    return [read(v) for v in outputs]
 
 
 def _applied(equation: Any, given: list[Array]) -> list[Array]:

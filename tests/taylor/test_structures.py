@@ -1,0 +1,77 @@
+"""What is traced once for all systems that differ by their numbers: the same programs as each traced alone."""
+
+import equinox as eqx
+import jax.numpy as jnp
+import numpy as np
+import pytest
+
+from polhode import systems
+from polhode.taylor import machine
+from polhode.taylor.structure import itself, structure_of
+
+
+class Asking(systems.AbstractSystem):
+    """A pull that is written in two ways, by the value of a number."""
+
+    pull: jnp.ndarray = eqx.field(converter=jnp.asarray)
+
+    def vector_field(self, t, state):
+        return -state * self.pull if float(self.pull) > 1.0 else -(state**3)
+
+    def invariants(self, state):
+        return {}
+
+
+def tops():
+    """Yield tops that differ by numbers, and a state."""
+    state = np.array([1.0, 0, 0, 0, 0.5, 1.0, 2.0, 0, 0, 1.0])
+    for moment, mgl in ((2.0, 1.0), (2.3, -0.4)):
+        yield systems.HeavyTop((1.0, moment, 3.5), mgl, (0.0, 0.6, 0.8)), state
+    vortices = [systems.PlaneVortices(np.array([k, -0.7, 0.4])) for k in (1.0, 1.3)]
+    yield from ((system, system.pack([[0.0, 0.0], [1.0, 0.2], [-0.3, 0.9]])) for system in vortices)
+    yield systems.Kirchhoff(np.eye(6) + 0.1), np.ones(6)
+    yield systems.Kirchhoff(1.3 * np.eye(6) + 0.2), np.ones(6)
+
+
+@pytest.fixture
+def traced(monkeypatch):
+    """Count what is traced, from nothing."""
+    for function in (machine._written, machine._conserved, machine._machine):
+        function.cache_clear()
+    found, own = [], machine.written
+    monkeypatch.setattr(machine, "written", lambda *given: found.append(1) or own(*given))
+    return found
+
+
+def test_systems_that_differ_by_numbers_are_traced_once(traced):
+    for system, state in tops():
+        machine.machine_of(system, state, None)
+    assert len(traced) == 3
+
+
+def test_programs_are_those_of_each_system_alone(traced, monkeypatch):
+    together = [machine.machine_of(system, state, None) for system, state in tops()]
+    for function in (machine._written, machine._conserved, machine._machine):
+        function.cache_clear()
+    monkeypatch.setattr(machine, "structure_of", itself)
+    for one, (system, state) in zip(together, tops(), strict=True):
+        alone = machine.machine_of(system, state, None)
+        assert one.names == alone.names
+        for ours, theirs in ((one.program, alone.program), (one.integrals, alone.integrals)):
+            np.testing.assert_array_equal(ours.whole, theirs.whole)
+            np.testing.assert_allclose(ours.number, theirs.number, rtol=4e-16, atol=0.0)
+
+
+def test_a_system_that_asks_for_its_numbers_is_traced_each_time(traced):
+    programs = [machine.machine_of(Asking(pull), np.ones(2), None).program for pull in (0.5, 2.0, 3.0)]
+    assert len(traced) == 4  # without numbers once, in vain
+    assert [program.products > 0 for program in programs] == [True, False, False]
+    assert programs[1].number.tolist() != programs[2].number.tolist()
+
+
+def test_words_and_forms_are_part_of_the_structure():
+    one, other = (systems.HeavyTop((1.0, 2.0, 3.5), mgl, (0.0, 0.6, 0.8)) for mgl in (1.0, 2.0))
+    (same, numbers), (too, others) = structure_of(one), structure_of(other)
+    assert same == too and hash(same) == hash(too) and not np.array_equal(numbers, others)
+    assert structure_of(systems.PlaneVortices(np.ones(3)))[0] != structure_of(systems.PlaneVortices(np.ones(4)))[0]
+    assert structure_of(systems.Toda(4))[0] != structure_of(systems.Toda(5))[0]
