@@ -36,7 +36,7 @@ def tops():
 @pytest.fixture
 def traced(monkeypatch):
     """Count what is traced, from nothing."""
-    for function in (machine._written, machine._conserved, machine._machine):
+    for function in (machine._kept, machine._machine):
         function.cache_clear()
     found, own = [], machine.written
     monkeypatch.setattr(machine, "written", lambda *given: found.append(1) or own(*given))
@@ -51,7 +51,7 @@ def test_systems_that_differ_by_numbers_are_traced_once(traced):
 
 def test_programs_are_those_of_each_system_alone(traced, monkeypatch):
     together = [machine.machine_of(system, state, None) for system, state in tops()]
-    for function in (machine._written, machine._conserved, machine._machine):
+    for function in (machine._kept, machine._machine):
         function.cache_clear()
     monkeypatch.setattr(machine, "structure_of", itself)
     for one, (system, state) in zip(together, tops(), strict=True):

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
 import math
 from collections.abc import Callable
 from functools import lru_cache
@@ -143,15 +142,25 @@ def _of_any_numbers(
 ) -> tuple[Any, Float64[Array, "numbers"]]:
     """Return what is written of a system's structure, and its numbers; of itself alone if it asks for their values."""
     structure, numbers = structure_of(system)
-    if structure.size:
-        with contextlib.suppress(*TRACING):
-            return written_of(structure, *given), numbers
-    structure, numbers = itself(system)
-    with in_jax_numpy("systems"):
-        return written_of(structure, *given), numbers
+    found = _kept(written_of, structure, *given)
+    if found is None:
+        structure, numbers = itself(system)
+        found = _kept(written_of, structure, *given)
+    return found, numbers
 
 
-@lru_cache(maxsize=256)
+@lru_cache(maxsize=512)
+def _kept(written_of: Callable[..., Any], structure: Structure, *given: Any) -> Any:
+    """Return what is written, or None where that takes the numbers."""
+    if not structure.size:
+        with in_jax_numpy("systems"):
+            return written_of(structure, *given)
+    try:
+        return written_of(structure, *given)
+    except TRACING:
+        return None
+
+
 def _written(structure: Structure, form: Form, through: Event | None) -> _Written:
     balances: list[str] = []
 
@@ -229,7 +238,6 @@ def _evaluated_if_possible(closed: Any, places: dict[str, int], state: Array, nu
         return {name: value for found in alone for name, value in found.items()}
 
 
-@lru_cache(maxsize=256)
 def _conserved(
     structure: Structure, form: Form, of_copies: frozenset[str], carries_attitude: bool
 ) -> tuple[Any, dict[str, int]]:  # fmt: skip
