@@ -1,4 +1,4 @@
-"""A hundred motions to t = 20 by Taylor series, at the error that the peer has or less"""
+"""Motions by Taylor series: a hundred to t = 20, one to t = 2000, ten thousand to t = 10, at the peer's error or less"""
 
 from __future__ import annotations
 
@@ -18,6 +18,8 @@ from polhode.taylor.runs import Precision, precision_of, runs_of
 from polhode.taylor.tracing import traced
 
 SPAN, COPIES, TURNS = 20.0, 100, 7
+LONG = 2000.0  # where one motion's steps are nearly all of its time
+MANY, SHORT, BATCH = 10_000, 10.0, 8
 TARGETS = (1e-8, 1e-12, 3e-15)
 OURS = (None, *10.0 ** -np.arange(6.0, 17.0))
 THEIRS = 10.0 ** -np.arange(5.0, 17.0)
@@ -69,6 +71,31 @@ def rows(quick: bool) -> Iterator[Row]:
                 found = compared(*both, 2 if quick else TURNS)
                 note = f"order {mine[1].order}; peer's tolerance {theirs[1]:g}"
                 yield Row(work, name, mine[2], theirs[2], *found, note)
+                if name == "heyoka" and target == TARGETS[1]:
+                    alone = make(case, starts[:1], SPAN if quick else LONG)
+                    both = (partial(_ours, case, starts[:1], mine[1], SPAN if quick else LONG),
+                            partial(alone, theirs[1]))  # fmt: skip
+                    yield Row(f"the same, one to t = {LONG:.0f}", name, *(None, None), *compared(*both, TURNS), note)
+    yield from _many(quick)
+
+
+def _many(quick: bool) -> Iterator[Row]:
+    """Yield ten thousand heavy tops, all from different starts, on one core."""
+    case = next(one for one in cases() if one.name == "heavy top")
+    copies = 16 if quick else MANY
+    starts = np.repeat(case.start[None], copies, axis=0)
+    starts[:, 4:7] += 0.1 * np.random.default_rng(0).normal(size=(copies, 3))
+    work, peer = f"heavy tops, {copies:,} to t = {SHORT:.0f}", f"heyoka, {BATCH} at a time"
+    theirs = _heyoka_batch(case, starts)
+    if theirs is None:
+        yield missing(work, peer, "`pip install heyoka`")
+        return
+    exact = _ours(case, starts[:64], Precision(40, 0.2), SHORT)
+    for tolerance, by in ((1e-11, Precision(15, 0.15)), (1e-13, precision_of(1e-14))):
+        both = partial(_ours, case, starts, by, SHORT), partial(theirs, tolerance)
+        errors = [float(np.abs(run()[: len(exact)] - exact).max() / np.abs(exact).max()) for run in both]
+        yield Row(work, peer, *errors, *compared(*both, 2 if quick else TURNS),
+                  f"order {by.order}; peer's tolerance {tolerance:g}")  # fmt: skip
 
 
 def _cheapest(run: Callable[[Any], np.ndarray], choices: Any, exact: np.ndarray, target: float) -> Any:
@@ -81,8 +108,8 @@ def _cheapest(run: Callable[[Any], np.ndarray], choices: Any, exact: np.ndarray,
     return min(found, key=lambda one: one[0], default=None)
 
 
-def _ours(case: Case, starts: np.ndarray, by: Precision) -> np.ndarray:
-    return runs_of(case.system, starts, np.array([0.0, SPAN]), by).end_state
+def _ours(case: Case, starts: np.ndarray, by: Precision, span: float = SPAN) -> np.ndarray:
+    return runs_of(case.system, starts, np.array([0.0, span]), by).end_state
 
 
 def _dopri8(case: Case, starts: np.ndarray) -> Callable[[float], np.ndarray]:
@@ -99,12 +126,49 @@ def _dopri8(case: Case, starts: np.ndarray) -> Callable[[float], np.ndarray]:
     return lambda tolerance: np.asarray(run(jnp.asarray(starts), tolerance))
 
 
-def _heyoka(case: Case, starts: np.ndarray) -> Callable[[float], np.ndarray] | None:
+def _heyoka(case: Case, starts: np.ndarray, span: float = SPAN) -> Callable[[float], np.ndarray] | None:
     try:
         import heyoka
     except ImportError:
         return None
-    n = starts.shape[1]
+    equations, made = _equations(heyoka, case, starts.shape[1]), {}
+
+    def run(tolerance: float) -> np.ndarray:
+        if tolerance not in made:
+            made[tolerance] = heyoka.taylor_adaptive(equations, list(starts[0]), tol=float(tolerance))
+        engine, found = made[tolerance], np.empty_like(starts)
+        for k, start in enumerate(starts):
+            engine.time, engine.state[:] = 0.0, start
+            engine.propagate_until(span)
+            found[k] = engine.state
+        return found
+
+    return run
+
+
+def _heyoka_batch(case: Case, starts: np.ndarray) -> Callable[[float], np.ndarray] | None:
+    try:
+        import heyoka
+    except ImportError:
+        return None
+    equations, made = _equations(heyoka, case, starts.shape[1]), {}
+
+    def run(tolerance: float) -> np.ndarray:
+        if tolerance not in made:
+            made[tolerance] = heyoka.taylor_adaptive_batch(equations, starts[:BATCH].T.copy(), tol=float(tolerance))
+        engine, found = made[tolerance], np.empty_like(starts)
+        for k in range(0, len(starts), BATCH):
+            engine.set_time(0.0)
+            engine.state[:] = starts[k : k + BATCH].T
+            engine.propagate_until(SHORT)
+            found[k : k + BATCH] = engine.state.T
+        return found
+
+    return run
+
+
+def _equations(heyoka: Any, case: Case, n: int) -> list[Any]:
+    """Return a system's equations, of the same operations as ours."""
     tape = Tape(n)
     state = np.empty(n, object)
     state[:] = tape.state()
@@ -125,17 +189,4 @@ def _heyoka(case: Case, starts: np.ndarray) -> Callable[[float], np.ndarray] | N
         else:
             values.append(values[node.arguments[0]] ** node.number)
     whole = [r if isinstance(r, Expression) else tape.constant(float(r)) for r in rates]
-    equations = [(v, combined(r.terms.items(), r.constant)) for v, r in zip(variables, whole, strict=True)]
-    made: dict[float, Any] = {}
-
-    def run(tolerance: float) -> np.ndarray:
-        if tolerance not in made:
-            made[tolerance] = heyoka.taylor_adaptive(equations, list(starts[0]), tol=float(tolerance))
-        engine, found = made[tolerance], np.empty_like(starts)
-        for k, start in enumerate(starts):
-            engine.time, engine.state[:] = 0.0, start
-            engine.propagate_until(SPAN)
-            found[k] = engine.state
-        return found
-
-    return run
+    return [(v, combined(r.terms.items(), r.constant)) for v, r in zip(variables, whole, strict=True)]
