@@ -1,4 +1,4 @@
-"""Motions by Taylor series: a hundred to t = 20, one to t = 2000, ten thousand to t = 10, at the peer's error or less"""
+"""Motions by Taylor series: a hundred to t = 20, one to t = 2000, ten thousand to t = 10, at no more than the peer's error"""
 
 from __future__ import annotations
 

@@ -36,7 +36,7 @@ def coefficients(field, start, t=0.0, order=ORDER):
     state = np.array([*start, t] if machine.clock >= 0 else start)
     series = series_for(machine.program, order + 1, 1)
     series.flat[: len(state)] = state
-    kernel_series.coefficients(series, order, 1.0)
+    kernel_series.coefficients(series, order, np.ones(1))
     return series.flat[:-8].reshape(order + 1, -1)[:, : len(start)]
 
 

@@ -5,7 +5,9 @@ import numpy as np
 import pytest
 
 from polhode import systems
-from polhode.taylor import kernels, lanes
+from polhode.taylor import kernels, lanes, straight_line
+from polhode.taylor.machine import machine_of
+from polhode.taylor.program import FACTOR
 from polhode.taylor.runs import precision_of, runs_of
 
 
@@ -100,6 +102,44 @@ def test_lanes_as_python_change_no_bit_either(by):
     assert_same_bits(alone, motions(2))
 
 
+@pytest.mark.parametrize("width", [1, lanes.LANES])
+def test_written_code_changes_no_bit(by, monkeypatch, width):
+    by(kernels.compiled_kernel(width))
+    monkeypatch.setattr(kernels, "WRITTEN", np.inf)
+    from_tables = motions(11)
+    monkeypatch.setattr(kernels, "WRITTEN", -1.0)
+    written = []
+    own = straight_line.code_of
+    monkeypatch.setattr(straight_line, "code_of", lambda *given: written.append(own(*given)) or written[-1])
+    assert_same_bits(from_tables, motions(11))
+    assert len({code.address for code in written}) == 7
+
+
+def test_code_is_that_of_all_programs_that_differ_by_factors():
+    """But not of one that has 1 or −1 where another has not, for which it is other code."""
+    codes = []
+    for moments in ((1.3, 2.0, 3.0), (1.1, 2.3, 3.2)):
+        program = machine_of(systems.FreeRigidBody(moments), np.array([0.3, 1.9, 0.1]), None).program
+        codes.append(straight_line.code_of(program, 1))
+    assert codes[0] is codes[1]
+    first = program.whole[FACTOR]
+    with_one = np.where(np.arange(program.number.size) == first, 1.0, program.number)
+    assert program.number[first] != 1.0
+    assert straight_line.code_of(program._replace(number=with_one), 1) is not codes[0]
+
+
+def test_code_that_adds_wrongly_is_seen(by, monkeypatch):
+    """A writer of subtraction for addition."""
+    by(kernels.compiled_kernel(1))
+    right = motions()
+    straight_line._compiled.cache_clear()
+    monkeypatch.setattr(straight_line.ir.IRBuilder, "fadd", straight_line.ir.IRBuilder.fsub)
+    monkeypatch.setattr(kernels, "WRITTEN", -1.0)
+    wrong = motions()
+    straight_line._compiled.cache_clear()
+    assert any(not np.array_equal(x, y) for x, y in zip(right, wrong, strict=True))
+
+
 def test_calls_that_end_before_the_copies_do_change_no_bit(by):
     by(kernels.compiled_kernel(lanes.LANES))
     whole = motions(11)
@@ -131,9 +171,11 @@ def test_a_kernel_is_taken_once_it_is_worth_it(monkeypatch):
 def test_what_compiling_takes_is_no_reason_to_compile_more(monkeypatch):
     monkeypatch.setattr(kernels._Spent, "called", set())
     monkeypatch.setattr(kernels._Spent, "one_by_one", 0.0)
+    monkeypatch.setattr(kernels._Spent, "by_program", {})
+    program = machine_of(systems.FreeRigidBody((1.0, 2.0, 3.0)), np.array([0.3, 1.9, 0.1]), None).program
     for spent, wanted in ((8.0, 0.0), (0.5, 0.5)):
-        kernels.note(kernels.compiled_kernel(1), 100, spent)
-        assert kernels._Spent.one_by_one == wanted
+        kernels.note(kernels.compiled_kernel(1), 100, program, spent)
+        assert kernels._Spent.one_by_one == kernels._Spent.by_program.get(program.form, 0.0) == wanted
 
 
 @pytest.mark.parametrize("width", [1, lanes.LANES])

@@ -18,6 +18,7 @@ from numba.core.typing.templates import AbstractTemplate, infer_global, signatur
 from numba.extending import intrinsic, lower_builtin, models, register_model
 from numba.np.arrayobj import make_array
 
+from polhode.taylor.straight_line import SIGNATURE
 from polhode.taylor.vectors import WIDTH
 
 DOUBLE = ir.DoubleType()
@@ -64,7 +65,7 @@ def of_one_copy() -> dict[str, Any]:
     """Return how vectors are loaded, stored and gathered from flat arrays; nothing is checked."""
     _define_arithmetic()
     made = {"load": _load, "store": _store, "gather": _gather, "borrowed": _borrowed,
-            "vectors": _seen_as(types.float64)}  # fmt: skip
+            "run_code": _run_code, "vectors": _seen_as(types.float64)}  # fmt: skip
     return {name: intrinsic(given) for name, given in made.items()}
 
 
@@ -72,8 +73,8 @@ def of_one_copy() -> dict[str, Any]:
 def of_lanes() -> dict[str, Any]:
     """Return what takes the places of the functions in ``lanes``."""
     _define_arithmetic()
-    made = {"borrowed": _borrowed, "vectors": _seen_as(KIND), "spread": _spread, "where_less": _where_less,
-            "square_root": _square_root}  # fmt: skip
+    made = {"borrowed": _borrowed, "run_code": _run_code, "vectors": _seen_as(KIND), "spread": _spread,
+            "where_less": _where_less, "square_root": _square_root}  # fmt: skip
     each = {"powered": math.pow, "exponential": math.exp, "logarithm": math.log, "sine": math.sin, "cosine": math.cos}
     return {name: intrinsic(given) for name, given in made.items()} | {
         name: intrinsic(_of_each(of, 2 if name == "powered" else 1)) for name, of in each.items()
@@ -125,7 +126,8 @@ def _borrowed(typing: Any, given: Any) -> Any:
 
 def _without_owner(context: Any, builder: Any, kind: Any, value: Any) -> Any:
     if isinstance(kind, types.BaseTuple):
-        for k, of in enumerate(kind):
+        members: Any = kind  # whose types do not know that it has some
+        for k, of in enumerate(members.types):
             part = _without_owner(context, builder, of, builder.extract_value(value, k))
             value = builder.insert_value(value, part, k)
     elif isinstance(kind, types.Array):
@@ -134,6 +136,18 @@ def _without_owner(context: Any, builder: Any, kind: Any, value: Any) -> Any:
         array.parent = cgutils.get_null_value(array.parent.type)
         value = array._getvalue()
     return value
+
+
+def _run_code(typing: Any, address: Any, flat: Any, a: Any, b: Any, number: Any, order: Any, units: Any) -> Any:
+    """Declare a call of ``straight_line`` code."""
+
+    def generate(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+        of = builder.inttoptr(args[0], SIGNATURE.as_pointer())
+        data = [make_array(sig.args[k])(context, builder, args[k]).data for k in (1, 2, 3, 4, 6)]
+        builder.call(of, [*data[:4], args[5], data[4]])
+        return context.get_dummy_value()
+
+    return types.void(types.int64, flat, a, b, number, types.int64, units), generate
 
 
 def _seen_as(of: Any) -> Callable[..., Any]:

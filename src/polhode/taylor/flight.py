@@ -11,11 +11,12 @@ import numpy as np
 from polhode.motion.outcome import Status
 from polhode.taylor import kernel
 from polhode.taylor.kernel_space import EVENT, NEXT, STEPS, TIME, Copies, Course, lanes_for, series_for
-from polhode.taylor.kernels import Kernel, chosen_kernel, note
+from polhode.taylor.kernels import Kernel, chosen_kernel, note, written_code
 from polhode.taylor.machine import Machine
 from polhode.types import Array, Float64, Integer
 
 MOST_STEPS = 15_000_000
+SLACK = 1.1e-16  # of what a change of the state by its own size would make
 WORTH = 64  # copies: fewer are not worth a thread
 
 
@@ -27,7 +28,8 @@ def starting(
     copies, n = y.shape
     now, counts = np.tile([first, 0.0, 1.0], (copies, 1)), np.tile([0, 0, 0, -1], (copies, 1))
     crossed = np.zeros((copies, hits, 2 + n))
-    return Copies(y, scale, _conserved_at(machine, y), np.zeros(copies, np.int64), samples, now, counts, crossed)
+    wanted, slack = _conserved_at(machine, y, scale)
+    return Copies(y, scale, wanted, slack, np.zeros(copies, np.int64), samples, now, counts, crossed)
 
 
 def fly(
@@ -50,7 +52,7 @@ def fly(
         use = chosen_kernel(running.size)
         before = time.perf_counter()
         _advance(copies, machine, course, use, running)
-        note(use, running.size, time.perf_counter() - before)
+        note(use, running.size, machine.program, time.perf_counter() - before)
         if copies.counts[:, STEPS].max() >= MOST_STEPS:
             return
         if (left := np.flatnonzero(status == kernel.RUNNING)).size:
@@ -74,11 +76,12 @@ def outcome(
 def _advance(copies: Copies, machine: Machine, course: Course, use: Kernel, running: Array) -> None:
     from polhode.exact.kernel_arithmetic import in_threads
 
+    code = written_code(use, machine.program)
     orders, watched, conserved = course.order + 1, len(course.falling), copies.wanted.shape[1]
 
     def fill(low: int, high: int) -> None:
         part = slice(running[low], running[high - 1] + 1)
-        rates = series_for(machine.program, orders, use.lanes)
+        rates = series_for(machine.program, orders, use.lanes, 0 if code is None else code.address)
         integrals = series_for(machine.integrals, 1, use.lanes)
         lanes = lanes_for(machine.program, course.order, use.lanes, watched, conserved)
         with np.errstate(all="ignore"):
@@ -87,13 +90,18 @@ def _advance(copies: Copies, machine: Machine, course: Course, use: Kernel, runn
     in_threads(fill, running.size, WORTH)
 
 
-def _conserved_at(machine: Machine, y: Array) -> Float64[Array, "copies conserved"]:
-    """Return what is conserved at starts (C, n), computed as the kernel does."""
-    found = np.zeros((len(y), len(machine.names)))
-    if machine.names:
+def _conserved_at(machine: Machine, y: Array, scale: Array) -> tuple[Array, Array]:
+    """Return what is conserved (C, K) at starts (C, n), computed as the kernel does, and the slack that it leaves."""
+    count, n = len(machine.names), machine.form.size
+    found = np.zeros((len(y), count * (1 + n)))
+    if count:
         use = chosen_kernel(len(y))
         integrals = series_for(machine.integrals, 1, use.lanes)
-        start, states = np.ascontiguousarray(y[:, : machine.form.size]), np.zeros(machine.form.size * use.lanes)
+        start, states = np.ascontiguousarray(y[:, :n]), np.zeros(n * use.lanes)
         with np.errstate(all="ignore"):
             use.conserved_values(integrals, start, states, found)
-    return np.where(np.isfinite(found), found, 0.0)
+    values, slopes = found[:, :count], found[:, count:].reshape(len(y), count, n)
+    finite = np.where(np.isfinite(scale[:, :n]), scale[:, :n], 0.0)
+    with np.errstate(all="ignore"):
+        sizes = np.sum(np.abs(slopes) * finite[:, None], axis=-1)
+    return np.where(np.isfinite(values), values, 0.0), SLACK * np.where(np.isfinite(sizes), sizes, 0.0)

@@ -80,7 +80,7 @@ def advance(rates: Series, integrals: Series, copies: Copies, lanes: Lanes, cour
 def in_lanes(series: Series) -> Series:
     """Return a series as a kernel computes with it."""
     own = borrowed(series)
-    return Series(own.whole, own.number, own.flat, vectors(own.flat), own.a, own.b)
+    return Series(own.whole, own.number, own.flat, vectors(own.flat), own.a, own.b, own.code)
 
 
 def seated(copies: Copies, lanes: Lanes, course: Course, following: Any) -> tuple[Any, Any]:
@@ -97,7 +97,7 @@ def seated(copies: Copies, lanes: Lanes, course: Course, following: Any) -> tupl
             for i in range(copies.y.shape[1]):
                 lanes.states[i * LANES + lane], lanes.scales[i * LANES + lane] = copies.y[k, i], copies.scale[k, i]
             for c in range(copies.wanted.shape[1]):
-                lanes.wanted[c * LANES + lane] = copies.wanted[k, c]
+                lanes.wanted[c * LANES + lane], lanes.slack[c * LANES + lane] = copies.wanted[k, c], copies.slack[k, c]
             lanes.units[lane], lanes.left[lane] = copies.now[k, UNIT], abs(course.end - copies.now[k, TIME])
         taken += 1
     return following, taken

@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 
 from polhode.taylor.kernel_series import combination, nodes
-from polhode.taylor.kernel_space import Lanes, Series
+from polhode.taylor.kernel_space import NOBODY, Lanes, Series
 from polhode.taylor.program import CONSTANT, FIRST, SIZE
-from polhode.taylor.vectors import spread, square_root, vectors, where_less
+from polhode.taylor.vectors import LANES, spread, square_root, vectors, where_less
 from polhode.types import Array
 
 INDEPENDENT = 0.01  # of a squared gradient, that must be left beside the other gradients
@@ -19,16 +19,26 @@ FARTHEST = 1e-3  # of the scale: a run that is off by more is not to be mended
 def back_onto(integrals: Series, lanes: Lanes, count: Any) -> None:
     """Move states by one Newton step onto what is conserved: the outputs are the values, then their gradients.
 
-    Gradients that nearly depend on those before them are left out, as at an equilibrium, where nothing is to be gained.
-    What has an infinite scale is left where it is.
+    States that are off by less than the slack are left where they are. Gradients that nearly depend on those before
+    them are left out, as at an equilibrium, where nothing is to be gained. What has an infinite scale is left too.
     """
     y, scale, wanted, rows = vectors(lanes.states), vectors(lanes.scales), vectors(lanes.wanted), vectors(lanes.rows)
+    slack, due = vectors(lanes.slack), vectors(lanes.due)
     n, none, infinite = integrals.whole[SIZE], spread(0.0), spread(np.inf)
     outputs_of(integrals, y)
+    due[0] = none
+    for c in range(count):
+        off = wanted[c] - output(integrals, c)
+        rows[c * (n + 1) + n] = off
+        due[0] = where_less(slack[c], abs(off), infinite, due[0])
+    some = False
+    for lane in range(LANES):
+        some = some or (lanes.due[lane] > 0.0 and lanes.which[lane] != NOBODY)
+    if not some:
+        return
     for c in range(count):
         row = c * (n + 1)
-        off = wanted[c] - output(integrals, c)
-        square = spread(0.0)
+        off, square = rows[row + n], spread(0.0)
         for i in range(n):
             scaled = where_less(scale[i], infinite, output(integrals, count + c * n + i) * scale[i], none)
             rows[row + i] = scaled
@@ -54,7 +64,7 @@ def back_onto(integrals: Series, lanes: Lanes, count: Any) -> None:
         row = c * (n + 1)
         for i in range(n):
             moved = y[i] + rows[row + n] * rows[row + i] * scale[i]
-            y[i] = where_less(scale[i], infinite, moved, y[i])
+            y[i] = where_less(none, due[0], where_less(scale[i], infinite, moved, y[i]), y[i])
 
 
 def outputs_of(integrals: Series, y: Array) -> None:

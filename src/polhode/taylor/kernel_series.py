@@ -26,7 +26,18 @@ from polhode.taylor.program import (
     SLOTS,
     START,
 )
-from polhode.taylor.vectors import LANES, cosine, exponential, logarithm, powered, sine, spread, vectors, where_less
+from polhode.taylor.vectors import (
+    LANES,
+    cosine,
+    exponential,
+    logarithm,
+    powered,
+    run_code,
+    sine,
+    spread,
+    vectors,
+    where_less,
+)
 from polhode.types import Array
 
 FLOOR = 1e-3  # of the scale: a motion that dies away is computed to this part of its first size
@@ -103,9 +114,13 @@ def nodes(series: Series, k: Any) -> None:
             function(operation, z, base, width, k, whole[outs + q], whole[arguments + q], number[numbers + q])
 
 
-def coefficients(series: Series, order: Any, unit: Any) -> None:
-    """Set the coefficients of the state up to an order, of powers of the time over a unit that is a power of two."""
-    whole, number, z = series.whole, series.number, series.z
+def coefficients(series: Series, order: Any, units: Array) -> None:
+    """Set the coefficients of the state up to an order, of powers of the time over units that are powers of two."""
+    whole, number, z, unit = series.whole, series.number, series.z, vectors(units)[0]
+    if series.code != 0:
+        nodes(series, 0)
+        run_code(series.code, series.flat, series.a, series.b, number, order, units)
+        return
     width, first, constant = whole[SLOTS], whole[FIRST], whole[CONSTANT]
     for k in range(order):
         nodes(series, k)
@@ -171,7 +186,7 @@ def fitted_series(series: Series, lanes: Lanes, course: Course) -> None:
     for lane in range(LANES):
         lowered[lane] = 0
     for _ in range(UNITS):
-        coefficients(series, course.order, vectors(units)[0])
+        coefficients(series, course.order, units)
         step_lengths(series, lanes, course.order, course.reach)
         settled = True
         for lane in range(LANES):

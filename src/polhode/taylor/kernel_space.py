@@ -25,6 +25,7 @@ class Series(NamedTuple):
         flat: coefficients of one order after the other, each of all nodes, each of all lanes.
         z: the same memory as the numbers that a kernel computes with.
         a, b: factors of products, where they are kept apart.
+        code: address of ``straight_line`` code for the program, or 0.
     """
 
     whole: Integer[Array, "integers"]
@@ -33,6 +34,7 @@ class Series(NamedTuple):
     z: Array
     a: Float64[Array, " many"]
     b: Float64[Array, " many"]
+    code: int
 
 
 class Copies(NamedTuple):
@@ -42,6 +44,7 @@ class Copies(NamedTuple):
         y: (C, n) states.
         scale: (C, n) sizes of their components, infinite of those that neither limit a step nor are put back.
         wanted: (C, K) what is conserved.
+        slack: (C, K) by how much a state may be off that.
         status: (C,) see ``kernel``.
         out: (C, T, n) where samples are put.
         now: (C, 3) the present time, that of the last event, and a unit of time to begin with, as a step's length.
@@ -52,6 +55,7 @@ class Copies(NamedTuple):
     y: Float64[Array, "copies n"]
     scale: Float64[Array, "copies n"]
     wanted: Float64[Array, "copies conserved"]
+    slack: Float64[Array, "copies conserved"]
     status: Integer[Array, "copies"]
     out: Float64[Array, "copies time n"]
     now: Float64[Array, "copies 3"]
@@ -87,10 +91,10 @@ class Lanes(NamedTuple):
 
     Attributes:
         which: the copy in each lane.
-        states, scales, wanted: of these.
+        states, scales, wanted, slack: of these.
         units, left, steps, lengths: of time in the series, until the end, of a step in units, see ``step_lengths``.
         later, event, last, lowered: time and event at the end of a step, if that is the last, if the unit was too long.
-        rows: gradients of what is conserved.
+        due: whether a state is to be put back onto what is conserved, and ``rows`` gradients of that.
         watched: coefficients of what is watched, and ``p`` (W, order + 1) those of one lane.
         work, waiting, point: see ``kernel_zeros``, and a sample.
     """
@@ -99,6 +103,7 @@ class Lanes(NamedTuple):
     states: Float64[Array, " many"]
     scales: Float64[Array, " many"]
     wanted: Float64[Array, " many"]
+    slack: Float64[Array, " many"]
     units: Float64[Array, "lanes"]
     left: Float64[Array, "lanes"]
     steps: Float64[Array, "lanes"]
@@ -107,6 +112,7 @@ class Lanes(NamedTuple):
     event: Integer[Array, "lanes"]
     last: Integer[Array, "lanes"]
     lowered: Integer[Array, "lanes"]
+    due: Float64[Array, "lanes"]
     rows: Float64[Array, " many"]
     watched: Float64[Array, " many"]
     p: Float64[Array, "watched orders"]
@@ -115,11 +121,11 @@ class Lanes(NamedTuple):
     point: Float64[Array, "n"]
 
 
-def series_for(program: Program, orders: int, width: int) -> Series:
+def series_for(program: Program, orders: int, width: int, code: int = 0) -> Series:
     """Return room for so many orders of so many lanes; one copy alone keeps the factors of its products."""
     flat = _zeros((orders * program.slots + 8) * width)
     factors = orders * program.products + 8 if width == 1 else 0
-    return Series(*program, flat, flat, _zeros(factors), _zeros(factors))
+    return Series(*program, flat, flat, _zeros(factors), _zeros(factors), code)
 
 
 def lanes_for(program: Program, order: int, width: int, watched: int, conserved: int) -> Lanes:
@@ -128,8 +134,9 @@ def lanes_for(program: Program, order: int, width: int, watched: int, conserved:
     numbers = lambda count: _zeros(count * width)  # noqa: E731
     marks = lambda: np.zeros(width, np.int64)  # noqa: E731
     return Lanes(
-        np.full(width, NOBODY), numbers(n), numbers(n), numbers(conserved), np.ones(width), numbers(1), numbers(1),
-        numbers(LENGTHS), numbers(1), marks(), marks(), marks(), numbers(conserved * (n + 1)),
+        np.full(width, NOBODY), numbers(n), numbers(n), numbers(conserved), numbers(conserved), np.ones(width),
+        numbers(1), numbers(1), numbers(LENGTHS), numbers(1), marks(), marks(), marks(), numbers(1),
+        numbers(conserved * (n + 1)),
         numbers(watched * (order + 1)), np.zeros((watched, order + 1)), np.zeros(order + 1), np.zeros(2 * DEPTH + 8),
         np.zeros(n),
     )  # fmt: skip

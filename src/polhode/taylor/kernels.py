@@ -25,8 +25,10 @@ from polhode.taylor import (
     lanes,
     vectors,
 )
+from polhode.taylor.program import Program
 
 LOADED = 0.3  # s that slower runs take before a kernel is loaded
+WRITTEN, LONGEST = 1e-3, 4000  # or code is written for each operation of a program, and the longest that it is for
 COMPILED = {1: 2.0, lanes.LANES: 6.0}  # or compiled, by how many copies it moves at a time
 COMMON: tuple[ModuleType, ...] = kernel_space, kernel_series, kernel_zeros, kernel_invariants, kernel
 MODULES = {1: (vectors, kernel_products, *COMMON), lanes.LANES: (lanes, kernel_lanes, *COMMON)}
@@ -40,10 +42,12 @@ class Kernel(NamedTuple):
 
     Attributes:
         lanes: how many copies it moves at a time.
+        is_compiled: whether by Numba; else it is Python.
         stretch: the steps that one call takes at most, so that Ctrl-C is seen between two.
     """
 
     lanes: int
+    is_compiled: bool
     advance: Function
     conserved_values: Function
     stretch: int
@@ -54,6 +58,7 @@ class _Spent:
 
     by_python = 0.0
     one_by_one = 0.0
+    by_program: ClassVar[dict[int, float]] = {}
     ready: ClassVar[set[int]] = set()
     called: ClassVar[set[Kernel]] = set()
 
@@ -67,11 +72,24 @@ def chosen_kernel(copies: int) -> Kernel:
     return compiled_kernel(1)
 
 
-def note(use: Kernel, copies: int, seconds: float) -> None:
+def written_code(use: Kernel, program: Program) -> Any:
+    """Return ``straight_line.Code`` of a program that has run for as long as it takes to write that, else None."""
+    operations = len(program.operations) + program.products
+    spent = _Spent.by_program.get(program.form, 0.0)
+    if not use.is_compiled or operations > LONGEST or spent < WRITTEN * operations:
+        return None
+    from polhode.taylor.straight_line import code_of
+
+    return code_of(program, use.lanes)
+
+
+def note(use: Kernel, copies: int, program: Program, seconds: float) -> None:
     """Note what a run took, by which the next kernel is chosen; not the first one, which compiles or loads."""
+    if use in _Spent.called or not use.is_compiled:
+        _Spent.by_program[program.form] = _Spent.by_program.get(program.form, 0.0) + seconds
     if use not in _Spent.called:
         _Spent.called.add(use)
-    elif use is python_kernel(1):
+    elif not use.is_compiled:
         _Spent.by_python += seconds
     elif copies >= lanes.LANES:
         _Spent.one_by_one += seconds
@@ -87,7 +105,7 @@ def _is_worth(width: int, spent: float) -> bool:
 def python_kernel(width: int) -> Kernel:
     """Return the kernel as it is written."""
     space = _joined(width, lambda function, name: function, {})
-    return Kernel(width, *(space[name] for name in ENTRIES), stretch=20)
+    return Kernel(width, False, *(space[name] for name in ENTRIES), stretch=20)
 
 
 @cache
@@ -112,7 +130,7 @@ def compiled_kernel(width: int) -> Kernel:
                     no_cfunc_wrapper=True)(function)  # fmt: skip
 
     space = _joined(width, compiled, operations)
-    return Kernel(width, *(space[name] for name in ENTRIES), stretch=50_000)
+    return Kernel(width, True, *(space[name] for name in ENTRIES), stretch=50_000)
 
 
 def use_compiled_kernel(*widths: int) -> None:
@@ -123,7 +141,7 @@ def use_compiled_kernel(*widths: int) -> None:
 @cache
 def _is_on_disk(width: int) -> bool:
     """Whether Numba has compiled it before."""
-    kept = [Path(entry.stats.cache_path).glob(f"*{entry.__qualname__}-*.nbi") for entry in compiled_kernel(width)[1:3]]
+    kept = [Path(entry.stats.cache_path).glob(f"*{entry.__qualname__}-*.nbi") for entry in compiled_kernel(width)[2:4]]
     return all(any(found) for found in kept)
 
 

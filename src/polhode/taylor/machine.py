@@ -16,9 +16,10 @@ from polhode.arrays import in_jax_numpy
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem, Event
 from polhode.systems.forms import distances, rates_of_change
 from polhode.taylor.expressions import Expression, Tape, Untraceable, gradient
+from polhode.taylor.jaxprs import operations_on, uses_first, written
 from polhode.taylor.program import Program, program_of
 from polhode.taylor.structure import Structure, itself, structure_of
-from polhode.taylor.tracing import evaluated, operations_on, uses_first, written
+from polhode.taylor.tracing import evaluated
 from polhode.types import Array, Double, Float64
 
 MOST_GRADIENTS = 600  # numbers in the gradients of what is conserved, from which projecting costs more than it gives

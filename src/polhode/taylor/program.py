@@ -49,6 +49,16 @@ class Program(NamedTuple):
         return int(self.whole[SIZE])
 
     @property
+    def form(self) -> int:
+        """A number that programs share which differ by factors alone."""
+        return hash(self.whole.tobytes())
+
+    @property
+    def operations(self) -> Integer[Array, "operations"]:
+        """What is done, one after the other."""
+        return self.whole[self.whole[CODE] : self.whole[CODE] + self.whole[OPERATIONS]]
+
+    @property
     def products(self) -> int:
         """How many products there are, in blocks."""
         return int(self.whole[PRODUCTS])

@@ -7,7 +7,6 @@ and functions that no recurrence is known of, raise ``Untraceable``.
 
 from __future__ import annotations
 
-import math
 import operator
 from collections.abc import Callable, Sequence
 from typing import Any
@@ -27,11 +26,11 @@ from polhode.taylor.expressions import (
     sine_and_cosine,
     total,
 )
+from polhode.taylor.jaxprs import INNER, needed_for, written
 from polhode.types import Array
 
 Rule = Callable[[list[Array], dict[str, Any], Any], list[Array]]
 RULES: dict[str, Rule] = {}
-INNER = ("jaxpr", "call_jaxpr", "fun_jaxpr")
 MOST_ROUNDS = 1000  # of a loop that is written out
 LARGEST_LINEAR = 4096  # numbers that an operation may take, of which unit vectors are made
 
@@ -49,44 +48,6 @@ def traced(function: Callable[..., Any], *arguments: Array) -> list[Any]:
     return evaluated(written(function, *map(np.shape, arguments)), *arguments)
 
 
-def written(function: Callable[..., Any], *shapes: tuple[int, ...]) -> Any:
-    """Return the jaxpr of a function of real arrays of given shapes."""
-    return jax.make_jaxpr(function)(*[jax.ShapeDtypeStruct(shape, float) for shape in shapes])
-
-
-def uses_first(closed: Any) -> bool:
-    """Return whether a jaxpr does anything with its first argument."""
-    first = closed.jaxpr.invars[0]
-    return any(v is first for equation in closed.jaxpr.eqns for v in equation.invars)
-
-
-def operations_on(closed: Any, moving: tuple[int, ...]) -> int:
-    """Return about how many operations on single numbers a jaxpr makes of those arguments that move."""
-    return _operations(closed.jaxpr, [k in moving for k in range(len(closed.jaxpr.invars))])
-
-
-def _operations(jaxpr: Any, given: list[bool]) -> int:
-    moves, count = {v for v, does in zip(jaxpr.invars, given, strict=True) if does}, 0
-    for equation in jaxpr.eqns:
-        which = [not isinstance(v, Literal) and v in moves for v in equation.invars]
-        if not any(which):
-            continue
-        moves.update(equation.outvars)
-        parameters = equation.params
-        inner = next((parameters[k] for k in INNER if k in parameters), None)
-        if inner is not None:
-            inner = getattr(inner, "jaxpr", inner)
-            passed = which if len(which) == len(inner.invars) else [True] * len(inner.invars)
-            count += _operations(inner, passed) * parameters.get("length", 1)
-            continue
-        each = 1
-        if equation.primitive.name == "dot_general":
-            shape = equation.invars[0].aval.shape
-            each = math.prod(shape[k] for k in parameters["dimension_numbers"][0][0])
-        count += each * sum(math.prod(v.aval.shape) for v in equation.outvars)
-    return count
-
-
 def evaluated(closed: Any, *arguments: Array, places: Sequence[int] | None = None) -> list[Any]:
     """Return the values of a jaxpr, as ``traced`` does: all, or those at some places, with what these need.
 
@@ -97,17 +58,7 @@ def evaluated(closed: Any, *arguments: Array, places: Sequence[int] | None = Non
     return _evaluated(closed.jaxpr, closed.consts, [np.asarray(a) for a in arguments], outputs)
 
 
-def _needed_for(outputs: list[Any], equations: list[Any]) -> list[Any]:
-    needed, found = {v for v in outputs if not isinstance(v, Literal)}, []
-    for equation in reversed(equations):
-        if needed.intersection(equation.outvars):
-            needed.update(v for v in equation.invars if not isinstance(v, Literal))
-            found.append(equation)
-    return found[::-1]
-
-
-def _evaluated(jaxpr: Any, constants: Any, arguments: list[Array], outputs: list[Any] | None = None) -> list[Array]:
-    outputs = jaxpr.outvars if outputs is None else outputs
+def _evaluated(jaxpr: Any, constants: Any, arguments: list[Array], outputs: list[Any]) -> list[Array]:
     known: dict[Any, Array] = {}
 
     def read(variable: Any) -> Array:
@@ -115,7 +66,7 @@ def _evaluated(jaxpr: Any, constants: Any, arguments: list[Array], outputs: list
 
     known.update(zip(jaxpr.constvars, map(np.asarray, constants), strict=True))
     known.update(zip(jaxpr.invars, arguments, strict=True))
-    for equation in _needed_for(outputs, jaxpr.eqns):
+    for equation in needed_for(outputs, jaxpr.eqns):
         given = [read(v) for v in equation.invars]
         known.update(zip(equation.outvars, _applied(equation, given), strict=True))
     return [read(v) for v in outputs]
@@ -125,7 +76,8 @@ def _applied(equation: Any, given: list[Array]) -> list[Array]:
     name, parameters = equation.primitive.name, equation.params
     inner = next((parameters[k] for k in INNER if k in parameters), None)
     if name not in RULES and inner is not None and name not in ("scan", "while", "cond"):
-        return _evaluated(inner.jaxpr, inner.consts, given) if hasattr(inner, "jaxpr") else _evaluated(inner, [], given)
+        plain, constants = (inner.jaxpr, inner.consts) if hasattr(inner, "jaxpr") else (inner, [])
+        return _evaluated(plain, constants, given, plain.outvars)
     if not any(a.dtype == object for a in given):
         return _by_numbers(equation, given)
     if name not in RULES:
@@ -454,7 +406,7 @@ def _scan(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Arr
     constants, now, streams = x[:known], x[known : known + carried], x[known + carried :]
     outputs: list[list[Array]] = []
     for k in reversed(range(rounds)) if parameters["reverse"] else range(rounds):
-        found = _evaluated(closed.jaxpr, closed.consts, [*constants, *now, *(s[k, ...] for s in streams)])
+        found = evaluated(closed, *constants, *now, *(s[k, ...] for s in streams))
         now, rest = found[:carried], found[carried:]
         outputs.append([np.asarray(a, object) for a in rest])
     if parameters["reverse"]:
@@ -468,4 +420,4 @@ def _branch(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[A
         raise Untraceable("a branch on something that moves (`cond`)")
     branches = parameters["branches"]
     chosen = branches[int(np.clip(int(x[0]), 0, len(branches) - 1))]
-    return _evaluated(chosen.jaxpr, chosen.consts, x[1:])
+    return evaluated(chosen, *x[1:])

@@ -1,0 +1,60 @@
+"""What is to be known of a jaxpr, JAX's list of the operations of a function, before it is evaluated."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+import jax
+from jax.extend.core import Literal
+
+INNER = ("jaxpr", "call_jaxpr", "fun_jaxpr")
+
+
+def written(function: Callable[..., Any], *shapes: tuple[int, ...]) -> Any:
+    """Return the jaxpr of a function of real arrays of given shapes."""
+    return jax.make_jaxpr(function)(*[jax.ShapeDtypeStruct(shape, float) for shape in shapes])
+
+
+def uses_first(closed: Any) -> bool:
+    """Return whether a jaxpr does anything with its first argument."""
+    first = closed.jaxpr.invars[0]
+    return any(v is first for equation in closed.jaxpr.eqns for v in equation.invars)
+
+
+def operations_on(closed: Any, moving: tuple[int, ...]) -> int:
+    """Return about how many operations on single numbers a jaxpr makes of those arguments that move."""
+    return _operations(closed.jaxpr, [k in moving for k in range(len(closed.jaxpr.invars))])
+
+
+def _operations(jaxpr: Any, given: list[bool]) -> int:
+    moves, count = {v for v, does in zip(jaxpr.invars, given, strict=True) if does}, 0
+    for equation in jaxpr.eqns:
+        which = [not isinstance(v, Literal) and v in moves for v in equation.invars]
+        if not any(which):
+            continue
+        moves.update(equation.outvars)
+        parameters = equation.params
+        inner = next((parameters[k] for k in INNER if k in parameters), None)
+        if inner is not None:
+            inner = getattr(inner, "jaxpr", inner)
+            passed = which if len(which) == len(inner.invars) else [True] * len(inner.invars)
+            count += _operations(inner, passed) * parameters.get("length", 1)
+            continue
+        each = 1
+        if equation.primitive.name == "dot_general":
+            shape = equation.invars[0].aval.shape
+            each = math.prod(shape[k] for k in parameters["dimension_numbers"][0][0])
+        count += each * sum(math.prod(v.aval.shape) for v in equation.outvars)
+    return count
+
+
+def needed_for(outputs: list[Any], equations: list[Any]) -> list[Any]:
+    """Return those equations, in order, without which the outputs cannot be computed."""
+    needed, found = {v for v in outputs if not isinstance(v, Literal)}, []
+    for equation in reversed(equations):
+        if needed.intersection(equation.outvars):
+            needed.update(v for v in equation.invars if not isinstance(v, Literal))
+            found.append(equation)
+    return found[::-1]
