@@ -359,7 +359,7 @@ def _checked(
 ) -> tuple[Double[np.ndarray, "..."], Float64[np.ndarray, "time"]]:
     refuse_single_precision(times=times)
     start, values = one_state(system, state), np.asarray(times, dtype=float)
-    gaps = np.sign(np.diff(values))
+    gaps = np.sign(np.diff(values)) if values.ndim == 1 else np.zeros(1)
     if values.ndim != 1 or len(values) < 2 or not np.isfinite(values).all() or not (gaps * gaps[:1] > 0).all():
         raise InvalidInput(f"`times` must be at least two finite times [s] in one direction; got {shown(times)}.")
     if not (np.ndim(radius) == 0 and 0.0 < radius < 1.0):
