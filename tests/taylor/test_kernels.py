@@ -31,6 +31,17 @@ class OfAllFunctions(systems.AbstractSystem):
         return {"low": lambda t, y: y[0] + 0.75, "high": lambda t, y: 2.3 - jnp.sin(t) * y[2]} if self.watched else {}
 
 
+class Nested(systems.AbstractSystem):
+    """Products of products, with nothing between them."""
+
+    def vector_field(self, t, state):
+        a, b, c = state
+        return jnp.stack([b * c, -a * c * (a * b), (a * b) * (a * c) * (b * c) - a])
+
+    def invariants(self, state):
+        return {}
+
+
 class Blowing(systems.AbstractSystem):
     """A motion that does not last."""
 
@@ -50,6 +61,7 @@ def cases():
     yield vortices, vortices.pack([[0.0, 0.0], [1.0, 0.2], [-0.3, 0.9]]), 0.1
     yield OfAllFunctions(), np.array([0.1, 0.2, 0.3, 1.0]), 0.3
     yield OfAllFunctions(False), np.array([0.1, 0.2, 0.3, 1.0]), 0.3
+    yield Nested(), np.array([0.5, -0.7, 0.9]), 0.1
     yield Blowing(), np.array([1.0, -1.0]), 0.3
     yield systems.HeavyTop((1.0, 2.0, 3.5), 0.0, (0.0, 0.0, 1.0)), np.array([1.0, 0, 0, 0, 0, 0, 0, 0, 0, 1.0]), 0.0
 
@@ -112,7 +124,7 @@ def test_written_code_changes_no_bit(by, monkeypatch, width):
     own = straight_line.code_of
     monkeypatch.setattr(straight_line, "code_of", lambda *given: written.append(own(*given)) or written[-1])
     assert_same_bits(from_tables, motions(11))
-    assert len({code.address for code in written}) == 7
+    assert len({code.address for code in written}) == 8
 
 
 def test_code_is_that_of_all_programs_that_differ_by_factors():

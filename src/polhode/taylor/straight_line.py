@@ -173,6 +173,9 @@ class _Writer:
         for q in range(whole[OPERATIONS]):
             operation = Operation(whole[whole[CODE] + q])
             if operation is Operation.PRODUCT:
+                if self._needs(q, products):
+                    self._products(k, now, products)
+                    products = []
                 products.append(q)
                 continue
             self._products(k, now, products)
@@ -227,6 +230,13 @@ class _Writer:
             for first in firsts:
                 self._keep(k, now, first)
             self._sums(k, now, self._of_blocks(firsts), [whole[whole[OUT] + q] for q in part])
+
+    def _needs(self, q: int, others: list[int]) -> bool:
+        """Return whether a block has factors that other blocks make."""
+        whole = self.whole
+        made = {whole[whole[OUT] + other] + lane for other in others for lane in range(WIDTH)}
+        factors = (whole[whole[table] + m] for m in self._members(q) for table in (LEFT, RIGHT))
+        return not made.isdisjoint(factors)
 
     def _members(self, q: int) -> range:
         """Return which products a block has, without those that fill it."""

@@ -1,0 +1,71 @@
+"""Machine code for programs, against the kernel that reads them from tables: the same bits of whatever they are."""
+
+import ctypes
+
+import numpy as np
+import pytest
+
+from polhode.taylor import kernels, lanes, straight_line
+from polhode.taylor.expressions import Tape, exponential, logarithm, sine_and_cosine
+from polhode.taylor.kernel_space import series_for
+from polhode.taylor.program import program_of
+
+ORDER = 11
+POINTER = ctypes.POINTER(ctypes.c_double)
+
+
+def random_program(seed):
+    """Return a program of random operations on random ones before them."""
+    rng = np.random.default_rng(seed)
+    tape = Tape(int(rng.integers(1, 6)))
+    known = tape.state()
+    for _ in range(int(rng.integers(1, 40))):
+        x, y = (known[k] for k in rng.integers(len(known), size=2))
+        known.append({
+            0: lambda x=x, y=y: x * float(rng.choice([1.0, -1.0, 0.3])) + y * float(rng.normal()) + float(rng.normal()),
+            1: lambda x=x, y=y: x * y, 2: lambda x=x, y=y: x * y,
+            3: lambda x=x: (x * x + 1.0) ** -1.5, 4: lambda x=x: exponential((x * x + 1.0) ** -1.0),
+            5: lambda x=x: logarithm(x * x + 2.0), 6: lambda x=x: sine_and_cosine(x)[int(rng.integers(2))],
+            7: lambda x=x: x * x,
+        }[int(rng.integers(8))]())  # fmt: skip
+    return program_of(tape, [known[k] * (1.0 / (k + 1.0)) + 0.1 for k in rng.integers(len(known), size=tape.size)])
+
+
+def by_tables_and_by_code(program, width):
+    """Return the coefficients as the kernel of plain Python has them, and as the code has them."""
+    space = kernels.python_kernel(width).advance.__globals__
+    start = np.random.default_rng(1).normal(size=program.size * width)
+    units, found = np.full(width, 0.25), []
+    for by_code in (False, True):
+        series = series_for(program, ORDER + 1, width)
+        series.flat[: start.size] = start
+        seen = series._replace(z=space["vectors"](series.flat))
+        if by_code:
+            space["nodes"](seen, 0)
+            run = ctypes.CFUNCTYPE(None, *[POINTER] * 4, ctypes.c_int64, POINTER)
+            arrays = (x.ctypes.data_as(POINTER) for x in (series.flat, series.a, series.b, program.number))
+            run(straight_line.code_of(program, width).address)(*arrays, ORDER, units.ctypes.data_as(POINTER))
+        else:
+            space["coefficients"](seen, ORDER, units)
+        found.append(series.flat)
+    return found
+
+
+@pytest.mark.parametrize("width", [1, lanes.LANES])
+@pytest.mark.parametrize("seed", range(25))
+def test_random_programs_have_the_same_bits(seed, width):
+    by_tables, by_code = by_tables_and_by_code(random_program(seed), width)
+    np.testing.assert_array_equal(by_code, by_tables)
+    assert np.isfinite(by_tables).all()
+
+
+@pytest.mark.parametrize("width", [1, lanes.LANES])
+def test_registers_change_no_bit(width, monkeypatch):
+    """On a machine with fewer of them, fewer products are summed together."""
+    program = random_program(7)
+    straight_line._compiled.cache_clear()
+    monkeypatch.setattr(straight_line, "most_together", lambda: 3)
+    monkeypatch.setattr(straight_line, "BLOCKS", 1)
+    by_tables, by_code = by_tables_and_by_code(program, width)
+    straight_line._compiled.cache_clear()
+    np.testing.assert_array_equal(by_code, by_tables)
