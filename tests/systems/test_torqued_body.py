@@ -5,6 +5,7 @@ import jax.numpy as jnp
 import mpmath
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 
 import polhode as ph
 from polhode import rotation
@@ -224,3 +225,29 @@ def test_states_without_and_with_attitude():
 def test_bad_input(call, words):
     with pytest.raises(InvalidInput, match=words):
         call()
+
+
+@pytest.mark.parametrize("eccentricity", [0.0, 0.3, 0.8])
+def test_gravity_gradient_against_steps_in_the_true_anomaly(eccentricity):
+    """Which needs no equation of Kepler's: dt = (r/a)² df / (n √(1 − e²)), r/a = (1 − e²) / (1 + e cos f)."""
+    moments, n, e = np.array([1.0, 2.0, 2.5]), 0.7, eccentricity
+    body = TorquedBody(moments, [GravityGradient(KeplerOrbit(n, e), moments)])
+    start = np.array([1.0, 0.0, 0.0, 0.0, 0.3, 0.1, 2.4])
+
+    def rates(f, y):
+        (w, x, u, v), momentum, ratio = y[:4], y[4:7], (1.0 - e * e) / (1.0 + e * np.cos(f))
+        turn = np.array([[1 - 2 * (u * u + v * v), 2 * (x * u - w * v), 2 * (x * v + w * u)],
+                         [2 * (x * u + w * v), 1 - 2 * (x * x + v * v), 2 * (u * v - w * x)],
+                         [2 * (x * v - w * u), 2 * (u * v + w * x), 1 - 2 * (x * x + u * u)]])  # fmt: skip
+        centre, spin = turn.T @ np.array([np.cos(f), np.sin(f), 0.0]), momentum / moments
+        torque = np.cross(momentum, spin) + 3.0 * (n * n / ratio**3) * np.cross(centre, moments * centre)
+        a, b, c = spin
+        attitude = 0.5 * np.array([-x * a - u * b - v * c, w * a + u * c - v * b, w * b - x * c + v * a,
+                                   w * c + x * b - u * a])  # fmt: skip
+        per_f = ratio**2 / (n * np.sqrt(1.0 - e * e))
+        return np.concatenate([attitude, torque, [1.0]]) * per_f
+
+    found = solve_ivp(rates, (0.0, 11.0), [*start, 0.0], method="DOP853", rtol=1e-13, atol=1e-14).y[:, -1]
+    ours = ph.simulate(body, start, [0.0, found[-1]], ph.integrators.Taylor)
+    assert ours.error_estimate < 1e-9
+    assert np.abs(ours.states[-1] - found[:-1]).max() < 1e-9

@@ -62,6 +62,7 @@ def cases():
     yield OfAllFunctions(), np.array([0.1, 0.2, 0.3, 1.0]), 0.3
     yield OfAllFunctions(False), np.array([0.1, 0.2, 0.3, 1.0]), 0.3
     yield Nested(), np.array([0.5, -0.7, 0.9]), 0.1
+    yield systems.SpinOrbit(0.9, 0.3, 1.0, 0.7), np.array([0.4, 1.3]), 0.1
     yield Blowing(), np.array([1.0, -1.0]), 0.3
     yield systems.HeavyTop((1.0, 2.0, 3.5), 0.0, (0.0, 0.0, 1.0)), np.array([1.0, 0, 0, 0, 0, 0, 0, 0, 0, 1.0]), 0.0
 
@@ -124,7 +125,7 @@ def test_written_code_changes_no_bit(by, monkeypatch, width):
     own = straight_line.code_of
     monkeypatch.setattr(straight_line, "code_of", lambda *given: written.append(own(*given)) or written[-1])
     assert_same_bits(from_tables, motions(11))
-    assert len({code.address for code in written}) == 8
+    assert len({code.address for code in written}) == 9
 
 
 def test_code_is_that_of_all_programs_that_differ_by_factors():

@@ -172,8 +172,14 @@ def _less_sine(angle: Array) -> Array:
 
 def _reduced(mean_anomaly: Array) -> tuple[Array, Array]:
     """Return M within [−π, π] and the whole turns left out [rad]."""
-    turns = TURN * jnp.round(jax.lax.stop_gradient(mean_anomaly) / TURN)
+    turns = whole_turns(jax.lax.stop_gradient(mean_anomaly))
     return mean_anomaly - turns, turns
+
+
+@jax.jit  # as one step, which series know by its name
+def whole_turns(mean_anomaly: Float64[ArrayOrFloat, "*shape"]) -> Float64[Array, "*shape"]:
+    """Return the whole turns [rad] nearest to M."""
+    return TURN * jnp.round(mean_anomaly / TURN)
 
 
 def checked_number(

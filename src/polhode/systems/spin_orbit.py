@@ -81,8 +81,14 @@ class SpinOrbit(AbstractSystem):
         self, t: Real[ArrayLike, "*#batch"], state: Float64[Array, "*#batch 2"]
     ) -> Float64[Array, "*batch 2"]:
         angle, rate = LAYOUT.part(state, "angle"), LAYOUT.part(state, "rate")
-        phase = 2.0 * (angle - self.orbit.true_anomaly(t))
-        return jnp.stack([rate, -0.5 * self._strength(t) * jnp.sin(phase)], axis=-1)
+        return jnp.stack([rate, -0.5 * self._strength(t) * self._phase(t, angle)[0]], axis=-1)
+
+    def _phase(self, t: Array, angle: Array) -> tuple[Array, Array]:
+        """Return sine and cosine of 2(θ − f)."""
+        centre = self.orbit.direction(t)
+        x, y = centre[..., 0], centre[..., 1]
+        sine, cosine, twice_sine, twice_cosine = jnp.sin(2.0 * angle), jnp.cos(2.0 * angle), 2.0 * x * y, x * x - y * y
+        return sine * twice_cosine - cosine * twice_sine, cosine * twice_cosine + sine * twice_sine
 
     def _strength(self, t: Array) -> Array:
         return (self.mean_motion * self.asphericity) ** 2 / self.orbit.distance_ratio(t) ** 3
@@ -97,11 +103,12 @@ class SpinOrbit(AbstractSystem):
         With ḟ = n √(1−e²) (a/r)² and ṙ/a = n e sin f/√(1−e²).
         """
         angle, rate = LAYOUT.part(state, "angle"), LAYOUT.part(state, "rate")
-        n, e, ratio, f = self.mean_motion, self.eccentricity, self.orbit.distance_ratio(t), self.orbit.true_anomaly(t)
-        root, phase, depth = jnp.sqrt((1.0 - e) * (1.0 + e)), 2.0 * (angle - f), 0.25 * self._strength(t)
-        outward, around = n * e * jnp.sin(f) / root, n * root / ratio**2
-        energy = 0.5 * rate**2 - depth * jnp.cos(phase)
-        growth = depth * (3.0 * outward / ratio * jnp.cos(phase) - 2.0 * around * jnp.sin(phase))
+        n, e, ratio = self.mean_motion, self.eccentricity, self.orbit.distance_ratio(t)
+        sine, cosine = self._phase(t, angle)
+        root, depth = jnp.sqrt((1.0 - e) * (1.0 + e)), 0.25 * self._strength(t)
+        outward, around = n * e * self.orbit.direction(t)[..., 1] / root, n * root / ratio**2
+        energy = 0.5 * rate**2 - depth * cosine
+        growth = depth * (3.0 * outward / ratio * cosine - 2.0 * around * sine)
         return {"energy_per_moment": Balance(energy, growth)}
 
     @known_numbers_only

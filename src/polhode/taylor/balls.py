@@ -59,6 +59,8 @@ class BallSystem:
             self.exact = False  # some of them are looked at as numbers, or go into functions without a recurrence
             made = self._traced(lambda p: system, np.zeros(0))
         self._tape, self._rates, self.size, self.parameters, self.timed = made
+        if any(node.operation is Operation.ECCENTRIC for node in self._tape.nodes):
+            raise Untraceable("Kepler's equation, which no ball solves yet")
         slopes = [gradient(x) for x in self._rates]
         self._slopes = [x for row in slopes for x in row[: self.size]]
         self._still = self._that_do_not_move()

@@ -1,14 +1,15 @@
 """Affine expressions of nodes, and the tape of nodes that a vector field is made of.
 
 A node is a component of the state, or the result of one operation on nodes: an affine combination, a product, a power,
-an exponential, a logarithm, a sine with its cosine. Taylor coefficients of each obey a recurrence in those of its
-arguments, so that a field which is a tape needs nothing else to be integrated.
+an exponential, a logarithm, a sine with its cosine, a place in Kepler's orbit. Taylor coefficients of each obey a
+recurrence in those of its arguments, so that a field which is a tape needs nothing else to be integrated.
 
 Source: Jorba & Zou, Exp. Math. 14 (2005) 99, §2.1; Moore, *Methods and Applications of Interval Analysis*, §3.4.
 """
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Iterable
 from enum import IntEnum
@@ -33,6 +34,15 @@ class Operation(IntEnum):
     LOGARITHM = 4
     SINE = 5
     COSINE = 6  # of the sine before it, with which it shares the recurrence
+    ECCENTRIC = 7  # E of M = E − e sin E
+    ECCENTRIC_SINE = 8  # sin E, which stands behind E
+    ECCENTRIC_COSINE = 9  # cos E, behind that
+
+
+# nodes that come with another one
+COMPANIONS = {Operation.SINE: (Operation.COSINE,),
+              Operation.ECCENTRIC: (Operation.ECCENTRIC_SINE, Operation.ECCENTRIC_COSINE)}  # fmt: skip
+ALONG = frozenset(itertools.chain(*COMPANIONS.values()))
 
 
 class Node(NamedTuple):
@@ -42,7 +52,7 @@ class Node(NamedTuple):
         operation: which.
         arguments: numbers of nodes.
         coefficients: of the arguments of an affine combination, as many.
-        number: what an affine combination adds, or the exponent of a power.
+        number: what an affine combination adds, the exponent of a power, or an eccentricity.
     """
 
     operation: Operation
@@ -110,8 +120,7 @@ class Tape:
                 raise Untraceable("a branch on the time, at which no jump is named")
             return self.instants
         node = self.nodes[place - self.size]
-        values = [self._node_at(k) for k in node.arguments[:1] if node.operation is Operation.COSINE] or [
-            self._node_at(k) for k in node.arguments]  # fmt: skip
+        values = [self._node_at(k) for k in (node.arguments[:1] if node.operation in ALONG else node.arguments)]
         match node.operation:
             case Operation.AFFINE:
                 return node.number + sum(c * v for c, v in zip(node.coefficients, values, strict=True))
@@ -125,8 +134,10 @@ class Tape:
                 return np.log(values[0])
             case Operation.SINE:
                 return np.sin(values[0])
-            case _:
+            case Operation.COSINE:
                 return np.cos(values[0])
+            case _:
+                raise Untraceable("a branch on a place in an orbit")
 
     def decided(self, answers: np.ndarray) -> bool:
         """Return what a branch on the time comes to, which must be the same at all instants."""
@@ -145,8 +156,8 @@ class Tape:
         if factor != 1.0:  # these functions are not homogeneous
             place = self.node(Node(Operation.AFFINE, (place,), (factor,)))
         found = self.node(Node(operation, (place,), (), number))
-        if operation is Operation.SINE:  # the pair is computed together
-            self.node(Node(Operation.COSINE, (place, found)))
+        for companion in COMPANIONS.get(operation, ()):
+            self.node(Node(companion, (place, found)))
         return Expression(self, {found: 1.0})
 
 
@@ -184,8 +195,15 @@ def _slopes(tape: Tape, place: int, node: Node) -> list[tuple[int, Any]]:
             return [(node.arguments[0], z[0] ** -1.0)]
         case Operation.SINE:
             return [(node.arguments[0], Expression(tape, {place + 1: 1.0}))]
-        case _:  # of a cosine, whose second argument only says which sine goes with it
+        case Operation.COSINE:  # whose second argument only says which sine goes with it
             return [(node.arguments[0], -z[1])]
+        case Operation.ECCENTRIC:
+            cosine = Expression(tape, {place + 2: 1.0})
+            return [(node.arguments[0], (1.0 - node.number * cosine) ** -1.0)]
+        case Operation.ECCENTRIC_SINE:
+            return [(node.arguments[1], Expression(tape, {place + 1: 1.0}))]
+        case _:
+            return [(node.arguments[1], Expression(tape, {place - 1: -1.0}))]
 
 
 class Expression:
@@ -357,3 +375,10 @@ def logarithm(x: Expression) -> Expression:
     if not x.terms:
         return x.tape.constant(math.log(x.constant))
     return x.tape.unary(Operation.LOGARITHM, x)
+
+
+def eccentric_anomaly(mean_anomaly: Expression, eccentricity: float) -> Expression:
+    """Return E of M = E − e sin E, both growing without bound."""
+    if eccentricity == 0.0:
+        return mean_anomaly
+    return mean_anomaly.tape.unary(Operation.ECCENTRIC, mean_anomaly, eccentricity)

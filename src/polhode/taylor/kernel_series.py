@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from polhode.taylor.kernel_kepler import eccentric_anomaly_at
 from polhode.taylor.kernel_products import block
 from polhode.taylor.kernel_space import NOBODY, Course, Lanes, Series
 from polhode.taylor.program import (
@@ -55,7 +56,9 @@ def combination(series: Series, base: Any, row: Any) -> Any:
     return value
 
 
-def function(operation: Any, z: Array, base: Any, width: Any, k: Any, out: Any, x: Any, exponent: Any) -> None:
+def function(
+    operation: Any, flat: Array, z: Array, base: Any, width: Any, k: Any, out: Any, x: Any, exponent: Any
+) -> None:  # fmt: skip
     """Set the k-th coefficient of a function of node x; see ``program``."""
     u, y, total = out, base + x, spread(0.0)
     if operation == 2:
@@ -82,6 +85,8 @@ def function(operation: Any, z: Array, base: Any, width: Any, k: Any, out: Any, 
             u, y = u + width, y - width
             total = total + j * (z[u] * z[y])
         z[base + out] = (z[base + x] - total / k) / z[x]
+    elif operation == 7:
+        orbital(flat, z, base, width, k, out, x, exponent)
     else:
         if k == 0:
             z[base + out] = sine(z[x])
@@ -97,6 +102,30 @@ def function(operation: Any, z: Array, base: Any, width: Any, k: Any, out: Any, 
         z[base + out + 1] = of_cosine / k
 
 
+def orbital(
+    flat: Array, z: Array, base: Any, width: Any, k: Any, out: Any, x: Any, eccentricity: Any
+) -> None:  # fmt: skip
+    """Set the k-th coefficients of E, sin E and cos E at the mean anomaly x, by (1 − e cos E) Ė = Ṁ."""
+    if k == 0:
+        for lane in range(LANES):
+            flat[out * LANES + lane] = eccentric_anomaly_at(flat[x * LANES + lane], eccentricity)
+        half = sine(0.5 * z[out])
+        z[out + 1], z[out + 2] = sine(z[out]), cosine(z[out])
+        z[out + 3] = (1.0 - eccentricity) + (2.0 * eccentricity) * half * half
+        return
+    total = k * z[base + x]
+    for j in range(1, k):
+        total = total + eccentricity * (j * (z[j * width + out] * z[(k - j) * width + out + 2]))
+    z[base + out] = total / (k * z[out + 3])
+    of_sine, of_cosine = spread(0.0), spread(0.0)
+    for j in range(1, k + 1):
+        weight, past = j * z[j * width + out], (k - j) * width + out
+        of_sine = of_sine + weight * z[past + 2]
+        of_cosine = of_cosine - weight * z[past + 1]
+    z[base + out + 1] = of_sine / k
+    z[base + out + 2] = of_cosine / k
+
+
 def nodes(series: Series, k: Any) -> None:
     """Set the k-th coefficients of all nodes from those of the state."""
     whole, number, z = series.whole, series.number, series.z
@@ -104,14 +133,14 @@ def nodes(series: Series, k: Any) -> None:
     width = whole[SLOTS]
     base = k * width
     for q in range(whole[OPERATIONS]):
-        operation, out = whole[codes + q], base + whole[outs + q]
+        operation, out, argument, given = whole[codes + q], whole[outs + q], whole[arguments + q], number[numbers + q]
         if operation == 1:
-            block(series, k, whole[arguments + q], int(number[numbers + q]), out)
+            block(series, k, argument, int(given), base + out)
         elif operation == 0:
-            value = combination(series, base, whole[arguments + q])
-            z[out] = value + number[numbers + q] if k == 0 else value
+            value = combination(series, base, argument)
+            z[base + out] = value + given if k == 0 else value
         else:
-            function(operation, z, base, width, k, whole[outs + q], whole[arguments + q], number[numbers + q])
+            function(operation, series.flat, z, base, width, k, out, argument, given)
 
 
 def coefficients(series: Series, order: Any, units: Array) -> None:

@@ -17,6 +17,7 @@ from typing import Any, ClassVar, NamedTuple
 from polhode.taylor import (
     kernel,
     kernel_invariants,
+    kernel_kepler,
     kernel_lanes,
     kernel_products,
     kernel_series,
@@ -30,10 +31,11 @@ from polhode.taylor.program import Program
 LOADED = 0.3  # s that slower runs take before a kernel is loaded
 WRITTEN, LONGEST = 1e-3, 4000  # or code is written for each operation of a program, and the longest that it is for
 COMPILED = {1: 2.0, lanes.LANES: 6.0}  # or compiled, by how many copies it moves at a time
-COMMON: tuple[ModuleType, ...] = kernel_space, kernel_series, kernel_zeros, kernel_invariants, kernel
+COMMON: tuple[ModuleType, ...] = kernel_space, kernel_kepler, kernel_series, kernel_zeros, kernel_invariants, kernel
 MODULES = {1: (vectors, kernel_products, *COMMON), lanes.LANES: (lanes, kernel_lanes, *COMMON)}
 ENTRIES = ("advance", "conserved_values")
-CALLED = ("function", "reach_of", "first_zero", "change_within", "zero_between")  # all others are made part of callers
+# all other functions are made part of those that call them
+CALLED = ("function", "orbital", "eccentric_anomaly_at", "reach_of", "first_zero", "change_within", "zero_between")
 Function = Any  # of Numba's or of Python's own
 
 

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from polhode.taylor.expressions import Expression, Node, Operation, Tape
+from polhode.taylor.expressions import ALONG, COMPANIONS, Expression, Node, Operation, Tape
 from polhode.taylor.vectors import WIDTH
 from polhode.types import Array, Float64, Integer
 
@@ -108,12 +108,13 @@ def program_of(tape: Tape, outputs: list[Expression]) -> Program:
             slots += BLOCK
         for k in of_step:
             node = by[k]
-            if node.operation in (Operation.AFFINE, Operation.PRODUCT, Operation.COSINE):
+            if node.operation in (Operation.AFFINE, Operation.PRODUCT) or node.operation in ALONG:
                 continue
             add(node.operation, slots, at[node.arguments[0]], node.number)
             at[k], slots = slots, slots + 1
-            if node.operation is Operation.SINE:
-                at[k + 1], slots = slots, slots + 1
+            for companion in range(len(COMPANIONS.get(node.operation, ()))):
+                at[k + 1 + companion], slots = slots, slots + 1
+            slots += node.operation is Operation.ECCENTRIC  # for what its recurrence is divided by
     first = len(start) - 1
     for x in outputs:
         combine(sorted(x.terms.items()))
@@ -129,7 +130,7 @@ def program_of(tape: Tape, outputs: list[Expression]) -> Program:
 
 
 def needed(tape: Tape, outputs: list[Expression]) -> list[int]:
-    """Return the nodes that outputs are made of, in order; a sine and its cosine together."""
+    """Return the nodes that outputs are made of, in order; a sine and its cosine together, and so on."""
     found: set[int] = set()
     left = [k for x in outputs for k in x.terms]
     while left:
@@ -139,6 +140,5 @@ def needed(tape: Tape, outputs: list[Expression]) -> list[int]:
         found.add(k)
         node: Node = tape.nodes[k - tape.size]
         left.extend(node.arguments)
-        if node.operation is Operation.SINE:
-            left.append(k + 1)
+        left.extend(k + 1 + companion for companion in range(len(COMPANIONS.get(node.operation, ()))))
     return sorted(found)

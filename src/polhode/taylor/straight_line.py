@@ -343,8 +343,33 @@ class _Writer:
             (total,) = self._loop(one, k, 1, [zero], of_logarithm)
             rest = builder.fdiv(total, self._spread(whole_k))
             found = [builder.fdiv(builder.fsub(self._z(now, x), rest), first)]
+        elif operation is Operation.ECCENTRIC:
+            found = self._orbital(k, now, out, x, self._spread(self._given(number)))
         else:
             totals = self._loop(INTEGER(0), k, 1, [zero, zero], of_sine)
             found = [builder.fdiv(total, self._spread(whole_k)) for total in totals]
         for place, value in enumerate(found):
             self._store(value, now, (out + place) * self.lanes)
+
+    def _orbital(self, k: Any, now: Any, out: int, x: int, eccentricity: Any) -> list[Any]:
+        """Write the recurrence of a place in an orbit; see ``kernel_series.orbital``."""
+        builder, zero, one = self.builder, self._spread(DOUBLE(0.0)), INTEGER(1)
+        by_k = self._spread(builder.sitofp(k, DOUBLE))
+
+        def of_anomaly(j: Any, total: Any) -> list[Any]:
+            past = self._z(self._row_of(builder.sub(k, j)), out + 2)
+            term = builder.fmul(self._z(self._row_of(j), out), past)
+            weighted = builder.fmul(self._spread(builder.sitofp(j, DOUBLE)), term)
+            return [builder.fadd(total, builder.fmul(eccentricity, weighted))]
+
+        def of_sine(j: Any, sine: Any, cosine: Any) -> list[Any]:
+            weight = builder.fmul(self._spread(builder.sitofp(j, DOUBLE)), self._z(self._row_of(j), out))
+            row = self._row_of(builder.sub(k, j))
+            return [builder.fadd(sine, builder.fmul(weight, self._z(row, out + 2))),
+                    builder.fsub(cosine, builder.fmul(weight, self._z(row, out + 1)))]  # fmt: skip
+
+        (total,) = self._loop(one, k, 1, [builder.fmul(by_k, self._z(now, x))], of_anomaly)
+        anomaly = builder.fdiv(total, builder.fmul(by_k, self._z(self.flat, out + 3)))
+        self._store(anomaly, now, out * self.lanes)
+        totals = self._loop(one, builder.add(k, one), 1, [zero, zero], of_sine)
+        return [anomaly, *(builder.fdiv(of, by_k) for of in totals)]

@@ -21,6 +21,7 @@ from polhode.taylor.expressions import (
     Expression,
     Tape,
     Untraceable,
+    eccentric_anomaly,
     exponential,
     logarithm,
     sine_and_cosine,
@@ -31,6 +32,7 @@ from polhode.types import Array
 
 Rule = Callable[[list[Array], dict[str, Any], Any], list[Array]]
 RULES: dict[str, Rule] = {}
+NAMED: dict[str, Callable[..., Array]] = {}  # of functions of polhode's own that JAX compiles by themselves
 MOST_ROUNDS = 1000  # of a loop that is written out
 LARGEST_LINEAR = 4096  # numbers that an operation may take, of which unit vectors are made
 
@@ -75,6 +77,8 @@ def _evaluated(jaxpr: Any, constants: Any, arguments: list[Array], outputs: list
 def _applied(equation: Any, given: list[Array]) -> list[Array]:
     name, parameters = equation.primitive.name, equation.params
     inner = next((parameters[k] for k in INNER if k in parameters), None)
+    if parameters.get("name") in NAMED and any(a.dtype == object for a in given):
+        return [NAMED[parameters["name"]](*given)]
     if name not in RULES and inner is not None and name not in ("scan", "while", "cond"):
         plain, constants = (inner.jaxpr, inner.consts) if hasattr(inner, "jaxpr") else (inner, [])
         return _evaluated(plain, constants, given, plain.outvars)
@@ -163,6 +167,19 @@ def _elementary(function: Callable[[Expression], Expression]) -> Rule:
     return rule
 
 
+def _place_in_orbit(mean_anomaly: Array, eccentricity: Array) -> Array:
+    if eccentricity.dtype == object:
+        raise Untraceable("an eccentricity that moves")
+    anomalies, e = np.broadcast_arrays(mean_anomaly, eccentricity)
+    found = np.empty(anomalies.shape, object)
+    for k in np.ndindex(found.shape):
+        found[k] = eccentric_anomaly(anomalies[k], float(e[k]))
+    return found
+
+
+NAMED["solve_kepler"] = _place_in_orbit
+
+
 def _hyperbolic(sign: float) -> Callable[[Expression], Expression]:
     return lambda a: (exponential(a) + sign * exponential(-a)) * 0.5
 
@@ -171,6 +188,8 @@ RULES["sin"] = _elementary(lambda a: sine_and_cosine(a)[0])
 RULES["cos"] = _elementary(lambda a: sine_and_cosine(a)[1])
 RULES["tan"] = _elementary(lambda a: sine_and_cosine(a)[0] / sine_and_cosine(a)[1])
 RULES["exp"] = _elementary(exponential)
+# of a mean anomaly, and what is a function of the place in an orbit goes on smoothly beyond a turn
+NAMED["whole_turns"] = lambda mean_anomaly: np.zeros(mean_anomaly.shape)
 RULES["log"] = _elementary(logarithm)
 RULES["log1p"] = _elementary(lambda a: logarithm(a + 1.0))
 RULES["sinh"], RULES["cosh"] = _elementary(_hyperbolic(-1.0)), _elementary(_hyperbolic(1.0))
