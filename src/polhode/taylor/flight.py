@@ -76,7 +76,7 @@ def outcome(
 def _advance(copies: Copies, machine: Machine, course: Course, use: Kernel, running: Array) -> None:
     from polhode.exact.kernel_arithmetic import in_threads
 
-    code = written_code(use, machine.program)
+    code, limit = written_code(use, machine.program), max(1, use.stretch // machine.program.length)
     orders, watched, conserved = course.order + 1, len(course.falling), copies.wanted.shape[1]
 
     def fill(low: int, high: int) -> None:
@@ -85,7 +85,7 @@ def _advance(copies: Copies, machine: Machine, course: Course, use: Kernel, runn
         integrals = series_for(machine.integrals, 1, use.lanes)
         lanes = lanes_for(machine.program, course.order, use.lanes, watched, conserved)
         with np.errstate(all="ignore"):
-            use.advance(rates, integrals, Copies(*(x[part] for x in copies)), lanes, course, use.stretch)
+            use.advance(rates, integrals, Copies(*(x[part] for x in copies)), lanes, course, limit)
 
     in_threads(fill, running.size, WORTH)
 

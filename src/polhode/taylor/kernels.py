@@ -45,7 +45,7 @@ class Kernel(NamedTuple):
     Attributes:
         lanes: how many copies it moves at a time.
         is_compiled: whether by Numba; else it is Python.
-        stretch: the steps that one call takes at most, so that Ctrl-C is seen between two.
+        stretch: how many operations of a program one call does in its steps, so that Ctrl-C is seen between two calls.
     """
 
     lanes: int
@@ -76,9 +76,8 @@ def chosen_kernel(copies: int) -> Kernel:
 
 def written_code(use: Kernel, program: Program) -> Any:
     """Return ``straight_line.Code`` of a program that has run for as long as it takes to write that, else None."""
-    operations = len(program.operations) + program.products
     spent = _Spent.by_program.get(program.form, 0.0)
-    if not use.is_compiled or operations > LONGEST or spent < WRITTEN * operations:
+    if not use.is_compiled or program.length > LONGEST or spent < WRITTEN * program.length:
         return None
     from polhode.taylor.straight_line import code_of
 
@@ -107,7 +106,7 @@ def _is_worth(width: int, spent: float) -> bool:
 def python_kernel(width: int) -> Kernel:
     """Return the kernel as it is written."""
     space = _joined(width, lambda function, name: function, {})
-    return Kernel(width, False, *(space[name] for name in ENTRIES), stretch=20)
+    return Kernel(width, False, *(space[name] for name in ENTRIES), stretch=1_000)
 
 
 @cache
@@ -132,7 +131,7 @@ def compiled_kernel(width: int) -> Kernel:
                     no_cfunc_wrapper=True)(function)  # fmt: skip
 
     space = _joined(width, compiled, operations)
-    return Kernel(width, True, *(space[name] for name in ENTRIES), stretch=50_000)
+    return Kernel(width, True, *(space[name] for name in ENTRIES), stretch=2_000_000)
 
 
 def use_compiled_kernel(*widths: int) -> None:

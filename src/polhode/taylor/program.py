@@ -59,6 +59,11 @@ class Program(NamedTuple):
         return self.whole[self.whole[CODE] : self.whole[CODE] + self.whole[OPERATIONS]]
 
     @property
+    def length(self) -> int:
+        """About how many operations there are, with the sums of terms that the state's rates are."""
+        return self.size + len(self.operations) + self.products
+
+    @property
     def products(self) -> int:
         """How many products there are, in blocks."""
         return int(self.whole[PRODUCTS])

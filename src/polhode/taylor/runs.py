@@ -1,4 +1,4 @@
-"""Motions by Taylor series: one copy after the other, from stretch to stretch between jumps."""
+"""Motions by Taylor series, from stretch to stretch between jumps."""
 
 from __future__ import annotations
 

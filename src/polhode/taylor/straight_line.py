@@ -74,8 +74,7 @@ def _compiled(whole: bytes, signs: bytes, counts: bytes, lanes: int) -> Code:
     module = binding.parse_assembly(str(written.module))
     module.verify()
     target = binding.Target.from_default_triple()
-    features = binding.get_host_cpu_features().flatten()
-    machine = target.create_target_machine(cpu=binding.get_host_cpu_name(), features=features, opt=2)
+    machine = target.create_target_machine(cpu=binding.get_host_cpu_name(), features=_features().flatten(), opt=2)
     engine = binding.create_mcjit_compiler(module, machine)
     engine.finalize_object()
     return Code(engine.get_function_address("coefficients"), engine)
@@ -83,7 +82,14 @@ def _compiled(whole: bytes, signs: bytes, counts: bytes, lanes: int) -> Code:
 
 def most_together() -> int:
     """Return how many products' sums fit the registers of this machine."""
-    return 12 if binding.get_host_cpu_features().get("avx512f") else 3
+    return 12 if _features().get("avx512f") else 3
+
+
+def _features() -> Any:
+    try:
+        return binding.get_host_cpu_features()
+    except RuntimeError:  # LLVM does not know this machine
+        return binding.FeatureMap()
 
 
 def _parts(whole: list[Any], size: int) -> list[list[Any]]:
