@@ -48,6 +48,7 @@ from .analysis.equilibria import find_equilibria as find_equilibria
 from .analysis.floquet import monodromy as monodromy
 from .analysis.floquet import periodic_motion as periodic_motion
 from .analysis.lyapunov_exponents import lyapunov as lyapunov
+from .analysis.periodic_branches import continue_periodic as continue_periodic
 from .analysis.sections import section as section
 from .analysis.stability import stability as stability
 from .analysis.twist import racket_twist as racket_twist

@@ -99,6 +99,10 @@ ENTRIES = {
     "monodromy state": (THREE, lambda x: ph.monodromy(BODY, x, (0.0, 1.0))),
     "monodromy times": ((0.0, 1.0), lambda x: ph.monodromy(BODY, THREE, x)),
     "periodic_motion": (THREE, lambda x: ph.periodic_motion(BODY, x, 9.0)),
+    "continue_periodic state": (THREE, lambda x: ph.continue_periodic(lambda a: systems.FreeRigidBody((1.0, 2.0, a)),
+                                                                      (3.0, 3.001), x, 9.0)),
+    "continue_periodic limits": ((3.0, 3.001), lambda x: ph.continue_periodic(
+        lambda a: systems.FreeRigidBody((1.0, 2.0, a)), x, THREE, 9.0)),
     "find_equilibria": ((0.0, 1.0, 0.0), lambda x: ph.find_equilibria(BODY, x)),
 }
 

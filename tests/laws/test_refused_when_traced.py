@@ -190,6 +190,7 @@ REFUSED = {
     "lyapunov_exponents.lyapunov": (THREE, lambda x: ph.lyapunov(BODY, x, (0.0, 1.0))),
     "monodromy": (THREE, lambda x: ph.monodromy(BODY, x, (0.0, 1.0))),
     "periodic_motion": (THREE, lambda x: ph.periodic_motion(BODY, x, 9.0)),
+    "continue_periodic": (THREE, lambda x: ph.continue_periodic(lambda a: BODY, (0.0, 1.0), x, 9.0)),
     "first_method": (EYE, first_method.first_method),
     "steady_rotations": (1.0, lambda x: analysis.steady_rotations(ROTOR, x)),
     "damped_axis_stability": (1.0, lambda x: analysis.damped_axis_stability(LOSING, x)),

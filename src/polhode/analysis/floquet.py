@@ -7,13 +7,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from polhode.analysis.tangent_flow import TangentFlow, checked_start
+from polhode.analysis.tangent_flow import TangentFlow, checked_start, multipliers_of
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.systems.base import AbstractSystem
 from polhode.types import ArrayLike, Complex128, Double, Float64, Real
 
-EPS = float(np.finfo(float).eps)
 ROUNDS = 30  # of Newton's method
 FLAT = 1e-8  # singular values below it, relative to the largest, belong to families and to what is conserved
 CLOSED = 1e-9  # of a state's size: a motion that comes back so near is periodic
@@ -141,23 +140,4 @@ def periodic_motion(
             f"no periodic motion of {type(system).__name__} was found near this `state` and `period` of {period:g} s: "
             f"the nearest miss their start by {min(best, off):.2g} of their size. Give a better guess."
         )
-    return PeriodicMotion(flow.state(z), T, off, M, *_multipliers(M))
-
-
-def _multipliers(matrix: Float64[np.ndarray, "n n"]) -> tuple[np.ndarray, np.ndarray]:
-    """Return the eigenvalues and what roundings of the matrix make of each."""
-    values, vectors = np.linalg.eig(matrix)
-    noise = 100.0 * EPS * np.linalg.norm(matrix)
-    # a group of m eigenvalues that fall together is off by the m-th root of what rounding makes of the matrix
-    errors = np.empty(len(values))
-    with np.errstate(all="ignore"):
-        alignment = 1.0 / (np.linalg.norm(np.linalg.pinv(vectors), axis=1) * np.linalg.norm(vectors, axis=0))
-        simple = noise / np.maximum(alignment, EPS)
-    for k, value in enumerate(values):
-        together = np.sort(np.abs(values - value))
-        sizes = np.arange(1, len(values) + 1)
-        spread = noise ** (1.0 / sizes)
-        within = together <= 10.0 * spread
-        errors[k] = max(float((10.0 * spread[within]).max(initial=0.0)), 0.0) if within[1:].any() else simple[k]
-    order = np.argsort(-np.abs(values), kind="stable")
-    return values[order].astype(complex), errors[order]
+    return PeriodicMotion(flow.state(z), T, off, M, *multipliers_of(M))

@@ -13,7 +13,9 @@ from polhode.integrators.probing import naming_jumps, undeclared_jumps
 from polhode.integrators.series import Taylor, has_series, solve_by_series
 from polhode.systems.base import AbstractSystem
 from polhode.systems.variations import Variations
-from polhode.types import ArrayLike, Double, Float64, Real
+from polhode.types import ArrayLike, Complex128, Double, Float64, Real
+
+EPS = float(np.finfo(float).eps)
 
 
 class TangentFlow:
@@ -101,3 +103,22 @@ def checked_start(
     if ends.shape != (2,) or not np.isfinite(ends).all() or ends[0] == ends[1]:
         raise InvalidInput(f"`times` must be a first and another last time [s], both finite; got {shown(times)}.")
     return start, float(ends[0]), float(ends[1])
+
+
+def multipliers_of(matrix: Float64[np.ndarray, "n n"]) -> tuple[Complex128[np.ndarray, "n"], Float64[np.ndarray, "n"]]:
+    """Return the eigenvalues, the largest first, and what roundings of the matrix make of each."""
+    values, vectors = np.linalg.eig(matrix)
+    noise = 100.0 * EPS * np.linalg.norm(matrix)
+    # a group of m eigenvalues that fall together is off by the m-th root of what rounding makes of the matrix
+    errors = np.empty(len(values))
+    with np.errstate(all="ignore"):
+        alignment = 1.0 / (np.linalg.norm(np.linalg.pinv(vectors), axis=1) * np.linalg.norm(vectors, axis=0))
+        simple = noise / np.maximum(alignment, EPS)
+    for k, value in enumerate(values):
+        together = np.sort(np.abs(values - value))
+        sizes = np.arange(1, len(values) + 1)
+        spread = noise ** (1.0 / sizes)
+        within = together <= 10.0 * spread
+        errors[k] = max(float((10.0 * spread[within]).max(initial=0.0)), 0.0) if within[1:].any() else simple[k]
+    order = np.argsort(-np.abs(values), kind="stable")
+    return values[order].astype(complex), errors[order]

@@ -172,12 +172,12 @@ def _less_sine(angle: Array) -> Array:
 
 def _reduced(mean_anomaly: Array) -> tuple[Array, Array]:
     """Return M within [−π, π] and the whole turns left out [rad]."""
-    turns = whole_turns(jax.lax.stop_gradient(mean_anomaly))
+    turns = _whole_turns(jax.lax.stop_gradient(mean_anomaly))
     return mean_anomaly - turns, turns
 
 
 @jax.jit  # as one step, which series know by its name
-def whole_turns(mean_anomaly: Float64[ArrayOrFloat, "*shape"]) -> Float64[Array, "*shape"]:
+def _whole_turns(mean_anomaly: Float64[ArrayOrFloat, "*shape"]) -> Float64[Array, "*shape"]:
     """Return the whole turns [rad] nearest to M."""
     return TURN * jnp.round(mean_anomaly / TURN)
 

@@ -28,7 +28,7 @@ def starting(
     copies, n = y.shape
     now, counts = np.tile([first, 0.0, 1.0], (copies, 1)), np.tile([0, 0, 0, -1], (copies, 1))
     crossed = np.zeros((copies, hits, 2 + n))
-    wanted, slack = _conserved_at(machine, y, scale)
+    wanted, slack = _kept_at(machine, y, scale)
     return Copies(y, scale, wanted, slack, np.zeros(copies, np.int64), samples, now, counts, crossed)
 
 
@@ -90,17 +90,24 @@ def _advance(copies: Copies, machine: Machine, course: Course, use: Kernel, runn
     in_threads(fill, running.size, WORTH)
 
 
-def _conserved_at(machine: Machine, y: Array, scale: Array) -> tuple[Array, Array]:
-    """Return what is conserved (C, K) at starts (C, n), computed as the kernel does, and the slack that it leaves."""
+def integrals_at(
+    machine: Machine, y: Float64[Array, "copies n"]
+) -> tuple[Float64[Array, "copies conserved"], Float64[Array, "copies conserved n"]]:
+    """Return what is conserved at states, in the order of the machine's names, and its derivatives by the state."""
     count, n = len(machine.names), machine.form.size
     found = np.zeros((len(y), count * (1 + n)))
     if count:
         use = chosen_kernel(len(y))
-        integrals = series_for(machine.integrals, 1, use.lanes)
-        start, states = np.ascontiguousarray(y[:, :n]), np.zeros(n * use.lanes)
+        states = np.zeros(n * use.lanes)
         with np.errstate(all="ignore"):
-            use.conserved_values(integrals, start, states, found)
-    values, slopes = found[:, :count], found[:, count:].reshape(len(y), count, n)
+            use.conserved_values(series_for(machine.integrals, 1, use.lanes), np.ascontiguousarray(y), states, found)
+    return found[:, :count], found[:, count:].reshape(len(y), count, n)
+
+
+def _kept_at(machine: Machine, y: Array, scale: Array) -> tuple[Array, Array]:
+    """Return what is conserved (C, K) at starts (C, n), and the slack that it leaves."""
+    n = machine.form.size
+    values, slopes = integrals_at(machine, y[:, :n])
     finite = np.where(np.isfinite(scale[:, :n]), scale[:, :n], 0.0)
     with np.errstate(all="ignore"):
         sizes = np.sum(np.abs(slopes) * finite[:, None], axis=-1)

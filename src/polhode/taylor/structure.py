@@ -48,7 +48,7 @@ class Structure:
         return isinstance(other, Structure) and self.key == other.key
 
 
-def parted(system: AbstractSystem) -> tuple[Structure, list[Array]]:
+def parted(system: AbstractSystem) -> tuple[Structure, list[Float64[Array, "..."]]]:
     """Return a system's structure, and the arrays of its real numbers, which may be traced.
 
     Raises:

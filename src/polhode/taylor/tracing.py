@@ -171,10 +171,8 @@ def _place_in_orbit(mean_anomaly: Array, eccentricity: Array) -> Array:
     if eccentricity.dtype == object:
         raise Untraceable("an eccentricity that moves")
     anomalies, e = np.broadcast_arrays(mean_anomaly, eccentricity)
-    found = np.empty(anomalies.shape, object)
-    for k in np.ndindex(found.shape):
-        found[k] = eccentric_anomaly(anomalies[k], float(e[k]))
-    return found
+    found = [eccentric_anomaly(x, float(y)) for x, y in zip(anomalies.flat, e.flat, strict=True)]
+    return np.array([None, *found], object)[1:].reshape(anomalies.shape)
 
 
 NAMED["solve_kepler"] = _place_in_orbit
@@ -189,7 +187,7 @@ RULES["cos"] = _elementary(lambda a: sine_and_cosine(a)[1])
 RULES["tan"] = _elementary(lambda a: sine_and_cosine(a)[0] / sine_and_cosine(a)[1])
 RULES["exp"] = _elementary(exponential)
 # of a mean anomaly, and what is a function of the place in an orbit goes on smoothly beyond a turn
-NAMED["whole_turns"] = lambda mean_anomaly: np.zeros(mean_anomaly.shape)
+NAMED["_whole_turns"] = lambda mean_anomaly: np.zeros(mean_anomaly.shape)
 RULES["log"] = _elementary(logarithm)
 RULES["log1p"] = _elementary(lambda a: logarithm(a + 1.0))
 RULES["sinh"], RULES["cosh"] = _elementary(_hyperbolic(-1.0)), _elementary(_hyperbolic(1.0))

@@ -27,7 +27,7 @@ def run_code(*given: Any) -> None:
     raise NotImplementedError("code at an address")
 
 
-def vectors(array: Float64[Array, " many"]) -> Array:
+def vectors(array: Float64[Array, " many"]) -> Float64[Array, " many"]:
     """Return numbers as what the kernel computes with."""
     return array
 

@@ -1,0 +1,331 @@
+"""Periodic motions along a parameter: their branch, its Floquet multipliers, and where it folds, doubles or splits."""
+
+from __future__ import annotations
+
+import itertools
+import warnings
+from collections.abc import Callable, Sequence
+from typing import NamedTuple
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+
+from polhode.analysis.floquet import FLAT, PeriodicMotion, periodic_motion
+from polhode.analysis.tangent_flow import TangentFlow, multipliers_of
+from polhode.arrays import known_numbers_only, refuse_single_precision
+from polhode.errors import InvalidInput, NotConverged, shown
+from polhode.systems.base import AbstractSystem
+from polhode.taylor.expressions import Untraceable
+from polhode.taylor.flight import integrals_at
+from polhode.taylor.machine import Form, machine_of
+from polhode.types import Array, ArrayLike, Double, Float64, Real
+
+FIRST, LONGEST, SHORTEST = 0.02, 0.1, 1e-5  # steps along the branch, in units of state, period and range
+MOST = 2000  # motions on a branch
+ROUNDS = 8  # of Newton's method
+SETTLED, NEAR = 1e-12, 1e-9  # of a move, in the same units, after which there is no further one, or had better be
+STRAIGHT = 0.95  # cosine of the angle by which the direction may turn in a step
+DIFFERENCE = 1e-6  # of the range, by which a derivative by the parameter is taken
+HALVINGS = 30
+INDEPENDENT = 1e-8  # of the largest singular value of the gradients of what is conserved
+REAL = 1e-7  # of its size: a multiplier with a smaller imaginary part is real
+
+
+class PeriodicBranch(NamedTuple):
+    """Periodic motions that follow one another as a parameter changes.
+
+    Attributes:
+        values: (m,) of the parameter, which may turn back.
+        motions: m of them, with period and multipliers.
+        bifurcations: where their multipliers cross the unit circle, or the branch turns back, along the branch.
+    """
+
+    values: Float64[np.ndarray, "m"]
+    motions: tuple[PeriodicMotion, ...]
+    bifurcations: tuple[PeriodicBifurcation, ...]
+
+    @property
+    def periods(self) -> Float64[np.ndarray, "m"]:
+        """(m,) [s]."""
+        return np.array([motion.period for motion in self.motions])
+
+    @property
+    def verdicts(self) -> tuple[str, ...]:
+        """``"spectrally stable"`` or ``"unstable"``, m of them."""
+        return tuple(motion.verdict for motion in self.motions)
+
+
+class PeriodicBifurcation(NamedTuple):
+    """A place on a branch of periodic motions where their kind changes.
+
+    Attributes:
+        kind: ``"fold"``: the branch turns back; ``"period doubling"``: a multiplier goes through −1;
+            ``"branch point"``: one goes through 1, where another branch begins; ``"torus"``: a pair leaves or enters
+            the unit circle.
+        value: of the parameter.
+        motion: there.
+    """
+
+    kind: str
+    value: float
+    motion: PeriodicMotion
+
+
+class _Place(NamedTuple):
+    """A motion, the parameter, and the unit direction (n + 2,) of the branch in units of state, period and range."""
+
+    motion: PeriodicMotion
+    value: float
+    tangent: Float64[np.ndarray, "extended"]
+    kinds: tuple[int, int, int]
+
+
+@known_numbers_only
+def continue_periodic(
+    make: Callable[[float], AbstractSystem], limits: Real[ArrayLike, "2"], state: Real[ArrayLike, "..."], period: float,
+    first: float = 0.0, fixed: bool = False,
+) -> PeriodicBranch:  # fmt: skip
+    """Return the periodic motions of a family of systems, followed from a guess at one end of a range of its parameter.
+
+    What each system conserves, as energy and Casimirs, is held at its value at the start, as else there are families of
+    motions at each value of the parameter. The branch is followed by its length, round folds too, until it leaves the
+    range or comes back to where it began.
+
+    Args:
+        make: the parameter's value → a system.
+        limits: the value to begin at, and the other end of the range, above or below.
+        state: a guess of one state on the motion at the first value, packed as ``simulate`` takes it.
+        period: a guess of its period [s].
+        first: the time [s] at which it is in the state, which matters to driven systems.
+        fixed: whether the period is known, as that of a drive that the parameter leaves as it is.
+
+    Raises:
+        InvalidInput: for limits that are none, or what ``periodic_motion`` refuses.
+        NotConverged: where no periodic motion is found near the guess.
+
+    Warns where the branch cannot be followed to an end.
+
+    >>> import polhode as ph
+    >>> body = lambda third: ph.systems.FreeRigidBody((1.0, 2.0, third))
+    >>> found = continue_periodic(body, (3.0, 3.2), [0.3, 0.1, 2.0], 9.5)
+    >>> exact = ph.FreeMotion((1.0, 2.0, 3.2), found.motions[-1].state).period
+    >>> bool(abs(found.periods[-1] / exact - 1.0) < 1e-10), set(found.verdicts)
+    (True, {'spectrally stable'})
+
+    Source: Seydel, *Practical Bifurcation and Stability Analysis*, ch. 7; Muñoz-Almaraz et al., Physica D 181 (2003) 1,
+    for what is conserved.
+    """
+    refuse_single_precision(limits=limits)
+    ends = np.asarray(limits, dtype=float)
+    if ends.shape != (2,) or not np.isfinite(ends).all() or ends[0] == ends[1]:
+        raise InvalidInput(f"`limits` must be two different finite values of the parameter; got {shown(limits)}.")
+    begin = periodic_motion(make(float(ends[0])), state, period, first, fixed)
+    family = _Family(make, ends, begin, first, fixed)
+    places = family.follow(family.place(begin, float(ends[0]), None))
+    found = [change for pair in itertools.pairwise(places) for change in family.changes(*pair)]
+    return PeriodicBranch(np.array([p.value for p in places]), tuple(p.motion for p in places), tuple(found))
+
+
+def _levels_and_slopes(
+    system: AbstractSystem, form: Form, z: Float64[np.ndarray, "n"]
+) -> tuple[Float64[np.ndarray, "k"], Float64[np.ndarray, "k n"]]:
+    """Return the numbers that a system conserves at a state's real numbers, and their derivatives."""
+    try:
+        levels, slopes = integrals_at(machine_of(system, form.back(z), None), z[None])
+        return levels[0], slopes[0]
+    except Untraceable:
+
+        def values(x: Array) -> Array:
+            found = [jnp.asarray(v) for v in system.invariants(form.state(x)).values()]
+            return jnp.stack([jnp.zeros(()), *(jnp.real(v) for v in found if v.ndim == 0)])[1:]
+
+        return np.asarray(values(jnp.asarray(z))), np.asarray(jax.jacfwd(values)(jnp.asarray(z)))
+
+
+class _Family:
+    """Systems along a parameter, and what all their motions have in common."""
+
+    def __init__(
+        self, make: Callable[[float], AbstractSystem], ends: Float64[np.ndarray, "2"], begin: PeriodicMotion,
+        first: float, fixed: bool,
+    ) -> None:  # fmt: skip
+        self._make, self.begin, self.end, self.first, self.fixed = make, float(ends[0]), float(ends[1]), first, fixed
+        self.range = abs(self.end - self.begin)
+        self.size, self.period = float(np.linalg.norm(begin.state)) or 1.0, begin.period
+        self._form = Form(begin.state.shape, np.iscomplexobj(begin.state))
+        levels, slopes = self._conserved(self.begin, self._form.flat(begin.state))
+        self._held = np.isfinite(levels) & np.isfinite(slopes).all(axis=1)
+        self._levels, sizes = levels[self._held], np.linalg.svd(slopes[self._held], compute_uv=False)
+        self._trivial = (not fixed) + int(np.sum(sizes > INDEPENDENT * sizes.max(initial=0.0)))
+
+    def _conserved(
+        self, value: float, z: Float64[np.ndarray, "n"]
+    ) -> tuple[Float64[np.ndarray, "k"], Float64[np.ndarray, "k n"]]:
+        """Return what is conserved, and its derivative by the state."""
+        return _levels_and_slopes(self._make(value), self._form, z)
+
+    def _units(self, n: int) -> Float64[np.ndarray, "extended"]:
+        return np.array([self.size] * n + [self.period, self.range])
+
+    def settle(
+        self, motion: PeriodicMotion, value: float, row: Float64[np.ndarray, "extended"] | None
+    ) -> tuple[PeriodicMotion, float] | None:
+        """Return the periodic motion next to a guess, which may not move along a direction; None if there is none."""
+        z, T = self._form.flat(motion.state), motion.period
+        n, start = z.size, z.copy()
+        units = self._units(n)
+        for turn in range(ROUNDS):
+            equations = self._equations(z, T, value, start)
+            if equations is None:
+                return None
+            off, matrix, M = equations
+            if row is not None:
+                matrix, off = np.vstack([matrix, row / units]), np.append(off, 0.0)
+            move = -np.linalg.lstsq(matrix * units, off, rcond=FLAT)[0]
+            if not np.isfinite(move).all() or np.abs(move).max() > 0.5:
+                return None
+            z, T, value = z + units[:n] * move[:n], T + float(units[n] * move[n]), value + float(self.range * move[-1])
+            far = float(np.abs(move).max())
+            if far < SETTLED or (far < NEAR and turn == ROUNDS - 1):
+                gap = float(np.linalg.norm(off[:n])) / self.size
+                return PeriodicMotion(self._form.back(z), T, gap, M, *multipliers_of(M)), value
+        return None
+
+    def _equations(
+        self, z: Float64[np.ndarray, "n"], T: float, value: float, start: Float64[np.ndarray, "n"]
+    ) -> tuple[Float64[np.ndarray, "equations"], Float64[np.ndarray, "equations extended"], np.ndarray] | None:
+        """Return what vanishes on the branch, its derivative by state, period and parameter, and the monodromy."""
+        n, state, first = z.size, self._form.back(z), self.first
+        step = DIFFERENCE * self.range
+        near = value + step, value - step
+        try:
+            after, M = self._flow(value, state, T, np.eye(n))
+            beside = [self._flow(v, state, T, np.zeros((n, 1)))[0] for v in near]
+        except (InvalidInput, NotConverged):
+            return None
+        flow = TangentFlow(self._make(value), state, (first, first + T))
+        by_value = (flow.flat(beside[0]) - flow.flat(beside[1])) / (2.0 * step)
+        by_period = np.zeros(n) if self.fixed else flow.rates(first + T, after)
+        rows = [np.column_stack([M - np.eye(n), by_period, by_value])]
+        off = [flow.flat(after) - z]
+        if self.fixed:
+            rows.append(np.eye(n + 2)[n : n + 1] * (self.size / self.period))
+            off.append(np.zeros(1))
+        else:  # it begins on the plane through the guess, across the motion
+            along = flow.rates(first, state)
+            along = along / (np.linalg.norm(along) or 1.0)
+            rows.append(np.concatenate([along, [0.0, 0.0]])[None])
+            off.append(np.array([along @ (z - start)]))
+        if self._levels.size:
+            (levels, slopes), beyond = self._conserved(value, z), [self._conserved(v, z)[0] for v in near]
+            scales = np.maximum(np.linalg.norm(slopes, axis=1), 1e-300)
+            by_parameter = (beyond[0] - beyond[1]) / (2.0 * step)
+            all_rows = np.column_stack([slopes, np.zeros(len(slopes)), by_parameter]) / scales[:, None]
+            rows.append(all_rows[self._held])
+            off.append((levels[self._held] - self._levels) / scales[self._held])
+        return np.concatenate(off), np.vstack(rows), M
+
+    def _flow(
+        self, value: float, state: Double[np.ndarray, "..."], T: float, changes: Float64[np.ndarray, "n k"]
+    ) -> tuple[Double[np.ndarray, "..."], Float64[np.ndarray, "n k"]]:
+        flow = TangentFlow(self._make(value), state, (self.first, self.first + T))
+        return flow(self.first, self.first + T, state, changes)
+
+    def place(
+        self, motion: PeriodicMotion, value: float, along: Float64[np.ndarray, "extended"] | None
+    ) -> _Place:
+        """Return a settled motion as a place, its direction as near as can be to another, or into the range."""
+        z = self._form.flat(motion.state)
+        found = self._equations(z, motion.period, value, z)
+        if found is None:
+            raise NotConverged(f"the motion at the value {value:g} cannot be followed.")
+        matrix = found[1] * self._units(z.size)
+        tangent = np.linalg.svd(matrix)[2][-1]
+        sense = tangent[-1] * np.sign(self.end - self.begin) if along is None else tangent @ along
+        return _Place(motion, value, tangent if sense >= 0.0 else -tangent, self._kinds(motion))
+
+    def _kinds(self, motion: PeriodicMotion) -> tuple[int, int, int]:
+        """Return how many multipliers are real and above 1, real and below −1, and not real and off the unit circle."""
+        others = np.argsort(np.abs(motion.multipliers - 1.0))[self._trivial :]
+        values, errors = np.asarray(motion.multipliers)[others], np.asarray(motion.errors)[others]
+        real, size = np.real(values), np.abs(values)
+        is_real = np.abs(np.imag(values)) <= REAL * size
+        above, below, outside = real > 1.0 + errors, real < -1.0 - errors, size > 1.0 + errors
+        return int(np.sum(is_real & above)), int(np.sum(is_real & below)), int(np.sum(~is_real & outside))
+
+    def follow(self, begin: _Place) -> list[_Place]:
+        """Return the places of the branch, up to an end of the range."""
+        places, step, low, high = [begin], FIRST, min(self.begin, self.end), max(self.begin, self.end)
+        while len(places) < MOST and step > SHORTEST:
+            last = places[-1]
+            place = self._stepped(last, step)
+            if place is None or place.tangent @ last.tangent < STRAIGHT:
+                step *= 0.5
+                continue
+            if not low <= place.value <= high:
+                border = low if place.value < low else high
+                end = self._at_value(last, place, border)
+                return [*places, end] if end is not None and border != last.value else places
+            places.append(place)
+            step = min(1.5 * step, LONGEST)
+            if len(places) > 5 and self._apart(place, begin) < 0.5 * step and place.tangent @ begin.tangent > STRAIGHT:
+                return [*places, begin]  # it is closed
+        warnings.warn(
+            f"a branch of periodic motions could not be followed beyond the value {places[-1].value:g}: what comes "
+            "after is not known.",
+            stacklevel=4,
+        )
+        return places
+
+    def _stepped(self, last: _Place, step: float) -> _Place | None:
+        n = last.tangent.size - 2
+        move = step * last.tangent * self._units(n)
+        state = self._form.back(self._form.flat(last.motion.state) + move[:n])
+        guess = last.motion._replace(state=state, period=last.motion.period + float(move[n]))
+        found = self.settle(guess, last.value + float(move[-1]), last.tangent)
+        return None if found is None else self.place(*found, last.tangent)
+
+    def _at_value(self, before: _Place, after: _Place, value: float) -> _Place | None:
+        """Return the place at a value between two."""
+        share = (value - before.value) / (after.value - before.value)
+        motion = before.motion._replace(
+            state=before.motion.state + share * (after.motion.state - before.motion.state),
+            period=before.motion.period + share * (after.motion.period - before.motion.period),
+        )
+        found = self.settle(motion, value, np.eye(before.tangent.size)[-1])
+        return None if found is None else self.place(found[0], value, before.tangent)
+
+    def _apart(self, one: _Place, other: _Place) -> float:
+        gap = float(np.abs(one.motion.state - other.motion.state).max()) / self.size
+        return max(gap, abs(one.value - other.value) / self.range)
+
+    def changes(self, one: _Place, other: _Place) -> Sequence[PeriodicBifurcation]:
+        """Return where the kind of the motions changes between two places, in order."""
+        found = []
+        if one.tangent[-1] * other.tangent[-1] < 0.0:
+            found.append(("fold", self._between(one, other, lambda place: place.tangent[-1] * one.tangent[-1] > 0.0)))
+        for k, kind in enumerate(("branch point", "period doubling", "torus")):
+            # a multiplier goes through 1 at a fold too
+            if one.kinds[k] != other.kinds[k] and not (k == 0 and found):
+                found.append((kind, self._between(one, other, lambda place, k=k: place.kinds[k] == one.kinds[k])))
+        return [PeriodicBifurcation(kind, place.value, place.motion) for kind, place in found]
+
+    def _between(self, one: _Place, other: _Place, is_before: Callable[[_Place], bool]) -> _Place:
+        """Return the place up to which something holds, by halving the way."""
+        low, high = one, other
+        for _ in range(HALVINGS):
+            if self._apart(low, high) < 1e-9:
+                break
+            way = 0.5 * self._length(low, high)
+            place = self._stepped(low, way) if way > 0.0 else None
+            if place is None:
+                break
+            low, high = (place, high) if is_before(place) else (low, place)
+        return low
+
+    def _length(self, one: _Place, other: _Place) -> float:
+        n = one.tangent.size - 2
+        flat = [self._form.flat(place.motion.state) for place in (one, other)]
+        way = np.concatenate([flat[1] - flat[0], [other.motion.period - one.motion.period, other.value - one.value]])
+        return float(np.linalg.norm(way / self._units(n)))
