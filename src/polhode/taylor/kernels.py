@@ -28,7 +28,7 @@ from polhode.taylor import (
 )
 from polhode.taylor.program import Program
 
-LOADED = 0.3  # s that slower runs take before a kernel is loaded
+LOADED = 0.1  # s that slower runs take before a kernel is loaded
 WRITTEN, LONGEST = 1e-3, 4000  # or code is written for each operation of a program, and the longest that it is for
 COMPILED = {1: 2.0, lanes.LANES: 6.0}  # or compiled, by how many copies it moves at a time
 COMMON: tuple[ModuleType, ...] = kernel_space, kernel_kepler, kernel_series, kernel_zeros, kernel_invariants, kernel
