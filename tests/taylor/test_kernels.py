@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 
 from polhode import systems
+from polhode.motion.outcome import Status
 from polhode.taylor import kernels, lanes, straight_line
 from polhode.taylor.machine import machine_of
 from polhode.taylor.program import FACTOR
@@ -96,6 +97,21 @@ def test_compiled_or_not_the_bits_are_the_same(by):
     plain = motions()
     by(kernels.compiled_kernel(1))
     assert_same_bits(plain, motions())
+
+
+@pytest.mark.parametrize(("function", "start"), [(jnp.exp, 800.0), (jnp.sin, np.inf), (jnp.log, -1.0)])
+@pytest.mark.parametrize("width", [1, lanes.LANES])
+def test_functions_of_what_they_are_not_for_end_no_run_in_an_error_of_pythons(by, width, function, start):
+    class Of(systems.AbstractSystem):
+        def vector_field(self, t, state):
+            return function(state)
+
+        def invariants(self, state):
+            return {}
+
+    by(kernels.python_kernel(width))
+    found = runs_of(Of(), np.array([[start]]), np.array([0.0, 1.0]), precision_of(None))
+    assert found.status[0] == Status.NOT_CONVERGED and np.isnan(found.end[0])
 
 
 def test_lanes_change_no_bit(by):

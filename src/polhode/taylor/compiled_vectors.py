@@ -100,42 +100,58 @@ def _store(typing: Any, array: Any, index: Any, value: Any) -> Any:
 
 
 def _place(context: Any, builder: Any, of: Any, array: Any, index: Any) -> Any:
-    data = context.make_array(of)(context, builder, array).data
-    return builder.bitcast(builder.gep(data, [index]), VECTOR.as_pointer())
+    return builder.bitcast(builder.gep(_data(context, builder, of, array), [index]), VECTOR.as_pointer())
 
 
 def _gather(typing: Any, array: Any, places: Any, first: Any, base: Any) -> Any:
     """Declare array[base + places[first + l]] for l = 0 … 7."""
 
     def generate(context: Any, builder: Any, sig: Any, args: Any) -> Any:
-        numbers = context.make_array(sig.args[0])(context, builder, args[0])
-        where = context.make_array(sig.args[1])(context, builder, args[1])
+        numbers, where = (_data(context, builder, sig.args[k], args[k]) for k in (0, 1))
         found = []
         for lane in range(WIDTH):
             at = builder.add(args[2], ir.Constant(ir.IntType(64), lane))
-            found.append(builder.load(builder.gep(numbers.data, [
-                builder.add(args[3], builder.load(builder.gep(where.data, [at])))])))  # fmt: skip
+            found.append(builder.load(builder.gep(numbers, [
+                builder.add(args[3], builder.load(builder.gep(where, [at])))])))  # fmt: skip
         return _joined(builder, found)
 
     return KIND(array, places, types.int64, types.int64), generate
 
 
 def _borrowed(typing: Any, given: Any) -> Any:
-    return given(given), lambda context, builder, sig, args: _without_owner(context, builder, given, args[0])
+    """Declare the same without owners: flat arrays of numbers as their addresses, in tuples too."""
+    made = _bare(given)
+    return made(given), lambda context, builder, sig, args: _made_bare(context, builder, given, args[0])
 
 
-def _without_owner(context: Any, builder: Any, kind: Any, value: Any) -> Any:
+def _bare(kind: Any) -> Any:
     if isinstance(kind, types.BaseTuple):
         members: Any = kind  # whose types do not know that it has some
-        for k, of in enumerate(members.types):
-            part = _without_owner(context, builder, of, builder.extract_value(value, k))
-            value = builder.insert_value(value, part, k)
-    elif isinstance(kind, types.Array):
+        return types.BaseTuple.from_types([_bare(of) for of in members.types], members.instance_class)
+    if isinstance(kind, types.Array) and kind.ndim == 1 and kind.dtype in (types.float64, types.int64):
+        return Numbers(kind.dtype)
+    return kind
+
+
+def _made_bare(context: Any, builder: Any, kind: Any, value: Any) -> Any:
+    if isinstance(kind, types.BaseTuple):
+        members: Any = kind
+        parts = [builder.extract_value(value, k) for k in range(len(members.types))]
+        made = [_made_bare(context, builder, of, part) for of, part in zip(members.types, parts, strict=True)]
+        return context.make_tuple(builder, _bare(kind), made)
+    if isinstance(_bare(kind), Numbers):
+        return _data(context, builder, kind, value)
+    if isinstance(kind, types.Array):
         array = make_array(kind)(context, builder, value)
         array.meminfo = cgutils.get_null_value(array.meminfo.type)
         array.parent = cgutils.get_null_value(array.parent.type)
-        value = array._getvalue()
+        return array._getvalue()
     return value
+
+
+def _data(context: Any, builder: Any, kind: Any, value: Any) -> Any:
+    """Return the address at which numbers begin."""
+    return value if isinstance(kind, Numbers) else make_array(kind)(context, builder, value).data
 
 
 def _run_code(typing: Any, address: Any, flat: Any, a: Any, b: Any, number: Any, order: Any, units: Any) -> Any:
@@ -143,7 +159,7 @@ def _run_code(typing: Any, address: Any, flat: Any, a: Any, b: Any, number: Any,
 
     def generate(context: Any, builder: Any, sig: Any, args: Any) -> Any:
         of = builder.inttoptr(args[0], SIGNATURE.as_pointer())
-        data = [make_array(sig.args[k])(context, builder, args[k]).data for k in (1, 2, 3, 4, 6)]
+        data = [_data(context, builder, sig.args[k], args[k]) for k in (1, 2, 3, 4, 6)]
         builder.call(of, [*data[:4], args[5], data[4]])
         return context.get_dummy_value()
 
@@ -155,7 +171,7 @@ def _seen_as(of: Any) -> Callable[..., Any]:
     kind = Numbers(of)
 
     def generate(context: Any, builder: Any, sig: Any, args: Any) -> Any:
-        data = make_array(sig.args[0])(context, builder, args[0]).data
+        data = _data(context, builder, sig.args[0], args[0])
         return builder.bitcast(data, context.get_value_type(kind))
 
     return lambda typing, array: (kind(array), generate)

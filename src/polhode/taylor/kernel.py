@@ -140,7 +140,7 @@ def planned(rates: Series, copies: Copies, lanes: Lanes, course: Course, lane: A
         later, last = t + h, False
     lanes.later[lane], lanes.event[lane], lanes.last[lane], lanes.steps[lane] = later, event, last, h / unit
     following = copies.counts[k, NEXT]
-    while following < course.times.shape[0] and course.forth * course.times[following] <= course.forth * later:
+    while following < course.samples and course.forth * course.times[following] <= course.forth * later:
         sample = course.times[following]
         if sample == later and event < 0:
             break  # samples at the end of a step have its state, put back onto what is conserved
@@ -182,7 +182,7 @@ def arrived(copies: Copies, lanes: Lanes, course: Course, lane: Any) -> Any:
     n, following = copies.y.shape[1], copies.counts[k, NEXT]
     for i in range(n):
         copies.y[k, i] = lanes.states[i * LANES + lane]
-    while following < course.times.shape[0] and course.times[following] == later:
+    while following < course.samples and course.times[following] == later:
         for i in range(n):
             copies.out[k, following, i] = copies.y[k, i]
         following += 1

@@ -67,7 +67,7 @@ class Course(NamedTuple):
     """What is common to all copies.
 
     Attributes:
-        times: (T,) samples, in the direction of time.
+        times: (T,) samples, in the direction of time, and ``samples`` how many.
         order, reach, longest: of the coefficients, of a step in radii of convergence, and step.
         forth: 1, or −1 of runs backwards in time.
         falling, stops: (W,) whether only changes from positive to negative are events, and which end a run.
@@ -76,6 +76,7 @@ class Course(NamedTuple):
     """
 
     times: Float64[Array, "time"]
+    samples: int
     order: int
     reach: float
     longest: float

@@ -210,7 +210,8 @@ def _fly_through(plan: Plan, copies: Copies, check: Callable[[float], None], wat
     first, last = plan.borders[0], plan.borders[-1]
     share = lambda t: (t - first) / (last - first)  # noqa: E731
     for machine, end in zip(plan.machines, plan.borders[1:], strict=True):
-        course = Course(plan.times, *plan.precision, plan.longest, plan.forth, falling, stops, end, machine.clock)
+        course = Course(plan.times, len(plan.times), *plan.precision, plan.longest, plan.forth, falling, stops, end,
+                        machine.clock)  # fmt: skip
         fly(copies, machine, course, check, share)
         while watch is not None and copies.status[0] == kernel.FULL and copies.counts[0, HITS] < watch.most:
             copies = copies._replace(hits=np.concatenate([copies.hits, np.zeros_like(copies.hits)], axis=1))
