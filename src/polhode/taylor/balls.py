@@ -20,14 +20,12 @@ from polhode.systems.base import AbstractSystem
 from polhode.systems.forms import rates_of_change
 from polhode.taylor.expressions import Expression, Operation, Tape, Untraceable, gradient
 from polhode.taylor.jaxprs import uses_first, written
-from polhode.taylor.machine import Form, tape_value
+from polhode.taylor.machine import TRACING, Form, tape_value
 from polhode.taylor.program import needed
 from polhode.taylor.tracing import evaluated
 from polhode.types import Array
 
 Ball = Any  # of python-flint, real or complex
-TRACING = (jax.errors.ConcretizationTypeError, jax.errors.TracerArrayConversionError,
-           jax.errors.TracerIntegerConversionError, jax.errors.TracerBoolConversionError)  # fmt: skip
 
 
 class BallSystem:
