@@ -217,15 +217,17 @@ def _operation(plain: _Sensitive, count: int, precision: Precision, longest: flo
                             np.broadcast_to(tangents, (copies, tangents.size))], axis=1)  # fmt: skip
         sizes = np.full(y.shape, np.inf)
         sizes[:, :n] = parts[2]
-        samples = np.empty((copies, count, y.shape[1]))
-        failed, steps = np.zeros(copies, np.int64), np.zeros(copies, np.int64)
-        for k in range(copies):
-            gaps = np.diff(late[k])
-            if not (np.isfinite(y[k]).all() and np.isfinite(gaps).all() and (gaps * gaps[0] > 0.0).all()):
-                samples[k], failed[k] = np.nan, 1
-                continue
-            found = runs_of(moving, y[[k]], late[k], precision, longest, scales=sizes[[k]])
-            samples[k], failed[k], steps[k] = found.states[0], found.status[0] == Status.NOT_CONVERGED, found.steps[0]
+        samples = np.full((copies, count, y.shape[1]), np.nan)
+        failed, steps = np.ones(copies, np.int64), np.zeros(copies, np.int64)
+        with np.errstate(invalid="ignore"):
+            gaps = np.diff(late, axis=1)
+            fine = np.isfinite(y).all(axis=1) & np.isfinite(gaps).all(axis=1) & (gaps * gaps[:, :1] > 0.0).all(axis=1)
+        known, which = np.unique(late[fine], axis=0, return_inverse=True)
+        for number, times_of_some in enumerate(known):
+            some = np.flatnonzero(fine)[which.ravel() == number]
+            found = runs_of(moving, y[some], times_of_some, precision, longest, scales=sizes[some])
+            samples[some], steps[some] = found.states, found.steps
+            failed[some] = found.status == Status.NOT_CONVERGED
         return batch, samples.reshape(*batch, count, -1), (failed.reshape(batch), steps.reshape(batch))
 
     def values(start: Array, times: Array, numbers: Array, scales: Array) -> tuple[Any, ...]:
