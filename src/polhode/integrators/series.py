@@ -182,13 +182,14 @@ def series_to_tolerance(
 
 def _apart(system: AbstractSystem, times: Array, one: Runs, other: Runs) -> tuple[Array, Array]:
     """Return how far runs are apart (C,) until either ends, and which of them failed."""
-    found = np.zeros(len(one.states))
-    for k in range(len(found)):
-        last = np.nanmin([abs(one.end[k] - times[0]), abs(other.end[k] - times[0]), abs(times[-1] - times[0])])
-        count = max(int(np.sum(np.abs(times - times[0]) <= last * (1.0 - 1e-9))), 1)
-        count = len(times) if (one.event[k], other.event[k]) == (-1, -1) else count
+    found, whole = np.zeros(len(one.states)), np.full(len(one.states), abs(times[-1] - times[0]))
+    last = np.nanmin([np.abs(one.end - times[0]), np.abs(other.end - times[0]), whole], axis=0)
+    counts = np.maximum(np.sum(np.abs(times - times[0]) <= last[:, None] * (1.0 - 1e-9), axis=1), 1)
+    counts[(one.event == -1) & (other.event == -1)] = len(times)
+    for count in np.unique(counts):
+        some = counts == count
         with np.errstate(invalid="ignore"):
-            found[k] = difference(system, one.states[k, :count], other.states[k, :count])
+            found[some] = difference(system, one.states[some, :count], other.states[some, :count])
     failed = (one.status == Status.NOT_CONVERGED) | (other.status == Status.NOT_CONVERGED)
     return np.nan_to_num(found, nan=np.inf), failed
 
