@@ -131,16 +131,17 @@ def test_lanes_as_python_change_no_bit_either(by):
     assert_same_bits(alone, motions(2))
 
 
+@pytest.mark.parametrize(("make", "copies"), [(kernels.compiled_kernel, 11), (kernels.python_kernel, 1)])
 @pytest.mark.parametrize("width", [1, lanes.LANES])
-def test_written_code_changes_no_bit(by, monkeypatch, width):
-    by(kernels.compiled_kernel(width))
+def test_written_code_changes_no_bit(by, monkeypatch, width, make, copies):
+    by(make(width))
     monkeypatch.setattr(kernels, "WRITTEN", np.inf)
-    from_tables = motions(11)
+    from_tables = motions(copies)
     monkeypatch.setattr(kernels, "WRITTEN", -1.0)
     written = []
     own = straight_line.code_of
     monkeypatch.setattr(straight_line, "code_of", lambda *given: written.append(own(*given)) or written[-1])
-    assert_same_bits(from_tables, motions(11))
+    assert_same_bits(from_tables, motions(copies))
     assert len({code.address for code in written}) == 9
 
 

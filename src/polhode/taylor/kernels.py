@@ -77,7 +77,7 @@ def chosen_kernel(copies: int) -> Kernel:
 def written_code(use: Kernel, program: Program) -> Any:
     """Return ``straight_line.Code`` of a program that has run for as long as it takes to write that, else None."""
     spent = _Spent.by_program.get(program.form, 0.0)
-    if not use.is_compiled or program.length > LONGEST or spent < WRITTEN * program.length:
+    if program.length > LONGEST or spent < WRITTEN * program.length:
         return None
     from polhode.taylor.straight_line import code_of
 

@@ -6,6 +6,7 @@
 
 from __future__ import annotations
 
+import ctypes
 import math
 from typing import Any
 
@@ -22,9 +23,17 @@ def borrowed(x: Any) -> Any:
     return x
 
 
-def run_code(*given: Any) -> None:
-    """Refuse the code of ``straight_line``, which compiled kernels alone call."""
-    raise NotImplementedError("code at an address")
+_DOUBLES = ctypes.POINTER(ctypes.c_double)
+_CODE = ctypes.CFUNCTYPE(None, *[_DOUBLES] * 4, ctypes.c_int64, _DOUBLES)
+
+
+def run_code(
+    address: int, flat: Float64[Array, " many"], a: Float64[Array, " factors"], b: Float64[Array, " factors"],
+    number: Float64[Array, " numbers"], order: int, units: Float64[Array, " lanes"],
+) -> None:  # fmt: skip
+    """Run the code of ``straight_line`` at an address."""
+    at = [x.ctypes.data_as(_DOUBLES) for x in (flat, a, b, number, units)]
+    _CODE(address)(*at[:4], order, at[4])
 
 
 def vectors(array: Float64[Array, " many"]) -> Float64[Array, " many"]:
