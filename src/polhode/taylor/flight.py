@@ -76,8 +76,6 @@ def outcome(
 
 
 def _advance(copies: Copies, machine: Machine, course: Course, use: Kernel, running: Array) -> None:
-    from polhode.exact.kernel_arithmetic import in_threads
-
     code, limit = written_code(use, machine.program), max(1, use.stretch // machine.program.length)
     orders, watched, conserved = course.order + 1, len(course.falling), copies.wanted.shape[1]
 
@@ -89,7 +87,12 @@ def _advance(copies: Copies, machine: Machine, course: Course, use: Kernel, runn
         with np.errstate(all="ignore"):
             use.advance(rates, integrals, Copies(*(x[part] for x in copies)), lanes, course, limit)
 
-    in_threads(fill, running.size, WORTH)
+    if use.is_compiled:  # as Python's threads wait for each other
+        from polhode.exact.kernel_arithmetic import in_threads  # which loads Numba
+
+        in_threads(fill, running.size, WORTH)
+    else:
+        fill(0, running.size)
 
 
 def integrals_at(
