@@ -1,8 +1,8 @@
 """Machine code for the coefficients of one form of program: what the kernel reads from tables stands in the code.
 
 It makes the same sums in the same order, so that no bit depends on which of the two computes. Programs that differ by
-factors alone share one code, unless these are 1 or −1 in one and not in the other. LLVM takes a tenth of a second for a
-program of some dozens of operations.
+factors alone share one code, unless these are 1 or −1 in one and not in the other. LLVM takes some hundredths of a second
+for a program of dozens of operations.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ DOUBLE, INTEGER = ir.DoubleType(), ir.IntType(64)
 VECTOR = ir.VectorType(DOUBLE, WIDTH)
 ADDRESS = DOUBLE.as_pointer()
 SIGNATURE = ir.FunctionType(ir.VoidType(), [ADDRESS] * 4 + [INTEGER, ADDRESS])
-LINE = 8  # bytes by which addresses are known to be aligned
+ALIGNED = 8  # bytes, to which all addresses are
 BLOCKS = 4  # of products of one copy, whose sums are made together
 Terms = Callable[[Any, Any], list[Any]]
 
@@ -123,11 +123,11 @@ class _Writer:
     def _load(self, base: Any, place: int, kind: Any = None) -> Any:
         kind = kind or self.kind
         at = self.builder.gep(base, [INTEGER(place)])
-        return self.builder.load(self.builder.bitcast(at, kind.as_pointer()), align=LINE)
+        return self.builder.load(self.builder.bitcast(at, kind.as_pointer()), align=ALIGNED)
 
     def _store(self, value: Any, base: Any, place: int) -> None:
         at = self.builder.gep(base, [INTEGER(place)])
-        self.builder.store(value, self.builder.bitcast(at, value.type.as_pointer()), align=LINE)
+        self.builder.store(value, self.builder.bitcast(at, value.type.as_pointer()), align=ALIGNED)
 
     def _spread(self, x: Any) -> Any:
         """Return one number for all copies."""
