@@ -133,6 +133,13 @@ def test_a_driven_oscillator_answers():
         assert np.abs(np.sort_complex(motion.multipliers) - np.sort_complex(wanted)).max() < 1e-9
 
 
+def test_a_motion_of_one_value_alone_is_refused():
+    """A symmetric top's nutation and spin are in resonance at one weight, where all integrals stay as they are."""
+    make = lambda weight: systems.HeavyTop((1.0, 1.0, 0.5), weight)  # noqa: E731
+    with pytest.raises(NotConverged, match="does not go on to other values of the parameter"):
+        ph.continue_periodic(make, (1.0, 1.1), [0.3, 0.0, 2.0, 0.6, 0.0, 0.8], 3.0)
+
+
 def test_a_branch_that_ends_nowhere_says_so(monkeypatch):
     monkeypatch.setattr(periodic_branches, "MOST", 4)
     with pytest.warns(UserWarning, match=r"could not be followed beyond the value 0\.\d+: what comes after"):

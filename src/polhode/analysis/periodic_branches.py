@@ -28,6 +28,8 @@ SETTLED, NEAR = 1e-12, 1e-9  # of a move, in the same units, after which there i
 STRAIGHT = 0.95  # cosine of the angle by which the direction may turn in a step
 DIFFERENCE = 1e-6  # of the range, by which a derivative by the parameter is taken
 HALVINGS = 30
+FAMILY = 1e-7  # of the largest singular value of the equations: a direction in which they do not change
+STANDS = 1e-6  # of a direction: a smaller share of the parameter is none
 INDEPENDENT = 1e-8  # of the largest singular value of the gradients of what is conserved
 REAL = 1e-7  # of its size: a multiplier with a smaller imaginary part is real
 
@@ -102,7 +104,7 @@ def continue_periodic(
 
     Raises:
         InvalidInput: for limits that are none, or what ``periodic_motion`` refuses.
-        NotConverged: where no periodic motion is found near the guess.
+        NotConverged: where no periodic motion is found near the guess, or it does not go on along the parameter.
 
     Warns where the branch cannot be followed to an end.
 
@@ -117,12 +119,20 @@ def continue_periodic(
     for what is conserved.
     """
     refuse_single_precision(limits=limits)
+    if not callable(make):
+        raise InvalidInput(f"`make` must be a function from a value to a system; got {shown(make)}.")
     ends = np.asarray(limits, dtype=float)
     if ends.shape != (2,) or not np.isfinite(ends).all() or ends[0] == ends[1]:
         raise InvalidInput(f"`limits` must be two different finite values of the parameter; got {shown(limits)}.")
     begin = periodic_motion(make(float(ends[0])), state, period, first, fixed)
     family = _Family(make, ends, begin, first, fixed)
-    places = family.follow(family.place(begin, float(ends[0]), None))
+    first_place = family.place(begin, float(ends[0]), None)
+    if abs(first_place.tangent[-1]) < STANDS:
+        raise NotConverged(
+            "the periodic motion does not go on to other values of the parameter while all that is conserved stays as "
+            "it is: it may be one of a family that belongs to this value alone."
+        )
+    places = family.follow(first_place)
     found = [change for pair in itertools.pairwise(places) for change in family.changes(*pair)]
     return PeriodicBranch(np.array([p.value for p in places]), tuple(p.motion for p in places), tuple(found))
 
@@ -241,9 +251,16 @@ class _Family:
         if found is None:
             raise NotConverged(f"the motion at the value {value:g} cannot be followed.")
         matrix = found[1] * self._units(z.size)
-        tangent = np.linalg.svd(matrix)[2][-1]
-        sense = tangent[-1] * np.sign(self.end - self.begin) if along is None else tangent @ along
-        return _Place(motion, value, tangent if sense >= 0.0 else -tangent, self._kinds(motion))
+        _, sizes, rows = np.linalg.svd(matrix)
+        still = rows[np.append(sizes, np.zeros(len(rows)))[: len(rows)] <= FAMILY * sizes[0]]
+        still = still if len(still) else rows[-1:]
+        # of a whole family the direction in which the parameter changes most, or that is nearest to the last
+        wanted = np.eye(len(rows))[-1] * np.sign(self.end - self.begin) if along is None else along
+        tangent = still.T @ (still @ wanted)
+        length = float(np.linalg.norm(tangent))
+        if length < FAMILY:
+            tangent, length = still[-1], 1.0
+        return _Place(motion, value, tangent / length, self._kinds(motion))
 
     def _kinds(self, motion: PeriodicMotion) -> tuple[int, int, int]:
         """Return how many multipliers are real and above 1, real and below −1, and not real and off the unit circle."""
