@@ -18,15 +18,16 @@ from polhode.types import Array, Float64, Integer
 MOST_STEPS = 15_000_000
 SLACK = 1.1e-16  # of what a change of the state by its own size would make
 WORTH = 64  # copies: fewer are not worth a thread
+TRIED = 256  # copies at a time, of which Python computes what is conserved before it asks for a better kernel
 
 
 def starting(
     machine: Machine, y: Float64[Array, "copies n"], scale: Float64[Array, "copies n"],
     samples: Float64[Array, "copies time n"], first: float, hits: int,
 ) -> Copies:  # fmt: skip
-    """Return copies at a first time, with room for so many events each."""
+    """Return copies at a first time, which is that of the first sample, with room for so many events each."""
     copies, n = y.shape
-    now, counts = np.tile([first, 0.0, 1.0], (copies, 1)), np.tile([0, 0, 0, -1], (copies, 1))
+    now, counts = np.tile([first, 0.0, 1.0], (copies, 1)), np.tile([0, 1, 0, -1], (copies, 1))
     crossed = np.zeros((copies, hits, 2 + n))
     wanted, slack = _kept_at(machine, y, scale)
     return Copies(y, scale, wanted, slack, np.zeros(copies, np.int64), samples, now, counts, crossed)
@@ -100,12 +101,17 @@ def integrals_at(
 ) -> tuple[Float64[Array, "copies conserved"], Float64[Array, "copies conserved n"]]:
     """Return what is conserved at states, in the order of the machine's names, and its derivatives by the state."""
     count, n = len(machine.names), machine.form.size
-    found = np.zeros((len(y), count * (1 + n)))
-    if count:
-        use = chosen_kernel(len(y))
-        states = np.zeros(n * use.lanes)
+    found, first = np.zeros((len(y), count * (1 + n))), 0
+    while count and first < len(y):
+        use = chosen_kernel(len(y) - first)
+        part = slice(first, len(y) if use.is_compiled else first + TRIED)
+        states, given = np.zeros(n * use.lanes), np.ascontiguousarray(y[part])
+        before = time.process_time()
         with np.errstate(all="ignore"):
-            use.conserved_values(series_for(machine.integrals, 1, use.lanes), np.ascontiguousarray(y), states, found)
+            use.conserved_values(series_for(machine.integrals, 1, use.lanes), given, states, found[part])
+        if not use.is_compiled:
+            note(use, len(given), machine.integrals, time.process_time() - before)
+        first = part.stop
     return found[:, :count], found[:, count:].reshape(len(y), count, n)
 
 

@@ -78,7 +78,7 @@ class Plan(NamedTuple):
 
     borders: list[float]
     machines: list[Machine]
-    times: Float64[np.ndarray, "later"]
+    times: Float64[np.ndarray, "time"]
     precision: Precision
     longest: float
     forth: float
@@ -91,7 +91,7 @@ def _planned(
     forth = 1.0 if times[-1] > times[0] else -1.0
     borders = _borders(system, times, forth)
     machines = [machine_of(system, state, between, through) for between in itertools.pairwise(borders)]
-    return Plan(borders, machines, times[1:], precision, longest, forth)
+    return Plan(borders, machines, times, precision, longest, forth)
 
 
 def runs_of(
@@ -128,7 +128,7 @@ def runs_of(
         scale[:, : form.size] = scales
     samples = np.full((len(states), len(times), program.size), np.inf)
     samples[:, 0] = y  # without the time, which no state has
-    copies = starting(plan.machines[0], y, scale, samples[:, 1:], times[0], hits=1)
+    copies = starting(plan.machines[0], y, scale, samples, times[0], hits=1)
     _fly_through(plan, copies, check)
     balances = plan.machines[0].balances
     extra = slice(form.size, form.size + len(balances))
@@ -185,7 +185,7 @@ def crossings_of(
     y = np.zeros((1, size))
     y[0, : form.size] = form.flat(state)
     scale = _scales(system, np.asarray(state)[None], times[0], plan.machines[0], size)
-    copies = starting(plan.machines[0], y, scale, np.full((1, 1, size), np.inf), times[0], min(most, FIRST_HITS))
+    copies = starting(plan.machines[0], y, scale, np.full((1, 2, size), np.inf), times[0], min(most, FIRST_HITS))
     copies = _fly_through(plan, copies, check, Watch(falling, most))
     status, event, end = outcome(copies)
     hits = copies.hits[0, : copies.counts[0, HITS]]
