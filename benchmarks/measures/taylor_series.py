@@ -14,8 +14,9 @@ from measure import Row, compared, median, missing
 
 from polhode import certify, systems
 from polhode.taylor.expressions import Expression, Operation, Tape
+from polhode.taylor.jaxprs import written
 from polhode.taylor.runs import Precision, precision_of, runs_of
-from polhode.taylor.tracing import traced
+from polhode.taylor.tracing import evaluated
 
 SPAN, COPIES, TURNS = 20.0, 100, 7
 LONG = 2000.0  # where one motion's steps are nearly all of its time
@@ -187,7 +188,8 @@ def _equations(heyoka: Any, case: Case) -> list[Any]:
     state = np.empty(n, object)
     state[:] = tape.state()
     state = state.reshape(case.start.shape)
-    rates = np.ravel(traced(lambda y: case.system.vector_field(0.0, y), state)[0])
+    closed = written(lambda y: case.system.vector_field(0.0, y), state.shape)
+    rates = np.ravel(evaluated(closed, state)[0])
     values = list(heyoka.make_vars(*[f"x{k}" for k in range(n)]))
     variables = list(values)
 

@@ -140,6 +140,15 @@ def test_a_motion_of_one_value_alone_is_refused():
         ph.continue_periodic(make, (1.0, 1.1), [0.3, 0.0, 2.0, 0.6, 0.0, 0.8], 3.0)
 
 
+def test_no_system_outside_of_the_range_is_asked_for_at_its_beginning():
+    def make(mu):
+        if mu < 0.1:
+            raise InvalidInput("there is none")
+        return Cycle(mu, growing)
+
+    assert ph.continue_periodic(make, (0.1, 0.2), [0.31, 0.0], 3.1).values[-1] == 0.2
+
+
 def test_a_branch_that_ends_nowhere_says_so(monkeypatch):
     monkeypatch.setattr(periodic_branches, "MOST", 4)
     with pytest.warns(UserWarning, match=r"could not be followed beyond the value 0\.\d+: what comes after"):

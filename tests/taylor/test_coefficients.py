@@ -12,10 +12,11 @@ import pytest
 from polhode import systems
 from polhode.taylor import kernel, kernel_series
 from polhode.taylor.expressions import MOST_NODES, Tape, Untraceable
+from polhode.taylor.jaxprs import written
 from polhode.taylor.kernel_space import series_for
 from polhode.taylor.machine import machine_of
 from polhode.taylor.program import CODE, OPERATIONS, program_of
-from polhode.taylor.tracing import traced
+from polhode.taylor.tracing import evaluated
 
 ORDER = 20
 EPS = 2.0**-52
@@ -167,7 +168,7 @@ def tape_of(function, size):
     tape = Tape(size)
     state = np.empty(size, object)
     state[:] = tape.state()
-    return tape, [x for part in traced(function, state) for x in np.ravel(part)]
+    return tape, [x for part in evaluated(written(function, state.shape), state) for x in np.ravel(part)]
 
 
 def test_equal_nodes_are_one_also_up_to_sign():

@@ -24,7 +24,8 @@ from polhode.types import Array, ArrayLike, Double, Float64, Real
 FIRST, LONGEST, SHORTEST = 0.02, 0.1, 1e-5  # steps along the branch, in units of state, period and range
 MOST = 2000  # motions on a branch
 ROUNDS = 8  # of Newton's method
-SETTLED, NEAR = 1e-12, 1e-9  # of a move, in the same units, after which there is no further one, or had better be
+SETTLED = 1e-12  # in the same units: Newton's method is done after a move that is shorter
+NEAR = 1e-9  # likewise, where it has used all its rounds
 STRAIGHT = 0.95  # cosine of the angle by which the direction may turn in a step
 DIFFERENCE = 1e-6  # of the range, by which a derivative by the parameter is taken
 HALVINGS = 30
@@ -65,7 +66,7 @@ class PeriodicBifurcation(NamedTuple):
         kind: ``"fold"``: the branch turns back; ``"period doubling"``: a multiplier goes through −1;
             ``"branch point"``: one goes through 1, where another branch begins; ``"torus"``: a pair leaves or enters
             the unit circle.
-        value: of the parameter.
+        value: of the parameter; that of a branch point is known to the root of a rounding only.
         motion: there.
     """
 
@@ -127,6 +128,8 @@ def continue_periodic(
     begin = periodic_motion(make(float(ends[0])), state, period, first, fixed)
     family = _Family(make, ends, begin, first, fixed)
     first_place = family.place(begin, float(ends[0]), None)
+    if first_place is None:
+        raise NotConverged(f"the periodic motion at the value {ends[0]:g} cannot be followed to values beside it.")
     if abs(first_place.tangent[-1]) < STANDS:
         raise NotConverged(
             "the periodic motion does not go on to other values of the parameter while all that is conserved stays as "
@@ -164,12 +167,12 @@ class _Family:
         self.range = abs(self.end - self.begin)
         self.size, self.period = float(np.linalg.norm(begin.state)) or 1.0, begin.period
         self._form = Form(begin.state.shape, np.iscomplexobj(begin.state))
-        levels, slopes = self._conserved(self.begin, self._form.flat(begin.state))
+        levels, slopes = self._find_conserved(self.begin, self._form.flat(begin.state))
         self._held = np.isfinite(levels) & np.isfinite(slopes).all(axis=1)
         self._levels, sizes = levels[self._held], np.linalg.svd(slopes[self._held], compute_uv=False)
         self._trivial = (not fixed) + int(np.sum(sizes > INDEPENDENT * sizes.max(initial=0.0)))
 
-    def _conserved(
+    def _find_conserved(
         self, value: float, z: Float64[np.ndarray, "n"]
     ) -> tuple[Float64[np.ndarray, "k"], Float64[np.ndarray, "k n"]]:
         """Return what is conserved, and its derivative by the state."""
@@ -207,15 +210,15 @@ class _Family:
     ) -> tuple[Float64[np.ndarray, "equations"], Float64[np.ndarray, "equations extended"], np.ndarray] | None:
         """Return what vanishes on the branch, its derivative by state, period and parameter, and the monodromy."""
         n, state, first = z.size, self._form.back(z), self.first
-        step = DIFFERENCE * self.range
-        near = value + step, value - step
+        step, low, high = DIFFERENCE * self.range, min(self.begin, self.end), max(self.begin, self.end)
+        near = value + step * (value != high), value - step * (value != low)
         try:
             after, M = self._flow(value, state, T, np.eye(n))
             beside = [self._flow(v, state, T, np.zeros((n, 1)))[0] for v in near]
         except (InvalidInput, NotConverged):
             return None
         flow = TangentFlow(self._make(value), state, (first, first + T))
-        by_value = (flow.flat(beside[0]) - flow.flat(beside[1])) / (2.0 * step)
+        by_value = (flow.flat(beside[0]) - flow.flat(beside[1])) / (near[0] - near[1])
         by_period = np.zeros(n) if self.fixed else flow.rates(first + T, after)
         rows = [np.column_stack([M - np.eye(n), by_period, by_value])]
         off = [flow.flat(after) - z]
@@ -228,9 +231,9 @@ class _Family:
             rows.append(np.concatenate([along, [0.0, 0.0]])[None])
             off.append(np.array([along @ (z - start)]))
         if self._levels.size:
-            (levels, slopes), beyond = self._conserved(value, z), [self._conserved(v, z)[0] for v in near]
+            (levels, slopes), beyond = self._find_conserved(value, z), [self._find_conserved(v, z)[0] for v in near]
             scales = np.maximum(np.linalg.norm(slopes, axis=1), 1e-300)
-            by_parameter = (beyond[0] - beyond[1]) / (2.0 * step)
+            by_parameter = (beyond[0] - beyond[1]) / (near[0] - near[1])
             all_rows = np.column_stack([slopes, np.zeros(len(slopes)), by_parameter]) / scales[:, None]
             rows.append(all_rows[self._held])
             off.append((levels[self._held] - self._levels) / scales[self._held])
@@ -244,12 +247,15 @@ class _Family:
 
     def place(
         self, motion: PeriodicMotion, value: float, along: Float64[np.ndarray, "extended"] | None
-    ) -> _Place:
-        """Return a settled motion as a place, its direction as near as can be to another, or into the range."""
+    ) -> _Place | None:
+        """Return a settled motion as a place, its direction as near as can be to another, or into the range.
+
+        None where the motions beside it do not exist.
+        """
         z = self._form.flat(motion.state)
         found = self._equations(z, motion.period, value, z)
         if found is None:
-            raise NotConverged(f"the motion at the value {value:g} cannot be followed.")
+            return None
         matrix = found[1] * self._units(z.size)
         _, sizes, rows = np.linalg.svd(matrix)
         still = rows[np.append(sizes, np.zeros(len(rows)))[: len(rows)] <= FAMILY * sizes[0]]
@@ -276,7 +282,7 @@ class _Family:
         places, step, low, high = [begin], FIRST, min(self.begin, self.end), max(self.begin, self.end)
         while len(places) < MOST and step > SHORTEST:
             last = places[-1]
-            place = self._stepped(last, step)
+            place = self._step_from(last, step)
             if place is None or place.tangent @ last.tangent < STRAIGHT:
                 step *= 0.5
                 continue
@@ -295,7 +301,7 @@ class _Family:
         )
         return places
 
-    def _stepped(self, last: _Place, step: float) -> _Place | None:
+    def _step_from(self, last: _Place, step: float) -> _Place | None:
         n = last.tangent.size - 2
         move = step * last.tangent * self._units(n)
         state = self._form.back(self._form.flat(last.motion.state) + move[:n])
@@ -321,21 +327,21 @@ class _Family:
         """Return where the kind of the motions changes between two places, in order."""
         found = []
         if one.tangent[-1] * other.tangent[-1] < 0.0:
-            found.append(("fold", self._between(one, other, lambda place: place.tangent[-1] * one.tangent[-1] > 0.0)))
+            found.append(("fold", self._locate(one, other, lambda place: place.tangent[-1] * one.tangent[-1] > 0.0)))
         for k, kind in enumerate(("branch point", "period doubling", "torus")):
             # a multiplier goes through 1 at a fold too
             if one.kinds[k] != other.kinds[k] and not (k == 0 and found):
-                found.append((kind, self._between(one, other, lambda place, k=k: place.kinds[k] == one.kinds[k])))
+                found.append((kind, self._locate(one, other, lambda place, k=k: place.kinds[k] == one.kinds[k])))
         return [PeriodicBifurcation(kind, place.value, place.motion) for kind, place in found]
 
-    def _between(self, one: _Place, other: _Place, is_before: Callable[[_Place], bool]) -> _Place:
+    def _locate(self, one: _Place, other: _Place, is_before: Callable[[_Place], bool]) -> _Place:
         """Return the place up to which something holds, by halving the way."""
         low, high = one, other
         for _ in range(HALVINGS):
             if self._apart(low, high) < 1e-9:
                 break
             way = 0.5 * self._length(low, high)
-            place = self._stepped(low, way) if way > 0.0 else None
+            place = self._step_from(low, way) if way > 0.0 else None
             if place is None:
                 break
             low, high = (place, high) if is_before(place) else (low, place)

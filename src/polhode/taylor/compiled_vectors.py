@@ -64,7 +64,7 @@ KIND = Vector()
 def of_one_copy() -> dict[str, Any]:
     """Return how vectors are loaded, stored and gathered from flat arrays; nothing is checked."""
     _define_arithmetic()
-    made = {"load": _load, "store": _store, "gather": _gather, "borrowed": _borrowed,
+    made = {"load": _load, "store": _store, "gather": _gather, "borrowed": _declare_borrowed,
             "run_code": _run_code, "vectors": _seen_as(types.float64)}  # fmt: skip
     return {name: intrinsic(given) for name, given in made.items()}
 
@@ -73,7 +73,7 @@ def of_one_copy() -> dict[str, Any]:
 def of_lanes() -> dict[str, Any]:
     """Return what takes the places of the functions in ``lanes``."""
     _define_arithmetic()
-    made = {"borrowed": _borrowed, "run_code": _run_code, "vectors": _seen_as(KIND), "spread": _spread,
+    made = {"borrowed": _declare_borrowed, "run_code": _run_code, "vectors": _seen_as(KIND), "spread": _spread,
             "where_less": _where_less, "square_root": _square_root}  # fmt: skip
     each = {"powered": math.pow, "exponential": math.exp, "logarithm": math.log, "sine": math.sin, "cosine": math.cos}
     return {name: intrinsic(given) for name, given in made.items()} | {
@@ -113,12 +113,12 @@ def _gather(typing: Any, array: Any, places: Any, first: Any, base: Any) -> Any:
             at = builder.add(args[2], ir.Constant(ir.IntType(64), lane))
             found.append(builder.load(builder.gep(numbers, [
                 builder.add(args[3], builder.load(builder.gep(where, [at])))])))  # fmt: skip
-        return _joined(builder, found)
+        return _join(builder, found)
 
     return KIND(array, places, types.int64, types.int64), generate
 
 
-def _borrowed(typing: Any, given: Any) -> Any:
+def _declare_borrowed(typing: Any, given: Any) -> Any:
     """Declare the same without owners: flat arrays of numbers as their addresses, in tuples too."""
     made = _bare(given)
     return made(given), lambda context, builder, sig, args: _made_bare(context, builder, given, args[0])
@@ -192,7 +192,7 @@ def _where_less(typing: Any, x: Any, y: Any, yes: Any, no: Any) -> Any:
 
 
 def _square_root(typing: Any, x: Any) -> Any:
-    return KIND(KIND), lambda context, builder, sig, args: _called(builder, "llvm.sqrt", args[0])
+    return KIND(KIND), lambda context, builder, sig, args: _call(builder, "llvm.sqrt", args[0])
 
 
 def _of_each(function: Callable[..., float], count: int) -> Callable[..., Any]:
@@ -204,7 +204,7 @@ def _of_each(function: Callable[..., float], count: int) -> Callable[..., Any]:
         kind = of.get_call_type(context.typing_context, doubles, {})
         call = context.get_function(of, kind)
         others = list(args[1:])
-        return _joined(builder, [call(builder, [_lane(builder, args[0], lane), *others]) for lane in range(WIDTH)])
+        return _join(builder, [call(builder, [_lane(builder, args[0], lane), *others]) for lane in range(WIDTH)])
 
     if count == 1:
         return lambda typing, x: (KIND(KIND), generate)
@@ -215,7 +215,7 @@ def _lane(builder: Any, value: Any, lane: int) -> Any:
     return builder.extract_element(value, ir.Constant(ir.IntType(32), lane))
 
 
-def _joined(builder: Any, numbers: list[Any]) -> Any:
+def _join(builder: Any, numbers: list[Any]) -> Any:
     value: Any = ir.Constant(VECTOR, ir.Undefined)
     for lane, number in enumerate(numbers):
         value = builder.insert_element(value, number, ir.Constant(ir.IntType(32), lane))
@@ -223,10 +223,10 @@ def _joined(builder: Any, numbers: list[Any]) -> Any:
 
 
 def _splat(builder: Any, number: Any) -> Any:
-    return _joined(builder, [number] * WIDTH)
+    return _join(builder, [number] * WIDTH)
 
 
-def _called(builder: Any, name: str, value: Any) -> Any:
+def _call(builder: Any, name: str, value: Any) -> Any:
     kind = ir.FunctionType(VECTOR, [VECTOR])
     return builder.call(cgutils.get_or_insert_function(builder.module, kind, f"{name}.v{WIDTH}f64"), [value])
 
@@ -247,7 +247,7 @@ def _define_arithmetic() -> None:
 
         register(symbol)(Template)
         for kinds in ((Vector, Vector), (Vector, types.Float), (types.Float, Vector)):
-            lower_builtin(symbol, *kinds)(_lowered(named))
+            lower_builtin(symbol, *kinds)(_make_lowering(named))
 
     class Read(AbstractTemplate):
         key = operator.getitem
@@ -265,7 +265,7 @@ def _define_arithmetic() -> None:
     register(operator.getitem)(Read)
     register(operator.setitem)(Write)
     lower_builtin(operator.getitem, Numbers, types.Integer)(_read)
-    lower_builtin(operator.setitem, Numbers, types.Integer, types.Any)(_written)
+    lower_builtin(operator.setitem, Numbers, types.Integer, types.Any)(_write)
 
     class Absolute(AbstractTemplate):
         key = abs
@@ -274,10 +274,10 @@ def _define_arithmetic() -> None:
             return signature(KIND, KIND) if args == (KIND,) else None
 
     register(abs)(Absolute)
-    lower_builtin(abs, Vector)(lambda context, builder, sig, args: _called(builder, "llvm.fabs", args[0]))
+    lower_builtin(abs, Vector)(lambda context, builder, sig, args: _call(builder, "llvm.fabs", args[0]))
 
 
-def _lowered(named: str) -> Callable[..., Any]:
+def _make_lowering(named: str) -> Callable[..., Any]:
     def lower(context: Any, builder: Any, sig: Any, args: Any) -> Any:
         both = (x if kind == KIND else _splat(builder, x) for x, kind in zip(args, sig.args, strict=True))
         return getattr(builder, named)(*both)
@@ -291,7 +291,7 @@ def _read(context: Any, builder: Any, sig: Any, args: Any) -> Any:
     return value
 
 
-def _written(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+def _write(context: Any, builder: Any, sig: Any, args: Any) -> Any:
     kept = builder.store(args[2], builder.gep(args[0], [args[1]]))
     kept.align = 8
     return context.get_dummy_value()

@@ -10,7 +10,7 @@ import numpy as np
 TURN = 2.0 * math.pi
 ROUNDS = 6  # of Newton's method, which comes within three roundings by five for any e < 1
 TERMS = 9  # of E − sin E up to one radian
-FAR = 1e300  # a mean anomaly beyond which there are no turns to be told
+FAR = 1e300  # larger mean anomalies are refused
 
 
 def eccentric_anomaly_at(mean_anomaly: Any, eccentricity: Any) -> Any:

@@ -178,7 +178,7 @@ def step_lengths(series: Series, lanes: Lanes, order: Any, reach: Any) -> None:
         base, largest = (order - 2 + e) * width, spread(0.0)
         for i in range(whole[SIZE]):
             part = abs(z[base + i]) / scale[i]
-            # no comparison with what is no number is true, so that it stays
+            # comparisons with NaN are false, so that a NaN stays
             larger = where_less(largest, part, part, largest)
             largest = where_less(part, spread(TOO_LARGE), larger, spread(np.nan))
         found[2 + e] = largest

@@ -109,11 +109,10 @@ def machine_of(system: AbstractSystem, state: Array, between: Span, through: Eve
     form = Form(np.shape(state), np.iscomplexobj(state))
     between = between if np.size(system.jumps) else None
     try:
-        return _machine(system, form, between, through)
-    except TypeError as error:
-        if "unhashable" not in str(error):
-            raise
+        hash((system, through))
+    except TypeError:
         return _machine.__wrapped__(system, form, between, through)
+    return _machine(system, form, between, through)
 
 
 def operations_of(system: AbstractSystem, state: Double[Array, "..."]) -> int:
@@ -216,7 +215,7 @@ def _integrals(system: AbstractSystem, form: Form) -> tuple[tuple[str, ...], Pro
     """Return names and program of all conserved numbers of which gradients can be traced, one after the other."""
     of_copies = frozenset(name for name, quantity in system.quantities.items() if quantity.of_copies)
     carries_attitude = isinstance(system, AbstractLiePoissonSystem) and _carries_attitude(system, form)
-    (closed, places), numbers = _of_any_numbers(_conserved, system, form, of_copies, carries_attitude)
+    (closed, places), numbers = _of_any_numbers(_write_conserved, system, form, of_copies, carries_attitude)
     names, outputs = [], []
     tape = Tape(form.size)
     state = np.empty(form.size, object)
@@ -239,7 +238,7 @@ def _evaluated_if_possible(closed: Any, places: dict[str, int], state: Array, nu
         return {name: value for found in alone for name, value in found.items()}
 
 
-def _conserved(
+def _write_conserved(
     structure: Structure, form: Form, of_copies: frozenset[str], carries_attitude: bool
 ) -> tuple[Any, dict[str, int]]:  # fmt: skip
     """Return a jaxpr of a state's real numbers and of those of the system, and where it gives what is conserved.

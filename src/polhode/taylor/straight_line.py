@@ -61,7 +61,7 @@ def code_of(program: Program, lanes: int) -> Code:
     factors = program.number[program.whole[FACTOR] : program.whole[CONSTANT]]
     signs = np.where(np.abs(factors) == 1.0, factors, 0.0).astype(np.int8)
     counts = program.number[program.whole[NUMBER] : program.whole[FACTOR]].astype(np.int64)
-    counts *= program.operations == Operation.PRODUCT  # of others it is no count
+    counts *= program.operations == Operation.PRODUCT  # other operations have a constant or an exponent there
     return _compiled(program.whole.tobytes(), signs.tobytes(), counts.tobytes(), lanes)
 
 
@@ -100,7 +100,7 @@ class _Writer:
     """A function of LLVM in the making."""
 
     def __init__(self, whole: Any, signs: Any, counts: Any, lanes: int) -> None:
-        # NumPy's integers are no Python integers, which LLVM's constants are made of
+        # as llvmlite writes constants from Python's integers, not from NumPy's
         self.whole, self.signs, self.counts = whole.tolist(), signs.tolist(), counts.tolist()
         self.lanes = lanes
         self.kind = VECTOR if lanes == WIDTH else DOUBLE

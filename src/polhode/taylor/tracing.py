@@ -27,7 +27,7 @@ from polhode.taylor.expressions import (
     sine_and_cosine,
     total,
 )
-from polhode.taylor.jaxprs import INNER, needed_for, written
+from polhode.taylor.jaxprs import INNER, needed_for
 from polhode.types import Array
 
 Rule = Callable[[list[Array], dict[str, Any], Any], list[Array]]
@@ -37,21 +37,16 @@ MOST_ROUNDS = 1000  # of a loop that is written out
 LARGEST_LINEAR = 4096  # numbers that an operation may take, of which unit vectors are made
 
 
-def traced(function: Callable[..., Any], *arguments: Array) -> list[Any]:
-    """Return the values of a function of arrays of expressions, as arrays of expressions or numbers.
+def evaluated(closed: Any, *arguments: Array, places: Sequence[int] | None = None) -> list[Any]:
+    """Return the values of a jaxpr: all, or those at some places, with what these need.
 
     Args:
-        function: of real arrays, written with JAX.
+        closed: of a function of real arrays.
         arguments: arrays of expressions (dtype object), or of numbers.
+        places: of the values that are wanted.
 
-    Raises:
-        Untraceable: if it is not made of operations that have a recurrence.
-    """
-    return evaluated(written(function, *map(np.shape, arguments)), *arguments)
-
-
-def evaluated(closed: Any, *arguments: Array, places: Sequence[int] | None = None) -> list[Any]:
-    """Return the values of a jaxpr, as ``traced`` does: all, or those at some places, with what these need.
+    Returns:
+        Arrays of expressions or numbers.
 
     Raises:
         Untraceable: if they are not made of operations that have a recurrence.
