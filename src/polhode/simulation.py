@@ -49,7 +49,7 @@ from polhode.solving import (
 from polhode.systems.agreement import check_agreement, moves_by_generator
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
 from polhode.systems.trajectories import trajectory_of
-from polhode.types import Array, ArrayLike, Double, Real
+from polhode.types import Array, ArrayLike, Real
 
 
 class _Asked(NamedTuple):
@@ -57,7 +57,7 @@ class _Asked(NamedTuple):
 
     step: float | None
     order: int | None
-    progress: bool | None
+    progress: Any
     throw: bool
     tolerance: float | None
     estimate_error: bool
@@ -78,7 +78,7 @@ def simulate(
     method: type[AbstractOrbitSolver | Taylor] | diffrax.AbstractSolver | Taylor | None = None,
     step: float | None = None,
     order: int | None = None,
-    progress: bool | None = None,
+    progress: bool | Any | None = None,
     throw: bool = True,
     tolerance: float | None = None,
     estimate_error: bool = True,
@@ -108,7 +108,8 @@ def simulate(
         step: largest step [s]; by default Taylor's and diffrax's own, of other methods that in which each copy's
             fastest rotation at the start turns by 0.2 rad at order 8, 0.1 at order 6, 0.05 at lower orders.
         order: of the method, by default its own.
-        progress: whether to show it on standard error; by default for long runs on a terminal.
+        progress: whether to show it on standard error; by default for long runs on a terminal. Or what is told of it:
+            an object with the methods of diffrax's progress meters, which may end the run by an exception.
         throw: raise if an implicit step fails in any copy; otherwise the outcome says so, and the states of that copy
             after it are infinite.
         tolerance: of the error relative to the state's size, instead of a step. Steps are shortened until
@@ -177,7 +178,7 @@ def _by_adaptive_steps(
     system: AbstractSystem, state: Array, times: np.ndarray, method: Any, asked: _Asked
 ) -> Trajectory:
     solver = adaptive_solver(system, method, asked.order)
-    motion, named = _seeing_jumps(system, solver, state, times, _meter(bool(asked.progress)), asked)
+    motion, named = _seeing_jumps(system, solver, state, times, _meter(asked.progress), asked)
     error = None
     if asked.estimate_error and not (asked.throw and not np.all(motion.successful)):
         error = adaptive_error(named, solver, state, times, motion, asked.step, asked.tolerance, asked.every)
@@ -191,7 +192,7 @@ def _by_series(system: AbstractSystem, state: Array, times: np.ndarray, method: 
     method = Taylor(asked.order) if method in (None, Taylor) else method
     if asked.order is not None and method.order != asked.order:
         raise InvalidInput("`order` goes with the class; the object of Taylor that is given has its own.")
-    named, meter = naming_jumps(system, undeclared_jumps(system, state, times)), _meter(bool(asked.progress))
+    named, meter = naming_jumps(system, undeclared_jumps(system, state, times)), _meter(asked.progress)
     if asked.tolerance is not None and asked.estimate_error:
         given = named, method, state, times, meter, asked.step, asked.tolerance, asked.every
         motion, error = series_to_tolerance(*given)
@@ -278,11 +279,11 @@ def _by_equal_steps(
     if asked.tolerance is not None:
         if memory is not None:
             raise InvalidInput("`memory` goes with the earlier run's `step`; `tolerance` would choose another.")
-        run, sizes, error = run_to_tolerance(*given, asked.tolerance, _meter(bool(shown)), _meter(False), asked.every)
+        run, sizes, error = run_to_tolerance(*given, asked.tolerance, _meter(shown), _meter(False), asked.every)
     elif asked.estimate_error:
-        run, sizes, error = measured_run(*given, _meter(bool(shown)), _meter(False), asked.every, memory)
+        run, sizes, error = measured_run(*given, _meter(shown), _meter(False), asked.every, memory)
     else:
-        run, error = run_by_equal_steps(*given, _meter(bool(shown)), asked.every, memory), None
+        run, error = run_by_equal_steps(*given, _meter(shown), asked.every, memory), None
     steps = step_counts(times, sizes).sum(axis=-1)
     statistics = {"steps": int(steps.max()), "iterations": int(run.iterations.max())}
     name, failed, ends = type(solver).__name__, np.argwhere(~run.fine), None
@@ -328,13 +329,6 @@ def _prepared(
     return solver, np.minimum(sizes, float(np.abs(np.diff(times)).max()))
 
 
-def fastest_rate(
-    system: AbstractLiePoissonSystem, state: Double[Array, "..."], times: Real[ArrayLike, "time"] = (0.0,)
-) -> float:
-    """Return an upper estimate of the rate [rad/s] at which the group turns at any of the states."""
-    return float(np.max(_rates(system, state, times), initial=0.0))
-
-
 def _rates(system: AbstractLiePoissonSystem, state: Array, times: Array) -> np.ndarray:
     return np.asarray(turning_rates(system, state, jnp.asarray([times[0], times[-1]], float)), dtype=float)
 
@@ -345,8 +339,10 @@ def _would_split(system: AbstractLiePoissonSystem, method: Any) -> bool:
     return isinstance(method, Splitting) or (isinstance(method, type) and issubclass(method, Splitting))
 
 
-def _meter(wanted: bool) -> Any:
-    return diffrax.TqdmProgressMeter() if wanted else diffrax.NoProgressMeter()
+def _meter(wanted: Any) -> Any:
+    if wanted is None or isinstance(wanted, bool | np.bool_):
+        return diffrax.TqdmProgressMeter() if wanted else diffrax.NoProgressMeter()
+    return wanted
 
 
 def _checked_times(times: Array) -> np.ndarray:

@@ -150,7 +150,7 @@ CALLED_BY_OTHERS = {
     "integrators.probing.naming_jumps", "integrators.probing.undeclared_jumps", "systems.attachments.checked_jumps",
     "integrators.base.explicit", "integrators.base.step_count", "poisson.brackets.as_points",
     "poisson.reconstruction.hermite",
-    "simulation.fastest_rate", "systems.trajectories.trajectory_of", "solving.adaptive_solver", "solving.checked_every",
+    "systems.trajectories.trajectory_of", "solving.adaptive_solver", "solving.checked_every",
     "solving.goes_along_orbit", "solving.is_adaptive", "solving.orbit_solver", "solving.step_angle",
     "solving.turning_rates",
     "estimation.flight.check_windows",

@@ -1,26 +1,80 @@
-"""How long a run will take: said beforehand where it is long, refused where it would be far too long."""
+"""How long a run will take: said where it is long, refused where it would be far too long."""
 
 from __future__ import annotations
 
 import sys
+import time
+from typing import Any
 
+import diffrax
+import jax.numpy as jnp
 import numpy as np
 
 from polhode.errors import InvalidInput
-from polhode.integrators.composition import stages
-from polhode.solving import step_angle
 from polhode.types import Array, Float64
 
 LONGEST = 600.0  # s that a run may take by these estimates
 SAID_FROM = 5.0  # s from which it is said
-# s a step, with the runs that tell its error: at order 6, 8 to 17 µs were measured, of Dopri8 50 to 60 µs
-SPLITTING, ADAPTIVE = 2e-5, 6e-5
-TURNING = 2.0  # steps of Dopri8 to a radian of steady rotation, at its tolerance: 2.1 was measured
-ORBITING = 7.0  # the same of mean anomaly, for a spin near an orbit's rate: 7.4 was measured at e = 0.1
-HIGHEST = 8  # order of splitting; Taylor series take as many steps or fewer, and each is quicker
-PIECES = 8  # of a long step cost about as much as a step: each of its nine stages has one at least
+WATCHED, PATIENCE = 0.5, 10.0  # s after which a run's speed is known, and after which none is ended any more
+RUNS = 8.0  # what a run and those that tell its error take, in times of the run itself: 6 to 12 were measured
 UNCOUNTED = 1e15  # steps, beyond which nobody needs to know how many
+FEWER = "Check the units, or give a shorter `until` under [time]."
 DURATIONS = ((60.0, "s"), (60.0, "min"), (24.0, "h"), (365.25, "days"))
+
+
+class Watch:
+    """A meter for ``simulate`` that measures a run's speed, says how long it will take, and ends one that is endless.
+
+    A run may become slower or faster, so the longer it has been watched, the less it must exceed the limit to be ended.
+
+    Args:
+        until: end of the run as the spec gives it [s], None where it leaves it out.
+        times: (T,) [s] of its samples.
+        remedy: what helps, other than a shorter time.
+    """
+
+    def __init__(self, until: float | None, times: Float64[Array, "time"], remedy: str = "") -> None:
+        which = "" if until is not None else ", the usual one,"
+        self._named, self._remedy = f"`time.until` of {float(np.ptp(times)):g} s{which}", remedy and f" {remedy}"
+        self._begun: tuple[float, float] | None = None
+        self._said, self._bar = False, diffrax.NoProgressMeter()
+
+    def init(self) -> Any:
+        """Begin, before a run."""
+        self._begun = None
+        return self._bar.init()
+
+    def step(self, shown: Any, share: Any) -> Any:
+        """Look at a run of which a share is done.
+
+        Raises:
+            InvalidInput: where it would take far too long.
+        """
+        now, share = time.process_time(), float(share)
+        if self._begun is None:  # what was traced and compiled before says nothing about what follows
+            self._begun = now, share
+        elapsed, done = now - self._begun[0], share - self._begun[1]
+        if elapsed >= WATCHED and not (self._said and elapsed > PATIENCE):
+            seconds = RUNS * elapsed * (1.0 - self._begun[1]) / max(done, 1.0 / UNCOUNTED)
+            if elapsed <= PATIENCE and seconds * elapsed > LONGEST * PATIENCE:
+                raise InvalidInput(
+                    f"{self._named} would take about {duration(seconds)}; at most some ten minutes are taken here. "
+                    f"{FEWER}{self._remedy}"
+                )
+            if seconds > SAID_FROM and not self._said:
+                shown = self._say(seconds)
+        return self._bar.step(shown, jnp.asarray(share))
+
+    def close(self, shown: Any) -> None:
+        """End what is shown, after the run."""
+        self._bar.close(shown)
+
+    def _say(self, seconds: float) -> Any:
+        self._said = True
+        _say(f"this takes about {duration(seconds)}")
+        if sys.stderr.isatty():
+            self._bar = diffrax.TqdmProgressMeter()
+        return self._bar.init()
 
 
 def check_length(
@@ -50,31 +104,11 @@ def check_length(
         steps = steps if steps < UNCOUNTED else UNCOUNTED  # numbers of steps that overflow too
         raise InvalidInput(
             f"`time.until` of {span:g} s{which} would take {more} {steps:.1e} steps, {more} {duration(steps * each)}; "
-            f"at most {LONGEST / each:.0e} steps are taken here, some ten minutes. Check the units, or give a shorter "
-            f"`until` under [time].{other}"
+            f"at most {LONGEST / each:.0e} steps are taken here, some ten minutes. {FEWER}{other}"
         )
     if seconds > SAID_FROM:
-        sys.stderr.write(f"polhode: about {steps:.1e} steps, up to {duration(seconds)}. Ctrl-C ends it.\n")
-        sys.stderr.flush()
+        _say(f"about {steps:.1e} steps, up to {duration(seconds)}")
     return seconds > SAID_FROM and sys.stderr.isatty()
-
-
-def equal_steps(span: float, rate: float, step: float | None, order: int = HIGHEST) -> float:
-    """Return about how many equal steps a run takes; longer steps are taken in pieces that bound what they turn.
-
-    Args:
-        span: of the run [s].
-        rate: of the fastest rotation [rad/s].
-        step: that is asked for [s], None for the usual one.
-        order: of the method.
-    """
-    usual = span * rate / step_angle(order)
-    return usual if step is None else max(span / step, usual / PIECES)
-
-
-def splitting_step(order: int) -> float:
-    """Return how long a step of splitting takes [s]: each stage as long as those of order 6."""
-    return SPLITTING * len(stages(order)) / len(stages(6))
 
 
 def duration(seconds: float) -> str:
@@ -93,3 +127,8 @@ def duration(seconds: float) -> str:
 def _rounded(value: float) -> str:
     """Return two digits of a number, written out up to a million."""
     return f"{float(f'{value:.2g}'):,.0f}" if 100.0 <= value < 1e6 else f"{value:.2g}"
+
+
+def _say(what: str) -> None:
+    sys.stderr.write(f"polhode: {what}. Ctrl-C ends it.\n")
+    sys.stderr.flush()

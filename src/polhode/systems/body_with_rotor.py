@@ -52,12 +52,6 @@ class RotorInBody(NamedTuple):
         return Gyrostat(self.moments, self.rotor, self.rotor_moment, self.free)
 
     @property
-    def fastest_rate(self) -> float:
-        """How fast body or momentum turn at most [rad/s]: with a fast rotor L goes round a body that hardly turns."""
-        length = float(np.linalg.norm(self.total))
-        return max(float(np.linalg.norm(self.velocity)), length / float(np.min(self.moments)))
-
-    @property
     def usual_rate(self) -> float:
         """How fast body or momentum turn at least [rad/s]; zero where neither does."""
         length = float(np.linalg.norm(self.total))

@@ -15,7 +15,7 @@ from polhode.taylor.kernels import Kernel, chosen_kernel, note, written_code
 from polhode.taylor.machine import Machine
 from polhode.types import Array, Float64, Integer
 
-MOST_STEPS = 15_000_000
+MOST_STEPS = 1_000_000_000  # of a run, about an hour
 SLACK = 1.1e-16  # of what a change of the state by its own size would make
 WORTH = 64  # copies: fewer are not worth a thread
 TRIED = 256  # copies at a time, of which Python computes what is conserved before it asks for a better kernel

@@ -29,7 +29,7 @@ from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import about_body, accuracy, stability_values, verdicts
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import AbstractMotionReport
-from polhode.reports.length import ADAPTIVE, ORBITING, TURNING, check_length
+from polhode.reports.length import Watch
 from polhode.reports.wording import angle, duration, uncertain
 from polhode.simulation import simulate
 from polhode.systems.double_bracket import DoubleBracket
@@ -41,7 +41,6 @@ from polhode.types import Array, Float64
 WITHIN = "L to stay within 5° of the major axis"
 FLAT_SPIN = "time to within 5° of a flat spin"
 DECAYS = 5.0  # time constants of drag followed where no end is given
-STIFF = 0.25  # steps of Dopri8 in the time constant of the fastest loss, however little is left to lose: measured
 MOST_TURNS = 20_000.0  # of the start, followed where no end is given
 
 
@@ -335,24 +334,8 @@ def _moved(spec: Spec, start: DampedStart) -> tuple[Trajectory, bool]:
         end, cut = _end(start.table, moments, start.momentum, start.axes)
         times = np.linspace(0.0, end, spec.samples)
     state = np.concatenate([start.attitude, start.momentum])
-    steps = _fewest_steps(start, float(np.ptp(times)))
-    shown = check_length(spec.until, times, steps, ADAPTIVE)
-    trajectory = simulate(start.system, state, times, progress=shown)
+    trajectory = simulate(start.system, state, times, progress=Watch(spec.until, times))
     return replace(trajectory, frame=start.body.frame), cut
-
-
-def _fewest_steps(start: DampedStart, span: float) -> float:
-    """Return about how many adaptive steps a run takes at least.
-
-    They are those of the slowest rotation with this |L|, unless drag takes |L| itself; and where losses are faster than
-    that, those that keep an explicit method stable about the axis on which the body ends.
-    """
-    table, norm, moments = start.table, start.norm, start.body.principal_moments
-    around = 0.0 if table.orbital_period is None else ORBITING * 2.0 * math.pi / table.orbital_period
-    fastest = (table.linear_drag or 0.0) / float(np.min(moments))
-    if table.inside and start.axes:
-        fastest = float(np.max(np.abs(start.axes[2].spectrum), initial=0.0))
-    return span * max(TURNING * norm / float(np.max(moments)) if table.inside else around, STIFF * fastest)
 
 
 def _sink_rate(table: DampedBodyTable, moments: Array, momentum: Array) -> float:

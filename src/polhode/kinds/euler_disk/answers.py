@@ -13,11 +13,10 @@ from polhode.analysis.rolling import (
     SteadyRolling,
     critical_rolling_speed,
     critical_spin_rate,
-    fastest_rolling_rate,
     rolling_period,
     steady_rolling,
 )
-from polhode.analysis.spin_down import STEPS_PER_RADIAN, SpinDown, adiabatic_end, spin_down
+from polhode.analysis.spin_down import SpinDown, adiabatic_end, spin_down
 from polhode.errors import InvalidInput, NotConverged
 from polhode.kinds.base import Spec
 from polhode.kinds.euler_disk.report import EulerDiskReport, LawShare, law_names
@@ -26,7 +25,7 @@ from polhode.motion.frame import BodyFrame
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.answer import Group, Table
 from polhode.reports.base import WITHOUT_MOTION, left_out
-from polhode.reports.length import ADAPTIVE, check_length
+from polhode.reports.length import Watch
 from polhode.simulation import simulate
 from polhode.systems.euler_disk import EulerDisk
 from polhode.types import Array
@@ -62,9 +61,8 @@ def report_of(spec: Spec) -> EulerDiskReport:
         if times is None:
             times = np.linspace(0.0, PERIODS * rolling_period(disk, start, steady), spec.samples)
         # losses bring it to an end, of which nothing is known yet
-        turned = 0.0 if table.dissipation else float(np.ptp(times)) * fastest_rolling_rate(disk, start)
-        shown = check_length(spec.until, times, STEPS_PER_RADIAN * turned, ADAPTIVE)
-        trajectory = filled_to_its_end(simulate(disk, start, times, progress=shown), spec.samples)
+        watch = None if table.dissipation else Watch(spec.until, times)
+        trajectory = filled_to_its_end(simulate(disk, start, times, progress=watch), spec.samples)
         path = first_turns(trajectory, TURNS, spec.samples)
     by_energy = None if found is None or table.precession is not None else adiabatic_end(disk, table.tilt)
     A, C = float(disk.mechanics.diametral_moment), float(disk.mechanics.axial_moment)

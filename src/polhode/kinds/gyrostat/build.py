@@ -11,7 +11,7 @@ from polhode.errors import InvalidInput
 from polhode.kinds.base import Spec
 from polhode.kinds.gyrostat.table import GyrostatTable
 from polhode.motion.trajectory import Trajectory
-from polhode.reports.length import ADAPTIVE, SPLITTING, TURNING, check_length, equal_steps
+from polhode.reports.length import Watch
 from polhode.simulation import simulate
 from polhode.systems.body_with_rotor import RotorInBody, direction_of, rotor_in_body, rotor_misfit
 from polhode.systems.gyrostat import TorquedGyrostat
@@ -49,15 +49,11 @@ def sampled(spec: Spec, made: RotorInBody) -> Trajectory:
     if times is None:
         times = np.linspace(0.0, _span(table, made), spec.samples)
     state = np.concatenate([made.attitude, made.total])
-    span, turning = float(np.ptp(times)), made.fastest_rate
+    watch = Watch(spec.until, times, "" if table.step is None else "A longer `system.step` takes less.")
     if table.motor_torque is None:
-        steps = equal_steps(span, turning, table.step)
-        check_length(spec.until, times, steps, SPLITTING, "A longer `system.step` takes less.")
-        return simulate(made.gyrostat, state, times, step=table.step)
+        return simulate(made.gyrostat, state, times, step=table.step, progress=watch)
     system = TorquedGyrostat(made.moments, made.along, table.rotor_moment, table.motor_torque)
-    steps = max(_driven_steps(table, made, span), span / (table.step or math.inf))
-    shown = check_length(spec.until, times, steps, ADAPTIVE)
-    return simulate(system, np.append(state, made.momentum), times, step=table.step, progress=shown)
+    return simulate(system, np.append(state, made.momentum), times, step=table.step, progress=watch)
 
 
 def _start(spec: Spec, rotor: Array) -> tuple[Array, Array]:
@@ -74,16 +70,6 @@ def _start(spec: Spec, rotor: Array) -> tuple[Array, Array]:
         momentum = momentum - axes.T @ rotor
     back = rotation.conjugate(rotation.from_matrix(axes))
     return axes @ (momentum / moments), rotation.multiply(attitude, back)
-
-
-def _driven_steps(table: GyrostatTable, made: RotorInBody, span: float) -> float:
-    """Return how many adaptive steps a run takes at least: L stays in space, so the carrier turns back as h grows.
-
-    L turns in the carrier by the whole angle, the quaternion of a steady rotation by half of it: twice as many steps.
-    """
-    grown = 0.5 * abs(table.motor_torque or 0.0) * span * float(np.linalg.norm(made.along / made.moments))
-    turned = (grown - float(np.linalg.norm(made.total)) / float(np.min(made.moments))) * span
-    return 2.0 * TURNING * max(turned, 0.0)
 
 
 def _span(table: GyrostatTable, made: RotorInBody) -> float:

@@ -16,7 +16,7 @@ from polhode.kinds.registry import other_kind
 from polhode.motion.layout import Quantity
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.answer import Group, Table
-from polhode.reports.length import HIGHEST, check_length, equal_steps, splitting_step
+from polhode.reports.length import Watch
 from polhode.reports.top import (
     TopReport,
     about_body,
@@ -28,7 +28,7 @@ from polhode.reports.top import (
     top_of,
     usual_times,
 )
-from polhode.simulation import fastest_rate, simulate
+from polhode.simulation import simulate
 from polhode.systems.heavy_top import HeavyTop
 from polhode.types import Array, Float64
 
@@ -100,13 +100,10 @@ def _moved(spec: Spec) -> _Moved:
                       momentum=np.asarray(top.axes) @ momentum)  # fmt: skip
     if times is None:
         times = usual_times(None, top, momentum, spec.samples)
-    rate, span = fastest_rate(top, state), float(np.ptp(times))
-    order = table.order or HIGHEST
-    steps = equal_steps(span, rate, table.step, order)
-    check_length(spec.until, times, steps, splitting_step(order), _remedy(spec))
+    watch = Watch(spec.until, times, _remedy(spec))
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", UserWarning)
-        trajectory = _called(simulate(top, state, times, step=table.step, order=table.order))
+        trajectory = _called(simulate(top, state, times, step=table.step, order=table.order, progress=watch))
     trajectory = replace(trajectory, frame=frame_of(top, body, table.pivot))
     return _Moved(top, momentum, trajectory, tuple(str(warning.message) for warning in caught))
 
@@ -120,9 +117,10 @@ def _start(spec: Spec, top: HeavyTop) -> tuple[Float64[Array, "3"], Float64[Arra
 
 def _remedy(spec: Spec) -> str:
     """Return what helps against a long run: longer steps, or a kind of top that takes none."""
+    assert isinstance(spec.system, HeavyTopTable)
     exact = other_kind(spec.kind.subject, in_closed_form=True)
-    none = "" if exact is None else f', and kind = "{exact.name}" none, if it is one'
-    return f"A longer `system.step` takes less{none}."
+    longer = "" if spec.system.step is None else "A longer `system.step` takes less. "
+    return longer + ("" if exact is None else f'kind = "{exact.name}" takes no steps, if it is one.')
 
 
 def _called(trajectory: Trajectory) -> Trajectory:

@@ -18,15 +18,13 @@ from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import about_stability, accuracy
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import WITHOUT_MOTION, AbstractMotionReport
-from polhode.reports.length import check_length, equal_steps
+from polhode.reports.length import Watch
 from polhode.reports.wording import duration, number, rate, vector
 from polhode.simulation import simulate
-from polhode.solving import turning_rates
 from polhode.systems.point_vortices import PlaneVortices, SphereVortices
 from polhode.types import Array, Float64
 
 TURNOVERS = 10.0  # times that vortices of this strength need to go round each other, unless the spec says how long
-EACH, PAIR = 1e-4, 2e-8  # s a step of splitting takes, and for each pair
 POLE = 90.0 - 1e-5  # degrees of latitude from which a longitude says nothing
 LARGEST_VERDICT = 40  # vortices: second derivatives of all pairs are dense
 
@@ -205,11 +203,7 @@ def report_of(spec: Spec) -> VorticesReport:
     system, state, radius = _start(table)
     state = system.check_state(state)
     times = np.linspace(0.0, _usual_end(system, state), spec.samples) if spec.times is None else spec.times
-    fastest = float(turning_rates(system, state, times))
-    count = len(system.strengths)
-    steps = equal_steps(float(np.ptp(times)), fastest, None)
-    shown = check_length(spec.until, times, steps, EACH + PAIR * count * count)
-    trajectory = simulate(system, state, times, progress=shown)
+    trajectory = simulate(system, state, times, progress=Watch(spec.until, times))
     turn = _turn_of(system, state)
     verdict, why = _verdict_of(system, state, turn)
     return VorticesReport(system, radius, trajectory, turn, verdict, why)

@@ -20,7 +20,7 @@ from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import about_body, accuracy
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import WITHOUT_MOTION, AbstractMotionReport, left_out
-from polhode.reports.length import ADAPTIVE, ORBITING, check_length
+from polhode.reports.length import Watch
 from polhode.reports.wording import number
 from polhode.simulation import simulate
 from polhode.systems.kepler_orbit import KeplerOrbit
@@ -207,10 +207,8 @@ def report_of(spec: Spec) -> SpinOrbitReport:
     if times is None:
         times = np.linspace(0.0, PERIODS * float(system.orbit.period), spec.samples)
     state = np.array([table.angle, table.spin_ratio * n])
-    steps = ORBITING * float(np.ptp(times)) * n * max(1.0, abs(table.spin_ratio))
-    shown = check_length(spec.until, times, steps, ADAPTIVE)
     frame = None if spec.body is None else spec.body.frame
-    trajectory = replace(simulate(system, state, times, progress=shown), frame=frame)
+    trajectory = replace(simulate(system, state, times, progress=Watch(spec.until, times)), frame=frame)
     return SpinOrbitReport(
         spec.body, system, trajectory, _listed(system, table), spin_motion(system, state),
         table.section_orbits, spec.remarks,
