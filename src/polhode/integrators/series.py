@@ -27,7 +27,7 @@ COMPARED = 64  # times at least, at which runs are compared, as they may meet by
 ROUNDS = 6  # of shorter steps
 LARGEST = 20_000  # operations of the rates of change, beyond which tracing takes longer than what it may save
 SMALLEST = 1e-150  # state, and one over it the largest: beyond, products of its numbers vanish or overflow
-FINER = 8  # orders more of the run by which the error of the series is seen
+FINER, CLOSER = 4, 0.8  # orders more, and times the reach, of the run by which the error of the series is seen
 SAFETY = 4.0  # of the estimate, as a few other runs see most of what roundings grow to, not all
 LUCK = 10.0  # by which runs with other roundings may by chance be nearer to each other than to the true motion
 FEWEST = 4.0  # roundings of the last step and of the sample itself
@@ -133,7 +133,7 @@ def series_error(
     parts = max(1, math.ceil(COMPARED / (len(times) - 1)))
     fine = np.append(np.linspace(times[:-1], times[1:], parts, endpoint=False, axis=1), times[-1])
     precision = precision_of(tolerance, method.order)
-    better = Precision(precision.order + FINER, 0.5 * precision.reach)
+    better = Precision(precision.order + FINER, CLOSER * precision.reach)
     batch = np.shape(state)[: np.ndim(state) - system.state_axes]
     longest = math.inf if step is None else float(step)
 
