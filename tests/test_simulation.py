@@ -14,7 +14,7 @@ from polhode import systems
 from polhode.errors import InvalidInput, NotConverged
 from polhode.formats.dataset import write_dataset
 from polhode.formats.dataset_reading import read_dataset
-from polhode.integrators import LieMidpoint, MoserVeselov, MuntheKaas, SphericalMidpoint, Splitting
+from polhode.integrators import LieMidpoint, MuntheKaas, SphericalMidpoint, Splitting
 from polhode.motion import Ending
 from specimens import in_su3, spins
 from sweeping import first
@@ -102,11 +102,10 @@ def test_a_long_step_draws_a_warning():
 
 
 @pytest.mark.filterwarnings("ignore:a step of")
-@pytest.mark.parametrize("method", first(1, [LieMidpoint, MoserVeselov]))
-def test_a_step_that_does_not_converge_says_so(method):
+def test_a_step_that_does_not_converge_says_so():
     with pytest.raises(NotConverged, match="shorter `step`"):
-        ph.simulate(body, START, [0.0, 20.0], method, step=5.0)
-    found = ph.simulate(body, START, [0.0, 20.0, 40.0], method, step=5.0, throw=False)
+        ph.simulate(body, START, [0.0, 20.0], LieMidpoint, step=5.0)
+    found = ph.simulate(body, START, [0.0, 20.0, 40.0], LieMidpoint, step=5.0, throw=False)
     assert found.outcome.ending is Ending.NOT_CONVERGED
     assert not np.isfinite(found.states[-1]).any()
 

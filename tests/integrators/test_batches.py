@@ -6,7 +6,6 @@ Equal but for rounding: XLA adds and multiplies in another order when it works o
 from typing import Any
 
 import diffrax
-import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
@@ -17,7 +16,6 @@ from polhode import systems
 from polhode.errors import NotConverged
 from polhode.integrators import LieMidpoint, MuntheKaas, SphericalMidpoint
 from polhode.integrators.equal_steps import BLOCK
-from polhode.systems.free_flow import free_turn
 from specimens import spins
 from sweeping import first
 
@@ -81,15 +79,6 @@ def test_more_copies_than_a_block():
     assert np.abs(found.states - exact).max() < 1e-9
     more = ph.simulate(body, states[:BLOCK], TIMES)
     assert (more.states == found.states[0, :BLOCK]).all(), "blocks are one compiled function"
-
-
-@pytest.mark.sweep
-def test_the_free_flow_of_a_copy_is_its_own():
-    turn = jax.jit(lambda L: jnp.stack(free_turn(jnp.array(MOMENTS), jnp.asarray(0.05), tuple(L)), axis=-1))
-    together = turn(jnp.array([SLOW, 30.0 * SLOW]).T)
-    for k, scale in enumerate((1.0, 30.0)):
-        alone = turn(jnp.array([scale * SLOW]).T)[0]
-        assert np.abs(together[k] - alone).max() < 1e-15
 
 
 def test_the_exponential_of_a_copy_is_its_own():

@@ -41,8 +41,8 @@ INNER = {
     "motion": {"inputs", "invariants", "layout", "outcome", "trajectory"},
     "quantum": {"derivatives", "level_polhodes", "measured", "operators", "orbits", "partition", "strengths", "wang"},
     "special": {"agm", "spherical_tensors", "circular", "doubledouble", "first_kind", "legendre"},
-    "systems": {"agreement", "dipoles", "forms", "forward_only", "free_flow", "lattice_bonds",
-                "moser_veselov_table", "rolling_mechanics", "sphere_harmonics", "top_integrals"},
+    "systems": {"agreement", "dipoles", "forms", "lattice_bonds", "rolling_mechanics", "sphere_harmonics",
+                "top_integrals"},
     "taylor": None,
 }  # fmt: skip
 """Modules by room; None for a whole room."""
@@ -159,7 +159,8 @@ CALLED_BY_OTHERS = {
     "systems.spin_lattice.damped", "systems.base.joined", "systems.base.attitude_change",
     "systems.attachments.checked_attachments", "systems.mounts.checked_direction", "systems.mounts.checked_mounts",
     "systems.torques.checked_torques", "systems.free_rigid_body.checked_vector",
-    "systems.free_rigid_body.axis_flow", "systems.free_rigid_body.checked_moments",
+    "systems.free_rigid_body.axis_flow", "systems.free_rigid_body.axis_flows",
+    "systems.free_rigid_body.checked_moments",
     "systems.kepler_orbit.ratio_from_eccentric", "systems.kepler_orbit.true_from_eccentric",
     "systems.kepler_orbit.solve_kepler", "systems.kepler_orbit.checked_number", "systems.rolling_dissipation.couples",
     "testing.laws.hold", "testing.laws.hold_all",

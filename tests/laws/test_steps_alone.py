@@ -19,11 +19,10 @@ CHAIN = systems.LiePoisson(lie.Power(lie.SO3(), 2), lambda w: -jnp.dot(w[0], w[1
 LATTICE = systems.SpinLattice(systems.Lattice([[1.0]], shape=(4,)), bonds=[systems.Bond(0, 0, (1,), 1.0)])
 SOLVERS = [
     integrators.Splitting(BODY, H, SECOND), integrators.LieMidpoint(BODY, H, SECOND),
-    integrators.LieMidpoint(BODY, H, SECOND, "exp"), integrators.MoserVeselov(BODY, H, SECOND),
-    integrators.MuntheKaas(BODY, H, SECOND), integrators.SphericalMidpoint(CHAIN, H, SECOND),
+    integrators.LieMidpoint(BODY, H, SECOND, "exp"), integrators.MuntheKaas(BODY, H, SECOND),
+    integrators.SphericalMidpoint(CHAIN, H, SECOND),
     integrators.SublatticeTurns(LATTICE, H, np.arange(4).reshape(4, 1, 1, 1) % 2),
     integrators.NoiseDriftNoise(CHAIN, H, integrators.Bath(0.3, 0.2, 1)),
-    integrators.IsospectralQR(systems.Toda(3), H),
     integrators.TransportNoise(BODY, H, 0.2 * np.eye(3)),
     integrators.IsospectralMidpoint(systems.Manakov((1.0, 2.0, 3.0)), H, SECOND),
 ]  # fmt: skip

@@ -12,7 +12,7 @@ from scipy.integrate import solve_ivp
 import polhode as ph
 from polhode import algebra as lie
 from polhode.errors import InvalidInput
-from polhode.integrators import IsospectralMidpoint, LieMidpoint, MoserVeselov, MuntheKaas, SphericalMidpoint, Splitting
+from polhode.integrators import IsospectralMidpoint, LieMidpoint, MuntheKaas, SphericalMidpoint, Splitting
 from polhode.motion import Ending
 from polhode.systems import FreeRigidBody, LiePoisson
 from polhode.systems.agreement import check_agreement
@@ -121,7 +121,6 @@ def body(kind: Any) -> Any:
         (body(DrivenTruly), None, "at all times"),
         (body(OwnField), LieMidpoint, "overrides `vector_field`.*generator\\(t, point\\).*Dopri8"),
         (body(OwnField), Splitting, "overrides `vector_field`"),
-        (body(ExtraTerm), MoserVeselov, "gradient of `energy`"),
         (body(OldGenerator), LieMidpoint, "generator\\(t, point\\)"),
     ],
     ids=lambda value: getattr(value, "__name__", type(value).__name__),
@@ -135,11 +134,6 @@ def test_what_disagrees_is_refused(system, method, words):
 def test_what_agrees_at_the_start_alone_is_refused():
     with pytest.raises(InvalidInput, match="add up to the motion"):
         ph.simulate(body(Distorted), np.array([0.0, 1.0, 1.5]), TIMES)
-
-
-def test_moser_veselov_refuses_a_subclass_that_moves_otherwise():
-    with pytest.raises(InvalidInput, match="free body's energy"):
-        MoserVeselov(body(InheritedFlows), jnp.asarray(0.1))
 
 
 def test_a_field_of_its_own_goes_the_adaptive_way():

@@ -10,7 +10,7 @@ from scipy.integrate import solve_ivp
 import polhode as ph
 from polhode.algebra import Bidiagonal
 from polhode.errors import InvalidInput
-from polhode.integrators import IsospectralQR, Splitting
+from polhode.integrators import Splitting
 from polhode.systems import Toda
 from polhode.testing import LawBroken, check_algebra, check_system
 
@@ -137,32 +137,3 @@ def test_a_broken_lattice_is_caught():
 def test_bad_input():
     with pytest.raises(InvalidInput, match="at least 2"):
         Toda(1)
-
-
-def test_steps_by_orthogonal_factors():
-    """Order 2 against the exact motion; the spectrum stays at rounding, as it does not with splitting."""
-    wanted, values = LATTICE.exact(START, 1.0), np.linalg.eigvalsh(np.asarray(LATTICE.matrix(START)))
-    errors = []
-    for step in (0.1, 0.05, 0.025):
-        found = ph.solve(LATTICE, START, [0.0, 1.0], IsospectralQR(LATTICE, step)).end_state
-        errors.append(np.abs(np.asarray(found - wanted)).max())
-    assert 1.9 < np.log2(errors[0] / errors[1]) < 2.1 and 1.95 < np.log2(errors[1] / errors[2]) < 2.05
-    found, split = (ph.solve(LATTICE, START, [0.0, 20.0], method(LATTICE, 0.05)).end_state
-                    for method in (IsospectralQR, lambda *given: Splitting(*given, 2)))  # fmt: skip
-    off, off_split = (np.abs(np.linalg.eigvalsh(np.asarray(LATTICE.matrix(x))) - values).max() for x in (found, split))
-    assert off < 1e-14 and off_split > 1e-5
-
-
-def test_signs_and_large_steps_of_orthogonal_factors():
-    """Steps beyond the pole of Padé's approximant keep spectrum and signs too."""
-    flipped = START * np.concatenate([np.ones(N), [1.0, -1.0, 1.0, -1.0]])
-    values = np.linalg.eigvalsh(np.asarray(LATTICE.matrix(flipped)))
-    found = np.asarray(ph.solve(LATTICE, flipped, [0.0, 1.5], IsospectralQR(LATTICE, 1.5)).end_state)
-    assert (np.sign(found[N:]) == np.sign(flipped[N:])).all()
-    np.testing.assert_allclose(np.linalg.eigvalsh(np.asarray(LATTICE.matrix(found))), values, atol=1e-14)
-
-
-@pytest.mark.usefixtures("any_type")
-def test_factors_of_other_systems_are_refused():
-    with pytest.raises(InvalidInput, match="needs a Toda lattice; got FreeRigidBody"):
-        IsospectralQR(ph.systems.FreeRigidBody((1.0, 2.0, 3.0)), 0.1)

@@ -2,9 +2,7 @@
 
 from polhode.integrators.base import AbstractOrbitSolver
 from polhode.integrators.isospectral_midpoint import IsospectralMidpoint
-from polhode.integrators.isospectral_qr import IsospectralQR
 from polhode.integrators.lie_midpoint import LieMidpoint
-from polhode.integrators.moser_veselov import MoserVeselov
 from polhode.integrators.munthe_kaas import MuntheKaas
 from polhode.integrators.series import Taylor
 from polhode.integrators.spherical_midpoint import SphericalMidpoint
@@ -17,9 +15,7 @@ __all__ = [
     "AbstractOrbitSolver",
     "Bath",
     "IsospectralMidpoint",
-    "IsospectralQR",
     "LieMidpoint",
-    "MoserVeselov",
     "MuntheKaas",
     "NoiseDriftNoise",
     "SphericalMidpoint",

@@ -19,7 +19,6 @@ from jax.extend.core import Primitive
 from jax.interpreters import ad, batching, mlir
 
 from polhode.errors import InvalidInput
-from polhode.systems.forward_only import forward_only
 from polhode.types import Array
 
 Back = Callable[[Callable[[Any], Any], Any, Any, Any], Any]
@@ -126,7 +125,7 @@ def _jvp(primals: Any, tangents: Any, *, count: int, along: Any, name: str, twic
         return along(*at, *ways)
 
     _, turned = jax.jvp(of_known, [known[k] for k in moving], [tangents[k] for k in moving])
-    return found, [a + b for a, b in zip(moved, forward_only(turned, f"the derivative of {name}"), strict=True)]
+    return found, [a + b for a, b in zip(moved, _forward_only(turned, f"the derivative of {name}"), strict=True)]
 
 
 def _transpose(weights: Any, *args: Any, count: int, along: Any, back: Any, **more: Any) -> list[Any]:
@@ -158,6 +157,23 @@ def _shapes(*args: Any, along: Any, **known: Any) -> list[ShapedArray]:
     return [ShapedArray(x.shape, x.dtype) for x in jax.eval_shape(along, *given)]
 
 
+def _forward_only(values: Any, name: str) -> Any:
+    """Return a loop's results; reverse-mode derivatives of them are refused, with the name of what they are.
+
+    Args:
+        values: arrays or nests of them.
+        name: of the public function or class.
+    """
+    return jax.tree.map(lambda value: _identity.bind(value, name=name), values)
+
+
+def _refuse(cotangent: Any, value: Any, *, name: str) -> Any:
+    raise InvalidInput(
+        f"`{name}` loops as often as its numbers ask, and has forward derivatives only; got a reverse-mode one "
+        "(jax.grad, jax.vjp, jax.jacrev). Take jax.jvp or jax.jacfwd."
+    )
+
+
 _linear = Primitive("linear_by_either_mode")
 _linear.multiple_results = True
 _linear.def_impl(lambda *args, along, **known: jax.jit(along)(*args))
@@ -166,3 +182,10 @@ ad.primitive_jvps[_linear] = _jvp
 ad.primitive_transposes[_linear] = _transpose
 batching.primitive_batchers[_linear] = _batched
 mlir.register_lowering(_linear, mlir.lower_fun(lambda *args, along, **known: along(*args), multiple_results=True))
+
+_identity = Primitive("forward_only")
+_identity.def_impl(lambda value, *, name: value)
+_identity.def_abstract_eval(lambda value, *, name: value)
+ad.deflinear2(_identity, _refuse)
+batching.primitive_batchers[_identity] = lambda values, axes, *, name: (_identity.bind(*values, name=name), axes[0])
+mlir.register_lowering(_identity, lambda context, value, *, name: [value])

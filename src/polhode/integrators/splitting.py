@@ -23,7 +23,7 @@ MOST_UNROLLED = 3  # rounds; more are a loop, as what is compiled for 32 vortice
 class Splitting(AbstractOrbitSolver):
     """The system's exact flows in a symmetric product, composed to order 2, 4, 6 or 8; explicit.
 
-    Where the first of two flows only kicks, as the weight of a heavy top does, orders 4 and 6 are Runge–Kutta–Nyström
+    Where the first of two flows only kicks, as a plasma's field does, orders 4 and 6 are Runge–Kutta–Nyström
     splittings.
 
     Args:

@@ -12,9 +12,8 @@ from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.functions import check_scalar
 from polhode.algebra.se3 import SE3
 from polhode.arrays import known_numbers_only
-from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, Kick, components
-from polhode.systems.free_flow import free_flow
-from polhode.systems.free_rigid_body import checked_moments
+from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, components
+from polhode.systems.free_rigid_body import axis_flows, checked_moments
 from polhode.types import Array, ArrayLike, Float64, Real
 
 Potential = Callable[[Float64[Array, "3"]], Float64[Array, ""]]
@@ -24,7 +23,7 @@ class BodyInPotential(AbstractLiePoissonSystem):
     """H = ½ Π·I⁻¹Π + V(Γ) on se(3)*: Π̇ = Π × Ω + Γ × ∇V, Γ̇ = Γ × Ω.
 
     Γ is a direction fixed in space, along the body's axes. State (Π, Γ) (…, 6), or with the attitude (…, 10).
-    Flows: the free body, exactly, and the potential, which kicks Π.
+    Flows: rotation about each axis, and the potential, which kicks Π.
 
     Args:
         moments: (3,) principal moments about the fixed point [kg m²].
@@ -58,16 +57,13 @@ class BodyInPotential(AbstractLiePoissonSystem):
 
     @property
     def flows(self) -> dict[str, Flow]:
-        return {"potential": Kick(self._kick), "free body": self._free}
+        return {"potential": self._kick} | axis_flows(self.moments, vectors=2)
 
     def _kick(self, time: Array, state: Components) -> Components:
         direction = jnp.stack(state[-3:], axis=-1)
         kick = time * jnp.cross(direction, self._over_batch(jax.grad(self.potential))(direction))
         still = jnp.zeros_like(state[0])
         return (*[still] * (len(state) - 6), *components(kick), still, still, still)
-
-    def _free(self, time: Array, state: Components) -> Components:
-        return free_flow(self.moments, time, state, vectors=2)
 
     def _over_batch(self, function: Callable[[Array], Array]) -> Callable[[Array], Array]:
         def values(direction: Array) -> Array:

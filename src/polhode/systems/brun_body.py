@@ -11,9 +11,8 @@ from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.se3 import SE3
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
-from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, Kick
-from polhode.systems.free_flow import free_flow
-from polhode.systems.free_rigid_body import checked_moments
+from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow
+from polhode.systems.free_rigid_body import axis_flows, checked_moments
 from polhode.systems.top_integrals import Integral
 from polhode.types import Array, ArrayLike, Float64, Real
 
@@ -23,7 +22,7 @@ class BrunBody(AbstractLiePoissonSystem):
 
     Not a heavy top: the potential is quadratic in Γ, as of a body pinned at its centre of mass in a far mass's field,
     ε = 3GM/R³ with Γ towards the mass. Integrable, with Clebsch's integral ½|Π|² − ½ ε det I Γ·I⁻¹Γ. State (Π, Γ)
-    (…, 6), or with the attitude (…, 10). Flows: the free body, exactly, and the field, which kicks Π.
+    (…, 6), or with the attitude (…, 10). Flows: rotation about each axis, and the field, which kicks Π.
 
     Args:
         moments: (3,) principal moments about the fixed point [kg m²].
@@ -69,10 +68,7 @@ class BrunBody(AbstractLiePoissonSystem):
 
     @property
     def flows(self) -> dict[str, Flow]:
-        return {"field": Kick(self._kick), "free body": self._free}
-
-    def _free(self, time: Array, state: Components) -> Components:
-        return free_flow(self.moments, time, state, vectors=2)
+        return {"field": self._kick} | axis_flows(self.moments, vectors=2)
 
     def _kick(self, time: Array, state: Components) -> Components:
         x, y, z = state[-3:]

@@ -44,7 +44,12 @@ class FreeRigidBody(AbstractLiePoissonSystem):
 
     @property
     def flows(self) -> dict[str, Flow]:
-        return {f"rotation about axis {k + 1}": axis_flow(self.moments, k, vectors=1) for k in range(3)}
+        return axis_flows(self.moments, vectors=1)
+
+
+def axis_flows(moments: Float64[Array, "3"], vectors: int) -> dict[str, Flow]:
+    """Return the flows of the three parts L_i²/2I_i of a free body's energy; see ``axis_flow``."""
+    return {f"rotation about axis {k + 1}": axis_flow(moments, k, vectors) for k in range(3)}
 
 
 def axis_flow(

@@ -18,9 +18,8 @@ from polhode.bodies.pivot import STANDARD_GRAVITY, about_pivot
 from polhode.errors import InvalidInput, shown
 from polhode.exact.lagrange_top import LagrangeMotion
 from polhode.motion.layout import Quantity
-from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, Kick
-from polhode.systems.free_flow import free_flow
-from polhode.systems.free_rigid_body import checked_moments
+from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow
+from polhode.systems.free_rigid_body import axis_flows, checked_moments
 from polhode.systems.top_integrals import INTEGRAL_UNITS, Integral, integrable_case, leaf_integral
 from polhode.types import Array, ArrayLike, Float64, Real
 
@@ -34,7 +33,7 @@ class HeavyTop(AbstractLiePoissonSystem):
     Γ = Rᵀe_z is the upward direction along the body's axes, χ the direction from the fixed point to the centre of mass.
     State (Π, Γ) (…, 6), or with the attitude (…, 10). The orbits |Γ|², Π·Γ = const have four dimensions, so a third
     integral other than H makes a top integrable; where one is known, ``invariants`` has it under its name. Flows: the
-    free body, exactly, and the weight, which kicks Π.
+    rotation about each axis, and the weight, which kicks Π.
 
     Args:
         moments: (3,) principal moments about the fixed point [kg m²].
@@ -230,10 +229,7 @@ class HeavyTop(AbstractLiePoissonSystem):
 
     @property
     def flows(self) -> dict[str, Flow]:
-        return {"weight": Kick(self._kick), "free body": self._free}
-
-    def _free(self, time: Array, state: Components) -> Components:
-        return free_flow(self.moments, time, state, vectors=2)
+        return {"weight": self._kick} | axis_flows(self.moments, vectors=2)
 
     def _kick(self, time: Array, state: Components) -> Components:
         turn = rotation.cross_of_parts(state[-3:], [time * self.mgl * self.axis[k] for k in range(3)])

@@ -10,7 +10,7 @@ from polhode.algebra.se3 import SE3
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput
 from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, components
-from polhode.systems.free_rigid_body import axis_flow
+from polhode.systems.free_rigid_body import axis_flows
 from polhode.types import Array, ArrayLike, Float64, Real
 
 
@@ -62,8 +62,7 @@ class Kirchhoff(AbstractLiePoissonSystem):
     def flows(self) -> dict[str, Flow]:
         if not self.diagonal:
             return {}
-        turns = {f"rotation about axis {k + 1}": axis_flow(self.moments, k, vectors=2) for k in range(3)}
-        return turns | {"drift": self._drift}
+        return axis_flows(self.moments, vectors=2) | {"drift": self._drift}
 
     def _drift(self, time: Array, state: Components) -> Components:
         linear = jnp.stack(state[-3:], axis=-1)
