@@ -15,6 +15,8 @@ import tempfile
 from pathlib import Path
 
 import pytest
+import jaxtyping
+import typed
 from jaxtyping import config, install_import_hook
 
 import polhode
@@ -23,6 +25,7 @@ from polhode.cli.compiled import compile_quickly
 UNCHECKED = "doubledouble"  # called tens of thousands of times for one motion; its checks took half of its tests' time
 SOURCES = Path(polhode.__file__).parent
 FILES = [path.relative_to(SOURCES.parent).with_suffix("") for path in SOURCES.rglob("*.py")]
+jaxtyping.jaxtyped = typed.checked
 install_import_hook([".".join(file.parts) for file in FILES if file.name not in ("__init__", UNCHECKED)], "typed.check")
 
 COMPILED = "JAX_COMPILATION_CACHE_DIR"
