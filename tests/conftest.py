@@ -14,12 +14,12 @@ import sys
 import tempfile
 from pathlib import Path
 
-import pytest
 import jaxtyping
-import typed
+import pytest
 from jaxtyping import config, install_import_hook
 
 import polhode
+import typed
 from polhode.cli.compiled import compile_quickly
 
 UNCHECKED = "doubledouble"  # called tens of thousands of times for one motion; its checks took half of its tests' time
