@@ -22,15 +22,16 @@ def checked(function=None, *, typechecker):
     """
     if function is None:
         return functools.partial(checked, typechecker=typechecker)
-    if inspect.isclass(function):
-        return whole(function, typechecker=typechecker)
+    if inspect.isclass(function):  # of which a dataclass has an initializer that no source shows
+        is_checked = hasattr(function.__init__, "__wrapped__")
+        return function if is_checked else whole(function, typechecker=typechecker)
     if isinstance(function, classmethod | staticmethod):
         return type(function)(checked(function.__func__, typechecker=typechecker))
     if isinstance(function, property):
         return property(checked(function.fget, typechecker=typechecker))
     if "<locals>" in function.__qualname__ or not function.__annotations__:
         return function
-    if not reads_by_itself(function):
+    if inspect.isgeneratorfunction(function) or not reads_by_itself(function):
         return whole(function, typechecker=typechecker)
     at_once = typechecker(function)
 
