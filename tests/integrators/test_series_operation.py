@@ -47,6 +47,15 @@ def test_derivatives_by_every_time():
     assert np.abs(found - wanted).max() < 1e-12 and np.abs(found[0]).max() == 0.0
 
 
+@pytest.mark.parametrize("momentum", [[0.0, 0.0, 3.0], [0.0, 2.0, 0.0], [1e-13, 2.0, 0.0]], ids=str)
+def test_derivatives_where_nothing_moves(momentum):
+    """There the motion's own series ends at once, and no step is too long for it; tangents turn or grow."""
+    start, times = jnp.array(momentum), jnp.array([0.0, 20.0])
+    found = jax.jacfwd(moved, 1)(MOMENTS, start, times)
+    wanted = jax.jacfwd(exact, 1)(MOMENTS, start, times)
+    assert np.abs(found - wanted).max() < 1e-14 * np.abs(wanted).max()
+
+
 def test_second_derivatives():
     weigh = lambda solve: lambda x: jnp.sum(solve(MOMENTS, x)[-1] * jnp.array([1.0, -0.5, 0.3]))  # noqa: E731
     found, wanted = jax.hessian(weigh(moved))(START), jax.hessian(weigh(exact))(START)

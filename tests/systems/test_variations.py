@@ -1,5 +1,6 @@
 """A system together with small changes of its state."""
 
+import diffrax
 import jax
 import jax.numpy as jnp
 import numpy as np
@@ -23,22 +24,25 @@ def test_changes_are_the_derivative_of_the_motion():
     assert found.error_estimate < 1e-12 and found.invariants["energy"].shape == (2,)
 
 
-def test_the_motion_itself_keeps_what_it_conserves_and_its_steps():
+def test_the_motion_itself_keeps_what_it_conserves_and_nearly_its_steps():
     """Changes had no size, and with them the way back onto energy and Casimirs was lost."""
     times = np.linspace(0.0, 3e3, 11)
     alone = ph.simulate(TOP, START, times, Taylor, estimate_error=False)
     changed = np.stack([START, [1e-9, 0.0, 0.0, 0.0, 0.0, 0.0]])
     found = ph.simulate(Variations(TOP, 1), changed, times, Taylor, estimate_error=False)
-    assert max(found.drift.values()) < 2e-15 and found.statistics["steps"] == alone.statistics["steps"]
+    steps, steps_alone = found.statistics["steps"], alone.statistics["steps"]
+    assert max(found.drift.values()) < 2e-15 and steps_alone <= steps < 1.3 * steps_alone
 
 
-def test_steps_of_other_methods_do_not_see_the_changes_either():
-    import diffrax
-
-    changed = np.stack([START, [1e9, 0.0, 0.0, 0.0, 0.0, 0.0]])
-    found = ph.simulate(Variations(TOP, 1), changed, [0.0, 3.0], diffrax.Dopri8(), estimate_error=False)
-    alone = ph.simulate(TOP, START, [0.0, 3.0], diffrax.Dopri8(), estimate_error=False)
-    assert found.statistics["steps"] == alone.statistics["steps"]
+@pytest.mark.parametrize("method", [Taylor, diffrax.Dopri8()], ids=["series", "Dopri8"])
+@pytest.mark.parametrize("momentum", [[0.0, 0.0, 3.0], [0.0, 2.0, 0.0]], ids=["stable", "unstable"])
+def test_changes_move_where_the_motion_stands_still(method, momentum):
+    """The motion alone chose the steps: one over all of the time, and changes were off by 27 million, of any size."""
+    body, start = ph.systems.FreeRigidBody((1.0, 2.0, 3.0)), np.array(momentum)
+    found = ph.simulate(Variations(body, 3), np.concatenate([start[None], 1e9 * np.eye(3)]), [0.0, 20.0], method)
+    by_start = jax.jacfwd(lambda L: ph.FreeMotion((1.0, 2.0, 3.0), L).momentum(20.0))(jnp.asarray(start))
+    off = np.abs(found.states[-1, 1:].T / 1e9 - by_start).max() / np.abs(by_start).max()
+    assert off < (1e-14 if method is Taylor else 1e-10) and off < 3.0 * found.error_estimate
 
 
 @pytest.mark.parametrize(

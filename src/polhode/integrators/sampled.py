@@ -21,7 +21,6 @@ from polhode.systems.forms import distances, rates_of_change
 from polhode.types import Array, Bool, Double, Float64, Integer
 
 Observe = Callable[[Float64[Array, ""], Double[Array, "..."]], Any]
-NEGLIGIBLE = 2.0**100  # a size that no error is compared with; finite, as states are divided by it
 MOST_STEPS = 15_000_000  # of a run, some ten minutes
 
 
@@ -68,7 +67,9 @@ def scales(system: AbstractSystem, t: Float64[Array, ""], state: Double[Array, "
     balances = system.balances(t, state)
     sizes = {name: jnp.where(balance.value != 0, jnp.abs(balance.value), 1.0) for name, balance in balances.items()}
     own = jnp.asarray(system.scales(state))
-    return Scales(jnp.where(jnp.isinf(own), NEGLIGIBLE, own), sizes)
+    # of what has no size of its own, that at the start: at an equilibrium nothing else would limit a step
+    largest = jnp.max(jnp.where(jnp.isinf(own), jnp.abs(state), 0.0), initial=0.0)
+    return Scales(jnp.where(jnp.isinf(own), jnp.where(largest > 0.0, largest, 1.0), own), sizes)
 
 
 def scaled(system: AbstractSystem, by: Scales, observe: Observe | None = None) -> embedded.Problem:

@@ -171,7 +171,7 @@ class AbstractSystem(HashableModule):
     def scales(self, state: Double[Array, "..."]) -> Float64[Array, "..."]:
         """Return the sizes of the components, to which adaptive steps hold their absolute tolerance.
 
-        What has an infinite size never shortens a step.
+        What has an infinite one has no size of its own, as a tangent: its error counts relative to itself.
         """
         largest = jnp.max(jnp.abs(state), initial=0.0)
         return jnp.where(largest > 0, largest, 1.0)

@@ -88,6 +88,6 @@ class Variations(AbstractSystem):
         return jnp.moveaxis(jnp.concatenate([jnp.asarray(own)[None], changes.astype(own.dtype)]), 0, axis)
 
     def scales(self, state: Double[Array, "..."]) -> Float64[Array, "..."]:
-        """Return those of the system, and infinite ones for changes: the motion alone chooses the steps."""
+        """Return those of the system, and infinite ones for changes, which may have any size."""
         own = jnp.broadcast_to(self.system.scales(state[0]), jnp.shape(state[0]))
         return jnp.concatenate([own[None], jnp.full((self.count, *own.shape), jnp.inf)])

@@ -162,11 +162,14 @@ def coefficients(series: Series, order: Any, units: Array) -> None:
             z[base + width + i] = value * unit / (k + 1)
 
 
-def step_lengths(series: Series, lanes: Lanes, order: Any, reach: Any) -> None:
+def step_lengths(series: Series, lanes: Lanes, course: Course) -> None:
     """Set the lengths of steps by the last three coefficients; infinite where all are zero, NaN where one is too large.
 
-    In ``lanes.lengths`` they are followed by the size of the state, and by those of the coefficients.
+    In ``lanes.lengths`` they are followed by the size of the state, and by those of the coefficients; then come the
+    same of what follows the motion. That has a radius of its own: at an equilibrium the state's series ends at once,
+    and that of a tangent does not.
     """
+    order, reach = course.order, course.reach
     whole, flat, z, scales, lengths = series.whole, series.flat, series.z, lanes.scales, lanes.lengths
     width, scale, found = whole[SLOTS], vectors(scales), vectors(lengths)
     size = spread(FLOOR)
@@ -182,6 +185,7 @@ def step_lengths(series: Series, lanes: Lanes, order: Any, reach: Any) -> None:
             larger = where_less(largest, part, part, largest)
             largest = where_less(part, spread(TOO_LARGE), larger, spread(np.nan))
         found[2 + e] = largest
+    of_followers(series, lanes, course)
     for lane in range(LANES):
         if lanes.which[lane] == NOBODY:
             continue
@@ -193,12 +197,32 @@ def step_lengths(series: Series, lanes: Lanes, order: Any, reach: Any) -> None:
             elif last != last:
                 best = np.nan
                 break
+        for e in range(3):
+            size, last = lengths[5 * LANES + lane], lengths[(6 + e) * LANES + lane]
+            if last > TOO_LARGE * size:
+                best = np.nan
+            elif last > 0.0:
+                best = min(best, (size / last) ** (1.0 / (order - 2 + e)))
         if best == np.inf:  # a polynomial, of which earlier ones may overflow
             for k in range(order - 2):
                 for i in range(whole[SIZE]):
                     if not abs(flat[(k * width + i) * LANES + lane]) <= TOO_LARGE * scales[i * LANES + lane]:
                         best = np.nan
         lengths[lane] = best * reach
+
+
+def of_followers(series: Series, lanes: Lanes, course: Course) -> None:
+    """Set the size of what follows the motion, now or after a unit of time, and of its last three coefficients."""
+    z, width, found = series.z, series.whole[SLOTS], vectors(lanes.lengths)
+    for e in range(-1, 3):
+        largest = spread(0.0)
+        for f in range(course.followers):
+            i = course.follows[f]
+            if e < 0:
+                largest = where_less(largest, abs(z[i]), abs(z[i]), largest)
+            part = abs(z[width + i]) if e < 0 else abs(z[(course.order - 2 + e) * width + i])
+            largest = where_less(largest, part, part, largest)
+        found[6 + e] = largest
 
 
 def power_of_two(x: Any) -> Any:
@@ -216,7 +240,7 @@ def fitted_series(series: Series, lanes: Lanes, course: Course) -> None:
         lowered[lane] = 0
     for _ in range(UNITS):
         coefficients(series, course.order, units)
-        step_lengths(series, lanes, course.order, course.reach)
+        step_lengths(series, lanes, course)
         settled = True
         for lane in range(LANES):
             unit, length = units[lane], lanes.lengths[lane]

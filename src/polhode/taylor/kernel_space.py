@@ -14,7 +14,7 @@ LINE = 64  # bytes of the cache
 NOBODY = -1  # in a lane
 TIME, LATEST, UNIT = range(3)  # of a copy, where its ``now`` has them
 STEPS, NEXT, HITS, EVENT = range(4)  # and its ``counts``
-LENGTHS = 5  # numbers of a lane in ``lengths``
+LENGTHS = 9  # numbers of a lane in ``lengths``
 
 
 class Series(NamedTuple):
@@ -42,7 +42,7 @@ class Copies(NamedTuple):
 
     Attributes:
         y: (C, n) states.
-        scale: (C, n) sizes of their components, infinite of those that neither limit a step nor are put back.
+        scale: (C, n) sizes of their components, infinite of those that have none and are not put back.
         wanted: (C, K) what is conserved.
         slack: (C, K) by how much a state may be off that.
         status: (C,) see ``kernel``.
@@ -73,6 +73,8 @@ class Course(NamedTuple):
         falling, stops: (W,) whether only changes from positive to negative are events, and which end a run.
         end: the last time.
         clock: component of the state that is the time, or −1.
+        follows: (F,) components of no size of their own that change with the others, as tangents do, and
+            ``followers`` how many.
     """
 
     times: Float64[Array, "time"]
@@ -85,6 +87,8 @@ class Course(NamedTuple):
     stops: Bool[Array, "watched"]
     end: float
     clock: int
+    follows: Integer[Array, "followers"]
+    followers: int
 
 
 class Lanes(NamedTuple):

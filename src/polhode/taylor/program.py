@@ -12,7 +12,7 @@ import numpy as np
 
 from polhode.taylor.expressions import ALONG, COMPANIONS, Expression, Node, Operation, Tape
 from polhode.taylor.vectors import WIDTH
-from polhode.types import Array, Float64, Integer
+from polhode.types import Array, Bool, Float64, Integer
 
 BLOCK = WIDTH  # products at a time
 # where a program says how many, and where; see ``Program``
@@ -47,6 +47,12 @@ class Program(NamedTuple):
     def size(self) -> int:
         """How many numbers the state has."""
         return int(self.whole[SIZE])
+
+    @property
+    def moving(self) -> Bool[Array, "n"]:
+        """Which components have rates that are not constant."""
+        rows = int(self.whole[START]) + int(self.whole[FIRST]) + np.arange(self.size + 1)
+        return np.diff(self.whole[rows]) > 0
 
     @property
     def form(self) -> int:

@@ -17,6 +17,7 @@ from polhode.taylor import kernel
 from polhode.taylor.flight import fly, outcome, starting
 from polhode.taylor.kernel_space import HITS, STEPS, Copies, Course
 from polhode.taylor.machine import Machine, machine_of
+from polhode.taylor.program import Program
 from polhode.types import Array, Double, Float64, Integer
 
 ORDER, LOCAL = 24, 1e-19  # to rounding: of an order at which errors of single steps do not add up with one sign
@@ -112,7 +113,7 @@ def runs_of(
         precision: of the steps.
         longest: step [s].
         check: called with the share that is done, between parts of a long run.
-        scales: sizes of the components, infinite of those that shorten no step; by default the system's.
+        scales: sizes of the components, infinite of those that have none of their own; by default the system's.
 
     Raises:
         Untraceable: if the system's rates are not made of operations that have a recurrence.
@@ -210,14 +211,20 @@ def _fly_through(plan: Plan, copies: Copies, check: Callable[[float], None], wat
     first, last = plan.borders[0], plan.borders[-1]
     share = lambda t: (t - first) / (last - first)  # noqa: E731
     for machine, end in zip(plan.machines, plan.borders[1:], strict=True):
+        follows = _followers(machine.program, copies.scale)
         course = Course(plan.times, len(plan.times), *plan.precision, plan.longest, plan.forth, falling, stops, end,
-                        machine.clock)  # fmt: skip
+                        machine.clock, follows, len(follows))  # fmt: skip
         fly(copies, machine, course, check, share)
         while watch is not None and copies.status[0] == kernel.FULL and copies.counts[0, HITS] < watch.most:
             copies = copies._replace(hits=np.concatenate([copies.hits, np.zeros_like(copies.hits)], axis=1))
             copies.status[0] = kernel.RUNNING
             fly(copies, machine, course, check, share)
     return copies
+
+
+def _followers(program: Program, scale: Float64[Array, "copies n"]) -> Integer[Array, "followers"]:
+    """Return the components that have no size of their own and change, but not evenly as the time does."""
+    return np.flatnonzero(np.isinf(scale).all(axis=0) & program.moving)
 
 
 def _borders(system: AbstractSystem, times: np.ndarray, forth: float) -> list[float]:
