@@ -9,8 +9,9 @@ import pytest
 import polhode as ph
 from polhode import systems
 from polhode.errors import InvalidInput
-from polhode.integrators import LieMidpoint, Taylor
+from polhode.integrators import LieMidpoint, Taylor, series_operation
 from polhode.motion import Status
+from polhode.taylor import machine
 
 MOMENTS, START = jnp.array([1.0, 2.0, 3.0]), jnp.array([0.3, 1.8, 1.5])
 BODY, TIMES = systems.FreeRigidBody(MOMENTS), jnp.linspace(0.0, 5.0, 6)
@@ -142,3 +143,89 @@ class Ending(Growing):
 def test_what_it_cannot_do_is_refused(call, words):
     with pytest.raises(InvalidInput, match=words):
         call()
+
+
+BRAKED = systems.RigidBody((1.0, 2.0, 3.0), torques=[systems.LinearDrag((0.1, 0.1, 0.1))])
+
+
+def gradients(loss, *arguments):
+    """Return a gradient in reverse mode, and in forward mode, one array each."""
+    flat = lambda found: jnp.concatenate([jnp.ravel(x) for x in jax.tree.leaves(found)])  # noqa: E731
+    which = tuple(range(len(arguments)))
+    return tuple(flat(jax.jit(mode(loss, which))(*arguments)) for mode in (jax.grad, jax.jacfwd))
+
+
+@pytest.fixture
+def backs(monkeypatch):
+    """How many copies came back, and how many of them were taken."""
+    seen, real = [], series_operation.weights_back
+
+    def watched(*given):
+        found = real(*given)
+        seen.extend(found[-1].tolist())
+        return found
+
+    monkeypatch.setattr(series_operation, "weights_back", watched)
+    series_operation._operation.cache_clear()
+    yield seen
+    series_operation._operation.cache_clear()
+
+
+def test_gradients_come_back_along_the_motion(backs):
+    """Of three states, by the moments, against the closed form's own derivatives; weights of all samples count."""
+    weights = jnp.asarray(np.random.default_rng(3).normal(size=(6, 3)))
+    found = jax.jit(jax.grad(lambda m, x: jnp.sum(weights * moved(m, x)), (0, 1)))(MOMENTS, START)
+    wanted = jax.grad(lambda m, x: jnp.sum(weights * exact(m, x)), (0, 1))(MOMENTS, START)
+    for a, b in zip(found, wanted, strict=True):
+        assert np.abs(a - b).max() < 1e-13 * np.abs(b).max()
+    assert backs == [True]
+
+
+def test_gradients_of_a_batch_whose_system_all_share(backs):
+    starts = jnp.stack([START, 3.0 * START, jnp.array([0.0, 0.0, 2.0])])  # the last one stands still
+    loss = lambda m, x: jnp.sum(jnp.sin(moved(m, x)[..., -1, :]))  # noqa: E731
+    found, wanted = gradients(loss, MOMENTS, starts)
+    assert np.abs(found - wanted).max() < 1e-13 * np.abs(wanted).max() and backs == [True] * 3
+    each = jax.jit(jax.vmap(jax.grad(loss, (0, 1)), (None, 0)))(MOMENTS, starts)
+    assert np.abs(each[0].sum(axis=0) - found[:3]).max() < 1e-13 * np.abs(wanted).max()
+    assert np.abs(each[1].ravel() - found[3:]).max() < 1e-13 * np.abs(wanted).max()
+
+
+def test_gradients_of_what_is_received_and_by_times(backs):
+    def loss(drag, times):
+        body = eqx.tree_at(lambda b: b.torques[0].coefficient, BRAKED, drag * jnp.ones(3))
+        found = ph.solve(body, body.pack(angular_velocity=(0.3, 0.9, 0.5)), times, Taylor)
+        return jnp.sum(found.received["kinetic_energy"][1:] ** 2) + jnp.sum(found.saved[-1])
+
+    found, wanted = gradients(loss, jnp.asarray(0.1), TIMES)
+    assert np.abs(found - wanted).max() < 1e-12 * np.abs(wanted).max() and backs == [True]
+
+
+@pytest.mark.parametrize(("drag", "taken"), [(5.0, [True]), (2e4, [False])], ids=["parts", "tangents"])
+def test_what_has_lost_its_past_finds_it_again_or_goes_ahead(backs, drag, taken):
+    """Against time, damping makes of a rounding whatever it likes: the way back is compared with the way ahead."""
+
+    def loss(drag):
+        body = eqx.tree_at(lambda b: b.torques[0].coefficient, BRAKED, drag * jnp.ones(3))
+        times = jnp.array([0.0, 0.1 / known, 20.0])
+        return jnp.sum(ph.solve(body, body.pack(angular_velocity=(0.3, 0.9, 0.5)), times, Taylor).saved)
+
+    known = drag  # so that times do not change with it
+    found, wanted = gradients(loss, jnp.asarray(drag))
+    assert np.abs(found - wanted).max() < 1e-9 * np.abs(wanted).max() and backs == taken
+
+
+def test_gradients_depend_on_the_way_back(monkeypatch):
+    """Where weights of the state move half as fast, the gradient is another one."""
+    field, half = series_operation.Returning.vector_field, np.array([1.0] * 3 + [0.5] * 3 + [1.0] * 6)
+    monkeypatch.setattr(series_operation.Returning, "vector_field", lambda self, t, y: half * field(self, t, y))
+    machine._machine.cache_clear()
+    machine._kept.cache_clear()
+    series_operation._operation.cache_clear()
+    try:
+        found, wanted = gradients(lambda x: moved(MOMENTS, x)[-1, 0], START)
+    finally:
+        machine._machine.cache_clear()
+        machine._kept.cache_clear()
+        series_operation._operation.cache_clear()
+    assert np.abs(found - wanted).max() > 0.01

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import contextlib
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextvars import ContextVar
 from dataclasses import dataclass
 from functools import cache, partial
@@ -20,6 +20,7 @@ import numpy as np
 
 from polhode.arrays.differences import differences
 from polhode.arrays.namespaces import is_jax
+from polhode.arrays.pushed import pushed
 from polhode.arrays.underflow import gradual_underflow, remember_environment
 from polhode.errors import InvalidInput, shown
 
@@ -69,6 +70,8 @@ class Elementwise:
             values, one after the other, by all arguments, one after the other; None where there is none.
         positive: how many of the first arguments consist of positive numbers, each with a scale of its own.
         order: of the derivatives that the Jacobian gives.
+        pullback: arrays, and weights (batch…, M) of all float values → the weights of each argument, which are sums of
+            derivatives with these weights; None where that is what the Jacobian gives.
     """
 
     name: str
@@ -78,6 +81,7 @@ class Elementwise:
     jacobian: Callable[..., tuple[tuple[Any, ...], Any]] | None = None
     positive: int = 1
     order: int = 1
+    pullback: Callable[..., tuple[Any, ...]] | None = None
 
     def __call__(self, *arguments: Any) -> tuple[Any, ...]:
         """Return the values, NumPy arrays for NumPy arrays and JAX arrays for JAX arrays."""
@@ -87,6 +91,14 @@ class Elementwise:
 
         arrays = (jnp.asarray(a, float) for a in arguments)
         return tuple(_primitive().bind(*arrays, function=self, compiled=_where.get() == "compiled"))
+
+    def bind(self, compiled: bool, arguments: Sequence[Any]) -> Any:
+        """Return the values of JAX arrays, which may be traced."""
+        return _primitive().bind(*arguments, function=self, compiled=compiled)
+
+    def changes(self, which: tuple[int, ...]) -> Any:
+        """Return the compiled function of Jacobian and changes of some arguments that gives those of the values."""
+        return _changes(self, which)
 
     @property
     def smooth(self) -> tuple[int, ...]:
@@ -229,18 +241,22 @@ def _jvp(primals: Any, tangents: Any, *, function: Elementwise, compiled: bool) 
         raise InvalidInput(
             f"`{function.name}` has first and second derivatives only; take third ones by differences of the second."
         )
-    *values, columns = bind(*primals, function=function.differential)
     which = tuple(k for k, dx in enumerate(tangents) if not isinstance(dx, ad.Zero))
+    ways = [tangents[k] for k in which]
+    if function.pullback is None:
+        *values, columns = bind(*primals, function=function.differential)
+        found = function.changes(which)(columns, *ways)
+    else:
+        values = bind(*primals, function=function)
+        found = pushed(function, compiled, primals, which, ways)
     changes: list[Any] = [ad.Zero(_tangent_type(v)) for v in values]
-    found = _applied(function, which)(columns, *(tangents[k] for k in which))
     for k, change in zip(function.smooth, found, strict=True):
         changes[k] = change
     return values, changes
 
 
 @cache
-def _applied(function: Elementwise, which: tuple[int, ...]) -> Any:
-    """Return the compiled function of Jacobian and changes of some arguments that gives the values' changes."""
+def _changes(function: Elementwise, which: tuple[int, ...]) -> Any:
     import jax
     import jax.numpy as jnp
 

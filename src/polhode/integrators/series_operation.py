@@ -17,6 +17,7 @@ import numpy as np
 
 from polhode.arrays.elementwise import Elementwise
 from polhode.errors import InvalidInput
+from polhode.integrators.series_adjoint import Returning, weights_back
 from polhode.motion.outcome import Status
 from polhode.systems.base import AbstractSystem
 from polhode.systems.forms import rates_of_change
@@ -27,6 +28,7 @@ from polhode.taylor.structure import Structure, parted
 from polhode.types import Array, Double, Float64
 
 TOGETHER = 13  # tangents that go along with one run
+SAMPLES = 64  # at which it takes as long to come back as so many tangents take
 
 
 class Series(NamedTuple):
@@ -185,6 +187,17 @@ def _flat(x: Array) -> Array:
     return x.reshape(*x.shape[:-2], -1)
 
 
+def _returning(plain: _Sensitive) -> Returning | None:
+    """Return what moves weights back; None where it has no series."""
+    n, m, rows = plain.skeleton.form.size, plain.skeleton.structure.size, plain.rows
+    back = Returning(plain.flow, (n, rows - n, m))
+    try:
+        machine_of(back, np.zeros(n + rows + 2 * m), None)
+    except Untraceable:
+        return None
+    return back
+
+
 @lru_cache(maxsize=32)
 def _operation(plain: _Sensitive, count: int, precision: Precision, longest: float) -> Elementwise:
     """Return the operation: of start, times, numbers and scales, what moved at the times, whether it failed, steps.
@@ -205,6 +218,7 @@ def _operation(plain: _Sensitive, count: int, precision: Precision, longest: flo
                 machine_of(part, np.zeros(rows + m + rows * len(part.varied)), None)
         except Untraceable:  # too many operations
             has_derivatives = False
+        back = _returning(plain)
 
     def run(moving: _Sensitive, given: list[Array], tangents: Array) -> tuple[Any, Array, tuple[Array, Array]]:
         start, times, numbers, scales = given
@@ -246,6 +260,35 @@ def _operation(plain: _Sensitive, count: int, precision: Precision, longest: flo
         columns = np.concatenate([by[..., :n], zeros, by[..., n:], zeros[..., :1].repeat(n, axis=-1)], axis=-1)
         return (_flat(samples[..., :rows]), *ends), columns
 
+    def pullback(start: Array, times: Array, numbers: Array, scales: Array, weights: Array) -> tuple[Any, ...]:
+        given = [np.asarray(x) for x in (start, times, numbers, scales)]
+        own, asked = np.broadcast_shapes(*(x.shape[:-1] for x in given)), np.shape(weights)[:-1]
+        shapes = [(*np.broadcast_shapes(own, asked), size) for size in (n, count, m, n)]
+        if back is None or math.prod(shapes[0][:-1]) > math.prod(own) or count - 1 > SAMPLES * len(parts):
+            return _by_columns(jacobian(*given)[1], np.asarray(weights), (n, count, m, n))
+        flat = [np.broadcast_to(x, (*shapes[0][:-1], x.shape[-1])).reshape(-1, x.shape[-1]) for x in (*given, weights)]
+        start, late, numbers, scales, weights = flat
+        found = [np.full((len(start), size), np.nan) for size in (n, count, m, n)]
+        found[1][:], found[3][:] = 0.0, 0.0
+        known, which = np.unique(late, axis=0, return_inverse=True)
+        for number, times_of_some in enumerate(known):
+            some = np.flatnonzero(which.ravel() == number)
+            these, weighed = (start[some], numbers[some], scales[some]), weights[some].reshape(-1, count, rows)
+            *ways, good = weights_back(plain, back, these, times_of_some, weighed, precision, longest)
+            found[0][some], found[2][some] = ways
+            if not good.all():  # what is damped fast has no way back
+                rest = some[~good]
+                columns = jacobian(*(x[rest] for x in (start, late, numbers, scales)))[1]
+                for x, part in zip(found, _by_columns(columns, weights[rest], (n, count, m, n)), strict=True):
+                    x[rest] = part
+        return tuple(x.reshape(shape) for x, shape in zip(found, shapes, strict=True))
+
     outputs = ((count * rows,), float), ((), np.int64), ((), np.int64)
     return Elementwise("solve by Taylor", values, ((n,), (count,), (m,), (n,)), outputs,
-                       jacobian if has_derivatives else None, positive=0)  # fmt: skip
+                       jacobian if has_derivatives else None, positive=0,
+                       pullback=pullback if has_derivatives else None)  # fmt: skip
+
+
+def _by_columns(columns: Array, weights: Array, sizes: tuple[int, ...]) -> tuple[Array, ...]:
+    """Return the weights of arguments by the Jacobian (…, M, N) and weights (…, M) of its rows."""
+    return tuple(np.split(np.einsum("...mn,...m->...n", columns, weights), np.cumsum(sizes)[:-1], axis=-1))

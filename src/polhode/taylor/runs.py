@@ -23,6 +23,7 @@ from polhode.types import Array, Double, Float64, Integer
 ORDER, LOCAL = 24, 1e-19  # to rounding: of an order at which errors of single steps do not add up with one sign
 LOOSEST_ORDER = 8
 FIRST_HITS = 256  # crossings that there is room for at first
+AWAY = 1e3  # sizes of a state, which no motion reaches that comes back
 
 
 class Precision(NamedTuple):
@@ -136,6 +137,54 @@ def runs_of(
     ended = outcome(copies)
     return Runs(form.back(samples), samples[..., extra], *ended, form.back(y), y[:, extra].copy(),
                 copies.counts[:, STEPS], balances)  # fmt: skip
+
+
+def runs_back(
+    system: AbstractSystem, known: Float64[Array, "copies time some"], kicks: Float64[Array, "copies time n"],
+    times: Float64[np.ndarray, "time"], precision: Precision, longest: float, scales: Float64[Array, "copies n"],
+) -> tuple[Float64[Array, "copies n"], Float64[Array, "copies"]]:  # fmt: skip
+    """Return where motions come that go back through times at which their first components are known.
+
+    At each of the times these are set to what is known, and the kicks are added to all.
+
+    Args:
+        system: what moves, with one axis of real numbers.
+        known: the first components, in the order of the times.
+        kicks: zero for these.
+        times: (T,) [s], of the motion ahead.
+        precision: of the steps.
+        longest: step [s].
+        scales: sizes of the components, as of ``runs_of``.
+
+    Returns:
+        The states at the first time, with its kicks, and by how much the way back missed what is known, at most, in
+        sizes of the components; infinite where steps shrank to nothing.
+    """
+    size, some = kicks.shape[2], known.shape[2]
+    plan = _planned(system, kicks[0, -1], times[::-1], precision, longest)
+    machine = plan.machines[0]
+    y, scale = np.zeros((len(known), machine.program.size)), np.full((len(known), machine.program.size), np.inf)
+    scale[:, :size] = scales
+    y[:, :some], y[:, some:size] = known[:, -1], kicks[:, -1, some:]
+    copies = starting(machine, y, scale, np.zeros((len(known), 0, machine.program.size)), times[-1], hits=1)
+    follows, nothing, missed = _followers(machine.program, scale), np.zeros(0, bool), np.zeros(len(known))
+
+    def give_up(share: float) -> None:
+        """End what has run away, as what was damped does on the way back, in ever shorter steps."""
+        with np.errstate(invalid="ignore"):
+            fine = (np.abs(y[:, :some]) < AWAY * scales[:, :some]).all(axis=1)
+        copies.status[~fine] = kernel.FAILED
+
+    for k in range(len(times) - 2, -1, -1):
+        end = float(times[k])
+        course = Course(times[:0], 0, *precision, longest, plan.forth, nothing, nothing, end, machine.clock, follows,
+                        len(follows))  # fmt: skip
+        fly(copies, machine, course, give_up, lambda t: 0.0)
+        off = np.abs(y[:, :some] - known[:, k]) / scales[:, :some]
+        missed = np.maximum(missed, np.where(copies.status == kernel.DONE, off.max(axis=1, initial=0.0), np.inf))
+        y[:, :some] = known[:, k]
+        y[:, some:size] += kicks[:, k, some:]
+    return y[:, :size], missed
 
 
 class Crossings(NamedTuple):
