@@ -9,7 +9,7 @@ import pytest
 import polhode as ph
 from polhode import systems
 from polhode.errors import InvalidInput
-from polhode.integrators import LieMidpoint, Taylor, series_operation
+from polhode.integrators import LieMidpoint, Taylor, series_derivatives
 from polhode.motion import Status
 from polhode.taylor import machine
 
@@ -158,17 +158,17 @@ def gradients(loss, *arguments):
 @pytest.fixture
 def backs(monkeypatch):
     """How many copies came back, and how many of them were taken."""
-    seen, real = [], series_operation.weights_back
+    seen, real = [], series_derivatives.weights_back
 
     def watched(*given):
         found = real(*given)
         seen.extend(found[-1].tolist())
         return found
 
-    monkeypatch.setattr(series_operation, "weights_back", watched)
-    series_operation._operation.cache_clear()
+    monkeypatch.setattr(series_derivatives, "weights_back", watched)
+    series_derivatives.operation_of.cache_clear()
     yield seen
-    series_operation._operation.cache_clear()
+    series_derivatives.operation_of.cache_clear()
 
 
 def test_gradients_come_back_along_the_motion(backs):
@@ -217,15 +217,45 @@ def test_what_has_lost_its_past_finds_it_again_or_goes_ahead(backs, drag, taken)
 
 def test_gradients_depend_on_the_way_back(monkeypatch):
     """Where weights of the state move half as fast, the gradient is another one."""
-    field, half = series_operation.Returning.vector_field, np.array([1.0] * 3 + [0.5] * 3 + [1.0] * 6)
-    monkeypatch.setattr(series_operation.Returning, "vector_field", lambda self, t, y: half * field(self, t, y))
+    field, half = series_derivatives.Returning.vector_field, np.array([1.0] * 3 + [0.5] * 3 + [1.0] * 6)
+    monkeypatch.setattr(series_derivatives.Returning, "vector_field", lambda self, t, y: half * field(self, t, y))
     machine._machine.cache_clear()
     machine._kept.cache_clear()
-    series_operation._operation.cache_clear()
+    series_derivatives.operation_of.cache_clear()
     try:
         found, wanted = gradients(lambda x: moved(MOMENTS, x)[-1, 0], START)
     finally:
         machine._machine.cache_clear()
         machine._kept.cache_clear()
-        series_operation._operation.cache_clear()
+        series_derivatives.operation_of.cache_clear()
     assert np.abs(found - wanted).max() > 0.01
+
+
+@pytest.mark.parametrize("many", [1, 3, 9])
+def test_changes_in_few_directions_go_along_one_by_one(many, monkeypatch):
+    """In more than four, the Jacobian takes less."""
+    taken, real = [], series_derivatives.Motion.jacobian
+    watched = lambda self, *given: taken.append(1) or real(self, *given)  # noqa: E731
+    monkeypatch.setattr(series_derivatives.Motion, "jacobian", watched)
+    rng = np.random.default_rng(7)
+    ways = jnp.asarray(rng.normal(size=(many, 3))), jnp.asarray(rng.normal(size=(many, 3)))
+    along = lambda solve: jax.jit(jax.vmap(lambda dm, dx: jax.jvp(solve, (MOMENTS, START), (dm, dx))[1]))  # noqa: E731
+    series_derivatives.operation_of.cache_clear()
+    found, wanted = along(moved)(*ways), along(exact)(*ways)
+    series_derivatives.operation_of.cache_clear()
+    assert np.abs(found - wanted).max() < 1e-13 * np.abs(wanted).max() and bool(taken) == (many > 4)
+
+
+def test_changes_of_a_batch_whose_system_all_share():
+    starts, way = jnp.stack([START, 3.0 * START]), jnp.array([0.3, -0.2, 0.1])
+    found = jax.jvp(lambda m: moved(m, starts), (MOMENTS,), (way,))[1]
+    for k, start in enumerate(starts):
+        wanted = jax.jvp(lambda m, x=start: exact(m, x), (MOMENTS,), (way,))[1]
+        assert np.abs(found[k] - wanted).max() < 1e-13 * np.abs(wanted).max()
+
+
+def test_gradients_of_what_is_no_number_are_none():
+    found = jax.jit(jax.grad(lambda x: jnp.sum(moved(MOMENTS, x))))(jnp.array([jnp.nan, 1.0, 1.0]))
+    assert np.isnan(found).all()
+    late = jax.jit(jax.grad(lambda x, t: jnp.sum(moved(MOMENTS, x, t))))(START, jnp.array([0.0, 2.0, 1.0]))
+    assert np.isnan(late).all()

@@ -37,7 +37,7 @@ INNER = {
               "lagrange_top.series", "lagrange_top.standing", "lagrange_top.symmetry", "lagrange_top.tangent"},
     "integrators": {"accuracy", "adaptive", "composition", "difference", "either_mode", "embedded", "equal_steps",
                     "fixed_point", "group", "interrupts", "reversal", "sampled", "series", "series_adjoint",
-                    "series_operation", "step_noise"},
+                    "series_derivatives", "series_operation", "step_noise"},
     "motion": {"inputs", "invariants", "layout", "outcome", "trajectory"},
     "quantum": {"derivatives", "level_polhodes", "measured", "operators", "orbits", "partition", "strengths", "wang"},
     "special": {"agm", "spherical_tensors", "circular", "doubledouble", "first_kind", "legendre"},

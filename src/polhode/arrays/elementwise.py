@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextvars import ContextVar
 from dataclasses import dataclass
 from functools import cache, partial
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -57,6 +57,19 @@ def closed_forms(where: str) -> Iterator[None]:
         _where.reset(before)
 
 
+class Ways(NamedTuple):
+    """Derivatives of a function without its Jacobian.
+
+    Attributes:
+        ahead: arguments, and a change of each → the change (batch…, M) of all float values, one after the other.
+        back: arguments, and weights (batch…, M) of these values → the weights of each argument, which are sums of
+            derivatives with these weights.
+    """
+
+    ahead: Callable[..., tuple[Any, ...]]
+    back: Callable[..., tuple[Any, ...]]
+
+
 @dataclass(frozen=True)
 class Elementwise:
     """A function of arrays whose leading axes are batch axes, which broadcast.
@@ -70,8 +83,7 @@ class Elementwise:
             values, one after the other, by all arguments, one after the other; None where there is none.
         positive: how many of the first arguments consist of positive numbers, each with a scale of its own.
         order: of the derivatives that the Jacobian gives.
-        pullback: arrays, and weights (batch…, M) of all float values → the weights of each argument, which are sums of
-            derivatives with these weights; None where that is what the Jacobian gives.
+        ways: where a few derivatives take less than the Jacobian, how to come by them; None where they do not.
     """
 
     name: str
@@ -81,7 +93,7 @@ class Elementwise:
     jacobian: Callable[..., tuple[tuple[Any, ...], Any]] | None = None
     positive: int = 1
     order: int = 1
-    pullback: Callable[..., tuple[Any, ...]] | None = None
+    ways: Ways | None = None
 
     def __call__(self, *arguments: Any) -> tuple[Any, ...]:
         """Return the values, NumPy arrays for NumPy arrays and JAX arrays for JAX arrays."""
@@ -243,7 +255,7 @@ def _jvp(primals: Any, tangents: Any, *, function: Elementwise, compiled: bool) 
         )
     which = tuple(k for k, dx in enumerate(tangents) if not isinstance(dx, ad.Zero))
     ways = [tangents[k] for k in which]
-    if function.pullback is None:
+    if function.ways is None:
         *values, columns = bind(*primals, function=function.differential)
         found = function.changes(which)(columns, *ways)
     else:

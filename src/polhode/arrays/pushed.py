@@ -1,7 +1,6 @@
-"""Derivatives of operations that have a way back of their own, cheaper than their Jacobian.
+"""Derivatives of operations that have ways of their own to a few of them, cheaper than their Jacobian.
 
-Forward mode multiplies by the Jacobian. Reverse mode is an operation too, which takes the weights of the values back to
-the arguments.
+Changes go ahead by an operation, and weights come back by another. Derivatives of these go by that of the Jacobian.
 """
 
 from __future__ import annotations
@@ -21,7 +20,7 @@ def pushed(
     """Return the changes of the smooth values when some of the arguments change.
 
     Args:
-        function: with ``pullback``.
+        function: with ``ways``.
         compiled: how closed forms are evaluated.
         primals: all arguments.
         which: of them change.
@@ -37,19 +36,21 @@ def _primitive() -> Any:
 
     made = Primitive("polhode_pushed")
     made.multiple_results = True
-    made.def_impl(_by_jacobian)
+    made.def_impl(_pushed)
     made.def_abstract_eval(_abstract)
     ad.primitive_jvps[made] = _jvp
     ad.primitive_transposes[made] = _transpose
     batching.primitive_batchers[made] = _batched
-    mlir.register_lowering(made, mlir.lower_fun(_by_jacobian, multiple_results=True))
+    mlir.register_lowering(made, mlir.lower_fun(_pushed, multiple_results=True))
     return made
 
 
-def _by_jacobian(*args: Any, function: Elementwise, compiled: bool, which: tuple[int, ...]) -> list[Any]:
-    primals, ways = args[: len(function.inputs)], args[len(function.inputs) :]
-    columns = function.differential.bind(compiled, primals)[-1]
-    return function.changes(which)(columns, *ways)
+def _pushed(*args: Any, function: Elementwise, compiled: bool, which: tuple[int, ...]) -> list[Any]:
+    import jax.numpy as jnp
+
+    primals, moving = args[: len(function.inputs)], dict(zip(which, args[len(function.inputs) :], strict=True))
+    changes = [moving[k] if k in moving else jnp.zeros_like(x) for k, x in enumerate(primals)]
+    return _parted(function, _ahead(function, compiled)(*primals, *changes))
 
 
 def _abstract(*args: Any, function: Elementwise, **_: Any) -> list[Any]:
@@ -63,13 +64,13 @@ def _jvp(primals: Any, tangents: Any, **known: Any) -> tuple[Any, Any]:
     import jax
     from jax.interpreters import ad
 
-    return jax.jvp(partial(_by_jacobian, **known), primals, [ad.instantiate_zeros(x) for x in tangents])
+    return jax.jvp(partial(_pushed, **known), primals, [ad.instantiate_zeros(x) for x in tangents])
 
 
 def _batched(args: Any, axes: Any, **known: Any) -> tuple[Any, list[int]]:
     import jax
 
-    found = jax.vmap(partial(_by_jacobian, **known), in_axes=tuple(axes))(*args)
+    found = jax.vmap(partial(_pushed, **known), in_axes=tuple(axes))(*args)
     return found, [0] * len(found)
 
 
@@ -80,7 +81,7 @@ def _transpose(weights: Any, *args: Any, function: Elementwise, compiled: bool, 
     primals, ways = args[: len(function.inputs)], args[len(function.inputs) :]
     batch = function.batch(primals)
     flat = [jnp.reshape(ad.instantiate_zeros(x), (*batch, -1)) for x in weights]
-    found = _pulled(function, compiled)(*primals, jnp.concatenate(flat, axis=-1))
+    found = _back(function, compiled)(*primals, jnp.concatenate(flat, axis=-1))
     given = [_summed(found[k], way.aval.shape) if ad.is_undefined_primal(way) else None
              for k, way in zip(which, ways, strict=True)]  # fmt: skip
     return [None] * len(primals) + given
@@ -95,24 +96,49 @@ def _summed(found: Any, shape: tuple[int, ...]) -> Any:
     return jnp.reshape(jnp.sum(found, axis=shared), shape) if shared else found
 
 
-@cache
-def _pulled(function: Elementwise, compiled: bool) -> Any:
-    """Return the function of arguments and weights that gives the weights of the arguments.
-
-    Its own derivative goes by that of the Jacobian.
-    """
-    import jax
+def _parted(function: Elementwise, change: Any) -> list[Any]:
+    """Return changes (batch…, M) of all smooth values as those of each."""
     import jax.numpy as jnp
 
-    assert function.pullback is not None
-    count = sum(math.prod(function.outputs[k][0]) for k in function.smooth)
-    outputs = tuple((shape, float) for shape in function.inputs)
-    operation = replace(function, values=function.pullback, inputs=(*function.inputs, (count,)), outputs=outputs,
-                        jacobian=None, pullback=None)  # fmt: skip
+    found, row = [], 0
+    for k in function.smooth:
+        shape = function.outputs[k][0]
+        found.append(jnp.reshape(change[..., row : row + math.prod(shape)], (*change.shape[:-1], *shape)))
+        row += math.prod(shape)
+    return found
 
-    @jax.custom_jvp
-    def pull(*given: Any) -> tuple[Any, ...]:
-        return tuple(operation.bind(compiled, given))
+
+def _width(function: Elementwise) -> int:
+    return sum(math.prod(function.outputs[k][0]) for k in function.smooth)
+
+
+@cache
+def _ahead(function: Elementwise, compiled: bool) -> Any:
+    """Return the function of arguments and a change of each that gives the change (batch…, M) of all smooth values."""
+    import jax.numpy as jnp
+
+    assert function.ways is not None
+    inputs, outputs = (*function.inputs, *function.inputs), (((_width(function),), float),)
+
+    def by_columns(*given: Any) -> Any:
+        primals, changes = given[: len(function.inputs)], given[len(function.inputs) :]
+        columns = function.differential.bind(compiled, primals)[-1]
+        flat = [x if core else x[..., None] for x, core in zip(changes, function.inputs, strict=True)]
+        batch = jnp.broadcast_shapes(*(x.shape[:-1] for x in flat))
+        change = jnp.concatenate([jnp.broadcast_to(x, (*batch, x.shape[-1])) for x in flat], axis=-1)
+        return jnp.sum(columns * change[..., None, :], axis=-1)
+
+    return _differentiated(function, function.ways.ahead, inputs, outputs, compiled, by_columns, lambda x: x[0])
+
+
+@cache
+def _back(function: Elementwise, compiled: bool) -> Any:
+    """Return the function of arguments and weights (batch…, M) that gives the weights of the arguments."""
+    import jax.numpy as jnp
+
+    assert function.ways is not None
+    inputs = (*function.inputs, (_width(function),))
+    outputs = tuple((shape, float) for shape in function.inputs)
 
     def by_columns(*given: Any) -> tuple[Any, ...]:
         *primals, weights = given
@@ -124,8 +150,23 @@ def _pulled(function: Elementwise, compiled: bool) -> Any:
             start += size
         return tuple(found)
 
-    @pull.defjvp
-    def rule(primals: Any, tangents: Any) -> tuple[Any, Any]:
-        return pull(*primals), jax.jvp(by_columns, primals, tangents)[1]
+    return _differentiated(function, function.ways.back, inputs, outputs, compiled, by_columns, tuple)
 
-    return pull
+
+def _differentiated(
+    function: Elementwise, values: Any, inputs: Any, outputs: Any, compiled: bool, by_columns: Any, formed: Any
+) -> Any:
+    """Return values as an operation whose derivative is that of the same by the Jacobian."""
+    import jax
+
+    operation = replace(function, values=values, inputs=inputs, outputs=outputs, jacobian=None, ways=None)
+
+    @jax.custom_jvp
+    def found(*given: Any) -> Any:
+        return formed(operation.bind(compiled, given))
+
+    @found.defjvp
+    def rule(primals: Any, tangents: Any) -> tuple[Any, Any]:
+        return found(*primals), jax.jvp(by_columns, primals, tangents)[1]
+
+    return found
