@@ -145,7 +145,7 @@ def _heyoka(case: Case, starts: np.ndarray, span: float = SPAN) -> Callable[[flo
         import heyoka
     except ImportError:
         return None
-    equations, made = _equations(heyoka, case), {}
+    equations, made = heyoka_equations(heyoka, case.system, case.start), {}
 
     def run(tolerance: float) -> np.ndarray:
         if tolerance not in made:
@@ -165,7 +165,7 @@ def _heyoka_batch(case: Case, starts: np.ndarray) -> Callable[[float], np.ndarra
         import heyoka
     except ImportError:
         return None
-    equations, made = _equations(heyoka, case), {}
+    equations, made = heyoka_equations(heyoka, case.system, case.start), {}
 
     def run(tolerance: float) -> np.ndarray:
         if tolerance not in made:
@@ -181,14 +181,14 @@ def _heyoka_batch(case: Case, starts: np.ndarray) -> Callable[[float], np.ndarra
     return run
 
 
-def _equations(heyoka: Any, case: Case) -> list[Any]:
+def heyoka_equations(heyoka: Any, system: Any, start: np.ndarray) -> list[Any]:
     """Return a system's equations, of the same operations as ours."""
-    n = case.start.size
+    n = start.size
     tape = Tape(n)
     state = np.empty(n, object)
     state[:] = tape.state()
-    state = state.reshape(case.start.shape)
-    closed = written(lambda y: case.system.vector_field(0.0, y), state.shape)
+    state = state.reshape(start.shape)
+    closed = written(lambda y: system.vector_field(0.0, y), state.shape)
     rates = np.ravel(evaluated(closed, state)[0])
     values = list(heyoka.make_vars(*[f"x{k}" for k in range(n)]))
     variables = list(values)
