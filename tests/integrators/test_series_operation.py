@@ -246,6 +246,16 @@ def test_changes_in_few_directions_go_along_one_by_one(many, monkeypatch):
     assert np.abs(found - wanted).max() < 1e-13 * np.abs(wanted).max() and bool(taken) == (many > 4)
 
 
+def test_a_change_that_comes_from_nothing():
+    """An upright top does not feel its weight at first, only once it has turned away."""
+    top = systems.HeavyTop((1.0, 2.0, 3.5), 1.3, (0.0, 0.0, 1.0))
+    start = jnp.asarray(top.pack(attitude=(1.0, 0.0, 0.0, 0.0), angular_velocity=(0.3, 1.0, 0.1)))
+    end = lambda mgl: ph.solve(eqx.tree_at(lambda t: t.mgl, top, mgl), start, [0.0, 2.0], Taylor).end_state  # noqa: E731
+    found = jax.jvp(end, (1.3,), (1.0,))[1]
+    wanted = (end(1.3 + 1e-5) - end(1.3 - 1e-5)) / 2e-5
+    assert 0.1 < np.abs(wanted).max() and np.abs(found - wanted).max() < 1e-8
+
+
 def test_changes_of_a_batch_whose_system_all_share():
     starts, way = jnp.stack([START, 3.0 * START]), jnp.array([0.3, -0.2, 0.1])
     found = jax.jvp(lambda m: moved(m, starts), (MOMENTS,), (way,))[1]

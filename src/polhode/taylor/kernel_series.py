@@ -199,9 +199,9 @@ def step_lengths(series: Series, lanes: Lanes, course: Course) -> None:
                 break
         for e in range(3):
             size, last = lengths[5 * LANES + lane], lengths[(6 + e) * LANES + lane]
-            if last > TOO_LARGE * size:
+            if last > TOO_LARGE * max(size, 1.0):
                 best = np.nan
-            elif last > 0.0:
+            elif size > 0.0 and last > 0.0:  # what comes from nothing is as smooth as the motion that drives it
                 best = min(best, (size / last) ** (1.0 / (order - 2 + e)))
         if best == np.inf:  # a polynomial, of which earlier ones may overflow
             for k in range(order - 2):
