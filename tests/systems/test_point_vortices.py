@@ -1,5 +1,6 @@
 """Point vortices against closed forms, their own symmetries, and a general integrator."""
 
+import diffrax
 import jax
 import jax.numpy as jnp
 import numpy as np
@@ -91,6 +92,20 @@ def test_two_vortices_of_a_plane_in_one_step(strengths):
     turned = np.expm1(1j * total * share) / total if total else 1j * share
     wanted = z + np.array([strengths[1], -strengths[0]]) * apart * turned
     np.testing.assert_allclose(np.asarray(pair.positions(end)) @ [1.0, 1j], wanted, atol=1e-14)
+
+
+@pytest.mark.parametrize("tolerance", [None, 1e-8])
+@pytest.mark.parametrize("method", [None, diffrax.Dopri8()], ids=["series", "Dopri8"])
+def test_vortices_of_a_superfluid_turn_as_large_ones_do(method, tolerance):
+    """Beside 1/Γ of 10⁷ s/m² their places were next to nothing, and free to be off by more than all of them."""
+    gamma, apart = 1e-7, 1e-5  # m²/s and m, of helium
+    pair = PlaneVortices((gamma, gamma))
+    start = np.asarray(pair.pack([[0.5 * apart, 0.0], [-0.5 * apart, 0.0]]))
+    rate = gamma / (np.pi * apart**2)
+    found = ph.simulate(pair, start, [0.0, 10.0 / rate], method, tolerance=tolerance)
+    wanted = 0.5 * apart * np.array([np.cos(10.0), np.sin(10.0)])
+    off = np.abs(np.asarray(pair.positions(found.states[-1]))[0] - wanted).max() / apart
+    assert off < (tolerance or 1e-10) and off < 3.0 * found.error_estimate < 1e-6
 
 
 def end_of(system, start, method, step, order):

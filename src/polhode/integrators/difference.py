@@ -25,12 +25,12 @@ def difference(
     """Return the largest difference (batch…) of two motions (batch…, T, …), relative to the sizes of a state's parts.
 
     Parts are the attitude, of size one, and what has a unit of its own: on se(3)* the angular and the linear part, the
-    point of other algebras, each component of other systems.
+    point of other algebras, each component of other systems and of those that name sizes of their own.
     """
     axis = one.ndim - 1 - system.state_axes
     own = tuple(range(axis, one.ndim))
     gap, size = np.abs(one - other), np.abs(one)
-    if not isinstance(system, AbstractLiePoissonSystem):
+    if _names_sizes(system):
         shape = one.shape[axis + 1 :]
         first = np.take(one, 0, axis=axis).reshape(-1, *shape)
         scales = np.asarray(jax.vmap(lambda state: system.scales(state) * jnp.ones(shape))(first))
@@ -42,6 +42,13 @@ def difference(
         largest = np.ones(size.shape[:axis]) if turns and place == 0 else size[part].max(axis=own)
         shares.append(gap[part].max(axis=own) / np.where(largest > 0, largest, 1.0))
     return np.max(shares, axis=0)
+
+
+def _names_sizes(system: AbstractSystem) -> bool:
+    """Return whether the components of a system's states have sizes that their algebra does not tell."""
+    return not isinstance(system, AbstractLiePoissonSystem) or (
+        type(system).scales is not AbstractLiePoissonSystem.scales
+    )
 
 
 def parts_with_units(system: AbstractLiePoissonSystem, state: Double[Array, "..."]) -> list[Any]:
@@ -57,7 +64,7 @@ def starts_a_rounding_away(system: AbstractSystem, state: Double[Array, "..."]) 
     All copies of a batch are moved along the same direction, so that none depends on where it stands.
     """
     rng = np.random.default_rng(1)
-    if not isinstance(system, AbstractLiePoissonSystem):
+    if _names_sizes(system):
         own = np.shape(state)[np.ndim(state) - system.state_axes :]
         copies = jnp.reshape(jnp.asarray(state), (-1, *own))
         sizes = np.asarray(jax.vmap(lambda one: system.scales(one) * jnp.ones(own))(copies)).reshape(np.shape(state))

@@ -201,6 +201,11 @@ class PlaneVortices(AbstractLiePoissonSystem):
         apart = jnp.asarray(places)[..., None, :] - self.positions(point)
         return 0.5 * HALF_TURN * jnp.sum(self.strengths * jnp.log(jnp.sum(apart * apart, axis=-1)), axis=-1)
 
+    def scales(self, state: Double[Array, "..."]) -> Float64[Array, "..."]:
+        """Return the size of the positions, and that of 1/Γ, which may be many powers of ten apart."""
+        sizes = [jnp.max(jnp.abs(part), initial=0.0) for part in (state[..., :2], state[..., 2:])]
+        return jnp.stack([jnp.where(size > 0.0, size, 1.0) for size in (sizes[0], *sizes)])
+
     def polygon(self, radius: Real[ArrayLike, ""]) -> Float64[Array, "n 3"]:
         """Return the state (n, 3) of vortices at the corners of a regular polygon about the origin.
 
