@@ -34,7 +34,8 @@ NO_DASHBOARD: Any = None
 # Dask's own makes the C library give each array back to the system at once, and take new pages for the next: six
 # times the CPU time. One thread each, as there is a worker to a core.
 ENVIRONMENT = {"MALLOC_TRIM_THRESHOLD_": str(2**28), "MALLOC_MMAP_THRESHOLD_": str(2**27),
-               "OMP_NUM_THREADS": "1", "MKL_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}  # fmt: skip
+               "OMP_NUM_THREADS": "1", "MKL_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1",
+               "DASK_LOGGING__DISTRIBUTED": "critical"}  # fmt: skip  # workers log beside what silences their cluster
 PATIENCE = 30.0  # s in which a cluster must answer
 LONG_PATIENCE = 300.0  # s in which it must have a worker
 HASTE = 0.1  # s in which workers must end themselves when the sweep is stopped
