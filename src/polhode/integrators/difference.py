@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from typing import Any
+from typing import Any, TypeGuard
 
 import jax
 import jax.numpy as jnp
@@ -30,7 +30,7 @@ def difference(
     axis = one.ndim - 1 - system.state_axes
     own = tuple(range(axis, one.ndim))
     gap, size = np.abs(one - other), np.abs(one)
-    if _names_sizes(system):
+    if not _has_sizes_by_algebra(system):
         shape = one.shape[axis + 1 :]
         first = np.take(one, 0, axis=axis).reshape(-1, *shape)
         scales = np.asarray(jax.vmap(lambda state: system.scales(state) * jnp.ones(shape))(first))
@@ -44,11 +44,10 @@ def difference(
     return np.max(shares, axis=0)
 
 
-def _names_sizes(system: AbstractSystem) -> bool:
-    """Return whether the components of a system's states have sizes that their algebra does not tell."""
-    return not isinstance(system, AbstractLiePoissonSystem) or (
-        type(system).scales is not AbstractLiePoissonSystem.scales
-    )
+def _has_sizes_by_algebra(system: AbstractSystem) -> TypeGuard[AbstractLiePoissonSystem]:
+    """Return whether the algebra tells the sizes of a state's parts, and the system names none of its own."""
+    own = type(system).scales is not AbstractLiePoissonSystem.scales
+    return isinstance(system, AbstractLiePoissonSystem) and not own
 
 
 def parts_with_units(system: AbstractLiePoissonSystem, state: Double[Array, "..."]) -> list[Any]:
@@ -64,7 +63,7 @@ def starts_a_rounding_away(system: AbstractSystem, state: Double[Array, "..."]) 
     All copies of a batch are moved along the same direction, so that none depends on where it stands.
     """
     rng = np.random.default_rng(1)
-    if _names_sizes(system):
+    if not _has_sizes_by_algebra(system):
         own = np.shape(state)[np.ndim(state) - system.state_axes :]
         copies = jnp.reshape(jnp.asarray(state), (-1, *own))
         sizes = np.asarray(jax.vmap(lambda one: system.scales(one) * jnp.ones(own))(copies)).reshape(np.shape(state))
