@@ -20,7 +20,7 @@ import numpy as np
 
 from polhode.arrays.differences import differences
 from polhode.arrays.namespaces import is_jax
-from polhode.arrays.pushed import pushed
+from polhode.arrays.pushed import push, split_values
 from polhode.arrays.underflow import gradual_underflow, remember_environment
 from polhode.errors import InvalidInput, shown
 
@@ -107,10 +107,6 @@ class Elementwise:
     def bind(self, compiled: bool, arguments: Sequence[Any]) -> Any:
         """Return the values of JAX arrays, which may be traced."""
         return _primitive().bind(*arguments, function=self, compiled=compiled)
-
-    def changes(self, which: tuple[int, ...]) -> Any:
-        """Return the compiled function of Jacobian and changes of some arguments that gives those of the values."""
-        return _changes(self, which)
 
     @property
     def smooth(self) -> tuple[int, ...]:
@@ -257,10 +253,10 @@ def _jvp(primals: Any, tangents: Any, *, function: Elementwise, compiled: bool) 
     ways = [tangents[k] for k in which]
     if function.ways is None:
         *values, columns = bind(*primals, function=function.differential)
-        found = function.changes(which)(columns, *ways)
+        found = _changes(function, which)(columns, *ways)
     else:
         values = bind(*primals, function=function)
-        found = pushed(function, compiled, primals, which, ways)
+        found = push(function, compiled, primals, which, ways)
     changes: list[Any] = [ad.Zero(_tangent_type(v)) for v in values]
     for k, change in zip(function.smooth, found, strict=True):
         changes[k] = change
@@ -278,12 +274,7 @@ def _changes(function: Elementwise, which: tuple[int, ...]) -> Any:
             start, core = sum(math.prod(shape) for shape in function.inputs[:k]), function.inputs[k]
             dx = dx if core else dx[..., None]
             change = change + jnp.sum(columns[..., start : start + math.prod(core)] * dx[..., None, :], axis=-1)
-        found, row = [], 0
-        for k in function.smooth:
-            shape = function.outputs[k][0]
-            found.append(change[..., row : row + math.prod(shape)].reshape(*columns.shape[:-2], *shape))
-            row += math.prod(shape)
-        return found
+        return split_values(function, change)
 
     return jax.jit(apply)
 

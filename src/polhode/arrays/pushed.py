@@ -1,6 +1,7 @@
-"""Derivatives of operations that have ways of their own to a few of them, cheaper than their Jacobian.
+"""Forward and reverse derivatives of operations that offer cheaper routes than their Jacobian.
 
-Changes go ahead by an operation, and weights come back by another. Derivatives of these go by that of the Jacobian.
+One operation gives the changes of the values, another the weights of the arguments. Second derivatives go through the
+Jacobian.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ if TYPE_CHECKING:
     from polhode.arrays.elementwise import Elementwise
 
 
-def pushed(
+def push(
     function: Elementwise, compiled: bool, primals: tuple[Any, ...], which: tuple[int, ...], ways: list[Any]
 ) -> list[Any]:
     """Return the changes of the smooth values when some of the arguments change.
@@ -36,21 +37,21 @@ def _primitive() -> Any:
 
     made = Primitive("polhode_pushed")
     made.multiple_results = True
-    made.def_impl(_pushed)
+    made.def_impl(_push)
     made.def_abstract_eval(_abstract)
     ad.primitive_jvps[made] = _jvp
     ad.primitive_transposes[made] = _transpose
-    batching.primitive_batchers[made] = _batched
-    mlir.register_lowering(made, mlir.lower_fun(_pushed, multiple_results=True))
+    batching.primitive_batchers[made] = _batch
+    mlir.register_lowering(made, mlir.lower_fun(_push, multiple_results=True))
     return made
 
 
-def _pushed(*args: Any, function: Elementwise, compiled: bool, which: tuple[int, ...]) -> list[Any]:
+def _push(*args: Any, function: Elementwise, compiled: bool, which: tuple[int, ...]) -> list[Any]:
     import jax.numpy as jnp
 
     primals, moving = args[: len(function.inputs)], dict(zip(which, args[len(function.inputs) :], strict=True))
     changes = [moving[k] if k in moving else jnp.zeros_like(x) for k, x in enumerate(primals)]
-    return _parted(function, _ahead(function, compiled)(*primals, *changes))
+    return split_values(function, _make_ahead(function, compiled)(*primals, *changes))
 
 
 def _abstract(*args: Any, function: Elementwise, **_: Any) -> list[Any]:
@@ -64,13 +65,13 @@ def _jvp(primals: Any, tangents: Any, **known: Any) -> tuple[Any, Any]:
     import jax
     from jax.interpreters import ad
 
-    return jax.jvp(partial(_pushed, **known), primals, [ad.instantiate_zeros(x) for x in tangents])
+    return jax.jvp(partial(_push, **known), primals, [ad.instantiate_zeros(x) for x in tangents])
 
 
-def _batched(args: Any, axes: Any, **known: Any) -> tuple[Any, list[int]]:
+def _batch(args: Any, axes: Any, **known: Any) -> tuple[Any, list[int]]:
     import jax
 
-    found = jax.vmap(partial(_pushed, **known), in_axes=tuple(axes))(*args)
+    found = jax.vmap(partial(_push, **known), in_axes=tuple(axes))(*args)
     return found, [0] * len(found)
 
 
@@ -81,13 +82,13 @@ def _transpose(weights: Any, *args: Any, function: Elementwise, compiled: bool, 
     primals, ways = args[: len(function.inputs)], args[len(function.inputs) :]
     batch = function.batch(primals)
     flat = [jnp.reshape(ad.instantiate_zeros(x), (*batch, -1)) for x in weights]
-    found = _back(function, compiled)(*primals, jnp.concatenate(flat, axis=-1))
-    given = [_summed(found[k], way.aval.shape) if ad.is_undefined_primal(way) else None
+    found = _make_back(function, compiled)(*primals, jnp.concatenate(flat, axis=-1))
+    given = [_sum_shared(found[k], way.aval.shape) if ad.is_undefined_primal(way) else None
              for k, way in zip(which, ways, strict=True)]  # fmt: skip
     return [None] * len(primals) + given
 
 
-def _summed(found: Any, shape: tuple[int, ...]) -> Any:
+def _sum_shared(found: Any, shape: tuple[int, ...]) -> Any:
     """Return weights of an argument that all copies share, from those of each copy."""
     import jax.numpy as jnp
 
@@ -96,7 +97,7 @@ def _summed(found: Any, shape: tuple[int, ...]) -> Any:
     return jnp.reshape(jnp.sum(found, axis=shared), shape) if shared else found
 
 
-def _parted(function: Elementwise, change: Any) -> list[Any]:
+def split_values(function: Elementwise, change: Any) -> list[Any]:
     """Return changes (batch…, M) of all smooth values as those of each."""
     import jax.numpy as jnp
 
@@ -108,17 +109,17 @@ def _parted(function: Elementwise, change: Any) -> list[Any]:
     return found
 
 
-def _width(function: Elementwise) -> int:
+def _count_values(function: Elementwise) -> int:
     return sum(math.prod(function.outputs[k][0]) for k in function.smooth)
 
 
 @cache
-def _ahead(function: Elementwise, compiled: bool) -> Any:
+def _make_ahead(function: Elementwise, compiled: bool) -> Any:
     """Return the function of arguments and a change of each that gives the change (batch…, M) of all smooth values."""
     import jax.numpy as jnp
 
     assert function.ways is not None
-    inputs, outputs = (*function.inputs, *function.inputs), (((_width(function),), float),)
+    inputs, outputs = (*function.inputs, *function.inputs), (((_count_values(function),), float),)
 
     def by_columns(*given: Any) -> Any:
         primals, changes = given[: len(function.inputs)], given[len(function.inputs) :]
@@ -128,16 +129,16 @@ def _ahead(function: Elementwise, compiled: bool) -> Any:
         change = jnp.concatenate([jnp.broadcast_to(x, (*batch, x.shape[-1])) for x in flat], axis=-1)
         return jnp.sum(columns * change[..., None, :], axis=-1)
 
-    return _differentiated(function, function.ways.ahead, inputs, outputs, compiled, by_columns, lambda x: x[0])
+    return _make_differentiable(function, function.ways.ahead, inputs, outputs, compiled, by_columns, lambda x: x[0])
 
 
 @cache
-def _back(function: Elementwise, compiled: bool) -> Any:
+def _make_back(function: Elementwise, compiled: bool) -> Any:
     """Return the function of arguments and weights (batch…, M) that gives the weights of the arguments."""
     import jax.numpy as jnp
 
     assert function.ways is not None
-    inputs = (*function.inputs, (_width(function),))
+    inputs = (*function.inputs, (_count_values(function),))
     outputs = tuple((shape, float) for shape in function.inputs)
 
     def by_columns(*given: Any) -> tuple[Any, ...]:
@@ -150,10 +151,10 @@ def _back(function: Elementwise, compiled: bool) -> Any:
             start += size
         return tuple(found)
 
-    return _differentiated(function, function.ways.back, inputs, outputs, compiled, by_columns, tuple)
+    return _make_differentiable(function, function.ways.back, inputs, outputs, compiled, by_columns, tuple)
 
 
-def _differentiated(
+def _make_differentiable(
     function: Elementwise, values: Any, inputs: Any, outputs: Any, compiled: bool, by_columns: Any, formed: Any
 ) -> Any:
     """Return values as an operation whose derivative is that of the same by the Jacobian."""

@@ -28,7 +28,7 @@ from polhode.taylor.structure import Structure
 from polhode.types import Array, Bool, Float64, Integer
 
 TOGETHER = 13  # tangents that go along with one run
-FEW = 4  # directions in which the motion changes, for which it is moved anew each time; for more, by the Jacobian
+FEW = 4  # directions: up to so many take a run each, more take the Jacobian
 SAMPLES = 64  # at which it takes as long to come back as so many tangents take
 
 
@@ -110,7 +110,7 @@ class Runs(NamedTuple):
     """Samples of motions, and of what goes along with them.
 
     Attributes:
-        states: (batch…, T, n) infinite after a failure; NaN where start or times are no numbers in order.
+        states: (batch…, T, n) infinite after a failure; NaN where the start is not finite or times do not advance.
         failed: (batch…) whether steps shrank to nothing.
         steps: (batch…) how many were taken.
     """
