@@ -230,9 +230,9 @@ def _by_series(
     if is_traced(step, tolerance):
         raise InvalidInput("`step` and `tolerance` of Taylor must be known numbers, not traced ones.")
     method = Taylor(order) if method is Taylor else method
-    if order is not None and method.order != order:
+    if order not in (None, method.order):
         raise InvalidInput("`order` goes with the class; the object of Taylor that is given has its own.")
-    precision = precision_of(None if tolerance is None else float(tolerance), method.order)
+    precision = precision_of(None if tolerance is None else float(tolerance), method.order, method.is_extended)
     found = series_solution(system, state, times, precision, math.inf if step is None else float(step))
     axis, kept = jnp.ndim(found.failed), jnp.asarray(times)[::every]
     saved, received = found.states, found.received

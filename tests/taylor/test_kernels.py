@@ -89,7 +89,7 @@ def assert_same_bits(one, other):
 @pytest.fixture
 def by(monkeypatch):
     """Let one kernel move all copies."""
-    return lambda use: monkeypatch.setattr("polhode.taylor.flight.chosen_kernel", lambda copies: use)
+    return lambda use: monkeypatch.setattr("polhode.taylor.flight.chosen_kernel", lambda copies, extended=False: use)
 
 
 def test_compiled_or_not_the_bits_are_the_same(by):

@@ -42,8 +42,11 @@ def series_solution(
     """Return a motion from states (batch…, …) at times (T,), as a function that JAX batches and differentiates.
 
     Raises:
-        InvalidInput: for a system with events or jumps, or one whose rates have no series in its numbers.
+        InvalidInput: for a system with events or jumps, or one whose rates have no series in its numbers; for extended
+            precision.
     """
+    if precision.extended:
+        raise InvalidInput("`precision` \"extended\" of Taylor is for `simulate`; `solve` has that of doubles alone.")
     name = type(system).__name__
     if system.events or np.size(system.jumps):
         raise InvalidInput(

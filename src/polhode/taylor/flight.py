@@ -10,7 +10,8 @@ import numpy as np
 
 from polhode.motion.outcome import Status
 from polhode.taylor import kernel
-from polhode.taylor.kernel_space import EVENT, NEXT, STEPS, TIME, Copies, Course, lanes_for, series_for
+from polhode.taylor.kernel_extended import PAIRS
+from polhode.taylor.kernel_space import EVENT, NEXT, STEPS, TIME, Copies, Course, exact_for, lanes_for, series_for
 from polhode.taylor.kernels import Kernel, chosen_kernel, note, written_code
 from polhode.taylor.machine import Machine
 from polhode.types import Array, Float64, Integer
@@ -29,8 +30,12 @@ def starting(
     copies, n = y.shape
     now, counts = np.tile([first, 0.0, 1.0], (copies, 1)), np.tile([0, 1, 0, -1], (copies, 1))
     crossed = np.zeros((copies, hits, 2 + n))
-    wanted, slack = _kept_at(machine, y, scale)
-    return Copies(y, scale, wanted, slack, np.zeros(copies, np.int64), samples, now, counts, crossed)
+    if machine.exact is None:
+        wanted, slack = _kept_at(machine, y, scale)
+    else:  # what has more digits is not to be put back by numbers that have fewer
+        wanted = slack = np.zeros((copies, 0))
+    low = np.zeros((copies, 0 if machine.exact is None else n))
+    return Copies(y, low, scale, wanted, slack, np.zeros(copies, np.int64), samples, now, counts, crossed)
 
 
 def fly(
@@ -50,7 +55,7 @@ def fly(
     if machine.clock >= 0:
         copies.y[:, machine.clock] = copies.now[:, TIME]
     while (running := np.flatnonzero(status == kernel.RUNNING)).size:
-        use = chosen_kernel(running.size)
+        use = chosen_kernel(running.size, machine.exact is not None)
         # Python's runs are long enough to ask how much of the processor they took, whatever else it does
         clock = time.perf_counter if use.is_compiled else time.process_time
         before = clock()
@@ -84,7 +89,8 @@ def _advance(copies: Copies, machine: Machine, course: Course, use: Kernel, runn
         part = slice(running[low], running[high - 1] + 1)
         rates = series_for(machine.program, orders, use.lanes, 0 if code is None else code.address)
         integrals = series_for(machine.integrals, 1, use.lanes)
-        lanes = lanes_for(machine.program, course.order, use.lanes, watched, conserved)
+        exact = exact_for(machine.exact, machine.numbers, PAIRS)
+        lanes = lanes_for(machine.program, exact, course.order, use.lanes, watched, conserved)
         with np.errstate(all="ignore"):
             use.advance(rates, integrals, Copies(*(x[part] for x in copies)), lanes, course, limit)
 

@@ -63,7 +63,7 @@ def advance(rates: Series, integrals: Series, copies: Copies, lanes: Lanes, cour
             lanes.steps[lane] = 0.0
             if which[lane] != NOBODY:
                 status[which[lane]] = planned(rates, copies, lanes, course, lane)
-        advanced(rates, order, vectors(lanes.steps)[0], states)
+        advanced(rates, lanes, course)
         if course.clock >= 0:
             for lane in range(LANES):
                 lanes.states[course.clock * LANES + lane] = lanes.later[lane]
@@ -96,6 +96,8 @@ def seated(copies: Copies, lanes: Lanes, course: Course, following: Any) -> tupl
             lanes.which[lane], following = k, k + 1
             for i in range(copies.y.shape[1]):
                 lanes.states[i * LANES + lane], lanes.scales[i * LANES + lane] = copies.y[k, i], copies.scale[k, i]
+            for i in range(copies.low.shape[1]):
+                lanes.low[i * LANES + lane] = copies.low[k, i]
             for c in range(copies.wanted.shape[1]):
                 lanes.wanted[c * LANES + lane], lanes.slack[c * LANES + lane] = copies.wanted[k, c], copies.slack[k, c]
             lanes.units[lane], lanes.left[lane] = copies.now[k, UNIT], abs(course.end - copies.now[k, TIME])
@@ -182,6 +184,8 @@ def arrived(copies: Copies, lanes: Lanes, course: Course, lane: Any) -> Any:
     n, following = copies.y.shape[1], copies.counts[k, NEXT]
     for i in range(n):
         copies.y[k, i] = lanes.states[i * LANES + lane]
+    for i in range(copies.low.shape[1]):
+        copies.low[k, i] = lanes.low[i * LANES + lane]
     while following < course.samples and course.times[following] == later:
         for i in range(n):
             copies.out[k, following, i] = copies.y[k, i]

@@ -255,12 +255,12 @@ def fitted_series(series: Series, lanes: Lanes, course: Course) -> None:
             break
 
 
-def advanced(series: Series, order: Any, steps: Any, y: Array) -> None:
-    """Set y to the states after so many units of time."""
-    width, z = series.whole[SLOTS], series.z
+def advanced(series: Series, lanes: Lanes, course: Course) -> None:
+    """Set the lanes' states to those after a step; ``kernel_extended`` has the same with twice as many digits."""
+    width, z, y, steps = series.whole[SLOTS], series.z, vectors(lanes.states), vectors(lanes.steps)[0]
     for i in range(series.whole[SIZE]):
-        value = z[order * width + i]
-        for k in range(order - 1, -1, -1):
+        value = z[course.order * width + i]
+        for k in range(course.order - 1, -1, -1):
             value = value * steps + z[k * width + i]
         y[i] = value
 

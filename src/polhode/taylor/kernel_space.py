@@ -37,11 +37,30 @@ class Series(NamedTuple):
     code: int
 
 
+class Exact(NamedTuple):
+    """A program whose first coefficients are computed with twice as many digits, each in two parts.
+
+    Its state is that of the other program, followed by numbers of the system, which do not move.
+
+    Attributes:
+        whole, number: of the program, empty where nothing is computed so.
+        high, low: coefficients of one order after the other, each of all nodes.
+        still: (slots,) 1 for nodes that do not move.
+    """
+
+    whole: Integer[Array, "integers"]
+    number: Float64[Array, "numbers"]
+    high: Float64[Array, " many"]
+    low: Float64[Array, " many"]
+    still: Integer[Array, "slots"]
+
+
 class Copies(NamedTuple):
     """How C copies of n numbers stand.
 
     Attributes:
         y: (C, n) states.
+        low: (C, n) what these leave of states with twice as many digits; else (C, 0).
         scale: (C, n) sizes of their components, infinite of those that have none and are not put back.
         wanted: (C, K) what is conserved.
         slack: (C, K) by how much a state may be off that.
@@ -53,6 +72,7 @@ class Copies(NamedTuple):
     """
 
     y: Float64[Array, "copies n"]
+    low: Float64[Array, "copies low"]
     scale: Float64[Array, "copies n"]
     wanted: Float64[Array, "copies conserved"]
     slack: Float64[Array, "copies conserved"]
@@ -96,7 +116,8 @@ class Lanes(NamedTuple):
 
     Attributes:
         which: the copy in each lane.
-        states, scales, wanted, slack: of these.
+        states, low, scales, wanted, slack: of these.
+        exact: what computes the first coefficients of their rates with twice as many digits.
         units, left, steps, lengths: of time in the series, until the end, of a step in units, see ``step_lengths``.
         later, event, last, lowered: time and event at the end of a step, if that is the last, if the unit was too long.
         due: whether a state is to be put back onto what is conserved, and ``rows`` gradients of that.
@@ -106,6 +127,8 @@ class Lanes(NamedTuple):
 
     which: Integer[Array, "lanes"]
     states: Float64[Array, " many"]
+    low: Float64[Array, " many"]
+    exact: Exact
     scales: Float64[Array, " many"]
     wanted: Float64[Array, " many"]
     slack: Float64[Array, " many"]
@@ -133,13 +156,23 @@ def series_for(program: Program, orders: int, width: int, code: int = 0) -> Seri
     return Series(*program, flat, flat, _zeros(factors), _zeros(factors), code)
 
 
-def lanes_for(program: Program, order: int, width: int, watched: int, conserved: int) -> Lanes:
+def exact_for(program: Program | None, numbers: Float64[Array, "numbers"], orders: int) -> Exact:
+    """Return room for so many orders in two parts; ``numbers`` are those of the system, which end the state."""
+    if program is None:
+        return Exact(np.zeros(0, np.int64), _zeros(0), _zeros(0), _zeros(0), np.zeros(0, np.int64))
+    high, low = _zeros(orders * program.slots), _zeros(orders * program.slots)
+    high[program.size - len(numbers) : program.size] = numbers
+    return Exact(*program, high, low, program.still(len(numbers)))
+
+
+def lanes_for(program: Program, exact: Exact, order: int, width: int, watched: int, conserved: int) -> Lanes:
     """Return lanes in which nobody is."""
     n = program.size
     numbers = lambda count: _zeros(count * width)  # noqa: E731
     marks = lambda: np.zeros(width, np.int64)  # noqa: E731
     return Lanes(
-        np.full(width, NOBODY), numbers(n), numbers(n), numbers(conserved), numbers(conserved), np.ones(width),
+        np.full(width, NOBODY), numbers(n), numbers(n if len(exact.whole) else 0), exact, numbers(n),
+        numbers(conserved), numbers(conserved), np.ones(width),
         numbers(1), numbers(1), numbers(LENGTHS), numbers(1), marks(), marks(), marks(), numbers(1),
         numbers(conserved * (n + 1)),
         numbers(watched * (order + 1)), np.zeros((watched, order + 1)), np.zeros(order + 1), np.zeros(2 * DEPTH + 8),

@@ -1,5 +1,7 @@
 """The kernel, as plain Python and compiled by Numba, for one copy at a time and for eight: always the same bits.
 
+A third form moves one copy at a time with twice as many digits.
+
 Compiling takes seconds, once for an installation, and loading what was compiled a third of one. Short runs are over by
 then, and are left to Python, and few copies to the kernel that moves them one after the other.
 """
@@ -14,8 +16,10 @@ from pathlib import Path
 from types import FunctionType, ModuleType
 from typing import Any, ClassVar, NamedTuple
 
+from polhode.special import doubledouble
 from polhode.taylor import (
     kernel,
+    kernel_extended,
     kernel_invariants,
     kernel_kepler,
     kernel_lanes,
@@ -30,12 +34,16 @@ from polhode.taylor.program import Program
 
 LOADED = 0.1  # s that slower runs take before a kernel is loaded
 WRITTEN, LONGEST = 1e-3, 4000  # or code is written for each operation of a program, and the longest that it is for
-COMPILED = {1: 2.0, lanes.LANES: 6.0}  # or compiled, by how many copies it moves at a time
+EXTENDED = 2  # for one copy with twice as many digits; other forms are named by how many copies they move at a time
+COMPILED = {1: 2.0, lanes.LANES: 6.0, EXTENDED: 3.0}  # or compiled
 COMMON: tuple[ModuleType, ...] = kernel_space, kernel_kepler, kernel_series, kernel_zeros, kernel_invariants, kernel
-MODULES = {1: (vectors, kernel_products, *COMMON), lanes.LANES: (lanes, kernel_lanes, *COMMON)}
+MODULES = {1: (vectors, kernel_products, *COMMON), lanes.LANES: (lanes, kernel_lanes, *COMMON),
+           EXTENDED: (vectors, kernel_products, doubledouble, *COMMON, kernel_extended)}  # fmt: skip
 ENTRIES = ("advance", "conserved_values")
 # all other functions are made part of those that call them
-CALLED = ("function", "orbital", "eccentric_anomaly_at", "reach_of", "first_zero", "change_within", "zero_between")
+CALLED = ("function", "orbital", "eccentric_anomaly_at", "reach_of", "first_zero", "change_within", "zero_between",
+          "first_coefficients", "power_of_pair")  # fmt: skip
+WHAT = {1: "Taylor series", lanes.LANES: "Taylor series of many copies", EXTENDED: "Taylor series of more digits"}
 Function = Any  # of Numba's or of Python's own
 
 
@@ -65,8 +73,11 @@ class _Spent:
     called: ClassVar[set[Kernel]] = set()
 
 
-def chosen_kernel(copies: int) -> Kernel:
+def chosen_kernel(copies: int, extended: bool = False) -> Kernel:
     """Return the fastest kernel for so many copies that is there or worth its while."""
+    if extended:
+        made = compiled_kernel if _is_worth(EXTENDED, _Spent.by_python) else python_kernel
+        return made(EXTENDED)
     if not _is_worth(1, _Spent.by_python):
         return python_kernel(1)
     if copies >= lanes.LANES and _is_worth(lanes.LANES, _Spent.one_by_one):
@@ -106,32 +117,36 @@ def _is_worth(width: int, spent: float) -> bool:
 def python_kernel(width: int) -> Kernel:
     """Return the kernel as it is written."""
     space = _joined(width, lambda function, name: function, {})
-    return Kernel(width, False, *(space[name] for name in ENTRIES), stretch=1_000)
+    return Kernel(_lanes(width), False, *(space[name] for name in ENTRIES), stretch=1_000)
 
 
 @cache
 def compiled_kernel(width: int) -> Kernel:
     """Return the kernel as Numba compiles it when it is first called, or has it on the disk."""
-    from polhode.exact.kernel_arithmetic import announced, njit
+    from polhode.exact.kernel_arithmetic import announced, njit, two_product
     from polhode.taylor import compiled_vectors
 
     files = [inspect.getfile(module) for module in (*MODULES[width], compiled_vectors)]
     sources = [Path(file).read_bytes() for file in (*files, __file__)]
     version = zlib.crc32(b"".join(sources))
-    operations = compiled_vectors.of_one_copy() if width == 1 else compiled_vectors.of_lanes()
+    operations = compiled_vectors.of_one_copy() if _lanes(width) == 1 else compiled_vectors.of_lanes()
+    operations = operations | ({"two_product": two_product} if width == EXTENDED else {})
     take: Any = njit  # whose types do not know all of its options
 
     def compiled(function: FunctionType, name: str) -> Any:
         if name in ENTRIES:
             # Numba looks at one file alone for changes, and keeps what it compiles by this name
             function.__qualname__ = f"{name}_{width}_{version:08x}"
-            what = "Taylor series" if width == 1 else "Taylor series of many copies"
-            return announced(what, take(error_model="numpy", nogil=True, cache=True)(function))
+            return announced(WHAT[width], take(error_model="numpy", nogil=True, cache=True)(function))
         return take(error_model="numpy", nogil=True, forceinline=name not in CALLED, no_cpython_wrapper=True,
                     no_cfunc_wrapper=True)(function)  # fmt: skip
 
     space = _joined(width, compiled, operations)
-    return Kernel(width, True, *(space[name] for name in ENTRIES), stretch=2_000_000)
+    return Kernel(_lanes(width), True, *(space[name] for name in ENTRIES), stretch=2_000_000)
+
+
+def _lanes(width: int) -> int:
+    return 1 if width == EXTENDED else width
 
 
 def use_compiled_kernel(*widths: int) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from functools import lru_cache
+from itertools import chain
 from typing import Any, NamedTuple
 
 import equinox as eqx
@@ -15,7 +16,7 @@ import numpy as np
 from polhode.arrays import in_jax_numpy
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem, Event
 from polhode.systems.forms import distances, rates_of_change
-from polhode.taylor.expressions import Expression, Tape, Untraceable, gradient
+from polhode.taylor.expressions import Expression, Operation, Tape, Untraceable, gradient
 from polhode.taylor.jaxprs import operations_on, uses_first, written
 from polhode.taylor.program import Program, program_of
 from polhode.taylor.structure import Structure, itself, structure_of
@@ -26,6 +27,7 @@ MOST_GRADIENTS = 600  # numbers in the gradients of what is conserved, from whic
 SAME_JUMP = 1e-12  # of a time: a jump that is named, and found again by trying times
 TRACING = (jax.errors.ConcretizationTypeError, jax.errors.TracerArrayConversionError,
            jax.errors.TracerIntegerConversionError, jax.errors.TracerBoolConversionError)  # fmt: skip
+HIGHEST_POWER = 32  # with twice as many digits
 INSTANTS = 1024  # at which branches on the time must come to the same
 Span = tuple[float, float] | None
 
@@ -83,6 +85,8 @@ class Machine(NamedTuple):
         balances: names.
         events: names.
         clock: component that is the time, or −1.
+        exact: program of rates whose first coefficients have twice as many digits: of the same state, then of the
+            system's ``numbers``, so that what is computed of them, as one over a moment, has these digits too; or None.
     """
 
     form: Form
@@ -92,9 +96,13 @@ class Machine(NamedTuple):
     balances: tuple[str, ...]
     events: tuple[str, ...]
     clock: int
+    exact: Program | None
+    numbers: Float64[Array, "numbers"]
 
 
-def machine_of(system: AbstractSystem, state: Array, between: Span, through: Event | None = None) -> Machine:
+def machine_of(
+    system: AbstractSystem, state: Array, between: Span, through: Event | None = None, extended: bool = False
+) -> Machine:
     """Return the programs of a system for states like one.
 
     Args:
@@ -102,17 +110,19 @@ def machine_of(system: AbstractSystem, state: Array, between: Span, through: Eve
         state: one, as ``check_state`` gives it.
         between: two times [s] between which no jump is named.
         through: a function of time and state that is watched too, after the events.
+        extended: whether first coefficients are to have twice as many digits.
 
     Raises:
-        Untraceable: if rates, balances or events are not made of operations that have a recurrence.
+        Untraceable: if rates, balances or events are not made of operations that have a recurrence, or of those that
+            have one with twice as many digits.
     """
     form = Form(np.shape(state), np.iscomplexobj(state))
     between = between if np.size(system.jumps) else None
     try:
         hash((system, through))
     except TypeError:
-        return _machine.__wrapped__(system, form, between, through)
-    return _machine(system, form, between, through)
+        return _machine.__wrapped__(system, form, between, through, extended)
+    return _machine(system, form, between, through, extended)
 
 
 def operations_of(system: AbstractSystem, state: Double[Array, "..."]) -> int:
@@ -178,23 +188,48 @@ def _written(structure: Structure, form: Form, through: Event | None) -> _Writte
 
 
 @lru_cache(maxsize=256)
-def _machine(system: AbstractSystem, form: Form, between: Span, through: Event | None) -> Machine:
-    (closed, balances, timed, _), numbers = _of_any_numbers(_written, system, form, through)
-    size = form.size + len(balances) + timed
+def _machine(
+    system: AbstractSystem, form: Form, between: Span, through: Event | None, extended: bool
+) -> Machine:  # fmt: skip
+    written, numbers = _of_any_numbers(_written, system, form, through)
     inside = _instants(between)
-    tape = Tape(size, size - 1 if timed else None, inside)
-    known = tape.state()
-    t = np.asarray(known[-1] if timed else 0.0, object if timed else float)
-    state = np.empty(form.size, object)
-    state[:] = known[: form.size]
-    found = [np.ravel(x) for x in evaluated(closed, t, state, numbers)]
-    rates = [tape_value(tape, x) for part in found[: 1 + len(balances)] for x in part]
-    if timed:
-        rates.append(tape.constant(1.0))
-    watched = [tape_value(tape, x) for part in found[1 + len(balances) :] for x in part]
+    tape, rates, watched = _taped(written, form, numbers, inside)
+    size = len(rates)
+    exact = None
+    if extended:
+        exact = _exact_program(*_taped(written, form, numbers, inside, moving=True)[:2])
     names, integrals = _integrals(system, form)
-    return Machine(form, program_of(tape, rates + watched), integrals, names, balances, tuple(system.events),
-                   size - 1 if timed else -1)  # fmt: skip
+    return Machine(form, program_of(tape, rates + watched), integrals, names, written.balances, tuple(system.events),
+                   size - 1 if written.timed else -1, exact, numbers)  # fmt: skip
+
+
+def _taped(
+    written: _Written, form: Form, numbers: Array, inside: Array, moving: bool = False
+) -> tuple[Tape, list[Expression], list[Expression]]:
+    """Return a tape with rates and what is watched; the system's numbers may be components of the state that follow."""
+    size = form.size + len(written.balances) + written.timed
+    tape = Tape(size + moving * len(numbers), size - 1 if written.timed else None, inside)
+    known = np.empty(tape.size, object)
+    known[:] = tape.state()
+    t = np.asarray(known[size - 1] if written.timed else 0.0, object if written.timed else float)
+    found = evaluated(written.closed, t, known[: form.size], known[size:] if moving else numbers)
+    parts = [[tape_value(tape, x) for x in np.ravel(part)] for part in found]
+    rates, watched = parts[: 1 + len(written.balances)], parts[1 + len(written.balances) :]
+    return tape, [*chain(*rates), *([tape.constant(1.0)] if written.timed else [])], [*chain(*watched)]
+
+
+def _exact_program(tape: Tape, rates: list[Expression]) -> Program:
+    wrong = {node.operation for node in tape.nodes} - {Operation.AFFINE, Operation.PRODUCT, Operation.POWER}
+    if wrong:
+        name = min(wrong).name.lower().replace("_", " ")
+        raise Untraceable(f"the operation '{name}', which has no recurrence with twice as many digits")
+    powers = [node.number for node in tape.nodes if node.operation is Operation.POWER]
+    if other := [x for x in powers if not ((2.0 * x).is_integer() and abs(x) <= HIGHEST_POWER)]:
+        raise Untraceable(
+            f"the power {other[0]:g}, and with twice as many digits only halves of whole numbers up to {HIGHEST_POWER} "
+            "have a recurrence"
+        )
+    return program_of(tape, rates)
 
 
 def _instants(between: Span) -> Float64[np.ndarray, "instants"]:

@@ -54,6 +54,25 @@ class Program(NamedTuple):
         rows = int(self.whole[START]) + int(self.whole[FIRST]) + np.arange(self.size + 1)
         return np.diff(self.whole[rows]) > 0
 
+    def still(self, numbers: int) -> Integer[Array, "slots"]:
+        """Return 1 for each slot that does not move, if the last numbers of the state do not.
+
+        The program is of sums, products and powers.
+        """
+        whole, found = self.whole, np.zeros(self.slots, np.int64)
+        found[self.size - numbers : self.size] = 1
+        for q, operation in enumerate(self.operations):
+            out, first = whole[whole[OUT] + q], whole[whole[ARGUMENT] + q]
+            if operation == Operation.AFFINE:
+                start, end = whole[whole[START] + first : whole[START] + first + 2]
+                found[out] = found[whole[whole[INDEX] + start : whole[INDEX] + end]].all()
+            elif operation == Operation.PRODUCT:
+                left, right = (whole[whole[table] + first : whole[table] + first + BLOCK] for table in (LEFT, RIGHT))
+                found[out : out + BLOCK] = found[left] & found[right]
+            else:
+                found[out] = found[first]
+        return found
+
     @property
     def form(self) -> int:
         """A number that programs share which differ by factors alone."""

@@ -21,6 +21,7 @@ from polhode.taylor.program import Program
 from polhode.types import Array, Double, Float64, Integer
 
 ORDER, LOCAL = 24, 1e-19  # to rounding: of an order at which errors of single steps do not add up with one sign
+EXTENDED_ORDER, EXTENDED_LOCAL = 28, 1e-22  # of states that have twice as many digits
 LOOSEST_ORDER = 8
 FIRST_HITS = 256  # crossings that there is room for at first
 AWAY = 1e3  # sizes of a state, which no motion reaches that comes back
@@ -32,21 +33,24 @@ class Precision(NamedTuple):
     Attributes:
         order: of the series.
         reach: of a step, in radii of convergence.
+        extended: whether the state has twice as many digits.
     """
 
     order: int
     reach: float
+    extended: bool = False
 
 
-def precision_of(tolerance: float | None, order: int | None = None) -> Precision:
+def precision_of(tolerance: float | None, order: int | None = None, extended: bool = False) -> Precision:
     """Return order and reach of steps whose error is a tolerance of the state's size; to rounding if it is None.
 
     Source: Jorba & Zou, Exp. Math. 14 (2005) 99, §3.1 for the order, §3.2 for the reach.
     """
-    local = LOCAL if tolerance is None else tolerance
+    to_rounding = (ORDER, LOCAL) if not extended else (EXTENDED_ORDER, EXTENDED_LOCAL)
+    local = to_rounding[1] if tolerance is None else tolerance
     if order is None:
-        order = ORDER if tolerance is None else max(LOOSEST_ORDER, math.ceil(1.0 - 0.5 * math.log(local)))
-    return Precision(order, local ** (1.0 / order) * math.exp(-0.7 / (order - 1)))
+        order = to_rounding[0] if tolerance is None else max(LOOSEST_ORDER, math.ceil(1.0 - 0.5 * math.log(local)))
+    return Precision(order, local ** (1.0 / order) * math.exp(-0.7 / (order - 1)), extended)
 
 
 class Runs(NamedTuple):
@@ -92,7 +96,8 @@ def _planned(
 ) -> Plan:  # fmt: skip
     forth = 1.0 if times[-1] > times[0] else -1.0
     borders = _borders(system, times, forth)
-    machines = [machine_of(system, state, between, through) for between in itertools.pairwise(borders)]
+    machines = [machine_of(system, state, between, through, precision.extended)
+                for between in itertools.pairwise(borders)]  # fmt: skip
     return Plan(borders, machines, times, precision, longest, forth)
 
 
@@ -177,8 +182,8 @@ def runs_back(
 
     for k in range(len(times) - 2, -1, -1):
         end = float(times[k])
-        course = Course(times[:0], 0, *precision, longest, plan.forth, nothing, nothing, end, machine.clock, follows,
-                        len(follows))  # fmt: skip
+        course = Course(times[:0], 0, precision.order, precision.reach, longest, plan.forth, nothing, nothing, end,
+                        machine.clock, follows, len(follows))  # fmt: skip
         fly(copies, machine, course, give_up, lambda t: 0.0)
         off = np.abs(y[:, :some] - known[:, k]) / scales[:, :some]
         missed = np.maximum(missed, np.where(copies.status == kernel.DONE, off.max(axis=1, initial=0.0), np.inf))
@@ -261,8 +266,8 @@ def _fly_through(plan: Plan, copies: Copies, check: Callable[[float], None], wat
     share = lambda t: (t - first) / (last - first)  # noqa: E731
     for machine, end in zip(plan.machines, plan.borders[1:], strict=True):
         follows = _followers(machine.program, copies.scale)
-        course = Course(plan.times, len(plan.times), *plan.precision, plan.longest, plan.forth, falling, stops, end,
-                        machine.clock, follows, len(follows))  # fmt: skip
+        course = Course(plan.times, len(plan.times), plan.precision.order, plan.precision.reach, plan.longest,
+                        plan.forth, falling, stops, end, machine.clock, follows, len(follows))  # fmt: skip
         fly(copies, machine, course, check, share)
         while watch is not None and copies.status[0] == kernel.FULL and copies.counts[0, HITS] < watch.most:
             copies = copies._replace(hits=np.concatenate([copies.hits, np.zeros_like(copies.hits)], axis=1))
