@@ -1,4 +1,4 @@
-"""Steps of a fluid on a sphere, against the same scheme written with NumPy and SciPy"""
+"""Steps of a fluid on a sphere, against the same scheme written with NumPy and SciPy, and series against steps"""
 
 from __future__ import annotations
 
@@ -10,6 +10,8 @@ from scipy.linalg import lapack
 
 import polhode as ph
 from polhode.algebra.sphere_laplacian import diagonals
+from polhode.taylor.array_series import array_run
+from polhode.taylor.runs import precision_of
 
 ANGLE = 0.25  # rad by which the fastest rotation turns in a step
 ENOUGH = 2e-16  # of the vorticity: the change below which the peer's iterations end
@@ -36,6 +38,31 @@ def rows(quick: bool) -> Iterator[Row]:
         yield Row(f"N = {n}, {steps} steps", "NumPy and SciPy, W̃ by two complex products an iteration", *errors,
                   *compared(ours, theirs, 3 if quick else 7),
                   f"errors: of the spectrum; states differ by {apart:.1e}")  # fmt: skip
+
+
+    for n, turned in ((16, 4.0),) if quick else ((33, 60.0), (96, 60.0)):
+        yield from series_rows(n, turned, 3 if quick else 7)
+
+
+def series_rows(n: int, turned: float, repeats: int) -> Iterator[Row]:
+    """Yield the time of midpoint steps of several orders over that of Taylor series, with errors of the vorticity."""
+    fluid = ph.systems.SphereFluid(n)
+    start = np.asarray(fluid.random(np.where(np.arange(12) > 2, 1.0, 0.0), seed=1))
+    rate = float(fluid.algebra.rate(fluid.stream_function(start)))
+    times, scale = np.array([0.0, turned / rate]), np.abs(start).max()
+    by = precision_of(None)
+    exact = array_run(fluid, start, times, by.order + 6, 0.7 * by.reach, scale=scale).states[-1]
+    error = lambda state: float(np.abs(state - exact).max() / scale)  # noqa: E731
+    ours = lambda: array_run(fluid, start, times, by.order, by.reach, scale=scale).states[-1]  # noqa: E731
+    for order in (2, 4, 8):
+
+        def theirs(order: int = order) -> np.ndarray:
+            method = ph.integrators.IsospectralMidpoint
+            return np.asarray(ph.solve(fluid, start, times, method, ANGLE / rate, order=order).end_state)
+
+        errors, found = (error(ours()), error(theirs())), compared(ours, theirs, repeats)
+        yield Row(f"N = {n}, {turned:g} rad by Taylor series", f"IsospectralMidpoint of order {order}", *errors, *found,
+                  "errors: of the vorticity")  # fmt: skip
 
 
 def peer(start: np.ndarray, step: float, steps: int) -> Callable[[], np.ndarray]:

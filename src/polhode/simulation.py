@@ -27,6 +27,7 @@ from polhode.integrators.probing import jumps_along, jumps_between, naming_jumps
 from polhode.integrators.series import (
     NoSeries,
     Taylor,
+    goes_by_arrays,
     has_short_series,
     is_series,
     series_error,
@@ -158,9 +159,10 @@ def simulate(
         warnings.filterwarnings("ignore", message="Complex dtype support in Diffrax")
         if isinstance(system, AbstractLiePoissonSystem):
             check_agreement(system, state, times, by_flows=_would_split(system, method))
-        if is_series(method) and not (resumable or memory is not None):
+        resumed = resumable or memory is not None
+        if is_series(method) and not (resumed and not goes_by_arrays(system, state)):
             return _by_series(system, state, times, method, asked)
-        if method is None and (step, order, memory) == (None, None, None) and not resumable:
+        if method is None and (step, order) == (None, None) and (system.series_of_arrays or not resumed):
             # what has no series, or comes to where they end, moves by other steps
             with contextlib.suppress(NoSeries):
                 return _by_series(system, state, times, None, asked)
@@ -169,7 +171,8 @@ def simulate(
                 return _by_equal_steps(system, state, times, method, asked)
         if resumable or memory is not None:
             raise InvalidInput(
-                "`resumable` and `memory` go with methods of equal steps; Taylor and diffrax's solvers start over."
+                "`resumable` and `memory` go with methods of equal steps, and Taylor series of large arrays; others "
+                "start over."
             )
         return _by_adaptive_steps(system, state, times, method, asked)
 
@@ -197,12 +200,16 @@ def _by_series(system: AbstractSystem, state: Array, times: np.ndarray, method: 
         given = named, method, state, times, meter, asked.step, asked.tolerance, asked.every
         motion, error = series_to_tolerance(*given)
     else:
-        motion = solve_by_series(named, method, state, times, meter, asked.step, asked.tolerance, asked.every)
+        motion = solve_by_series(named, method, state, times, meter, asked.step, asked.tolerance, asked.every,
+                                 asked.memory)  # fmt: skip
         known = asked.estimate_error and bool(np.any(motion.successful))
         error = series_error(named, method, state, times, motion, asked.step, asked.tolerance) if known else None
     if by_default and not np.all(motion.successful):
         raise NoSeries("its motion comes to a singularity.")
-    return _finished(system, type(method).__name__, motion, error, asked.throw)
+    found = _finished(system, type(method).__name__, motion, error, asked.throw)
+    if asked.resumable and motion.memory is None:
+        raise InvalidInput("`resumable` of Taylor goes with one state of a system without events, jumps and balances.")
+    return replace(found, memory=motion.memory) if asked.resumable else found
 
 
 def _finished(

@@ -118,8 +118,8 @@ def proved(order, off):
 
     balls = BallSystem(Scalar(lambda t, x: x), np.array([1.0]))
     with ctx.workprec(120):
-        proof = enclosures._Proof(flint, balls, np.array([1.0]), np.array([0.0, 12.0]), np.ones(1), order, 120)
-        proof.error = arb(off)
+        start, numbers = (np.array([1.0]), np.array([off])), (np.zeros(0), np.zeros(0))
+        proof = enclosures._Proof(flint, balls, start, numbers, np.array([0.0, 12.0]), np.ones(1), order, 120)
         found = proof.run()
         return abs(arb(float(found.states[-1, 0])) - (1 - arb(off)) * arb(12).exp()), arb(float(found.radii[-1, 0]))
 

@@ -75,7 +75,8 @@ class QuantizedSphere(AbstractMatrixAlgebra):
         return super().bracket(x / self.hbar, y)
 
     def coadjoint(self, x: Operand, mu: Operand) -> Element:
-        return super().coadjoint(x / self.hbar, mu)
+        product = adjoint(x / self.hbar) @ mu
+        return product - adjoint(product)  # which is μx†, as both are antihermitian: half of the time of two products
 
     def exp(self, x: Element) -> Element:
         return super().exp(x / self.hbar)

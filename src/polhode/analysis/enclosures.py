@@ -15,7 +15,7 @@ from polhode.errors import InvalidInput, NotConverged, not_installed, shown
 from polhode.integrators.interrupts import interrupts_kept
 from polhode.simulation import simulate
 from polhode.systems.base import AbstractSystem
-from polhode.taylor.balls import Ball, BallSystem
+from polhode.taylor.balls import Ball, BallSystem, numbers_of
 from polhode.taylor.expressions import Untraceable
 from polhode.types import Array, ArrayLike, Double, Float64, Real
 
@@ -60,8 +60,9 @@ class Enclosure(NamedTuple):
 
 @known_numbers_only
 def certify(
-    system: AbstractSystem, state: Real[ArrayLike, "..."], times: Real[ArrayLike, "time"], radius: float = 1e-15
-) -> Enclosure:
+    system: AbstractSystem, state: Real[ArrayLike, "..."], times: Real[ArrayLike, "time"], radius: float = 1e-15,
+    other: AbstractSystem | None = None, state_radii: Real[ArrayLike, "..."] | None = None,
+) -> Enclosure:  # fmt: skip
     """Return proved enclosures of a motion from an exact start: no rounding, truncation or growth is left out.
 
     Each step is a Taylor series in ball arithmetic. What is cut off is bounded by Cauchy's estimate, from a disc of
@@ -69,15 +70,24 @@ def certify(
     norm of the rates' derivative over the box. As that bound grows exponentially, for chaotic motions and for others,
     the arithmetic has so many more digits: the time grows with its square and more.
 
+    Numbers that are only known within limits are enclosed too: with a second system all those systems whose numbers lie
+    between both, each number by itself, and with radii all starts that far from the state. What they change is bounded
+    by the same norm, so that the enclosure is some times wider than what they do, and more so over long times.
+
     Args:
         system: what moves; its rates must be made of products, powers and elementary functions.
         state: one, packed as ``simulate`` takes it: the doubles are taken as exact numbers.
         times: (T,) [s], in one direction; the first is the start's.
-        radius: that is wanted, relative to the largest number of the start; that of the doubles given is added.
+        radius: that is wanted, relative to the largest number of the start; that of the doubles given is added, and so
+            is what numbers within limits change.
+        other: of the same form as the system, with other numbers.
+        state_radii: of the state's shape or one number: by how much the start may be off; of complex states, each of
+            real and imaginary part.
 
     Raises:
-        InvalidInput: for a batch of states, times out of order, a system with jumps or events between the times, or
-            rates that have no Taylor series.
+        InvalidInput: for a batch of states, times out of order, a system with jumps or events between the times, rates
+            that have no Taylor series, or another system of which more than numbers differs, or numbers that the rates
+            look at, as the eccentricity of an orbit.
         NotConverged: if the motion runs into a singularity, or needs more digits than are reasonable.
 
     >>> import polhode as ph
@@ -101,6 +111,8 @@ def certify(
         raise InvalidInput(
             f"{type(system).__name__} has no Taylor series, and no proof by one: its rates of change contain {error}."
         ) from None
+    middle, spread = _limits(system, other, balls)
+    off = _checked_radii(state_radii, balls, start)
     weights, grown, steps = _looked_ahead(system, balls, start, times)
     # of the weighted norm, whose largest weight turns it into the radius that is asked for
     wanted = radius * (float(np.abs(_flat(balls, start)).max()) or 1.0) / float(weights.max())
@@ -114,7 +126,7 @@ def certify(
         )
     before, flint.ctx.prec = flint.ctx.prec, bits
     try:
-        return _Proof(flint, balls, start, times, weights, order, bits).run()
+        return _Proof(flint, balls, (start, off), (middle, spread), times, weights, order, bits).run()
     finally:
         flint.ctx.prec = before
 
@@ -123,18 +135,28 @@ class _Proof:
     """A run, with all that it carries: the midpoint, the bound on the distance to the true state, the disc."""
 
     def __init__(
-        self, flint: Any, balls: BallSystem, start: Array, times: Array, weights: Array, order: int, bits: int
-    ) -> None:
+        self, flint: Any, balls: BallSystem, start: tuple[Array, Array], numbers: tuple[Array, Array], times: Array,
+        weights: Array, order: int, bits: int,
+    ) -> None:  # fmt: skip
         self.flint, self.balls, self.times = flint, balls, times
         self.order, self.bits = order, bits
         arb = flint.arb
         self.moving = balls.form.size
-        self.parameters = [arb(float(x)) for x in balls.parameters]
+        self.parameters = [arb(float(x)) for x in numbers[0]]
+        self.radii = [arb(float(x)) for x in numbers[1]]
+        self.around = [x + arb(0, r) for x, r in zip(self.parameters, self.radii, strict=True)]
         self.weights = [arb(float(w)) for w in weights]
-        self.y = [arb(float(x)) for x in _flat(balls, start)] + [arb(float(times[0]))] * balls.timed
-        self.error, self.growth, self.steps = arb(0), arb(1), 0
+        self.y = [arb(float(x)) for x in _flat(balls, start[0])] + [arb(float(times[0]))] * balls.timed
+        self.error, self.growth, self.steps = self._size([arb(float(x)) for x in start[1]]), arb(1), 0
         self.width = float(abs(times[-1] - times[0])) / RINGS
         self.forth = 1 if times[-1] > times[0] else -1
+
+    def _size(self, changes: list[Ball]) -> Ball:
+        """Return a bound of the weighted norm of changes of what moves but for the time."""
+        total = self.flint.arb(0)
+        for x, w in zip(changes, self.weights, strict=False):
+            total += (x / w) ** 2
+        return total.sqrt().upper()
 
     def run(self) -> Enclosure:
         """Go through all times."""
@@ -216,7 +238,7 @@ class _Proof:
         series = self.balls.coefficients(self.y, self.parameters, self.order)
         ratio = (abs(h) / arb(disc)).upper()
         cut = (ratio ** (self.order + 1) / (1 - ratio)).upper()
-        new, local = [], arb(0)
+        new, off = [], []
         for k, (row, size) in enumerate(zip(series, box, strict=True)):
             value = row[self.order]
             for x in reversed(row[: self.order]):
@@ -224,12 +246,16 @@ class _Proof:
             new.append(value.mid())
             if k == self.moving and not bool(value.rad() == 0):
                 raise NotConverged(f"{self.bits} bits do not hold times of steps exactly. Give a smaller `radius`.")
-            if k < self.moving:
-                local += ((arb(value.rad()).upper() + size * cut) / self.weights[k]) ** 2
-        local = local.sqrt().upper()
-        faster = self._faster(self._tube(series, h, box, ratio), abs(h))
+            off.append(arb(value.rad()).upper() + size * cut)
+        tube = self._tube(series, h, box, ratio)
+        # what other numbers make of the rates along the midpoint's way, which grows as errors do from then on
+        pushed = arb(0)
+        if any(bool(r > 0) for r in self.radii):
+            pushed = self._size(self.balls.changes(tube, self.around, self.radii)) * abs(h)
+        faster = self._faster(tube, abs(h), pushed)
         grow = (faster * abs(h)).exp().upper()
-        self.error = (self.error * grow + local).upper()
+        grown = grow.max(arb(1)) if bool(pushed > 0) else grow
+        self.error = (self.error * grow + pushed * grown + self._size(off[: self.moving])).upper()
         self.growth = (self.growth * grow).upper()
         self.y, self.steps = new, self.steps + 1
 
@@ -247,23 +273,25 @@ class _Proof:
             found.append(value + arb(0, (size * cut).upper()))
         return found
 
-    def _faster(self, motion: list[Ball], h: Ball) -> Ball:
+    def _faster(self, motion: list[Ball], h: Ball, pushed: Ball) -> Ball:
         """Return an upper bound of the logarithmic norm along the step, of the true motion and of the midpoint's."""
         arb, n = self.flint.arb, self.moving
-        aside = self.error * 2
+        error = self.error + pushed
+        aside = error * 2
         for _ in range(TRIALS):
             tube = list(motion)
             tube = [x + arb(0, (w * aside).upper()) for x, w in zip(tube, self.weights, strict=False)] + tube[n:]
-            slopes = self.balls.slopes(tube, self.parameters)
+            slopes = self.balls.slopes(tube, self.around)
             half = [[(self.forth * (slopes[i][j] * self.weights[j] / self.weights[i]
                                     + slopes[j][i] * self.weights[i] / self.weights[j])) / 2
                      for j in range(n)] for i in range(n)]  # fmt: skip
             if not all(x.is_finite() for row in half for x in row):
                 break
             bound = _largest(self.flint, half)
-            if bool(self.error * (bound * h).exp() <= aside):
+            most = error * (bound * h).exp().max(arb(1))
+            if bool(most <= aside):
                 return bound
-            aside = (self.error * (bound * h).exp()).upper() * WIDENED
+            aside = most.upper() * WIDENED
         raise NotConverged(
             f"the bound on errors, {float(self.error.upper()):.1e}, is too large for the rates to be bounded around "
             "the motion. Give a smaller `radius`, or an earlier last time."
@@ -348,6 +376,40 @@ def _looked_ahead(
                     weights, best = trial, value
     rate = float(np.max(np.linalg.norm(J, axis=(1, 2))))
     return weights, 1.15 * best, 10.0 * rate * float(np.ptp(path)) + len(times)
+
+
+def _limits(system: AbstractSystem, other: AbstractSystem | None, balls: BallSystem) -> tuple[Array, Array]:
+    """Return the middle of the system's numbers and the other's, and radii with which balls around it hold both."""
+    one = balls.parameters
+    if other is None:
+        return one, np.zeros(len(one))
+    if jax.tree.structure(other) != jax.tree.structure(system):
+        raise InvalidInput(
+            f"`other` must be a {type(system).__name__} of the same form, with other numbers; got {shown(other)}."
+        )
+    if not balls.exact:
+        raise InvalidInput(
+            f"`other` cannot be taken: the rates of {type(system).__name__} look at their numbers, or put them into "
+            "functions that have no series, and were traced with those of `system`."
+        )
+    second = numbers_of(other)
+    middle = one + 0.5 * (second - one)
+    radii = np.maximum(np.abs(one - middle), np.abs(second - middle))
+    radii = np.where(radii > 0.0, np.nextafter(radii, np.inf), 0.0)
+    if radii[balls.looked_at].any():
+        raise InvalidInput("`other` must have the same eccentricity: Kepler's equation is solved for one number.")
+    return middle, radii
+
+
+def _checked_radii(given: ArrayLike | None, balls: BallSystem, start: Array) -> Float64[np.ndarray, "n"]:
+    """Return by how much each number of the start may be off."""
+    shape = np.shape(start)
+    radii = np.asarray(0.0 if given is None else given, float)
+    if radii.shape not in ((), shape) or not (np.isfinite(radii) & (radii >= 0.0)).all():
+        raise InvalidInput(
+            f"`state_radii` must be numbers that are not negative, one or of shape {shape}; got {shown(given)}."
+        )
+    return np.repeat(np.broadcast_to(radii, shape).ravel(), 2 if balls.form.is_complex else 1)
 
 
 def _flat(balls: BallSystem, start: Array) -> Float64[np.ndarray, "n"]:

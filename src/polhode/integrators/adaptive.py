@@ -61,6 +61,7 @@ class AdaptiveMotion(NamedTuple):
         successful: (batch…) whether it reached its end.
         steps: how many were taken, by the copy that took most.
         ends: how each copy ended.
+        memory: of one motion by series of arrays, with which it goes on to the same bits, else None.
     """
 
     times: Float64[np.ndarray, "kept"]
@@ -70,6 +71,7 @@ class AdaptiveMotion(NamedTuple):
     successful: Bool[np.ndarray, "*batch"]
     steps: int
     ends: Ends
+    memory: tuple[Array, ...] | None = None
 
 
 def solve_adaptively(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -16,6 +17,7 @@ from polhode.integrators.interrupts import interrupts_kept
 from polhode.integrators.probing import jumps_between
 from polhode.motion.outcome import Ends, Status
 from polhode.systems.base import AbstractSystem
+from polhode.taylor.array_series import Place, runs_of_arrays
 from polhode.taylor.expressions import Untraceable
 from polhode.taylor.flight import MOST_STEPS
 from polhode.taylor.machine import machine_of, operations_of
@@ -86,15 +88,23 @@ def is_series(method: Any) -> bool:
 
 def has_short_series(system: AbstractSystem, state: Double[Array, "..."]) -> bool:
     """Return whether the rates of change at states (batch…, …) are of so few operations that series pay."""
-    one = np.reshape(np.asarray(state), (-1, *np.shape(state)[np.ndim(state) - system.state_axes :]))[0]
-    return operations_of(system, one) <= LARGEST
+    return system.series_of_arrays or operations_of(system, _one(system, state)) <= LARGEST
+
+
+def goes_by_arrays(system: AbstractSystem, state: Double[Array, "..."]) -> bool:
+    """Return whether series are of whole arrays, whose motion goes on from a place to the same bits."""
+    return system.series_of_arrays or operations_of(system, _one(system, state)) > LARGEST
+
+
+def _one(system: AbstractSystem, state: Double[Array, "..."]) -> Array:
+    return np.reshape(np.asarray(state), (-1, *np.shape(state)[np.ndim(state) - system.state_axes :]))[0]
 
 
 def has_series(system: AbstractSystem, state: Double[Array, "*shape"], times: tuple[float, float]) -> bool:
     """Return whether a motion of one state between two times has a series, and one that is short enough to pay."""
     try:
         check_sizes(np.asarray(state)[None])
-        if not has_short_series(system, state):
+        if goes_by_arrays(system, state):
             return False
         machine_of(system, state, times)
     except (NoSeries, Untraceable):
@@ -105,6 +115,7 @@ def has_series(system: AbstractSystem, state: Double[Array, "*shape"], times: tu
 def solve_by_series(
     system: AbstractSystem, method: Taylor, state: Double[Array, "..."], times: Float64[np.ndarray, "time"],
     meter: Any = None, step: float | None = None, tolerance: float | None = None, every: int = 1,
+    memory: Sequence[Array] | None = None,
 ) -> AdaptiveMotion:  # fmt: skip
     """Return the motion at times, or up to the first of the system's events; see ``solve_adaptively``.
 
@@ -120,7 +131,8 @@ def solve_by_series(
     check_sizes(states)
     jumps_between(times, system.jumps)  # refuses what is not a finite time
     precision = precision_of(tolerance, method.order, method.is_extended)
-    found = _checked_runs(system, states, kept, times[-1], precision, longest, meter)
+    place = None if memory is None else _place_of(memory, states, times[0])
+    found, place = _checked_runs(system, states, kept, times[-1], precision, longest, meter, place)
     shaped = lambda x: x.reshape((*batch, *x.shape[1:]))  # noqa: E731
     ends = Ends(shaped(found.status), shaped(found.event), shaped(found.end), shaped(found.end_state),
                 tuple(system.events))  # fmt: skip
@@ -128,7 +140,10 @@ def solve_by_series(
     received = {name: shaped(found.received[..., k]) for k, name in enumerate(found.balances)}
     steps = int(found.steps.max())
     if batch or found.status[0] != Status.EVENT:
-        return AdaptiveMotion(kept, shaped(found.states), received, None, fine, steps, ends)
+        carried = None
+        if place is not None and not batch:
+            carried = tuple(map(np.asarray, (times[-1] - place.time, place.state, place.unit)))
+        return AdaptiveMotion(kept, shaped(found.states), received, None, fine, steps, ends, carried)
     before = np.abs(kept - times[0]) < abs(float(found.end[0]) - times[0])
     # one row more, for the event itself
     received = {
@@ -157,7 +172,7 @@ def series_error(
 
     def again(start: Array, by: Precision) -> Runs:
         states = np.reshape(np.asarray(start), (-1, *np.shape(start)[len(batch) :]))
-        return _checked_runs(system, states, fine, fine[-1], by, longest, None)
+        return _checked_runs(system, states, fine, fine[-1], by, longest, None)[0]
 
     first, second = again(state, precision), again(state, better)
     off, failed = _apart(system, fine, first, second)
@@ -214,10 +229,36 @@ def _apart(system: AbstractSystem, times: Array, one: Runs, other: Runs) -> tupl
     return np.nan_to_num(found, nan=np.inf), failed
 
 
+def _by_arrays_or_tape(
+    system: AbstractSystem, states: Array, times: Array, precision: Precision, longest: float,
+    check: Callable[[float], None], place: Place | None,
+) -> tuple[Runs, Place | None]:  # fmt: skip
+    """Return runs by series of whole arrays where these are worth it and can be, else by those of numbers."""
+    if goes_by_arrays(system, states):
+        try:
+            return runs_of_arrays(system, states, times, precision, longest, check, place)
+        except Untraceable:
+            if place is not None:
+                raise
+    return runs_of(system, states, times, precision, longest, check), None
+
+
+def _place_of(memory: Sequence[Array], states: Double[Array, "copies ..."], first: float) -> Place:
+    """Return where the last step of an earlier motion by series of arrays began; it is told how long before the end."""
+    shapes = [np.shape(x) for x in memory]
+    if shapes != [(), np.shape(states[0]), ()] or len(states) > 1:
+        raise InvalidInput(
+            f"`memory` must be that of an earlier run by Taylor from one state: a time, a state {np.shape(states[0])} "
+            f"and a unit of time; got shapes {shapes}. Leave it out to begin afresh."
+        )
+    return Place(first - float(memory[0]), np.asarray(memory[1], states.dtype), float(memory[2]))
+
+
 def _checked_runs(
-    system: AbstractSystem, states: Array, times: Array, last: float, precision: Precision, longest: float, meter: Any
-) -> Runs:
-    """Return runs up to a last time, which need not be a sample, or say why there are none."""
+    system: AbstractSystem, states: Array, times: Array, last: float, precision: Precision, longest: float, meter: Any,
+    place: Place | None = None,
+) -> tuple[Runs, Place | None]:  # fmt: skip
+    """Return runs up to a last time, which need not be a sample, or say why there are none; and where one goes on."""
     with interrupts_kept() as check:
         shown_state = [None if meter is None else meter.init()]
 
@@ -228,7 +269,7 @@ def _checked_runs(
 
         whole = times if times[-1] == last else np.append(times, last)
         try:
-            found = runs_of(system, states, whole, precision, longest, seen)
+            found, place = _by_arrays_or_tape(system, states, whole, precision, longest, seen, place)
         except Untraceable as error:
             instead = ('Give `precision` "double".' if precision.extended
                        else "Leave out `method`, or give a solver of diffrax.")  # fmt: skip
@@ -243,7 +284,8 @@ def _checked_runs(
             f"{steps:.1e} steps did not reach the last time, {last:g} s, and at most so many are taken. Give an "
             "earlier last time, which is `time.until` in a spec, or follow the motion in parts."
         )
-    return found._replace(states=found.states[:, : len(times)], received=found.received[:, : len(times)])
+    kept = found._replace(states=found.states[:, : len(times)], received=found.received[:, : len(times)])
+    return kept, place
 
 
 def check_sizes(states: Double[Array, "copies ..."]) -> None:

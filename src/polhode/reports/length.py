@@ -31,12 +31,16 @@ class Watch:
         until: end of the run as the spec gives it [s], None where it leaves it out.
         times: (T,) [s] of its samples.
         remedy: what helps, other than a shorter time.
+        runs: what the run and those that tell its error take, in times of the run itself.
     """
 
-    def __init__(self, until: float | None, times: Float64[Array, "time"], remedy: str = "") -> None:
+    def __init__(
+        self, until: float | None, times: Float64[Array, "time"], remedy: str = "", runs: float = RUNS
+    ) -> None:
         which = "" if until is not None else ", the usual one,"
         self._named, self._remedy = f"`time.until` of {float(np.ptp(times)):g} s{which}", remedy and f" {remedy}"
         self._begun: tuple[float, float] | None = None
+        self._runs = runs
         self._said, self._bar = False, diffrax.NoProgressMeter()
 
     def init(self) -> Any:
@@ -55,7 +59,7 @@ class Watch:
             self._begun = now, share
         elapsed, done = now - self._begun[0], share - self._begun[1]
         if elapsed >= WATCHED and not (self._said and elapsed > PATIENCE):
-            seconds = RUNS * elapsed * (1.0 - self._begun[1]) / max(done, 1.0 / UNCOUNTED)
+            seconds = self._runs * elapsed * (1.0 - self._begun[1]) / max(done, 1.0 / UNCOUNTED)
             if elapsed <= PATIENCE and seconds * elapsed > LONGEST * PATIENCE:
                 raise InvalidInput(
                     f"{self._named} would take about {duration(seconds)}; at most some ten minutes are taken here. "

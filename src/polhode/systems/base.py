@@ -127,6 +127,11 @@ class AbstractSystem(HashableModule):
         return {}
 
     @property
+    def series_of_arrays(self) -> bool:
+        """Whether Taylor series of its motion are of whole arrays, and are what moves it by default."""
+        return False
+
+    @property
     def events(self) -> dict[str, Event]:
         """What ends the motion, named: functions of t and one state, positive until their zero."""
         return {}

@@ -65,6 +65,10 @@ class SphereMHD(AbstractLiePoissonSystem):
         self.algebra = DualNumbers(self.fluid.algebra)
 
     @property
+    def series_of_arrays(self) -> bool:
+        return self.fluid.series_of_arrays
+
+    @property
     def size(self) -> int:
         """N."""
         return self.fluid.size

@@ -7,6 +7,7 @@ Source: Johansson, IEEE Trans. Comput. 66 (2017) 1281, for the arithmetic.
 
 from __future__ import annotations
 
+import math
 import operator
 from collections.abc import Callable
 from typing import Any
@@ -23,9 +24,11 @@ from polhode.taylor.jaxprs import uses_first, written
 from polhode.taylor.machine import TRACING, Form, tape_value
 from polhode.taylor.program import needed
 from polhode.taylor.tracing import evaluated
-from polhode.types import Array
+from polhode.types import Array, Float64
 
 Ball = Any  # of python-flint, real or complex
+TINY = 1e-300  # of a ball around a zero that is met exactly
+NEWTON, WIDER = 60, 12  # steps of Newton's method, and trials of balls, for Kepler's equation
 
 
 class BallSystem:
@@ -41,6 +44,7 @@ class BallSystem:
         parameters: (m,) numbers in the system's fields.
         exact: whether what is computed of them is balls; else it was rounded to doubles.
         timed: whether the last of the numbers that move is the time.
+        looked_at: which parameters are taken as numbers, as the eccentricity of an orbit is, and cannot be balls.
 
     Raises:
         Untraceable: if rates are not made of operations that have a recurrence.
@@ -49,20 +53,21 @@ class BallSystem:
     def __init__(self, system: AbstractSystem, state: Array) -> None:
         self.form = Form(np.shape(state), np.iscomplexobj(state))
         arrays, rest = eqx.partition(system, eqx.is_inexact_array)
-        flat, unravel = jax.flatten_util.ravel_pytree(arrays)
+        _, unravel = jax.flatten_util.ravel_pytree(arrays)
         self.exact = True
         try:
-            made = self._traced(lambda p: eqx.combine(unravel(p), rest), np.asarray(flat, float))
+            made = self._traced(lambda p: eqx.combine(unravel(p), rest), numbers_of(system))
         except (*TRACING, TypeError, Untraceable):
             self.exact = False  # some of them are looked at as numbers, or go into functions without a recurrence
             made = self._traced(lambda p: system, np.zeros(0))
         self._tape, self._rates, self.size, self.parameters, self.timed = made
-        if any(node.operation is Operation.ECCENTRIC for node in self._tape.nodes):
-            raise Untraceable("Kepler's equation, which no ball solves yet")
+        self.looked_at = sorted(place - self.size for place in self._tape.looked_at)
         slopes = [gradient(x) for x in self._rates]
         self._slopes = [x for row in slopes for x in row[: self.size]]
+        self._by_parameters = [row[self.size :] for row in slopes]
         self._still = self._that_do_not_move()
         self._of_rates, self._of_slopes = needed(self._tape, self._rates), needed(self._tape, self._slopes)
+        self._of_parameters = needed(self._tape, [x for row in self._by_parameters for x in row])
 
     def _traced(
         self, system_of: Callable[[Any], AbstractSystem], parameters: Array
@@ -76,6 +81,7 @@ class BallSystem:
         timed = uses_first(closed)
         size = form.size + timed
         tape = Tape(size + len(parameters), form.size if timed else None)
+        tape.values = {size + k: float(x) for k, x in enumerate(parameters)}
         known = np.empty(tape.size, object)
         known[:] = tape.state()
         t = np.asarray(known[form.size] if timed else 0.0, object if timed else float)
@@ -100,6 +106,15 @@ class BallSystem:
         flat = [_value(x, z) for x in self._slopes]
         return [flat[k * self.size : (k + 1) * self.size] for k in range(self.size)]
 
+    def changes(self, y: list[Ball], parameters: list[Ball], radii: list[Ball]) -> list[Ball]:
+        """Return by how much the rates change at most if parameters, which are balls, leave their middle by radii."""
+        z = self._nodes(y, parameters, self._of_parameters)
+        found = []
+        for row in self._by_parameters:
+            parts = (abs(_value(x, z)) * r for x, r in zip(row, radii, strict=True) if x.terms or x.constant)
+            found.append(sum(parts, abs(z[0]) * 0))
+        return found
+
     def _nodes(self, y: list[Ball], parameters: list[Ball], places: list[int]) -> list[Ball]:
         z = [*y, *parameters, *[None] * len(self._tape.nodes)]
         for place in places:
@@ -122,6 +137,11 @@ class BallSystem:
             for place, node in moving:
                 z[place].append(_next(node, z, place, k + 1, self._still))
         return z[: self.size]
+
+
+def numbers_of(system: AbstractSystem) -> Float64[np.ndarray, "parameters"]:
+    """Return the numbers in a system's fields."""
+    return np.asarray(jax.flatten_util.ravel_pytree(eqx.filter(system, eqx.is_inexact_array))[0], float)
 
 
 def _value(x: Expression, z: list[Ball]) -> Ball:
@@ -151,8 +171,46 @@ def _first(node: Any, z: list[Ball]) -> Ball:
             return _analytic(x, "log")
         case Operation.SINE:
             return x.sin()
-        case _:
+        case Operation.COSINE:
             return x.cos()
+        case Operation.ECCENTRIC:
+            return eccentric_anomaly(x, node.number)
+        case Operation.ECCENTRIC_SINE:
+            return z[node.arguments[1]].sin()
+        case _:
+            return z[node.arguments[1]].cos()
+
+
+def eccentric_anomaly(mean_anomaly: Ball, eccentricity: float) -> Ball:
+    """Return a ball with E of M = E − e sin E for each M in a ball, by Newton's method; infinite if none is found.
+
+    Source: Moore, *Methods and Applications of Interval Analysis*, §5.2: what Newton's step takes into itself has one
+    zero of each of the functions.
+    """
+    M, e = mean_anomaly, eccentricity
+    middle, previous = M.mid() + e * M.mid().sin(), None
+    for _ in range(NEWTON):
+        middle = (middle - (middle - e * middle.sin() - M.mid()) / (1 - e * middle.cos())).mid()
+        if previous is not None and middle == previous:
+            break
+        previous = middle
+    missed = middle - e * middle.sin() - M
+    radius = 2 * (missed / (1 - e * middle.cos())).abs_upper() + TINY
+    for _ in range(WIDER):
+        if not radius.is_finite():
+            break
+        ball = _ball(middle, radius)
+        found = middle - missed / (1 - e * ball.cos())
+        if found.is_finite() and ball.contains_interior(found):
+            return found
+        radius = radius * 2
+    return M * math.inf
+
+
+def _ball(middle: Ball, radius: Ball) -> Ball:
+    """Return a ball around a number, a square around a complex one."""
+    around = type(radius)(0, radius)
+    return middle + (type(middle)(around, around) if hasattr(middle, "complex_rad") else around)
 
 
 def _power(x: Ball, exponent: float) -> Ball:
@@ -200,5 +258,15 @@ def _next(node: Any, z: list[list[Ball]], place: int, k: int, still: list[bool])
             return (x[k] - total / k) / x[0]
         case Operation.SINE:
             return sum(((k - j) * (x[k - j] * z[place + 1][j]) for j in range(k)), x[0] * 0) / k
+        case Operation.ECCENTRIC:
+            e, cosine = node.number, z[place + 2]
+            total = sum((j * (own[j] * cosine[k - j]) for j in range(1, k)), x[0] * 0) * e + k * x[k]
+            return total / (k * (1 - e * cosine[0]))
+        case Operation.ECCENTRIC_SINE | Operation.ECCENTRIC_COSINE:
+            anomaly = z[node.arguments[1]]
+            is_sine = node.operation is Operation.ECCENTRIC_SINE
+            other = z[place + 1] if is_sine else z[place - 1]
+            total = sum((j * (anomaly[j] * other[k - j]) for j in range(1, k + 1)), x[0] * 0) / k
+            return total if is_sine else -total
         case _:  # the sine stands before it
             return -sum(((k - j) * (x[k - j] * z[place - 1][j]) for j in range(k)), x[0] * 0) / k

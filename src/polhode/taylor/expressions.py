@@ -73,6 +73,8 @@ class Tape:
     def __init__(self, size: int, clock: int | None = None, instants: Any = ()) -> None:
         self.size, self.clock, self.instants = size, clock, np.asarray(instants, float)
         self.nodes: list[Node] = []
+        self.values: dict[int, float] = {}  # of components that do not move
+        self.looked_at: set[int] = set()  # of these, where an operation takes the number itself
         self._known: dict[Node, int] = {}
 
     def state(self) -> list[Expression]:
@@ -82,6 +84,18 @@ class Tape:
     def constant(self, value: float) -> Expression:
         """Return a number as an expression."""
         return Expression(self, {}, float(value))
+
+    def number_of(self, x: Any) -> float | None:
+        """Return the number that an expression is, if it is known, and note that it was asked for."""
+        if not isinstance(x, Expression):
+            return float(x)
+        if not x.terms:
+            return x.constant
+        (place, factor), *more = x.terms.items()
+        if more or factor != 1.0 or x.constant or place not in self.values:
+            return None
+        self.looked_at.add(place)
+        return self.values[place]
 
     def node(self, node: Node) -> int:
         """Return the number of a node, a new one if there is none like it."""

@@ -163,10 +163,14 @@ def _elementary(function: Callable[[Expression], Expression]) -> Rule:
 
 
 def _place_in_orbit(mean_anomaly: Array, eccentricity: Array) -> Array:
-    if eccentricity.dtype == object:
-        raise Untraceable("an eccentricity that moves")
     anomalies, e = np.broadcast_arrays(mean_anomaly, eccentricity)
-    found = [eccentric_anomaly(x, float(y)) for x, y in zip(anomalies.flat, e.flat, strict=True)]
+    tape, numbers = _tape_of(mean_anomaly), []
+    for x in e.flat:
+        number = tape.number_of(x)
+        if number is None:
+            raise Untraceable("an eccentricity that moves")
+        numbers.append(number)
+    found = [eccentric_anomaly(x, y) for x, y in zip(anomalies.flat, numbers, strict=True)]
     return np.array([None, *found], object)[1:].reshape(anomalies.shape)
 
 

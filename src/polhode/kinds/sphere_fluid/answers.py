@@ -19,7 +19,7 @@ from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import accuracy
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import WITHOUT_MOTION, AbstractMotionReport
-from polhode.reports.length import check_length
+from polhode.reports.length import Watch, check_length
 from polhode.reports.wording import duration, number, rate, vector
 from polhode.simulation import simulate
 from polhode.solving import turning_rates
@@ -30,6 +30,7 @@ ANGLE = 0.25  # rad that the fastest rotation turns in a step: shorter steps cos
 TURNOVERS = 15.0  # of eddies, unless the spec says how long
 MEMORY = 2**27  # bytes of states that are kept: of large matrices fewer samples
 EXTREME = 1e100  # rad/s: squares stay within the range of numbers
+QUICKER = "A lower `resolution` is quicker."
 LISTED = 12  # degrees of the spectrum in the text
 
 
@@ -152,13 +153,14 @@ class FluidReport(AbstractMotionReport):
 
     def _motion(self) -> Group:
         statistics = self.trajectory.statistics
-        count, each = statistics["steps"], statistics["iterations"] / max(statistics["steps"], 1)
+        count, iterations = statistics["steps"], statistics.get("iterations")
+        steps = f"{count}" if iterations is None else f"{count}, {iterations / max(count, 1):.3g} iterations each"
         return Group("Motion", [
             Answer("mean_degree", self.mean_degrees, "", "", "of the energy, at start and end"),
             Answer("mean_degree_of_enstrophy", self.mean_degrees_of_enstrophy, "", "", "at start and end"),
             Answer("spectrum_change", self.spectrum_change, "", "change of the spectrum",
                    "largest, of the largest eigenvalue", f"{self.spectrum_change:.1e}"),
-            Answer("steps", count, "", "steps", "", f"{count}, {each:.3g} iterations each"),
+            Answer("steps", count, "", "steps", "", steps),
             *accuracy(self.trajectory),
         ])  # fmt: skip
 
@@ -174,20 +176,20 @@ def report_of(spec: Spec) -> FluidReport:
     fluid, state, earlier = _start(spec, table)
     vorticity = _vorticity(fluid, state)
     until = TURNOVERS * 2.0 * math.pi / vorticity if spec.until is None else spec.until
-    kept = max(2, min(spec.samples, MEMORY // (16 * fluid.size**2)))
-    times = np.linspace(0.0, until, kept)
+    samples = max(2, min(spec.samples, MEMORY // (16 * fluid.size**2)))
+    times = np.linspace(0.0, until, samples)
     # the fastest planetary wave goes round at Ω, however slow the flow is
     fastest = max(float(turning_rates(fluid, state, times)), abs(table.rotation))
-    step = ANGLE / fastest if fastest else until
     memory = None if earlier is None else earlier.memory
+    kept = {"estimate_error": False, "resumable": True, "memory": memory}
+    if fluid.series_of_arrays:
+        trajectory = simulate(fluid, state, times, progress=Watch(spec.until, times, QUICKER, runs=1.0), **kept)
+        return FluidReport(fluid, table, state, trajectory, spec.samples)
+    step = ANGLE / fastest if fastest else until
     if earlier is not None and memory is not None and earlier.statistics.get("steps"):
         step = float(np.ptp(earlier.times)) / earlier.statistics["steps"]  # the same one leads on to the same bits
-    shown = check_length(spec.until, times, until / step, fluid.cost().seconds,
-                         "A lower `resolution` is quicker.")  # fmt: skip
-    trajectory = simulate(
-        fluid, state, times, IsospectralMidpoint, step=step, order=2, progress=shown, estimate_error=False,
-        resumable=True, memory=memory,
-    )  # fmt: skip
+    shown = check_length(spec.until, times, until / step, fluid.cost().seconds, QUICKER)
+    trajectory = simulate(fluid, state, times, IsospectralMidpoint, step=step, order=2, progress=shown, **kept)
     return FluidReport(fluid, table, state, trajectory, spec.samples)
 
 

@@ -21,7 +21,7 @@ from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import accuracy
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import WITHOUT_MOTION, AbstractMotionReport
-from polhode.reports.length import check_length
+from polhode.reports.length import Watch, check_length
 from polhode.reports.wording import duration, rate
 from polhode.simulation import simulate
 from polhode.solving import turning_rates
@@ -37,6 +37,7 @@ LONGEST = 0.9  # rad that anything turns in a step
 ORDERS = 3  # of waves on a zonal flow
 ZONAL = 0.98  # share of the energy at the start from which the flow is taken for a zonal one
 SMALL, SEEN = 1e-4, 1e-24  # shares of the energy: of waves that follow linear theory, and of waves that are no rounding
+QUICKER = "A lower `resolution` is quicker."
 PRODUCTS = 3.0  # of matrices, for each one of a fluid without a field
 
 
@@ -222,7 +223,8 @@ class MagneticReport(AbstractMotionReport):
 
     def _motion(self) -> Group:
         statistics = self.trajectory.statistics
-        count, each = statistics["steps"], statistics["iterations"] / max(statistics["steps"], 1)
+        count, iterations = statistics["steps"], statistics.get("iterations")
+        steps = f"{count}" if iterations is None else f"{count}, {iterations / max(count, 1):.3g} iterations each"
         return Group("Motion", [
             Answer("energies_at_end", self.energies[-1].sum(axis=-1), "rad²/s²", "energies at the end",
                    "kinetic and magnetic"),
@@ -230,7 +232,7 @@ class MagneticReport(AbstractMotionReport):
                    "largest, of the largest eigenvalue", f"{self.spectrum_change:.1e}"),
             Answer("mixed_change", self.mixed_change, "", "change of the mixed Casimirs",
                    "tr WΘ^k, k = 1 to 3, of the norms of their factors", f"{self.mixed_change:.1e}"),
-            Answer("steps", count, "", "steps", "", f"{count}, {each:.3g} iterations each"),
+            Answer("steps", count, "", "steps", "", steps),
             *accuracy(self.trajectory),
         ])  # fmt: skip
 
@@ -251,22 +253,23 @@ def report_of(spec: Spec) -> MagneticReport:
     system, state, earlier = _start(spec, table)
     size = _size(system, state)
     until = TURNOVERS * 2.0 * math.pi / size if spec.until is None else spec.until
-    kept = max(2, min(spec.samples, MEMORY // (32 * system.size**2)))
-    times = np.linspace(0.0, until, kept)
+    samples = max(2, min(spec.samples, MEMORY // (32 * system.size**2)))
+    times = np.linspace(0.0, until, samples)
+    memory = None if earlier is None else earlier.memory
+    kept = {"estimate_error": False, "resumable": True, "memory": memory}
+    if system.series_of_arrays:
+        trajectory = simulate(system, state, times, progress=Watch(spec.until, times, QUICKER, runs=1.0), **kept)
+        return MagneticReport(system, table, state, trajectory, spec.samples)
     # eddies, waves along the field, and the fastest planetary wave, which goes round at Ω however slow the flow is
     rates = [float(system.sphere.rate(x)) for x in (system.stream_function(state), state[0])]
     fastest = max(*rates, abs(table.rotation))
     shear = float(turning_rates(system, state, times))  # of the current, at which steps only must not jump
     step = min(ANGLE / fastest if fastest else until, LONGEST / shear if shear else until)
-    memory = None if earlier is None else earlier.memory
     if earlier is not None and memory is not None and earlier.statistics.get("steps"):
         step = float(np.ptp(earlier.times)) / earlier.statistics["steps"]  # the same one leads on to the same bits
-    shown = check_length(spec.until, times, until / step, PRODUCTS * system.fluid.cost().seconds,
-                         "A lower `resolution` is quicker.")  # fmt: skip
-    trajectory = simulate(
-        system, state, times, IsospectralMidpoint, step=step, order=2, progress=shown, estimate_error=False,
-        resumable=True, memory=memory,
-    )  # fmt: skip
+    each = PRODUCTS * system.fluid.cost().seconds
+    shown = check_length(spec.until, times, until / step, each, QUICKER)
+    trajectory = simulate(system, state, times, IsospectralMidpoint, step=step, order=2, progress=shown, **kept)
     return MagneticReport(system, table, state, trajectory, spec.samples)
 
 

@@ -1,0 +1,283 @@
+"""Taylor coefficients of whole arrays: what each of JAX's operations makes of the coefficients of its arguments.
+
+The operations of a function are done once for each order, on arrays as large as they are. So a field of large arrays,
+as that of a fluid is, has its series without being taken apart into numbers.
+
+Source: Jorba & Zou, Exp. Math. 14 (2005) 99, §2.1; Griewank & Walther, *Evaluating Derivatives*, ch. 13.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import jax
+import jax.numpy as jnp
+from jax.extend.core import Literal
+
+from polhode.taylor.expressions import Untraceable
+from polhode.taylor.jaxprs import INNER
+from polhode.types import Array, Shaped
+
+AFFINE = frozenset((
+    "add", "add_any", "sub", "neg", "mul", "div", "dot_general", "convert_element_type", "real", "imag", "complex",
+    "conj", "reshape", "transpose", "broadcast_in_dim", "slice", "squeeze", "expand_dims", "concatenate", "gather",
+    "scatter", "scatter-add", "scatter_add", "reduce_sum", "cumsum", "reduce_window_sum", "rev", "pad", "copy",
+    "copy_p", "stack", "unstack", "tile", "select_n", "dynamic_slice", "dynamic_update_slice", "fft",
+    "triangular_solve", "scan", "split",
+))  # fmt: skip
+"""In what moves, where that stands in places that ``_is_affine`` allows."""
+FIRST_STILL = frozenset(("select_n", "triangular_solve"))  # whose first argument must not move
+REST_STILL = frozenset(("gather", "dynamic_slice", "div"))  # only whose first one may
+Series = list[Array]  # of one array, by order
+
+
+class Step(NamedTuple):
+    """One operation.
+
+    Attributes:
+        equation: of the jaxpr.
+        arguments, results: places of arrays.
+        rule: returns the k-th coefficients of the results, given those of the arguments up to k, its own up to k − 1
+            and k; None where nothing moves.
+        moving: which of the arguments move.
+    """
+
+    equation: Any
+    arguments: tuple[int, ...]
+    results: tuple[int, ...]
+    rule: Callable[..., list[Array]] | None
+    moving: tuple[int, ...]
+
+
+class Unrolled:
+    """The operations of a jaxpr, one after the other, without those within others.
+
+    Args:
+        closed: the jaxpr.
+        moves: which of its arguments move.
+
+    Raises:
+        Untraceable: for operations of what moves that have no rule.
+    """
+
+    def __init__(self, closed: Any, moves: list[bool]) -> None:
+        self.constants: dict[int, Any] = {}
+        self.steps: list[Step] = []
+        self._moves: list[bool] = []
+        self.arguments = [self._place(does) for does in moves]
+        self.results = self._inlined(closed.jaxpr, closed.consts, self.arguments)
+        self.size = len(self._moves)
+
+    def is_moving(self, place: int) -> bool:
+        """Return whether an array moves."""
+        return self._moves[place]
+
+    def _place(self, moves: bool) -> int:
+        self._moves.append(moves)
+        return len(self._moves) - 1
+
+    def _known(self, value: Any) -> int:
+        place = self._place(False)
+        self.constants[place] = value
+        return place
+
+    def _inlined(self, jaxpr: Any, constants: Any, arguments: list[int]) -> list[int]:
+        at = dict(zip(jaxpr.invars, arguments, strict=True))
+        at.update(zip(jaxpr.constvars, map(self._known, constants), strict=True))
+
+        def place_of(variable: Any) -> int:
+            return self._known(variable.val) if isinstance(variable, Literal) else at[variable]
+
+        for equation in jaxpr.eqns:
+            given = [place_of(v) for v in equation.invars]
+            inner = next((equation.params[k] for k in INNER if k in equation.params), None)
+            if inner is not None and equation.primitive.name not in ("scan", "while", "cond"):
+                plain, consts = (inner.jaxpr, inner.consts) if hasattr(inner, "jaxpr") else (inner, [])
+                at.update(zip(equation.outvars, self._inlined(plain, consts, given), strict=True))
+                continue
+            moving = tuple(k for k, place in enumerate(given) if self._moves[place])
+            results = tuple(self._place(bool(moving)) for _ in equation.outvars)
+            rule = _rule_of(equation, moving) if moving else None
+            self.steps.append(Step(equation, tuple(given), results, rule, moving))
+            at.update(zip(equation.outvars, results, strict=True))
+        return [place_of(v) for v in jaxpr.outvars]
+
+
+def _rule_of(equation: Any, moving: tuple[int, ...]) -> Callable[..., list[Array]]:
+    name = equation.primitive.name
+    if _is_affine(equation, moving):
+        return _Affine(equation, moving)
+    if name in RULES:
+        return RULES[name](equation, moving)
+    raise Untraceable(f"`{name}` of something that moves")
+
+
+def _is_affine(equation: Any, moving: tuple[int, ...]) -> bool:
+    """Return whether an operation is affine in those of its arguments that move."""
+    name, parameters = equation.primitive.name, equation.params
+    if name not in AFFINE:
+        return False
+    if name in ("mul", "dot_general"):
+        return len(moving) == 1
+    if name in FIRST_STILL:
+        return 0 not in moving
+    if name in REST_STILL:
+        return moving == (0,)
+    if name in ("scatter", "scatter-add", "scatter_add"):
+        return 1 not in moving
+    if name == "dynamic_update_slice":
+        return all(k < 2 for k in moving)
+    if name == "scan":
+        body, known, carried = parameters["jaxpr"], parameters["num_consts"], parameters["num_carry"]
+        # what is carried moves if any of it does, or if what it is made of does
+        return _all_affine(body.jaxpr, {*moving, *range(known, known + carried)})
+    return True
+
+
+def _all_affine(jaxpr: Any, moving: set[int]) -> bool:
+    moves = {v for k, v in enumerate(jaxpr.invars) if k in moving}
+    for equation in jaxpr.eqns:
+        which = tuple(k for k, v in enumerate(equation.invars) if not isinstance(v, Literal) and v in moves)
+        if not which:
+            continue
+        moves.update(equation.outvars)
+        inner = next((equation.params[k] for k in INNER if k in equation.params), None)
+        if inner is not None and equation.primitive.name != "scan":
+            if equation.primitive.name in ("while", "cond") or not _all_affine(
+                    getattr(inner, "jaxpr", inner), set(which)):  # fmt: skip
+                return False
+        elif not _is_affine(equation, which):
+            return False
+    return True
+
+
+def bound(equation: Any, given: list[Any]) -> list[Shaped[Array, "..."]]:
+    """Return what an operation makes of values."""
+    found = equation.primitive.bind(*given, **equation.params)
+    return list(found) if equation.primitive.multiple_results else [found]
+
+
+class _Affine:
+    """What is linear in what moves but for what stays: its linear part goes over each order."""
+
+    def __init__(self, equation: Any, moving: tuple[int, ...]) -> None:
+        self.equation, self.moving = equation, moving
+
+    def __call__(self, given: list[Any], own: list[Series], k: int) -> list[Array]:
+        def of(*values: Array) -> list[Array]:
+            whole = [x[0] if j in self.moving else x for j, x in enumerate(given)]
+            for j, value in zip(self.moving, values, strict=True):
+                whole[j] = value
+            return bound(self.equation, whole)
+
+        if k == 0:
+            found, self.linear = jax.linearize(of, *(given[j][0] for j in self.moving))
+            return found
+        return self.linear(*(given[j][k] for j in self.moving))
+
+
+def _product(equation: Any, moving: tuple[int, ...]) -> Callable[..., list[Array]]:
+    """The sums of products of orders that make k; of matrices as one product of all of them side by side."""
+
+    def rule(given: list[Series], own: list[Series], k: int) -> list[Array]:
+        left, right = jnp.stack(given[0][: k + 1]), jnp.stack(given[-1][k::-1])
+        if equation.primitive.name != "dot_general":
+            return [jnp.sum(left * right, axis=0)]
+        (of_left, of_right), (batch_left, batch_right) = equation.params["dimension_numbers"]
+        later = lambda axes: tuple(axis + 1 for axis in axes)  # noqa: E731
+        numbers = (((0, *later(of_left)), (0, *later(of_right))), (later(batch_left), later(batch_right)))
+        return [jax.lax.dot_general(left, right, numbers, preferred_element_type=left.dtype)]
+
+    return rule
+
+
+def _quotient(equation: Any, moving: tuple[int, ...]) -> Callable[..., list[Array]]:
+    def rule(given: list[Any], own: list[Series], k: int) -> list[Array]:
+        above, below = given
+        value = (above[k] if k or 0 in moving else above) if 0 in moving or k == 0 else jnp.zeros_like(below[0])
+        for j in range(k):
+            value = value - own[0][j] * below[k - j]
+        return [value / below[0]]
+
+    return rule
+
+
+def _power(exponent_of: Callable[[Any], float]) -> Callable[..., Any]:
+    """Powers: u = xᵖ, k x₀ uₖ = Σ (p (k − j) − j) uⱼ x₍ₖ₋ⱼ₎; whole ones above zero by products, as x may be zero."""
+
+    def make(equation: Any, moving: tuple[int, ...]) -> Callable[..., list[Array]]:
+        def rule(given: list[Any], own: list[Series], k: int) -> list[Array]:
+            p, x = exponent_of(given if equation.primitive.name == "pow" else equation), given[0]
+            if float(p).is_integer() and 0 < p <= MOST_FACTORS:
+                return [_whole_power(x, int(p), k)]
+            if k == 0:
+                return bound(equation, [x[0], *given[1:]])
+            value = sum((p * (k - j) - j) * own[0][j] * x[k - j] for j in range(k))
+            return [value / (k * x[0])]
+
+        return rule
+
+    return make
+
+
+MOST_FACTORS = 8
+
+
+def _whole_power(x: Series, p: int, k: int) -> Array:
+    found = x[: k + 1]
+    for _ in range(p - 1):
+        found = [sum(found[j] * x[i - j] for j in range(i + 1)) for i in range(k + 1)]
+    return found[k]
+
+
+def _known_exponent(given: list[Any]) -> float:
+    try:
+        return float(given[1])
+    except (TypeError, jax.errors.ConcretizationTypeError):
+        raise Untraceable("a power whose exponent is not one known number") from None
+
+
+def _exponential(equation: Any, moving: tuple[int, ...]) -> Callable[..., list[Array]]:
+    def rule(given: list[Series], own: list[Series], k: int) -> list[Array]:
+        x = given[0]
+        return [jnp.exp(x[0]) if k == 0 else sum((k - j) * own[0][j] * x[k - j] for j in range(k)) / k]
+
+    return rule
+
+
+def _logarithm(equation: Any, moving: tuple[int, ...]) -> Callable[..., list[Array]]:
+    def rule(given: list[Series], own: list[Series], k: int) -> list[Array]:
+        x = given[0]
+        if k == 0:
+            return [jnp.log(x[0])]
+        return [(x[k] - sum(j * own[0][j] * x[k - j] for j in range(1, k)) / k) / x[0]]
+
+    return rule
+
+
+def _circular(which: int) -> Callable[..., Any]:
+    def make(equation: Any, moving: tuple[int, ...]) -> Callable[..., list[Array]]:
+        pair: tuple[Series, Series] = ([], [])
+
+        def rule(given: list[Series], own: list[Series], k: int) -> list[Array]:
+            x, (sine, cosine) = given[0], pair
+            if k == 0:
+                sine[:], cosine[:] = [jnp.sin(x[0])], [jnp.cos(x[0])]
+            else:
+                more = [(k - j) * x[k - j] for j in range(k)]
+                sine.append(sum(w * c for w, c in zip(more, cosine, strict=True)) / k)
+                cosine.append(-sum(w * s for w, s in zip(more, sine[:k], strict=True)) / k)
+            return [pair[which][k]]
+
+        return rule
+
+    return make
+
+
+RULES: dict[str, Callable[..., Any]] = {
+    "mul": _product, "dot_general": _product, "square": _product, "div": _quotient, "exp": _exponential,
+    "log": _logarithm, "sin": _circular(0), "cos": _circular(1), "pow": _power(_known_exponent),
+    "integer_pow": _power(lambda equation: equation.params["y"]), "sqrt": _power(lambda equation: 0.5),
+    "rsqrt": _power(lambda equation: -0.5), "cbrt": _power(lambda equation: 1.0 / 3.0),
+}  # fmt: skip

@@ -1,0 +1,212 @@
+"""Motions of large arrays by Taylor series, whose coefficients JAX computes for whole arrays.
+
+Products of large matrices are most of the work then, and no more of it than by a tape of their numbers. Steps are those
+of ``kernel_series``, and samples lie on the series. What is conserved is kept to rounding without a way back onto it,
+as nothing but rounding moves it.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+import numpy as np
+
+from polhode.motion.outcome import Status
+from polhode.systems.base import AbstractSystem
+from polhode.systems.forms import rates_of_change
+from polhode.taylor.array_rules import Unrolled, bound
+from polhode.taylor.expressions import Untraceable
+from polhode.taylor.runs import Precision, Runs
+from polhode.types import Array, Double, Float64
+
+FLOOR = 1e-3  # of the scale: a motion that dies away is computed to this part of its first size
+FAR = 256.0  # units: a longer step may be of coefficients that vanished
+UNITS = 100  # of time that are tried
+BITS = 20  # of the length of a step
+SHORTEST = 4e-16  # of the present time: shorter steps do not advance
+
+
+class Place(NamedTuple):
+    """Where a motion stands at the beginning of a step, from which it goes on to the same bits.
+
+    Attributes:
+        time: [s].
+        state: then.
+        unit: of time in its series, a power of two [s].
+    """
+
+    time: float
+    state: Double[Array, "..."]
+    unit: float
+
+
+class ArrayRun(NamedTuple):
+    """A motion of one state.
+
+    Attributes:
+        states: (T, …) samples; infinite after the end.
+        end: [s], NaN where steps shrank to nothing.
+        steps: how many were taken.
+        place: the beginning of the last step.
+    """
+
+    states: Double[Array, "time ..."]
+    end: float
+    steps: int
+    place: Place
+
+
+def runs_of_arrays(
+    system: AbstractSystem, states: Double[Array, "copies ..."], times: Float64[np.ndarray, "time"],
+    precision: Precision, longest: float = math.inf, check: Callable[[float], None] = lambda share: None,
+    place: Place | None = None,
+) -> tuple[Runs, Place]:  # fmt: skip
+    """Return what ``runs_of`` does, one copy after the other, and the beginning of the last copy's last step.
+
+    Raises:
+        Untraceable: for rates made of operations that have no rule, events, jumps, balances, or extended precision.
+    """
+    asked = {"events": system.events, "jumps": np.ravel(system.jumps), "balances": _balances(system, states[0])}
+    more = [name for name, value in asked.items() if len(value)] + ["extended precision"] * precision.extended
+    if more:
+        raise Untraceable(f"so many operations that whole arrays are needed, which have no {more[0]}")
+    found = []
+    for k, state in enumerate(states):
+        part = lambda share, k=k: check((k + share) / len(states))  # noqa: E731
+        scale = np.abs(np.broadcast_to(np.asarray(system.scales(jnp.asarray(state))), np.shape(state)))
+        run = array_run(system, state, times, precision.order, precision.reach, longest, scale, part, place)
+        found.append(run)
+    end, none = np.array([run.end for run in found]), np.full(len(found), -1)
+    status = np.where(np.isfinite(end), Status.COMPLETED, Status.NOT_CONVERGED)
+    whole, nothing = np.stack([run.states for run in found]), np.zeros((len(found), 0))
+    steps = np.array([run.steps for run in found])
+    received = np.zeros((*whole.shape[:2], 0))
+    return Runs(whole, received, status, none, end, whole[:, -1], nothing, steps, ()), found[-1].place
+
+
+def _balances(system: AbstractSystem, state: Array) -> Any:
+    return jax.eval_shape(lambda t, x: system.balances(t, x), jax.ShapeDtypeStruct((), float), jnp.asarray(state))
+
+
+@eqx.filter_jit
+def coefficients(
+    system: AbstractSystem, state: Double[Array, "*shape"], t: Float64[Array, ""], unit: Float64[Array, ""], order: int
+) -> Double[Array, "orders *shape"]:
+    """Return the Taylor coefficients of a motion, of powers of the time over a unit, up to an order.
+
+    Raises:
+        Untraceable: if the rates are made of operations that have no rule.
+    """
+    closed = jax.make_jaxpr(lambda t, x: rates_of_change(system, t, x))(t, state)
+    unrolled = Unrolled(closed, [True, True])
+    z: list[Any] = [None] * unrolled.size
+    for place, value in unrolled.constants.items():
+        z[place] = value
+    (clock, moving), (rates,) = unrolled.arguments, unrolled.results
+    z[clock], z[moving] = [t, unit], [state]
+    for k in range(order):
+        if k > 1:
+            z[clock].append(jnp.zeros_like(t))
+        for step in unrolled.steps:
+            given = [z[place] for place in step.arguments]
+            if step.rule is None:
+                if k == 0:
+                    for place, value in zip(step.results, bound(step.equation, given), strict=True):
+                        z[place] = value
+                continue
+            own = [[] if k == 0 else z[place] for place in step.results]
+            for place, value in zip(step.results, step.rule(given, own, k), strict=True):
+                z[place] = [value] if k == 0 else [*z[place], value]
+        if unrolled.is_moving(rates):
+            rate = z[rates][k]
+        else:
+            rate = z[rates] if k == 0 else jnp.zeros_like(state)
+        z[moving].append(jnp.asarray(rate * unit / (k + 1), state.dtype))
+    return jnp.stack(z[moving])
+
+
+def array_run(
+    system: AbstractSystem, state: Double[Array, "..."], times: Float64[np.ndarray, "time"], order: int, reach: float,
+    longest: float = math.inf, scale: Double[Array, "..."] | float = 1.0,
+    check: Callable[[float], None] = lambda share: None, place: Place | None = None,
+) -> ArrayRun:  # fmt: skip
+    """Return the motion of one state at times, which are no ends of steps.
+
+    Args:
+        system: what moves, without jumps.
+        state: at the first time.
+        times: (T,) [s], in one direction.
+        order, reach: of the series, and of a step in radii of convergence.
+        longest: step [s].
+        scale: sizes of the components.
+        check: called with the share that is done.
+        place: of an earlier run that ended at this start, which then goes on as if it had not been interrupted.
+
+    Raises:
+        Untraceable: if the rates are made of operations that have no rule.
+    """
+    first, last = float(times[0]), float(times[-1])
+    forth = 1.0 if last > first else -1.0
+    states = np.full((len(times), *np.shape(state)), np.inf, np.asarray(state).dtype)
+    states[0] = state
+    now, sample, steps = Place(first, np.asarray(state), 1.0) if place is None else place, 1, 0
+    while sample < len(times):
+        series, unit, h = _fitted(system, now, forth, order, reach, abs(last - now.time), scale)
+        h = _short(min(h, longest))
+        later = now.time + forth * h
+        if not h > SHORTEST * abs(now.time):
+            return ArrayRun(states, math.nan, steps, now)
+        steps += 1
+        while sample < len(times) and forth * times[sample] <= forth * later:
+            states[sample] = _at(series, (times[sample] - now.time) / (forth * unit))
+            sample += 1
+        now = now._replace(unit=unit) if sample == len(times) else Place(
+            later, _at(series, (later - now.time) / (forth * unit)), _power_of_two(h))  # fmt: skip
+        check(min(abs(now.time - first) / abs(last - first), 1.0))
+    return ArrayRun(states, last, steps, now)
+
+
+def _fitted(
+    system: AbstractSystem, now: Place, forth: float, order: int, reach: float, left: float, scale: Any
+) -> tuple[Array, float, float]:
+    """Return the coefficients by a unit of time that fits them, the unit, and the length of a step [s]."""
+    unit, lowered, series, length = now.unit, False, np.zeros(0), math.nan
+    for _ in range(UNITS):
+        series = coefficients(system, now.state, np.float64(now.time), np.float64(forth * unit), order)
+        series = np.asarray(series)
+        with np.errstate(all="ignore"):
+            sizes = np.array([np.max(np.abs(series[k]) / scale) for k in (0, order - 2, order - 1, order)])
+            start, lasts = max(float(sizes[0]), FLOOR), sizes[1:]
+            radii = (start / lasts) ** (1.0 / np.arange(order - 2, order + 1))
+        length = reach * float(np.min(radii)) if np.isfinite(sizes).all() else math.nan
+        if not length >= 0.0 and unit > 1e-280:
+            unit, lowered = unit * 2.0**-8, True
+        elif length > FAR and unit < left and not lowered:
+            unit = min(unit * 2.0**16, 2.0 * _power_of_two(left))
+        else:
+            break
+    return series, unit, length * unit
+
+
+def _at(series: Array, h: float) -> Array:
+    """Return the state after so many units of time."""
+    value = series[-1]
+    for one in series[-2::-1]:
+        value = value * h + one
+    return value
+
+
+def _short(h: float) -> float:
+    """Return a length of at most so many bits, so that sums of steps have no rounding, whatever they begin at."""
+    grain = _power_of_two(h) * 2.0**-BITS
+    return math.floor(h / grain) * grain if math.isfinite(h) and h > 0.0 else h
+
+
+def _power_of_two(x: float) -> float:
+    """Return the power of two at or below a positive number."""
+    return math.ldexp(1.0, math.frexp(x)[1] - 1) if math.isfinite(x) else 1.0
