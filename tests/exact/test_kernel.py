@@ -1,4 +1,4 @@
-"""The kernel that Numba compiles: error bounds and answers of NumPy's evaluation, in every family."""
+"""The kernels, by Python and as Numba compiles them: error bounds and answers of arrays, in every family."""
 
 import subprocess
 import sys
@@ -10,8 +10,10 @@ import pytest
 import polhode as ph
 from oracle.families import draw
 from oracle.measures import error_in_eps
-from oracle.numpy_alone import numpy_alone
+from oracle.numpy_alone import compiled_alone, numpy_alone, python_alone
+from polhode.exact.closed_form import ClosedForm
 from polhode.exact.free_body import kernel, kernel_setup
+from polhode.exact.free_body.evaluation import FORM
 
 WORST_ERROR = 16.0
 """eps, as of every evaluation."""
@@ -20,9 +22,8 @@ PER_FAMILY = 22  # together enough for the kernels to be chosen
 
 def states(case):
     motion = ph.FreeMotion(case.moments, case.momentum)
-    columns = tuple(np.asarray(column).item() for column in motion._columns)
-    attitude, momentum = kernel.states_of_one(columns, np.array([case.time]), np.zeros(1))
-    return attitude[0], momentum[0]
+    found = FORM._of_one(tuple(motion._columns), np.array([case.time]), np.zeros(1))
+    return found[0, :4], found[0, 4:]
 
 
 def test_states_are_exact_in_every_family(announce):
@@ -40,17 +41,18 @@ def batch(cases):
 
 def test_many_bodies_are_exact_in_every_family(announce, monkeypatch):
     """Set-up too, of all bodies at once; those that the kernel leaves to NumPy stand among them."""
-    calls, taken = [], {}
+    calls, taken, run = [], {}, ClosedForm._set_up_many
 
-    def observed(*arguments, run=kernel_setup.columns_of_many):
-        calls.append(run(*arguments))
-        return calls[-1]
+    def observed(self, flat, columns, left):
+        run(self, flat, columns, left)
+        calls.append(left.copy())
 
-    monkeypatch.setattr(kernel_setup, "columns_of_many", observed)
+    compiled_alone(monkeypatch)
+    monkeypatch.setattr(ClosedForm, "_set_up_many", observed)
     cases = draw(PER_FAMILY, 5)
     motion, times = batch(cases)
     attitude, momentum = motion.state(times)
-    (_, left), worst = calls[0], {}
+    left, worst = calls[0], {}
     for k, case in enumerate(cases):
         worst[case.family] = max(worst.get(case.family, 0.0), *error_in_eps(attitude[k], momentum[k], case))
         taken[case.family] = taken.get(case.family, 0) + int(not left[k])
@@ -80,6 +82,7 @@ def test_many_bodies_agree_with_numpy(monkeypatch):
     arguments = many_bodies(rng, 1500)
     epoch, times = rng.normal(size=(500, 3)), rng.uniform(-50.0, 50.0, (4, 500, 3))
     shaped = [x.reshape(500, 3, -1) for x in arguments]
+    compiled_alone(monkeypatch)
     monkeypatch.setattr(kernel_setup, "WORTH", 400)
     monkeypatch.setattr(kernel, "WORTH", 1000)
     found = [ph.FreeMotion(*shaped, epoch=epoch).state(times), ph.FreeMotion(*arguments).state(1.5)]
@@ -92,7 +95,8 @@ def test_many_bodies_agree_with_numpy(monkeypatch):
         assert (np.abs(a[1] - b[1]) <= 6e-15 * scale + 2e-323).all()
 
 
-def test_several_threads_may_use_it_at_once():
+def test_several_threads_may_use_it_at_once(monkeypatch):
+    compiled_alone(monkeypatch)
     moments, momentum, attitude = many_bodies(np.random.default_rng(4), 700)
     once = ph.FreeMotion(moments, momentum, attitude).state(3.0)
     with ThreadPoolExecutor(4) as pool:
@@ -109,8 +113,9 @@ def test_long_runs_go_through_it_and_agree(momentum, monkeypatch):
     motion = ph.FreeMotion((1.0, 2.0, 3.0), momentum, epoch=0.1)
     times = np.linspace(-50.0, 1e4, 70_001)[:-1].reshape(2, -1)
     calls = []
-    monkeypatch.setattr(kernel, "states_of_one", lambda *x, run=kernel.states_of_one: calls.append(1) or run(*x))
+    monkeypatch.setattr(ClosedForm, "_of_one", lambda *x, run=ClosedForm._of_one: calls.append(1) or run(*x))
     found = motion.state(times)
+    motion = ph.FreeMotion((1.0, 2.0, 3.0), momentum, epoch=0.1)
     numpy_alone(monkeypatch)
     wanted = motion.state(times)
     assert calls and found[0].shape == (2, 35_000, 4)
@@ -119,10 +124,23 @@ def test_long_runs_go_through_it_and_agree(momentum, monkeypatch):
 
 def test_a_wrong_column_is_noticed():
     motion = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5))
-    columns = [np.asarray(column).item() for column in motion._columns]
+    columns = motion._columns.tolist()
     columns[4] *= 1.0 + 1e-13
-    found = kernel.states_of_one(tuple(columns), np.array([100.0]), np.zeros(1))
-    assert np.abs(found[1][0] - motion.momentum(100.0)).max() > 1e-13
+    assert np.abs(FORM.state(tuple(columns), 100.0, 0.0)[4:] - motion.momentum(100.0)).max() > 1e-13
+
+
+def test_what_python_cannot_divide_goes_to_numba(monkeypatch):
+    """Numba's numbers become infinite where Python's raise errors."""
+    python_alone(monkeypatch)
+    wanted = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5)).state(2.0)
+
+    def broken(*given):
+        raise ZeroDivisionError
+
+    monkeypatch.setattr(kernel_setup, "set_up", broken)
+    monkeypatch.setattr(kernel, "state_at", broken)
+    found = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5)).state(2.0)
+    assert (found[0] == wanted[0]).all() and (found[1] == wanted[1]).all()
 
 
 def test_a_process_that_has_used_it_may_fork():

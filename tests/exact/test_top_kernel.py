@@ -1,4 +1,4 @@
-"""The tops' kernels that Numba compiles: error bounds and answers of NumPy, in every family."""
+"""The tops' kernels, by Python and as Numba compiles them: error bounds and answers of arrays, in every family."""
 
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
@@ -8,11 +8,12 @@ import pytest
 
 import polhode as ph
 from oracle.lagrange_families import TopCase, draw_tops
-from oracle.numpy_alone import numpy_alone
+from oracle.numpy_alone import compiled_alone, numpy_alone
 from oracle.test_lagrange_motion import WORST_ERROR, errors
 from polhode.errors import InvalidInput
-from polhode.exact import blocks
+from polhode.exact.closed_form import ClosedForm
 from polhode.exact.lagrange_top import kernel, kernel_setup
+from polhode.exact.lagrange_top.evaluation import FORM
 
 PER_FAMILY, PER_FAMILY_OF_MANY, SWEEP_PER_FAMILY = 3, 20, 600
 AGREEMENT = 8e-15
@@ -27,9 +28,8 @@ def test_states_are_exact_in_every_family(announce):
     worst = {}
     for case in draw_tops(PER_FAMILY, 8):
         top = ph.LagrangeMotion(*case[1:5])
-        columns = tuple(np.asarray(column).item() for column in top._columns)
-        attitude, momentum = kernel.states_of_one(columns, np.array([case.time]), np.zeros(1))
-        worst[case.family] = max(worst.get(case.family, 0.0), *errors(attitude[0], momentum[0], case))
+        found = FORM._of_one(tuple(top._columns), np.array([case.time]), np.zeros(1))[0]
+        worst[case.family] = max(worst.get(case.family, 0.0), *errors(found[:4], found[4:], case))
     announce("\n".join(["the top's kernel against the oracle, eps:", *(f"  {k:26}{v:8.2f}" for k, v in worst.items())]))
     assert len(worst) >= 27 and max(worst.values()) <= WORST_ERROR
 
@@ -44,13 +44,17 @@ def test_long_runs_go_through_it_and_agree(momentum, lean, monkeypatch):
     monkeypatch.setattr(kernel, "WORTH", 1000)
     times = np.linspace(-50.0, 1e3, 10_001)[:-1].reshape(2, -1)
     attitude = (np.cos(lean / 2), np.sin(lean / 2), 0.0, 0.0)
-    tops = [ph.LagrangeMotion((1.0, 1.0, 0.5), mgl, momentum, attitude, epoch=0.1) for mgl in (1.0, -1.0)]
+
+    def tops():
+        return [ph.LagrangeMotion((1.0, 1.0, 0.5), mgl, momentum, attitude, epoch=0.1) for mgl in (1.0, -1.0)]
+
     calls = []
-    monkeypatch.setattr(kernel, "states_of_one", lambda *x, run=kernel.states_of_one: calls.append(1) or run(*x))
-    found = [top.state(times) for top in tops]
+    monkeypatch.setattr(ClosedForm, "_of_one", lambda *x, run=ClosedForm._of_one: calls.append(1) or run(*x))
+    compiled_alone(monkeypatch)
+    found = [top.state(times) for top in tops()]
     numpy_alone(monkeypatch)
     assert len(calls) == 2 and found[0][0].shape == (2, 5000, 4)
-    for top, states in zip(tops, found, strict=True):
+    for top, states in zip(tops(), found, strict=True):
         assert max(np.abs(a - b).max() for a, b in zip(states, top.state(times), strict=True)) < 6e-15
 
 
@@ -62,15 +66,14 @@ def batch(cases):
 @pytest.fixture
 def left(monkeypatch):
     """What the set-up's kernel left to NumPy, of each call; batches of any size go to it."""
-    calls = []
+    calls, run = [], ClosedForm._set_up_many
 
-    def observed(*arguments, run=kernel_setup.columns_of_many):
-        found = run(*arguments)
-        calls.append(found[1])
-        return found
+    def observed(self, flat, columns, left):
+        run(self, flat, columns, left)
+        calls.append(left.copy())
 
-    monkeypatch.setattr(blocks, "MANY_BODIES", 2)
-    monkeypatch.setattr(kernel_setup, "columns_of_many", observed)
+    compiled_alone(monkeypatch)
+    monkeypatch.setattr(ClosedForm, "_set_up_many", observed)
     return calls
 
 
@@ -170,6 +173,7 @@ def test_many_tops_agree_with_numpy(monkeypatch):
     epoch, times = rng.normal(size=(500, 3)), rng.uniform(-50.0, 50.0, (4, 500, 3))
     times[:, 2, 2] = 0.0  # the tiny top, whose rate is large
     shaped = [x.reshape(500, 3, *x.shape[1:]) for x in arguments]
+    compiled_alone(monkeypatch)
     monkeypatch.setattr(kernel_setup, "WORTH", 400)
     monkeypatch.setattr(kernel, "WORTH", 1000)
 
@@ -204,7 +208,8 @@ def test_mistakes_among_many_are_refused_in_the_same_words(monkeypatch):
     assert said[:6] == said[6:] and len(set(said)) == 6
 
 
-def test_several_threads_may_set_up_at_once():
+def test_several_threads_may_set_up_at_once(monkeypatch):
+    compiled_alone(monkeypatch)
     arguments = many_tops(np.random.default_rng(4), 700)
     once = ph.LagrangeMotion(*arguments)._columns
     with ThreadPoolExecutor(4) as pool:
@@ -216,7 +221,7 @@ def test_a_wrong_column_is_noticed():
     """The tests of agreement would see an error of a rate in its fourteenth digit."""
     arguments = [x[9:] for x in many_tops(np.random.default_rng(6), 609)]
     top = ph.LagrangeMotion(*arguments)
-    columns = list(top._columns)
-    columns[4] = columns[4] * (1.0 + 1e-14)
-    found = kernel.states_of_many(tuple(columns), np.arange(600), np.full(600, 20.0), np.zeros(600))
-    assert np.abs(found[0] - top.attitude(20.0)).max() > AGREEMENT
+    columns = top._columns.copy()
+    columns[4] *= 1.0 + 1e-14
+    found, _ = FORM.states(columns, np.full(600, 20.0), np.zeros(600))
+    assert np.abs(found - top.attitude(20.0)).max() > AGREEMENT

@@ -1,13 +1,48 @@
-"""Closed forms of any size by NumPy, as small ones are."""
+"""Closed forms by arrays of NumPy alone, as JAX has them; and by kernels that Numba has compiled."""
 
-import sys
-
+import numpy as np
 import pytest
 
-from polhode.exact import blocks
+from polhode.exact.blocks import columns_in_blocks
+from polhode.exact.closed_form import COMPILING
+from polhode.exact.free_body import evaluation as free_body
+from polhode.exact.lagrange_top import evaluation as lagrange_top
+
+
+class ByArrays:
+    """What ``ClosedForm`` offers, without its kernels."""
+
+    def __init__(self, prepare, evaluate):
+        self.prepare, self.evaluate = prepare, evaluate
+
+    def columns(self, arguments):
+        return np.array([np.asarray(x, float) for x in columns_in_blocks(self.prepare, arguments)])
+
+    def states(self, columns, elapsed, rest):
+        shape = np.broadcast_shapes(columns.shape[1:], np.shape(elapsed))
+        full, *numbers, times, rests = (np.broadcast_to(x, shape).ravel() for x in (*columns, elapsed, rest))
+        with np.errstate(all="ignore"):
+            found = np.array(self.evaluate((full != 0.0, *numbers), times, rests))
+        return np.moveaxis(found[:4], 0, -1).reshape(*shape, 4), np.moveaxis(found[4:], 0, -1).reshape(*shape, 3)
+
+    def state(self, column, time, rest):
+        return np.concatenate(self.states(np.array(column), np.array(time), np.array(rest)))
 
 
 def numpy_alone(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Leave all bodies and times to NumPy, which compiled kernels would take where they are many."""
-    for name in ("MANY", "MANY_BODIES"):
-        monkeypatch.setattr(blocks, name, sys.maxsize)
+    """Leave all bodies and times to NumPy."""
+    for module, prepare in ((free_body, "_columns_of_bodies"), (lagrange_top, "_columns_of_tops")):
+        monkeypatch.setattr(module, "FORM", ByArrays(getattr(module, prepare), module.evaluate))
+
+
+def compiled_alone(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Leave all bodies and times to the compiled kernels, however few they are."""
+    for module in (free_body, lagrange_top):
+        monkeypatch.setattr(module.FORM, "_ready", set(COMPILING))
+
+
+def python_alone(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Leave all bodies and times to the kernels as Python runs them."""
+    for module in (free_body, lagrange_top):
+        monkeypatch.setattr(module.FORM, "_ready", set())
+        monkeypatch.setattr(module.FORM, "_spent", dict.fromkeys(COMPILING, -np.inf))

@@ -8,7 +8,7 @@ from polhode.exact.kernel_arithmetic import (
     BLOCK,
     Pair,
     add,
-    compiled,
+    called,
     divide,
     inlined,
     multiply,
@@ -37,7 +37,7 @@ def start_mean(s: Any, i: int, a: Pair, g: Pair, pp: Pair) -> None:
     put(s, TT + i, (1.0, 0.0))
 
 
-@compiled()
+@called
 def _step(s: Any, count: int) -> None:
     for i in range(count):
         a, g, pp = pair(s, AA + i), pair(s, BB + i), pair(s, PP + i)
@@ -51,7 +51,7 @@ def _step(s: Any, count: int) -> None:
         put(s, BB + i, root(ag))
 
 
-@compiled()
+@called
 def _close(s: Any, count: int) -> None:
     """Close as ``agm.third_kind_agm`` does, and say where that is exact."""
     for i in range(count):
@@ -68,7 +68,7 @@ def _close(s: Any, count: int) -> None:
         s[DONE + i] = 1.0 if abs(x) < CONVERGED and abs(e) < CONVERGED else 0.0
 
 
-@compiled()
+@called
 def third_kind(w: Any, mean: int, total: int, count: int, s: Any, who: Any) -> None:
     """Put mean and third-kind sum into the store; who has converged makes room for who has not.
 

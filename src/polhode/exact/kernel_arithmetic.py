@@ -1,29 +1,24 @@
-"""What the compiled kernels compute with: Numba's decorator, double-double numbers, phases, and a start of threads.
+"""What the kernels compute with: double-double numbers, phases, stores, and a start of threads.
 
-The same arithmetic as ``special.doubledouble`` and ``special.circular``, bit for bit where it is exact there. Errors of
-products come from a fused multiply–add, which is exact too; Numba contracts nothing by itself.
+Kernels are functions of single numbers, written once. Python runs them as they are, for one body at few times, without
+anything that has to be loaded; ``compiling`` has them compiled by Numba, for many. Both give the same bits: the
+arithmetic is that of ``special.doubledouble`` and ``special.circular``, exact where these are; nothing is contracted.
 """
 
 from __future__ import annotations
 
 import inspect
+import math
 import os
-import sys
-import zlib
+import struct
+from array import array
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from itertools import pairwise
-from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
-from numba import njit
-from numba.core import event
-from numba.core.types import float64, int64
-from numba.extending import intrinsic
 
-_KERNELS = sorted(Path(__file__).parent.rglob("kernel*.py"))
-SOURCES = zlib.crc32(b"".join(path.read_bytes() for path in _KERNELS))
 BLOCK = 256  # states, bodies or tops at a time: what is kept of them stays in the first two levels of cache
 ROUNDING = 6755399441055744.0  # 1.5 · 2⁵²: added and taken away again, it leaves the nearest whole number
 SPLITTING = 134217729.0  # 2²⁷ + 1
@@ -32,39 +27,27 @@ _C = [(-1) ** n * (2.0 * np.pi) ** (2 * n) / float(np.prod(np.arange(1.0, 2 * n 
 S0, S1, S2, S3, S4, S5, S6, S7, S8 = _S
 C0, C1, C2, C3, C4, C5, C6, C7, C8, C9 = _C
 Pair = tuple[float, float]
+Function = TypeVar("Function", bound=Callable[..., Any])
 
 
-def compiled(**options: Any) -> Callable[[Callable[..., Any]], Any]:
-    """Return Numba's decorator, applied to the function itself where the tests wrap it to check annotations.
-
-    Only what is kept is called from Python; what it calls needs no way in from there, which takes time to compile.
-    """
-    inner = {} if "cache" in options else {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
-    options = inner | options
-    return lambda function: _compiled(inspect.unwrap(function), options)
+def inlined(function: Function) -> Function:
+    """Mark a function that becomes a part of those that call it."""
+    return _marked(function, "inlined")
 
 
-def _compiled(function: Callable[..., Any], options: dict[str, Any]) -> Callable[..., Any]:
-    made = njit(error_model="numpy", **options)(function)
-    return announced("closed forms", made) if "cache" in options else made
+def called(function: Function) -> Function:
+    """Mark a function that stays one by itself."""
+    return _marked(function, "called")
 
 
-def announced(what: str, dispatcher: Any) -> Any:
-    """Return a function of Numba's that says on a terminal when it is being compiled."""
-
-    class Listener(event.Listener):
-        def on_start(self, event: Any) -> None:
-            if event.data["dispatcher"] is dispatcher and sys.stderr.isatty():
-                print(f"polhode: compiling its {what}, once for this installation …", file=sys.stderr, flush=True)
-
-        def on_end(self, event: Any) -> None:
-            pass
-
-    event.register("numba:compile", Listener())
-    return dispatcher
+def entry(function: Function) -> Function:
+    """Mark a function that Python calls, and that is kept on the disk when it is compiled."""
+    return _marked(function, "entry")
 
 
-inlined = compiled(forceinline=True)
+def _marked(function: Function, mark: str) -> Function:
+    inspect.unwrap(function).kernel_mark = mark  # type: ignore[attr-defined]
+    return function
 
 
 def in_threads(fill: Callable[[int, int], Any], size: int, worth: int) -> None:
@@ -79,28 +62,67 @@ def in_threads(fill: Callable[[int, int], Any], size: int, worth: int) -> None:
         list(pool.map(lambda pair: fill(*pair), pairwise(ends)))
 
 
-def _instruction(function: Callable[..., Any]) -> Any:
-    return intrinsic(inspect.unwrap(function))
+# ---------------------------------------------------------------------- what ``compiling`` has other words for
 
 
-@_instruction
-def fused(context: Any, a: Any, b: Any, c: Any) -> Any:
-    """Return a b + c, rounded once."""
-    return float64(float64, float64, float64), lambda _, builder, __, values: builder.fma(*values)
+@inlined
+def two_product(a: float, b: float) -> Pair:
+    """Return the product and its exact error, as long as that does not underflow [Dekker–Veltkamp]."""
+    p, t, u = a * b, SPLITTING * a, SPLITTING * b
+    ah, bh = t - (t - a), u - (u - b)
+    al, bl = a - ah, b - bh
+    return p, ((ah * bh - p) + ah * bl + al * bh) + al * bl
 
 
-@_instruction
-def bits_of(context: Any, x: Any) -> Any:
+@inlined
+def bits_of(x: float) -> int:
     """Return the bits of a float as an integer."""
-    cast = lambda made, builder, _, values: builder.bitcast(values[0], made.get_value_type(int64))  # noqa: E731
-    return int64(float64), cast
+    return int.from_bytes(struct.pack("<d", x), "little")
 
 
-@_instruction
-def of_bits(context: Any, n: Any) -> Any:
+@inlined
+def of_bits(n: int) -> float:
     """Return the float with these bits."""
-    cast = lambda made, builder, _, values: builder.bitcast(values[0], made.get_value_type(float64))  # noqa: E731
-    return float64(int64), cast
+    return float(struct.unpack("<d", n.to_bytes(8, "little"))[0])
+
+
+@inlined
+def square_root(x: float) -> float:
+    return math.sqrt(x) if x >= 0.0 else math.nan
+
+
+@inlined
+def exponential(x: float) -> float:
+    return math.exp(x)
+
+
+@inlined
+def floor(x: float) -> float:
+    return float(math.floor(x))
+
+
+@inlined
+def nearest(x: float) -> float:
+    """Return the nearest whole number, the even one of two."""
+    return float(round(x))
+
+
+@inlined
+def room(count: int) -> Any:
+    """Return room for numbers, which are zero; what is put into parts of it is in the whole."""
+    return memoryview(array("d", bytes(8 * count)))
+
+
+@inlined
+def places(count: int) -> Any:
+    """Return room for whole numbers."""
+    return [0] * count
+
+
+@inlined
+def flags(count: int) -> Any:
+    """Return room for yes and no."""
+    return [False] * count
 
 
 # ---------------------------------------------------------------------- whole numbers, circular functions, phases
@@ -119,7 +141,7 @@ def sine_cosine(x: float) -> Pair:
     z = r * r
     s = r * (S0 + z * (S1 + z * (S2 + z * (S3 + z * (S4 + z * (S5 + z * (S6 + z * (S7 + z * S8))))))))
     c = C0 + z * (C1 + z * (C2 + z * (C3 + z * (C4 + z * (C5 + z * (C6 + z * (C7 + z * (C8 + z * C9))))))))
-    n = quarter - 4.0 * np.floor(0.25 * quarter)
+    n = quarter - 4.0 * floor(0.25 * quarter)
     odd = n == 1.0 or n == 3.0
     a, b = (c, s) if odd else (s, c)
     return (-a if n >= 2.0 else a), (-b if n == 1.0 or n == 2.0 else b)
@@ -158,12 +180,6 @@ def two_sum(a: float, b: float) -> Pair:
 def fast_two_sum(a: float, b: float) -> Pair:
     s = a + b
     return s, b - (s - a)
-
-
-@inlined
-def two_product(a: float, b: float) -> Pair:
-    p = a * b
-    return p, fused(a, b, -p)
 
 
 @inlined
@@ -211,7 +227,7 @@ def divide(x: Pair, y: Pair) -> Pair:
 @inlined
 def root(x: Pair) -> Pair:
     """Return √x of a positive number."""
-    s = np.sqrt(x[0])
+    s = square_root(x[0])
     p, e = two_product(s, s)
     return fast_two_sum(s, (((x[0] - p) - e) + x[1]) / (s + s))
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 import abc
 import math
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, TypeVar
 
 import numpy as np
 
@@ -13,7 +14,9 @@ from polhode import rotation
 from polhode.arrays import always, as_float64, compiled, is_jax, namespace, register_node
 from polhode.errors import InvalidInput
 from polhode.motion.inputs import (
+    MOST_RADIANS,
     by_attributes,
+    cached_unless_traced,
     checked,
     checked_last_axis,
     checked_sample_times,
@@ -31,7 +34,23 @@ from polhode.types import Array, ArrayLike, Float64, Real
 if TYPE_CHECKING:
     from polhode.motion.trajectory import Trajectory
 
+MOST_TIME = 1e300  # s, where a body at rest, or hardly turning, is too
+PLAIN = (float, int, np.float64)  # numbers that are one time
 CYCLES, SAMPLES = 10, 2000  # of a motion without times
+
+
+class _Alone(NamedTuple):
+    """What the states of one body at one time are made of, without what arrays cost."""
+
+    column: tuple[float, ...]
+    epoch: float
+    fastest: float
+
+    def holds(self, t: float) -> bool:
+        """Return whether a time is within the range of phases; other times are refused where arrays of them are."""
+        return bool(abs(t) <= min(MOST_RADIANS / max(self.fastest, 1e-300), MOST_TIME))
+
+
 Motion = TypeVar("Motion", bound="AbstractMotion")
 
 
@@ -69,7 +88,6 @@ class AbstractMotion(Plotted, abc.ABC):
     epoch: Float64[Array, "..."]
     axes: Float64[Array, "3 3"] | None
     _principal: tuple[Array, Array] = field(repr=False, init=False)  # momentum and attitude
-    _columns: tuple[Array, ...] = field(repr=False, init=False)
 
     def __init__(
         self, moments: Array, numbers: dict[str, Array], momentum: Array | None, attitude: Array, epoch: Array,
@@ -107,14 +125,14 @@ class AbstractMotion(Plotted, abc.ABC):
               axes: Array | None) -> None:  # fmt: skip
         """Set all fields from momentum and attitude along the principal axes."""
         object.__setattr__(self, "axes", axes)
+        object.__setattr__(self, "_principal", (momentum, attitude))
         given = self._along_given_axes(attitude, momentum)
         values = dict(zip(("moments", *self.body_numbers), body, strict=True))
         values |= {"momentum_at_epoch": given[1], "attitude_at_epoch": given[0], "epoch": epoch, "axes": axes,
                    "_principal": (momentum, attitude)}  # fmt: skip
         for name, value in values.items():
             object.__setattr__(self, name, value)
-        register_node(type(self), (*values, "_columns"), like=self.moments)
-        object.__setattr__(self, "_columns", self._columns_of())
+        register_node(type(self), tuple(values), like=self.moments)
 
     # ------------------------------------------------------------------ the closed form, along the principal axes
 
@@ -124,9 +142,25 @@ class AbstractMotion(Plotted, abc.ABC):
         numbers = (getattr(self, name)[..., None] for name in self.body_numbers)
         return (self.moments, *numbers, *self._principal)
 
+    @cached_property
+    def _columns(self) -> Any:
+        """The constants of the motion, found when they are first needed."""
+        return self._columns_of()
+
+    @cached_property
+    def _alone(self) -> _Alone | None:
+        """What the states of one body, of plain numbers, are made of; None of other motions."""
+        if self.batch_shape or not isinstance(self.moments, np.ndarray):
+            return None
+        return _Alone(tuple(self._columns.tolist()), float(self.epoch), float(self._fastest()))
+
     @abc.abstractmethod
-    def _columns_of(self) -> tuple[Array, ...]:
+    def _columns_of(self) -> Any:
         """Return the constants of the motion, flat columns of the bodies' common shape."""
+
+    @abc.abstractmethod
+    def _state_of(self, column: tuple[float, ...], elapsed: float, rest: float) -> tuple[float, ...]:
+        """Return attitude and momentum, seven numbers, of one body with these constants."""
 
     @abc.abstractmethod
     def _closed_form(self, elapsed: Array, rest: Array) -> tuple[Array, Array]:
@@ -175,6 +209,10 @@ class AbstractMotion(Plotted, abc.ABC):
         Raises:
             InvalidInput: for times that are not finite.
         """
+        if type(t) in PLAIN and (one := self._alone) is not None and one.holds(t):
+            found = np.array(self._state_of(one.column, *two_sum(float(t), -one.epoch)))
+            if math.isfinite(found[0]):
+                return self._along_given_axes(found[:4], found[4:])
         xp = namespace(t, self.moments)
         t = checked_times(xp, t, self.batch_shape)
         attitude, momentum = self._closed_form(*compiled(_elapsed, t if is_jax(t) else self.epoch)(t, self.epoch))
@@ -255,13 +293,17 @@ class AbstractMotion(Plotted, abc.ABC):
         motion._hold(*fields)
         return motion
 
+    @cached_unless_traced
+    def _back_to_given_axes(self) -> tuple[Array, Array]:
+        axes = namespace(self._principal[0], self.axes).asarray(self.axes)
+        return rotation.conjugate(rotation.from_matrix(axes)), axes
+
     def _along_given_axes(self, attitude: Array, momentum: Array) -> tuple[Array, Array]:
         """Return attitude and momentum of the principal axes as those of the given ones."""
         if self.axes is None:
             return attitude, momentum
-        frame = rotation.conjugate(rotation.from_matrix(self.axes))
-        axes = namespace(momentum, self.axes).asarray(self.axes)
-        return rotation.multiply(attitude, frame), momentum @ axes.T
+        back, axes = self._back_to_given_axes
+        return rotation.multiply(attitude, back), momentum @ axes.T
 
     def _of_principal_axes(self, attitude: Array, momentum: Array) -> tuple[Array, Array]:
         """Return attitude and momentum of the given axes as those of the principal ones."""

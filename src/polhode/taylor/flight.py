@@ -95,7 +95,7 @@ def _advance(copies: Copies, machine: Machine, course: Course, use: Kernel, runn
             use.advance(rates, integrals, Copies(*(x[part] for x in copies)), lanes, course, limit)
 
     if use.is_compiled:  # as Python's threads wait for each other
-        from polhode.exact.kernel_arithmetic import in_threads  # which loads Numba
+        from polhode.exact.kernel_arithmetic import in_threads
 
         in_threads(fill, running.size, WORTH)
     else:

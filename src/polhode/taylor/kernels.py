@@ -123,7 +123,7 @@ def python_kernel(width: int) -> Kernel:
 @cache
 def compiled_kernel(width: int) -> Kernel:
     """Return the kernel as Numba compiles it when it is first called, or has it on the disk."""
-    from polhode.exact.kernel_arithmetic import announced, njit, two_product
+    from polhode.exact.compiling import announced, njit, two_product
     from polhode.taylor import compiled_vectors
 
     files = [inspect.getfile(module) for module in (*MODULES[width], compiled_vectors)]

@@ -2,23 +2,11 @@
 
 from __future__ import annotations
 
-from functools import cache
-from types import ModuleType
-
 import numpy as np
 
 from polhode.arrays import Elementwise, is_jax, namespace, stack_last
-from polhode.exact.blocks import (
-    Columns,
-    Vectors,
-    are_many,
-    columns_in_blocks,
-    columns_of_many,
-    in_blocks,
-    state_by_kernel,
-    state_in_blocks,
-    units,
-)
+from polhode.exact.blocks import Constants, Vectors, columns_in_blocks, in_blocks, units
+from polhode.exact.closed_form import ClosedForm
 from polhode.exact.free_body import geometry
 from polhode.exact.free_body.derivative import state_tangent
 from polhode.exact.free_body.geometry_tangent import changed_numbers
@@ -29,25 +17,19 @@ from polhode.types import Array, Float64
 IDENTITY = np.asarray([1.0, 0.0, 0.0, 0.0])
 
 
-def motion_columns(arguments: Vectors) -> Columns:
+def motion_columns(arguments: Vectors) -> Constants:
     """Return the constants of motion of moments (…, 3), momentum (…, 3), attitude (…, 4) as columns.
 
     JAX needs none: there set-up and evaluation are one operation.
     """
-    return () if is_jax(*arguments) else _columns(arguments)
-
-
-def _columns(arguments: Vectors) -> Columns:
-    """Return the columns; those of many bodies by the compiled kernel."""
-    if not are_many(arguments):
-        return columns_in_blocks(_columns_of_bodies, arguments)
-    from polhode.exact.free_body import kernel_setup
-
-    return columns_of_many(kernel_setup.columns_of_many, _columns_of_bodies, arguments)
+    return () if is_jax(*arguments) else FORM.columns(arguments)
 
 
 def _columns_of_bodies(moments: Array, momentum: Array, attitude: Array) -> tuple[Array, ...]:
     return prepare(moments, momentum, attitude).motion
+
+
+FORM = ClosedForm("polhode.exact.free_body", _columns_of_bodies)
 
 
 def characteristics(
@@ -58,32 +40,18 @@ def characteristics(
 
 
 def state(
-    columns: Columns, arguments: Vectors, elapsed: Float64[Array, "..."], rest: Float64[Array, "..."]
+    columns: Constants, arguments: Vectors, elapsed: Float64[Array, "..."], rest: Float64[Array, "..."]
 ) -> tuple[Float64[Array, "*batch 4"], Float64[Array, "*batch 3"]]:
     """Return attitude (…, 4) and momentum (…, 3) at the elapsed times, which broadcast against the columns."""
     if is_jax(elapsed, *arguments):
         return _STATE(*arguments, elapsed, rest)  # type: ignore[return-value]
-    return _on_numpy(columns, elapsed, rest)
-
-
-def _on_numpy(columns: Columns, elapsed: Array, rest: Array) -> tuple[Array, Array]:
-    """Return the states; those of one body at many times, and of many bodies, by the compiled kernel."""
-    found = state_by_kernel(_kernel, columns, elapsed, rest)
-    return state_in_blocks(evaluate, columns, elapsed, rest) if found is None else found
-
-
-@cache
-def _kernel() -> ModuleType:
-    """Return the kernel's module."""
-    from polhode.exact.free_body import kernel  # which loads Numba
-
-    return kernel
+    return FORM.states(columns, elapsed, rest)  # type: ignore[arg-type]
 
 
 def _state(moments: Array, momentum: Array, attitude: Array, elapsed: Array, rest: Array) -> tuple[Array, Array]:
     arguments = moments, momentum, attitude
     if not is_jax(elapsed, *arguments):
-        return _on_numpy(_columns(arguments), elapsed, rest)
+        return FORM.states(FORM.columns(arguments), elapsed, rest)
     columns = columns_in_blocks(_columns_of_bodies, arguments)
     parts = evaluate(columns, elapsed, rest)
     return stack_last(parts[:4]), stack_last(parts[4:])

@@ -15,23 +15,28 @@ import numpy as np
 
 from polhode.exact.kernel_arithmetic import (
     BLOCK,
-    SOURCES,
-    compiled,
+    called,
+    entry,
+    exponential,
+    floor,
     halves,
-    in_threads,
     inlined,
+    nearest,
     phase,
+    places,
+    room,
     sine_cosine,
+    square_root,
     two_sum,
     whole,
 )
-from polhode.types import Float64, Integer
 
 __all__ = ["BLOCK", "spinors", "states_of_many", "states_of_one"]
 
 WORTH = 30_000  # states for which a thread is worth its start
 COLUMNS = 50  # of a flattened ``spinor.Motion``
 Spinor = tuple[float, float, float, float]
+State = tuple[float, float, float, float, float, float, float]
 
 
 @inlined
@@ -75,7 +80,7 @@ def _complementary_phase(
     v = g + (start_rest + (first_error + second_error))
     u0 = u + v
     u_rest = v - (u0 - u)
-    more = np.rint(u0) if periodic != 0.0 else 0.0
+    more = nearest(u0) if periodic != 0.0 else 0.0
     u0 = u0 - more
     count = parity + (periodic * turned + more)
     count = count - 4.0 * whole(0.25 * count)
@@ -117,7 +122,7 @@ def _complementary(
     ar, ai = ar + c0 * (1.0 + e0), ai + s0 * (1.0 - e0)
     br, bi = br - s0 * (1.0 + e0), bi + c0 * (1.0 - e0)
     ai, bi = ai * side, bi * side
-    odd = 1.0 - 2.0 * (count - 2.0 * np.floor(0.5 * count))
+    odd = 1.0 - 2.0 * (count - 2.0 * floor(0.5 * count))
     return c * ar - s * ai, c * ai + s * ar, odd * (c * br - s * bi), odd * (c * bi + s * br)
 
 
@@ -126,7 +131,7 @@ def _normal(a0: float, a1: float, b0: float, b1: float) -> tuple[float, float, f
     """Return the spinor of unit length and the direction of momentum, ``spinor._states``."""
     aa, bb = a0 * a0 + a1 * a1, b0 * b0 + b1 * b1
     x = 1.0 / (aa + bb)
-    root = np.sqrt(x)
+    root = square_root(x)
     x2 = x + x
     n0, n1, n2 = (a0 * b0 + a1 * b1) * x2, (a0 * b1 - a1 * b0) * x2, (aa - bb) * x
     return a0 * root, a1 * root, b0 * root, b1 * root, n0, n1, n2
@@ -146,69 +151,93 @@ def _row3(a: float, b: float, c: float, x: float, y: float, z: float) -> float:
 
 
 @inlined
-def _put(m: Any, i: int, spinor: Spinor, out: Any) -> None:
-    """Store attitude and momentum of a spinor."""
+def _state(m: Any, spinor: Spinor) -> State:
+    """Return attitude and momentum of a spinor."""
     a, b, c, d, n0, n1, n2 = _normal(*spinor)
-    out[0, i] = _row4(m[25], m[26], m[27], m[28], a, b, c, d)
-    out[1, i] = _row4(m[29], m[30], m[31], m[32], a, b, c, d)
-    out[2, i] = _row4(m[33], m[34], m[35], m[36], a, b, c, d)
-    out[3, i] = _row4(m[37], m[38], m[39], m[40], a, b, c, d)
-    out[4, i] = _row3(m[41], m[42], m[43], n0, n1, n2)
-    out[5, i] = _row3(m[44], m[45], m[46], n0, n1, n2)
-    out[6, i] = _row3(m[47], m[48], m[49], n0, n1, n2)
+    return (
+        _row4(m[25], m[26], m[27], m[28], a, b, c, d), _row4(m[29], m[30], m[31], m[32], a, b, c, d),
+        _row4(m[33], m[34], m[35], m[36], a, b, c, d), _row4(m[37], m[38], m[39], m[40], a, b, c, d),
+        _row3(m[41], m[42], m[43], n0, n1, n2), _row3(m[44], m[45], m[46], n0, n1, n2),
+        _row3(m[47], m[48], m[49], n0, n1, n2),
+    )  # fmt: skip
 
 
-@compiled()
+@inlined
+def _full_spinor(m: Any, high: float, low: float) -> Spinor:
+    return _full(m[1], m[2], m[3], m[4], m[5], m[6], m[7], m[9], m[10], m[11], m[12], m[13], m[14], m[15], m[16],
+                 m[17], m[18], high, low)  # fmt: skip
+
+
+@inlined
+def _phase_of(m: Any, high: float, low: float) -> tuple[float, float, float, float, float, float, float]:
+    return _complementary_phase(
+        m[1], m[2], m[3], m[4], m[5], m[6], m[7], m[8], m[20], m[21], m[22], m[23], m[24], high, low
+    )
+
+
+@inlined
+def _complementary_spinor(m: Any, turns: float, side: float, count: float, e0: float, R: float) -> Spinor:
+    return _complementary(m[9], m[10], m[11], m[12], m[13], m[14], m[15], m[16], m[17], m[18], m[19], turns, side,
+                          count, e0, R)  # fmt: skip
+
+
+@called
+def state_at(m: Any, time: float, rest: float) -> State:
+    """Return attitude and momentum of one body at a time, given in two parts."""
+    high, low = halves(time)
+    if m[0] != 0.0:
+        return _state(m, _full_spinor(m, high, low + rest))
+    turns, side, count, exponent, factor, other, other_factor = _phase_of(m, high, low + rest)
+    e0, R = exponential(exponent) * factor, m[23] * (exponential(other) * other_factor)
+    return _state(m, _complementary_spinor(m, turns, side, count, e0, R))
+
+
+@inlined
+def _put(i: int, state: State, out: Any) -> None:
+    out[0, i], out[1, i], out[2, i], out[3, i], out[4, i], out[5, i], out[6, i] = state
+
+
+@called
 def _full_of_one(m: Any, times: Any, rests: Any, out: Any) -> None:
     for i in range(times.size):
         high, low = halves(times[i])
-        spinor = _full(m[1], m[2], m[3], m[4], m[5], m[6], m[7], m[9], m[10], m[11], m[12], m[13], m[14], m[15], m[16],
-                       m[17], m[18], high, low + rests[i])  # fmt: skip
-        _put(m, i, spinor, out)
+        _put(i, _state(m, _full_spinor(m, high, low + rests[i])), out)
 
 
-@compiled()
+@called
 def _complementary_of_one(m: Any, times: Any, rests: Any, out: Any, work: Any) -> None:
     for i in range(times.size):
         high, low = halves(times[i])
-        work[0, i], work[1, i], work[2, i], work[3, i], work[4, i], work[5, i], work[6, i] = _complementary_phase(
-            m[1], m[2], m[3], m[4], m[5], m[6], m[7], m[8], m[20], m[21], m[22], m[23], m[24], high, low + rests[i]
+        work[0, i], work[1, i], work[2, i], work[3, i], work[4, i], work[5, i], work[6, i] = _phase_of(
+            m, high, low + rests[i]
         )
     for i in range(times.size):
-        work[3, i], work[5, i] = np.exp(work[3, i]), np.exp(work[5, i])
+        work[3, i], work[5, i] = exponential(work[3, i]), exponential(work[5, i])
     for i in range(times.size):
         e0, R = work[3, i] * work[4, i], m[23] * (work[5, i] * work[6, i])
-        spinor = _complementary(m[9], m[10], m[11], m[12], m[13], m[14], m[15], m[16], m[17], m[18], m[19], work[0, i],
-                                work[1, i], work[2, i], e0, R)  # fmt: skip
-        _put(m, i, spinor, out)
+        _put(i, _state(m, _complementary_spinor(m, work[0, i], work[1, i], work[2, i], e0, R)), out)
 
 
-def _entry_of_one(sources: int) -> Any:
-    """Return the compiled function; Numba keys what it keeps by this file alone, and by what a function encloses."""
-
-    @compiled(cache=True, nogil=True)
-    def of_one(full: bool, m: Any, times: Any, rests: Any, attitude: Any, momentum: Any) -> int:
-        out, work = np.empty((7, BLOCK)), np.empty((7, BLOCK))
-        for low in range(0, times.size, BLOCK):
-            high = min(low + BLOCK, times.size)
-            if full:
-                _full_of_one(m, times[low:high], rests[low:high], out)
-            else:
-                _complementary_of_one(m, times[low:high], rests[low:high], out, work)
-            for i in range(high - low):
-                for k in range(4):
-                    attitude[low + i, k] = out[k, i]
-                for k in range(3):
-                    momentum[low + i, k] = out[4 + k, i]
-        return sources
-
-    return of_one
+@entry
+def states_of_one(m: Any, times: Any, rests: Any, attitude: Any, momentum: Any) -> None:
+    out, work = np.empty((7, BLOCK)), np.empty((7, BLOCK))
+    for low in range(0, times.size, BLOCK):
+        high = min(low + BLOCK, times.size)
+        if m[0] != 0.0:
+            _full_of_one(m, times[low:high], rests[low:high], out)
+        else:
+            _complementary_of_one(m, times[low:high], rests[low:high], out, work)
+        for i in range(high - low):
+            for k in range(4):
+                attitude[low + i, k] = out[k, i]
+            for k in range(3):
+                momentum[low + i, k] = out[4 + k, i]
 
 
 # ---------------------------------------------------------------------- many bodies, their columns one after the other
 
 
-@compiled()
+@called
 def _full_of_many(m: Any, count: int, high: Any, low: Any, work: Any) -> None:
     B = BLOCK
     for i in range(count):
@@ -219,7 +248,7 @@ def _full_of_many(m: Any, count: int, high: Any, low: Any, work: Any) -> None:
         )  # fmt: skip
 
 
-@compiled()
+@called
 def _complementary_of_many(m: Any, count: int, high: Any, low: Any, work: Any) -> None:
     B = BLOCK
     for i in range(count):
@@ -229,8 +258,8 @@ def _complementary_of_many(m: Any, count: int, high: Any, low: Any, work: Any) -
             m[20 * B + i], m[21 * B + i], m[22 * B + i], m[23 * B + i], m[24 * B + i], high[i], low[i],
         )  # fmt: skip
     for i in range(count):
-        work[7 * B + i] = np.exp(work[7 * B + i])
-        work[9 * B + i] = np.exp(work[9 * B + i])
+        work[7 * B + i] = exponential(work[7 * B + i])
+        work[9 * B + i] = exponential(work[9 * B + i])
     for i in range(count):
         e0, R = work[7 * B + i] * work[8 * B + i], m[23 * B + i] * (work[9 * B + i] * work[10 * B + i])
         work[i], work[B + i], work[2 * B + i], work[3 * B + i] = _complementary(
@@ -240,7 +269,7 @@ def _complementary_of_many(m: Any, count: int, high: Any, low: Any, work: Any) -
         )  # fmt: skip
 
 
-@compiled()
+@called
 def spinors(m: Any, full: int, count: int, high: Any, low: Any, work: Any) -> None:
     """Put the spinors of a block into the first four rows of ``work``, which has eleven.
 
@@ -256,7 +285,7 @@ def spinors(m: Any, full: int, count: int, high: Any, low: Any, work: Any) -> No
     _complementary_of_many(m[full:], count - full, high[full:], low[full:], work[full:])
 
 
-@compiled()
+@called
 def _states(m: Any, count: int, work: Any) -> None:
     """Put attitude and momentum into the first seven rows of ``work`` in place of the spinors."""
     B = BLOCK
@@ -270,82 +299,30 @@ def _states(m: Any, count: int, work: Any) -> None:
             work[(4 + k) * B + i] = _row3(m[j], m[j + B], m[j + 2 * B], n0, n1, n2)
 
 
-def _entry_of_many(sources: int) -> Any:
-    @compiled(cache=True, nogil=True)
-    def of_many(full: Any, columns: Any, bodies: Any, times: Any, rests: Any, attitude: Any, momentum: Any) -> int:
-        m, work = np.empty(COLUMNS * BLOCK), np.empty(11 * BLOCK)
-        high, low, place = np.empty(BLOCK), np.empty(BLOCK), np.empty(BLOCK, np.int64)
-        for first in range(0, times.size, BLOCK):
-            count = min(BLOCK, times.size - first)
-            front, back = 0, count
-            for i in range(first, first + count):
-                if full[bodies[i]]:
-                    place[front] = i
-                    front += 1
-                else:
-                    back -= 1
-                    place[back] = i
+@entry
+def states_of_many(columns: Any, bodies: Any, times: Any, rests: Any, attitude: Any, momentum: Any) -> None:
+    m, work = room(COLUMNS * BLOCK), room(11 * BLOCK)
+    high, low, place = room(BLOCK), room(BLOCK), places(BLOCK)
+    for first in range(0, times.size, BLOCK):
+        count = min(BLOCK, times.size - first)
+        front, back = 0, count
+        for i in range(first, first + count):
+            if columns[0, bodies[i]] != 0.0:
+                place[front] = i
+                front += 1
+            else:
+                back -= 1
+                place[back] = i
+        for i in range(count):
+            high[i], rest = halves(times[place[i]])
+            low[i] = rest + rests[place[i]]
+        for k in range(1, COLUMNS):
             for i in range(count):
-                high[i], rest = halves(times[place[i]])
-                low[i] = rest + rests[place[i]]
-            for k in range(1, COLUMNS):
-                column = columns[k - 1]
-                for i in range(count):
-                    m[k * BLOCK + i] = column[bodies[place[i]]]
-            spinors(m, front, count, high, low, work)
-            _states(m, count, work)
-            for i in range(count):
-                for k in range(4):
-                    attitude[place[i], k] = work[k * BLOCK + i]
-                for k in range(3):
-                    momentum[place[i], k] = work[(4 + k) * BLOCK + i]
-        return sources
-
-    return of_many
-
-
-_of_one, _of_many = _entry_of_one(SOURCES), _entry_of_many(SOURCES)
-
-
-def states_of_one(
-    columns: tuple[float, ...], times: Float64[np.ndarray, "time"], rests: Float64[np.ndarray, "time"]
-) -> tuple[Float64[np.ndarray, "time 4"], Float64[np.ndarray, "time 3"]]:
-    """Return attitude and momentum of one body at times, given in two parts.
-
-    Args:
-        columns: the 50 numbers of a flattened ``spinor.Motion``.
-        times: (T,) since the epoch.
-        rests: (T,) what the floats leave of them.
-    """
-    full, m = bool(columns[0]), tuple(map(float, columns))
-    attitude, momentum = np.empty((times.size, 4)), np.empty((times.size, 3))
-
-    def fill(low: int, high: int) -> None:
-        part = slice(low, high)
-        _of_one(full, m, times[part], rests[part], attitude[part], momentum[part])
-
-    in_threads(fill, times.size, WORTH)
-    return attitude, momentum
-
-
-def states_of_many(
-    columns: tuple[np.ndarray, ...], bodies: Integer[np.ndarray, "state"], times: Float64[np.ndarray, "state"],
-    rests: Float64[np.ndarray, "state"],
-) -> tuple[Float64[np.ndarray, "state 4"], Float64[np.ndarray, "state 3"]]:  # fmt: skip
-    """Return attitude and momentum of many bodies, each at its times, given in two parts.
-
-    Args:
-        columns: the 50 arrays (N,) of a flattened ``spinor.Motion``.
-        bodies: which of them each state is of.
-        times: since the epoch.
-        rests: what the floats leave of them.
-    """
-    full, *numbers = columns
-    attitude, momentum = np.empty((times.size, 4)), np.empty((times.size, 3))
-
-    def fill(low: int, high: int) -> None:
-        part = slice(low, high)
-        _of_many(full, tuple(numbers), bodies[part], times[part], rests[part], attitude[part], momentum[part])
-
-    in_threads(fill, times.size, WORTH)
-    return attitude, momentum
+                m[k * BLOCK + i] = columns[k, bodies[place[i]]]
+        spinors(m, front, count, high, low, work)
+        _states(m, count, work)
+        for i in range(count):
+            for k in range(4):
+                attitude[place[i], k] = work[k * BLOCK + i]
+            for k in range(3):
+                momentum[place[i], k] = work[(4 + k) * BLOCK + i]

@@ -46,8 +46,8 @@ from polhode.exact.free_body.kernel_reduction import (
 from polhode.exact.kernel_agm import start_mean, third_kind
 from polhode.exact.kernel_arithmetic import (
     add,
+    called,
     choice,
-    compiled,
     divide,
     halves,
     multiply,
@@ -62,7 +62,7 @@ from polhode.special.doubledouble import INVERSE_TWO_PI
 TAU_HIGH, TAU_LOW = INVERSE_TWO_PI
 
 
-@compiled()
+@called
 def _begin(w: Any, count: int, s: Any) -> None:
     """Mirror, turn, and begin the arithmetic–geometric mean, ``frequencies.canonical_frequencies``."""
     for i in range(count):
@@ -89,7 +89,7 @@ def _begin(w: Any, count: int, s: Any) -> None:
         w[V + i], w[V_ + i] = multiply_float(two_product(w[I1 + i], w[I2 + i]), w[I3 + i])
 
 
-@compiled()
+@called
 def _put_rates(w: Any, full: int, count: int, m: Any) -> None:
     """Put the two rates [turns per time] into rows 1 to 6 of the motion."""
     for i in range(count):
@@ -111,7 +111,7 @@ def _put_rates(w: Any, full: int, count: int, m: Any) -> None:
         m[3 * BLOCK + i], m[6 * BLOCK + i] = first[1], second[1]
 
 
-@compiled()
+@called
 def rates(w: Any, full: int, count: int, steps: Any, who: Any, m: Any) -> None:
     """Mirror the bodies, and put their rates into the motion.
 

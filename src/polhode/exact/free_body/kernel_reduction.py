@@ -8,14 +8,13 @@ from __future__ import annotations
 
 from typing import Any
 
-import numpy as np
-
 from polhode.exact.free_body.kernel import BLOCK
 from polhode.exact.kernel_arithmetic import (
     Pair,
     add,
     bits_of,
-    compiled,
+    called,
+    flags,
     inlined,
     multiply,
     multiply_float,
@@ -74,7 +73,7 @@ def _load(w: Any, i: int, moments: Any, momentum: Any) -> bool:
     return within and near and a >= SPREAD * c
 
 
-@compiled()
+@called
 def _sums(w: Any, count: int) -> None:
     """Form the invariants of ``reduction._sums``, and S in double-double."""
     for i in range(count):
@@ -95,7 +94,7 @@ def _sums(w: Any, count: int) -> None:
         w[UP + i] = NEAR * first[0]
 
 
-@compiled()
+@called
 def _exact_difference(w: Any, i: int, terms: Any) -> Pair:
     """Return S of one body near the separatrix, ``reduction._signed_distance_from_separatrix``."""
     i1, i2, i3, x, z = w[I1 + i], w[I2 + i], w[I3 + i], w[L1 + i], w[L3 + i]
@@ -130,11 +129,11 @@ def _form(w: Any, i: int) -> int:
     return 1 if a * p <= w[C + i] * abs(w[S + i]) else 0
 
 
-@compiled()
+@called
 def begin(moments: Any, momentum: Any, begun: Any, w: Any, place: Any, terms: Any) -> tuple[int, int]:
     """Reduce a block and sort it; return how many bodies take the full form, and how many any. ``place`` has them."""
     count = len(moments)
-    within = np.empty(count, np.bool_)
+    within = flags(count)
     for i in range(count):
         within[i] = _load(begun, i, moments[i], momentum[i])
     _sums(begun, count)

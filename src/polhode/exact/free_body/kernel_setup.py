@@ -10,8 +10,6 @@ from __future__ import annotations
 import math
 from typing import Any
 
-import numpy as np
-
 from polhode.exact.free_body.kernel import BLOCK, COLUMNS, spinors
 from polhode.exact.free_body.kernel_rates import rates
 from polhode.exact.free_body.kernel_reduction import (
@@ -47,22 +45,23 @@ from polhode.exact.free_body.kernel_reduction import (
 )  # fmt: skip
 from polhode.exact.kernel_agm import STEPS
 from polhode.exact.kernel_arithmetic import (
-    SOURCES,
     Pair,
     add,
-    compiled,
+    called,
     divide,
+    entry,
     fast_two_sum,
     halves,
-    in_threads,
     inlined,
     multiply,
+    places,
+    room,
     scale,
     sine_cosine,
+    square_root,
     whole,
 )
 from polhode.special.doubledouble import PI
-from polhode.types import Bool, Float64
 
 WORTH = 2_000  # bodies for which a thread is worth its start
 PI_HIGH, PI_LOW = PI
@@ -75,10 +74,10 @@ def _landen_step(
     """Return x, y, dn, factor, sinh and dc after a step of ``preparation._landen``."""
     kappa = (x - y) / (x + y)
     grown = 1.0 + kappa
-    next_dn = np.sqrt(1.0 - kappa * (1.0 - dn) / (1.0 + dn))
+    next_dn = square_root(1.0 - kappa * (1.0 - dn) / (1.0 + dn))
     sinh = 2.0 * sinh / (grown * (cosine + dc))
-    next_dc = np.sqrt(1.0 + kappa * (dc - cosine) / (dc + cosine))
-    return 0.5 * (x + y), np.sqrt(x * y), next_dn, factor * (next_dn / grown), sinh, next_dc
+    next_dc = square_root(1.0 + kappa * (dc - cosine) / (dc + cosine))
+    return 0.5 * (x + y), square_root(x * y), next_dn, factor * (next_dn / grown), sinh, next_dc
 
 
 @inlined
@@ -94,28 +93,28 @@ def _landen(k: float, dn: float, sinh: float, cosine: float, dc: float) -> Pair:
 @inlined
 def _nome_per_parameter(parameter: float, k: float) -> float:
     """Return ``elliptic.nome_per_parameter``."""
-    more = 1.0 + np.sqrt(k)
+    more = 1.0 + square_root(k)
     ratio = 0.5 / ((1.0 + k) * more * more)
     e = ratio * parameter
     e4 = (e * e) * (e * e)
     return ratio * (1.0 + e4 * (2.0 + e4 * (15.0 + e4 * (150.0 + e4 * 1707.0))))
 
 
-@compiled()
+@called
 def _full_arguments(w: Any, full: int, m: Any) -> None:
     """Put start and series of ``preparation._full_arguments`` into the motion."""
     n = BLOCK
     for i in range(full):
         A0, B0, C0, P0, Q0 = w[A + i], w[B + i], w[C + i], w[P + i], w[Q + i]
         total = B0 * Q0
-        k, parameter = np.sqrt(C0 * w[S + i] / total), A0 * P0 / total
+        k, parameter = square_root(C0 * w[S + i] / total), A0 * P0 / total
         per_parameter = _nome_per_parameter(parameter, k)
         q = per_parameter * parameter
-        small = np.sqrt(P0) / np.sqrt(Q0)
-        of_b, of_c = np.sqrt(B0), np.sqrt(C0)
-        factor, scaled = _landen(k, w[X3 + i] * np.sqrt(C0 / Q0), of_b, of_b, of_c)
+        small = square_root(P0) / square_root(Q0)
+        of_b, of_c = square_root(B0), square_root(C0)
+        factor, scaled = _landen(k, w[X3 + i] * square_root(C0 / Q0), of_b, of_b, of_c)
         w[UP + i], w[ACROSS + i] = of_b * w[L2 + i] * factor, of_c * w[X1 + i]
-        grown = scaled + np.sqrt(small * small + scaled * scaled)
+        grown = scaled + square_root(small * small + scaled * scaled)
         g = small / grown
         r = (A0 / B0) * per_parameter * grown * grown
         g2, q2, r2 = g * g, q * q, r * r
@@ -133,19 +132,19 @@ def _full_arguments(w: Any, full: int, m: Any) -> None:
         m[7 * n + i] = math.atan2(w[UP + i], w[ACROSS + i]) * (0.25 / math.pi)
 
 
-@compiled()
+@called
 def _complementary_arguments(w: Any, count: int, m: Any) -> None:
     """Put start, harmonics and nome of ``preparation._complementary_arguments`` into the motion."""
     n = BLOCK
     for i in range(count):
         B0, C0, P0, Q0 = w[B + i], w[C + i], w[P + i], w[Q + i]
         total = B0 * Q0
-        k, parameter = np.sqrt(w[A + i] * P0 / total), C0 * w[S + i] / total
+        k, parameter = square_root(w[A + i] * P0 / total), C0 * w[S + i] / total
         m[19 * n + i] = parameter * _nome_per_parameter(parameter, k)
-        of_c = np.sqrt(C0)
-        cosine, dc = of_c * abs(w[X1 + i]), of_c * w[X3 + i] * np.sqrt(P0 / Q0)
-        factor, sinh = _landen(k, np.sqrt(P0 / B0) / w[G + i], abs(np.sqrt(B0) * w[L2 + i]), cosine, dc)
-        w[UP + i], w[ACROSS + i] = sinh, np.sqrt(Q0 / P0) * factor
+        of_c = square_root(C0)
+        cosine, dc = of_c * abs(w[X1 + i]), of_c * w[X3 + i] * square_root(P0 / Q0)
+        factor, sinh = _landen(k, square_root(P0 / B0) / w[G + i], abs(square_root(B0) * w[L2 + i]), cosine, dc)
+        w[UP + i], w[ACROSS + i] = sinh, square_root(Q0 / P0) * factor
     for i in range(count):
         x = math.asinh(w[UP + i])
         m[7 * n + i], m[8 * n + i] = x, math.sinh(x)
@@ -153,14 +152,14 @@ def _complementary_arguments(w: Any, count: int, m: Any) -> None:
     for i in range(count):
         sinh, x, back, y, q = w[UP + i], m[7 * n + i], m[8 * n + i], m[22 * n + i], m[19 * n + i]
         side = -1.0 if (w[L2 + i] < 0.0) != (w[X1 + i] < 0.0) else 1.0
-        x = scale(fast_two_sum(x, (sinh - back) / np.sqrt(1.0 + back * back)), side)
+        x = scale(fast_two_sum(x, (sinh - back) / square_root(1.0 + back * back)), side)
         period = divide(multiply((w[FAST + i], w[FAST_ + i]), (PI_HIGH, PI_LOW)), (w[MEAN + i], w[MEAN_ + i]))
         q4 = (q * q) * (q * q)
         e = 2.0 * (q + q4 + q4 * q4 * q)
         period = add(period, (-period[0] * (e * (2.0 + e) / ((1.0 + e) * (1.0 + e))), 0.0))
         m[7 * n + i], m[8 * n + i] = divide(x, period)
         upper, lower = halves(period[0])
-        m[19 * n + i], m[20 * n + i], m[21 * n + i] = np.sqrt(q), upper, lower + period[1]
+        m[19 * n + i], m[20 * n + i], m[21 * n + i] = square_root(q), upper, lower + period[1]
         angle = (0.5 * y - 0.25 * math.pi) * (0.5 / math.pi)
         m[14 * n + i], m[9 * n + i] = sine_cosine(angle)
         m[15 * n + i], m[10 * n + i] = sine_cosine(3.0 * angle)
@@ -187,13 +186,13 @@ def _put_column(
     m[(37 + k) * BLOCK + i] = ((a * z + b * y) - c * x) + d * scalar
 
 
-@compiled()
+@called
 def _matrices(w: Any, count: int, m: Any, spinor: Any) -> None:
     """Put the matrices of ``preparation._matrices`` into the motion."""
     n = BLOCK
     for i in range(count):
         a0, a1, b0, b1 = spinor[i], spinor[n + i], spinor[2 * n + i], spinor[3 * n + i]
-        norm = np.sqrt((a0 * a0 + a1 * a1) + (b0 * b0 + b1 * b1))
+        norm = square_root((a0 * a0 + a1 * a1) + (b0 * b0 + b1 * b1))
         a0, a1, b0, b1 = a0 / norm, a1 / norm, b0 / norm, b1 / norm
         long_axis = w[LONG + i] < 0.0
         first, second = (w[THIRD + i] if long_axis else w[FIRST + i]), w[SECOND + i]
@@ -213,52 +212,26 @@ def _matrices(w: Any, count: int, m: Any, spinor: Any) -> None:
         m[49 * n + i] = outer if third == 2.0 else 0.0
 
 
-def _entry(sources: int) -> Any:
-    """Return the compiled function, which Numba keeps as long as the sources of the kernels do not change."""
-
-    @compiled(cache=True, nogil=True)
-    def set_up(moments: Any, momentum: Any, attitude: Any, full_form: Any, columns: Any, left: Any) -> int:
-        begun, w, m = np.empty(ROWS * BLOCK), np.empty(ROWS * BLOCK), np.empty(COLUMNS * BLOCK)
-        steps, work, zeros, terms = np.empty(STEPS * BLOCK), np.empty(11 * BLOCK), np.zeros(BLOCK), np.empty(32)
-        place, who = np.empty(BLOCK, np.int64), np.empty(BLOCK, np.int64)
-        for low in range(0, len(moments), BLOCK):
-            part = slice(low, low + BLOCK)
-            full, count = begin(moments[part], momentum[part], begun, w, place, terms)
+@entry
+def set_up(moments: Any, momentum: Any, attitude: Any, columns: Any, left: Any) -> None:
+    begun, w, m = room(ROWS * BLOCK), room(ROWS * BLOCK), room(COLUMNS * BLOCK)
+    steps, work, zeros, terms = room(STEPS * BLOCK), room(11 * BLOCK), room(BLOCK), room(32)
+    place, who = places(BLOCK), places(BLOCK)
+    for low in range(0, len(moments), BLOCK):
+        part = slice(low, low + BLOCK)
+        full, count = begin(moments[part], momentum[part], begun, w, place, terms)
+        for i in range(count):
+            start = attitude[low + place[i]]
+            w[E0 + i], w[E1 + i], w[E2 + i], w[E3 + i] = start[0], start[1], start[2], start[3]
+        rates(w, full, count, steps, who, m)
+        _full_arguments(w, full, m)
+        _complementary_arguments(w[full:], count - full, m[full:])
+        spinors(m, full, count, zeros, zeros, work)
+        _matrices(w, count, m, work)
+        for i in range(count):
+            columns[0][low + place[i]] = 1.0 if i < full else 0.0
+            left[low + place[i]] = False
+        for k in range(1, COLUMNS):
+            column = columns[k]
             for i in range(count):
-                start = attitude[low + place[i]]
-                w[E0 + i], w[E1 + i], w[E2 + i], w[E3 + i] = start[0], start[1], start[2], start[3]
-            rates(w, full, count, steps, who, m)
-            _full_arguments(w, full, m)
-            _complementary_arguments(w[full:], count - full, m[full:])
-            spinors(m, full, count, zeros, zeros, work)
-            _matrices(w, count, m, work)
-            for i in range(count):
-                full_form[low + place[i]], left[low + place[i]] = i < full, False
-            for k in range(1, COLUMNS):
-                column = columns[k - 1]
-                for i in range(count):
-                    column[low + place[i]] = m[k * BLOCK + i]
-        return sources
-
-    return set_up
-
-
-_set_up = _entry(SOURCES)
-
-
-def columns_of_many(
-    moments: Float64[np.ndarray, "body 3"], momentum: Float64[np.ndarray, "body 3"],
-    attitude: Float64[np.ndarray, "body 4"],
-) -> tuple[tuple[np.ndarray, ...], Bool[np.ndarray, "body"]]:  # fmt: skip
-    """Return the 50 columns (N,) of a flattened ``spinor.Motion``, and for which bodies they are still to be filled."""
-    moments, momentum, attitude = (np.ascontiguousarray(x) for x in (moments, momentum, attitude))
-    count = len(moments)
-    left, full = np.ones(count, bool), np.empty(count, bool)
-    columns = tuple(np.empty(count) for _ in range(COLUMNS - 1))
-
-    def fill(low: int, high: int) -> None:
-        part = slice(low, high)
-        _set_up(moments[part], momentum[part], attitude[part], full[part], tuple(c[part] for c in columns), left[part])
-
-    in_threads(fill, count, WORTH)
-    return (full, *columns), left
+                column[low + place[i]] = m[k * BLOCK + i]

@@ -109,8 +109,11 @@ class FreeMotion(AbstractMotion):
     ) -> tuple[tuple[Array, ...], Array, Array]:
         return body, momentum, compiled(_of_unit_length, attitude)(attitude)
 
-    def _columns_of(self) -> tuple[Array, ...]:
+    def _columns_of(self) -> Any:
         return evaluation.motion_columns(self._arguments)
+
+    def _state_of(self, column: tuple[float, ...], elapsed: float, rest: float) -> tuple[float, ...]:
+        return evaluation.FORM.state(column, elapsed, rest)
 
     def _closed_form(self, elapsed: Array, rest: Array) -> tuple[Array, Array]:
         return evaluation.state(self._columns, self._arguments, elapsed, rest)

@@ -2,23 +2,11 @@
 
 from __future__ import annotations
 
-from functools import cache
-from types import ModuleType
-
 import numpy as np
 
 from polhode.arrays import Elementwise, is_jax, namespace, stack_last
-from polhode.exact.blocks import (
-    Columns,
-    Vectors,
-    are_many,
-    columns_in_blocks,
-    columns_of_many,
-    in_blocks,
-    state_by_kernel,
-    state_in_blocks,
-    units,
-)
+from polhode.exact.blocks import Constants, Vectors, columns_in_blocks, in_blocks, units
+from polhode.exact.closed_form import ClosedForm
 from polhode.exact.lagrange_top import geometry
 from polhode.exact.lagrange_top.geometry_tangent import changed_numbers
 from polhode.exact.lagrange_top.preparation import prepare
@@ -29,25 +17,19 @@ from polhode.types import Array, Float64
 SIZES = (3, 1, 3, 4)  # of moments, mgl, momentum, attitude
 
 
-def motion_columns(arguments: Vectors) -> Columns:
+def motion_columns(arguments: Vectors) -> Constants:
     """Return the constants of motion of moments (…, 3), mgl (…, 1), momentum (…, 3), attitude (…, 4) as columns.
 
     JAX needs none: there set-up and evaluation are one operation.
     """
-    return () if is_jax(*arguments) else _columns(arguments)
-
-
-def _columns(arguments: Vectors) -> Columns:
-    """Return the columns; those of many tops by the compiled kernel."""
-    if not are_many(arguments):
-        return columns_in_blocks(_columns_of_tops, arguments)
-    from polhode.exact.lagrange_top import kernel_setup
-
-    return columns_of_many(kernel_setup.columns_of_many, _columns_of_tops, arguments)
+    return () if is_jax(*arguments) else FORM.columns(arguments)
 
 
 def _columns_of_tops(*arguments: Array) -> tuple[Array, ...]:
     return prepare(*arguments).motion
+
+
+FORM = ClosedForm("polhode.exact.lagrange_top", _columns_of_tops)
 
 
 def characteristics(arguments: Vectors) -> geometry.Characteristics:
@@ -56,26 +38,12 @@ def characteristics(arguments: Vectors) -> geometry.Characteristics:
 
 
 def state(
-    columns: Columns, arguments: Vectors, elapsed: Float64[Array, "..."], rest: Float64[Array, "..."]
+    columns: Constants, arguments: Vectors, elapsed: Float64[Array, "..."], rest: Float64[Array, "..."]
 ) -> tuple[Float64[Array, "*batch 4"], Float64[Array, "*batch 3"]]:
     """Return attitude (…, 4) and momentum (…, 3) at the elapsed times, which broadcast against the columns."""
     if is_jax(elapsed, *arguments):
         return _STATE(*arguments, elapsed, rest)  # type: ignore[return-value]
-    return _on_numpy(columns, elapsed, rest)
-
-
-def _on_numpy(columns: Columns, elapsed: Array, rest: Array) -> tuple[Array, Array]:
-    """Return the states; those of one top at many times, and of many tops, by the compiled kernel."""
-    found = state_by_kernel(_kernel, columns, elapsed, rest)
-    return state_in_blocks(evaluate, columns, elapsed, rest) if found is None else found
-
-
-@cache
-def _kernel() -> ModuleType:
-    """Return the kernel's module."""
-    from polhode.exact.lagrange_top import kernel  # which loads Numba
-
-    return kernel
+    return FORM.states(columns, elapsed, rest)  # type: ignore[arg-type]
 
 
 def _symmetric(moments: Array) -> Array:
@@ -89,7 +57,7 @@ def _state(*arguments: Array) -> tuple[Array, Array]:
     moments, *vectors, elapsed, rest = arguments
     moments = _symmetric(moments)
     if not is_jax(*arguments):
-        return _on_numpy(_columns((moments, *vectors)), elapsed, rest)
+        return FORM.states(FORM.columns((moments, *vectors)), elapsed, rest)
     columns = columns_in_blocks(_columns_of_tops, (moments, *vectors))
     parts = evaluate(columns, elapsed, rest)
     return stack_last(parts[:4]), stack_last(parts[4:])

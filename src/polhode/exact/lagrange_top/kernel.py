@@ -11,17 +11,21 @@ import numpy as np
 
 from polhode.exact.kernel_arithmetic import (
     BLOCK,
-    SOURCES,
-    compiled,
+    called,
+    entry,
+    exponential,
+    floor,
     halves,
-    in_threads,
     inlined,
+    nearest,
     phase,
+    places,
+    room,
     sine_cosine,
+    square_root,
     two_sum,
     whole,
 )
-from polhode.types import Float64, Integer
 
 __all__ = ["COLUMNS", "WORK", "numerators", "states_of_many", "states_of_one"]
 
@@ -84,7 +88,7 @@ def _argument_of(m: Any, high: float, low: float) -> tuple[float, ...]:
     v = rest + (m[11] + (first_error + second_error))
     u0 = u + v
     u_rest = v - (u0 - u)
-    more = np.rint(u0) if periodic != 0.0 else 0.0
+    more = nearest(u0) if periodic != 0.0 else 0.0
     count = periodic * turned + more
     count = count - 4.0 * whole(0.25 * count)
     u0 = u0 - more
@@ -93,7 +97,7 @@ def _argument_of(m: Any, high: float, low: float) -> tuple[float, ...]:
     exponent, factor = _exponent(f, g, upper, lower)
     distance = max(0.5 - f, 0.0)
     other, other_factor = _exponent(distance, ((0.5 - distance) - f) * periodic - g, upper, lower)
-    half = 0.5 * (count - 2.0 * np.floor(0.5 * count))
+    half = 0.5 * (count - 2.0 * floor(0.5 * count))
     within = u0 + u_rest
     turns_a = _turns(m[1], m[2], m[3], high, low) + m[35] * within * m[32]
     turns_b = _turns(m[4], m[5], m[6], high, low) + m[36] * within * m[33]
@@ -139,7 +143,7 @@ def _state_of(m: Any, numerators: Numerators) -> State:
     """Return attitude and momentum, ``series._states``."""
     ar, ai, br, bi, dar, dai, dbr, dbi, turns_a, turns_b = numerators
     x = 1.0 / ((ar * ar + ai * ai) + (br * br + bi * bi))
-    root = np.sqrt(x)
+    root = square_root(x)
     s, c = sine_cosine(turns_a - whole(turns_a))
     ca, sa = c * m[39] - s * m[40], s * m[39] + c * m[40]
     s, c = sine_cosine(turns_b - whole(turns_b))
@@ -162,19 +166,30 @@ def _state_of(m: Any, numerators: Numerators) -> State:
 # ---------------------------------------------------------------------- one top
 
 
+@called
+def state_at(m: Any, time: float, rest: float) -> State:
+    """Return attitude and momentum of one top at a time, given in two parts."""
+    high, low = halves(time)
+    if m[0] != 0.0:
+        return _state_of(m, _full_of(m, high, low + rest))
+    side, turns_a, turns_b, exponent, factor, other, other_factor = _argument_of(m, high, low + rest)
+    e0, R = exponential(exponent) * factor, m[34] * (exponential(other) * other_factor)
+    return _state_of(m, _complementary_of(m, side, turns_a, turns_b, e0, R))
+
+
 @inlined
 def _put(m: Any, i: int, numerators: Numerators, out: Any) -> None:
     (out[0, i], out[1, i], out[2, i], out[3, i], out[4, i], out[5, i], out[6, i]) = _state_of(m, numerators)
 
 
-@compiled()
+@called
 def _full(m: Any, times: Any, rests: Any, out: Any) -> None:
     for i in range(times.size):
         high, low = halves(times[i])
         _put(m, i, _full_of(m, high, low + rests[i]), out)
 
 
-@compiled()
+@called
 def _complementary(m: Any, times: Any, rests: Any, out: Any, work: Any) -> None:
     for i in range(times.size):
         high, low = halves(times[i])
@@ -182,32 +197,26 @@ def _complementary(m: Any, times: Any, rests: Any, out: Any, work: Any) -> None:
             m, high, low + rests[i]
         )
     for i in range(times.size):
-        work[3, i], work[5, i] = np.exp(work[3, i]), np.exp(work[5, i])
+        work[3, i], work[5, i] = exponential(work[3, i]), exponential(work[5, i])
     for i in range(times.size):
         e0, R = work[3, i] * work[4, i], m[34] * (work[5, i] * work[6, i])
         _put(m, i, _complementary_of(m, work[0, i], work[1, i], work[2, i], e0, R), out)
 
 
-def _entry_of_one(sources: int) -> Any:
-    """Return the compiled function, which Numba keeps as long as the sources of the kernels do not change."""
-
-    @compiled(cache=True, nogil=True)
-    def of_one(full: bool, m: Any, times: Any, rests: Any, attitude: Any, momentum: Any) -> int:
-        out, work = np.empty((7, BLOCK)), np.empty((7, BLOCK))
-        for low in range(0, times.size, BLOCK):
-            high = min(low + BLOCK, times.size)
-            if full:
-                _full(m, times[low:high], rests[low:high], out)
-            else:
-                _complementary(m, times[low:high], rests[low:high], out, work)
-            for i in range(high - low):
-                for k in range(4):
-                    attitude[low + i, k] = out[k, i]
-                for k in range(3):
-                    momentum[low + i, k] = out[4 + k, i]
-        return sources
-
-    return of_one
+@entry
+def states_of_one(m: Any, times: Any, rests: Any, attitude: Any, momentum: Any) -> None:
+    out, work = np.empty((7, BLOCK)), np.empty((7, BLOCK))
+    for low in range(0, times.size, BLOCK):
+        high = min(low + BLOCK, times.size)
+        if m[0] != 0.0:
+            _full(m, times[low:high], rests[low:high], out)
+        else:
+            _complementary(m, times[low:high], rests[low:high], out, work)
+        for i in range(high - low):
+            for k in range(4):
+                attitude[low + i, k] = out[k, i]
+            for k in range(3):
+                momentum[low + i, k] = out[4 + k, i]
 
 
 # ---------------------------------------------------------------------- many tops
@@ -235,28 +244,28 @@ def _keep(work: Any, i: int, x: Numerators) -> None:
     work[5 * n + i], work[6 * n + i], work[7 * n + i], work[8 * n + i], work[9 * n + i] = x[5], x[6], x[7], x[8], x[9]
 
 
-@compiled()
+@called
 def _full_of_many(m: Any, count: int, high: Any, low: Any, work: Any) -> None:
     for i in range(count):
         _keep(work, i, _full_of(_column(m, i), high[i], low[i]))
 
 
-@compiled()
+@called
 def _complementary_of_many(m: Any, count: int, high: Any, low: Any, work: Any) -> None:
     n = BLOCK
     for i in range(count):
         (work[10 * n + i], work[11 * n + i], work[12 * n + i], work[13 * n + i], work[14 * n + i], work[15 * n + i],
          work[16 * n + i]) = _argument_of(_column(m, i), high[i], low[i])  # fmt: skip
     for i in range(count):
-        work[13 * n + i] = np.exp(work[13 * n + i])
-        work[15 * n + i] = np.exp(work[15 * n + i])
+        work[13 * n + i] = exponential(work[13 * n + i])
+        work[15 * n + i] = exponential(work[15 * n + i])
     for i in range(count):
         e0, R = work[13 * n + i] * work[14 * n + i], m[34 * n + i] * (work[15 * n + i] * work[16 * n + i])
         found = _complementary_of(_column(m, i), work[10 * n + i], work[11 * n + i], work[12 * n + i], e0, R)
         _keep(work, i, found)
 
 
-@compiled()
+@called
 def numerators(m: Any, full: int, count: int, high: Any, low: Any, work: Any) -> None:
     """Put the numerators of a block into the first ten rows of ``work``, which has seventeen.
 
@@ -272,7 +281,7 @@ def numerators(m: Any, full: int, count: int, high: Any, low: Any, work: Any) ->
     _complementary_of_many(m[full:], count - full, high[full:], low[full:], work[full:])
 
 
-@compiled()
+@called
 def _states(m: Any, count: int, work: Any) -> None:
     """Put attitude and momentum into the first seven rows of ``work`` in place of the numerators."""
     n = BLOCK
@@ -283,82 +292,30 @@ def _states(m: Any, count: int, work: Any) -> None:
          work[6 * n + i]) = _state_of(_column(m, i), found)  # fmt: skip
 
 
-def _entry_of_many(sources: int) -> Any:
-    @compiled(cache=True, nogil=True)
-    def of_many(full: Any, columns: Any, tops: Any, times: Any, rests: Any, attitude: Any, momentum: Any) -> int:
-        m, work = np.empty(COLUMNS * BLOCK), np.empty(WORK * BLOCK)
-        high, low, place = np.empty(BLOCK), np.empty(BLOCK), np.empty(BLOCK, np.int64)
-        for first in range(0, times.size, BLOCK):
-            count = min(BLOCK, times.size - first)
-            front, back = 0, count
-            for i in range(first, first + count):
-                if full[tops[i]]:
-                    place[front] = i
-                    front += 1
-                else:
-                    back -= 1
-                    place[back] = i
+@entry
+def states_of_many(columns: Any, tops: Any, times: Any, rests: Any, attitude: Any, momentum: Any) -> None:
+    m, work = room(COLUMNS * BLOCK), room(WORK * BLOCK)
+    high, low, place = room(BLOCK), room(BLOCK), places(BLOCK)
+    for first in range(0, times.size, BLOCK):
+        count = min(BLOCK, times.size - first)
+        front, back = 0, count
+        for i in range(first, first + count):
+            if columns[0, tops[i]] != 0.0:
+                place[front] = i
+                front += 1
+            else:
+                back -= 1
+                place[back] = i
+        for i in range(count):
+            high[i], rest = halves(times[place[i]])
+            low[i] = rest + rests[place[i]]
+        for k in range(1, COLUMNS):
             for i in range(count):
-                high[i], rest = halves(times[place[i]])
-                low[i] = rest + rests[place[i]]
-            for k in range(1, COLUMNS):
-                column = columns[k - 1]
-                for i in range(count):
-                    m[k * BLOCK + i] = column[tops[place[i]]]
-            numerators(m, front, count, high, low, work)
-            _states(m, count, work)
-            for i in range(count):
-                for k in range(4):
-                    attitude[place[i], k] = work[k * BLOCK + i]
-                for k in range(3):
-                    momentum[place[i], k] = work[(4 + k) * BLOCK + i]
-        return sources
-
-    return of_many
-
-
-_of_one, _of_many = _entry_of_one(SOURCES), _entry_of_many(SOURCES)
-
-
-def states_of_one(
-    columns: tuple[float, ...], times: Float64[np.ndarray, "time"], rests: Float64[np.ndarray, "time"]
-) -> tuple[Float64[np.ndarray, "time 4"], Float64[np.ndarray, "time 3"]]:
-    """Return attitude and momentum of one top at times, given in two parts.
-
-    Args:
-        columns: the 45 numbers of a flattened ``series.Motion``.
-        times: (T,) since the epoch.
-        rests: (T,) what the floats leave of them.
-    """
-    full, m = bool(columns[0]), tuple(map(float, columns))
-    attitude, momentum = np.empty((times.size, 4)), np.empty((times.size, 3))
-
-    def fill(low: int, high: int) -> None:
-        part = slice(low, high)
-        _of_one(full, m, times[part], rests[part], attitude[part], momentum[part])
-
-    in_threads(fill, times.size, WORTH)
-    return attitude, momentum
-
-
-def states_of_many(
-    columns: tuple[np.ndarray, ...], tops: Integer[np.ndarray, "state"], times: Float64[np.ndarray, "state"],
-    rests: Float64[np.ndarray, "state"],
-) -> tuple[Float64[np.ndarray, "state 4"], Float64[np.ndarray, "state 3"]]:  # fmt: skip
-    """Return attitude and momentum of many tops, each at its times, given in two parts.
-
-    Args:
-        columns: the 45 arrays (N,) of a flattened ``series.Motion``.
-        tops: which of them each state is of.
-        times: since the epoch.
-        rests: what the floats leave of them.
-    """
-    full, *numbers = columns
-    attitude, momentum = np.empty((times.size, 4)), np.empty((times.size, 3))
-
-    def fill(low: int, high: int) -> None:
-        part = slice(low, high)
-        _of_many(full, tuple(numbers), tops[part], times[part], rests[part], attitude[part], momentum[part])
-
-    in_threads(fill, times.size, WORTH)
-    return attitude, momentum
+                m[k * BLOCK + i] = columns[k, tops[place[i]]]
+        numerators(m, front, count, high, low, work)
+        _states(m, count, work)
+        for i in range(count):
+            for k in range(4):
+                attitude[place[i], k] = work[k * BLOCK + i]
+            for k in range(3):
+                momentum[place[i], k] = work[(4 + k) * BLOCK + i]

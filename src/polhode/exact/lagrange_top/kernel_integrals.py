@@ -8,14 +8,12 @@ from __future__ import annotations
 
 from typing import Any
 
-import numpy as np
-
 from polhode.exact.kernel_arithmetic import (
     BLOCK,
     Pair,
     add,
+    called,
     choice,
-    compiled,
     divide,
     inlined,
     multiply,
@@ -23,6 +21,7 @@ from polhode.exact.kernel_arithmetic import (
     put,
     root,
     scale,
+    square_root,
 )
 from polhode.exact.lagrange_top.kernel_store import (
     GAP,
@@ -78,55 +77,64 @@ def _widest(x: float, y: float, z: float) -> float:
     return max(max(abs(mean - x), abs(mean - y)), abs(mean - z)) / mean
 
 
-@compiled()
-def _duplicate(s: Any, count: int) -> int:
-    """Take a step of the duplication; return how many need another."""
+@called
+def _far(s: Any, count: int, close: float) -> int:
+    """Return how many need a step of the duplication."""
     far = 0
     for i in range(count):
-        x, y, z = s[X + i], s[Y_ + i], s[Z + i]
-        a, b, c = np.sqrt(x), np.sqrt(y), np.sqrt(z)
-        more = (a * b + b * c) + c * a
-        s[X + i], s[Y_ + i], s[Z + i] = 0.25 * (x + more), 0.25 * (y + more), 0.25 * (z + more)
-        far += 1 if _widest(x, y, z) > 4.0 * CLOSE else 0  # the step has divided it by four
+        far += 1 if _widest(s[X + i], s[Y_ + i], s[Z + i]) > close else 0
     return far
 
 
-@compiled()
+@called
+def _duplicate(s: Any, count: int) -> None:
+    """Take a step of the duplication with those that need it, so that none depends on what stands beside it."""
+    for i in range(count):
+        x, y, z = s[X + i], s[Y_ + i], s[Z + i]
+        near = _widest(x, y, z) <= CLOSE
+        a, b, c = square_root(x), square_root(y), square_root(z)
+        more = (a * b + b * c) + c * a
+        s[X + i] = x if near else 0.25 * (x + more)
+        s[Y_ + i] = y if near else 0.25 * (y + more)
+        s[Z + i] = z if near else 0.25 * (z + more)
+
+
+@called
 def _first_kind(s: Any, count: int) -> bool:
     """Put R_F(x, y, 1) of what stands in two rows into the first; return whether it has converged."""
     for i in range(count):
         s[Z + i] = 1.0
     left = MOST_STEPS
-    while _duplicate(s, count) > 0 and left > 0:
+    while left > 0 and _far(s, count, CLOSE) > 0:
+        _duplicate(s, count)
         left -= 1
     for i in range(count):
         mean = ((s[X + i] + s[Y_ + i]) + s[Z + i]) / 3.0
-        s[X + i] = (1.0 + _series(1.0 - s[X + i] / mean, 1.0 - s[Y_ + i] / mean)) / np.sqrt(mean)
+        s[X + i] = (1.0 + _series(1.0 - s[X + i] / mean, 1.0 - s[Y_ + i] / mean)) / square_root(mean)
     return left > 0
 
 
-@compiled()
-def _duplicate_sharply(s: Any, count: int) -> int:
-    """Take a step of the duplication in double-double; return how many need another."""
-    far = 0
+@called
+def _duplicate_sharply(s: Any, count: int) -> None:
+    """Take a step of the duplication in double-double with those that need it."""
     for i in range(count):
         x, y, z = pair(s, X + i), pair(s, Y_ + i), pair(s, Z + i)
+        near = _widest(x[0], y[0], z[0]) <= CLOSER
         a, b, c = _root(x), _root(y), root(z)
         more = add(multiply(a, add(b, c)), multiply(b, c))
-        put(s, X + i, scale(add(x, more), 0.25))
-        put(s, Y_ + i, scale(add(y, more), 0.25))
-        put(s, Z + i, scale(add(z, more), 0.25))
-        far += 1 if _widest(x[0], y[0], z[0]) > 4.0 * CLOSER else 0
-    return far
+        put(s, X + i, choice(near, x, scale(add(x, more), 0.25)))
+        put(s, Y_ + i, choice(near, y, scale(add(y, more), 0.25)))
+        put(s, Z + i, choice(near, z, scale(add(z, more), 0.25)))
 
 
-@compiled()
+@called
 def _first_kind_sharply(s: Any, count: int) -> bool:
     """Put R_F(x, y, 1) of what stands in two pairs of rows into the first; return whether it has converged."""
     for i in range(count):
         put(s, Z + i, ONE)
     left = MOST_STEPS
-    while _duplicate_sharply(s, count) > 0 and left > 0:
+    while left > 0 and _far(s, count, CLOSER) > 0:
+        _duplicate_sharply(s, count)
         left -= 1
     for i in range(count):
         x, y, z = pair(s, X + i), pair(s, Y_ + i), pair(s, Z + i)
@@ -139,51 +147,51 @@ def _first_kind_sharply(s: Any, count: int) -> bool:
 # ---------------------------------------------------------------------- poles and start
 
 
-@compiled()
+@called
 def _pole_of_alpha(w: Any, count: int, s: Any) -> bool:
     for i in range(count):
         d, t2 = w[GAP + i], w[T2 + i]
         s[X + i], s[Y_ + i] = d / t2, d * w[Z_PLUS + i] / (w[A + i] * t2)
     found = _first_kind(s, count)
     for i in range(count):
-        w[V_ALPHA + i] = np.sqrt(w[T1 + i] / w[T2 + i]) * s[X + i]
+        w[V_ALPHA + i] = square_root(w[T1 + i] / w[T2 + i]) * s[X + i]
     return found
 
 
-@compiled()
+@called
 def _pole_of_beta(w: Any, count: int, s: Any) -> bool:
     for i in range(count):
         d, s1 = w[GAP + i], w[S1 + i]
         s[X + i], s[Y_ + i] = d * w[Z_MINUS + i] / (s1 * w[B + i]), d / s1
     found = _first_kind(s, count)
     for i in range(count):
-        w[V_BETA + i] = np.sqrt(w[S2 + i] * w[A + i] / (w[S1 + i] * w[B + i])) * s[X + i]
+        w[V_BETA + i] = square_root(w[S2 + i] * w[A + i] / (w[S1 + i] * w[B + i])) * s[X + i]
     return found
 
 
-@compiled()
+@called
 def _rest_of_alpha(w: Any, count: int, s: Any) -> bool:
     for i in range(count):
         g, z = w[G + i], w[Z_PLUS + i]
         s[X + i], s[Y_ + i] = g * w[T1 + i] / z, g * w[T2 + i] / z
     found = _first_kind(s, count)
     for i in range(count):
-        w[W_ALPHA + i] = np.sqrt(w[A + i] / w[Z_PLUS + i]) * s[X + i]
+        w[W_ALPHA + i] = square_root(w[A + i] / w[Z_PLUS + i]) * s[X + i]
     return found
 
 
-@compiled()
+@called
 def _rest_of_beta(w: Any, count: int, s: Any) -> bool:
     for i in range(count):
         g, a, b = w[G + i], w[A + i], w[B + i]
         s[X + i], s[Y_ + i] = g * w[S2 + i] / b, g * w[S1 + i] / a
     found = _first_kind(s, count)
     for i in range(count):
-        w[W_BETA + i] = np.sqrt(w[Z_MINUS + i] / w[B + i]) * s[X + i]
+        w[W_BETA + i] = square_root(w[Z_MINUS + i] / w[B + i]) * s[X + i]
     return found
 
 
-@compiled()
+@called
 def _start(w: Any, count: int, s: Any) -> bool:
     for i in range(count):
         d = pair(w, GAP + i)
@@ -196,7 +204,7 @@ def _start(w: Any, count: int, s: Any) -> bool:
     return found
 
 
-@compiled()
+@called
 def integrals(w: Any, full: int, count: int, s: Any) -> bool:
     """Put the places of the poles, and the start, into the store; return whether all have converged.
 

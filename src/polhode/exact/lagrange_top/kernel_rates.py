@@ -9,8 +9,8 @@ from polhode.exact.kernel_arithmetic import (
     BLOCK,
     Pair,
     add,
+    called,
     choice,
-    compiled,
     divide,
     halves,
     inlined,
@@ -65,7 +65,7 @@ def _first_beta(w: Any, i: int) -> bool:
     return multiply(pair(w, G + i), pair(w, S2 + i))[0] <= w[Z_MINUS + i]
 
 
-@compiled()
+@called
 def _begin_alpha(w: Any, count: int, s: Any) -> None:
     for i in range(count):
         a, t1 = pair(w, A + i), pair(w, T1 + i)
@@ -75,7 +75,7 @@ def _begin_alpha(w: Any, count: int, s: Any) -> None:
         put(w, HALF_ROOT + i, scale(root_a, 0.5))
 
 
-@compiled()
+@called
 def _begin_beta(w: Any, count: int, s: Any) -> None:
     """The mean is the same; where c = 0 the sum's factor vanishes, and p² must only not be zero."""
     for i in range(count):
@@ -96,7 +96,7 @@ def _drift(g: Pair, c: Pair, z: Pair, near: Pair, far: Pair, d: Pair, nutation: 
     return choice(first, inner, subtract(multiply(scale(quotient, 0.5), subtract(ONE, share)), nutation))
 
 
-@compiled()
+@called
 def _alpha(w: Any, count: int) -> None:
     for i in range(count):
         nutation, g, d = scale(pair(w, MEAN + i), 0.5), pair(w, G + i), pair(w, GAP + i)
@@ -108,7 +108,7 @@ def _alpha(w: Any, count: int) -> None:
         put(w, ALPHA + i, scale(rate, sign))
 
 
-@compiled()
+@called
 def _beta(w: Any, count: int) -> None:
     for i in range(count):
         nutation, g, d, first = pair(w, NUTATION + i), pair(w, G + i), pair(w, GAP + i), _first_beta(w, i)
@@ -119,7 +119,7 @@ def _beta(w: Any, count: int) -> None:
         put(w, BETA + i, scale(rate, -sign if first else sign))
 
 
-@compiled()
+@called
 def _put_rates(w: Any, count: int, m: Any) -> None:
     """Put the rates of the phases of α and β [turns per time] into rows 1 to 6 of the motion."""
     n = BLOCK
@@ -135,7 +135,7 @@ def _put_rates(w: Any, count: int, m: Any) -> None:
         m[3 * n + i], m[6 * n + i] = alpha[1], beta[1]
 
 
-@compiled()
+@called
 def rates(w: Any, count: int, steps: Any, who: Any, m: Any) -> None:
     """Find the three frequencies, and put those of the phases into the motion.
 

@@ -12,7 +12,7 @@ from polhode.exact.kernel_arithmetic import (
     Pair,
     add,
     bits_of,
-    compiled,
+    called,
     divide,
     inlined,
     multiply,
@@ -114,7 +114,7 @@ def _spare(x: Pair, size: float) -> float:
     return abs(x[0]) - NEAR * size
 
 
-@compiled()
+@called
 def _sums(w: Any, count: int) -> None:
     """Form |q|², S, T, in_phase, twist, c and c' of ``reduction._invariants``; UP is below zero if too much cancels."""
     for i in range(count):
@@ -142,7 +142,7 @@ def _sums(w: Any, count: int) -> None:
         w[NOME + i] = of_c * abs(z)
 
 
-@compiled()
+@called
 def _energies(w: Any, count: int) -> None:
     """Form |w|², F and D; NOME has the size of what is taken from F."""
     for i in range(count):
@@ -160,7 +160,7 @@ def _energies(w: Any, count: int) -> None:
         w[UP + i] = min(w[UP + i], min(_spare(F0, of_energy + w[NOME + i]), _spare(D0, of_D)))
 
 
-@compiled()
+@called
 def _quotients(w: Any, count: int) -> None:
     """Divide all by |q|²; products would need no fewer steps."""
     for i in range(count):
@@ -177,7 +177,7 @@ def _quotients(w: Any, count: int) -> None:
 # ---------------------------------------------------------------------- exact sums
 
 
-@compiled()
+@called
 def _products(t: Any, begin: int, end: int, factor: float, out: int) -> int:
     """Append the exact products of terms and a factor at ``out``; return where they end."""
     for j in range(begin, end):
@@ -186,7 +186,7 @@ def _products(t: Any, begin: int, end: int, factor: float, out: int) -> int:
     return out
 
 
-@compiled()
+@called
 def _sweeps(t: Any, begin: int, end: int, count: int) -> None:
     """Sweep as ``doubledouble._sweep``, ``count`` times."""
     for _ in range(count):
@@ -197,7 +197,7 @@ def _sweeps(t: Any, begin: int, end: int, count: int) -> None:
         t[end - 1] = running
 
 
-@compiled()
+@called
 def _compressed(t: Any, end: int, count: int, to: int) -> None:
     """Move the sum of the loose terms up to ``end``, as ``count`` terms, to ``to``, ``doubledouble.compress``."""
     _sweeps(t, LOOSE, end, count + 1)
@@ -205,7 +205,7 @@ def _compressed(t: Any, end: int, count: int, to: int) -> None:
         t[to + j] = t[end - count + j]
 
 
-@compiled()
+@called
 def _put_quotient(w: Any, k: int, t: Any, begin: int, end: int, factor: float, n: Any) -> None:
     """Store a sum of terms times a power of two over n."""
     _sweeps(t, begin, end, 5)
@@ -215,7 +215,7 @@ def _put_quotient(w: Any, k: int, t: Any, begin: int, end: int, factor: float, n
     put(w, k, divide(scale(two_sum(t[end - 1], rest), factor), n))
 
 
-@compiled()
+@called
 def _exact(w: Any, i: int, t: Any) -> None:
     """Form the invariants of one top as ``reduction._invariants`` does."""
     q0, q1, q2, q3 = w[E0 + i], w[E1 + i], w[E2 + i], w[E3 + i]
@@ -248,7 +248,7 @@ def _exact(w: Any, i: int, t: Any) -> None:
     _exact_energies(w, i, t, (x, y, z), g, n)
 
 
-@compiled()
+@called
 def _exact_energies(w: Any, i: int, t: Any, momentum: Any, g: Any, n: Any) -> None:
     """Form F and D of one top from what ``_exact`` has found."""
     x, y, z = momentum
@@ -274,12 +274,12 @@ def _exact_energies(w: Any, i: int, t: Any, momentum: Any, g: Any, n: Any) -> No
     _put_quotient(w, D + i, t, LOOSE, end + 5, 1.0, n)
 
 
-@compiled()
+@called
 def begin(moments: Any, mgl: Any, momentum: Any, attitude: Any, w: Any, place: Any, terms: Any) -> int:
     """Reduce a block; return how many of its tops the kernels may take. ``place`` has them."""
     count = 0
     for i in range(len(moments)):
-        if _load(w, count, moments[i], mgl[i, 0], momentum[i], attitude[i]):
+        if _load(w, count, moments[i], mgl[i][0], momentum[i], attitude[i]):
             place[count] = i
             count += 1
     _sums(w, count)

@@ -4,13 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
-import numpy as np
-
 from polhode.exact.kernel_arithmetic import (
     Pair,
     add,
+    called,
     choice,
-    compiled,
     divide,
     inlined,
     multiply,
@@ -20,6 +18,7 @@ from polhode.exact.kernel_arithmetic import (
     root,
     scale,
     square,
+    square_root,
     subtract,
 )
 from polhode.exact.lagrange_top.kernel_store import (
@@ -60,7 +59,7 @@ def _sharp_root(b: float, c: float, d: float) -> tuple[float, float, float]:
     """Return b/3, r and cos 3φ of Viète's formula for x³ + bx² + cx + d, ``roots._largest_root``."""
     third = b / 3.0
     P, Q = c - b * third, 2.0 * (third * third) * third - third * c + d
-    r = np.sqrt(max(-P / 3.0, 0.0))
+    r = square_root(max(-P / 3.0, 0.0))
     cosine = -0.5 * Q / (r * r * r) if r > 0.0 else 1.0
     return third, r, min(max(cosine, -1.0), 1.0)
 
@@ -97,7 +96,7 @@ def _root(x: Pair) -> Pair:
     return choice(zero, ZERO, root(choice(zero, ONE, x)))
 
 
-@compiled()
+@called
 def _apart(w: Any, count: int) -> None:
     """Put the root that stands apart into Y; UP says whether it is the upper one, or that it has not been found."""
     for i in range(count):
@@ -162,7 +161,7 @@ def _lower_root_apart(g: Pair, s0: Pair, c2: Pair, p2: Pair, f: Pair, s1: Pair) 
     return lower, upper, subtract(s1, s2), s1, s2, multiply(g, add(s1, minus_s3)), multiply(g, between), Y0, z
 
 
-@compiled()
+@called
 def _points(w: Any, count: int) -> None:
     """Put the turning points into the store."""
     for i in range(count):
@@ -186,7 +185,7 @@ def _points(w: Any, count: int) -> None:
         put(w, T1 + i, _quotient(square(pair(w, C_PLUS + i)), multiply(t2, z)))
 
 
-@compiled()
+@called
 def turning_points(w: Any, count: int) -> None:
     """Put ``roots.turning_points`` into the store; where UP is below zero they are left to NumPy."""
     _apart(w, count)

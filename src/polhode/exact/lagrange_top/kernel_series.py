@@ -8,13 +8,12 @@ from __future__ import annotations
 import math
 from typing import Any
 
-import numpy as np
-
 from polhode.exact.kernel_arithmetic import (
     BLOCK,
     add,
-    compiled,
+    called,
     divide,
+    exponential,
     halves,
     inlined,
     multiply,
@@ -23,6 +22,7 @@ from polhode.exact.kernel_arithmetic import (
     root,
     scale,
     sine_cosine,
+    square_root,
     whole,
 )
 from polhode.exact.lagrange_top.kernel_store import (
@@ -74,15 +74,15 @@ Four = tuple[float, float, float, float]
 @inlined
 def _nome(parameter: float) -> float:
     """Return ``elliptic.nome``."""
-    k = np.sqrt(1.0 - parameter)
-    more = 1.0 + np.sqrt(k)
+    k = square_root(1.0 - parameter)
+    more = 1.0 + square_root(k)
     ratio = 0.5 / ((1.0 + k) * more * more)
     e = ratio * parameter
     e4 = (e * e) * (e * e)
     return parameter * (ratio * (1.0 + e4 * (2.0 + e4 * (15.0 + e4 * (150.0 + e4 * 1707.0)))))
 
 
-@compiled()
+@called
 def _poles(w: Any, count: int) -> None:
     """Put the nome of the smaller parameter, and the places of the poles in units of its half period."""
     for i in range(count):
@@ -111,18 +111,18 @@ def _put_sums(m: Any, k: int, size: float, h: float, q: float, r: float, alterna
     m[k], m[k + n], m[k + 2 * n], m[k + 3 * n] = size * (1.0 - h), w1 * (1.0 - h3), w2 * (1.0 - h5), w3 * (1.0 - h7)
 
 
-@compiled()
+@called
 def _full_series(w: Any, full: int, m: Any) -> None:
     """Put the series of ``preparation._full_series`` into rows 12 to 28."""
     n = BLOCK
     for i in range(full):
-        w[R_ALPHA + i], w[R_BETA + i] = math.exp(-2.0 * w[W_ALPHA + i]), math.exp(-2.0 * w[W_BETA + i])
-        w[V_ALPHA + i], w[V_BETA + i] = math.exp(-2.0 * w[Y_ALPHA + i]), math.exp(-2.0 * w[Y_BETA + i])
+        w[R_ALPHA + i], w[R_BETA + i] = exponential(-2.0 * w[W_ALPHA + i]), exponential(-2.0 * w[W_BETA + i])
+        w[V_ALPHA + i], w[V_BETA + i] = exponential(-2.0 * w[Y_ALPHA + i]), exponential(-2.0 * w[Y_BETA + i])
     for i in range(full):
         q, theta3 = w[NOME + i], w[THETA3 + i]
         q4 = (q * q) * (q * q)
         theta4 = 1.0 - 2.0 * (q - q4 + q4 * q4 * q)
-        of_alpha, of_beta = np.sqrt(0.5 * w[T2 + i]) * theta3, np.sqrt(0.5 * w[S1 + i]) * theta4
+        of_alpha, of_beta = square_root(0.5 * w[T2 + i]) * theta3, square_root(0.5 * w[S1 + i]) * theta4
         _put_sums(m, 12 * n + i, of_alpha, w[V_ALPHA + i], q, w[R_ALPHA + i], -1.0)
         _put_sums(m, 20 * n + i, of_beta, w[V_BETA + i], q, w[R_BETA + i], 1.0)
         m[28 * n + i] = 0.0
@@ -137,7 +137,7 @@ def _multiples(y: float) -> tuple[Four, Four]:
     return (c1, c2, c2 * c1 - s2 * s1, 1.0 - 2.0 * s2 * s2), (s1, s2, s2 * c1 + c2 * s1, 2.0 * s2 * c2)
 
 
-@compiled()
+@called
 def _complementary_series(w: Any, count: int, m: Any) -> None:
     """Put the series of ``preparation._complementary_series`` into rows 12 to 28."""
     n = BLOCK
@@ -148,7 +148,7 @@ def _complementary_series(w: Any, count: int, m: Any) -> None:
         q9 = q6 * q2 * q
         c, s = _multiples(w[Y_ALPHA + i])
         theta4 = 1.0 - 2.0 * ((q * c[1] - q4 * c[3]) + q9 * (2.0 * c[2] * c[2] - 1.0))
-        size = np.sqrt(0.5 * w[T2 + i]) * theta3 / theta4
+        size = square_root(0.5 * w[T2 + i]) * theta3 / theta4
         c5, s5 = c[3] * c[0] - s[3] * s[0], s[3] * c[0] + c[3] * s[0]
         c7, s7 = c[3] * c[2] - s[3] * s[2], s[3] * c[2] + c[3] * s[2]
         m[12 * n + i], m[13 * n + i] = size * s[0], -size * s[2]
@@ -157,7 +157,7 @@ def _complementary_series(w: Any, count: int, m: Any) -> None:
         m[18 * n + i], m[19 * n + i] = size * c5, -size * c7
         c, s = _multiples(2.0 * w[Y_BETA + i])
         theta4 = 1.0 - 2.0 * ((q * c[0] - q4 * c[1]) + q9 * c[2])
-        size = np.sqrt(0.5 * w[S1 + i]) * (1.0 + q2 + q6 + q6 * q6) / theta4
+        size = square_root(0.5 * w[S1 + i]) * (1.0 + q2 + q6 + q6 * q6) / theta4
         m[20 * n + i], m[21 * n + i] = -size * c[0], size * c[1]
         m[22 * n + i], m[23 * n + i] = -size * c[2], size * c[3]
         m[24 * n + i], m[25 * n + i] = -size * s[0], size * s[1]
@@ -165,7 +165,7 @@ def _complementary_series(w: Any, count: int, m: Any) -> None:
         m[28 * n + i] = size
 
 
-@compiled()
+@called
 def _put_motion(w: Any, count: int, m: Any, complementary: float) -> None:
     """Put the rest of ``preparation._motion`` into the motion, apart from the constant phases."""
     n = BLOCK
@@ -198,7 +198,7 @@ def _put_motion(w: Any, count: int, m: Any, complementary: float) -> None:
         m[44 * n + i] = w[SIDE + i]
 
 
-@compiled()
+@called
 def series(w: Any, full: int, count: int, m: Any) -> None:
     """Put the columns of ``preparation._motion`` into the motion, apart from the constant phases.
 
@@ -229,12 +229,12 @@ def _constant_phase(
     imaginary = (r * gi - i * gr) + (sr * ei - si * er) / size
     s, c = sine_cosine(turns - whole(turns))
     real, imaginary = real * c + imaginary * s, imaginary * c - real * s
-    length = np.sqrt(real * real + imaginary * imaginary)
+    length = square_root(real * real + imaginary * imaginary)
     some = length > 0.0
     return (real / length if some else 1.0), (imaginary / length if some else 0.0)
 
 
-@compiled()
+@called
 def phases(w: Any, count: int, m: Any, work: Any) -> None:
     """Put the constant phases of ``preparation._constant_phases`` into the motion, of the numerators at the epoch."""
     n = BLOCK
@@ -248,7 +248,7 @@ def phases(w: Any, count: int, m: Any, work: Any) -> None:
         ar, ai, br, bi = work[i], work[n + i], work[2 * n + i], work[3 * n + i]
         dar, dai, dbr, dbi = work[4 * n + i], work[5 * n + i], work[6 * n + i], work[7 * n + i]
         square = (ar * ar + ai * ai) + (br * br + bi * bi)
-        norm = np.sqrt(square)
+        norm = square_root(square)
         drop = ((ar * dar + ai * dai) + (br * dbr + bi * dbi)) / square
         size, turn = (x * x + y * y) + (z * z + w[G + i]), w[TURN + i]
         m[39 * n + i], m[40 * n + i] = _constant_phase(

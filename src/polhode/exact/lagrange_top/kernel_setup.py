@@ -9,14 +9,14 @@ from __future__ import annotations
 
 from typing import Any
 
-import numpy as np
-
 from polhode.exact.kernel_agm import STEPS
 from polhode.exact.kernel_arithmetic import (
     BLOCK,
-    SOURCES,
-    compiled,
-    in_threads,
+    called,
+    entry,
+    flags,
+    places,
+    room,
 )
 from polhode.exact.lagrange_top.kernel import COLUMNS, WORK, numerators
 from polhode.exact.lagrange_top.kernel_integrals import integrals
@@ -25,12 +25,11 @@ from polhode.exact.lagrange_top.kernel_reduction import TERMS, begin
 from polhode.exact.lagrange_top.kernel_roots import turning_points
 from polhode.exact.lagrange_top.kernel_series import phases, series
 from polhode.exact.lagrange_top.kernel_store import GAP, KEPT, ROWS, UP, B, G
-from polhode.types import Bool, Float64
 
 WORTH = 1_000  # tops for which a thread is worth its start
 
 
-@compiled()
+@called
 def _sorted(begun: Any, count: int, found: Any, w: Any, place: Any, order: Any) -> tuple[int, int]:
     """Copy the tops that the kernels take, those of the full form first; return how many take it, and how many any.
 
@@ -62,7 +61,7 @@ def _sorted(begun: Any, count: int, found: Any, w: Any, place: Any, order: Any) 
     return full, good
 
 
-@compiled()
+@called
 def _finite(m: Any, count: int, good: Any) -> None:
     """Say which tops have numbers alone in their columns."""
     for i in range(count):
@@ -73,59 +72,32 @@ def _finite(m: Any, count: int, good: Any) -> None:
         good[i] = total == 0.0
 
 
-def _entry(sources: int) -> Any:
-    """Return the compiled function, which Numba keeps as long as the sources of the kernels do not change."""
-
-    @compiled(cache=True, nogil=True)
-    def set_up(
-        moments: Any, mgl: Any, momentum: Any, attitude: Any, full_form: Any, columns: Any, left: Any
-    ) -> int:  # fmt: skip
-        begun, w, m = np.empty(ROWS * BLOCK), np.empty(ROWS * BLOCK), np.empty(COLUMNS * BLOCK)
-        steps, work, zeros, terms = np.empty(STEPS * BLOCK), np.empty(WORK * BLOCK), np.zeros(BLOCK), np.empty(TERMS)
-        found, place, who = np.empty(BLOCK, np.int64), np.empty(BLOCK, np.int64), np.empty(BLOCK, np.int64)
-        good = np.empty(BLOCK, np.bool_)
-        for low in range(0, len(moments), BLOCK):
-            part = slice(low, low + BLOCK)
-            count = begin(moments[part], mgl[part], momentum[part], attitude[part], begun, found, terms)
-            turning_points(begun, count)
-            full, count = _sorted(begun, count, found, w, place, who)
-            rates(w, count, steps, who, m)
-            if not integrals(w, full, count, steps):
-                continue
+@entry
+def set_up(
+    moments: Any, mgl: Any, momentum: Any, attitude: Any, columns: Any, left: Any
+) -> None:  # fmt: skip
+    begun, w, m = room(ROWS * BLOCK), room(ROWS * BLOCK), room(COLUMNS * BLOCK)
+    steps, work, zeros, terms = room(STEPS * BLOCK), room(WORK * BLOCK), room(BLOCK), room(TERMS)
+    found, place, who = places(BLOCK), places(BLOCK), places(BLOCK)
+    good = flags(BLOCK)
+    for low in range(0, len(moments), BLOCK):
+        part = slice(low, low + BLOCK)
+        count = begin(moments[part], mgl[part], momentum[part], attitude[part], begun, found, terms)
+        turning_points(begun, count)
+        full, count = _sorted(begun, count, found, w, place, who)
+        rates(w, count, steps, who, m)
+        if not integrals(w, full, count, steps):
+            continue
+        for i in range(count):
+            m[43 * BLOCK + i] = momentum[low + place[i]][2]
+        series(w, full, count, m)
+        numerators(m, full, count, zeros, zeros, work)
+        phases(w, count, m, work)
+        _finite(m, count, good)
+        for i in range(count):
+            columns[0][low + place[i]] = 1.0 if i < full else 0.0
+            left[low + place[i]] = not good[i]
+        for k in range(1, COLUMNS):
+            column = columns[k]
             for i in range(count):
-                m[43 * BLOCK + i] = momentum[low + place[i], 2]
-            series(w, full, count, m)
-            numerators(m, full, count, zeros, zeros, work)
-            phases(w, count, m, work)
-            _finite(m, count, good)
-            for i in range(count):
-                full_form[low + place[i]], left[low + place[i]] = i < full, not good[i]
-            for k in range(1, COLUMNS):
-                column = columns[k - 1]
-                for i in range(count):
-                    column[low + place[i]] = m[k * BLOCK + i]
-        return sources
-
-    return set_up
-
-
-_set_up = _entry(SOURCES)
-
-
-def columns_of_many(
-    moments: Float64[np.ndarray, "top 3"], mgl: Float64[np.ndarray, "top 1"], momentum: Float64[np.ndarray, "top 3"],
-    attitude: Float64[np.ndarray, "top 4"],
-) -> tuple[tuple[np.ndarray, ...], Bool[np.ndarray, "top"]]:  # fmt: skip
-    """Return the 45 columns (N,) of a flattened ``series.Motion``, and for which tops they are still to be filled."""
-    moments, mgl, momentum, attitude = (np.ascontiguousarray(x) for x in (moments, mgl, momentum, attitude))
-    count = len(moments)
-    left, full = np.ones(count, bool), np.empty(count, bool)
-    columns = tuple(np.empty(count) for _ in range(COLUMNS - 1))
-
-    def fill(low: int, high: int) -> None:
-        part = slice(low, high)
-        _set_up(moments[part], mgl[part], momentum[part], attitude[part], full[part], tuple(c[part] for c in columns),
-                left[part])  # fmt: skip
-
-    in_threads(fill, count, WORTH)
-    return (full, *columns), left
+                column[low + place[i]] = m[k * BLOCK + i]

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from polhode.exact.kernel_arithmetic import BLOCK
+from polhode.exact.kernel_arithmetic import (
+    BLOCK,
+)
 
 # what reduction and turning points find, kept when the tops are sorted by the form that they take. The first are
 # single, the second in pairs. UP says first whether too much cancels (below zero), then whether a top is NumPy's

@@ -143,8 +143,11 @@ class LagrangeMotion(AbstractMotion):
         common_shape(moments=moments[..., 0], mgl=mgl, momentum=momentum[..., 0], epoch=epoch)
         return (_checked_symmetry(xp, moments), mgl), momentum, attitude
 
-    def _columns_of(self) -> tuple[Array, ...]:
+    def _columns_of(self) -> Any:
         return evaluation.motion_columns(self._arguments)
+
+    def _state_of(self, column: tuple[float, ...], elapsed: float, rest: float) -> tuple[float, ...]:
+        return evaluation.FORM.state(column, elapsed, rest)
 
     def _closed_form(self, elapsed: Array, rest: Array) -> tuple[Array, Array]:
         return evaluation.state(self._columns, self._arguments, elapsed, rest)

@@ -1,0 +1,165 @@
+"""Running a closed form's kernels: by Python for little work, by Numba for much, always to the same bits.
+
+Numba takes a third of a second to load, and some seconds to compile the kernels, once for an installation. Neither is
+worth it for one body at a few times.
+"""
+
+from __future__ import annotations
+
+import importlib
+import math
+import pkgutil
+from collections.abc import Callable, Sequence
+from functools import cached_property
+from types import ModuleType
+from typing import NamedTuple
+
+import numpy as np
+
+from polhode.exact.blocks import Columns, Vectors, columns_in_blocks
+from polhode.exact.kernel_arithmetic import in_threads
+from polhode.types import Array, Float64
+
+COMMON = ("polhode.exact.kernel_arithmetic", "polhode.exact.kernel_agm")
+STATE, SET_UP = 7e-6, 1.5e-4  # s that Python takes for a state, and for a body, about
+LOADED = 0.3  # s of Python's time from which loading a kernel is worth it
+COMPILING = {"set_up": 6.0, "states_of_one": 1.5, "states_of_many": 2.5}  # or compiling one, which takes about so long
+State = tuple[float, float, float, float, float, float, float]
+
+
+class Compiled(NamedTuple):
+    """What Numba has compiled, or will when it is called; see the kernels for what each does."""
+
+    set_up: Callable[..., None]
+    states_of_one: Callable[..., None]
+    states_of_many: Callable[..., None]
+
+
+class ClosedForm:
+    """The kernels of a motion in closed form.
+
+    Args:
+        package: with ``kernel``, ``kernel_setup`` and what these need.
+        prepare: returns the columns of bodies that the kernels leave to NumPy.
+    """
+
+    def __init__(self, package: str, prepare: Callable[..., Columns]) -> None:
+        self._package, self._prepare = package, prepare
+        self._spent, self._ready = dict.fromkeys(COMPILING, 0.0), set[str]()
+
+    @cached_property
+    def _modules(self) -> list[ModuleType]:
+        path = importlib.import_module(self._package).__path__
+        own = sorted(name for _, name, _ in pkgutil.iter_modules(path) if name.startswith("kernel"))
+        return [importlib.import_module(name) for name in (*COMMON, *(f"{self._package}.{name}" for name in own))]
+
+    def _module(self, name: str) -> ModuleType:
+        return next(module for module in self._modules if module.__name__ == f"{self._package}.{name}")
+
+    @cached_property
+    def _compiled(self) -> Compiled:
+        from polhode.exact.compiling import compiled_modules  # which loads Numba
+
+        spaces = {space["__name__"]: space for space in compiled_modules(self._modules)}
+        kernel, setup = (spaces[f"{self._package}.{name}"] for name in ("kernel", "kernel_setup"))
+        return Compiled(setup["set_up"], kernel["states_of_one"], kernel["states_of_many"])
+
+    def _is_worth(self, name: str, seconds: float) -> bool:
+        """Return whether a compiled kernel is there, or worth it for work that takes Python so long."""
+        if name not in self._ready:
+            self._spent[name] += seconds
+            spent = self._spent[name]
+            if spent >= COMPILING[name] or (spent >= LOADED and self._is_on_disk(name)):
+                self._ready.add(name)
+        return name in self._ready
+
+    def _is_on_disk(self, name: str) -> bool:
+        from polhode.exact.compiling import is_on_disk
+
+        return is_on_disk(getattr(self._compiled, name))
+
+    # ------------------------------------------------------------------ set-up
+
+    def columns(self, arguments: Vectors) -> Float64[np.ndarray, "columns *bodies"]:
+        """Return the constants of the motions of bodies, arrays (…, k) that broadcast against each other."""
+        shape = np.broadcast_shapes(*(np.shape(v)[:-1] for v in arguments))
+        flat = [np.broadcast_to(v, (*shape, np.shape(v)[-1])).reshape(-1, np.shape(v)[-1]) for v in arguments]
+        count, kernel = math.prod(shape), self._module("kernel")
+        columns, left = np.empty((kernel.COLUMNS, count)), np.ones(count, bool)
+        if self._is_worth("set_up", SET_UP * count):
+            self._set_up_many(flat, columns, left)
+        else:
+            for k in range(count):
+                self._set_up_one([v[k] for v in flat], k, columns, left)
+        if left.any():
+            of_left = columns_in_blocks(self._prepare, tuple(v[left] for v in flat))
+            for column, values in zip(columns, of_left, strict=True):
+                column[left] = values
+        return columns.reshape(len(columns), *shape)
+
+    def _set_up_many(self, flat: list[Array], columns: Array, left: Array) -> None:
+        given = [np.ascontiguousarray(v, float) for v in flat]
+        fill = lambda low, high: self._compiled.set_up(  # noqa: E731
+            *(v[low:high] for v in given), columns[:, low:high], left[low:high]
+        )
+        in_threads(fill, len(left), self._module("kernel_setup").WORTH)
+
+    def _set_up_one(self, given: list[Array], k: int, columns: Array, left: Array) -> None:
+        found, is_left = [[0.0] for _ in range(len(columns))], [True]
+        try:
+            self._module("kernel_setup").set_up(*([v.tolist()] for v in given), found, is_left)
+        except (ArithmeticError, ValueError):  # where Numba's numbers become infinite or none
+            self._set_up_many([v[None] for v in given], columns[:, k : k + 1], left[k : k + 1])
+            return
+        columns[:, k], left[k] = [x for (x,) in found], is_left[0]
+
+    # ------------------------------------------------------------------ states
+
+    def state(self, column: Sequence[float], time: float, rest: float) -> State:
+        """Return attitude and momentum of one body at a time since the epoch, given in two parts."""
+        try:
+            return self._module("kernel").state_at(column, time, rest)
+        except (ArithmeticError, ValueError):
+            return (*self._of_one(column, np.array([time]), np.array([rest])).ravel(),)
+
+    def states(
+        self, columns: Float64[np.ndarray, "columns *bodies"], elapsed: Float64[Array, "..."],
+        rest: Float64[Array, "..."],
+    ) -> tuple[Float64[np.ndarray, "*shape 4"], Float64[np.ndarray, "*shape 3"]]:  # fmt: skip
+        """Return attitude (…, 4) and momentum (…, 3) at times since the epoch, which broadcast against the bodies."""
+        batch = np.shape(columns)[1:]
+        shape = np.broadcast_shapes(batch, np.shape(elapsed))
+        times, rests = (np.ascontiguousarray(np.broadcast_to(x, shape), float).reshape(-1) for x in (elapsed, rest))
+        count = math.prod(batch)
+        flat = columns.reshape(len(columns), count)
+        compiled = self._is_worth("states_of_one" if count == 1 else "states_of_many", STATE * len(times))
+        bodies = None if count == 1 else np.broadcast_to(np.arange(count).reshape(batch), shape).reshape(-1)
+        if compiled and bodies is None:
+            found = self._of_one(tuple(flat[:, 0].tolist()), times, rests)
+        elif compiled:
+            found = self._of_many(flat, bodies, times, rests)
+        else:
+            found = self._by_python(flat, bodies, times, rests)
+        return found[:, :4].reshape(*shape, 4), found[:, 4:].reshape(*shape, 3)
+
+    def _by_python(self, flat: Array, bodies: Array | None, times: Array, rests: Array) -> Array:
+        found, rows = np.empty((len(times), 7)), flat.T.tolist()
+        for i, (time, rest) in enumerate(zip(times.tolist(), rests.tolist(), strict=True)):
+            found[i] = self.state(rows[0 if bodies is None else bodies[i]], time, rest)
+        return found
+
+    def _of_one(self, column: Sequence[float], times: Array, rests: Array) -> Array:
+        found = np.empty((len(times), 7))
+        fill = lambda low, high: self._compiled.states_of_one(  # noqa: E731
+            tuple(column), times[low:high], rests[low:high], found[low:high, :4], found[low:high, 4:]
+        )
+        in_threads(fill, len(times), self._module("kernel").WORTH)
+        return found
+
+    def _of_many(self, flat: Array, bodies: Array, times: Array, rests: Array) -> Array:
+        found = np.empty((len(times), 7))
+        fill = lambda low, high: self._compiled.states_of_many(  # noqa: E731
+            flat, bodies[low:high], times[low:high], rests[low:high], found[low:high, :4], found[low:high, 4:]
+        )
+        in_threads(fill, len(times), self._module("kernel").WORTH)
+        return found
