@@ -75,6 +75,8 @@ from .quantum.rotor import Rotor as Rotor
 from .simulation import simulate as simulate
 from .solving import Fold as Fold
 from .solving import solve as solve
+from .studies.tumble import tumble as tumble
+from .studies.wobble import wobble as wobble
 from .sweeps.answers import sweep as sweep
 
 __version__: str

@@ -93,7 +93,7 @@ def test_its_words(report, kind):
 
 def test_its_json(report, kind):
     values = json.loads(json.dumps(report.as_json_dict(), allow_nan=False))
-    assert values["system"] == kind.name and values["units"]
+    assert values["kind"] == kind.name and values["units"]
     for name in values["units"]:
         *levels, last = name.split(".")
         found = values

@@ -14,7 +14,8 @@ import pytest
 import polhode
 
 REFERENCE = Path(__file__).parents[2] / "docs" / "reference.md"
-TAKE_FILES_AND_WORDS = {"cli", "figures", "formats", "kinds", "reports", "spec", "sweeps", "viewer", "errors"}
+TAKE_FILES_AND_WORDS = {"cli", "figures", "formats", "kinds", "reports", "spec", "studies", "sweeps", "viewer",
+                        "errors"}
 INNER = {
     "arrays": None,
     "algebra": {"fixed_array", "functions", "own_casimirs", "polynomial", "precision", "real_products",

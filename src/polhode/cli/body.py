@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from polhode.cli.render import as_json, print_report
+from polhode.cli.publish import publish
 from polhode.errors import InvalidInput
 from polhode.kinds.reading import read_spec
 from polhode.reports.about import about_body
-from polhode.reports.answer import values_of
-from polhode.reports.base import plain
+from polhode.reports.report import Report
 from polhode.spec.remarks import remarks_on_body
 
 
@@ -18,7 +17,4 @@ def run_body(path: Path, json: bool) -> None:
     spec = read_spec(path)
     if spec.body is None:
         raise InvalidInput(f"{path}: has no [body]; its system brings sizes of its own. Ask for the report.")
-    if json:
-        print(as_json({"name": spec.name, **plain(values_of([about_body(spec.body)]))}))
-    else:
-        print_report(spec.name, "", [about_body(spec.body)], remarks_on_body(spec.body), [])
+    publish(Report(spec.name, "body", "", [about_body(spec.body)], remarks_on_body(spec.body)), json)

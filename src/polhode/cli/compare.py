@@ -4,19 +4,19 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 from polhode.analysis.comparison import compare
 from polhode.analysis.mechanics import Mechanics
 from polhode.cli.clocks import lay_side_by_side, offset_of
 from polhode.cli.columns import ColumnOptions, Table, about_reading, notes_on_reading, tables_to_compare
-from polhode.cli.render import as_json, print_report
+from polhode.cli.publish import publish
 from polhode.cli.sources import KINDS_IN_WORDS, Kernels, Source, body_of, source_of
 from polhode.errors import InvalidInput, one_line
 from polhode.formats.labels import plain as same_name
-from polhode.formats.paths import written_together
-from polhode.reports.answer import Group, values_of
-from polhode.reports.base import plain
+from polhode.reports.answer import Answer, Group
 from polhode.reports.comparison import ComparisonReport
+from polhode.reports.report import Report
 
 
 def run_compare(
@@ -38,14 +38,12 @@ def run_compare(
     except InvalidInput as error:
         raise InvalidInput(f"{first}, {second}: {error}") from None
     read, notes = _readings(a, b)
-    report = ComparisonReport(found, laid.words, (*notes, *_kinds(a, b), *_names(a, b)), *_unknown(a, b, known))
-    folder = out or Path(f"{first.stem}_and_{second.stem}")
-    file = str(_drawn(report, folder))
-    if json:
-        print(as_json({**report.as_json_dict(), **plain(values_of(read)), "files": [file]}))
-    else:
-        title = one_line(f"{first} (A) and {second} (B)")
-        print_report(title, report.summary, [*read, *report.answers()], report.all_notes(), [file])
+    made = ComparisonReport(found, laid.words, (*notes, *_kinds(a, b), *_names(a, b)), *_unknown(a, b, known))
+    names = Group("", [Answer("names", found.names)])
+    title = one_line(f"{first} (A) and {second} (B)")
+    report = Report(title, "comparison", made.summary, [names, *read, *made.answers()], made.all_notes(),
+                    lambda: _drawn(made))  # fmt: skip
+    publish(report, json, figures=out or Path(f"{first.stem}_and_{second.stem}"))
 
 
 def _check_used(a: Source, b: Source, tables: tuple[Table | None, Table | None]) -> None:
@@ -105,10 +103,7 @@ def _names(a: Source, b: Source) -> list[str]:
     return found
 
 
-def _drawn(report: ComparisonReport, folder: Path) -> Path:
-    from polhode.figures import style
+def _drawn(report: ComparisonReport) -> dict[str, Any]:
     from polhode.figures.comparison_figure import comparison
 
-    with written_together(folder) as draft:
-        style.save(comparison(report.comparison), draft / "comparison.png")
-    return folder / "comparison.png"
+    return {"comparison": comparison(report.comparison)}

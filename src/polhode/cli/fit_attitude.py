@@ -3,21 +3,20 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from polhode.cli.columns import Table
 from polhode.cli.destinations import check_spares
 from polhode.cli.fit_scale import KnownScale
-from polhode.cli.render import as_json, print_report
+from polhode.cli.publish import publish
 from polhode.cli.sources import Kernels, kind_of, source_of
 from polhode.errors import InvalidInput
 from polhode.estimation.attitude_fit import AttitudeFit, fit_attitude
 from polhode.estimation.flight import Window
 from polhode.formats.log_archives import is_archive
-from polhode.reports.answer import units_of, values_of
-from polhode.reports.base import plain
+from polhode.reports.report import Report
 from polhode.reports.throw import attitude_groups, attitude_notes, attitude_summary
 
 KINDS = ("aem", "ck", "dataset", "csv")
@@ -62,30 +61,21 @@ def run_fit_attitude(
         fit = fit_attitude(times, attitude, rates, options.torque)
     except InvalidInput as error:
         raise InvalidInput(f"{path}: {error}") from None
-    groups = attitude_groups(fit, known.moments(fit, None))
-    notes = attitude_notes(fit)
-    files = []
-    if options.out is not None:
-        from polhode.formats.throw_dataset import write_attitude_fit
-
-        files.append(str(write_attitude_fit(fit, path.name, options.out)))
-    files += [] if options.figures is None else _drawn(fit, options.figures)
-    if json:
-        told = {"name": path.name, **values_of(groups), "units": units_of(groups)}
-        print(as_json(plain({**told, "notes": notes, "files": files})))
-    else:
-        print_report(path.name, attitude_summary(fit), groups, notes, files)
+    publish(_report(path.name, fit, known), json, options.out, options.figures)
     return fit.degenerate is None
 
 
-def _drawn(fit: AttitudeFit, folder: Path) -> list[str]:
-    from polhode.figures.style import save
-    from polhode.figures.throw_figure import attitude_figures
-    from polhode.formats.paths import written_together
+def _report(name: str, fit: AttitudeFit, known: KnownScale) -> Report:
+    def draw() -> dict[str, Any]:
+        from polhode.figures.throw_figure import attitude_figures
 
-    files = []
-    with written_together(folder) as draft:
-        for name, figure in attitude_figures(fit).items():
-            save(figure, draft / f"{name}.png")
-            files.append(str(folder / f"{name}.png"))
-    return files
+        return attitude_figures(fit)
+
+    def write(path: Path) -> Path:
+        from polhode.formats.throw_dataset import write_attitude_fit
+
+        return write_attitude_fit(fit, name, path)
+
+    groups = attitude_groups(fit, known.moments(fit, None))
+    return Report(name, "attitude fit", attitude_summary(fit), groups, attitude_notes(fit), draw, write,
+                  fit.degenerate is None)  # fmt: skip

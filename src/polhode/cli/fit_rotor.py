@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from polhode.cli.destinations import check_spares
-from polhode.cli.render import as_json, print_report
+from polhode.cli.publish import publish
 from polhode.cli.spectra import told_of
 from polhode.errors import InvalidInput, shown
 from polhode.formats.spfit import read_lin
@@ -17,8 +17,8 @@ from polhode.quantum.derivatives import AXES, once_each, value_of
 from polhode.quantum.fitting import RotorFit, fit_rotor
 from polhode.quantum.measured import MeasuredLines
 from polhode.quantum.rotor import Rotor
-from polhode.reports.answer import Answer, Group, Table, units_of, values_of
-from polhode.reports.base import plain
+from polhode.reports.answer import Answer, Group, Table
+from polhode.reports.report import Report
 from polhode.reports.spectra import label
 from polhode.reports.wording import uncertain
 
@@ -42,17 +42,12 @@ def run_fit_rotor(path: Path, lines: Path, free: str | None, out: Path | None, j
         if names is not None and not all(names):
             raise InvalidInput(f"--free must be names of constants with commas, like A,B,C,D_J; got {shown(free)}.")
         fit = fit_rotor(start, measured, names)
-        if out is not None:
-            _write(fit, out, spec.name)
     notes += [*more, *others, *_together(start, fit, names), *_fixed(start, fit, names), *_remarks(fit)]
     groups = [_quality(fit, measured), _constants(fit, start), _worst(fit, measured)]
-    if json:
-        told = {"name": spec.name, **values_of(groups), "correlation": fit.correlation, "units": units_of(groups)}
-        print(as_json(plain({**told, "notes": notes, "files": [] if out is None else [str(out)]})))
-        return
     count = len(fit.residual)
     said = f"{len(fit.names)} constants from {count} observations, which they meet to {fit.rms:.3g} of their errors."
-    print_report(spec.name, said, groups, notes, [] if out is None else [str(out)])
+    report = Report(spec.name, "line fit", said, groups, notes, data=lambda out: _write(fit, out, spec.name))
+    publish(report, json, out)
 
 
 def _together(start: Rotor, fit: RotorFit, asked: list[str] | None) -> list[str]:
@@ -76,11 +71,12 @@ def _fixed(start: Rotor, fit: RotorFit, asked: list[str] | None) -> list[str]:
     return [f"{', '.join(left)} {kept} kept as the spec says: no line changes with {them}."]
 
 
-def _write(fit: RotorFit, out: Path, title: str) -> None:
+def _write(fit: RotorFit, out: Path, title: str) -> Path:
     from polhode.formats.spfit_constants import constant_table, write_par
 
     sigma = dict(zip(fit.names, fit.sigma.tolist(), strict=True))
     write_par(constant_table(fit.rotor, sigma, title, fit.correlation), out)
+    return out
 
 
 def _quality(fit: RotorFit, measured: MeasuredLines) -> Group:
@@ -92,6 +88,7 @@ def _quality(fit: RotorFit, measured: MeasuredLines) -> Group:
         Answer("observations", count, "", "observations", "blends are one each"),
         Answer("degrees_of_freedom", freedom, "", "degrees of freedom"),
         Answer("rms", fit.rms, "", "residuals, of their errors", "root mean square", f"{fit.rms:.6g}"),
+        Answer("correlation", fit.correlation),
         Answer("rms_frequency", rms, "Hz", "residuals", "root mean square", f"{rms / MEGA:.6g} MHz"),
     ])  # fmt: skip
 

@@ -11,8 +11,7 @@ from polhode.estimation.attitude_fit import AttitudeFit
 from polhode.estimation.estimate import Estimate
 from polhode.estimation.scale import moments_from_one, moments_from_weight
 from polhode.estimation.throw import ThrowFit
-from polhode.spec.reach import check_reach
-from polhode.spec.units import parse_quantity
+from polhode.spec.uncertain import quantity
 
 _MOMENT = re.compile(r"\s*I([123])\s*=\s*(.+)")
 _PLACE = re.compile(r"(.+?)\s+at\s+(.+?),(.+?),\s*(\S+)\s+(\S+)\s*")
@@ -82,19 +81,3 @@ def _moment(text: str) -> tuple[int, float]:
     if found is None:
         raise InvalidInput(f'--moment must be like "I3 = 1.2e-4 kg m^2", the largest being I3; got {shown(text)}.')
     return int(found[1]), quantity("--moment", found[2].strip(), "kg*m^2")
-
-
-def quantity(name: str, text: str, unit: str, positive: bool = True) -> float:
-    """Return an option's quantity in SI.
-
-    Raises:
-        InvalidInput: naming the option.
-    """
-    try:
-        value = parse_quantity(text, unit)
-    except ValueError as error:
-        raise InvalidInput(f"{name} {error}.") from None
-    check_reach(name, value)
-    if positive and not value > 0:
-        raise InvalidInput(f"{name} must be positive; got {shown(text)}.")
-    return value

@@ -11,18 +11,19 @@ from typing import Any, NamedTuple
 from polhode.cli.columns import ColumnOptions, table_to_import
 from polhode.cli.destinations import check_spares
 from polhode.cli.fit_attitude import AttitudeOptions, has_attitude, run_fit_attitude
-from polhode.cli.fit_scale import KnownScale, quantity
-from polhode.cli.render import as_json, print_report
+from polhode.cli.fit_scale import KnownScale
+from polhode.cli.publish import publish
 from polhode.errors import InvalidInput, shown
 from polhode.estimation.flight import SHORTEST, Flights, Window, find_flights
 from polhode.estimation.saturation import saturation
 from polhode.estimation.throw import ThrowFit, fit_throw
 from polhode.formats.gyro_logs import ReadLog, read_gyro_log
 from polhode.formats.numerals import read_number
-from polhode.reports.answer import units_of, values_of
-from polhode.reports.base import plain
+from polhode.reports.answer import Group, Table
 from polhode.reports.flights import left_out_note, left_out_table, left_out_words
+from polhode.reports.report import Report
 from polhode.reports.throw import throw_groups, throw_notes, throw_summary
+from polhode.spec.uncertain import quantity
 
 EVERY = 1_000_000  # lines, after which progress is told
 
@@ -90,33 +91,23 @@ def run_fit_throw(
     moments = known.moments(fit, heavier)
     groups = [*throw_groups(fit, names, logs, moments), left_out_table(names, flights)]
     notes = [*throw_notes(fit, names, logs), *left_out_note(flights)]
-    files = _written(fit, logs, names, out, options.figures)
-    if json:
-        told = {"name": ", ".join(names), **values_of(groups), "units": units_of(groups)}
-        print(as_json(plain({**told, "notes": notes, "files": files})))
-    else:
-        print_report(", ".join(names), throw_summary(fit), groups, notes, files)
+    publish(_report(fit, names, groups, notes), json, out, options.figures)
     return fit.degenerate is None
 
 
-def _written(
-    fit: ThrowFit, logs: Sequence[ReadLog], names: Sequence[str], out: Path | None, figures: Path | None
-) -> list[str]:
-    files = []
-    if out is not None:
+def _report(fit: ThrowFit, names: Sequence[str], groups: list[Group | Table], notes: list[str]) -> Report:
+    def draw() -> dict[str, Any]:
+        from polhode.figures.throw_figure import throw_figures
+
+        return throw_figures(fit)
+
+    def write(path: Path) -> Path:
         from polhode.formats.throw_dataset import write_throw
 
-        files.append(str(write_throw(fit, names, out)))
-    if figures is not None:
-        from polhode.figures.style import save
-        from polhode.figures.throw_figure import throw_figures
-        from polhode.formats.paths import written_together
+        return write_throw(fit, names, path)
 
-        with written_together(figures) as draft:
-            for name, figure in throw_figures(fit).items():
-                save(figure, draft / f"{name}.png")
-                files.append(str(figures / f"{name}.png"))
-    return files
+    return Report(", ".join(names), "throw fit", throw_summary(fit), groups, notes, draw, write,
+                  fit.degenerate is None)  # fmt: skip
 
 
 def _flights(given: Sequence[str], names: Sequence[str], logs: Sequence[ReadLog], clip: float | None) -> list[Flights]:

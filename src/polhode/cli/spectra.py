@@ -7,20 +7,19 @@ import warnings
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from polhode.cli.destinations import check_spares
-from polhode.cli.render import as_json, print_report
+from polhode.cli.publish import publish
 from polhode.errors import InvalidInput, shown
 from polhode.formats.rotor_dataset import rotor_attributes, write_spectrum
-from polhode.kinds.base import Spec
 from polhode.kinds.reading import read_spec_or_molecule
 from polhode.quantum.rotor import Rotor, below_ground
 from polhode.quantum.strengths import DEBYE, Lines
-from polhode.reports.answer import Table, units_of, values_of
-from polhode.reports.base import plain
+from polhode.reports.answer import Answer, Group
+from polhode.reports.report import Report
 from polhode.reports.spectra import AREA, frequency, level_table, line_table
 from polhode.spec.reach import check_reach
 from polhode.spec.rotors import SpecRotor, asked_of, check_summable, doubts_of_weights
@@ -49,11 +48,12 @@ def run_levels(path: Path, j_max: int | None, json: bool, out: Path | None = Non
         found = rotor.levels(last)
         told = (*doubts, below_ground(found.J, found.energy))
         table = level_table(found, last, last)
-        if out is not None:
-            write_spectrum(out, levels=found, attributes=rotor_attributes(rotor, spec.name))
     notes += [word for word in told if word]
     said = f"Constants {_constants(rotor)}; {len(table.rows)} levels to J = {last}."
-    _print(spec, said, table, {"constants": rotor.constants, "j_max": last}, notes, json, out)
+    asked = [Answer("constants", rotor.constants, "Hz"), Answer("j_max", last)]
+    report = Report(spec.name, "levels", said, [Group("", asked), table], notes, data=lambda path: _written(
+        path, levels=found, attributes=rotor_attributes(rotor, spec.name)))  # fmt: skip
+    publish(report, json, out)
 
 
 def run_lines(path: Path, options: LineOptions, json: bool, out: Path | None = None) -> None:
@@ -85,15 +85,21 @@ def run_lines(path: Path, options: LineOptions, json: bool, out: Path | None = N
     inside = np.flatnonzero(within)
     strongest = inside[np.argsort(-found.intensity[inside], kind="stable")[: options.most]]
     chosen = Lines(*(column[np.sort(strongest)] for column in found))
-    if out is not None:
-        write_spectrum(out, lines=chosen, attributes=rotor_attributes(asked.rotor, spec.name, asked.temperature))
     of_all = f"the {len(strongest)} strongest of {len(inside)}" if len(strongest) < len(inside) else f"{len(inside)}"
     said = f"{of_all} lines at {asked.temperature:g} K, to J = {asked.j_max}."
-    told = {
-        "constants": asked.rotor.constants, "temperature": asked.temperature, "j_max": asked.j_max,
-        "partition_function": partition, "lines_within": len(inside),
-    }  # fmt: skip
-    _print(spec, said[0].upper() + said[1:], line_table(chosen, ""), told, notes, json, out)
+    told = [
+        Answer("constants", asked.rotor.constants, "Hz"), Answer("temperature", asked.temperature, "K"),
+        Answer("j_max", asked.j_max), Answer("partition_function", partition), Answer("lines_within", len(inside)),
+    ]  # fmt: skip
+    groups = [Group("", told), line_table(chosen, "")]
+    report = Report(spec.name, "lines", said[0].upper() + said[1:], groups, notes, data=lambda path: _written(
+        path, lines=chosen, attributes=rotor_attributes(asked.rotor, spec.name, asked.temperature)))  # fmt: skip
+    publish(report, json, out)
+
+
+def _written(path: Path, **what: Any) -> Path:
+    write_spectrum(path, **what)
+    return path
 
 
 def _asked(
@@ -128,19 +134,6 @@ def told_of(path: Path) -> Iterator[list[str]]:
 def _check_out(out: Path | None, path: Path) -> None:
     if out is not None:
         check_spares(out, path)
-
-
-def _print(
-    spec: Spec, said: str, table: Table, told: dict[str, object], notes: list[str], json: bool, out: Path | None
-) -> None:
-    files = [] if out is None else [str(out)]
-    if json:
-        units = {"constants": "Hz", "temperature": "K", **units_of([table])}
-        units = {name: unit for name, unit in units.items() if name.partition(".")[0] in {*told, table.name}}
-        last = {"units": units, "notes": notes, "files": files}
-        print(as_json(plain({"name": spec.name, **told, **values_of([table]), **last})))
-    else:
-        print_report(spec.name, said, [table], notes, files)
 
 
 def _constants(rotor: Rotor) -> str:

@@ -44,7 +44,7 @@ class AbstractReport(abc.ABC):
         """Return the answers as plain lists, numbers, strings and None; undefined or infinite ones are None."""
         answers = self.answers()
         ends = {"units": units_of(answers), "summary": self.summary, "notes": self.notes}
-        return plain({"system": self.kind, **values_of(answers), **ends})
+        return plain({"kind": self.kind, **values_of(answers), **ends})
 
 
 def left_out(kind: type) -> Any:

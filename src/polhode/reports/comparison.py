@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
 from polhode.analysis.comparison import Comparison, Invariants
-from polhode.reports.answer import Answer, Group, Table, units_of, values_of
-from polhode.reports.base import plain
+from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.wording import angle, known_digits, number, vector
 
-LEAST = 1e-16  # rad; rounding of a quaternion's components alone makes more
+LEAST = 3e-16  # rad; rounding of a quaternion's components alone makes as much
 NAMES = {"energy": "energy", "momentum_norm": "|L|", "momentum_space": "L in space", "vertical_momentum": "L upwards"}
 INVARIANT_UNITS = {"energy": "J"}
 
@@ -145,14 +143,6 @@ class ComparisonReport:
         if found.invariants == (None, None):
             notes.append(self.unknown)
         return notes
-
-    def as_json_dict(self) -> dict[str, Any]:
-        """Return the answers as plain lists, numbers, strings and None."""
-        answers = self.answers()
-        return plain({
-            "names": self.comparison.names, "summary": self.summary, **values_of(answers),
-            "notes": self.all_notes(), "units": units_of(answers),
-        })  # fmt: skip
 
 
 def _first(kept: Invariants, name: str) -> str:

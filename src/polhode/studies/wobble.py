@@ -1,0 +1,86 @@
+"""``polhode.wobble``: the Chandler wobble from measured polar motion."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from polhode.errors import InvalidInput, shown
+from polhode.estimation.euler_periods import euler_chain
+from polhode.estimation.excitation import polar_excitation
+from polhode.estimation.polar_motion import chandler_fit
+from polhode.estimation.pole_series import DAY, YEAR
+from polhode.estimation.wobble_process import chandler_process
+from polhode.estimation.wobble_windows import chandler_windows, pole_spectrum
+from polhode.formats.polar_motion import PoleSeries, date_of, day_of, read_polar_motion
+from polhode.reports.report import Report
+from polhode.reports.wobble import Wobble, wobble_groups, wobble_notes, wobble_summary
+
+
+def wobble(
+    series: PoleSeries | Path | str | None = None, *, start: str | None = None, end: str | None = None,
+    window: float = 6.0,
+) -> Report:  # fmt: skip
+    """Return a report on the Earth's wobble: the Chandler period, amplitude and Q with errors, and the seasons.
+
+    Args:
+        series: polar motion as ``read_polar_motion`` gives it, or its file; C04 of the extra ``data`` if left out.
+        start, end: first day to use, and the day before which to stop, like "1976-01-01".
+        window: length of sliding windows [years].
+
+    Raises:
+        InvalidInput: for days in the wrong order, a file that cannot be read, or a series that is too short.
+
+    Source: Wilson & Vicente, Geophys. J. Int. 103 (1990) 559, for period and Q.
+    """
+    return report_on(found_in(series, start, end, window, ("`start`", "`end`")))
+
+
+def found_in(
+    series: PoleSeries | Path | str | None, start: str | None, end: str | None, window: float,
+    called: tuple[str, str],
+) -> Wobble:  # fmt: skip
+    """Return all that is found; ``called`` says how start and end are called where they are given, for messages."""
+    first = None if start is None else day_of(start, called[0])
+    last = None if end is None else day_of(end, called[1])
+    if first is not None and last is not None and first >= last:
+        raise InvalidInput(f"{called[0]} must be before {called[1]}; got {start} and {end}. Swap them.")
+    if not isinstance(series, PoleSeries):
+        series = read_polar_motion(None if series is None else Path(series))
+    if not window > 0.0:
+        raise InvalidInput(f"`window` must be a positive number of years; got {shown(window)}.")
+    used = _between(series, first, last, called)
+    pole = (used.days * DAY, used.x, used.y)
+    line, process = chandler_fit(*pole), chandler_process(*pole)
+    period, quality = (float(value) for value in process.estimate.value)
+    windows = chandler_windows(*pole, window * YEAR, float(line.estimate.value[0]))
+    return Wobble(used, line, process, windows, polar_excitation(*pole, period, quality), pole_spectrum(*pole),
+                  euler_chain())  # fmt: skip
+
+
+def report_on(found: Wobble) -> Report:
+    """Return the report on what was found."""
+
+    def draw() -> dict[str, Any]:
+        from polhode.figures.wobble_figure import wobble_figures
+
+        return wobble_figures(found)
+
+    def write(path: Path) -> Path:
+        from polhode.formats.wobble_dataset import write_wobble
+
+        return write_wobble(found.windows, found.process, found.excitation, found.series.source, path)
+
+    return Report(found.series.source, "wobble", wobble_summary(found), wobble_groups(found), wobble_notes(found),
+                  draw, write)  # fmt: skip
+
+
+def _between(series: PoleSeries, start: float | None, end: float | None, called: tuple[str, str]) -> PoleSeries:
+    inside = (series.days >= (-1.0 if start is None else start)) & (series.days < (1e9 if end is None else end))
+    if not inside.any():
+        raise InvalidInput(f"nothing of {series.source} stands between {called[0]} and {called[1]}: it has days from "
+                           f"{date_of(float(series.days[0]))} to {date_of(float(series.days[-1]))}. Choose among these."
+                           )  # fmt: skip
+    names = ("days", "x", "y", "x_error", "y_error")
+    return replace(series, **{name: getattr(series, name)[inside] for name in names})
