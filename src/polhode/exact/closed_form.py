@@ -120,7 +120,9 @@ class ClosedForm:
         try:
             return self._module("kernel").state_at(column, time, rest)
         except (ArithmeticError, ValueError):
-            return (*self._of_one(column, np.array([time]), np.array([rest])).ravel(),)
+            attitude, momentum = np.empty((1, 4)), np.empty((1, 3))
+            self._of_one(column, np.array([time]), np.array([rest]), attitude, momentum)
+            return (*attitude[0].tolist(), *momentum[0].tolist())
 
     def states(
         self, columns: Float64[np.ndarray, "columns *bodies"], elapsed: Float64[Array, "..."],
@@ -134,32 +136,35 @@ class ClosedForm:
         flat = columns.reshape(len(columns), count)
         compiled = self._is_worth("states_of_one" if count == 1 else "states_of_many", STATE * len(times))
         bodies = None if count == 1 else np.broadcast_to(np.arange(count).reshape(batch), shape).reshape(-1)
+        found = np.empty((len(times), 4)), np.empty((len(times), 3))  # apart, as strided ones would not do for others
         if compiled and bodies is None:
-            found = self._of_one(tuple(flat[:, 0].tolist()), times, rests)
+            self._of_one(flat[:, 0].tolist(), times, rests, *found)
         elif compiled:
-            found = self._of_many(flat, bodies, times, rests)
+            self._of_many(flat, bodies, times, rests, *found)
         else:
-            found = self._by_python(flat, bodies, times, rests)
-        return found[:, :4].reshape(*shape, 4), found[:, 4:].reshape(*shape, 3)
+            self._by_python(flat, bodies, times, rests, *found)
+        return found[0].reshape(*shape, 4), found[1].reshape(*shape, 3)
 
-    def _by_python(self, flat: Array, bodies: Array | None, times: Array, rests: Array) -> Array:
-        found, rows = np.empty((len(times), 7)), flat.T.tolist()
+    def _by_python(
+        self, flat: Array, bodies: Array | None, times: Array, rests: Array, attitude: Array, momentum: Array
+    ) -> None:
+        rows = flat.T.tolist()
         for i, (time, rest) in enumerate(zip(times.tolist(), rests.tolist(), strict=True)):
-            found[i] = self.state(rows[0 if bodies is None else bodies[i]], time, rest)
-        return found
+            found = self.state(rows[0 if bodies is None else bodies[i]], time, rest)
+            attitude[i], momentum[i] = found[:4], found[4:]
 
-    def _of_one(self, column: Sequence[float], times: Array, rests: Array) -> Array:
-        found = np.empty((len(times), 7))
+    def _of_one(
+        self, column: Sequence[float], times: Array, rests: Array, attitude: Array, momentum: Array
+    ) -> None:
         fill = lambda low, high: self._compiled.states_of_one(  # noqa: E731
-            tuple(column), times[low:high], rests[low:high], found[low:high, :4], found[low:high, 4:]
+            tuple(column), times[low:high], rests[low:high], attitude[low:high], momentum[low:high]
         )
         in_threads(fill, len(times), self._module("kernel").WORTH)
-        return found
 
-    def _of_many(self, flat: Array, bodies: Array, times: Array, rests: Array) -> Array:
-        found = np.empty((len(times), 7))
+    def _of_many(
+        self, flat: Array, bodies: Array, times: Array, rests: Array, attitude: Array, momentum: Array
+    ) -> None:
         fill = lambda low, high: self._compiled.states_of_many(  # noqa: E731
-            flat, bodies[low:high], times[low:high], rests[low:high], found[low:high, :4], found[low:high, 4:]
+            flat, bodies[low:high], times[low:high], rests[low:high], attitude[low:high], momentum[low:high]
         )
         in_threads(fill, len(times), self._module("kernel").WORTH)
-        return found
