@@ -11,7 +11,7 @@ from polhode import rotation
 from polhode.analysis.mechanics import Mechanics, invariants_along
 from polhode.cli.columns import ColumnOptions, about_reading, notes_on_reading, table_to_import
 from polhode.cli.destinations import check_spares
-from polhode.cli.render import as_json, print_report
+from polhode.cli.publish import publish
 from polhode.cli.sources import COUNTED_FROM, KINDS, KINDS_IN_WORDS, Kernels, begin_of, body_of, read_recorded
 from polhode.errors import InvalidInput, one_line
 from polhode.formats.labels import AttitudeLabels
@@ -19,8 +19,8 @@ from polhode.formats.stamps import in_words
 from polhode.motion.frame import BodyFrame
 from polhode.motion.layout import ANGULAR_VELOCITY, ATTITUDE, MOMENTUM, StateLayout
 from polhode.motion.trajectory import Trajectory
-from polhode.reports.answer import Answer, Group, units_of, values_of
-from polhode.reports.base import plain
+from polhode.reports.answer import Answer, Group
+from polhode.reports.report import Report
 from polhode.reports.wording import counted, drifts, rate
 
 
@@ -52,15 +52,13 @@ def run_import(
     check_spares(written, path)
     begin = begin_of(path, trajectory)
     header = {"title": path.name if labels is None else labels.object_name}
-    write_dataset(trajectory, written, header | ({COUNTED_FROM: in_words(begin)} if begin else {}))
-    if json:
-        print(as_json(plain({"kind": KINDS[kind], **values_of(groups), "drift": trajectory.drift, "notes": notes,
-                             "units": units_of(groups), "files": [str(written)]})))  # fmt: skip
-        return
+    header |= {COUNTED_FROM: in_words(begin)} if begin else {}
     what = "sample" if trajectory.attitude is None else "attitude"
     name = KINDS[kind]
     summary = f"{name[0].upper()}{name[1:]} with {counted(len(trajectory.times), what)}."
-    print_report(str(path), summary, groups, notes, [str(written)])
+    groups.append(Group("", [Answer("drift", trajectory.drift)]))
+    report = Report(str(path), name, summary, groups, notes, data=lambda out: write_dataset(trajectory, out, header))
+    publish(report, json, written)
 
 
 def _with_moments(trajectory: Trajectory, spec: Path) -> tuple[Trajectory, str, list[str]]:

@@ -9,11 +9,13 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import NamedTuple
 
+from polhode.cli.publish import publish
 from polhode.cli.render import as_json, print_report
 from polhode.cli.stopping import Stopped
 from polhode.errors import InvalidInput
 from polhode.formats.paths import written_together
 from polhode.reports.answer import Answer, Group
+from polhode.reports.report import Report
 from polhode.reports.wording import in_its_unit
 from polhode.sweeps.answers import SweepReport
 from polhode.sweeps.plan import read_plan
@@ -135,8 +137,6 @@ def _print_cost(sweep: Sweep, out: Path, seconds: float, workers: int, options: 
         Answer("store_size", sweep.bytes, "B", "store, at most", "", in_bytes(sweep.bytes)),
         Answer("chunk_memory", sweep.chunk_bytes, "B", "memory for a chunk's arrays", "", in_bytes(sweep.chunk_bytes)),
     ])  # fmt: skip
-    if options.json:
-        print(as_json({answer.name: answer.value for answer in group.answers if answer.name}))
-    else:
-        print_report(sweep.plan.path.stem, "Nothing is computed in a dry run.", [group], [], [])
+    report = Report(sweep.plan.path.stem, "cost of a sweep", "Nothing is computed in a dry run.", [group])
+    publish(report, options.json)
 

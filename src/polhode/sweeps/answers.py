@@ -151,8 +151,8 @@ class SweepReport:
         """Return the answers as plain lists, numbers, strings and None."""
         groups = self.answers()
         units = {column.name: column.unit for column in self.sweep.columns if column.unit}
-        return plain({**values_of(groups), "units": units_of(groups) | units, "summary": self.summary,
-                      "notes": self.notes})  # fmt: skip
+        return plain({"kind": "sweep", "summary": self.summary, **values_of(groups),
+                      "units": units_of(groups) | units, "notes": self.notes})  # fmt: skip
 
     def _numbers(self) -> Iterator[dict[str, Any]]:
         for column in self.outputs:

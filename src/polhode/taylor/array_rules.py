@@ -195,7 +195,10 @@ def _product(equation: Any, moving: tuple[int, ...]) -> Callable[..., list[Array
 def _quotient(equation: Any, moving: tuple[int, ...]) -> Callable[..., list[Array]]:
     def rule(given: list[Any], own: list[Series], k: int) -> list[Array]:
         above, below = given
-        value = (above[k] if k or 0 in moving else above) if 0 in moving or k == 0 else jnp.zeros_like(below[0])
+        if 0 in moving:
+            value = above[k]
+        else:
+            value = above if k == 0 else jnp.zeros_like(below[0])
         for j in range(k):
             value = value - own[0][j] * below[k - j]
         return [value / below[0]]
