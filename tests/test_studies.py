@@ -2,6 +2,7 @@
 
 import json
 
+import jaxtyping
 import pytest
 
 import polhode as ph
@@ -47,9 +48,14 @@ def test_a_notebook_shows_it():
         ({"precession": 1.0, "rotation": (2.0, -1.0), "moments": (1, 2, 2.5)}, "`rotation` must not have a negative"),
         ({"precession": 1.0, "rotation": 2.0, "moments": (1, 2, 2.5), "semi_axes": (1, 1, 1)}, "both tell the moments"),
         ({"precession": 1.0, "rotation": 2.0, "semi_axes": (1, 0, 1)}, "three positive numbers"),
+        ({"body": "apophis", "mode": "tumbling"}, "`mode` must be short-axis or long-axis; got 'tumbling'"),
+        ({"body": "apophis", "aspect": 60.0}, "`aspect` must be between 0 and 180° in radians; got 60"),
+        ({"body": "apophis", "rotation": (1.0, 2.0, 3.0)}, "a number, one with its standard deviation, or a text"),
+        ({"body": 5}, "no tumbler is called '5'"),
     ],
 )
-def test_mistakes_name_the_argument(given, words):
+def test_mistakes_name_the_argument(given, words, monkeypatch):
+    monkeypatch.setattr(jaxtyping.config, "jaxtyping_disable", True)  # as nobody checks the types of a user's numbers
     with pytest.raises(InvalidInput, match=words):
         ph.tumble(**given)
 

@@ -95,6 +95,7 @@ def test_a_moon_in_an_eccentric_orbit_is_where_mpmath_says():
         ({"other": ph.systems.FreeRigidBody((1.0, 2.0, 3.0))}, "`other` must be a Scalar of the same form"),
         ({"state_radii": -1.0}, "`state_radii` must be numbers that are not negative, one or of shape"),
         ({"state_radii": [1.0, 2.0]}, "one or of shape"),
+        ({"state_radii": "small"}, "one or of shape .* got 'small'"),
     ],
 )
 def test_limits_that_are_none_are_refused(more, words):

@@ -109,6 +109,8 @@ def test_what_has_no_such_series_is_refused():
         ph.simulate(Pendulum(), start, times, EXTENDED)
     with pytest.raises(NoSeries, match=r"the power 1\.3, .*halves of whole numbers"):
         ph.simulate(Pendulum(1.3), start, times, EXTENDED)
+    with pytest.raises(NoSeries, match="Kepler's equation, which has no recurrence with twice as many digits"):
+        ph.simulate(systems.SpinOrbit(0.3, 0.1), start, times, EXTENDED)
     with pytest.raises(InvalidInput, match="one of double, extended; got 'quad'"):
         Taylor(precision="quad")
     with pytest.raises(InvalidInput, match="is for `simulate`"):

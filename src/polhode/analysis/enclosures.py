@@ -404,7 +404,10 @@ def _limits(system: AbstractSystem, other: AbstractSystem | None, balls: BallSys
 def _checked_radii(given: ArrayLike | None, balls: BallSystem, start: Array) -> Float64[np.ndarray, "n"]:
     """Return by how much each number of the start may be off."""
     shape = np.shape(start)
-    radii = np.asarray(0.0 if given is None else given, float)
+    try:
+        radii = np.asarray(0.0 if given is None else given, float)
+    except (TypeError, ValueError):
+        radii = np.full(1, np.nan)
     if radii.shape not in ((), shape) or not (np.isfinite(radii) & (radii >= 0.0)).all():
         raise InvalidInput(
             f"`state_radii` must be numbers that are not negative, one or of shape {shape}; got {shown(given)}."

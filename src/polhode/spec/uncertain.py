@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 import re
 
+import numpy as np
+
 from polhode.errors import InvalidInput, shown
 from polhode.formats.numerals import read_number
 from polhode.spec.reach import check_reach
@@ -47,12 +49,18 @@ def uncertain(name: str, given: Uncertain, unit: str, bare: bool = False) -> tup
     if isinstance(given, str):
         value, error = _read(name, given, unit, bare)
     else:
-        value, error = given if isinstance(given, tuple) else (given, 0.0)
-        if not (0.0 < value < math.inf):
+        try:
+            value, error = np.asarray(given if np.ndim(given) else (given, 0.0), float).tolist()
+        except (TypeError, ValueError):
+            raise InvalidInput(
+                f'{name} must be a number, one with its standard deviation, or a text like "27.38 ± 0.07 h"; got '
+                f"{shown(given)}."
+            ) from None
+        if not 0.0 < value < math.inf:
             raise InvalidInput(f"{name} must be positive; got {shown(given)}.")
     if not 0.0 <= error < math.inf:
         raise InvalidInput(f"{name} must not have a negative error; got {shown(given)}.")
-    return float(value), float(error)
+    return value, error
 
 
 def _read(name: str, text: str, unit: str, bare: bool) -> tuple[float, float]:

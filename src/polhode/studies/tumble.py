@@ -79,7 +79,12 @@ def tumble(
     >>> found.summary[:22]
     'Short-axis mode (SAM):'
     """
-    known = None if body is None else known_tumbler(body)
+    if mode not in (None, *MODES):
+        raise InvalidInput(f"`mode` must be {' or '.join(MODES)}; got {shown(mode)}.")
+    for name, angle, most in (("aspect", aspect, 180.0), ("phase", phase, 170.0)):
+        if not 0.0 <= angle <= np.radians(most) * (1 + 1e-15):
+            raise InvalidInput(f"`{name}` must be between 0 and {most:g}° in radians; got {shown(angle)}.")
+    known = None if body is None else known_tumbler(str(body))
     given = Given(precession, rotation, moments, semi_axes, axis, mode, friction, aspect, phase)
     return report_on(tumbler_of(known, given, in_python))
 

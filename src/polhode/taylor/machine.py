@@ -209,6 +209,7 @@ def _taped(
     """Return a tape with rates and what is watched; the system's numbers may be components of the state that follow."""
     size = form.size + len(written.balances) + written.timed
     tape = Tape(size + moving * len(numbers), size - 1 if written.timed else None, inside)
+    tape.values = dict(enumerate(numbers.tolist(), size)) if moving else {}
     known = np.empty(tape.size, object)
     known[:] = tape.state()
     t = np.asarray(known[size - 1] if written.timed else 0.0, object if written.timed else float)
@@ -221,8 +222,8 @@ def _taped(
 def _exact_program(tape: Tape, rates: list[Expression]) -> Program:
     wrong = {node.operation for node in tape.nodes} - {Operation.AFFINE, Operation.PRODUCT, Operation.POWER}
     if wrong:
-        name = min(wrong).name.lower().replace("_", " ")
-        raise Untraceable(f"the operation '{name}', which has no recurrence with twice as many digits")
+        name = "Kepler's equation" if Operation.ECCENTRIC in wrong else f"the operation '{min(wrong).name.lower()}'"
+        raise Untraceable(f"{name}, which has no recurrence with twice as many digits")
     powers = [node.number for node in tape.nodes if node.operation is Operation.POWER]
     if other := [x for x in powers if not ((2.0 * x).is_integer() and abs(x) <= HIGHEST_POWER)]:
         raise Untraceable(
