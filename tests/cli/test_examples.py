@@ -45,7 +45,7 @@ def test_files_open(reports):
         for name in report["files"]:
             assert Path(name).stat().st_size > 1000
         datasets = [name for name in report["files"] if name.endswith(".nc")]
-        assert len(datasets) == (report["system"] != "quantum-rotor")
+        assert len(datasets) == (report["kind"] != "quantum-rotor")
         for name in datasets:
             data = xr.load_dataset(name)
             if "momentum" in data:
@@ -56,7 +56,7 @@ def test_files_open(reports):
 
 def test_drift_is_rounding_where_motion_is_exact(reports):
     for report in reports.values():
-        if report["system"] in ("free-body", "lagrange-top"):
+        if report["kind"] in ("free-body", "lagrange-top"):
             assert max(report["drift"].values()) < 16 * 2.0**-52
 
 
