@@ -379,7 +379,7 @@ def _looked_ahead(
 
 
 def _limits(system: AbstractSystem, other: AbstractSystem | None, balls: BallSystem) -> tuple[Array, Array]:
-    """Return the middle of the system's numbers and the other's, and radii with which balls around it hold both."""
+    """Return the midpoint of both systems' numbers, and the radii of balls around it that contain both."""
     one = balls.parameters
     if other is None:
         return one, np.zeros(len(one))

@@ -92,7 +92,7 @@ def has_short_series(system: AbstractSystem, state: Double[Array, "..."]) -> boo
 
 
 def goes_by_arrays(system: AbstractSystem, state: Double[Array, "..."]) -> bool:
-    """Return whether series are of whole arrays, whose motion goes on from a place to the same bits."""
+    """Return whether the system's series are of whole arrays; such a motion can be resumed to the same bits."""
     return system.series_of_arrays or operations_of(system, _one(system, state)) > LARGEST
 
 
@@ -233,7 +233,7 @@ def _by_arrays_or_tape(
     system: AbstractSystem, states: Array, times: Array, precision: Precision, longest: float,
     check: Callable[[float], None], place: Place | None,
 ) -> tuple[Runs, Place | None]:  # fmt: skip
-    """Return runs by series of whole arrays where these are worth it and can be, else by those of numbers."""
+    """Return runs by series of whole arrays where these pay and exist, otherwise by series of single numbers."""
     if goes_by_arrays(system, states):
         try:
             return runs_of_arrays(system, states, times, precision, longest, check, place)
@@ -244,7 +244,7 @@ def _by_arrays_or_tape(
 
 
 def _place_of(memory: Sequence[Array], states: Double[Array, "copies ..."], first: float) -> Place:
-    """Return where the last step of an earlier motion by series of arrays began; it is told how long before the end."""
+    """Return where the last step of an earlier motion began; ``memory`` says how long before its end that was."""
     shapes = [np.shape(x) for x in memory]
     if shapes != [(), np.shape(states[0]), ()] or len(states) > 1:
         raise InvalidInput(
@@ -258,7 +258,7 @@ def _checked_runs(
     system: AbstractSystem, states: Array, times: Array, last: float, precision: Precision, longest: float, meter: Any,
     place: Place | None = None,
 ) -> tuple[Runs, Place | None]:  # fmt: skip
-    """Return runs up to a last time, which need not be a sample, or say why there are none; and where one goes on."""
+    """Return runs up to a last time, which need not be a sample, and where to resume; or say why there are none."""
     with interrupts_kept() as check:
         shown_state = [None if meter is None else meter.init()]
 

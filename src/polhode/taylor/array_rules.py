@@ -26,7 +26,7 @@ AFFINE = frozenset((
     "copy_p", "stack", "unstack", "tile", "select_n", "dynamic_slice", "dynamic_update_slice", "fft",
     "triangular_solve", "scan", "split",
 ))  # fmt: skip
-"""In what moves, where that stands in places that ``_is_affine`` allows."""
+"""Operations that are affine in the arguments that move, if ``_is_affine`` finds these in the right places."""
 FIRST_STILL = frozenset(("select_n", "triangular_solve"))  # whose first argument must not move
 REST_STILL = frozenset(("gather", "dynamic_slice", "div"))  # only whose first one may
 Series = list[Array]  # of one array, by order
@@ -51,7 +51,7 @@ class Step(NamedTuple):
 
 
 class Unrolled:
-    """The operations of a jaxpr, one after the other, without those within others.
+    """The operations of a jaxpr one after the other, with the contents of inner functions written out.
 
     Args:
         closed: the jaxpr.
@@ -159,7 +159,7 @@ def bound(equation: Any, given: list[Any]) -> list[Shaped[Array, "..."]]:
 
 
 class _Affine:
-    """What is linear in what moves but for what stays: its linear part goes over each order."""
+    """An operation that is affine in the arguments that move: its linear part maps the coefficients of each order."""
 
     def __init__(self, equation: Any, moving: tuple[int, ...]) -> None:
         self.equation, self.moving = equation, moving
@@ -178,7 +178,7 @@ class _Affine:
 
 
 def _product(equation: Any, moving: tuple[int, ...]) -> Callable[..., list[Array]]:
-    """The sums of products of orders that make k; of matrices as one product of all of them side by side."""
+    """Products: the sum over all pairs of orders that add up to k, for matrices as one product of stacked blocks."""
 
     def rule(given: list[Series], own: list[Series], k: int) -> list[Array]:
         left, right = jnp.stack(given[0][: k + 1]), jnp.stack(given[-1][k::-1])

@@ -1,8 +1,7 @@
 """Motions of large arrays by Taylor series, whose coefficients JAX computes for whole arrays.
 
-Products of large matrices are most of the work then, and no more of it than by a tape of their numbers. Steps are those
-of ``kernel_series``, and samples lie on the series. What is conserved is kept to rounding without a way back onto it,
-as nothing but rounding moves it.
+Most of the work is in products of large matrices. Steps are chosen as in ``kernel_series``, and samples are evaluated
+from the series. States are not projected back onto what is conserved: only rounding moves them away from it.
 """
 
 from __future__ import annotations
@@ -135,7 +134,7 @@ def array_run(
     longest: float = math.inf, scale: Double[Array, "..."] | float = 1.0,
     check: Callable[[float], None] = lambda share: None, place: Place | None = None,
 ) -> ArrayRun:  # fmt: skip
-    """Return the motion of one state at times, which are no ends of steps.
+    """Return the motion of one state at times, which need not be the ends of steps.
 
     Args:
         system: what moves, without jumps.
@@ -202,7 +201,7 @@ def _at(series: Array, h: float) -> Array:
 
 
 def _short(h: float) -> float:
-    """Return a length of at most so many bits, so that sums of steps have no rounding, whatever they begin at."""
+    """Return the step rounded down to a few bits, so that times of steps add up without rounding from any start."""
     grain = _power_of_two(h) * 2.0**-BITS
     return math.floor(h / grain) * grain if math.isfinite(h) and h > 0.0 else h
 

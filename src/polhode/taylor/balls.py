@@ -107,7 +107,7 @@ class BallSystem:
         return [flat[k * self.size : (k + 1) * self.size] for k in range(self.size)]
 
     def changes(self, y: list[Ball], parameters: list[Ball], radii: list[Ball]) -> list[Ball]:
-        """Return by how much the rates change at most if parameters, which are balls, leave their middle by radii."""
+        """Return bounds on how much the rates change when each parameter moves away from its midpoint by its radius."""
         z = self._nodes(y, parameters, self._of_parameters)
         found = []
         for row in self._by_parameters:
