@@ -121,10 +121,11 @@ def simulate(
             Adaptive steps are run with another tolerance. Pulses shorter than 1/131072 of the time need ``jumps``.
         save: every how many-th of the times is kept as a sample, so that a long run need not fill the memory; the steps
             are those to all times.
-        resumable: whether the trajectory keeps its ``memory``, which needs a method of ours and a last time that is
-            saved.
+        resumable: whether the trajectory keeps its ``memory``, which needs a method of equal steps, or one state that
+            moves by series of whole arrays, and a last time that is saved.
         memory: that of an earlier trajectory by the same method and step, whose last state is given: the motion then
-            goes on as if it had not been interrupted, to the last bit. ``write_dataset`` keeps it.
+            goes on as if it had not been interrupted, to the last bit (by series: where the times are exact in binary).
+            ``write_dataset`` keeps it.
 
     Returns:
         Trajectory with ``invariants``, ``balances`` and their ``drift``, ``statistics`` of steps and iterations (the

@@ -46,3 +46,14 @@ def python_alone(monkeypatch: pytest.MonkeyPatch) -> None:
     for module in (free_body, lagrange_top):
         monkeypatch.setattr(module.FORM, "_ready", set())
         monkeypatch.setattr(module.FORM, "_spent", dict.fromkeys(COMPILING, -np.inf))
+
+
+def under(alone, states):
+    """Return a function of cases that gives their states with one of the above in force."""
+
+    def computed(cases):
+        with pytest.MonkeyPatch.context() as patch:
+            alone(patch)
+            return states(cases)
+
+    return computed

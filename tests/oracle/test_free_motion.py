@@ -11,7 +11,7 @@ import pytest
 import polhode as ph
 from oracle.families import Case, draw
 from oracle.measures import EPS, drift_in_eps, error_in_eps
-from oracle.numpy_alone import compiled_alone, numpy_alone, python_alone
+from oracle.numpy_alone import compiled_alone, numpy_alone, python_alone, under
 from oracle.optimized import OPTIMIZED
 from sweeping import first
 
@@ -31,22 +31,9 @@ def many_states(cases: list[Case]) -> tuple[np.ndarray, np.ndarray]:
     return ph.FreeMotion(moments, momentum).state(times)
 
 
-def numpy_states(cases):
-    with pytest.MonkeyPatch.context() as patch:
-        numpy_alone(patch)
-        return many_states(cases)
-
-
-def python_states(cases):
-    with pytest.MonkeyPatch.context() as patch:
-        python_alone(patch)
-        return many_states(cases)
-
-
-def kernel_states(cases):
-    with pytest.MonkeyPatch.context() as patch:
-        compiled_alone(patch)
-        return many_states(cases)
+numpy_states, python_states, kernel_states = (
+    under(alone, many_states) for alone in (numpy_alone, python_alone, compiled_alone)
+)
 
 
 def jax_states_one_by_one(cases: list[Case]) -> tuple[np.ndarray, np.ndarray]:

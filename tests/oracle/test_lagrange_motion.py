@@ -16,7 +16,7 @@ import polhode as ph
 from oracle.lagrange import TopState, largest_momentum, reference_top
 from oracle.lagrange_families import TopCase, draw_tops
 from oracle.measures import EPS, rotation_of
-from oracle.numpy_alone import compiled_alone, numpy_alone, python_alone
+from oracle.numpy_alone import compiled_alone, numpy_alone, python_alone, under
 from oracle.optimized import OPTIMIZED
 from sweeping import first
 
@@ -62,22 +62,9 @@ def many_states(cases: list[TopCase]) -> tuple[np.ndarray, np.ndarray]:
     return ph.LagrangeMotion(*top).state(times)
 
 
-def numpy_states(cases):
-    with pytest.MonkeyPatch.context() as patch:
-        numpy_alone(patch)
-        return many_states(cases)
-
-
-def python_states(cases):
-    with pytest.MonkeyPatch.context() as patch:
-        python_alone(patch)
-        return many_states(cases)
-
-
-def kernel_states(cases):
-    with pytest.MonkeyPatch.context() as patch:
-        compiled_alone(patch)
-        return many_states(cases)
+numpy_states, python_states, kernel_states = (
+    under(alone, many_states) for alone in (numpy_alone, python_alone, compiled_alone)
+)
 
 
 def one_state(moments, mgl, momentum, attitude, time):

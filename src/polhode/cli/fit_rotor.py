@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -21,6 +22,9 @@ from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.report import Report
 from polhode.reports.spectra import label
 from polhode.reports.wording import uncertain
+
+if TYPE_CHECKING:
+    from polhode.formats.spfit_constants import ConstantTable
 
 MEGA = 1e6  # Hz
 WORST = 8  # observations that are listed
@@ -42,11 +46,13 @@ def run_fit_rotor(path: Path, lines: Path, free: str | None, out: Path | None, j
         if names is not None and not all(names):
             raise InvalidInput(f"--free must be names of constants with commas, like A,B,C,D_J; got {shown(free)}.")
         fit = fit_rotor(start, measured, names)
+        table = None if out is None else _table(fit, spec.name)
     notes += [*more, *others, *_together(start, fit, names), *_fixed(start, fit, names), *_remarks(fit)]
     groups = [_quality(fit, measured), _constants(fit, start), _worst(fit, measured)]
     count = len(fit.residual)
     said = f"{len(fit.names)} constants from {count} observations, which they meet to {fit.rms:.3g} of their errors."
-    report = Report(spec.name, "line fit", said, groups, notes, data=lambda out: _write(fit, out, spec.name))
+    data = None if table is None else partial(_write, table)
+    report = Report(spec.name, "line fit", said, groups, notes, data=data)
     publish(report, json, out)
 
 
@@ -71,11 +77,17 @@ def _fixed(start: Rotor, fit: RotorFit, asked: list[str] | None) -> list[str]:
     return [f"{', '.join(left)} {kept} kept as the spec says: no line changes with {them}."]
 
 
-def _write(fit: RotorFit, out: Path, title: str) -> Path:
-    from polhode.formats.spfit_constants import constant_table, write_par
+def _table(fit: RotorFit, title: str) -> ConstantTable:
+    from polhode.formats.spfit_constants import constant_table
 
     sigma = dict(zip(fit.names, fit.sigma.tolist(), strict=True))
-    write_par(constant_table(fit.rotor, sigma, title, fit.correlation), out)
+    return constant_table(fit.rotor, sigma, title, fit.correlation)
+
+
+def _write(table: ConstantTable, out: Path) -> Path:
+    from polhode.formats.spfit_constants import write_par
+
+    write_par(table, out)
     return out
 
 

@@ -51,7 +51,7 @@ def run_levels(path: Path, j_max: int | None, json: bool, out: Path | None = Non
     notes += [word for word in told if word]
     said = f"Constants {_constants(rotor)}; {len(table.rows)} levels to J = {last}."
     asked = [Answer("constants", rotor.constants, "Hz"), Answer("j_max", last)]
-    report = Report(spec.name, "levels", said, [Group("", asked), table], notes, data=lambda path: _written(
+    report = Report(spec.name, "levels", said, [Group("", asked), table], notes, data=lambda path: _write(
         path, levels=found, attributes=rotor_attributes(rotor, spec.name)))  # fmt: skip
     publish(report, json, out)
 
@@ -92,12 +92,12 @@ def run_lines(path: Path, options: LineOptions, json: bool, out: Path | None = N
         Answer("j_max", asked.j_max), Answer("partition_function", partition), Answer("lines_within", len(inside)),
     ]  # fmt: skip
     groups = [Group("", told), line_table(chosen, "")]
-    report = Report(spec.name, "lines", said[0].upper() + said[1:], groups, notes, data=lambda path: _written(
+    report = Report(spec.name, "lines", said[0].upper() + said[1:], groups, notes, data=lambda path: _write(
         path, lines=chosen, attributes=rotor_attributes(asked.rotor, spec.name, asked.temperature)))  # fmt: skip
     publish(report, json, out)
 
 
-def _written(path: Path, **what: Any) -> Path:
+def _write(path: Path, **what: Any) -> Path:
     write_spectrum(path, **what)
     return path
 

@@ -21,11 +21,12 @@ from numba.core.types import float64, int64
 from numba.extending import intrinsic
 
 _TAKE: Any = njit  # whose types do not know all of its options
-SOURCES = zlib.crc32(b"".join(path.read_bytes() for path in sorted(Path(__file__).parent.rglob("*kernel*.py"))))
+_FILES = [Path(__file__), *sorted(Path(__file__).parent.rglob("kernel*.py"))]
+SOURCES = zlib.crc32(b"".join(path.read_bytes() for path in _FILES))
 
 
-def announced(what: str, dispatcher: Any) -> Any:
-    """Return a function of Numba's that says on a terminal when it is being compiled."""
+def announce(what: str, dispatcher: Any) -> Any:
+    """Have a function of Numba's say on a terminal when it is being compiled, and return it."""
 
     class Listener(event.Listener):
         def on_start(self, event: Any) -> None:
@@ -52,7 +53,7 @@ def compiled_modules(modules: Iterable[ModuleType]) -> list[dict[str, Any]]:
             plain = inspect.unwrap(value) if callable(value) else value  # tests wrap functions to check annotations
             mark = getattr(plain, "kernel_mark", None)
             if mark is not None and plain.__module__ == module.__name__:
-                made[plain] = OWN[name] if name in OWN else _compiled(FunctionType(plain.__code__, space, name), mark)
+                made[plain] = OWN[name] if name in OWN else _compile(FunctionType(plain.__code__, space, name), mark)
     for space in spaces:
         for name, value in space.items():
             plain = inspect.unwrap(value) if isinstance(value, FunctionType) else None
@@ -61,13 +62,13 @@ def compiled_modules(modules: Iterable[ModuleType]) -> list[dict[str, Any]]:
     return spaces
 
 
-def _compiled(function: FunctionType, mark: str) -> Any:
+def _compile(function: FunctionType, mark: str) -> Any:
     if mark != "entry":  # needs no way in from Python, which takes time to compile
         return _TAKE(error_model="numpy", forceinline=mark == "inlined", no_cpython_wrapper=True,
                      no_cfunc_wrapper=True)(function)  # fmt: skip
     # Numba looks at one file alone for changes, and keeps what it compiles by this name
     function.__qualname__ = f"{function.__name__}_{SOURCES:08x}"
-    return announced("closed forms", _TAKE(error_model="numpy", nogil=True, cache=True)(function))
+    return announce("closed forms", _TAKE(error_model="numpy", nogil=True, cache=True)(function))
 
 
 def is_on_disk(entry: Any) -> bool:

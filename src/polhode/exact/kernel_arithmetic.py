@@ -32,20 +32,20 @@ Function = TypeVar("Function", bound=Callable[..., Any])
 
 def inlined(function: Function) -> Function:
     """Mark a function that becomes a part of those that call it."""
-    return _marked(function, "inlined")
+    return _mark(function, "inlined")
 
 
 def called(function: Function) -> Function:
     """Mark a function that stays one by itself."""
-    return _marked(function, "called")
+    return _mark(function, "called")
 
 
 def entry(function: Function) -> Function:
     """Mark a function that Python calls, and that is kept on the disk when it is compiled."""
-    return _marked(function, "entry")
+    return _mark(function, "entry")
 
 
-def _marked(function: Function, mark: str) -> Function:
+def _mark(function: Function, mark: str) -> Function:
     inspect.unwrap(function).kernel_mark = mark  # type: ignore[attr-defined]
     return function
 

@@ -1,1 +1,1 @@
-"""What polhode finds out about something that is no motion of a spec: one file each, from measurements to a report."""
+"""Questions that measurements answer, such as how an asteroid tumbles: one file each, from the data to a report."""

@@ -32,7 +32,7 @@ def wobble(
     Raises:
         InvalidInput: for days in the wrong order, a file that cannot be read, or a series that is too short.
 
-    Source: Wilson & Vicente, Geophys. J. Int. 103 (1990) 559, for period and Q.
+    Source: Wilson & Vicente, Geophys. J. Int. 103 (1990) 743, for period and Q.
     """
     return report_on(found_in(series, start, end, window, ("`start`", "`end`")))
 

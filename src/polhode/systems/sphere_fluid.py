@@ -89,7 +89,7 @@ class SphereFluid(AbstractLiePoissonSystem):
 
     @property
     def series_of_arrays(self) -> bool:
-        """Up to N = 128, where they cost no more than twice what IsospectralMidpoint of order 2 does."""
+        """Up to N = 128, where they cost about twice as much as IsospectralMidpoint of order 2."""
         return self.size <= LARGEST_SERIES
 
     @property

@@ -123,21 +123,21 @@ def python_kernel(width: int) -> Kernel:
 @cache
 def compiled_kernel(width: int) -> Kernel:
     """Return the kernel as Numba compiles it when it is first called, or has it on the disk."""
-    from polhode.exact.compiling import announced, njit, two_product
+    from polhode.exact import compiling
     from polhode.taylor import compiled_vectors
 
-    files = [inspect.getfile(module) for module in (*MODULES[width], compiled_vectors)]
+    files = [inspect.getfile(module) for module in (*MODULES[width], compiled_vectors, compiling)]
     sources = [Path(file).read_bytes() for file in (*files, __file__)]
     version = zlib.crc32(b"".join(sources))
     operations = compiled_vectors.of_one_copy() if _lanes(width) == 1 else compiled_vectors.of_lanes()
-    operations = operations | ({"two_product": two_product} if width == EXTENDED else {})
-    take: Any = njit  # whose types do not know all of its options
+    operations = operations | ({"two_product": compiling.two_product} if width == EXTENDED else {})
+    take: Any = compiling.njit  # whose types do not know all of its options
 
     def compiled(function: FunctionType, name: str) -> Any:
         if name in ENTRIES:
             # Numba looks at one file alone for changes, and keeps what it compiles by this name
             function.__qualname__ = f"{name}_{width}_{version:08x}"
-            return announced(WHAT[width], take(error_model="numpy", nogil=True, cache=True)(function))
+            return compiling.announce(WHAT[width], take(error_model="numpy", nogil=True, cache=True)(function))
         return take(error_model="numpy", nogil=True, forceinline=name not in CALLED, no_cpython_wrapper=True,
                     no_cfunc_wrapper=True)(function)  # fmt: skip
 

@@ -178,13 +178,13 @@ def report_of(spec: Spec) -> FluidReport:
     until = TURNOVERS * 2.0 * math.pi / vorticity if spec.until is None else spec.until
     samples = max(2, min(spec.samples, MEMORY // (16 * fluid.size**2)))
     times = np.linspace(0.0, until, samples)
-    # the fastest planetary wave goes round at Ω, however slow the flow is
-    fastest = max(float(turning_rates(fluid, state, times)), abs(table.rotation))
     memory = None if earlier is None else earlier.memory
     kept = {"estimate_error": False, "resumable": True, "memory": memory}
     if fluid.series_of_arrays:
         trajectory = simulate(fluid, state, times, progress=Watch(spec.until, times, QUICKER, runs=1.0), **kept)
         return FluidReport(fluid, table, state, trajectory, spec.samples)
+    # the fastest planetary wave goes round at Ω, however slow the flow is
+    fastest = max(float(turning_rates(fluid, state, times)), abs(table.rotation))
     step = ANGLE / fastest if fastest else until
     if earlier is not None and memory is not None and earlier.statistics.get("steps"):
         step = float(np.ptp(earlier.times)) / earlier.statistics["steps"]  # the same one leads on to the same bits
