@@ -8,7 +8,7 @@ from latex2mathml.converter import convert
 
 import polhode
 from polhode.cli.compiled import compile_quickly
-from polhode.figures.style import save
+from polhode.formats.figure_file import save_figure
 from polhode.kinds.playground import write_playground
 from polhode.kinds.reading import read_spec
 
@@ -51,7 +51,7 @@ def draw_figures(app):
         spec = read_spec(docs.parent / "examples" / f"{example}.toml")
         report = spec.report()
         for figure in sorted(figures):
-            save(spec.kind.draw(report, figure), drawn / f"{example}-{figure}.png")
+            save_figure(report.figure(figure), drawn / f"{example}-{figure}.png")
 
 
 def write_live_pages(app, exception):

@@ -37,17 +37,19 @@ SWITCH = re.compile(r"\b([a-z_]+) = (?:true|false)\b")
 OTHERS = {"--xla": "XLA's own, in an environment variable", "--unit-acceleration": "of Betaflight's blackbox_decode"}
 # from which commands the texts of a file come; files of cli/ that are not here are their command's alone
 FROM = {
-    "cli/columns.py": "import compare fit", "cli/sources.py": "import compare", "cli/clocks.py": "compare",
-    "cli/importing.py": "import", "cli/fit_throw.py": "fit", "cli/fit_attitude.py": "fit", "cli/fit_scale.py": "fit",
-    "cli/fit_rotor.py": "fit", "cli/fit.py": "fit", "cli/spectra.py": "lines",
+    "cli/columns.py": "import compare fit", "studies/sources.py": "import compare", "studies/clocks.py": "compare",
+    "studies/tables.py": "import compare fit", "studies/compare.py": "compare", "studies/throws.py": "fit",
+    "cli/importing.py": "import", "studies/scale.py": "fit", "studies/attitude_report.py": "fit",
+    "studies/line_fit.py": "fit", "studies/fit.py": "fit", "cli/fit.py": "fit", "cli/spectra.py": "lines",
+    "studies/spectrum.py": "lines", "cli/publish.py": "fit tumble wobble",
     "cli/destinations.py": "view export import fit wobble lines", "formats/known_tumblers.py": "tumble",
-    "reports/tumble.py": "tumble", "sweeps/store.py": "sweep",
+    "studies/tumble_report.py": "tumble", "sweeps/store.py": "sweep",
     "sweeps/store_checks.py": "sweep",
     "formats/column_reading.py": "import compare fit", "formats/gyro_logs.py": "fit",
     "formats/plain_table.py": "import compare fit", "formats/spice_reading.py": "import compare fit",
-    "reports/comparison.py": "compare", "reports/throw.py": "fit", "sweeps/running.py": "sweep",
+    "studies/comparison_report.py": "compare", "studies/throw_report.py": "fit", "sweeps/running.py": "sweep",
     "sweeps/evaluation.py": "sweep", "estimation/throw_fit.py": "fit", "estimation/flight.py": "fit",
-    "reports/flights.py": "fit",
+    "studies/left_out.py": "fit",
 }  # fmt: skip
 DECLARED = ("cli/commands.py", "cli/source_options.py", "cli/fit_options.py", "cli/tumble_options.py")
 """Where options are declared, with help that speaks of several commands."""

@@ -1,16 +1,20 @@
 """Reports from Python: the numbers of the command, shown in a notebook, without files."""
 
 import json
+from pathlib import Path
 
 import jaxtyping
+import numpy as np
 import pytest
 
 import polhode as ph
 from polhode.cli.main import main
 from polhode.errors import InvalidInput
-from polhode.reports.report import Report
+from polhode.formats.given_axes import along_given_axes
+from polhode.reports.report import PlainReport
 from polhode.studies.tumble import Friction
 
+EXAMPLES = Path(__file__).parents[1] / "examples"
 KEYS = {"name", "kind", "summary", "units", "notes"}
 
 
@@ -36,7 +40,7 @@ def test_a_notebook_shows_it():
     shown = found._repr_html_()
     assert shown.count("<table>") >= 4 and "Apophis" in shown and found.summary[:20] in shown
     assert set(found.plot()) == {"polhode", "light_curve", "spectrum"}
-    assert "<script>" not in Report("<script>", "x", "", [])._repr_html_()
+    assert "<script>" not in PlainReport("<script>", "x", "", [])._repr_html_()
 
 
 @pytest.mark.parametrize(
@@ -58,6 +62,87 @@ def test_mistakes_name_the_argument(given, words, monkeypatch):
     monkeypatch.setattr(jaxtyping.config, "jaxtyping_disable", True)  # as nobody checks the types of a user's numbers
     with pytest.raises(InvalidInput, match=words):
         ph.tumble(**given)
+
+
+def test_a_report_on_a_spec_is_that_of_the_command(capsys, tmp_path):
+    spec = EXAMPLES / "t_handle.toml"
+    found = ph.report(spec)
+    said = said_by(capsys, "report", spec, "--out", tmp_path / "by_command")
+    assert said.pop("files") and said.pop("removed") == [] and said == json.loads(found.json())
+    written = found.write(tmp_path / "by_python")
+    names = {path.name for path in (tmp_path / "by_command").iterdir()}
+    assert {path.name for path in written} == names
+    assert set(found.plot()) == {Path(name).stem for name in names} - {"motion"}
+    for path in written:
+        assert path.suffix == ".nc" or path.read_bytes() == (tmp_path / "by_command" / path.name).read_bytes()
+    with pytest.raises(InvalidInput, match=r"`name` must be one of .*momentum_sphere.* for a report of kind free-body"):
+        found.figure("tilt")
+
+
+def test_a_fit_is_that_of_the_command(capsys):
+    found = ph.fit(EXAMPLES / "phone_throw.csv", moment="I3 = 1.2e-4 kg m^2")
+    said = said_by(capsys, "fit", EXAMPLES / "phone_throw.csv", "--moment", "I3 = 1.2e-4 kg m^2")
+    assert said.pop("files") == [] and said == json.loads(found.json()) and found.determined
+    assert found.values()["moments"]["value"][2] == 1.2e-4 and "corner" in found.figures()
+
+
+@pytest.mark.parametrize(
+    ("files", "given", "words"),
+    [
+        ((), {}, "`files` is empty"),
+        (("phone_throw.csv",), {"free": ("A",)}, "`free` names constants of a molecule"),
+        (("phone_throw.csv",), {"torque": True}, "`torque` is for a log of attitudes"),
+        (("phone_throw.csv",), {"clip": -1.0}, "`clip` must be a positive rate"),
+        (("phone_throw.csv",), {"windows": [(1.0, 2.0, 3.0)]}, "`windows` must be two times"),
+        (("phone_throw.csv",), {"mass": "1 kg"}, "`mass`, `added_weight` and `weighted` belong together"),
+        (("phone_throw.csv",), {"moment": "I4 = 1 kg m^2"}, "`moment` must be like"),
+        (("water.xyz", "phone_throw.csv"), {"drag": False}, "`drag` is for gyro logs, and .*water.xyz is a molecule"),
+        (("water.xyz",), {}, "a molecule is fitted to one file of lines; got 0"),
+    ],
+)
+def test_mistakes_of_fits_name_the_argument(files, given, words, monkeypatch):
+    monkeypatch.setattr(jaxtyping.config, "jaxtyping_disable", True)
+    with pytest.raises(InvalidInput, match=words):
+        ph.fit(*(EXAMPLES / name for name in files), **given)
+
+
+def test_files_and_motions_are_compared(capsys, tmp_path):
+    spec = EXAMPLES / "t_handle.toml"
+    motion = ph.report(spec).trajectory
+    found = ph.compare(motion, motion.motion)
+    assert found.comparison.is_rounding and found.kind == "comparison" and "comparison" in found.figures()
+    by_files = ph.compare(spec, spec)
+    said = said_by(capsys, "compare", spec, spec, "--out", tmp_path / "out")
+    assert said.pop("files") == [str(tmp_path / "out" / "comparison.png")] and said == json.loads(by_files.json())
+    assert ph.compare(str(spec), by_files_history(spec)).comparison.is_rounding
+    with pytest.raises(InvalidInput, match="`offset` must be a time in seconds where not both are files; got 'start'"):
+        ph.compare(motion, spec, offset="start")
+    with pytest.raises(InvalidInput, match="`spec` must be left out where not both are files"):
+        ph.compare(motion, spec, spec=spec)
+    with pytest.raises(InvalidInput, match="a report of kind comparison has no data to save"):
+        found.save(tmp_path / "out.nc")
+
+
+def by_files_history(spec):
+    moved = along_given_axes(ph.report(spec).trajectory)
+    return ph.AttitudeHistory("samples", np.asarray(moved.times), np.asarray(moved.attitude))
+
+
+def test_levels_and_lines_are_those_of_the_commands(capsys, tmp_path):
+    water = EXAMPLES / "water_spectrum.toml"
+    for found, arguments in ((ph.levels(water, j_max=3), ("levels", water, "--j-max", 3)),
+                             (ph.spectrum(water, highest="1 THz", temperature=250.0, j_max=6),
+                              ("lines", water, "--to", "1 THz", "--temperature", "250 K", "--j-max", 6))):  # fmt: skip
+        said = said_by(capsys, *arguments)
+        assert said.pop("files") == [] and said == json.loads(found.json())
+        assert {path.suffix for path in found.write(tmp_path / found.kind)} == {".png", ".nc"}
+    assert ph.spectrum(ph.read_spec(water), highest=1e12, temperature="250 K", j_max=6).json() == found.json()
+    with pytest.raises(InvalidInput, match="`lowest` must not be above `highest`; got 2 THz and 1 THz"):
+        ph.spectrum(water, lowest="2 THz", highest="1 THz")
+    with pytest.raises(InvalidInput, match=r"Give it, like dipole=\(0, 1.857, 0\)"):
+        ph.spectrum(EXAMPLES / "water.xyz")
+    with pytest.raises(InvalidInput, match="`dipole` must be three numbers in debye"):
+        ph.spectrum(water, dipole=(1.0, 2.0))
 
 
 @pytest.mark.parametrize("command", ["body", "report"])

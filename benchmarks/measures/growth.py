@@ -82,5 +82,5 @@ def draw(folder: Path) -> list[Path]:
         panel.set_ylabel("time of a call  [s]")
         panel.legend(fontsize=style.FONT - 1, frameon=False)
         style.tidy(panel)
-        written.append(style.save(figure, folder / f"growth_with_{axis}.png"))
+        written.append(save_figure(figure, folder / f"growth_with_{axis}.png"))
     return written

@@ -41,7 +41,6 @@ from . import (
     testing as testing,
 )
 from .analysis.comparison import AttitudeHistory as AttitudeHistory
-from .analysis.comparison import compare as compare
 from .analysis.continuation import continue_equilibria as continue_equilibria
 from .analysis.enclosures import certify as certify
 from .analysis.equilibria import find_equilibria as find_equilibria
@@ -75,6 +74,10 @@ from .quantum.rotor import Rotor as Rotor
 from .simulation import simulate as simulate
 from .solving import Fold as Fold
 from .solving import solve as solve
+from .studies.compare import compare as compare
+from .studies.fit import fit as fit
+from .studies.spectrum import levels as levels
+from .studies.spectrum import spectrum as spectrum
 from .studies.tumble import tumble as tumble
 from .studies.wobble import wobble as wobble
 from .sweeps.answers import sweep as sweep

@@ -10,7 +10,6 @@ import spiceypy as spice
 
 from polhode import FreeMotion, rotation
 from polhode.cli.main import main
-from polhode.cli.sources import Kernels, source_of
 from polhode.errors import InvalidInput
 from polhode.formats.aem import write_aem
 from polhode.formats.aem_reading import read_aem
@@ -24,6 +23,7 @@ from polhode.formats.spice_reading import read_ck
 from polhode.kinds.base import AbstractKind
 from polhode.kinds.reading import read_spec
 from polhode.kinds.registry import find_kind
+from polhode.studies.sources import Kernels, source_of
 from sweeping import first
 
 EXACT = 1e-12  # rad and relative

@@ -6,7 +6,7 @@ from scipy.integrate import solve_ivp
 from scipy.spatial.transform import Rotation
 
 from polhode import InvalidInput, estimation
-from polhode.reports.throw import attitude_notes
+from polhode.studies.attitude_report import AttitudeReport
 
 MOMENTS = np.array([0.5, 0.8, 1.0])
 AXES = Rotation.random(rng=4)
@@ -45,8 +45,8 @@ def test_a_torque_and_the_inertia(with_rates):
     assert (fit.rate_sigma is None) != with_rates
     free = estimation.fit_attitude(t, quaternions)  # the wrong model is noticed, and said
     assert free.rms > 100 * fit.rms
-    assert "does not explain" in attitude_notes(free)[0]
-    assert not attitude_notes(fit)
+    assert "does not explain" in AttitudeReport("log", free, None).notes[0]
+    assert not AttitudeReport("log", fit, None).notes
 
 
 def test_no_torque_is_seen_where_there_is_none():

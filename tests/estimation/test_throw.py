@@ -17,7 +17,7 @@ from polhode.estimation.unmodelled import settled
 from polhode.figures.throw_figure import throw_figures
 from polhode.formats.gyro_logs import ReadLog
 from polhode.reports.answer import Group
-from polhode.reports.throw import throw_groups, throw_notes
+from polhode.studies.throw_report import ThrowReport
 
 WHOLE = [[Window(-1.0, 99.0)]]
 PHONE = BODIES["phone"]
@@ -126,9 +126,10 @@ def test_saturated_samples_and_outliers():
     fit = fit_throw(clean_log(log.times, rates), WHOLE, drag=False, gain=False)
     assert fit.clip == 8.0
     read = [ReadLog(clean_log(log.times, rates), "a mapping", "rad/s", None, ())]
-    [said] = [answer.words for group in throw_groups(fit, ["log"], read, None) if isinstance(group, Group)
+    report = ThrowReport(fit, ["log"], read, [], None)
+    [said] = [answer.words for group in report.answers if isinstance(group, Group)
               for answer in group.answers if answer.name == "clip"]  # fmt: skip
-    assert said == "458.366 deg/s (8 rad/s)" and said in throw_notes(fit, ["log"], read)[0]
+    assert said == "458.366 deg/s (8 rad/s)" and said in report.notes[0]
     assert (off(fit, PHONE) < FAR).all()
 
 
@@ -316,7 +317,7 @@ def test_errors_are_told_for_a_wheel_that_nothing_shows(seed):
     fit = fit_throw(clean_log(times, rates), [[Window(-0.01, 0.81)]])
     assert fit.rotor is None and off(fit, body).max() > 8.0
     assert (np.abs(fit.ratios.value - body[:2]) < 2.5 * fit.beside_wheel).all()
-    assert "assumed that no wheel turns" in " ".join(throw_notes(fit, [], []))
+    assert "assumed that no wheel turns" in " ".join(ThrowReport(fit, [], [], [], None).notes)
 
 
 @pytest.mark.parametrize("shape", [(0.9, 0.02), (0.1, 0.4)])

@@ -2,6 +2,7 @@
 
 import json
 import re
+from dataclasses import replace
 
 import matplotlib.image
 import numpy as np
@@ -11,7 +12,7 @@ import polhode as ph
 from polhode.cli.main import main
 from polhode.errors import InvalidInput
 from polhode.figures import style
-from polhode.figures.drawing import draw_all
+from polhode.formats.figure_file import is_ours
 from polhode.kinds.reading import read_spec
 
 FREE = """
@@ -47,13 +48,13 @@ def test_all_forms_of_all_figures_are_what_they_say(spec, tmp_path):
     figures = read.kind.figures()
     for folder, drawn in ((first, figures), (second, {name: figures[name] for name in NAMES[:2]})):
         folder.mkdir()
-        draw_all(report, drawn, folder, "png", "svg", "pdf")
+        replace(report, drawings=lambda drawn=drawn: drawn).draw(folder, "png", "svg", "pdf")
     assert {p.name for p in first.iterdir()} == {f"{name}.{form}" for name in NAMES for form in ("png", "svg", "pdf")}
     assert len(list(second.iterdir())) == 6
     for path in second.iterdir():
         assert path.read_bytes() == (first / path.name).read_bytes()
     for path in first.iterdir():
-        assert style.is_ours(path)
+        assert is_ours(path)
     for name in NAMES:
         assert matplotlib.image.imread(first / f"{name}.png")[..., :3].std() > 0.02
         drawing = (first / f"{name}.svg").read_text("utf-8")
@@ -96,9 +97,9 @@ def test_forms_that_are_none(spec, capsys, tmp_path, forms):
 def test_one_figure_by_its_name(spec):
     read = read_spec(spec)
     report = read.report()
-    assert len(read.kind.draw(report, "components").axes) == 2
+    assert len(report.figure("components").axes) == 2
     with pytest.raises(InvalidInput, match=r"inertia_ellipsoid.*'tilt'"):
-        read.kind.draw(report, "tilt")
+        report.figure("tilt")
     assert list(read.kind.figures()) == NAMES
 
 

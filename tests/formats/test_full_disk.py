@@ -16,6 +16,7 @@ import polhode as ph
 from polhode import formats
 from polhode.errors import InvalidInput
 from polhode.figures import style
+from polhode.formats.figure_file import save_figure
 from polhode.formats.paths import written_together, written_whole
 
 MOTION = ph.FreeMotion((1.0, 2.0, 3.0), (0.1, 2.0, 0.2)).sample(np.linspace(0.0, 60.0, 400))
@@ -27,7 +28,7 @@ def drawn(folder):
     figure.add_subplot().plot(MOTION.momentum)
     with written_together(folder) as draft:
         for form in ("png", "svg", "pdf"):
-            style.save(figure, draft / f"a.{form}")
+            save_figure(figure, draft / f"a.{form}")
 
 
 def text(path):

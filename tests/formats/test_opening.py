@@ -11,10 +11,10 @@ from pathlib import Path
 import pytest
 
 from polhode import formats
-from polhode.cli.sources import kind_of
 from polhode.errors import FormatError, InvalidInput
 from polhode.formats import opening
 from polhode.formats.opening import check_is_file, open_file, read_file, read_text
+from polhode.studies.sources import kind_of
 
 BROKEN = Path("/proc/self/mem")  # a regular file whose first byte cannot be read
 READERS = {

@@ -6,8 +6,6 @@ import numpy as np
 import pytest
 
 from polhode.cli.main import main
-from polhode.figures.drawing import draw_all
-from polhode.kinds.damped_body import KIND
 from polhode.kinds.damped_body.figures import draw_damped_motion, draw_damped_sphere
 from polhode.kinds.reading import read_spec
 from polhode.reports import length
@@ -118,7 +116,7 @@ def test_rest_spheres_and_starts_on_an_axis(report, tmp_path):
     values = rest.as_json_dict()
     assert values["axes"] == [] and values["summary"] == "The body is at rest." and values["time_constant"] is None
     json.dumps(values, allow_nan=False)
-    assert [path.name for path in draw_all(rest, KIND.figures(), tmp_path)] == ["motion.png"]
+    assert [path.name for path in rest.draw(tmp_path)] == ["motion.png"]
     ball = report('moments = ["2 kg*m^2", "2 kg*m^2", "2 kg*m^2"]', "damping = 0.1", 'rate = "1 rpm"\nabout = 2')
     assert [axis.verdict for axis in ball.axes] == ["stable"] * 3 and not ball.angle_to_major_axis.any()
     on_axis = report(TRIAXIAL, "damping = 0.1", 'rate = "1 rad/s"\nabout = 1')
@@ -140,7 +138,7 @@ def test_figures_show_the_path_or_samples_alone(report, tmp_path):
     assert names == ["direction of L", "levels of energy", "stable", "unstable"]
     apart = report(ROD, "damping = 0.1", 'rate = "3 rad/s"\nabout = 1\ntilt = "1 deg"', "samples = 30")
     assert draw_damped_sphere(apart).axes[0].get_legend().get_texts()[0].get_text() == "L at the samples"
-    assert {path.name for path in draw_all(apart, KIND.figures(), tmp_path)} == {"momentum_sphere.png", "motion.png"}
+    assert {path.name for path in apart.draw(tmp_path)} == {"momentum_sphere.png", "motion.png"}
 
 
 @pytest.mark.parametrize(

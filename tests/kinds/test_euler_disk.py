@@ -10,8 +10,6 @@ import pytest
 
 from polhode.cli.main import main
 from polhode.errors import InvalidInput
-from polhode.figures.drawing import draw_all
-from polhode.kinds.euler_disk import KIND
 from polhode.kinds.euler_disk.end_figure import draw_disk_end
 from polhode.kinds.euler_disk.path_figure import draw_contact_path
 from polhode.kinds.reading import read_spec
@@ -101,7 +99,7 @@ def test_how_a_disk_ends(ended):
     # what is left is that of its fall about the rim
     assert 0.0 < values["end_energy"] < 0.03 * values["start"]["energy"] and values["status"] == "flat"
     assert ended.notes == [] and "lies flat after 1.50" in values["summary"]
-    text = str([group.cells if isinstance(group, Table) else group.lines for group in ended.answers()])
+    text = str([group.cells if isinstance(group, Table) else group.lines for group in ended.answers])
     assert "not −1" in text and "1/2 (viscous-contour-friction)" in text
 
 
@@ -122,7 +120,7 @@ def test_the_path_is_the_last_turns_of_the_same_motion(ended):
 
 @pytest.mark.sweep
 def test_figures_say_what_they_show(ended, tmp_path):
-    for path in draw_all(ended, KIND.figures(), tmp_path):
+    for path in ended.draw(tmp_path):
         picture = matplotlib.image.imread(path)
         assert picture.shape[0] > 500 and picture[..., :3].std() > 0.02
     upper, lower = draw_disk_end(ended).axes

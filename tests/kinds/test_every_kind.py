@@ -13,15 +13,13 @@ import pytest
 
 from polhode.cli.main import main
 from polhode.errors import InvalidInput
-from polhode.figures.drawing import draw_all
 from polhode.formats.dataset import write_dataset
 from polhode.formats.dataset_reading import read_dataset
 from polhode.kinds import registry
 from polhode.kinds.page import page_of_report, write_page
 from polhode.kinds.reading import read_spec
 from polhode.kinds.registry import find_kind, kind_names
-from polhode.reports.answer import Table, values_of
-from polhode.reports.base import plain
+from polhode.reports.answer import Table, plain, values_of
 
 OWN = tuple(registry._folders())
 OTHERS = ("spherical-pendulum",)
@@ -84,7 +82,7 @@ def test_a_wrong_key_is_named(kind, spec, tmp_path):
 
 def test_its_words(report, kind):
     said = [report.summary, *report.notes]
-    for group in report.answers():
+    for group in report.answers:
         rows = group.cells if isinstance(group, Table) else group.lines
         said += [group.title, *(cell for row in rows for cell in row)]
     assert report.kind == kind.name and report.summary.endswith(".")
@@ -114,11 +112,11 @@ def test_what_it_conserves(moving):
 
 def test_its_figures(kind, report, tmp_path):
     assert tuple(kind.figures()) == kind.figure_names
-    written = draw_all(report, kind.figures(), tmp_path)
+    written = report.draw(tmp_path)
     assert written and {path.stem for path in written} <= set(kind.figure_names)
     assert all(path.read_bytes().startswith(b"\x89PNG") for path in written)
     with pytest.raises(InvalidInput, match="must be one of"):
-        kind.draw(report, "nonsense")
+        report.figure("nonsense")
 
 
 def test_its_files(moving, tmp_path):
@@ -132,7 +130,7 @@ def test_its_files(moving, tmp_path):
 
 
 def test_its_page(kind, spec, moving, tmp_path):
-    page = page_of_report(moving, tmp_path / "page.html", name=spec.name, surface=spec.surface).read_text("utf-8")
+    page = page_of_report(moving, tmp_path / "page.html", surface=spec.surface).read_text("utf-8")
     data = json.loads(re.search(r'id="motion">(.*?)</script>', page, re.DOTALL)[1])
     types = {panel["type"] for panel in data["panels"]}
     made = set(re.findall(r"polhodePanels \?\?= \{\}\)\.(\w+) =", page))

@@ -10,7 +10,6 @@ import xarray as xr
 import polhode as ph
 from polhode.errors import InvalidInput
 from polhode.figures.components_figure import components
-from polhode.figures.drawing import draw_all
 from polhode.figures.sphere_figure import momentum_sphere
 from polhode.formats.dataset import as_dataset, write_dataset
 from polhode.kinds.free_body.answers import free_body_report
@@ -41,7 +40,7 @@ def test_every_regime_is_reported_and_drawn(regime, tmp_path):
     assert values["regime"] == regime and values["summary"].endswith(".")
     json.dumps(values, allow_nan=False)
     assert len(values["axes"]) == 3 and all(axis["certificate"] for axis in values["axes"])
-    names = [path.name for path in draw_all(report, FIGURES, tmp_path)]
+    names = [path.name for path in replace(report, drawings=lambda: FIGURES).draw(tmp_path)]
     assert "components.png" in names and ("momentum_sphere.png" in names) == (regime != "rest")
     assert ("herpolhode.png" in names) == (regime not in ("rest", "spherical", "permanent"))
     for name in names:
@@ -171,4 +170,4 @@ def test_only_what_turns_over_has_a_flip_interval():
         values = report.as_json_dict()
         assert (values["form"] == "flipping") == flips
         assert (values["flip_interval"] is not None) == (values["twist_per_flip"] is not None) == flips
-        assert ("flip" in str([group.lines for group in report.answers() if hasattr(group, "lines")])) == flips
+        assert ("flip" in str([group.lines for group in report.answers if hasattr(group, "lines")])) == flips

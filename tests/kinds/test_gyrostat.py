@@ -10,8 +10,6 @@ import polhode as ph
 from polhode.analysis import mean_winding_rate, steady_rotations
 from polhode.cli.main import main
 from polhode.errors import InvalidInput
-from polhode.figures.drawing import draw_all
-from polhode.kinds.gyrostat import KIND
 from polhode.kinds.reading import read_spec
 from polhode.systems import DoubleBracket
 from polhode.systems.gyrostat import Gyrostat
@@ -243,7 +241,7 @@ def test_at_rest_and_spun_up_from_rest(spec, tmp_path):
     still = read_spec(spec(SYMMETRIC, ALONG_3.replace("1.4", "0"), time="samples = 5")).report()
     values = still.as_json_dict()
     assert values["equilibria"] == [] and values["momentum_norm"] == 0.0 and values["summary"].endswith(".")
-    assert [path.name for path in draw_all(still, KIND.figures(), tmp_path)] == ["motion.png"]
+    assert [path.name for path in still.draw(tmp_path)] == ["motion.png"]
     motor = ALONG_3.replace("1.4", "0") + '\nmotor_torque = "0.1 N*m"'
     up = read_spec(spec(SYMMETRIC, motor, time="samples = 5")).report()
     # momenta stay opposite: (I3 − J) Ω3 = −u t, and the rotor gains u t
@@ -263,7 +261,7 @@ def test_figures_show_motion_and_equilibria(spec, tmp_path):
     upper, lower = draw_gyrostat_motion(report).axes
     assert "[rad/s]" in upper.get_ylabel() and "[°]" in lower.get_ylabel() and "[s]" in lower.get_xlabel()
     assert upper.lines[1].get_ydata() == pytest.approx(report.trajectory.angular_velocity[:, 1])
-    assert {path.name for path in draw_all(report, KIND.figures(), tmp_path)} == {"momentum_sphere.png", "motion.png"}
+    assert {path.name for path in report.draw(tmp_path)} == {"momentum_sphere.png", "motion.png"}
 
 
 @pytest.mark.parametrize(

@@ -8,8 +8,6 @@ import numpy as np
 import pytest
 
 from polhode.errors import InvalidInput
-from polhode.figures.drawing import draw_all
-from polhode.kinds.point_vortices import KIND
 from polhode.kinds.reading import read_spec
 
 SHORT = '[time]\nuntil = "1 s"\nsamples = 20\n'
@@ -72,7 +70,7 @@ def test_eight_need_half_a_ninth(spec, middle, verdict):
 def test_figures_of_each_surface(spec, tmp_path):
     for k, places in enumerate(('ring_radius = "1 m"', 'coordinates = [["80 deg", "0 deg"], ["-60 deg", "45 deg"]]')):
         (tmp_path / str(k)).mkdir()
-        drawn = draw_all(spec(f"{strengths(1, -2)}\n{places}").report(), KIND.figures(), tmp_path / str(k))
+        drawn = spec(f"{strengths(1, -2)}\n{places}").report().draw(tmp_path / str(k))
         assert [path.stem for path in drawn] == ["tracks", "streamlines"]
 
 

@@ -9,10 +9,8 @@ import xarray as xr
 
 from polhode.cli.main import main
 from polhode.figures import style
-from polhode.figures.drawing import draw_all
 from polhode.formats.dataset import as_dataset
 from polhode.kinds.reading import read_spec
-from polhode.kinds.spin_orbit import KIND
 from polhode.kinds.spin_orbit.history_figure import draw_spin_history
 from polhode.kinds.spin_orbit.section_figure import draw_spin_section
 from polhode.reports.answer import Table
@@ -71,7 +69,7 @@ def test_shape_from_a_body_and_orbit_from_its_size(report):
     assert values["orbital_period"] == pytest.approx(2 * np.pi * np.sqrt(3.844e8**3 / 4.035e14), rel=1e-14)
     assert values["overlap_threshold"] is None and not values["chaos_expected"] and len(values["notes"]) == 1
     assert values["principal_moments"] == [1.0, 2.5, 3.0] and found.trajectory.frame is not None
-    words = str([group.cells if isinstance(group, Table) else group.lines for group in found.answers()])
+    words = str([group.cells if isinstance(group, Table) else group.lines for group in found.answers])
     assert "pendulum" in words and "1:1" in words and "3:2" not in words
 
 
@@ -94,7 +92,7 @@ def test_chaos_is_said_with_how_long_it_can_be_followed(report):
 def test_figures(report, tmp_path):
     found = report()
     (tmp_path / "out").mkdir()
-    for path in draw_all(found, KIND.figures(), tmp_path / "out"):
+    for path in found.draw(tmp_path / "out"):
         picture = matplotlib.image.imread(path)
         assert picture.shape[0] > 500 and picture[..., :3].std() > 0.02
     axes, _ = draw_spin_section(found).axes

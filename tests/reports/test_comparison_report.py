@@ -6,7 +6,7 @@ import numpy as np
 
 from polhode import FreeMotion, rotation
 from polhode.analysis.comparison import AttitudeHistory, compare
-from polhode.reports.comparison import ComparisonReport
+from polhode.studies.comparison_report import ComparisonReport
 
 MOTION = FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5))
 TIMES = np.linspace(0.0, 10.0, 50)
@@ -16,7 +16,7 @@ HISTORY = AttitudeHistory("samples", TIMES, MOTION.attitude(TIMES))
 def lines(turn):
     turned = rotation.multiply(rotation.from_rotation_vector((0.0, 0.0, turn)), HISTORY.attitude)
     report = ComparisonReport(compare(replace(HISTORY, attitude=turned), HISTORY), "")
-    return dict(next(group for group in report.answers() if group.title == "Angle between them").lines), report
+    return dict(next(group for group in report.answers if group.title == "Angle between them").lines), report
 
 
 def test_digits_of_rounding_are_not_shown():
@@ -26,8 +26,8 @@ def test_digits_of_rounding_are_not_shown():
     assert "e-18" not in " ".join(tiny.values()) and "3.0e-16 rad: to rounding" in report.summary
     seen, report = lines(1e-9)
     assert seen["largest"].startswith("1.0000") and "growth, best line" in seen
-    assert "Best fit" in report.answers()[2].title
-    assert all("Best fit" not in section.title for section in lines(1e-13)[1].answers())
+    assert "Best fit" in report.answers[3].title
+    assert all("Best fit" not in section.title for section in lines(1e-13)[1].answers)
 
 
 def test_one_common_time_says_nothing_of_others():
@@ -37,4 +37,4 @@ def test_one_common_time_says_nothing_of_others():
     turned = rotation.multiply(rotation.from_rotation_vector((0.0, 0.0, 0.1)), HISTORY.attitude)
     other = ComparisonReport(compare(one, replace(HISTORY, attitude=turned)), "")
     assert other.summary.startswith("They differ by") and "only time" in other.summary
-    assert all("Best fit" not in section.title for section in other.answers())
+    assert all("Best fit" not in section.title for section in other.answers)

@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 
 from polhode.analysis.comparison import AttitudeHistory, compare
 from polhode.reports.answer import values_of
-from polhode.reports.comparison import ComparisonReport
 from polhode.reports.wording import known_digits, uncertain
+from polhode.studies.comparison_report import ComparisonReport
 
 NUMBER = r"[-+]?\d+(?:\.\d+)?(?:e[-+]\d+)?"
 PAIR = re.compile(rf"({NUMBER}) ± ({NUMBER})")
@@ -61,9 +61,9 @@ def test_a_comparison_has_no_digits_finer_than_what_interpolation_misses():
     still = AttitudeHistory("still", times, np.tile([1.0, 0.0, 0.0, 0.0], (12, 1)))
     turning = AttitudeHistory("turning", times, np.stack([np.cos(half), 0 * half, 0 * half, np.sin(half)], axis=-1))
     report = ComparisonReport(replace(compare(turning, still), interpolation_error=2e-3), "")
-    lines = {label: words for group in report.answers() for label, words in getattr(group, "lines", ())}
+    lines = {label: words for group in report.answers for label, words in getattr(group, "lines", ())}
     assert lines["largest"] == "0.21 rad = 12°"
     said = [report.summary, lines["rms"], lines["body axes misaligned by"]]
     numbers = re.findall(NUMBER, " ".join(said))
     assert all(len(re.sub(r"e.*|\D|^0+", "", number.lstrip("-0."))) <= 3 for number in numbers), numbers
-    assert values_of(report.answers())["angle"]["largest"] == pytest.approx(0.21, rel=1e-12)
+    assert values_of(report.answers)["angle"]["largest"] == pytest.approx(0.21, rel=1e-12)

@@ -8,8 +8,8 @@ import pytest
 import judged
 from judged import faults_of, run
 from polhode.errors import PolhodeError
-from polhode.figures import drawing
 from polhode.kinds.reading import read_spec
+from polhode.reports.report import Report
 from polhode.reports.wording import duration, number
 from spec.ends import at_end, host_of, hosts_of, keys_of
 from spec.mutations import EXAMPLES, FILES, KINDS
@@ -84,7 +84,7 @@ def test_specs_are_read_or_refused(hosts, folder, any_type):
 
 
 def test_reports_are_made_or_refused(hosts, folder, any_type, monkeypatch):
-    monkeypatch.setattr(drawing, "draw_all", lambda *_: [])
+    monkeypatch.setattr(Report, "draw", lambda *_: [])
     chance = random.Random(1)
     found = {}
     for kind in KINDS:

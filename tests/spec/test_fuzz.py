@@ -16,8 +16,7 @@ from polhode.cli.render import as_json, print_report
 from polhode.errors import PolhodeError
 from polhode.kinds.reading import read_spec
 from polhode.reports.about import about_body
-from polhode.reports.answer import values_of
-from polhode.reports.base import plain
+from polhode.reports.answer import plain, values_of
 from spec.mutations import CHANGE, EXAMPLES, FILES, KEYS, KINDS, bases, mutated
 
 LONGEST_MESSAGE = 2000  # characters
@@ -59,7 +58,7 @@ def printed_report(spec):
     report = spec.report()
     written = io.StringIO()
     with contextlib.redirect_stdout(written):
-        print_report(spec.name, report.summary, report.answers(), report.notes, [])
+        print_report(spec.name, report.summary, report.answers, report.notes, [])
     return written.getvalue(), as_json(report.as_json_dict())
 
 

@@ -221,7 +221,7 @@ def test_what_holds_a_top(tmp_path):
     for name, pivot in (("precessing_top", "post"), ("top", "ground")):
         spec = read_spec(EXAMPLES / f"{name}.toml")
         report = spec.report()
-        page = page_of_report(report, tmp_path / "top.html", name=name, surface=spec.surface)
+        page = page_of_report(report, tmp_path / "top.html", surface=spec.surface)
         drawn = data_of(page)["panels"][0]
         assert drawn["pivot"] == pivot and "along" not in drawn
     flat = report.trajectory
@@ -254,8 +254,8 @@ def test_frame_of_a_notebook_needs_no_quotes_of_the_page():
 
 def test_page_of_a_report(tmp_path):
     body = ph.shapes.box(1.0, (0.3, 0.2, 0.1))
-    report = free_body_report(body, np.array([0.0, 0.01, 1e-4]), np.array([1.0, 0.0, 0.0, 0.0]))
-    data = data_of(page_of_report(report, tmp_path / "page.html", name="box"))
+    report = replace(free_body_report(body, (0.0, 0.01, 1e-4), (1.0, 0.0, 0.0, 0.0)), name="box")
+    data = data_of(page_of_report(report, tmp_path / "page.html"))
     assert data["summary"] == report.summary and data["name"] == "box"
     assert set(data["drift"]) == {"energy", "momentum_norm", "momentum_space"}
 

@@ -8,7 +8,7 @@ from polhode.cli.publish import publish
 from polhode.errors import InvalidInput
 from polhode.kinds.reading import read_spec
 from polhode.reports.about import about_body
-from polhode.reports.report import Report
+from polhode.reports.report import PlainReport
 from polhode.spec.remarks import remarks_on_body
 
 
@@ -17,4 +17,4 @@ def run_body(path: Path, json: bool) -> None:
     spec = read_spec(path)
     if spec.body is None:
         raise InvalidInput(f"{path}: has no [body]; its system brings sizes of its own. Ask for the report.")
-    publish(Report(spec.name, "body", "", [about_body(spec.body)], remarks_on_body(spec.body)), json)
+    publish(PlainReport(spec.name, "body", "", [about_body(spec.body)], remarks_on_body(spec.body)), json)

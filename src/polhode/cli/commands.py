@@ -213,14 +213,12 @@ def fit(
     code is 3 where the logs do not tell the inertia; the report says why.
     """
     from polhode.cli.columns import ColumnOptions
-    from polhode.cli.fit import FitFiles, run_fit
-    from polhode.cli.fit_scale import ScaleOptions
-    from polhode.cli.fit_throw import ThrowOptions
+    from polhode.cli.fit import run_fit
+    from polhode.studies.throws import ThrowOptions
 
     columns = ColumnOptions(mapping, time, time_unit, quat, order, direction, euler, sequence, gyro, unit, decimal)
-    scale = ScaleOptions(moment, mass, added_weight, weighted or [])
-    throw = ThrowOptions(window or [], drag, gain, clip, figures, torque, rotor)
-    run_fit(FitFiles(files, free, out, json), throw, scale, columns)
+    given = ThrowOptions(window or (), drag, torque, rotor, gain, clip, moment, mass, added_weight, weighted or ())
+    run_fit(files, free, given, columns, out, figures, json)
 
 
 @app.command(cls=StrictCommand)
@@ -274,7 +272,7 @@ def import_(
     """
     from polhode.cli.columns import ColumnOptions
     from polhode.cli.importing import run_import
-    from polhode.cli.sources import Kernels
+    from polhode.studies.sources import Kernels
 
     columns = ColumnOptions(mapping, time, time_unit, quat, order, direction, euler, sequence, gyro, unit, decimal)
     run_import(file, json, out, spec, Kernels(sclk, fk, lsk, spice_id), columns)
@@ -315,7 +313,7 @@ def compare(
     """
     from polhode.cli.columns import ColumnOptions
     from polhode.cli.compare import run_compare
-    from polhode.cli.sources import Kernels
+    from polhode.studies.sources import Kernels
 
     columns = ColumnOptions(mapping, time, time_unit, quat, order, direction, euler, sequence, gyro, unit, decimal)
     run_compare(a, b, json, out, spec, Kernels(sclk, fk, lsk, spice_id), columns, offset)

@@ -12,12 +12,12 @@ from importlib import import_module
 from pathlib import Path
 
 from polhode.cli.destinations import check_spares
-from polhode.cli.sources import moving_report_of, report_of
+from polhode.cli.spec_reports import moving_report_of, report_of
 from polhode.errors import FormatError, InvalidInput, one_line, shown
 from polhode.formats.dataset import label_attributes
 from polhode.kinds.base import Spec
 from polhode.kinds.reading import read_spec
-from polhode.reports.base import AbstractMotionReport, AbstractReport
+from polhode.reports.base import MotionReport, SystemReport
 
 _HERE = "polhode.cli.export"
 
@@ -99,15 +99,15 @@ def run_export(path: Path, forms: Sequence[str], out: Path | None) -> None:
         ours = function == FORMS[form].home[1]
         holds = FORMS[form].holds if ours else "levels and lines with their units; bit for bit"
         count = part = ""
-        if isinstance(report, AbstractMotionReport):
+        if isinstance(report, MotionReport):
             count = f"{len(report.trajectory.times)} samples, " if FORMS[form].sampled else ""
             part = _shown_part(report) if form == "gltf" else ""
         print(one_line(f"{written}: {count}{holds}{part}"))
-        if form in ("aem", "ck") and isinstance(report, AbstractMotionReport):
+        if form in ("aem", "ck") and isinstance(report, MotionReport):
             _warn_of_long_turns(report, form)
 
 
-def _shown_part(report: AbstractMotionReport) -> str:
+def _shown_part(report: MotionReport) -> str:
     """Return which part of the motion an animation shows, if it is not all of it."""
     all_of_it, shown = report.trajectory.times, report.shown.times
     if shown[0] <= all_of_it[0] and shown[-1] >= all_of_it[-1]:
@@ -115,7 +115,7 @@ def _shown_part(report: AbstractMotionReport) -> str:
     return f"; it shows the motion from {shown[0]:.6g} s to {shown[-1]:.6g} s, of {all_of_it[-1]:.6g} s"
 
 
-def _warn_of_long_turns(report: AbstractMotionReport, form: str) -> None:
+def _warn_of_long_turns(report: MotionReport, form: str) -> None:
     """Say so where the body turns so far between samples that readers, who interpolate, go wrong."""
     from polhode.formats.animation_keys import FARTHEST, farthest_turn
 
@@ -125,14 +125,14 @@ def _warn_of_long_turns(report: AbstractMotionReport, form: str) -> None:
               "take a shorter `until`.", file=sys.stderr)  # fmt: skip
 
 
-def export_netcdf(report: AbstractMotionReport, spec: Spec, path: Path) -> Path:
+def export_netcdf(report: MotionReport, spec: Spec, path: Path) -> Path:
     """Write the report's trajectory as NetCDF."""
     from polhode.formats.dataset import write_dataset
 
     return write_dataset(report.trajectory, path, _attributes(spec))
 
 
-def export_zarr(report: AbstractMotionReport, spec: Spec, path: Path) -> Path:
+def export_zarr(report: MotionReport, spec: Spec, path: Path) -> Path:
     """Write the report's trajectory as a Zarr store."""
     from polhode.formats.dataset import write_zarr
 
@@ -143,14 +143,14 @@ def _attributes(spec: Spec) -> dict[str, str]:
     return {"title": spec.name} | label_attributes(spec.labels)
 
 
-def export_csv(report: AbstractMotionReport, spec: Spec, path: Path) -> Path:
+def export_csv(report: MotionReport, spec: Spec, path: Path) -> Path:
     """Write the report's trajectory as a table."""
     from polhode.formats.csv_table import write_csv
 
     return write_csv(report.trajectory, path)
 
 
-def export_aem(report: AbstractMotionReport, spec: Spec, path: Path) -> Path:
+def export_aem(report: MotionReport, spec: Spec, path: Path) -> Path:
     """Write the report's attitude history as a CCSDS AEM, with angular velocities where there are any."""
     from polhode.formats.aem import write_aem
 
@@ -158,21 +158,21 @@ def export_aem(report: AbstractMotionReport, spec: Spec, path: Path) -> Path:
     return write_aem(report.trajectory, path, spec.labels, rates)
 
 
-def export_ck(report: AbstractMotionReport, spec: Spec, path: Path) -> Path:
+def export_ck(report: MotionReport, spec: Spec, path: Path) -> Path:
     """Write the report's attitude history as a SPICE C-kernel, and the kernels that it needs next to it."""
     from polhode.formats.spice import write_ck
 
     return write_ck(report.trajectory, path, labels=spec.labels)[0]
 
 
-def export_gltf(report: AbstractMotionReport, spec: Spec, path: Path) -> Path:
+def export_gltf(report: MotionReport, spec: Spec, path: Path) -> Path:
     """Write the motion as an animation of the body's surface, or of a box with its inertia."""
     from polhode.formats.gltf import write_gltf
 
     return write_gltf(report.shown, path, labels=spec.labels, surface=spec.surface)
 
 
-def export_urdf(report: AbstractReport, spec: Spec, path: Path) -> Path:
+def export_urdf(report: SystemReport, spec: Spec, path: Path) -> Path:
     """Write the body's mass properties as a robot's link."""
     from polhode.formats.urdf import write_urdf_inertial
 
@@ -181,7 +181,7 @@ def export_urdf(report: AbstractReport, spec: Spec, path: Path) -> Path:
     return write_urdf_inertial(spec.body, path, spec.name)
 
 
-def export_spectrum(report: AbstractReport, spec: Spec, path: Path) -> Path:
+def export_spectrum(report: SystemReport, spec: Spec, path: Path) -> Path:
     """Write a molecule's levels, and its lines if it has a dipole, as NetCDF."""
     from polhode.formats.rotor_dataset import rotor_attributes, write_spectrum
     from polhode.spec.rotors import check_summable
@@ -196,7 +196,7 @@ def export_spectrum(report: AbstractReport, spec: Spec, path: Path) -> Path:
     return path
 
 
-def export_cat(report: AbstractReport, spec: Spec, path: Path) -> Path:
+def export_cat(report: SystemReport, spec: Spec, path: Path) -> Path:
     """Write a molecule's lines as a catalogue."""
     from polhode.formats.spcat import catalogue_of, write_cat
     from polhode.spec.rotors import check_summable
@@ -211,7 +211,7 @@ def export_cat(report: AbstractReport, spec: Spec, path: Path) -> Path:
     return path
 
 
-def export_par(report: AbstractReport, spec: Spec, path: Path) -> Path:
+def export_par(report: SystemReport, spec: Spec, path: Path) -> Path:
     """Write a molecule's constants as the field's programs read them."""
     from polhode.formats.spfit_constants import constant_table, write_par
 

@@ -2,49 +2,58 @@
 
 from __future__ import annotations
 
+import sys
+from collections.abc import Callable
 from pathlib import Path
-from typing import NamedTuple
 
 import typer
 
-from polhode.cli.columns import ColumnOptions
-from polhode.cli.fit_scale import ScaleOptions, scale_of
-from polhode.cli.fit_throw import ThrowOptions, named, run_fit_throw
-from polhode.errors import InvalidInput
+from polhode.cli.columns import ColumnOptions, table_to_import
+from polhode.cli.destinations import check_spares
+from polhode.cli.publish import publish
+from polhode.studies.fit import fit_files
+from polhode.studies.naming import as_option
+from polhode.studies.throws import ThrowOptions
 
-NOT_TOLD = 3  # exit code, where a report says that the logs do not tell the inertia
-LINES = ".lin"
-STARTS = (".toml", ".xyz", ".extxyz", ".pdb", ".mol", ".sdf")
-"""Files that a fit to measured lines can start from; none of them is a log."""
-
-
-class FitFiles(NamedTuple):
-    """What a fit reads and writes."""
-
-    files: list[Path]
-    free: str | None
-    out: Path | None
-    json: bool
+NOT_DETERMINED = 3  # exit code, where a report says that the logs do not tell the inertia
+EVERY = 1_000_000  # lines, after which progress is told
 
 
-def run_fit(given: FitFiles, throw: ThrowOptions, scale: ScaleOptions, columns: ColumnOptions) -> None:
-    """Fit what the files are of: a molecule where the first is a spec or atoms, a thrown body otherwise.
+def run_fit(
+    files: list[Path], free: str | None, options: ThrowOptions, columns: ColumnOptions, out: Path | None,
+    figures: Path | None, json: bool,
+) -> None:  # fmt: skip
+    """Fit what the files are of, print what they say, and write data and figures where asked for.
 
     Raises:
         typer.Exit: with code 3 where the report says that the inertia is not determined.
     """
-    files = given.files
-    if files[0].suffix.lower() in STARTS or files[-1].suffix.lower() == LINES:
-        if len(files) != 2:
-            raise InvalidInput(f"{files[0]}: a molecule is fitted to one file of lines; got {len(files) - 1}. Write "
-                               f"polhode fit SPEC LINES{LINES}.")  # fmt: skip
-        if wrong := [*named(throw), *named(scale), *(f"--{name.replace('_', '-')}" for name in columns.words)]:
-            raise InvalidInput(f"{', '.join(wrong)} is for gyro logs, and {files[0]} is a molecule. Leave it out.")
-        from polhode.cli.fit_rotor import run_fit_rotor
+    if out is not None:
+        for path in (*files, *options.weighted):
+            check_spares(out, path)
+    # alone it is the unit of a known app's table, of which the rest is known
+    unit = columns.unit if columns.mapping is None and columns.words.keys() == {"unit"} else None
+    options = options._replace(table=None if unit else table_to_import(columns), unit=unit)
 
-        run_fit_rotor(files[0], files[1], given.free, given.out, given.json)
-        return
-    if given.free is not None:
-        raise InvalidInput("--free names constants of a molecule, and gyro logs are given. Leave it out.")
-    if not run_fit_throw(files, throw, scale_of(scale), scale.weighted, columns, given.out, given.json):
-        raise typer.Exit(NOT_TOLD)
+    def called(name: str) -> str:
+        if name == "columns":
+            return ", ".join(map(as_option, columns.words or ["mapping"]))
+        return as_option("window" if name == "windows" else name)  # which is given at a time here
+
+    report = fit_files(files, None if free is None else free.split(","), options, called, _progress)
+    publish(report, json, out, figures)
+    if not report.determined:
+        raise typer.Exit(NOT_DETERMINED)
+
+
+def _progress(path: Path) -> Callable[[int], None]:
+    """Return what tells a person who waits how far the reading is; files of few lines tell nothing."""
+    told = 0
+
+    def tell(line: int) -> None:
+        nonlocal told
+        if line - told >= EVERY:
+            told = line
+            print(f"{path.name}: {line} lines read", file=sys.stderr, flush=True)
+
+    return tell

@@ -9,10 +9,9 @@ import numpy as np
 
 from polhode import rotation
 from polhode.analysis.mechanics import Mechanics, invariants_along
-from polhode.cli.columns import ColumnOptions, about_reading, notes_on_reading, table_to_import
+from polhode.cli.columns import ColumnOptions, table_to_import
 from polhode.cli.destinations import check_spares
 from polhode.cli.publish import publish
-from polhode.cli.sources import COUNTED_FROM, KINDS, KINDS_IN_WORDS, Kernels, begin_of, body_of, read_recorded
 from polhode.errors import InvalidInput, one_line
 from polhode.formats.labels import AttitudeLabels
 from polhode.formats.stamps import in_words
@@ -20,8 +19,10 @@ from polhode.motion.frame import BodyFrame
 from polhode.motion.layout import ANGULAR_VELOCITY, ATTITUDE, MOMENTUM, StateLayout
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.answer import Answer, Group
-from polhode.reports.report import Report
+from polhode.reports.report import PlainReport
 from polhode.reports.wording import counted, drifts, rate
+from polhode.studies.sources import COUNTED_FROM, KINDS, KINDS_IN_WORDS, Kernels, begin_of, body_of, read_recorded
+from polhode.studies.tables import about_reading, notes_on_reading
 
 
 def run_import(
@@ -57,7 +58,7 @@ def run_import(
     name = KINDS[kind]
     summary = f"{name[0].upper()}{name[1:]} with {counted(len(trajectory.times), what)}."
     groups.append(Group("", [Answer("drift", trajectory.drift)]))
-    report = Report(str(path), name, summary, groups, notes, data=lambda out: write_dataset(trajectory, out, header))
+    report = PlainReport(str(path), name, summary, groups, notes, lambda out: write_dataset(trajectory, out, header))
     publish(report, json, written)
 
 

@@ -24,14 +24,14 @@ from pydantic import BaseModel
 
 from polhode.formats.opening import content_digest, files_recorded
 from polhode.kinds.base import Spec
-from polhode.reports.base import AbstractReport
+from polhode.reports.base import SystemReport
 from polhode.reports.program import program_digest
 
 FOLDER = "POLHODE_REPORTS_CACHE"  # in the environment: where reports are kept; empty to keep none
 MOST, LARGEST = 32, 50_000_000  # reports, and bytes of one
 
 
-def kept_report(spec: Spec) -> AbstractReport:
+def kept_report(spec: Spec) -> SystemReport:
     """Return the report on a spec, as it was kept or computed now.
 
     Raises:
@@ -54,7 +54,7 @@ def kept_report(spec: Spec) -> AbstractReport:
     return found
 
 
-def _load(place: Path) -> AbstractReport | None:
+def _load(place: Path) -> SystemReport | None:
     try:
         with place.open("rb") as file:
             if pickle.load(file):  # whether there are arrays of JAX, which are cut to 32 bits unless told otherwise
@@ -66,10 +66,10 @@ def _load(place: Path) -> AbstractReport | None:
         os.utime(place)
     except Exception:  # missing, damaged in whatever way, or not to be read
         return None
-    return found if isinstance(found, AbstractReport) else None
+    return found if isinstance(found, SystemReport) else None
 
 
-def _keep(report: AbstractReport, read: dict[Path, str], place: Path) -> None:
+def _keep(report: SystemReport, read: dict[Path, str], place: Path) -> None:
     packed = pickle.dumps("jax" in sys.modules) + pickle.dumps(read) + pickle.dumps(report)
     if len(packed) > LARGEST:
         return

@@ -6,12 +6,15 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from polhode.cli.render import as_json, print_report
+from polhode.errors import InvalidInput
+from polhode.formats.paths import written_together
 from polhode.reports.report import Report
 
 
 def publish(
-    report: Report, json: bool, data: Path | None = None, figures: Path | None = None, following: str = ""
-) -> None:
+    report: Report, json: bool, data: Path | None = None, figures: Path | None = None, *, written: Sequence[str] = (),
+    removed: Sequence[str] | None = None, certificates: bool = False, following: str = "",
+) -> None:  # fmt: skip
     """Write a report's data and figures where asked for, and print it.
 
     Args:
@@ -19,30 +22,28 @@ def publish(
         json: whether it is printed as one JSON object, which always has name, kind, summary, units, notes and files.
         data: file for what was found, of a report that has data.
         figures: folder for the figures.
+        written: files that the command has written itself.
+        removed: files of an earlier report that it has removed; None for a command that removes none.
+        certificates: whether the functions that verdicts rest on are printed as well.
         following: a command to try next.
 
     Raises:
-        InvalidInput: if a file cannot be written.
+        InvalidInput: if a file cannot be written, and for figures of a report that has none.
     """
-    files = [*_data(report, data), *_figures(report, figures)]
+    if figures is not None and not report.figures():
+        raise InvalidInput(f"--figures: a report of kind {report.kind} has no figures. Leave it out.")
+    files = [*written, *([] if data is None else [str(report.save(data))]), *_figures(report, figures)]
     if json:
-        print(as_json({**report.as_json_dict(), "files": files}))
+        ends = {"files": files} | ({} if removed is None else {"removed": removed})
+        print(as_json({**report.as_json_dict(), **ends}))
     else:
-        print_report(report.name, report.summary, report.answers, report.notes, files, following=following)
-
-
-def _data(report: Report, path: Path | None) -> Sequence[str]:
-    if path is None or report.data is None:
-        return []
-    return [str(report.data(path))]
+        print_report(report.name, report.summary, report.answers, report.notes, files, removed or (), certificates,
+                     following)  # fmt: skip
 
 
 def _figures(report: Report, folder: Path | None) -> Sequence[str]:
     if folder is None:
         return []
-    from polhode.figures.style import save
-    from polhode.formats.paths import written_together
-
     with written_together(folder) as draft:
-        drawn = [save(figure, draft / f"{name}.png") for name, figure in report.plot().items()]
+        drawn = report.draw(draft)
     return [str(folder / path.name) for path in drawn]

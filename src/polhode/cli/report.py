@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from polhode.cli.render import as_json, print_report
-from polhode.cli.sources import report_of, shown_report_of
+from polhode.cli.publish import publish
+from polhode.cli.spec_reports import report_of, shown_report_of
 from polhode.cli.terminal import as_typed
 from polhode.errors import InvalidInput, shown
+from polhode.formats.figure_file import is_ours
 from polhode.formats.paths import written_together
 from polhode.kinds.reading import read_spec
 from polhode.kinds.registry import known_figures, next_steps
-from polhode.reports.base import AbstractMotionReport
 
 FORMS = ("png", "svg", "pdf")
 
@@ -39,26 +39,17 @@ def run_report(
     folder = out or Path(path.stem if path.suffix else f"{path.name}_report")
     report = shown_report_of(path, spec) if html else report_of(path, spec)
     with written_together(folder) as draft:
-        from polhode.figures.drawing import draw_all
-
-        files = draw_all(report, spec.kind.figures(), draft, *forms)
-        if isinstance(report, AbstractMotionReport):
-            from polhode.formats.dataset import write_dataset
-
-            files.append(write_dataset(report.trajectory, draft / "motion.nc", {"title": spec.name}))
+        files = report.draw(draft, *forms)
+        if report.data_file:
+            files.append(report.save(draft / report.data_file))
         if html:
             from polhode.kinds.page import page_of_report
 
-            files.append(page_of_report(report, draft / "page.html", name=spec.name, surface=spec.surface))
+            files.append(page_of_report(report, draft / "page.html", surface=spec.surface))
     names = [str(folder / file.name) for file in files]
     removed = _remove_outdated(folder, [file.name for file in files])
-    if json:
-        print(as_json({"name": spec.name, **report.as_json_dict(), "files": names, "removed": removed}))
-    else:
-        following = "; ".join(f"{as_typed(step.command, str(path))} {step.gives}" for step in next_steps(spec))
-        print_report(
-            spec.name, report.summary, report.answers(), report.notes, names, removed, certificates, following
-        )
+    following = "; ".join(f"{as_typed(step.command, str(path))} {step.gives}" for step in next_steps(spec))
+    publish(report, json, written=names, removed=removed, certificates=certificates, following=following)
 
 
 def _remove_outdated(folder: Path, written: list[str]) -> list[str]:
@@ -66,14 +57,12 @@ def _remove_outdated(folder: Path, written: list[str]) -> list[str]:
 
     What another command wrote, or somebody renamed, stays.
     """
-    from polhode.figures import style
-
     known = {f"{name}.{form}" for name in known_figures() for form in FORMS}
     outdated = sorted(folder / name for name in known - set(written))
     removed = []
     for path in outdated:
         try:
-            if style.is_ours(path):
+            if is_ours(path):
                 path.unlink()
                 removed.append(str(path))
         except OSError as error:

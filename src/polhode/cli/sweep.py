@@ -10,12 +10,10 @@ from pathlib import Path
 from typing import NamedTuple
 
 from polhode.cli.publish import publish
-from polhode.cli.render import as_json, print_report
 from polhode.cli.stopping import Stopped
 from polhode.errors import InvalidInput
-from polhode.formats.paths import written_together
 from polhode.reports.answer import Answer, Group
-from polhode.reports.report import Report
+from polhode.reports.report import PlainReport
 from polhode.reports.wording import in_its_unit
 from polhode.sweeps.answers import SweepReport
 from polhode.sweeps.plan import read_plan
@@ -59,11 +57,7 @@ def run_sweep(path: Path, options: SweepOptions) -> None:
         sys.stderr.write(kept if done else "")
         raise
     report = SweepReport(sweep, store)
-    files = [str(out)] if options.no_figures else [str(out), *_drawn(report, out)]
-    if options.json:
-        print(as_json({"name": path.stem, **report.as_json_dict(), "files": files}))
-    else:
-        print_report(path.stem, report.summary, report.answers(), report.notes, files)
+    publish(report, options.json, figures=None if options.no_figures else folder, written=[str(out)])
 
 
 @contextmanager
@@ -97,16 +91,6 @@ class _Lines:
         sys.stderr.flush()
 
 
-def _drawn(report: SweepReport, out: Path) -> list[str]:
-    from polhode.figures.drawing import draw_all
-    from polhode.sweeps.figures import FIGURES
-
-    folder = _figures_of(out)
-    with written_together(folder) as draft:
-        files = draw_all(report, FIGURES, draft)
-    return [str(folder / file.name) for file in files]
-
-
 def _figures_of(out: Path) -> Path:
     """Return the folder beside a store, whose name may stand behind ``.`` or ``..``.
 
@@ -137,6 +121,6 @@ def _print_cost(sweep: Sweep, out: Path, seconds: float, workers: int, options: 
         Answer("store_size", sweep.bytes, "B", "store, at most", "", in_bytes(sweep.bytes)),
         Answer("chunk_memory", sweep.chunk_bytes, "B", "memory for a chunk's arrays", "", in_bytes(sweep.chunk_bytes)),
     ])  # fmt: skip
-    report = Report(sweep.plan.path.stem, "cost of a sweep", "Nothing is computed in a dry run.", [group])
+    report = PlainReport(sweep.plan.path.stem, "cost of a sweep", "Nothing is computed in a dry run.", [group])
     publish(report, options.json)
 

@@ -15,7 +15,8 @@ from polhode.estimation.tumbling import MODES
 from polhode.formats.known_tumblers import known_tumbler, known_tumblers
 from polhode.spec.reach import check_reach
 from polhode.spec.uncertain import quantity
-from polhode.studies.tumble import AXES, Friction, Given, report_on, tumbler_of
+from polhode.studies.naming import as_option
+from polhode.studies.tumble import AXES, Friction, Given, tumble_report
 
 
 class TumbleOptions(NamedTuple):
@@ -61,8 +62,8 @@ def run_tumble(body: str | None, options: TumbleOptions, json: bool) -> None:
         _friction(options), _angle("--aspect", options.aspect, "60 deg", 180.0),
         _angle("--phase", options.phase, "20 deg", 170.0),
     )  # fmt: skip
-    found = tumbler_of(known, given, lambda name: f"--{name.replace('_', '-')}")
-    publish(report_on(found), json, options.out, options.figures)
+    found = tumble_report(known, given, as_option)
+    publish(found, json, options.out, options.figures)
 
 
 def _friction(options: TumbleOptions) -> Friction | None:

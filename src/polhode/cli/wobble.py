@@ -9,7 +9,7 @@ from polhode.cli.destinations import check_spares
 from polhode.cli.publish import publish
 from polhode.errors import InvalidInput, shown
 from polhode.formats.numerals import read_number
-from polhode.studies.wobble import found_in, report_on
+from polhode.studies.wobble import wobble_report
 
 
 class WobbleOptions(NamedTuple):
@@ -30,5 +30,5 @@ def run_wobble(path: Path | None, options: WobbleOptions, json: bool) -> None:
         window = 6.0 if options.window is None else read_number(options.window)
     except ValueError:
         raise InvalidInput(f"--window must be a number of years, like 6; got {shown(options.window)}.") from None
-    found = found_in(path, options.start, options.end, window, ("--from", "--to"))
-    publish(report_on(found), json, options.out, options.figures)
+    report = wobble_report(path, options.start, options.end, window, ("--from", "--to"))
+    publish(report, json, options.out, options.figures)

@@ -4,10 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from io import BytesIO
-from pathlib import Path
 from typing import Any
 
-import matplotlib
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -15,9 +13,10 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import ScalarFormatter
 
 from polhode.errors import InvalidInput, shown
+from polhode.formats.figure_file import DOTS_PER_INCH
+from polhode.formats.figure_file import save_figure as save  # noqa: F401  (polhode.figures.save)
 
 COLUMN = 3.6  # inches, a journal's column
-DOTS_PER_INCH = 200
 # Okabe & Ito's palette
 BLUE, ORANGE, GREEN, VERMILION, SKY, PURPLE = "#0072B2", "#E69F00", "#009E73", "#D55E00", "#56B4E9", "#CC79A7"
 AXIS_COLOURS = (BLUE, ORANGE, GREEN)
@@ -25,20 +24,6 @@ GREY, LIGHT, DARK = "#6f6f6f", "#c8c8c8", "#222222"
 FONT = 8
 LOST, TOO_SMALL = 0.03, 1e-12  # of the largest: curves between are enlarged, those below are rounding
 CONSTANT = 1e-9  # of a curve's size: what varies by less is constant, by rounding and its growth
-SETTINGS: Any = {
-    "pdf.fonttype": 42,  # TrueType, embedded: publishers refuse type 3
-    # text stays text, so that it can be searched, read aloud and set again; among the fonts named for where DejaVu is
-    # missing, Verdana has nearly its widths
-    "svg.fonttype": "none",
-    "svg.hashsalt": "polhode",  # names of clips and markers, otherwise drawn by chance
-}
-# what files say of themselves; without a date, so that the same motion gives the same file
-METADATA: dict[str, dict[str, Any]] = {
-    "png": {"Software": "polhode"},
-    "svg": {"Creator": "polhode", "Date": None},
-    "pdf": {"Creator": "polhode", "CreationDate": None},
-}
-_MARKS = {"png": b"Software\0polhode", "svg": b"<dc:title>polhode</dc:title>", "pdf": b"/Creator (polhode)"}
 
 
 class Picture(Figure):
@@ -147,30 +132,3 @@ def show_constant(axes: Any, values: Any, around: float) -> None:
     low, high = float(np.min(values)), float(np.max(values))
     if high - low <= CONSTANT * max(abs(low), abs(high)):
         axes.set_ylim(low - around, high + around)
-
-
-def save(figure: Figure, path: str | Path) -> Path:
-    """Write the figure in the form its ending names: png, svg or pdf.
-
-    Raises:
-        InvalidInput: for another ending.
-    """
-    path = Path(path)
-    kind = path.suffix.removeprefix(".").lower()
-    if kind not in METADATA:
-        raise InvalidInput(f"`path` must end in .png, .svg or .pdf; got {shown(path.name)}.")
-    drawn = BytesIO()  # so that the bytes are written here, where a full disk is noticed
-    with matplotlib.rc_context(SETTINGS):
-        if (layout := figure.get_layout_engine()) is not None:
-            # places everything once; savefig would draw the whole figure for it
-            layout.execute(figure)
-            figure.set_layout_engine(None)
-        figure.savefig(drawn, format=kind, dpi=DOTS_PER_INCH, facecolor="white", metadata=METADATA[kind])
-    path.write_bytes(drawn.getvalue())
-    return path
-
-
-def is_ours(path: Path) -> bool:
-    """Whether a file is a figure that `save` wrote, as it says itself."""
-    mark = _MARKS.get(path.suffix.removeprefix("."))
-    return mark is not None and path.is_file() and mark in path.read_bytes()

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -24,8 +26,8 @@ LEVELS = (0.683, 0.954)  # of probability, of the ellipses
 MOST = 4  # throws that are drawn
 
 
-def throw_figures(fit: ThrowFit) -> dict[str, Figure]:
-    """Return the figures of a fit by name; only the data where the inertia is not determined.
+def throw_figures(fit: ThrowFit) -> dict[str, Callable[[], Figure]]:
+    """Return what draws each figure of a fit, by name; only the data where the inertia is not determined.
 
     Args:
         fit: as ``polhode.estimation.fit_throw`` returns it.
@@ -35,17 +37,17 @@ def throw_figures(fit: ThrowFit) -> dict[str, Figure]:
     """
     if not isinstance(fit, ThrowFit):
         raise InvalidInput(f"`fit` must be a ThrowFit, as fit_throw returns it; got {shown(fit)}.")
-    found = {"data_and_fit": _data(fit)}
+    found: dict[str, Callable[[], Figure]] = {"data_and_fit": partial(_data, fit)}
     if fit.degenerate is None and fit.ratios is not None and fit.axes is not None:
         known = [part for part in (fit.ratios, fit.drag) if part is not None]
-        found |= {"residuals": _residuals(fit), "corner": _corner(known)}
+        found |= {"residuals": partial(_residuals, fit), "corner": partial(_corner, known)}
         if fit.rotor is None:  # with a wheel the motion is on no polhode of the body
-            found["polhode"] = _polhode(fit)
+            found["polhode"] = partial(_polhode, fit)
     return found
 
 
-def attitude_figures(fit: AttitudeFit) -> dict[str, Figure]:
-    """Return the figures of a fit of attitudes by name; only the residuals where the inertia is not determined.
+def attitude_figures(fit: AttitudeFit) -> dict[str, Callable[[], Figure]]:
+    """Return what draws each figure of a fit of attitudes, by name; without a corner where nothing is determined.
 
     Args:
         fit: as ``polhode.estimation.fit_attitude`` returns it.
@@ -55,6 +57,11 @@ def attitude_figures(fit: AttitudeFit) -> dict[str, Figure]:
     """
     if not isinstance(fit, AttitudeFit):
         raise InvalidInput(f"`fit` must be an AttitudeFit, as fit_attitude returns it; got {shown(fit)}.")
+    found: dict[str, Callable[[], Figure]] = {"residuals": partial(_attitude_residuals, fit)}
+    return found if fit.ratios is None else found | {"corner": partial(_corner, [fit.ratios])}
+
+
+def _attitude_residuals(fit: AttitudeFit) -> Figure:
     figure = style.new_figure(width=1.5 * style.COLUMN, height=2.4)
     axes = figure.subplots()
     for k, colour in enumerate(style.AXIS_COLOURS):
@@ -66,8 +73,7 @@ def attitude_figures(fit: AttitudeFit) -> dict[str, Figure]:
     handles, labels = axes.get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside upper center", ncols=3, fontsize=style.FONT - 1, frameon=False,
                   title=f"residuals, {1e3 * fit.rms:.3g} mrad rms", title_fontsize=style.FONT - 1)  # fmt: skip
-    found = {"residuals": figure}
-    return found if fit.ratios is None else found | {"corner": _corner([fit.ratios])}
+    return figure
 
 
 def _panels(fit: ThrowFit, height: float) -> tuple[Figure, list[Any]]:

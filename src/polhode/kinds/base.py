@@ -17,11 +17,11 @@ import numpy as np
 from polhode.analysis.mechanics import Mechanics
 from polhode.bodies.body import Body
 from polhode.bodies.surface import Surface
-from polhode.errors import InvalidInput, shown
+from polhode.errors import InvalidInput
 from polhode.formats.labels import AttitudeLabels
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.answer import Group, Table
-from polhode.reports.base import AbstractMotionReport, AbstractReport
+from polhode.reports.base import MotionReport, SystemReport
 from polhode.spec.building import build_spin
 from polhode.spec.models import BodyTable, SpinTable, SystemTable
 from polhode.spec.reach import REACH, most_extreme
@@ -79,9 +79,9 @@ class Bodies(NamedTuple):
     refused: dict[int, str]
 
 
-def motion_report_of(report: AbstractReport) -> AbstractMotionReport:
+def motion_report_of(report: SystemReport) -> MotionReport:
     """Return the report of a kind that has a motion, as one that has a trajectory."""
-    assert isinstance(report, AbstractMotionReport), f"a report of kind {report.kind} must be on a motion"
+    assert isinstance(report, MotionReport), f"a report of kind {report.kind} must be on a motion"
     return report
 
 
@@ -134,7 +134,7 @@ class AbstractKind:
             and ``plot`` show its own pictures.
         subject: what moves, in a word, where other kinds may move the same in another way.
         in_closed_form: whether the motion is known exactly at any time, without steps.
-        has_motion: whether something moves in time, so that its report is an ``AbstractMotionReport``.
+        has_motion: whether something moves in time, so that its report is an ``MotionReport``.
         has_attitude: whether the motion is that of a body that turns in space.
         is_default: whether a spec without [system] means this kind; of the kinds here one does.
         reach: the largest size, in SI, that its spec may give to a number, and one over the smallest.
@@ -156,7 +156,7 @@ class AbstractKind:
         """The folder's ``example.toml``: a short spec of this kind."""
         return self._file("example.toml")
 
-    def report(self, spec: Spec) -> AbstractReport:
+    def report(self, spec: Spec) -> SystemReport:
         """Return the answers about a spec of this kind, by ``answers.report_of``.
 
         Raises:
@@ -262,20 +262,7 @@ class AbstractKind:
         """
         return getattr(self._part("figures"), "OVERVIEW", ()) if self.figure_names else ()
 
-    def draw(self, report: AbstractReport, name: str) -> Figure | None:
-        """Return one figure of a report of this kind, by the name of its file; None where there is nothing to see.
-
-        Raises:
-            InvalidInput: for names that reports of this kind have no figure of.
-        """
-        figures = self.figures()
-        if name not in figures:
-            known = ", ".join(figures)
-            got = shown(name)
-            raise InvalidInput(f"`name` must be one of {known} for a report of kind {self.name}; got {got}.")
-        return figures[name](report)
-
-    def shown(self, report: AbstractReport) -> Trajectory:
+    def shown(self, report: SystemReport) -> Trajectory:
         """Return what moves on the page of a report without a motion of its own, by ``panel.shown_of``.
 
         Raises:
@@ -284,7 +271,7 @@ class AbstractKind:
         self.check_page()
         return self._part("panel").shown_of(report)
 
-    def content_of_report(self, report: AbstractReport, samples: Samples, surface: Surface | None) -> Content:
+    def content_of_report(self, report: SystemReport, samples: Samples, surface: Surface | None) -> Content:
         """Return the pictures on the page of a report without a motion of its own, by ``panel.content_of``.
 
         Args:
@@ -319,7 +306,7 @@ class AbstractKind:
         more = part.plots_of(trajectory, samples) if hasattr(part, "plots_of") else {}
         return Content(panels, self._scripts(), model, **more)
 
-    def scatters(self, report: AbstractMotionReport) -> tuple[dict[str, Any], ...]:
+    def scatters(self, report: MotionReport) -> tuple[dict[str, Any], ...]:
         """Return by ``panel.scatters_of`` what a report's page draws beyond the part that it shows; none without it."""
         if not self._has("panel.py"):
             return ()
@@ -407,10 +394,10 @@ class Spec:
         """Return momentum (3,) along, and attitude (4,) of, principal axes by columns in the given ones."""
         return build_spin(self.spin, moments, axes)
 
-    def report(self) -> AbstractReport:
+    def report(self) -> SystemReport:
         """Return the answers; see ``AbstractKind.report``."""
         with self._within_double_precision():
-            found = self.kind.report(self)
+            found = replace(self.kind.report(self), name=self.name, drawings=self.kind.figures)
             if wrong := NOT_FINITE.search("\n".join([found.summary, *found.notes])):
                 raise OverflowError(f"its sentences would say {wrong.group()}")
         return found

@@ -12,7 +12,7 @@ from polhode.kinds.base import Spec
 from polhode.kinds.registry import find_kind, kind_of_source
 from polhode.motion.base import AbstractMotion
 from polhode.motion.trajectory import Trajectory
-from polhode.reports.base import AbstractMotionReport, AbstractReport
+from polhode.reports.base import MotionReport, SystemReport
 from polhode.viewer.encoding import with_powers
 from polhode.viewer.page import NotebookPage, Page, page_of
 from polhode.viewer.panels import Content
@@ -98,26 +98,25 @@ def _page(
     return page_of(moved, name=name, summary=summary, surface=surface, notes=notes, content=_content)
 
 
-def page_of_report(report: AbstractReport, path: str | Path, *, name: str, surface: Surface | None = None) -> Path:
+def page_of_report(report: SystemReport, path: str | Path, *, surface: Surface | None = None) -> Path:
     """Write the page of a report, with what the report says.
 
     Args:
         report: any.
         path: the file.
-        name: heading of the page.
         surface: what the body looks like, in the given axes.
 
     Raises:
         InvalidInput: as ``write_page`` does.
     """
-    return write_text_of(page_of_answers(report, name, surface), Path(path))
+    return write_text_of(page_of_answers(report, report.name, surface), Path(path))
 
 
-def page_of_answers(report: AbstractReport, name: str, surface: Surface | None) -> Page:
+def page_of_answers(report: SystemReport, name: str, surface: Surface | None) -> Page:
     """Return what the page of a report is filled with."""
     kind = find_kind(report.kind)
     said = {"name": name, "summary": with_powers(report.summary), "surface": surface}
-    if isinstance(report, AbstractMotionReport):
+    if isinstance(report, MotionReport):
         notes = [with_powers(note) for note in [*report.notes, *filter(None, [report.shown_part])]]
         scatters = () if kind is None else kind.scatters(report)
         return page_of(report.shown, **said, notes=notes, scatters=scatters, content=_content)

@@ -12,7 +12,7 @@ from typing import Any
 from polhode.kinds.base import Spec
 from polhode.kinds.page import page_of_answers, write_text_of
 from polhode.kinds.reading import read_spec
-from polhode.reports.base import AbstractReport
+from polhode.reports.base import SystemReport
 from polhode.viewer.page import Page, playground_of
 
 SAMPLED = ("attitude", "momentum", "velocity", "energy")
@@ -20,7 +20,7 @@ SAMPLES = 600  # of motions that the page cannot solve itself
 
 
 def write_playground(
-    path: Path, examples: dict[str, Path], report_of: Callable[[Path, Spec], AbstractReport] | None = None
+    path: Path, examples: dict[str, Path], report_of: Callable[[Path, Spec], SystemReport] | None = None
 ) -> Path:
     """Write the playground as one HTML file; the file appears whole or not at all.
 
@@ -42,13 +42,13 @@ def presets() -> list[dict[str, Any]]:
 
 
 def _preset(
-    words: dict[str, Any], examples: dict[str, Path], report_of: Callable[[Path, Spec], AbstractReport] | None
+    words: dict[str, Any], examples: dict[str, Path], report_of: Callable[[Path, Spec], SystemReport] | None
 ) -> tuple[Page, dict[str, Any]]:
     path = examples[words["example"]]
     spec = read_spec(path)
     spec = spec if spec.kind.in_closed_form else replace(spec, samples=min(spec.samples, SAMPLES))
     report = spec.report() if report_of is None else report_of(path, spec)
-    page = page_of_answers(report, spec.name, spec.surface)
+    page = page_of_answers(report, report.name, spec.surface)
     if page.data["model"] is not None:  # the page solves it from the start, at any time, and needs no samples of it
         page = page._replace(data={name: value for name, value in page.data.items() if name not in SAMPLED})
     return page, {"key": words["example"], "title": words["title"], "story": words["story"]}

@@ -15,7 +15,7 @@ from polhode.errors import FormatError, InvalidInput, NotConverged, printable, s
 from polhode.formats.molecule import FORMS
 from polhode.kinds.base import AbstractKind, Spec
 from polhode.kinds.registry import default_kind, find_kind, kind_names
-from polhode.reports.base import AbstractReport
+from polhode.reports.base import SystemReport
 from polhode.spec.building import build_body, build_part
 from polhode.spec.export import labels_of
 from polhode.spec.mistakes import as_message, mistakes_of
@@ -86,7 +86,7 @@ def spec_of_tables(tables: dict[str, Any], path: Path) -> Spec:
     )  # fmt: skip
 
 
-def report(spec: Spec | str | Path) -> AbstractReport:
+def report(spec: Spec | str | Path) -> SystemReport:
     """Return the answers about the motion of a spec, or of a file that holds one.
 
     Its ``summary`` and ``notes`` are worded, ``answers()``, ``values()`` and ``as_json_dict()`` are data, and

@@ -1,6 +1,7 @@
 """From answers to text and JSON: what a report is, and the words that all of them share."""
 
 from polhode.reports.answer import Answer, Group, Table
-from polhode.reports.base import AbstractMotionReport, AbstractReport
+from polhode.reports.base import MotionReport, SystemReport
+from polhode.reports.report import Report
 
-__all__ = ["AbstractMotionReport", "AbstractReport", "Answer", "Group", "Table"]
+__all__ = ["Answer", "Group", "MotionReport", "Report", "SystemReport", "Table"]

@@ -1,50 +1,41 @@
-"""What every report offers."""
+"""Reports on a system, and on its motion."""
 
 from __future__ import annotations
 
-import abc
-import math
-from typing import Any, ClassVar
-
-import numpy as np
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from polhode.analysis.mechanics import Mechanics
 from polhode.motion.trajectory import Trajectory
-from polhode.reports.answer import Group, Table, units_of, values_of
+from polhode.reports.answer import plain
+from polhode.reports.report import Report
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+Drawings = Mapping[str, "Callable[[Any], Figure | None]"]
 
 
-class AbstractReport(abc.ABC):
-    """Answers about one system.
+@dataclass(frozen=True, kw_only=True)
+class SystemReport(Report):
+    """What a spec's system is like.
 
     Attributes:
         kind: the system, as a spec names it.
+        name: what the spec calls it.
+        drawings: returns what draws each figure from the report; both are filled in by ``Spec.report``.
     """
 
     kind: ClassVar[str]
+    name: str = ""
+    drawings: Callable[[], Drawings] | None = None
 
-    @property
-    @abc.abstractmethod
-    def summary(self) -> str:
-        """What is said of it, in a sentence or two."""
-
-    @property
-    def notes(self) -> list[str]:
-        """What a reader should know in addition to the numbers."""
-        return []
-
-    @abc.abstractmethod
-    def answers(self) -> list[Group | Table]:
-        """Return what the report says, in the order of its text."""
-
-    def values(self) -> dict[str, Any]:
-        """Return the answers by name, SI units, arrays and numbers that are not finite included."""
-        return values_of(self.answers())
-
-    def as_json_dict(self) -> dict[str, Any]:
-        """Return the answers as plain lists, numbers, strings and None; undefined or infinite ones are None."""
-        answers = self.answers()
-        ends = {"units": units_of(answers), "summary": self.summary, "notes": self.notes}
-        return plain({"kind": self.kind, **values_of(answers), **ends})
+    def figures(self) -> Mapping[str, Callable[[], Figure | None]]:
+        drawings = {} if self.drawings is None else self.drawings()
+        return {name: partial(draw, self) for name, draw in drawings.items()}
 
 
 def left_out(kind: type) -> Any:
@@ -62,7 +53,7 @@ def left_out(kind: type) -> Any:
 WITHOUT_MOTION: Trajectory = left_out(Trajectory)
 
 
-class AbstractMotionReport(AbstractReport):
+class MotionReport(SystemReport):
     """Answers about one motion of one system.
 
     Attributes:
@@ -71,6 +62,12 @@ class AbstractMotionReport(AbstractReport):
     """
 
     trajectory: Trajectory
+    data_file: ClassVar[str] = "motion.nc"
+
+    def save(self, path: str | Path) -> Path:
+        from polhode.formats.dataset import write_dataset
+
+        return write_dataset(self.trajectory, path, {"title": self.name})
 
     @property
     def shown(self) -> Trajectory:
@@ -95,19 +92,3 @@ class AbstractMotionReport(AbstractReport):
             "state_error_estimate": trajectory.error_estimate,
         }  # fmt: skip
         return super().as_json_dict() | plain(ends)
-
-
-def plain(value: Any) -> Any:
-    """Return nested data as JSON has it; numbers that are not finite become None."""
-    if isinstance(value, dict):
-        return {key: plain(item) for key, item in value.items()}
-    if isinstance(value, list | tuple):
-        return [plain(item) for item in value]
-    if isinstance(value, bool | str) or value is None:
-        return value
-    if np.ndim(value):
-        return plain(np.asarray(value).tolist())
-    if isinstance(value, int | np.integer):
-        return int(value)
-    number = float(value)
-    return number if math.isfinite(number) else None

@@ -2,33 +2,35 @@
 
 from __future__ import annotations
 
+import abc
 import html
 import json
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
-from polhode.errors import printable
-from polhode.reports.answer import Group, Table, units_of, values_of
-from polhode.reports.base import plain
+from polhode.errors import InvalidInput, printable, shown
+from polhode.formats.figure_file import save_figure
+from polhode.formats.paths import written_together
+from polhode.reports.answer import Group, Table, plain, units_of, values_of
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from polhode.motion.trajectory import Trajectory
 
 
-@dataclass(frozen=True)
-class Report:
+class Report(abc.ABC):
     """What was found out about something: in words, as values by name, in figures and in a file of data.
 
-    A notebook shows it as it stands; ``values`` has its numbers, ``json`` a text for other programs.
+    A notebook shows it as it is; ``values`` has its numbers, ``json`` a text for other programs.
 
     Attributes:
         name: of what it is about.
-        kind: of report, like "tumble".
-        summary: the answer in a sentence or two.
-        answers: all that is said, by groups and tables.
-        notes: what a reader should know beside the numbers.
-        draw: returns the figures by name, as Matplotlib has them; None where there are none.
-        data: writes what was found into a file and returns its path; None where there is nothing to write.
+        kind: of report, like "tumble"; of one on a spec, the system that moves.
+        trajectory: the motion, where there is one.
         determined: whether the question could be answered.
+        data_file: name of the file that ``write`` saves the data under; empty where there are none.
 
     >>> import polhode as ph
     >>> found = ph.tumble("apophis")
@@ -38,15 +40,39 @@ class Report:
 
     name: str
     kind: str
-    summary: str
-    answers: Sequence[Group | Table]
-    notes: Sequence[str] = ()
-    draw: Callable[[], Mapping[str, Any]] | None = None
-    data: Callable[[Path], Path] | None = None
+    trajectory: Trajectory | None
     determined: bool = True
+    data_file: ClassVar[str] = ""
+
+    @property
+    @abc.abstractmethod
+    def summary(self) -> str:
+        """The answer in a sentence or two."""
+
+    @property
+    @abc.abstractmethod
+    def answers(self) -> Sequence[Group | Table]:
+        """All that the report says, by groups and tables, in the order of its text."""
+
+    @property
+    def notes(self) -> Sequence[str]:
+        """What a reader should know in addition to the numbers."""
+        return ()
+
+    def figures(self) -> Mapping[str, Callable[[], Figure | None]]:
+        """Return what draws each figure, by its name; it draws None where there is nothing to see."""
+        return {}
+
+    def save(self, path: str | Path) -> Path:
+        """Write the data into a file that appears whole or not at all, and return its path.
+
+        Raises:
+            InvalidInput: for a report without data, and for a path that cannot be written.
+        """
+        raise InvalidInput(f"{path}: a report of kind {self.kind} has no data to save. Its numbers are in json().")
 
     def values(self) -> dict[str, Any]:
-        """Return the answers by name, levels as nested dictionaries, SI units."""
+        """Return the answers by name, levels as nested dictionaries, SI units, arrays and infinite numbers included."""
         return values_of(self.answers)
 
     def units(self) -> dict[str, str]:
@@ -55,16 +81,57 @@ class Report:
 
     def as_json_dict(self) -> dict[str, Any]:
         """Return all of it as plain lists, numbers, strings and None; undefined or infinite numbers are None."""
+        answers = self.answers
         head = {"name": self.name, "kind": self.kind, "summary": self.summary}
-        return plain({**head, **self.values(), "units": self.units(), "notes": list(self.notes)})
+        return plain({**head, **values_of(answers), "units": self.units(), "notes": list(self.notes)})
 
     def json(self) -> str:
         """Return the same as a text in ASCII."""
         return json.dumps(self.as_json_dict(), indent=2, ensure_ascii=True, allow_nan=False)
 
-    def plot(self) -> dict[str, Any]:
+    def figure(self, name: str) -> Figure | None:
+        """Return one figure by its name; None where there is nothing to see.
+
+        Raises:
+            InvalidInput: for a name that this report has no figure of.
+        """
+        figures = self.figures()
+        if name not in figures:
+            known = f"one of {', '.join(figures)}" if figures else "left alone, as there are no figures"
+            raise InvalidInput(f"`name` must be {known}, for a report of kind {self.kind}; got {shown(name)}.")
+        return figures[name]()
+
+    def plot(self) -> dict[str, Figure]:
         """Return the figures by name, as Matplotlib has them."""
-        return {} if self.draw is None else dict(self.draw())
+        drawn = ((name, draw()) for name, draw in self.figures().items())
+        return {name: figure for name, figure in drawn if figure is not None}
+
+    def draw(self, folder: str | Path, *forms: str) -> list[Path]:
+        """Write every figure into an existing folder, and return the paths.
+
+        Args:
+            folder: where to.
+            forms: png, svg, pdf, each figure in all of them; png if none is named.
+        """
+        drawn = ((name, draw()) for name, draw in self.figures().items())  # one at a time, for the memory
+        return [save_figure(figure, Path(folder) / f"{name}.{form}")
+                for name, figure in drawn if figure is not None for form in forms or ("png",)]  # fmt: skip
+
+    def write(self, folder: str | Path, *forms: str) -> list[Path]:
+        """Write the figures and the data into a folder, all or none of them, and return their paths.
+
+        Args:
+            folder: where to; it is made where it is missing.
+            forms: of the figures, as ``draw`` has them.
+
+        Raises:
+            InvalidInput: if the files cannot be written.
+        """
+        with written_together(folder) as draft:
+            written = self.draw(draft, *forms)
+            if self.data_file:
+                written.append(self.save(draft / self.data_file))
+        return [Path(folder) / path.name for path in written]
 
     def _repr_html_(self) -> str:
         """Return the text as a notebook shows it."""
@@ -75,6 +142,39 @@ class Report:
             if rows:
                 parts.append(_html_table(group.title, head, rows))
         return "".join([*parts, *(f"<p><i>Note: {_escaped(note)}</i></p>" for note in self.notes)])
+
+
+class StudyReport(Report):
+    """A report on something else than one motion."""
+
+    trajectory: Trajectory | None = None
+
+
+class PlainReport(StudyReport):
+    """A report whose parts are given."""
+
+    def __init__(
+        self, name: str, kind: str, summary: str, answers: Sequence[Group | Table], notes: Sequence[str] = (),
+        save: Callable[[Path], Path] | None = None,
+    ) -> None:  # fmt: skip
+        """Take the parts; ``save`` writes the data into a file and returns its path."""
+        self.name, self.kind = name, kind
+        self._summary, self._answers, self._notes, self._save = summary, answers, notes, save
+
+    @property
+    def summary(self) -> str:
+        return self._summary
+
+    @property
+    def answers(self) -> Sequence[Group | Table]:
+        return self._answers
+
+    @property
+    def notes(self) -> Sequence[str]:
+        return self._notes
+
+    def save(self, path: str | Path) -> Path:
+        return super().save(path) if self._save is None else self._save(Path(path))
 
 
 def _html_table(title: str, head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:

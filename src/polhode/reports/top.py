@@ -21,7 +21,7 @@ from polhode.motion.frame import BodyFrame
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import GIVEN, about_axes, accuracy, stability_values, verdicts
 from polhode.reports.answer import Answer, Group, Table
-from polhode.reports.base import AbstractMotionReport
+from polhode.reports.base import MotionReport
 from polhode.reports.wording import distinct, unit_in_words, vector
 from polhode.spec.building import momentum_of
 from polhode.spec.models import SpinTable
@@ -34,7 +34,7 @@ AT_REST = 0.1  # s, of a body that nothing moves
 
 
 @dataclass(frozen=True)
-class TopReport(AbstractMotionReport):
+class TopReport(MotionReport):
     """What both kinds of top have: the body about its pivot, the path of its axis, and its upright and hanging rest.
 
     Attributes:
@@ -106,6 +106,7 @@ class TopReport(AbstractMotionReport):
         leans = f"by {least}" if least == most else f"between {least} and {most}"
         return f"The axis to the centre of mass leans {leans} from the vertical.{case}"
 
+    @property
     def answers(self) -> list[Group | Table]:
         return [about_body(self.body, self.top, self.frame), about_rests(self.verdicts), *self._rates(), self.motion()]
 

@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-import csv
-from collections.abc import Callable, Sequence
-from functools import partial
-from pathlib import Path
-from typing import Any, Literal, NamedTuple
+from collections.abc import Sequence
+from typing import Literal, NamedTuple
 
 import numpy as np
 
@@ -15,20 +12,14 @@ from polhode.analysis.tumblers import equivalent_ellipsoid, internal_damping_tim
 from polhode.errors import InvalidInput, shown
 from polhode.estimation.tumbling import MODES, Mode, Tumbling, fit_tumbling, least_period_ratios
 from polhode.formats.known_tumblers import KnownTumbler, known_tumbler
-from polhode.formats.paths import written_whole
-from polhode.reports.report import Report
-from polhode.reports.tumble import Damping, LightCurve, Tumbler, tumble_groups, tumble_notes, tumble_summary
 from polhode.spec.reach import check_reach
 from polhode.spec.uncertain import Uncertain, uncertain
+from polhode.studies.naming import Called, in_python
+from polhode.studies.tumble_report import Damping, LightCurve, TumbleReport
 
 TURNS, SAMPLES = 12.0, 2400  # of the precession, that a light curve shows
 Axis = Literal["encircled", "long", "short"]
 AXES: tuple[Axis, ...] = ("encircled", "long", "short")
-
-
-def in_python(name: str) -> str:
-    """Return how an argument is called in Python."""
-    return f"`{name}`"
 
 
 class Friction(NamedTuple):
@@ -51,7 +42,7 @@ def tumble(
     body: str | None = None, *, precession: Uncertain | None = None, rotation: Uncertain | None = None,
     moments: Sequence[Uncertain] | None = None, semi_axes: Sequence[float] | None = None, axis: Axis = "encircled",
     mode: Mode | None = None, friction: Friction | None = None, aspect: float = np.pi / 3, phase: float = np.pi / 9,
-) -> Report:  # fmt: skip
+) -> TumbleReport:  # fmt: skip
     """Return a report on how a body tumbles: its energy, its tilt against L, periods, light curve and damping.
 
     Quantities are in SI, with their standard deviations where these are known, (value, error), or texts like
@@ -86,7 +77,7 @@ def tumble(
             raise InvalidInput(f"`{name}` must be between 0 and {most:g}° in radians; got {shown(angle)}.")
     known = None if body is None else known_tumbler(str(body))
     given = Given(precession, rotation, moments, semi_axes, axis, mode, friction, aspect, phase)
-    return report_on(tumbler_of(known, given, in_python))
+    return tumble_report(known, given, in_python)
 
 
 class Given(NamedTuple):
@@ -103,8 +94,8 @@ class Given(NamedTuple):
     phase: float = np.pi / 9
 
 
-def tumbler_of(known: KnownTumbler | None, given: Given, called: Callable[[str], str]) -> Tumbler:
-    """Return the motion, with all that is said of it.
+def tumble_report(known: KnownTumbler | None, given: Given, called: Called) -> TumbleReport:
+    """Return the report on a body's motion.
 
     Args:
         known: a body, if it is one of those that are known.
@@ -125,7 +116,7 @@ def tumbler_of(known: KnownTumbler | None, given: Given, called: Callable[[str],
                            f"{called('mode')} {there}.")  # fmt: skip
     motion, friction = chosen[0], given.friction
     damping = None if friction is None else Damping(internal_damping_time(motion.precession, *friction), *friction)
-    return Tumbler(
+    return TumbleReport(
         "tumbler" if known is None else known.name, "" if known is None else known.source, motion,
         tuple(other for other in motions if other is not motion), least_period_ratios(moments),
         _light(motion, given.aspect, given.phase), damping,
@@ -133,7 +124,7 @@ def tumbler_of(known: KnownTumbler | None, given: Given, called: Callable[[str],
 
 
 def _measured(
-    known: KnownTumbler | None, given: Given, called: Callable[[str], str]
+    known: KnownTumbler | None, given: Given, called: Called
 ) -> tuple[tuple[float, float], list[float], list[float]]:
     """Return both periods [s], the moments by size, and the errors of all five."""
     if given.moments is not None and given.semi_axes is not None:
@@ -164,40 +155,6 @@ def _measured(
     return (first, second), (squares.sum() - squares).tolist(), [d_first, d_second, 0.0, 0.0, 0.0]
 
 
-def report_on(found: Tumbler) -> Report:
-    """Return the report on what was found."""
-
-    def draw() -> dict[str, Any]:
-        from polhode.figures.tumble_figure import tumble_figures
-
-        return tumble_figures(found)
-
-    return Report(found.name, "tumble", tumble_summary(found), tumble_groups(found), tumble_notes(found), draw,
-                  partial(write, found))  # fmt: skip
-
-
-def write(found: Tumbler, path: Path) -> Path:
-    """Write the light curve as .csv, or a spec of the motion as .toml.
-
-    Raises:
-        InvalidInput: for another ending, and for the light curve of a flat body.
-    """
-    ending = path.suffix.lower()
-    if ending not in (".csv", ".toml"):
-        raise InvalidInput(f"{path}: must end in .csv (light curve) or .toml (spec); got {shown(path.suffix)}.")
-    if ending == ".toml":
-        with written_whole(path) as draft:
-            draft.write_text(_spec(found), "utf-8")
-        return path
-    if found.light is None:
-        raise InvalidInput(f"{path}: a flat body, I1 + I2 = I3, has no light curve here. Give moments of a solid body.")
-    with written_whole(path) as draft, draft.open("w", encoding="utf-8", newline="") as file:
-        writer = csv.writer(file)
-        writer.writerow(["time [s]", "magnitude [mag]"])
-        writer.writerows(zip(found.light.times.tolist(), found.light.magnitudes.tolist(), strict=True))
-    return path
-
-
 def _light(motion: Tumbling, aspect: float, phase: float) -> LightCurve | None:
     if motion.moments[0] + motion.moments[1] <= 1 + 1e-12:
         return None
@@ -208,16 +165,3 @@ def _light(motion: Tumbling, aspect: float, phase: float) -> LightCurve | None:
     lines = light_curve_lines(motion.motion, axes, sun, observer)
     times = np.linspace(0.0, TURNS * motion.precession, SAMPLES + 1)
     return LightCurve(axes, aspect, phase, lines, times, light_curve(motion.motion, times, axes, sun, observer))
-
-
-def _spec(found: Tumbler) -> str:
-    motion = found.motion
-    spin = np.asarray(motion.motion.angular_velocity(0.0)).tolist()
-    moments = ", ".join(f'"{x:.17g} kg*m^2"' for x in motion.moments.tolist())
-    rates = ", ".join(f'"{x:.17g} rad/s"' for x in spin)
-    return (
-        f"# {found.name}: {motion.mode} mode, P_phi = {motion.precession:.10g} s, P_psi = {motion.rotation:.10g} s.\n"
-        f"# Periods leave the scale of the moments open; the largest is 1 kg m^2 here.\n"
-        f'name = "{found.name}"\n\n[body]\nmoments = [{moments}]\n\n'
-        f'[spin]\nangular_velocity = [{rates}]\nframe = "principal"\n\n[time]\nuntil = "{5 * motion.rotation:.10g} s"\n'
-    )

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 from polhode.errors import InvalidInput, shown
 from polhode.estimation.euler_periods import euler_chain
@@ -14,14 +13,13 @@ from polhode.estimation.pole_series import DAY, YEAR
 from polhode.estimation.wobble_process import chandler_process
 from polhode.estimation.wobble_windows import chandler_windows, pole_spectrum
 from polhode.formats.polar_motion import PoleSeries, date_of, day_of, read_polar_motion
-from polhode.reports.report import Report
-from polhode.reports.wobble import Wobble, wobble_groups, wobble_notes, wobble_summary
+from polhode.studies.wobble_report import WobbleReport
 
 
 def wobble(
     series: PoleSeries | Path | str | None = None, *, start: str | None = None, end: str | None = None,
     window: float = 6.0,
-) -> Report:  # fmt: skip
+) -> WobbleReport:  # fmt: skip
     """Return a report on the Earth's wobble: the Chandler period, amplitude and Q with errors, and the seasons.
 
     Args:
@@ -34,14 +32,14 @@ def wobble(
 
     Source: Wilson & Vicente, Geophys. J. Int. 103 (1990) 743, for period and Q.
     """
-    return report_on(found_in(series, start, end, window, ("`start`", "`end`")))
+    return wobble_report(series, start, end, window, ("`start`", "`end`"))
 
 
-def found_in(
+def wobble_report(
     series: PoleSeries | Path | str | None, start: str | None, end: str | None, window: float,
     called: tuple[str, str],
-) -> Wobble:  # fmt: skip
-    """Return all that is found; ``called`` says how start and end are called where they are given, for messages."""
+) -> WobbleReport:  # fmt: skip
+    """Return the report; ``called`` says how start and end are called where they are given, for messages."""
     first = None if start is None else day_of(start, called[0])
     last = None if end is None else day_of(end, called[1])
     if first is not None and last is not None and first >= last:
@@ -55,25 +53,8 @@ def found_in(
     line, process = chandler_fit(*pole), chandler_process(*pole)
     period, quality = (float(value) for value in process.estimate.value)
     windows = chandler_windows(*pole, window * YEAR, float(line.estimate.value[0]))
-    return Wobble(used, line, process, windows, polar_excitation(*pole, period, quality), pole_spectrum(*pole),
+    return WobbleReport(used, line, process, windows, polar_excitation(*pole, period, quality), pole_spectrum(*pole),
                   euler_chain())  # fmt: skip
-
-
-def report_on(found: Wobble) -> Report:
-    """Return the report on what was found."""
-
-    def draw() -> dict[str, Any]:
-        from polhode.figures.wobble_figure import wobble_figures
-
-        return wobble_figures(found)
-
-    def write(path: Path) -> Path:
-        from polhode.formats.wobble_dataset import write_wobble
-
-        return write_wobble(found.windows, found.process, found.excitation, found.series.source, path)
-
-    return Report(found.series.source, "wobble", wobble_summary(found), wobble_groups(found), wobble_notes(found),
-                  draw, write)  # fmt: skip
 
 
 def _between(series: PoleSeries, start: float | None, end: float | None, called: tuple[str, str]) -> PoleSeries:

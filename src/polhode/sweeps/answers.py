@@ -4,19 +4,19 @@ from __future__ import annotations
 
 import hashlib
 import os
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 from scipy.stats import binomtest
 
 from polhode.errors import InvalidInput, shown
 from polhode.kinds.registry import find_kind
-from polhode.reports.answer import Answer, Group, Table, units_of, values_of
-from polhode.reports.base import plain
+from polhode.reports.answer import Answer, Group, Table
+from polhode.reports.report import StudyReport
 from polhode.reports.wording import uncertain
 from polhode.sweeps.evaluation import DONE, STATUS, Column
 from polhode.sweeps.marks import Mark
@@ -25,6 +25,9 @@ from polhode.sweeps.running import Sweep, default_workers
 from polhode.sweeps.sensitivity import sobol_indices
 from polhode.sweeps.store import Store
 from polhode.sweeps.summary import Numbers, Summary, joined
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 LEVELS = (0.05, 0.25, 0.5, 0.75, 0.95)
 LEVEL = 0.95  # of intervals
@@ -64,7 +67,7 @@ def sweep(
 
 
 @dataclass(frozen=True, eq=False)
-class SweepReport:
+class SweepReport(StudyReport):
     """The answers of a sweep.
 
     Attributes:
@@ -72,8 +75,13 @@ class SweepReport:
         store: where the samples are.
     """
 
+    kind: ClassVar[str] = "sweep"
     sweep: Sweep
     store: Store
+
+    @property
+    def name(self) -> str:
+        return self.sweep.plan.path.stem
 
     def __repr__(self) -> str:
         return f"<SweepReport: {self.summary} {self.store.path}>"
@@ -134,8 +142,8 @@ class SweepReport:
             found.append("standard errors and intervals are those of random samples; Sobol' points do better.")
         return found
 
+    @property
     def answers(self) -> list[Group | Table]:
-        """Return what the sweep says, in the order of its text."""
         mark = self.checksum
         about = Group("Sweep", [
             Answer("samples", self.sweep.plan.design.count, "", "samples"),
@@ -147,12 +155,14 @@ class SweepReport:
         units = {column.name: column.unit for column in self.outputs}
         return [about, *_tables(numbers, words, shares, units, self.status.get(DONE, 0))]
 
-    def as_json_dict(self) -> dict[str, Any]:
-        """Return the answers as plain lists, numbers, strings and None."""
-        groups = self.answers()
-        units = {column.name: column.unit for column in self.sweep.columns if column.unit}
-        return plain({"kind": "sweep", "summary": self.summary, **values_of(groups),
-                      "units": units_of(groups) | units, "notes": self.notes})  # fmt: skip
+    def units(self) -> dict[str, str]:
+        """Return the units by the names of the answers, and those of the columns."""
+        return super().units() | {column.name: column.unit for column in self.sweep.columns if column.unit}
+
+    def figures(self) -> Mapping[str, Callable[[], Figure | None]]:
+        from polhode.sweeps.figures import FIGURES
+
+        return {name: partial(draw, self) for name, draw in FIGURES.items()}
 
     def _numbers(self) -> Iterator[dict[str, Any]]:
         for column in self.outputs:

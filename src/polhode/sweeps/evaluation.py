@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import difflib
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, NamedTuple
@@ -15,8 +15,7 @@ from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.kinds.base import Ensemble, ManySpecs, Spec
 from polhode.kinds.reading import spec_of_tables
 from polhode.motion.trajectory import Trajectory
-from polhode.reports.answer import Group, Table, values_of
-from polhode.reports.base import plain
+from polhode.reports.answer import Group, Table, plain, values_of
 from polhode.spec.keys import as_written, with_value
 from polhode.sweeps.bodies import bodies_of
 from polhode.sweeps.plan import STATES, Plan
@@ -241,7 +240,7 @@ class Evaluator:
                 lost[k] = str(error)
         return values, refused, lost
 
-    def _answers(self, spec: Spec) -> tuple[dict[str, Any], list[Group | Table]]:
+    def _answers(self, spec: Spec) -> tuple[dict[str, Any], Sequence[Group | Table]]:
         """Return answers as the JSON has them, all outputs among them, and where they stand; nothing more than needed.
 
         A motion is computed only if an output takes one.
@@ -256,7 +255,7 @@ class Evaluator:
             if all(_has(found, name) for name in wanted):
                 return found, groups
         report = spec.report()
-        return report.as_json_dict(), report.answers()
+        return report.as_json_dict(), report.answers
 
     def _trajectory(self, spec: Spec) -> Trajectory:
         """Return the motion with samples at the times of the states."""

@@ -155,7 +155,7 @@ def _dots(axes: Any, x: Any, y: Any, found: Any, known: list[str]) -> None:
 
 def sensitivities(report: SweepReport) -> Figure | None:
     """Return the shares of each output's variance that inputs explain, alone and in all; None without an analysis."""
-    rows = [dict(row) for group in report.answers() if getattr(group, "name", "") == "sensitivities"
+    rows = [dict(row) for group in report.answers if getattr(group, "name", "") == "sensitivities"
             for row in getattr(group, "rows", [])]  # fmt: skip
     if not rows:
         return None

@@ -13,7 +13,7 @@ from polhode.kinds.base import Spec
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import accuracy
 from polhode.reports.answer import Answer, Group, Table
-from polhode.reports.base import AbstractMotionReport
+from polhode.reports.base import MotionReport
 from polhode.simulation import simulate
 from spherical_pendulum.system import SphericalPendulum
 from spherical_pendulum.table import PendulumTable
@@ -22,7 +22,7 @@ SWINGS = 10
 
 
 @dataclass(frozen=True)
-class PendulumReport(AbstractMotionReport):
+class PendulumReport(MotionReport):
     """One motion of a spherical pendulum."""
 
     kind: ClassVar[str] = "spherical-pendulum"
@@ -38,6 +38,7 @@ class PendulumReport(AbstractMotionReport):
     def summary(self) -> str:
         return f"The mass swings between {self.values()['lowest']:.5g} m and {self.values()['highest']:.5g} m."
 
+    @property
     def answers(self) -> list[Group | Table]:
         height = np.asarray(self.trajectory.part("z"))
         return [Group("Pendulum", [

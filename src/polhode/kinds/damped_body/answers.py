@@ -28,7 +28,7 @@ from polhode.kinds.damped_body.table import DampedBodyTable
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import about_body, accuracy, stability_values, verdicts
 from polhode.reports.answer import Answer, Group, Table
-from polhode.reports.base import AbstractMotionReport
+from polhode.reports.base import MotionReport
 from polhode.reports.length import Watch
 from polhode.reports.wording import angle, duration, uncertain
 from polhode.simulation import simulate
@@ -142,7 +142,7 @@ class DampedStart:
 
 
 @dataclass(frozen=True)
-class DampedBodyReport(AbstractMotionReport):
+class DampedBodyReport(MotionReport):
     """A body with losses.
 
     Attributes:
@@ -235,6 +235,7 @@ class DampedBodyReport(AbstractMotionReport):
             found.append(f"it has not settled; give a later time.until{wait}.")
         return found
 
+    @property
     def answers(self) -> list[Group | Table]:
         return [about_body(self.body), self.start.losses(), self.start.verdicts(), self._motion()]
 

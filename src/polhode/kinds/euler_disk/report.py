@@ -17,7 +17,7 @@ from polhode.kinds.euler_disk.table import EulerDiskTable
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import about_stability, accuracy, stability_values, verdicts
 from polhode.reports.answer import Answer, Group, Table
-from polhode.reports.base import AbstractMotionReport
+from polhode.reports.base import MotionReport
 from polhode.reports.wording import rate, uncertain
 from polhode.systems.euler_disk import LAYOUT, EulerDisk
 from polhode.types import Array
@@ -46,7 +46,7 @@ class LawShare(NamedTuple):
     share_late: float | None
 
 @dataclass(frozen=True)
-class EulerDiskReport(AbstractMotionReport):
+class EulerDiskReport(MotionReport):
     """What is said of one motion of a disk.
 
     Attributes:
@@ -144,6 +144,7 @@ class EulerDiskReport(AbstractMotionReport):
             notes.append("followed through four decades of tilt or a million steps without an event.")
         return notes
 
+    @property
     def answers(self) -> list[Group | Table]:
         end = [] if self.spin_down is None else [self._exponents(self.spin_down), self._end(self.spin_down)]
         none = [] if end else [Group("", [Answer("spin_down", None)])]

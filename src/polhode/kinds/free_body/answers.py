@@ -30,7 +30,7 @@ from polhode.motion.inputs import finite
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import about_body, accuracy, stability_values, verdicts
 from polhode.reports.answer import Answer, Group, Table
-from polhode.reports.base import AbstractMotionReport
+from polhode.reports.base import MotionReport
 from polhode.reports.wording import FAST, angles, rate, vector
 from polhode.types import ArrayLike, Real
 
@@ -41,7 +41,7 @@ LARGEST = 1e200  # of energies and momenta in SI; products of the two stay withi
 
 
 @dataclass(frozen=True)
-class FreeBodyReport(AbstractMotionReport):
+class FreeBodyReport(MotionReport):
     """Everything said about one body and its motion; undefined or infinite values are None.
 
     Attributes:
@@ -65,6 +65,7 @@ class FreeBodyReport(AbstractMotionReport):
     def mechanics(self) -> Mechanics:
         return Mechanics(self.body.frame.inertia)
 
+    @property
     def answers(self) -> list[Group | Table]:
         title = "Rotation about each principal axis, at this |L|"
         leaning = axis_angles(self.motion)

@@ -25,7 +25,7 @@ from polhode.motion.frame import BodyFrame
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import GIVEN, about_axes, about_body, accuracy, stability_values, verdicts
 from polhode.reports.answer import Answer, Group, Table
-from polhode.reports.base import WITHOUT_MOTION, AbstractMotionReport
+from polhode.reports.base import WITHOUT_MOTION, MotionReport
 from polhode.reports.wording import distinct, vector
 from polhode.systems.body_with_rotor import RotorInBody, direction_of
 from polhode.systems.gyrostat import Gyrostat
@@ -33,7 +33,7 @@ from polhode.types import Array, Float64
 
 
 @dataclass(frozen=True)
-class GyrostatReport(AbstractMotionReport):
+class GyrostatReport(MotionReport):
     """A body with a rotor.
 
     Attributes:
@@ -130,6 +130,7 @@ class GyrostatReport(AbstractMotionReport):
         """Return those answers that take no motion, of a rotor without a motor."""
         return [about_body(self.body, "rotor locked"), self._about_rotor(), self._steady_rotations()]
 
+    @property
     def answers(self) -> list[Group | Table]:
         return [about_body(self.body, "rotor locked"), self._about_rotor(), self._steady_rotations(), self._motion()]
 

@@ -17,7 +17,7 @@ from polhode.kinds.point_vortices.table import VorticesTable
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import about_stability, accuracy
 from polhode.reports.answer import Answer, Group, Table
-from polhode.reports.base import WITHOUT_MOTION, AbstractMotionReport
+from polhode.reports.base import WITHOUT_MOTION, MotionReport
 from polhode.reports.length import Watch
 from polhode.reports.wording import duration, number, rate, vector
 from polhode.simulation import simulate
@@ -30,7 +30,7 @@ LARGEST_VERDICT = 40  # vortices: second derivatives of all pairs are dense
 
 
 @dataclass(frozen=True)
-class VorticesReport(AbstractMotionReport):
+class VorticesReport(MotionReport):
     """Point vortices: what they conserve, whether they turn as a whole and stay so, and where they go.
 
     Attributes:
@@ -110,6 +110,7 @@ class VorticesReport(AbstractMotionReport):
             found.append(f"no verdict: {self.no_verdict}")
         return found
 
+    @property
     def answers(self) -> list[Group | Table]:
         return [self._about_vortices(), self.about_turn(), self._table(), self._motion()]
 

@@ -22,7 +22,7 @@ from polhode.quantum.racket import Racket
 from polhode.quantum.rotor import PLANCK_OVER_8_PI_SQUARED, Levels, Rotor, below_ground, fallen
 from polhode.quantum.strengths import DEBYE, Lines
 from polhode.reports.answer import Answer, Group, Table
-from polhode.reports.base import AbstractReport
+from polhode.reports.base import SystemReport
 from polhode.reports.spectra import WAVE_NUMBER, frequency, label, level_table, line_table, wave_number
 from polhode.spec.rotors import SpecRotor, check_summable
 
@@ -35,11 +35,10 @@ PROLATE, OBLATE = -0.9, 0.9  # of kappa: nearly symmetric beyond
 
 
 @dataclass(frozen=True)
-class QuantumRotorReport(AbstractReport):
+class QuantumRotorReport(SystemReport):
     """A molecule's levels and lines.
 
     Attributes:
-        name: of the molecule.
         asked: rotor, temperature, largest J.
         levels: up to the largest J.
         lines: up to the largest J, at the temperature; None without a dipole.
@@ -52,7 +51,7 @@ class QuantumRotorReport(AbstractReport):
     """
 
     kind: ClassVar[str] = "quantum-rotor"
-    name: str
+    trajectory: ClassVar[None] = None
     asked: SpecRotor
     levels: Levels
     lines: Lines | None
@@ -102,6 +101,7 @@ class QuantumRotorReport(AbstractReport):
         )
         return found
 
+    @property
     def answers(self) -> list[Group | Table]:
         found: list[Group | Table] = [self._molecule(), self._distortion(), *self._levels()]
         if self.lines is not None:
@@ -247,6 +247,6 @@ def report_of(spec: Spec) -> QuantumRotorReport:
     found = (*asked.notes, below_ground(levels.J, levels.energy), *(str(warning.message) for warning in caught))
     said = tuple(dict.fromkeys(word for word in found if word))
     return QuantumRotorReport(
-        spec.name, asked, levels, lines, partition, polhodes, table.j, racket,
+        asked, levels, lines, partition, polhodes, table.j, racket,
         None if spec.body is None else spec.body.frame, said,
     )  # fmt: skip

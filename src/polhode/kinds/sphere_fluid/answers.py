@@ -18,7 +18,7 @@ from polhode.kinds.sphere_fluid.table import FluidTable
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import accuracy
 from polhode.reports.answer import Answer, Group, Table
-from polhode.reports.base import WITHOUT_MOTION, AbstractMotionReport
+from polhode.reports.base import WITHOUT_MOTION, MotionReport
 from polhode.reports.length import Watch, check_length
 from polhode.reports.wording import duration, number, rate, vector
 from polhode.simulation import simulate
@@ -35,7 +35,7 @@ LISTED = 12  # degrees of the spectrum in the text
 
 
 @dataclass(frozen=True)
-class FluidReport(AbstractMotionReport):
+class FluidReport(MotionReport):
     """A fluid on a sphere: what it keeps, and where its energy goes.
 
     Attributes:
@@ -105,6 +105,7 @@ class FluidReport(AbstractMotionReport):
             found.append("the finest degrees have taken up energy: more resolution would show more detail.")
         return found
 
+    @property
     def answers(self) -> list[Group | Table]:
         return [self.about_fluid(), self._spectrum(), self._motion()]
 

@@ -20,7 +20,7 @@ from polhode.kinds.sphere_mhd.table import MagneticFluidTable
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import accuracy
 from polhode.reports.answer import Answer, Group, Table
-from polhode.reports.base import WITHOUT_MOTION, AbstractMotionReport
+from polhode.reports.base import WITHOUT_MOTION, MotionReport
 from polhode.reports.length import Watch, check_length
 from polhode.reports.wording import duration, rate
 from polhode.simulation import simulate
@@ -42,7 +42,7 @@ PRODUCTS = 3.0  # of matrices, for each one of a fluid without a field
 
 
 @dataclass(frozen=True)
-class MagneticReport(AbstractMotionReport):
+class MagneticReport(MotionReport):
     """A conducting fluid on a sphere: what it and its field keep, and what they exchange.
 
     Attributes:
@@ -144,6 +144,7 @@ class MagneticReport(AbstractMotionReport):
             found.append("the finest degrees have taken up energy: sheets of current have met the resolution.")
         return found
 
+    @property
     def answers(self) -> list[Group | Table]:
         found: list[Group | Table] = [self.about_start(), self._spectrum()]
         if self.table.alfven_wave is not None:

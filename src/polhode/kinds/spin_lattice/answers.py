@@ -24,7 +24,7 @@ from polhode.motion.layout import ENERGY
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import accuracy
 from polhode.reports.answer import Answer, Group, Table
-from polhode.reports.base import WITHOUT_MOTION, AbstractMotionReport
+from polhode.reports.base import WITHOUT_MOTION, MotionReport
 from polhode.reports.length import check_length
 from polhode.reports.wording import duration, number, vector
 from polhode.simulation import simulate
@@ -42,7 +42,7 @@ BLOCKS = 10  # of a thermal average, whose scatter is its error
 
 
 @dataclass(frozen=True)
-class SpinLatticeReport(AbstractMotionReport):
+class SpinLatticeReport(MotionReport):
     """Spins on a lattice: their energy, order and waves.
 
     Attributes:
@@ -140,6 +140,7 @@ class SpinLatticeReport(AbstractMotionReport):
         """Return those answers that take no motion."""
         return [self._about_lattice(), self._bonds(), self._about_waves()]
 
+    @property
     def answers(self) -> list[Group | Table]:
         return [*self.without_motion(), self._motion()]
 

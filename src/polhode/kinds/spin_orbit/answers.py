@@ -19,7 +19,7 @@ from polhode.kinds.spin_orbit.table import SpinOrbitTable
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import about_body, accuracy
 from polhode.reports.answer import Answer, Group, Table
-from polhode.reports.base import WITHOUT_MOTION, AbstractMotionReport, left_out
+from polhode.reports.base import WITHOUT_MOTION, MotionReport, left_out
 from polhode.reports.length import Watch
 from polhode.reports.wording import number
 from polhode.simulation import simulate
@@ -36,7 +36,7 @@ TOLERANCE = 1e-12  # of the samples' adaptive steps
 
 
 @dataclass(frozen=True)
-class SpinOrbitReport(AbstractMotionReport):
+class SpinOrbitReport(MotionReport):
     """Resonances of a body on its orbit, and what one spin does among them.
 
     Attributes:
@@ -78,6 +78,7 @@ class SpinOrbitReport(AbstractMotionReport):
         """Time in which a chaotic motion's neighbours part from the samples' tolerance to one radian [s]."""
         return self.motion.predictable_time(TOLERANCE)
 
+    @property
     def answers(self) -> list[Group | Table]:
         body = [] if self.body is None else [about_body(self.body)]
         missing = [] if body else [Group("", [Answer("mass", None), Answer("principal_moments", None)])]

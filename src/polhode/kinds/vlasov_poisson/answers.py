@@ -19,7 +19,7 @@ from polhode.kinds.vlasov_poisson.table import PlasmaTable
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import accuracy
 from polhode.reports.answer import Answer, Group, Table
-from polhode.reports.base import WITHOUT_MOTION, AbstractMotionReport
+from polhode.reports.base import WITHOUT_MOTION, MotionReport
 from polhode.reports.length import check_length
 from polhode.reports.wording import number
 from polhode.simulation import simulate
@@ -34,7 +34,7 @@ REACH = 6.0  # thermal speeds up to which a beam has electrons
 
 
 @dataclass(frozen=True)
-class PlasmaReport(AbstractMotionReport):
+class PlasmaReport(MotionReport):
     """A wave in a plasma: what linear theory says, what the run shows, and how long the two can agree.
 
     Attributes:
@@ -113,6 +113,7 @@ class PlasmaReport(AbstractMotionReport):
         """Return those answers that take no motion."""
         return [self._about_plasma(), self._beams(), self._about_wave()]
 
+    @property
     def answers(self) -> list[Group | Table]:
         return [*self.without_motion(), self._motion()]
 

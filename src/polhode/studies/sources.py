@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import contextlib
 import re
-from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from decimal import Decimal
 from pathlib import Path
@@ -14,19 +12,17 @@ import numpy as np
 
 from polhode import rotation
 from polhode.analysis.comparison import AttitudeHistory, Mechanics
-from polhode.cli.columns import Table, needs_mapping
-from polhode.cli.kept import kept_report
-from polhode.errors import FormatError, InvalidInput, NotConverged, one_line, shown
+from polhode.errors import FormatError, InvalidInput, one_line, shown
 from polhode.formats.given_axes import along_given_axes, single_attitude
 from polhode.formats.labels import AttitudeLabels, Recording, labels_of
 from polhode.formats.opening import is_folder, open_file
 from polhode.formats.stamps import exact_number
 from polhode.formats.table_form import Line, form_of, is_comment
-from polhode.kinds.base import Spec, motion_report_of
 from polhode.kinds.reading import read_spec
 from polhode.motion.frame import BodyFrame
 from polhode.motion.trajectory import Trajectory
-from polhode.reports.base import AbstractMotionReport, AbstractReport
+from polhode.studies.naming import naming
+from polhode.studies.tables import Table, needs_mapping
 
 HEAD = 65536  # bytes in which a file shows what it is
 KINDS = {"spec": "spec", "dataset": "dataset", "csv": "CSV table", "table": "table", "aem": "AEM", "ck": "C-kernel"}
@@ -134,14 +130,14 @@ def _looks_like_table(path: Path, head: bytes) -> bool:
 
 
 def read_recorded(
-    path: Path, kernels: Kernels, table: Table | None = None
+    path: Path, kernels: Kernels, table: Table | None = None, kind: str | None = None
 ) -> tuple[str, Trajectory, AttitudeLabels | None]:
     """Return kind, trajectory and labels of a file that holds samples.
 
     Raises:
         InvalidInput: for a spec, which holds none, for a table that nothing is said of, or as the readers do.
     """
-    kind = kind_of(path, table)
+    kind = kind_of(path, table) if kind is None else kind
     if kind == "table":
         from polhode.formats.column_reading import read_columns
 
@@ -171,16 +167,17 @@ def read_recorded(
                        "file.")
 
 
-def source_of(path: Path, kernels: Kernels, table: Table | None = None) -> Source:
-    """Return the attitude history of any file.
+def source_of(path: Path, kernels: Kernels, table: Table | None = None, kind: str | None = None) -> Source:
+    """Return the attitude history of any file, of which ``kind_of`` may have found the kind already.
 
     Raises:
         InvalidInput: for what is missing, has no attitude, or holds several bodies.
         NotConverged: for a spec whose motion could not be followed.
     """
-    if kind_of(path, table) == "spec":
+    kind = kind_of(path, table) if kind is None else kind
+    if kind == "spec":
         return _from_spec(path)
-    kind, found, labels = read_recorded(path, kernels, table)
+    _, found, labels = read_recorded(path, kernels, table, kind)
     if kind == "table" and found.attitude is None:
         raise InvalidInput(f"{path}: a comparison is of attitudes, and only --gyro is given. Name them by --quat or "
                            "--euler.")  # fmt: skip
@@ -231,45 +228,16 @@ def body_of(path: Path) -> SpecBody:
         why = f"is {KINDS_IN_WORDS[kind]}, and --spec wants a spec, whose [body] has the moments"
         raise InvalidInput(f"{path}: {why}. Give a TOML file like those of `polhode report`.")
     spec = read_spec(path)
-    with _naming(path):
+    with naming(path):
         motion = spec.motion()
     return SpecBody(spec.kind.name, motion.trajectory.frame, motion.mechanics)
-
-
-def report_of(path: Path, spec: Spec) -> AbstractReport:
-    """Return the report on a spec; what it refuses names the file."""
-    with _naming(path):
-        return kept_report(spec)
-
-
-def moving_report_of(path: Path, spec: Spec) -> AbstractMotionReport:
-    """Return the report on a spec that has a motion; one without is refused before anything is computed."""
-    with _naming(path):
-        spec.kind.check_motion()
-    return motion_report_of(report_of(path, spec))
-
-
-def shown_report_of(path: Path, spec: Spec) -> AbstractReport:
-    """Return the report on a spec that has a page; one without is refused before anything is computed."""
-    with _naming(path):
-        spec.kind.check_page()
-    return report_of(path, spec)
-
-
-@contextlib.contextmanager
-def _naming(path: Path) -> Iterator[None]:
-    """Name the file in what is refused."""
-    try:
-        yield
-    except (InvalidInput, NotConverged) as error:
-        raise type(error)(f"{path}: {error}") from None
 
 
 def _from_spec(path: Path) -> Source:
     spec = read_spec(path)
     if not spec.kind.has_attitude:
         raise _without_attitudes(path)
-    with _naming(path):
+    with naming(path):
         moved = spec.motion()
     trajectory = along_given_axes(moved.trajectory)
     history = replace(_history(path, trajectory), mechanics=moved.mechanics)

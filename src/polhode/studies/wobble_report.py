@@ -1,11 +1,13 @@
-"""What polar motion says of the Chandler wobble, as answers."""
+"""The report on the Chandler wobble."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
@@ -16,7 +18,11 @@ from polhode.estimation.wobble_process import ChandlerProcess
 from polhode.estimation.wobble_windows import ChandlerWindows, PoleSpectrum
 from polhode.formats.polar_motion import PoleSeries, date_of
 from polhode.reports.answer import Answer, Group, Table
+from polhode.reports.report import StudyReport
 from polhode.reports.wording import uncertain
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 DAY, YEAR = 86_400.0, 365.25 * 86_400.0
 MAS = math.pi / 648_000_000.0  # rad
@@ -27,9 +33,11 @@ CORRELATED = 0.01  # probability of the innovations, below which the process doe
 
 
 @dataclass(frozen=True)
-class Wobble:
+class WobbleReport(StudyReport):
     """All that is found from one series of polar motion."""
 
+    kind: ClassVar[str] = "wobble"
+    data_file: ClassVar[str] = "wobble.nc"
     series: PoleSeries
     line: ChandlerFit
     process: ChandlerProcess
@@ -38,56 +46,69 @@ class Wobble:
     spectrum: PoleSpectrum
     chain: Sequence[EulerPeriod]
 
+    @property
+    def name(self) -> str:
+        return self.series.source
 
-def wobble_summary(found: Wobble) -> str:
-    """Return the answer in a sentence."""
-    period, amplitude = found.line.estimate.value[:2]
-    errors = found.line.estimate.standard_error
-    low, high = found.process.quality_intervals[0.6827]
-    return (f"The Chandler wobble: {uncertain(period / DAY, errors[0] / DAY, 'd')}, "
-            f"{uncertain(amplitude / MAS, errors[1] / MAS, 'mas')} on the mean, Q = {_quality(found)} "
-            f"({_q(low)} to {_q(high)}); a rigid Earth would take {found.chain[0].period / DAY:.1f} d.")  # fmt: skip
+    @property
+    def summary(self) -> str:
+        period, amplitude = self.line.estimate.value[:2]
+        errors = self.line.estimate.standard_error
+        low, high = self.process.quality_intervals[0.6827]
+        return (f"The Chandler wobble: {uncertain(period / DAY, errors[0] / DAY, 'd')}, "
+                f"{uncertain(amplitude / MAS, errors[1] / MAS, 'mas')} on the mean, Q = {_quality(self)} "
+                f"({_q(low)} to {_q(high)}); a rigid Earth would take {self.chain[0].period / DAY:.1f} d.")  # fmt: skip
 
+    @property
+    def answers(self) -> list[Group | Table]:
+        return [_line(self), _process(self), _terms(self), _windows(self.windows), _excitation(self), _chain(self),
+                _data(self)]  # fmt: skip
 
-def wobble_groups(found: Wobble) -> list[Group | Table]:
-    """Return what is found, by groups."""
-    return [_line(found), _process(found), _terms(found), _windows(found.windows), _excitation(found), _chain(found),
-            _data(found)]  # fmt: skip
+    @property
+    def notes(self) -> list[str]:
+        notes = []
+        series, line, process = self.series, self.line, self.process
+        if series.predicted:
+            notes.append(f"{series.predicted} lines are predictions and were left out.")
+        if line.energy_ratio > STRAIGHT:
+            notes.append(f"the retrograde Chandler energy is {100.0 * line.energy_ratio:.2g} % of the prograde one; "
+                         "the Earth's is below 1 %. Check signs and units of x and y.")  # fmt: skip
+        amplitudes = self.windows.amplitude
+        if amplitudes.max() > 2.0 * amplitudes.min():
+            low, high = amplitudes.min() / MAS, amplitudes.max() / MAS
+            notes.append(f"the amplitude changed from {low:.0f} to {high:.0f} mas: "
+                         "that of the single line is the mean of a wobble that changes, not what it is at any time."
+                         )  # fmt: skip
+        apart = abs(line.estimate.value[0] - process.estimate.value[0])
+        if apart > AT_ODDS * math.hypot(line.estimate.standard_error[0], process.estimate.standard_error[0]):
+            notes.append("line and process disagree on the period by more than their errors allow.")
+        if process.whiteness < CORRELATED:
+            notes.append("what the process does not foresee is correlated (Ljung–Box): its errors are too small.")
+        if not math.isfinite(process.quality_intervals[0.95][1]):
+            notes.append("the series does not refuse a wobble without damping: Q has no upper end at 95 %.")
+        return notes
 
+    def figures(self) -> Mapping[str, Callable[[], Figure | None]]:
+        from polhode.studies.wobble_figures import over_time, spectrum, spiral
 
-def wobble_notes(found: Wobble) -> list[str]:
-    """Return what a reader should know of data and estimates."""
-    notes = []
-    series, line, process = found.series, found.line, found.process
-    if series.predicted:
-        notes.append(f"{series.predicted} lines are predictions and were left out.")
-    if line.energy_ratio > STRAIGHT:
-        notes.append(f"the retrograde Chandler energy is {100.0 * line.energy_ratio:.2g} % of the prograde one; "
-                     "the Earth's is below 1 %. Check signs and units of x and y.")  # fmt: skip
-    amplitudes = found.windows.amplitude
-    if amplitudes.max() > 2.0 * amplitudes.min():
-        notes.append(f"the amplitude changed from {amplitudes.min() / MAS:.0f} to {amplitudes.max() / MAS:.0f} mas: "
-                     "that of the single line is the mean of a wobble that changes, not what it is at any time."
-                     )  # fmt: skip
-    apart = abs(line.estimate.value[0] - process.estimate.value[0])
-    if apart > AT_ODDS * math.hypot(line.estimate.standard_error[0], process.estimate.standard_error[0]):
-        notes.append("line and process disagree on the period by more than their errors allow.")
-    if process.whiteness < CORRELATED:
-        notes.append("what the process does not foresee is correlated (Ljung–Box): its errors are too small.")
-    if not math.isfinite(process.quality_intervals[0.95][1]):
-        notes.append("the series does not refuse a wobble without damping: Q has no upper end at 95 %.")
-    return notes
+        drawings = {"pole_spiral": spiral, "chandler_over_time": over_time, "pole_spectrum": spectrum}
+        return {name: partial(draw, self) for name, draw in drawings.items()}
+
+    def save(self, path: str | Path) -> Path:
+        from polhode.formats.wobble_dataset import write_wobble
+
+        return write_wobble(self.windows, self.process, self.excitation, self.series.source, Path(path))
 
 
 def _q(value: float) -> str:
     return f"{value:.0f}" if math.isfinite(value) else "infinite"
 
 
-def _quality(found: Wobble) -> str:
+def _quality(found: WobbleReport) -> str:
     return _q(float(found.process.estimate.value[1]))
 
 
-def _line(found: Wobble) -> Group:
+def _line(found: WobbleReport) -> Group:
     fit = found.line
     period, amplitude, phase = fit.estimate.value
     errors = fit.estimate.standard_error
@@ -108,7 +129,7 @@ def _line(found: Wobble) -> Group:
     ])  # fmt: skip
 
 
-def _process(found: Wobble) -> Group:
+def _process(found: WobbleReport) -> Group:
     process = found.process
     period, quality = process.estimate.value
     errors = process.estimate.standard_error
@@ -128,7 +149,7 @@ def _process(found: Wobble) -> Group:
     ])  # fmt: skip
 
 
-def _terms(found: Wobble) -> Table:
+def _terms(found: WobbleReport) -> Table:
     fit = found.line
     rows: list[dict[str, Any]] = []
     for name, rate in fit.rates.items():
@@ -160,7 +181,7 @@ def _windows(windows: ChandlerWindows) -> Table:
         shown=lambda row: row["centre"] in shown)  # fmt: skip
 
 
-def _excitation(found: Wobble) -> Group:
+def _excitation(found: WobbleReport) -> Group:
     excitation = found.excitation
     density = found.process.excitation / MAS**2 / YEAR
     rms = float(np.sqrt(0.5 * np.mean(np.abs(excitation.psi - excitation.psi.mean()) ** 2)) / MAS)
@@ -172,7 +193,7 @@ def _excitation(found: Wobble) -> Group:
     ])  # fmt: skip
 
 
-def _chain(found: Wobble) -> Table:
+def _chain(found: WobbleReport) -> Table:
     rows: list[dict[str, Any]] = [
         {"stage": stage.name, "period_days": stage.period / DAY, "cause": stage.cause} for stage in found.chain
     ]
@@ -183,7 +204,7 @@ def _chain(found: Wobble) -> Table:
     }, rows, {"period_days": "d"})  # fmt: skip
 
 
-def _data(found: Wobble) -> Group:
+def _data(found: WobbleReport) -> Group:
     days = found.series.days
     span = [date_of(float(days[0])), date_of(float(days[-1]))]
     return Group("Data", [

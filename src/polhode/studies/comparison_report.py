@@ -1,14 +1,22 @@
-"""What a comparison of two attitude histories says, in words and as values."""
+"""The report on a comparison of two attitude histories."""
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import partial
+from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
 
 from polhode.analysis.comparison import Comparison, Invariants
+from polhode.errors import one_line
 from polhode.reports.answer import Answer, Group, Table
+from polhode.reports.report import StudyReport
 from polhode.reports.wording import angle, known_digits, number, vector
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 LEAST = 3e-16  # rad; rounding of a quaternion's components alone makes as much
 NAMES = {"energy": "energy", "momentum_norm": "|L|", "momentum_space": "L in space", "vertical_momentum": "L upwards"}
@@ -16,20 +24,28 @@ INVARIANT_UNITS = {"energy": "J"}
 
 
 @dataclass(frozen=True)
-class ComparisonReport:
+class ComparisonReport(StudyReport):
     """A comparison, and what its reader should know of how it was made.
 
     Attributes:
         comparison: the numbers.
         clocks: how the two times were laid side by side.
-        notes: what else there is to know.
+        warned: what else there is to know.
         unknown: why energy and momentum of neither are known, where they are not.
+        reading: how tables among the two were understood.
     """
 
+    kind: ClassVar[str] = "comparison"
     comparison: Comparison
     clocks: str
-    notes: tuple[str, ...] = ()
+    warned: tuple[str, ...] = ()
     unknown: str = "energy and momentum need the body's moments; give a spec of a free body or top with --spec."
+    reading: tuple[Group, ...] = ()
+
+    @property
+    def name(self) -> str:
+        first, second = self.comparison.names
+        return one_line(f"{first} (A) and {second} (B)")
 
     @property
     def summary(self) -> str:
@@ -50,10 +66,11 @@ class ComparisonReport:
                 f" do not explain it: the best fit leaves {rest:.3g} rad.")  # fmt: skip
         return text
 
+    @property
     def answers(self) -> list[Group | Table]:
-        """Return what the report says, in the order of its text."""
         fit = [Group("", [Answer("alignment", None)])] if self.comparison.alignment is None else [self._fit()]
-        return [self._times(), self._angle(), *fit, *self._invariants()]
+        names = Group("", [Answer("names", self.comparison.names)])
+        return [names, *self.reading, self._times(), self._angle(), *fit, *self._invariants()]
 
     def _times(self) -> Group:
         found = self.comparison
@@ -133,9 +150,9 @@ class ComparisonReport:
         answer = Answer("invariants", values, explanation="drift is relative")
         return [Group("", [answer]), Table("", "Invariants", columns, rows)]
 
-    def all_notes(self) -> list[str]:
-        """Return what a reader should know in addition to the numbers."""
-        found, notes = self.comparison, list(self.notes)
+    @property
+    def notes(self) -> list[str]:
+        found, notes = self.comparison, list(self.warned)
         if found.alignment is not None and not found.alignment.determined:
             notes.append("the motion does not tell all misalignments and the rate apart: others would explain as much.")
         if found.interpolation_error is not None and found.largest <= found.interpolation_error:
@@ -143,6 +160,11 @@ class ComparisonReport:
         if found.invariants == (None, None):
             notes.append(self.unknown)
         return notes
+
+    def figures(self) -> Mapping[str, Callable[[], Figure | None]]:
+        from polhode.figures.comparison_figure import comparison
+
+        return {"comparison": partial(comparison, self.comparison)}
 
 
 def _first(kept: Invariants, name: str) -> str:

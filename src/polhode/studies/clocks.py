@@ -9,11 +9,11 @@ from typing import NamedTuple
 import numpy as np
 
 from polhode.analysis.comparison import SAME_TIME
-from polhode.cli.sources import Source
 from polhode.errors import InvalidInput, shown
 from polhode.formats.header_words import TIME_UNITS, unit_named
 from polhode.formats.stamps import IN_DECIMAL_SECONDS, exact_number, in_words
 from polhode.formats.time_scales import terrestrial_time
+from polhode.studies.sources import Source
 
 START = "start"
 _TIME = re.compile(r"\s*(?P<number>[-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?)\s*(?P<unit>[A-Za-zµμ]+)\s*")

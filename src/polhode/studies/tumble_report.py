@@ -1,16 +1,27 @@
-"""What two periods say of a tumbling body, as answers."""
+"""The report on a tumbling body."""
 
 from __future__ import annotations
 
-from typing import NamedTuple
+import csv
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, ClassVar, NamedTuple
 
 import numpy as np
 
 from polhode.analysis.light_curves import LightCurveLines
+from polhode.errors import InvalidInput, shown
 from polhode.estimation.tumbling import Tumbling
+from polhode.formats.paths import written_whole
 from polhode.reports.answer import Answer, Group, Table
+from polhode.reports.report import StudyReport
 from polhode.reports.wording import angle, duration, in_its_unit, uncertain
 from polhode.types import Array, Float64
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 CALM = {"short-axis": 3, "long-axis": 1}
 WORDS = {"short-axis": "short-axis mode (SAM)", "long-axis": "long-axis mode (LAM)"}
@@ -37,9 +48,21 @@ class LightCurve(NamedTuple):
     magnitudes: Float64[Array, "time"]
 
 
-class Tumbler(NamedTuple):
-    """All that the command says."""
+@dataclass(frozen=True)
+class TumbleReport(StudyReport):
+    """How a body tumbles.
 
+    Attributes:
+        name: of the body.
+        source: where its periods are from; empty for what the caller gave.
+        motion: the motion that has these periods.
+        others: those of the other mode with the same periods.
+        limits: least ratio of rotation to precession in each mode.
+        light: its light curve; None of a flat body.
+        damping: None where the friction is not known.
+    """
+
+    kind: ClassVar[str] = "tumble"
     name: str
     source: str
     motion: Tumbling
@@ -48,38 +71,64 @@ class Tumbler(NamedTuple):
     light: LightCurve | None
     damping: Damping | None
 
+    @property
+    def summary(self) -> str:
+        motion = self.motion
+        low, high = (f"{np.degrees(x):.4g}°" for x in motion.tilts)
+        mode = WORDS[motion.mode]
+        return (
+            f"{mode[0].upper()}{mode[1:]}: the energy is {_energy(motion)} times the least for "
+            f"this angular momentum, and axis {CALM[motion.mode]} is tilted against L by {low} to {high}."
+        )
 
-def tumble_summary(found: Tumbler) -> str:
-    """Return the answer in a sentence."""
-    motion = found.motion
-    low, high = (f"{np.degrees(x):.4g}°" for x in motion.tilts)
-    mode = WORDS[motion.mode]
-    return (
-        f"{mode[0].upper()}{mode[1:]}: the energy is {_energy(motion)} times the least for "
-        f"this angular momentum, and axis {CALM[motion.mode]} is tilted against L by {low} to {high}."
-    )
+    @property
+    def notes(self) -> list[str]:
+        notes = []
+        if self.others:
+            notes.append(f"the {WORDS[self.others[0].mode]} has the same periods; a light curve or an image must tell "
+                         f"which it is. --mode {self.others[0].mode} takes the other.")  # fmt: skip
+        interval = self.motion.interval
+        if interval is not None and interval.admissible < 0.975:
+            notes.append(f"only {100 * interval.admissible:.0f} % of the periods and moments within the errors have a "
+                         "motion in this mode; the intervals are of those.")  # fmt: skip
+        if self.light is None:
+            notes.append("I1 + I2 = I3: the body is flat, and there is no ellipsoid to draw a light curve of.")
+        return notes
 
+    @property
+    def answers(self) -> list[Group | Table]:
+        return [_state(self.motion), _periods(self.motion), _body(self), *_damping(self.damping),
+                *_others(self.others), *_light(self)]  # fmt: skip
 
-def tumble_notes(found: Tumbler) -> list[str]:
-    """Return what a reader should know beside the numbers."""
-    notes = []
-    if found.others:
-        notes.append(f"the {WORDS[found.others[0].mode]} has the same periods; a light curve or an image must tell "
-                     f"which it is. --mode {found.others[0].mode} takes the other.")  # fmt: skip
-    interval = found.motion.interval
-    if interval is not None and interval.admissible < 0.975:
-        notes.append(f"only {100 * interval.admissible:.0f} % of the periods and moments within the errors have a "
-                     "motion in this mode; the intervals are of those.")  # fmt: skip
-    if found.light is None:
-        notes.append("I1 + I2 = I3: the body is flat, and there is no ellipsoid to draw a light curve of.")
-    return notes
+    def figures(self) -> Mapping[str, Callable[[], Figure | None]]:
+        from polhode.studies.tumble_figures import light_curve, polhode, spectrum
 
+        lit = {} if self.light is None else {
+            "light_curve": partial(light_curve, self.light), "spectrum": partial(spectrum, self.light, self.motion)}
+        return {"polhode": partial(polhode, self), **lit}
 
-def tumble_groups(found: Tumbler) -> list[Group | Table]:
-    """Return what is said, by groups."""
-    return [_state(found.motion), _periods(found.motion), _body(found), *_damping(found.damping),
-            *_others(found.others), *_light(found)]  # fmt: skip
+    def save(self, path: str | Path) -> Path:
+        """Write the light curve as .csv, or a spec of the motion as .toml.
 
+        Raises:
+            InvalidInput: for another ending, and for the light curve of a flat body.
+        """
+        path = Path(path)
+        ending = path.suffix.lower()
+        if ending not in (".csv", ".toml"):
+            raise InvalidInput(f"{path}: must end in .csv (light curve) or .toml (spec); got {shown(path.suffix)}.")
+        if ending == ".toml":
+            with written_whole(path) as draft:
+                draft.write_text(_spec(self), "utf-8")
+            return path
+        if self.light is None:
+            why = "a flat body, I1 + I2 = I3, has no light curve here. Give moments of a solid body."
+            raise InvalidInput(f"{path}: {why}")
+        with written_whole(path) as draft, draft.open("w", encoding="utf-8", newline="") as file:
+            writer = csv.writer(file)
+            writer.writerow(["time [s]", "magnitude [mag]"])
+            writer.writerows(zip(self.light.times.tolist(), self.light.magnitudes.tolist(), strict=True))
+        return path
 
 def _energy(motion: Tumbling) -> str:
     error = None if motion.interval is None else float(motion.interval.estimate.standard_error[0])
@@ -128,7 +177,7 @@ def _periods(motion: Tumbling) -> Group:
     ])  # fmt: skip
 
 
-def _body(found: Tumbler) -> Group:
+def _body(found: TumbleReport) -> Group:
     motion = found.motion
     short, long = found.limits
     ratio = motion.rotation / motion.precession
@@ -169,7 +218,7 @@ def _others(others: tuple[Tumbling, ...]) -> list[Table]:
     }, rows, {"cone_angle": "rad", "tilt": "rad", "momentum_rate": "rad/s"})]  # fmt: skip
 
 
-def _light(found: Tumbler) -> list[Group | Table]:
+def _light(found: TumbleReport) -> list[Group | Table]:
     light = found.light
     if light is None:
         return [Group("Light curve", [Answer("light_curve", None)])]
@@ -207,3 +256,16 @@ def order_words(m: int, n: int) -> str:
 
 def _or_none(value: float) -> float | None:
     return value if np.isfinite(value) else None
+
+
+def _spec(found: TumbleReport) -> str:
+    motion = found.motion
+    spin = np.asarray(motion.motion.angular_velocity(0.0)).tolist()
+    moments = ", ".join(f'"{x:.17g} kg*m^2"' for x in motion.moments.tolist())
+    rates = ", ".join(f'"{x:.17g} rad/s"' for x in spin)
+    return (
+        f"# {found.name}: {motion.mode} mode, P_phi = {motion.precession:.10g} s, P_psi = {motion.rotation:.10g} s.\n"
+        f"# Periods leave the scale of the moments open; the largest is 1 kg m^2 here.\n"
+        f'name = "{found.name}"\n\n[body]\nmoments = [{moments}]\n\n'
+        f'[spin]\nangular_velocity = [{rates}]\nframe = "principal"\n\n[time]\nuntil = "{5 * motion.rotation:.10g} s"\n'
+    )

@@ -8,34 +8,19 @@ import numpy as np
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 
-from polhode.errors import InvalidInput, shown
 from polhode.figures import style
-from polhode.reports.wobble import DAY, MAS, YEAR, Wobble
+from polhode.studies.wobble_report import DAY, MAS, YEAR, WobbleReport
 
 FIRST_YEAR = 1858.8761  # of modified Julian dates
 MOST = 2.3  # cycles a year that the spectrum shows
 EACH = 5  # days from point to point of the spiral
 
 
-def wobble_figures(found: Wobble) -> dict[str, Figure]:
-    """Return the figures of a wobble by name.
-
-    Args:
-        found: as ``polhode wobble`` puts it together.
-
-    Raises:
-        InvalidInput: for anything else.
-    """
-    if not isinstance(found, Wobble):
-        raise InvalidInput(f"`found` must be a Wobble, as `polhode wobble` makes it; got {shown(found)}.")
-    return {"pole_spiral": _spiral(found), "chandler_over_time": _over_time(found), "pole_spectrum": _spectrum(found)}
-
-
 def _years(seconds: Any) -> Any:
     return FIRST_YEAR + np.asarray(seconds) / YEAR
 
 
-def _spiral(found: Wobble) -> Figure:
+def spiral(found: WobbleReport) -> Figure:
     """Return the pole's path as seen from above the North Pole: 90° West, y, to the left, Greenwich, x, up."""
     series = found.series
     x, y = series.x[::EACH] / MAS, series.y[::EACH] / MAS
@@ -63,7 +48,7 @@ def _spiral(found: Wobble) -> Figure:
     return figure
 
 
-def _over_time(found: Wobble) -> Figure:
+def over_time(found: WobbleReport) -> Figure:
     windows, process = found.windows, found.process
     figure = style.new_figure(width=style.COLUMN * 1.3)
     above, below = figure.subplots(2, 1, sharex=True, height_ratios=(3, 2))
@@ -93,7 +78,7 @@ def _over_time(found: Wobble) -> Figure:
     return figure
 
 
-def _spectrum(found: Wobble) -> Figure:
+def spectrum(found: WobbleReport) -> Figure:
     frequencies = found.spectrum.frequencies * YEAR
     density = found.spectrum.density / MAS**2 / YEAR
     figure = style.new_figure(width=style.COLUMN * 1.3, height=2.8)

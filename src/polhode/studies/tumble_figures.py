@@ -6,37 +6,20 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from polhode.analysis.polhodes import polhode_family, separatrix
-from polhode.errors import InvalidInput, shown
 from polhode.estimation.tumbling import Tumbling
 from polhode.figures import style
 from polhode.figures.energy_levels import label_axes
 from polhode.figures.sphere import draw_curve, draw_disk, view_frame
-from polhode.reports.tumble import LightCurve, Tumbler, order_words
 from polhode.reports.wording import LONG
+from polhode.studies.tumble_report import LightCurve, TumbleReport, order_words
 from polhode.types import Array
 
 VIEW = (0.80, 0.46, 0.38)
 NAMED = 6  # lines that have their names in the figure
 
 
-def tumble_figures(found: Tumbler) -> dict[str, Figure]:
-    """Return the figures of a tumbler by name.
-
-    Args:
-        found: as the command makes it.
-
-    Raises:
-        InvalidInput: for anything else.
-    """
-    if not isinstance(found, Tumbler):
-        raise InvalidInput(f"`found` must be a Tumbler; got {shown(found)}.")
-    figures = {"polhode": _polhode(found)}
-    if found.light is not None:
-        figures |= {"light_curve": _curve(found.light), "spectrum": _spectrum(found.light, found.motion)}
-    return figures
-
-
-def _polhode(found: Tumbler) -> Figure:
+def polhode(found: TumbleReport) -> Figure:
+    """Return the path of the angular momentum among the polhodes of the body."""
     figure = style.new_figure(height=style.COLUMN * 1.05)
     axes = figure.subplots()
     draw_disk(axes)
@@ -64,7 +47,7 @@ def _path(motion: Tumbling) -> Array:
     return np.asarray(motion.motion.momentum(times)) / float(np.asarray(motion.motion.momentum_norm))
 
 
-def _curve(light: LightCurve) -> Figure:
+def light_curve(light: LightCurve) -> Figure:
     figure = style.new_figure(width=1.8 * style.COLUMN, height=0.7 * style.COLUMN)
     axes = figure.subplots()
     size, unit = next(((size, unit) for least, size, unit in LONG if light.times[-1] >= least), (1.0, "s"))
@@ -80,7 +63,7 @@ def _curve(light: LightCurve) -> Figure:
     return figure
 
 
-def _spectrum(light: LightCurve, motion: Tumbling) -> Figure:
+def spectrum(light: LightCurve, motion: Tumbling) -> Figure:
     figure = style.new_figure(width=1.8 * style.COLUMN, height=0.8 * style.COLUMN)
     axes = figure.subplots()
     lines = light.lines

@@ -1,16 +1,14 @@
-"""``polhode fit SPEC LINES``: a molecule's constants from measured lines."""
+"""A molecule's constants from measured lines, and the report on them."""
 
 from __future__ import annotations
 
-from functools import partial
+from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any, ClassVar
 
 import numpy as np
 
-from polhode.cli.destinations import check_spares
-from polhode.cli.publish import publish
-from polhode.cli.spectra import told_of
 from polhode.errors import InvalidInput, shown
 from polhode.formats.spfit import read_lin
 from polhode.kinds.reading import read_spec_or_molecule
@@ -19,44 +17,93 @@ from polhode.quantum.fitting import RotorFit, fit_rotor
 from polhode.quantum.measured import MeasuredLines
 from polhode.quantum.rotor import Rotor
 from polhode.reports.answer import Answer, Group, Table
-from polhode.reports.report import Report
+from polhode.reports.report import StudyReport
 from polhode.reports.spectra import label
 from polhode.reports.wording import uncertain
-
-if TYPE_CHECKING:
-    from polhode.formats.spfit_constants import ConstantTable
+from polhode.studies.naming import Called, in_python, warnings_as_notes
 
 MEGA = 1e6  # Hz
 WORST = 8  # observations that are listed
 CLOSE = 0.95  # correlation from which two constants are said to go together
 
 
-def run_fit_rotor(path: Path, lines: Path, free: str | None, out: Path | None, json: bool) -> None:
-    """Fit constants, print them with their errors, and write them as a ``.par`` or ``.var`` file if asked for."""
-    if out is not None:
-        for given in (path, lines):
-            check_spares(out, given)
-    with told_of(path) as notes:
+@dataclass(frozen=True)
+class LineFitReport(StudyReport):
+    """A molecule's constants from measured lines.
+
+    Attributes:
+        name: of the molecule.
+        start: the rotor that the fit started from.
+        measured: the lines.
+        fit: the numbers.
+        asked: names of the constants to fit; None for all that lines depend on.
+        warned: what the readers and the fit had to say.
+    """
+
+    kind: ClassVar[str] = "line fit"
+    data_file: ClassVar[str] = "fit.par"
+    name: str
+    start: Rotor
+    measured: MeasuredLines
+    fit: RotorFit
+    asked: Sequence[str] | None
+    warned: Sequence[str]
+
+    @property
+    def summary(self) -> str:
+        fit = self.fit
+        return (f"{len(fit.names)} constants from {len(fit.residual)} observations, which they meet to {fit.rms:.3g} "
+                "of their errors.")  # fmt: skip
+
+    @property
+    def answers(self) -> list[Group | Table]:
+        fit, measured = self.fit, self.measured
+        return [_quality(fit, measured), _constants(fit, self.start), _worst(fit, measured)]
+
+    @property
+    def notes(self) -> list[str]:
+        start, fit, asked = self.start, self.fit, self.asked
+        return [*self.warned, *_together(start, fit, asked), *_fixed(start, fit, asked), *_remarks(fit)]
+
+    def save(self, path: str | Path) -> Path:
+        """Write the constants as a ``.par`` file, or with their correlations as ``.var``."""
+        from polhode.formats.spfit_constants import constant_table, write_par
+
+        sigma = dict(zip(self.fit.names, self.fit.sigma.tolist(), strict=True))
+        write_par(constant_table(self.fit.rotor, sigma, self.name, self.fit.correlation), Path(path))
+        return Path(path)
+
+
+def fit_lines(
+    path: Path, lines: Path, free: Sequence[str] | None = None, called: Called = in_python
+) -> LineFitReport:
+    """Return the report on a molecule's constants.
+
+    Args:
+        path: of a spec or of atoms, whose constants the fit starts from.
+        lines: file of measured lines, .lin.
+        free: names of the constants to fit; None for those of the spec that lines depend on.
+        called: returns how an argument is called where it is given, for messages.
+
+    Raises:
+        InvalidInput: naming the file, for what cannot be read or fitted.
+        NotConverged: where the fit finds no end.
+    """
+    with warnings_as_notes(path) as notes:
         spec = read_spec_or_molecule(path)
         start = spec.kind.rotor(spec).rotor
-    with told_of(lines) as more:
+    with warnings_as_notes(lines) as more:
         measured = read_lin(lines).measured()
-    with told_of(path) as others:
-        names = None if free is None else [name.strip() for name in free.split(",")]
+    with warnings_as_notes(path) as others:
+        names = None if free is None else [name.strip() for name in free]
         if names is not None and not all(names):
-            raise InvalidInput(f"--free must be names of constants with commas, like A,B,C,D_J; got {shown(free)}.")
+            got = shown(",".join(names))
+            raise InvalidInput(f"{called('free')} must be names of constants, like A,B,C,D_J; got {got}.")
         fit = fit_rotor(start, measured, names)
-        table = None if out is None else _table(fit, spec.name)
-    notes += [*more, *others, *_together(start, fit, names), *_fixed(start, fit, names), *_remarks(fit)]
-    groups = [_quality(fit, measured), _constants(fit, start), _worst(fit, measured)]
-    count = len(fit.residual)
-    said = f"{len(fit.names)} constants from {count} observations, which they meet to {fit.rms:.3g} of their errors."
-    data = None if table is None else partial(_write, table)
-    report = Report(spec.name, "line fit", said, groups, notes, data=data)
-    publish(report, json, out)
+    return LineFitReport(spec.name, start, measured, fit, names, [*notes, *more, *others])
 
 
-def _together(start: Rotor, fit: RotorFit, asked: list[str] | None) -> list[str]:
+def _together(start: Rotor, fit: RotorFit, asked: Sequence[str] | None) -> list[str]:
     """Return which equal constants were fitted as one."""
     first = next((name for name in fit.names if name in start.equal), None)
     others = [name for name in start.equal if name != first and (asked is None or name in asked)]
@@ -66,7 +113,7 @@ def _together(start: Rotor, fit: RotorFit, asked: list[str] | None) -> list[str]
     return [f"{both} are equal at the start and fitted as one, {first}; to fit each, start from values that differ."]
 
 
-def _fixed(start: Rotor, fit: RotorFit, asked: list[str] | None) -> list[str]:
+def _fixed(start: Rotor, fit: RotorFit, asked: Sequence[str] | None) -> list[str]:
     """Return which constants that the spec gives were left as they are, as no line depends on them."""
     if asked is not None:
         return []
@@ -75,20 +122,6 @@ def _fixed(start: Rotor, fit: RotorFit, asked: list[str] | None) -> list[str]:
         return []
     kept, them = ("is", "it") if len(left) == 1 else ("are", "them")
     return [f"{', '.join(left)} {kept} kept as the spec says: no line changes with {them}."]
-
-
-def _table(fit: RotorFit, title: str) -> ConstantTable:
-    from polhode.formats.spfit_constants import constant_table
-
-    sigma = dict(zip(fit.names, fit.sigma.tolist(), strict=True))
-    return constant_table(fit.rotor, sigma, title, fit.correlation)
-
-
-def _write(table: ConstantTable, out: Path) -> Path:
-    from polhode.formats.spfit_constants import write_par
-
-    write_par(table, out)
-    return out
 
 
 def _quality(fit: RotorFit, measured: MeasuredLines) -> Group:

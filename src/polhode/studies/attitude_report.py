@@ -1,0 +1,116 @@
+"""The report on a fit of attitudes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, ClassVar
+
+import numpy as np
+
+from polhode.estimation.attitude_fit import AttitudeFit
+from polhode.estimation.estimate import Estimate
+from polhode.reports.answer import Answer, Group, Table
+from polhode.reports.report import StudyReport
+from polhode.reports.wording import uncertain
+from polhode.studies.fit_answers import (
+    about_axes,
+    about_inertia,
+    about_misfit,
+    about_moments,
+    each,
+    in_words,
+    motion_in_words,
+    sentence,
+    values,
+)
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+EXACT = 1e-9  # rad; residuals of computed attitudes, which rounding makes alike
+
+
+@dataclass(frozen=True)
+class AttitudeReport(StudyReport):
+    """The inertia of a body from a log of its attitude.
+
+    Attributes:
+        name: of the log.
+        fit: the numbers.
+        moments: I1, I2, I3 [kg m²]; None where only their ratios are known.
+    """
+
+    kind: ClassVar[str] = "attitude fit"
+    data_file: ClassVar[str] = "fit.nc"
+    name: str
+    fit: AttitudeFit
+    moments: Estimate | None
+
+    @property
+    def determined(self) -> bool:
+        return self.fit.degenerate is None
+
+    @property
+    def summary(self) -> str:
+        fit = self.fit
+        if fit.degenerate is not None or fit.ratios is None:
+            return f"The inertia cannot be told. {sentence(fit.degenerate or '')}"
+        said = ", ".join(f"{name} = {uncertain(value, error)}" for name, value, error in each(fit.ratios))
+        return f"{said}; {motion_in_words(fit.regime)}, residuals {fit.rms:.2g} rad rms."
+
+    @property
+    def answers(self) -> list[Group | Table]:
+        fit = self.fit
+        span = [float(fit.times[0]), float(fit.times[-1])]
+        return [about_inertia(fit), *about_moments(self.moments), about_axes(fit), self._torque(), Group("Fit", [
+            Answer("rms", fit.rms, "rad", "residuals", "root mean square", f"{fit.rms:.3g} rad rms"),
+            Answer("sigma", fit.sigma, "rad", "noise of an attitude", "about each axis", f"{fit.sigma:.3g} rad"),
+            Answer("rate_sigma", fit.rate_sigma, "rad/s", "noise of a rate", "along each axis",
+                   None if fit.rate_sigma is None else f"{fit.rate_sigma:.3g} rad/s"),
+            Answer("samples", len(fit.times), "", "samples used"),
+            Answer("window", span, "s", "times", "", f"{span[0]:.6g} to {span[1]:.6g} s"),
+            Answer("regime", fit.regime, "", "regime"),
+        ])]  # fmt: skip
+
+    def _torque(self) -> Group:
+        """Return the constant torque, in N m too where a moment is known, and how the criterion decided."""
+        fit, moments = self.fit, self.moments
+        both = len(fit.aicc) > 1
+        better = fit.aicc["free"] - fit.aicc["torque"] if both else 0.0
+        said = f"AICc {'prefers' if better > 0 else 'speaks against'} a torque by {abs(better):.3g}" if both else None
+        torque, absolute = fit.torque, None
+        if torque is not None and moments is not None:
+            largest, error = float(moments.value[2]), float(moments.standard_error[2])
+            size = np.hypot(torque.standard_error * largest, torque.value * error)
+            absolute = Estimate(("Nx", "Ny", "Nz"), torque.value * largest, np.diag(size**2), torque.degrees_of_freedom)
+        return Group("Torque", [
+            Answer("torque", None if torque is None else values(torque), "rad/s²", "N/I3 along x, y, z",
+                   "constant in the body, over the largest moment; null where there is none",
+                   "none" if torque is None else f"{in_words(torque)} rad/s²"),
+            Answer("torque_absolute", None if absolute is None else values(absolute), "N m",
+                   "N along x, y, z", "", None if absolute is None else f"{in_words(absolute)} N m"),
+            Answer("aicc", fit.aicc, "", "criterion" if both else "", "", said),
+        ])  # fmt: skip
+
+    @property
+    def notes(self) -> list[str]:
+        fit = self.fit
+        if fit.degenerate is not None:
+            return []
+        remedy = "Look at the residuals by --figures: a torque may act that changes in the body"
+        notes = [] if fit.rms < EXACT else about_misfit([fit.residuals], "the intervals are too narrow", remedy)
+        if fit.equal:
+            notes.append(f"{fit.equal} within their errors: the axes between them are not determined.")
+        return notes
+
+    def figures(self) -> Mapping[str, Callable[[], Figure | None]]:
+        from polhode.figures.throw_figure import attitude_figures
+
+        return attitude_figures(self.fit)
+
+    def save(self, path: str | Path) -> Path:
+        from polhode.formats.throw_dataset import write_attitude_fit
+
+        return write_attitude_fit(self.fit, self.name, Path(path))

@@ -1,0 +1,157 @@
+"""``polhode.compare``: how two attitude histories differ."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from decimal import Decimal
+from pathlib import Path
+
+from polhode.analysis import comparison
+from polhode.analysis.mechanics import Mechanics
+from polhode.errors import InvalidInput, shown
+from polhode.formats.labels import plain as same_name
+from polhode.reports.answer import Group
+from polhode.studies.clocks import lay_side_by_side
+from polhode.studies.comparison_report import ComparisonReport
+from polhode.studies.naming import naming
+from polhode.studies.sources import KINDS_IN_WORDS, Kernels, Source, body_of, source_of
+from polhode.studies.tables import Table, about_reading, notes_on_reading
+
+History = comparison.Source | Path | str
+
+
+def compare(
+    a: History, b: History, *, spec: Path | str | None = None, offset: float | str | None = None
+) -> ComparisonReport:
+    """Return the report on how two attitude histories of one body differ.
+
+    Both are compared along the same body axes: where one is known exactly it is evaluated at the other's samples, and
+    of two sampled ones B is interpolated by a spline of rotations. ``polhode.analysis.compare`` has the numbers alone.
+
+    Args:
+        a: the one that times are counted by: a history, a trajectory with attitudes, a motion in closed form, or a file
+            with one: spec, dataset, CSV of polhode's, CCSDS AEM, C-kernel with its own kernels next to it.
+        b: the other.
+        spec: of files, that of the body's spec, for its moments where the two do not tell energy and momentum.
+        offset: A's time at B's time zero [s], or "start" if both begin at the same moment; of files it is found out if
+            left out, otherwise it is 0 then.
+
+    Raises:
+        InvalidInput: for what cannot be read or is no attitude history, and for two that have no time in common.
+        NotConverged: for a spec whose motion could not be followed.
+
+    >>> import polhode as ph
+    >>> motion = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5))
+    >>> ph.compare(motion, motion.sample([0.0, 1.0, 2.0])).summary
+    'Both agree to 3.0e-16 rad: to rounding.'
+    """
+    if isinstance(a, str | Path) and isinstance(b, str | Path):
+        told = offset if offset is None or isinstance(offset, str) else Decimal(offset)
+        return compare_files(Path(a), Path(b), None if spec is None else Path(spec), offset=told)
+    sides = [source_of(Path(side), Kernels()).history if isinstance(side, str | Path) else side for side in (a, b)]
+    if spec is not None or isinstance(offset, str):
+        name, got = ("spec", spec) if spec is not None else ("offset", offset)
+        rule = "left out" if name == "spec" else "a time in seconds"
+        raise InvalidInput(f"`{name}` must be {rule} where not both are files; got {shown(got)}. An AttitudeHistory "
+                           "takes its mechanics with it.")  # fmt: skip
+    begin = 0.0 if offset is None else float(offset)
+    words = "taken as one" if begin == 0.0 else f"B's time zero is at {begin:.9g} s of A"
+    return ComparisonReport(comparison.compare(*sides, offset=begin), words)
+
+
+def compare_files(
+    first: Path, second: Path, spec: Path | None = None, kernels: Kernels | None = None,
+    tables: tuple[Table | None, Table | None] = (None, None), offset: Decimal | str | None = None,
+) -> ComparisonReport:  # fmt: skip
+    """Return the report on how the attitude histories of two files differ.
+
+    Args:
+        first: spec, dataset or CSV of polhode's, CCSDS AEM, C-kernel, or any table; times are counted by it.
+        second: the same.
+        spec: whose body it is, for its moments.
+        kernels: that go with C-kernels.
+        tables: what is said of the columns of each, where it is a table of another tool.
+        offset: A's clock at B's zero [s], or "start" if both begin at the same moment; None to find it out.
+
+    Raises:
+        InvalidInput: for files that cannot be read or have no time in common.
+        NotConverged: for a spec whose motion could not be followed.
+    """
+    a, b = (source_of(path, kernels or Kernels(), table)
+            for path, table in zip((first, second), tables, strict=True))  # fmt: skip
+    _check_used(a, b, tables)
+    shared = None if spec is None else _mechanics_of(spec)
+    known = shared or a.history.mechanics or b.history.mechanics
+    histories = [replace(side.history, mechanics=shared or side.history.mechanics or known) for side in (a, b)]
+    with naming(f"{first}, {second}"):
+        laid = lay_side_by_side(a, b, offset)
+        found = comparison.compare(*histories, offset=laid.offset)
+    reading, notes = _readings(a, b)
+    warned = (*notes, *_kinds(a, b), *_names(a, b))
+    unknown = _unknown(a, b, known)
+    why = {} if unknown is None else {"unknown": unknown}
+    return ComparisonReport(found, laid.words, warned, reading=tuple(reading), **why)
+
+
+def _mechanics_of(spec: Path) -> Mechanics:
+    found = body_of(spec).mechanics
+    if found is None:
+        raise InvalidInput(f"{spec}: is neither of a free body nor of a top, so what would be kept is not known here.")
+    return found
+
+
+def _check_used(a: Source, b: Source, tables: tuple[Table | None, Table | None]) -> None:
+    """Refuse options of columns that no file takes.
+
+    Raises:
+        InvalidInput: naming the file.
+    """
+    for side, table in zip((a, b), tables, strict=True):
+        if table is not None and table.only and side.kind != "table":
+            why = f"is {KINDS_IN_WORDS[side.kind]}, and a mapping is for tables"
+            raise InvalidInput(f"{side.history.name}: {why}. Leave its part of the mapping out.")
+    if tables != (None, None) and "table" not in (a.kind, b.kind):
+        why = "is a table, and the options of columns are for these"
+        raise InvalidInput(f"neither {a.history.name} nor {b.history.name} {why}. Leave them out.")
+
+
+def _readings(a: Source, b: Source) -> tuple[list[Group], list[str]]:
+    """Return how tables among the two are read, and notes on it."""
+    groups, notes = [], []
+    for name, side in (("a", a), ("b", b)):
+        if side.kind == "table":
+            title = f"How {side.history.name} ({name.upper()}) is read"
+            groups.append(about_reading(side.trajectory, title, f"read_as.{name}"))
+            notes += notes_on_reading(side.trajectory, side.history.name)
+    return groups, notes
+
+
+def _unknown(a: Source, b: Source, known: Mechanics | None) -> str | None:
+    """Say why there is neither energy nor momentum, unless it is for want of a spec."""
+    if known is not None:
+        return "energy and momentum need angular velocities, and the samples are too few to find these."
+    specs = [side for side in (a, b) if side.system is not None]
+    if not specs:
+        return None
+    which = " and ".join(f"{side.history.name} is of the system {side.system}" for side in specs)
+    return f"energy and momentum are known here of free bodies and tops only, and {which}."
+
+
+def _kinds(a: Source, b: Source) -> list[str]:
+    """Say of specs that are not evaluated exactly how they were come by."""
+    return [
+        f"{side.history.name} is a motion without a closed form: its samples are compared."
+        for side in (a, b) if side.kind == "spec" and side.history.exact is None
+    ]  # fmt: skip
+
+
+def _names(a: Source, b: Source) -> list[str]:
+    """Say where the labels differ: the comparison takes the axes as they are."""
+    if a.labels is None or b.labels is None:
+        return []
+    found = []
+    for name, words in (("reference_frame", "space axes"), ("body_frame", "body axes"), ("object_name", "objects")):
+        mine, theirs = getattr(a.labels, name), getattr(b.labels, name)
+        if same_name(mine) != same_name(theirs):
+            found.append(f"{words} have different names, {mine} and {theirs}; they are compared as if the same.")
+    return found

@@ -1,0 +1,80 @@
+"""``polhode.fit``: the inertia of a body from logs, or a molecule's constants from measured lines."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from polhode.errors import InvalidInput
+from polhode.formats.column_mapping import mapping_of_words
+from polhode.reports.report import Report
+from polhode.studies.naming import Called, in_python
+from polhode.studies.tables import Table
+from polhode.studies.throws import Progress, ThrowOptions, fit_logs
+
+LINES = ".lin"
+STARTS = (".toml", ".xyz", ".extxyz", ".pdb", ".mol", ".sdf")
+"""Files that a fit to measured lines can start from; none of them is a log."""
+
+
+def fit(
+    *files: Path | str, free: Sequence[str] | None = None, windows: Sequence[tuple[float, float]] = (),
+    drag: bool | None = None, torque: bool | None = None, rotor: bool | None = None, gain: bool | None = None,
+    clip: str | float | None = None, moment: str | None = None, mass: str | None = None,
+    added_weight: str | None = None, weighted: Sequence[Path | str] = (), columns: Mapping[str, Any] | None = None,
+) -> Report:  # fmt: skip
+    """Fit what the files are of, and return the report.
+
+    Gyro logs of throws of one body, and a log of its attitude, tell its ratios of inertia; a spec or a file of atoms
+    with measured lines (.lin) the constants of a molecule.
+
+    Args:
+        files: gyro logs; or one log of attitudes; or a spec or atoms, and lines.
+        free: of a molecule, the constants that are fitted, like ("A", "B", "D_J"); those that lines depend on if left
+            out.
+        windows: of logs, (start, end) of free flights [s] in place of those that are found.
+        drag, rotor: of gyro logs, whether there is drag, and a wheel in the body; None to decide by a criterion.
+        torque: of attitudes, whether there is a constant torque in the body; None to decide by a criterion.
+        gain: of gyro logs, whether gains of the axes are fitted; they are unless this is False.
+        clip: the gyro's limit [rad/s], or a text like "2000 deg/s".
+        moment: one that is known, like "I3 = 1.2e-4 kg m^2".
+        mass, added_weight, weighted: the body's mass, like "150 g"; a weight on it, like "20 g at 0, 70, 0 mm"; and
+            logs of throws with it.
+        columns: of a table of another program, words of a mapping by name, like {"time": "t", "gyro": "gx,gy,gz"}.
+
+    Raises:
+        InvalidInput: for files that cannot be read or fitted, and for arguments that are not for them.
+        NotConverged: where a fit finds no end.
+
+    >>> import polhode as ph
+    >>> found = ph.fit("examples/phone_throw.csv")  # doctest: +SKIP
+    >>> found.summary  # doctest: +SKIP
+    """
+    table = None if columns is None else Table(mapping_of_words(columns), True)
+    options = ThrowOptions(windows, drag, torque, rotor, gain, clip, moment, mass, added_weight,
+                           [Path(path) for path in weighted], table)  # fmt: skip
+    return fit_files([Path(path) for path in files], free, options, in_python)
+
+
+def fit_files(
+    files: Sequence[Path], free: Sequence[str] | None, options: ThrowOptions, called: Called,
+    progress: Progress | None = None,
+) -> Report:  # fmt: skip
+    """Return the report of ``fit``; ``called`` says how arguments are called where they are given, for messages."""
+    if not files:
+        raise InvalidInput("`files` is empty. Name a log, or a spec and its measured lines.")
+    if files[0].suffix.lower() in STARTS or files[-1].suffix.lower() == LINES:
+        if len(files) != 2:
+            raise InvalidInput(f"{files[0]}: a molecule is fitted to one file of lines; got {len(files) - 1}. Write "
+                               f"polhode fit SPEC LINES{LINES}.")  # fmt: skip
+        wrong = options.given + (["columns"] if options.table is not None or options.unit is not None else [])
+        if wrong:
+            names = ", ".join(map(called, wrong))
+            raise InvalidInput(f"{names} is for gyro logs, and {files[0]} is a molecule. Leave it out.")
+        from polhode.studies.line_fit import fit_lines
+
+        return fit_lines(files[0], files[1], free, called)
+    if free is not None:
+        raise InvalidInput(f"{called('free')} names constants of a molecule, and gyro logs are given. Leave it out.")
+    return fit_logs(files, options, called, progress)

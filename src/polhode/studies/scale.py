@@ -1,0 +1,83 @@
+"""Turns fitted inertia ratios into absolute moments: by one moment that is known, or by a weight that was added."""
+
+from __future__ import annotations
+
+import re
+from typing import NamedTuple
+
+from polhode.errors import InvalidInput, shown
+from polhode.estimation.attitude_fit import AttitudeFit
+from polhode.estimation.estimate import Estimate
+from polhode.estimation.scale import moments_from_one, moments_from_weight
+from polhode.estimation.throw import ThrowFit
+from polhode.spec.uncertain import quantity
+from polhode.studies.naming import Called
+
+_MOMENT = re.compile(r"\s*I([123])\s*=\s*(.+)")
+_PLACE = re.compile(r"(.+?)\s+at\s+(.+?),(.+?),\s*(\S+)\s+(\S+)\s*")
+
+
+class Weight(NamedTuple):
+    """A weight on a body: both masses [kg], and its place from the body's centre of mass [m, device axes]."""
+
+    mass: float
+    weight: float
+    place: tuple[float, float, float]
+
+
+class KnownScale(NamedTuple):
+    """What is known beside the ratios: a moment (which, and how large in kg m²), or a weight."""
+
+    moment: tuple[int, float] | None
+    weight: Weight | None
+
+    def moments(self, fit: ThrowFit | AttitudeFit, with_weight: ThrowFit | None) -> Estimate | None:
+        """Return the three moments [kg m²]; None where nothing is known, or the ratios are not."""
+        if fit.degenerate is not None:
+            return None
+        if self.moment is not None:
+            return moments_from_one(fit, *self.moment)
+        if self.weight is None or with_weight is None:
+            return None
+        if with_weight.degenerate is not None:
+            raise InvalidInput(f"the throws with the weight tell no inertia: {with_weight.degenerate}")
+        return moments_from_weight(fit, with_weight, *self.weight)
+
+
+def read_scale(
+    moment: str | None, mass: str | None, added_weight: str | None, has_logs: bool, called: Called
+) -> KnownScale:
+    """Return what is known beside the ratios.
+
+    Args:
+        moment: like "I3 = 1.2e-4 kg m^2".
+        mass: of the body without the weight, like "150 g".
+        added_weight: like "20 g at 0, 70, 0 mm".
+        has_logs: whether there are logs of throws with the weight.
+        called: returns how an argument is called where it is given, for messages.
+
+    Raises:
+        InvalidInput: for what cannot be read, and for a weight of which something is missing.
+    """
+    parts = (mass, added_weight, has_logs)
+    if any(parts) and not all(parts):
+        names = f"{called('mass')}, {called('added_weight')} and {called('weighted')}"
+        raise InvalidInput(f"{names} belong together: the body's mass, the weight with its place, and logs of throws "
+                           "with it. Give all three.")  # fmt: skip
+    if any(parts) and moment is not None:
+        raise InvalidInput(f"{called('moment')} and {called('added_weight')} both tell the moments. Leave one out.")
+    if mass is None or added_weight is None:
+        return KnownScale(None if moment is None else _moment(moment, called("moment")), None)
+    name, found = called("added_weight"), _PLACE.fullmatch(added_weight)
+    if found is None:
+        raise InvalidInput(f'{name} must be like "20 g at 0, 70, 0 mm"; got {shown(added_weight)}.')
+    x, y, z = (quantity(name, f"{found[k].strip()} {found[5]}", "m", False) for k in (2, 3, 4))
+    whole = quantity(called("mass"), mass, "kg")
+    return KnownScale(None, Weight(whole, quantity(name, found[1].strip(), "kg"), (x, y, z)))
+
+
+def _moment(text: str, name: str) -> tuple[int, float]:
+    found = _MOMENT.fullmatch(text)
+    if found is None:
+        raise InvalidInput(f'{name} must be like "I3 = 1.2e-4 kg m^2", the largest being I3; got {shown(text)}.')
+    return int(found[1]), quantity(name, found[2].strip(), "kg*m^2")

@@ -1,0 +1,78 @@
+"""How a table of another tool is to be read, and how it was understood."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import NamedTuple
+
+from polhode.errors import InvalidInput
+from polhode.formats.column_mapping import ColumnMapping
+from polhode.formats.labels import Recording
+from polhode.motion.trajectory import Trajectory
+from polhode.reports.answer import Answer, Group
+
+APART = 0.5  # relative; rates that far from how the attitude turns are of another direction, order or unit
+EXAMPLE = "--time t --time-unit s --quat qw,qx,qy,qz --order wxyz --gyro gx,gy,gz --unit deg/s"
+
+
+class Table(NamedTuple):
+    """A mapping, and whether it is for this file alone; one for both leaves tables of polhode's as they are."""
+
+    mapping: ColumnMapping
+    only: bool
+
+
+def needs_mapping(path: Path) -> InvalidInput:
+    """Return the error for a table that nothing is said of, with its columns."""
+    from polhode.formats.column_reading import COLUMNS_SHOWN
+    from polhode.formats.plain_table import table_form
+
+    form = table_form(path)
+    more = ", …" if len(form.names) > COLUMNS_SHOWN else ""
+    names = ", ".join(name or "(no name)" for name in form.names[:COLUMNS_SHOWN]) + more
+    columns = f"with the columns {names}" if form.names else f"of {form.width} columns without names"
+    return InvalidInput(f"{path}: is a table {columns}. Say what they are, like {EXAMPLE}.")
+
+
+def about_reading(trajectory: Trajectory, title: str, level: str) -> Group:
+    """Return how a table was understood.
+
+    Args:
+        trajectory: as ``read_columns`` gives it.
+        title: of the group.
+        level: of the answers' names, "" for none.
+    """
+    assert isinstance(trajectory.source, Recording)
+    found = trajectory.source.attributes
+    prefix = f"{level}." if level else ""
+    off, apart = found["largest_deviation"], found["rates_apart"]
+    span = f"{found['first']:.9g} to {found['last']:.9g} s"
+    return Group(title, [
+        Answer(f"{prefix}header", found["header"], "", "header"),
+        Answer(f"{prefix}delimiter", found["delimiter"], "", "between columns"),
+        Answer(f"{prefix}time", found["time"], "", "time"),
+        Answer(f"{prefix}attitude", found["attitude"], "", "attitude"),
+        Answer(f"{prefix}angular_velocity", found["angular_velocity"], "", "angular velocity"),
+        Answer(f"{prefix}samples", found["samples"], "", "samples", "", f"{found['samples']}, {span}"),
+        Answer(f"{prefix}counted_from", found["counted_from"], "", "times count from", "",
+               None if found["counted_from"] is None else f"{found['counted_from']} s of its clock"),
+        Answer(f"{prefix}left_out", found["left_out"], "", "lines without values" if found["left_out"] else "", "",
+               f"{found['left_out']}, left out"),
+        Answer(f"{prefix}repeated", found["repeated"], "", "lines that repeat" if found["repeated"] else "", "",
+               f"{found['repeated']}, left out"),
+        Answer(f"{prefix}largest_deviation", off, "", "largest deviation of |q| from 1", "",
+               None if off is None else f"{off:.2g}, normalised"),
+        Answer(f"{prefix}rates_apart", apart, "", "rates differ from the attitude's by", "relative, rms",
+               None if apart is None else f"{100.0 * apart:.3g} %"),
+    ])  # fmt: skip
+
+
+def notes_on_reading(trajectory: Trajectory, name: str) -> list[str]:
+    """Return what a reader should know of how a table was understood."""
+    assert isinstance(trajectory.source, Recording)
+    found = trajectory.source.attributes
+    notes = [f"{name}: {note}" for note in found["notes"]]
+    if (found["rates_apart"] or 0.0) > APART:
+        notes.append(f"{name}: the attitude does not turn as the angular velocity says. Check direction, order, "
+                     "sequence and units.")  # fmt: skip
+    return notes

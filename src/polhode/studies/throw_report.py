@@ -1,0 +1,280 @@
+"""The report on a fit of throws."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, ClassVar
+
+import numpy as np
+
+from polhode.estimation.estimate import Estimate
+from polhode.estimation.flight import Flights
+from polhode.estimation.throw import GAIN_SPREAD, ThrowFit
+from polhode.estimation.throw_fit import BIAS_SPREAD
+from polhode.formats.gyro_logs import ReadLog
+from polhode.reports.answer import Answer, Group, Table
+from polhode.reports.report import StudyReport
+from polhode.reports.wording import counted, uncertain
+from polhode.studies.fit_answers import (
+    about_axes,
+    about_inertia,
+    about_misfit,
+    about_moments,
+    each,
+    in_words,
+    motion_in_words,
+    sentence,
+    values,
+)
+from polhode.studies.left_out import left_out_note, left_out_table
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+LARGE_BIAS = 0.1  # rad/s: a gyro's offset is smaller, but a fit may put into it what its motion does not explain
+PUSHED = 0.002  # over I3 |ω|²: a torque that no model has, from which a reader should know of it
+LARGER = 1.5  # times the gains that were expected
+HIDDEN = 2.0  # times the errors: those with a wheel, from which a reader should know of it
+BARELY = 2.0  # AICc less than this apart: the criterion hardly prefers one model
+
+
+@dataclass(frozen=True)
+class ThrowReport(StudyReport):
+    """The inertia of a thrown body from gyro logs.
+
+    Attributes:
+        fit: the numbers.
+        names: of the logs.
+        logs: what was read of them.
+        flights: of each log, what was fitted and what was left out.
+        moments: I1, I2, I3 [kg m²]; None where only their ratios are known.
+    """
+
+    kind: ClassVar[str] = "throw fit"
+    data_file: ClassVar[str] = "fit.nc"
+    fit: ThrowFit
+    names: Sequence[str]
+    logs: Sequence[ReadLog]
+    flights: Sequence[Flights]
+    moments: Estimate | None
+
+    @property
+    def name(self) -> str:
+        return ", ".join(self.names)
+
+    @property
+    def determined(self) -> bool:
+        return self.fit.degenerate is None
+
+    @property
+    def summary(self) -> str:
+        fit = self.fit
+        what = counted(len(fit.throws), "throw")
+        if fit.degenerate is not None or fit.ratios is None:
+            return f"{what}: the inertia cannot be told. {sentence(fit.degenerate or '')}"
+        said = ", ".join(f"{name} = {uncertain(value, error)}" for name, value, error in each(fit.ratios))
+        how = motion_in_words(fit.throws[0].regime) if fit.rotor is None else "a wheel turns in the body"
+        return f"{what}: {said}; {how}, residuals {fit.rms:.2g} rad/s rms."
+
+    @property
+    def answers(self) -> list[Group | Table]:
+        fit, names = self.fit, self.names
+        return [about_inertia(fit), *about_moments(self.moments), about_axes(fit), _gyro(fit), _quality(fit),
+                _throws(fit, names), _models(fit), _logs(names, self.logs),
+                left_out_table(names, self.flights)]  # fmt: skip
+
+    @property
+    def notes(self) -> list[str]:
+        fit = self.fit
+        notes = [f"{name}: {note}" for name, read in zip(self.names, self.logs, strict=True) for note in read.notes]
+        if fit.clip is not None:
+            notes.append(f"samples at the gyro's limit, {_of_sensor(fit.clip)}, are left out.")
+        if fit.equal:
+            notes.append(f"{fit.equal} within their errors: the axes between them are not determined.")
+        if fit.degenerate is None:
+            misses = [throw.rates - throw.predicted for throw in fit.throws]
+            wider = f"the intervals are widened by {np.sqrt(fit.widened):.2g} for it, which may not be enough"
+            remedy = "Look at the residuals by --figures, and give the free flight by --window"
+            notes += about_misfit(misses, wider, remedy)
+            notes += _doubts(fit)
+            chosen = next((score for score in fit.criterion if score.chosen), None)
+            others = [score for score in fit.criterion if not score.chosen]
+            if chosen and others and min(score.aicc for score in others) - chosen.aicc < BARELY:
+                notes.append("the criterion hardly prefers the chosen model to the next one; see the table of models.")
+            if fit.gain is None:
+                notes.append("no gains were fitted, so the intervals hold for a calibrated gyro: a gain or cross-axis "
+                             "sensitivity of 1 % moves the ratios by about as much.")  # fmt: skip
+        return [*notes, *left_out_note(self.flights)]
+
+    def figures(self) -> Mapping[str, Callable[[], Figure | None]]:
+        from polhode.figures.throw_figure import throw_figures
+
+        return throw_figures(self.fit)
+
+    def save(self, path: str | Path) -> Path:
+        from polhode.formats.throw_dataset import write_throw
+
+        return write_throw(self.fit, self.names, Path(path))
+
+
+def _doubts(fit: ThrowFit) -> list[str]:
+    """Return notes on what makes numbers of a fit less sure than they look."""
+    notes = []
+    if fit.rotor is not None:
+        size = float(np.linalg.norm(fit.rotor.value))
+        notes.append(f"a wheel turns in the body, by what the rates say: its momentum is {size:.3g} rad/s of the "
+                     "largest moment. The moments are of the body with the wheel; where no motor keeps its speed, "
+                     "without the wheel's own moment about its axis.")  # fmt: skip
+    if fit.with_or_without:
+        notes.append("the log can hardly tell whether a wheel turns in the body: the intervals reach from what it says "
+                     "with one to what it says without. --rotor or --no-rotor decides it.")  # fmt: skip
+    size = float(np.abs(fit.bias.value).max())
+    if size > LARGE_BIAS and fit.rest is None:
+        notes.append(f"the bias is large, {size:.2g} rad/s, and no rest in the log confirms it: it may stand for "
+                     "something that the motion does not explain, and the ratios may be wrong by more than their "
+                     "intervals. Let the device lie still for a second before and after the throw.")  # fmt: skip
+    elif fit.rest is None:
+        notes.append(f"no rest was found in the log, so that the bias was assumed to be 0 ± {BIAS_SPREAD:.2g} rad/s "
+                     "along each axis: with a larger one the bias and its errors are wrong, and so may the ratios be. "
+                     "Let the device lie still for a second before and after the throw.")  # fmt: skip
+    if fit.beside_wheel is not None and fit.ratios is not None and not fit.with_or_without:
+        both = np.stack([fit.beside_wheel, fit.ratios.standard_error])
+        if (both[0] > HIDDEN * both[1]).any():
+            first, second = (f"{error:.2g}" for error in both[0])
+            notes.append("it is assumed that no wheel turns in the body: if one might, the log would tell I1/I3 only "
+                         f"to ± {first} and I2/I3 to ± {second}, and the intervals are too narrow. Throw it longer, "
+                         "or with more tumble, to tell them apart.")  # fmt: skip
+    if fit.unmodelled > PUSHED:
+        notes.append(f"a torque acts that no model has, about {fit.unmodelled:.2g} I3 |ω|²: the intervals allow for "
+                     "it.")  # fmt: skip
+    if fit.gain is not None and fit.gain_spread > LARGER * GAIN_SPREAD:
+        notes.append(f"the gyro's gains are off by about {100 * fit.gain_spread:.2g} %, more than expected: the "
+                     "intervals allow for it.")  # fmt: skip
+    return notes
+
+
+def _gyro(fit: ThrowFit) -> Group:
+    sure = fit.degenerate is None
+    rest, gain, cross = fit.rest, fit.gain, fit.cross_axis
+    return Group("Gyro and air", [
+        Answer("bias", values(fit.bias) if sure else None, "rad/s", "bias", "along the device's x, y, z",
+               _bias_in_words(fit) if sure else None),
+        Answer("rest", None if rest is None else values(rest), "rad/s", "bias at rest",
+               "known beforehand to this; null where no log has rests",
+               None if rest is None else f"{in_words(rest)} rad/s"),
+        Answer("gain", None if gain is None else values(gain), "", "gains", "along the device's x, y, z",
+               None if gain is None else in_words(gain)),
+        Answer("cross_axis", None if cross is None else values(cross), "", "cross-axis gains",
+               "of y and z, x and z, x and y", None if cross is None else in_words(cross)),
+        Answer("gain_spread", fit.gain_spread if sure and gain is not None else None, "", "",
+               "standard deviation of the gains, by the log and by what was known beforehand"),
+        _torque_of("drag", fit.drag, "", "drag c/I3", "−c_i |ω| ω_i", "none" if sure else None),
+        _torque_of("linear_drag", fit.linear_drag, "1/s", "linear drag b/I3", "−b_i ω_i"),
+        _torque_of("one_sided_drag", fit.one_sided_drag, "", "one-sided drag d/I3", "−d_i |ω| |ω_i|"),
+        Answer("rotor", None if fit.rotor is None else values(fit.rotor), "rad/s", "wheel's momentum h/I3",
+               "along the principal axes; null where none is fitted",
+               ("none assumed" if sure else None) if fit.rotor is None else f"{in_words(fit.rotor)} rad/s"),
+        Answer("beside_wheel", None if fit.beside_wheel is None else fit.beside_wheel.tolist(), "", "",
+               "standard errors of the ratios if a wheel might turn in the body; null where one was fitted"),
+        Answer("unmodelled", fit.unmodelled if sure else None, "", "",
+               "torque over I3 |ω|² that no model has, rms; intervals allow for it"),
+        Answer("widened", fit.widened if sure else None, "", "",
+               "factor on the variances of the noise, because neighbouring residuals are alike"),
+    ])  # fmt: skip
+
+
+def _bias_in_words(fit: ThrowFit) -> str:
+    assumed = "" if fit.rest is not None else f" (no rest: assumed to be 0 ± {BIAS_SPREAD:.2g})"
+    return f"{in_words(fit.bias)} rad/s{assumed}"
+
+
+def _torque_of(key: str, found: Estimate | None, unit: str, label: str, torque: str, words: str | None = None
+               ) -> Answer:  # fmt: skip
+    if found is None:
+        return Answer(key, None, unit, label if words else "", "", words)
+    about = f"of the torque {torque} along the principal axes; null where there is none"
+    return Answer(key, values(found), unit, label, about, f"{in_words(found)} {unit}".strip())
+
+
+def _quality(fit: ThrowFit) -> Group:
+    sure = fit.degenerate is None and len(fit.residuals) > 0
+    first = fit.throws[0]
+    how = "as given" if first.window.reason == "given" else first.window.reason
+    how += f"; {counted(len(fit.throws) - 1, 'more throw')} below" if len(fit.throws) > 1 else ""
+    return Group("Fit", [
+        Answer("rms", fit.rms if sure else None, "rad/s", "residuals", "root mean square",
+               f"{fit.rms:.3g} rad/s rms" if sure else None),
+        Answer("sigma", fit.sigma if sure else None, "rad/s", "noise of a sample", "",
+               f"{fit.sigma:.3g} rad/s" if sure else None),
+        Answer("jitter", fit.jitter if sure else None, "s", "jitter of the clock" if fit.jitter > 0 else "", "",
+               f"{fit.jitter:.2g} s rms" if sure else None),
+        Answer("samples", sum(len(throw.times) for throw in fit.throws), "", "samples used"),
+        Answer("clip", fit.clip, "rad/s", "gyro's limit", "", None if fit.clip is None else _of_sensor(fit.clip)),
+        Answer("window", [first.window.start, first.window.end], "s", "free flight", "of the first throw",
+               f"{first.window.start:.6g} to {first.window.end:.6g} s, {how}"),
+        Answer("regime", first.regime, "", "", "of the first throw"),
+    ])  # fmt: skip
+
+
+def _throws(fit: ThrowFit, names: Sequence[str]) -> Table:
+    rows: list[dict[str, Any]] = []
+    for throw in fit.throws:
+        motion = throw.motion
+        rows.append({
+            "log": names[throw.log], "window": [throw.window.start, throw.window.end],
+            "found_by": throw.window.reason, "samples": len(throw.times), "regime": throw.regime,
+            "period": None if motion is None else float(motion.period),
+            "fastest": float(np.linalg.norm(throw.rates, axis=1).max()),
+        })  # fmt: skip
+    return Table("throws", "Throws", {
+        "log": lambda row: row["log"],
+        "from – to": lambda row: f"{row['window'][0]:.4g} – {row['window'][1]:.4g} s",
+        "samples": lambda row: str(row["samples"]),
+        "motion": lambda row: row["regime"] or "–",
+        "polhode period": lambda row: f"{row['period']:.4g} s" if row["period"] and np.isfinite(row["period"]) else "–",
+        "up to": lambda row: f"{row['fastest']:.3g} rad/s",
+    }, rows, {"window": "s", "period": "s", "fastest": "rad/s"})  # fmt: skip
+
+
+def _models(fit: ThrowFit) -> Table:
+    least = min((score.aicc for score in fit.criterion), default=0.0)
+    rows = [{"drag": s.drag, "rotor": s.rotor, "gain": s.gain, "parameters": s.parameters, "aicc": s.aicc,
+             "bic": s.bic, "rms": s.rms, "chosen": s.chosen} for s in fit.criterion]  # fmt: skip
+    return Table("models", "Models, by Akaike's corrected criterion", {
+        "model": lambda row: ("bias" + (", gains" if row["gain"] else "") + (", a wheel" if row["rotor"] else "")
+                              + ("" if row["drag"] == "none" else f", {row['drag']} drag")),
+        "parameters": lambda row: str(row["parameters"]),
+        "AICc above the least": lambda row: f"{row['aicc'] - least:.1f}",
+        "residuals": lambda row: f"{row['rms']:.3g} rad/s",
+        "": lambda row: "chosen" if row["chosen"] else "",
+    }, rows, {"rms": "rad/s"})  # fmt: skip
+
+
+def _logs(names: Sequence[str], logs: Sequence[ReadLog]) -> Table:
+    rows: list[dict[str, Any]] = []
+    for name, read in zip(names, logs, strict=True):
+        log = read.log
+        rows.append({
+            "file": name, "header_of": read.dialect, "samples": len(log.times), "first": float(log.times[0]),
+            "last": float(log.times[-1]), "usual_step": float(np.median(np.diff(log.times))), "unit": read.rate_unit,
+            "acceleration_from": read.acceleration_from, "dropped": log.dropped, "repeated": log.repeats,
+        })  # fmt: skip
+    return Table("logs", "Logs", {
+        "log": lambda row: row["file"],
+        "header of": lambda row: row["header_of"],
+        "samples": lambda row: f"{row['samples']}, {row['first']:.4g} to {row['last']:.4g} s",
+        "rate": lambda row: f"{1.0 / row['usual_step']:.4g} Hz",
+        "unit": lambda row: row["unit"],
+        "accelerations": lambda row: row["acceleration_from"] or "none",
+    }, rows, {"first": "s", "last": "s", "usual_step": "s"})  # fmt: skip
+
+
+def _of_sensor(rate: float) -> str:
+    """Return a rate [rad/s] as data sheets of gyros state their ranges.
+
+    >>> _of_sensor(34.906585)
+    '2000 deg/s (34.9066 rad/s)'
+    """
+    return f"{np.degrees(rate):.6g} deg/s ({rate:.6g} rad/s)"

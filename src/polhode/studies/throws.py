@@ -1,0 +1,183 @@
+"""From gyro logs of throws, or a log of attitudes, to a report on the inertia of the body."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+
+from polhode.errors import InvalidInput, shown
+from polhode.estimation.attitude_fit import fit_attitude
+from polhode.estimation.flight import SHORTEST, Flights, Window, find_flights
+from polhode.estimation.saturation import saturation
+from polhode.estimation.throw import ThrowFit, fit_throw
+from polhode.formats.gyro_logs import ReadLog, read_gyro_log
+from polhode.formats.log_archives import is_archive
+from polhode.formats.numerals import read_number
+from polhode.reports.report import Report
+from polhode.spec.uncertain import quantity
+from polhode.studies.attitude_report import AttitudeReport
+from polhode.studies.left_out import left_out_words
+from polhode.studies.naming import Called
+from polhode.studies.scale import read_scale
+from polhode.studies.sources import Kernels, kind_of, source_of
+from polhode.studies.tables import Table
+from polhode.studies.throw_report import ThrowReport
+
+ATTITUDES = ("aem", "ck", "dataset", "csv")  # kinds of files that hold attitudes
+Progress = Callable[[Path], Callable[[int], None] | None]
+"""Returns what is told how many lines of a file are read."""
+
+
+class ThrowOptions(NamedTuple):
+    """What is said of logs beside their files; None and empty where nothing is. See ``fit``."""
+
+    windows: Sequence[str | tuple[float, float]] = ()
+    drag: bool | None = None
+    torque: bool | None = None
+    rotor: bool | None = None
+    gain: bool | None = None
+    clip: str | float | None = None
+    moment: str | None = None
+    mass: str | None = None
+    added_weight: str | None = None
+    weighted: Sequence[Path] = ()
+    table: Table | None = None
+    unit: str | None = None
+
+    @property
+    def given(self) -> list[str]:
+        """The names of those that are given, without what is said of columns."""
+        values = self._replace(table=None, unit=None)._asdict()
+        return [name for name, value in values.items() if value is not None and len(np.atleast_1d(value))]
+
+
+def fit_logs(paths: Sequence[Path], options: ThrowOptions, called: Called, progress: Progress | None = None) -> Report:
+    """Return the report on logs of throws, fitted together, or on a log of attitudes.
+
+    Args:
+        paths: of the logs.
+        options: what is said of them.
+        called: returns how an argument is called where it is given, for messages.
+        progress: is told how far the reading of a log is.
+
+    Raises:
+        InvalidInput: for what cannot be read or fitted, and for options that are of the other kind of log.
+    """
+    kind = _attitude_kind(paths[0], options.table)
+    if kind is None:
+        return _fit_throws(paths, options, called, progress)
+    wrong = [name for name in options.given if name not in ("windows", "torque", "moment", "mass", "added_weight")]
+    if options.unit is not None:
+        wrong.append("unit")
+    if wrong or len(paths) > 1:
+        names = ", ".join(called(name) for name in wrong)
+        what = f"{names} {'is' if len(wrong) == 1 else 'are'} for gyro logs" if wrong else f"got {len(paths)} logs"
+        raise InvalidInput(f"{paths[0]}: is a log of attitudes, which is fitted alone, and {what}. Leave it out.")
+    return _fit_attitudes(paths[0], kind, options, called)
+
+
+def _attitude_kind(path: Path, table: Table | None) -> str | None:
+    """Return which kind of log of attitudes a file is, by its content or by what is said of its columns; else None."""
+    if table is not None and table.mapping.attitude:
+        return kind_of(path, table)
+    if not path.is_file() or is_archive(path):
+        return None
+    kind = kind_of(path, table)
+    return kind if kind in ATTITUDES else None
+
+
+def _fit_attitudes(path: Path, kind: str, options: ThrowOptions, called: Called) -> AttitudeReport:
+    windows = [_window(given, called) for given in options.windows]
+    if len(windows) > 1:
+        raise InvalidInput(f"{called('windows')} must be given once at most for a log of attitudes; got "
+                           f"{len(windows)}.")  # fmt: skip
+    known = read_scale(options.moment, options.mass, options.added_weight, bool(options.weighted), called)
+    trajectory = source_of(path, Kernels(), options.table, kind).trajectory
+    times, attitude = np.asarray(trajectory.times), np.asarray(trajectory.attitude)
+    rates = None if trajectory.angular_velocity is None else np.asarray(trajectory.angular_velocity)
+    for window in windows:
+        inside = (times >= window.start) & (times <= window.end)
+        times, attitude, rates = times[inside], attitude[inside], None if rates is None else rates[inside]
+    try:
+        fit = fit_attitude(times, attitude, rates, "auto" if options.torque is None else options.torque)
+    except InvalidInput as error:
+        raise InvalidInput(f"{path}: {error}") from None
+    return AttitudeReport(path.name, fit, known.moments(fit, None))
+
+
+def _fit_throws(
+    paths: Sequence[Path], options: ThrowOptions, called: Called, progress: Progress | None
+) -> ThrowReport:
+    if options.torque is not None:
+        no = f" and {called('no_torque')} are" if called("torque").startswith("--") else " is"
+        raise InvalidInput(f"{paths[0]}: {called('torque')}{no} for a log of attitudes, and this is a gyro's. Leave it "
+                           "out.")  # fmt: skip
+    known = read_scale(options.moment, options.mass, options.added_weight, bool(options.weighted), called)
+
+    def read(path: Path) -> ReadLog:
+        mapping = None if options.table is None else options.table.mapping
+        return read_gyro_log(path, mapping, None if progress is None else progress(path), options.unit)
+
+    logs = [read(path) for path in paths]
+    names = [path.name or str(path) for path in paths]
+    clip = options.clip
+    if clip is None:
+        clip = saturation([each.log for each in logs])
+    elif isinstance(clip, str):
+        clip = quantity(called("clip"), clip, "rad/s")
+    elif not clip > 0.0:
+        raise InvalidInput(f"{called('clip')} must be a positive rate in rad/s; got {shown(clip)}.")
+    flights = _flights(options.windows, names, logs, clip, called)
+
+    def fit(some: Sequence[ReadLog], windows: Sequence[Sequence[Window]] | None, limit: float | None) -> ThrowFit:
+        drag, rotor = ("auto" if asked is None else asked for asked in (options.drag, options.rotor))
+        return fit_throw([each.log for each in some], windows, drag, options.gain is not False, limit, rotor=rotor)
+
+    found = fit(logs, [each.windows for each in flights], math.inf if clip is None else clip)
+    heavier = fit([read(path) for path in options.weighted], None, clip) if options.weighted else None
+    return ThrowReport(found, names, logs, flights, known.moments(found, heavier))
+
+
+def _flights(
+    given: Sequence[str | tuple[float, float]], names: Sequence[str], logs: Sequence[ReadLog], clip: float | None,
+    called: Called,
+) -> list[Flights]:  # fmt: skip
+    """Return what is fitted of each log: the windows that are given, else all flights that are found."""
+    if given:
+        return [Flights(windows, []) for windows in _windows(given, len(logs), called)]
+    found = [find_flights(read.log, clip) for read in logs]
+    if not any(each.windows for each in found):
+        left = left_out_words([one for each in found for one in each.left_out])
+        how = f"{called('window')} START,END" if called("window").startswith("--") else called("windows")
+        raise InvalidInput(f"{', '.join(names)}: no free flight was found: no stretch of {SHORTEST} s feels no weight, "
+                           f"or keeps an angular momentum while it turns faster than 1 rad/s.{left} If there is one, "
+                           f"say where by {how}.")  # fmt: skip
+    for read, each in zip(logs, found, strict=True):
+        if not (each.windows or each.left_out):
+            each.left_out.append(Window(float(read.log.times[0]), float(read.log.times[-1]), "no free flight in it"))
+    return found
+
+
+def _windows(given: Sequence[str | tuple[float, float]], logs: int, called: Called) -> list[list[Window]]:
+    """Return the windows of each log: all are of a single log, otherwise one is for each."""
+    windows = [_window(one, called) for one in given]
+    if logs == 1:
+        return [windows]
+    if len(windows) != logs:
+        raise InvalidInput(f"{called('windows')} must be given once for each log, in their order: {logs} logs, and "
+                           f"{len(windows)} windows.")  # fmt: skip
+    return [[window] for window in windows]
+
+
+def _window(given: str | tuple[float, float], called: Called) -> Window:
+    try:
+        start, end = (read_number(part) if isinstance(part, str) else float(part)
+                      for part in (given.split(",") if isinstance(given, str) else given))  # fmt: skip
+    except (TypeError, ValueError):
+        raise InvalidInput(f"{called('windows')} must be two times in seconds with a comma, like 1.2,1.9; got "
+                           f"{shown(given)}.") from None  # fmt: skip
+    return Window(start, end)
