@@ -10,7 +10,6 @@ import pytest
 import polhode as ph
 from polhode.cli.main import main
 from polhode.errors import InvalidInput
-from polhode.formats.given_axes import along_given_axes
 from polhode.reports.report import PlainReport
 from polhode.studies.tumble import Friction
 
@@ -124,7 +123,7 @@ def test_files_and_motions_are_compared(capsys, tmp_path):
 
 
 def by_files_history(spec):
-    moved = along_given_axes(ph.report(spec).trajectory)
+    moved = ph.report(spec).trajectory.along("given")
     return ph.AttitudeHistory("samples", np.asarray(moved.times), np.asarray(moved.attitude))
 
 

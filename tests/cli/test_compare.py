@@ -16,7 +16,6 @@ from polhode.formats.aem_reading import read_aem
 from polhode.formats.csv_table import write_csv
 from polhode.formats.dataset import write_dataset
 from polhode.formats.dataset_reading import read_dataset
-from polhode.formats.given_axes import along_given_axes
 from polhode.formats.labels import AttitudeLabels
 from polhode.formats.spice import write_ck
 from polhode.formats.spice_reading import read_ck
@@ -88,7 +87,7 @@ def written(tmp_path_factory):
     write_ck(report.trajectory, tmp_path / "box.bc", labels=labels)
     write_dataset(report.trajectory, tmp_path / "own.nc", {})
     write_csv(report.trajectory, tmp_path / "own.csv")
-    given = along_given_axes(report.trajectory)
+    given = report.trajectory.along("given")
     turn = rotation.from_rotation_vector((1e-3 + 2e-5 * given.times)[:, None] * AXIS)
     turned = replace(given, attitude=rotation.multiply(turn, given.attitude))
     write_aem(turned, tmp_path / "turned.aem", labels=labels)
@@ -206,7 +205,7 @@ def test_import_says_what_is_there_and_writes_it(files, capsys, name):
     assert found["largest_gap"] == pytest.approx(60.0 / 499.0)
     assert found["has_angular_velocity"] == (name == "box.bc")
     back = read_dataset(files / "box_imported.nc")
-    expected = along_given_axes(read_spec(files / "box.toml").report().trajectory)
+    expected = read_spec(files / "box.toml").report().trajectory.along("given")
     assert rotation.angle_between(back.attitude, expected.attitude).max() <= EXACT
     assert back.source.labels.epoch == "2026-03-01T12:00:00" and back.momentum is None
     code, out, _ = run(["import", name, "--out", "again.nc"], capsys)

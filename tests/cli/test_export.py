@@ -78,7 +78,7 @@ def test_every_form_holds_the_motion(run, tmp_path):
         assert np.array_equal(found.attitude, report.trajectory.attitude)
         assert np.array_equal(found.momentum, report.trajectory.momentum)
         assert found.source.title == spec.name and found.source.labels == spec.labels
-    given = formats.along_given_axes(report.trajectory)
+    given = report.trajectory.along("given")
     table, message = formats.read_csv(tmp_path / "case.csv"), formats.read_aem(tmp_path / "case.aem")
     assert np.array_equal(table.attitude, given.attitude) and np.array_equal(table.momentum, given.momentum)
     assert np.array_equal(found.frame.axes, report.trajectory.frame.axes)

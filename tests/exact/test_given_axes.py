@@ -53,8 +53,8 @@ def test_what_is_said_at_the_epoch_is_what_is_said_of_that_time(thrown):
     assert motion.momentum_at_epoch == pytest.approx(momentum, abs=ROUNDING)
     assert motion.attitude_at_epoch == pytest.approx((1.0, 0.0, 0.0, 0.0), abs=1e-15)
     assert motion.attitude_at_epoch == pytest.approx(attitude, abs=1e-15)
-    principal = motion.along_principal_axes()
-    assert principal.axes is None and principal.along_principal_axes() is principal
+    principal = motion.along("principal")
+    assert principal.axes is None and principal.along("principal") is principal
     assert np.abs(principal.momentum_at_epoch) == pytest.approx(np.abs(MOMENTS * VELOCITY), abs=ROUNDING)
     assert motion.axes @ principal.momentum(3.0) == pytest.approx(motion.momentum(3.0), abs=1e-16)
     assert principal.rotation_matrix(3.0) == pytest.approx(motion.rotation_matrix(3.0) @ motion.axes, abs=1e-15)
@@ -90,7 +90,7 @@ def test_poinsot_and_precession(thrown, plain):
 
 def test_samples_and_pages(thrown):
     _, _, motion = thrown
-    principal = motion.along_principal_axes()
+    principal = motion.along("principal")
     sampled = motion.sample(TIMES)
     assert max(np.max(drift) for drift in sampled.drift.values()) < 1e-14
     for times in (TIMES, TIMES[:1]):
@@ -102,7 +102,7 @@ def test_samples_and_pages(thrown):
 def test_files(thrown, tmp_path):
     _, body, motion = thrown
     frame, sampled = body.frame, motion.sample(TIMES)
-    principal = motion.along_principal_axes().sample(TIMES)
+    principal = motion.along("principal").sample(TIMES)
     for trajectory, given in ((sampled, None), (sampled, frame), (principal, frame)):
         write_aem(replace(trajectory, frame=given), tmp_path / "thrown.aem")
         found = rotation.as_matrix(read_aem(tmp_path / "thrown.aem").attitude)

@@ -22,7 +22,7 @@ LEFT_OUT = {
     "free_moments": "the moments as given, or None",
     "quantities": "units and names",
     "from_body": "takes a body, whose numbers are known",
-    "along_principal_axes": "gives a motion, whose methods are tested",
+    "along": "gives a motion, whose methods are tested",
     "cycle": "seconds to look at, of one known motion",
     "sample": "a trajectory for files and pictures, made of state",
 }

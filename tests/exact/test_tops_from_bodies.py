@@ -159,8 +159,8 @@ def test_answers_do_not_depend_on_the_axes(case):
 
 def test_samples_and_files_know_the_axes(case, tmp_path):
     motion, body = made(*case), body_of(*case)
-    principal, sampled = motion.along_principal_axes(), motion.sample(TIMES)
-    assert principal.axes is None and principal.along_principal_axes() is principal
+    principal, sampled = motion.along("principal"), motion.sample(TIMES)
+    assert principal.axes is None and principal.along("principal") is principal
     assert principal.rotation_matrix(1.0) == pytest.approx(motion.rotation_matrix(1.0) @ motion.axes, abs=1e-14)
     assert max(np.max(drift) for drift in sampled.drift.values()) < 1e-14
     by_name = principal.sample(TIMES).invariants

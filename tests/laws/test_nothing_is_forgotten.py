@@ -40,7 +40,7 @@ INNER = {
     "integrators": {"accuracy", "adaptive", "composition", "difference", "either_mode", "embedded", "equal_steps",
                     "fixed_point", "group", "interrupts", "reversal", "sampled", "series", "series_adjoint",
                     "series_derivatives", "series_operation", "step_noise"},
-    "motion": {"inputs", "invariants", "layout", "outcome", "trajectory"},
+    "motion": {"axes", "inputs", "invariants", "layout", "outcome", "trajectory"},
     "quantum": {"derivatives", "level_polhodes", "measured", "operators", "orbits", "partition", "strengths", "wang"},
     "special": {"agm", "spherical_tensors", "circular", "doubledouble", "first_kind", "legendre"},
     "systems": {"agreement", "dipoles", "forms", "lattice_bonds", "rolling_mechanics", "sphere_harmonics",

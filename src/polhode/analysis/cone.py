@@ -39,7 +39,7 @@ def axis_angles(motion: FreeMotion) -> Float64[np.ndarray, "3 2"] | None:
     >>> np.degrees(axis_angles(coning)).round(6).tolist()
     [[45.0, 135.0], [45.0, 135.0], [45.0, 45.0]]
     """
-    momentum = np.asarray(motion.along_principal_axes().momentum_at_epoch)
+    momentum = np.asarray(motion.along("principal").momentum_at_epoch)
     if not motion.momentum_norm:
         return None
     if motion.encircled_axis is None or motion.regime in ("permanent", "spherical", "separatrix"):
@@ -63,7 +63,7 @@ def cone_angles(motion: FreeMotion) -> tuple[float, float] | None:
 
     These are the half-angles between which the cone of a nutating body opens and closes.
     """
-    momentum = np.asarray(motion.along_principal_axes().momentum_at_epoch)
+    momentum = np.asarray(motion.along("principal").momentum_at_epoch)
     if not motion.momentum_norm or motion.encircled_axis is None or motion.regime == "spherical":
         return None
     return _cone(motion, momentum)
@@ -94,7 +94,7 @@ def rotation_form(motion: FreeMotion) -> str:
 @known_numbers_only
 def rotation_forms(motion: FreeMotion) -> Shaped[np.ndarray, "*batch"]:
     """Return the forms (…) of many motions at once, as ``rotation_form`` does of one."""
-    motion = motion.along_principal_axes()
+    motion = motion.along("principal")
     moments, momentum = np.broadcast_arrays(np.asarray(motion.moments), np.asarray(motion.momentum_at_epoch))
     codes = np.asarray(motion.regime)
     regime = np.array(REGIMES)[codes] if codes.dtype.kind == "i" else codes

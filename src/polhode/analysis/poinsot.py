@@ -39,7 +39,7 @@ def herpolhode(motion: FreeMotion) -> Herpolhode | None:
     distance = float(np.sqrt(2.0 * energy) / norm)
     if motion.regime in ("permanent", "spherical"):
         return Herpolhode(0.0, 0.0, distance)
-    momentum = np.asarray(motion.along_principal_axes().momentum_at_epoch)
+    momentum = np.asarray(motion.along("principal").momentum_at_epoch)
     with np.errstate(all="ignore"):
         body = canonical_reduction(np.asarray(motion.moments), momentum)
         P, Q, S = (float(x[0] / body.V[0]) for x in (body.P, body.Q, body.S))
@@ -81,8 +81,9 @@ def herpolhode_curve(motion: FreeMotion, times: Real[ArrayLike, "time"]) -> Floa
 
     The plane's first direction is fixed in space, across L; seen against L, so that rolling runs counterclockwise.
     """
-    attitude, momentum = motion.state(np.asarray(times, dtype=float))
-    point = rotation.rotate(attitude, contact_point(motion._angular_velocity_of(momentum), motion.energy))
+    motion, times = motion.along("principal"), np.asarray(times, dtype=float)
+    attitude, momentum = motion.state(times)
+    point = rotation.rotate(attitude, contact_point(momentum / motion.moments, motion.energy))
     start = motion.state(motion.epoch)
     normal = rotation.rotate(*start)
     normal = normal / np.linalg.norm(normal)

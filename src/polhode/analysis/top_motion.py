@@ -86,7 +86,7 @@ def steady_precession_of(motion: LagrangeMotion) -> SteadyPrecession | None:
     >>> round(steady_precession_of(top).slow, 12)
     0.438447187191
     """
-    motion = motion.along_principal_axes()
+    motion = motion.along("principal")
     moments = tuple(float(x) for x in motion.moments)
     height = rotation.rotate(motion.state(motion.epoch)[0], np.array([0.0, 0.0, 1.0]))[2]
     tilt = math.acos(max(-1.0, min(1.0, float(height))))

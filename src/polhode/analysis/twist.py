@@ -55,7 +55,7 @@ def racket_twist(motion: FreeMotion | Trajectory, handle: int = 0) -> float:
     if not isinstance(free, FreeMotion):
         made = f" of a {type(motion.source).__name__}" if isinstance(motion, Trajectory) else ""
         raise InvalidInput(f"`motion` must be a FreeMotion or samples of one; got a {type(motion).__name__}{made}.")
-    return _twist(free.along_principal_axes(), handle)
+    return _twist(free.along("principal"), handle)
 
 
 def _twist(motion: FreeMotion, handle: int) -> float:

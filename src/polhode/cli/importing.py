@@ -67,7 +67,7 @@ def _with_moments(trajectory: Trajectory, spec: Path) -> tuple[Trajectory, str, 
     body = body_of(spec)
     if body.frame is None:
         raise InvalidInput(f"{spec}: has no [body], whose moments would be needed. Choose another spec.")
-    trajectory = along_principal_axes(trajectory, body.frame, body.mechanics)
+    trajectory = _with_body(trajectory, body.frame, body.mechanics)
     if body.mechanics is None:
         known = "they are known here of free bodies and tops"
         return trajectory, "", [f"momentum and energy are left out: {known}, and {spec} is of the system {body.kind}."]
@@ -79,30 +79,25 @@ def _with_moments(trajectory: Trajectory, spec: Path) -> tuple[Trajectory, str, 
     return trajectory, "a free body's" if body.mechanics.weight is None else "a top's", []
 
 
-def along_principal_axes(trajectory: Trajectory, frame: BodyFrame, mechanics: Mechanics | None) -> Trajectory:
-    """Return a trajectory of the given axes along the principal ones, with momentum and invariants where these follow.
+def _with_body(trajectory: Trajectory, frame: BodyFrame, mechanics: Mechanics | None) -> Trajectory:
+    """Return a trajectory along the principal axes of a body, with momentum and invariants where these follow.
 
     Args:
         trajectory: along the given axes, read from a file.
         frame: the principal axes; its moments are about the point that the body turns about.
         mechanics: of the same body along the given axes; None where momentum is not the moments times the velocity.
     """
-    axes = np.asarray(frame.axes)
-    parts, attitude = {}, trajectory.attitude
-    if attitude is not None:
-        parts["attitude"] = rotation.multiply(np.asarray(attitude), rotation.from_matrix(axes))
-    if trajectory.angular_velocity is not None:
-        parts["angular_velocity"] = np.asarray(trajectory.angular_velocity) @ axes
-    turned = replace(trajectory, frame=frame, **parts)
-    if mechanics is None or "angular_velocity" not in parts:
+    given, attitude = trajectory, trajectory.attitude
+    turned = replace(given, frame=frame, axes=np.asarray(frame.axes)).along("principal")
+    if mechanics is None or turned.angular_velocity is None:
         return _with_states(turned)
-    momentum = parts["angular_velocity"] * np.asarray(frame.moments)
+    momentum = turned.angular_velocity * np.asarray(frame.moments)
     turned = _with_states(replace(turned, momentum=momentum))
     if attitude is None and mechanics.weight is not None:
         return turned  # the weight's torque is along axes that are not known
     still = np.tile((1.0, 0.0, 0.0, 0.0), (len(momentum), 1))  # energy and |L| are the same for any attitude
     invariants, drift = invariants_along(
-        still if attitude is None else attitude, np.asarray(trajectory.angular_velocity), mechanics
+        still if attitude is None else attitude, np.asarray(given.angular_velocity), mechanics
     )
     if attitude is None:
         del invariants["momentum_space"], drift["momentum_space"]

@@ -7,7 +7,6 @@ import numpy as np
 from polhode.errors import InvalidInput
 from polhode.errors import shown as in_words
 from polhode.exact.free_body import FreeMotion
-from polhode.formats.given_axes import along_principal_axes
 from polhode.motion.trajectory import Trajectory
 
 COUNT, SAMPLES = 3, 1000  # periods of a motion that is drawn, and samples of them
@@ -24,7 +23,7 @@ def free_motion_of(shown: Trajectory | FreeMotion) -> tuple[FreeMotion, Trajecto
     """
     if not isinstance(shown, FreeMotion | Trajectory):
         raise InvalidInput(f"the figure is of a FreeMotion, or of samples of one; got {in_words(shown)}.")
-    samples = along_principal_axes(_sampled(shown) if isinstance(shown, FreeMotion) else shown)
+    samples = (_sampled(shown) if isinstance(shown, FreeMotion) else shown).along("principal")
     motion = samples.motion
     if not isinstance(motion, FreeMotion):
         made = "a file" if samples.source is None else type(samples.source).__name__

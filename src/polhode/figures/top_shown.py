@@ -12,7 +12,6 @@ from polhode.analysis.top_motion import keeps_its_tilt
 from polhode.errors import InvalidInput
 from polhode.errors import shown as in_words
 from polhode.exact.lagrange_top import LagrangeMotion
-from polhode.formats.given_axes import along_principal_axes
 from polhode.motion.inputs import finite
 from polhode.motion.trajectory import Trajectory
 from polhode.systems.heavy_top import HeavyTop
@@ -61,7 +60,7 @@ def top_shown(shown: LagrangeMotion | Trajectory) -> TopShown:
     """
     if not isinstance(shown, LagrangeMotion | Trajectory):
         raise InvalidInput(f"the figure is of a top; got {in_words(shown)}. {REMEDY}")
-    trajectory = along_principal_axes(_sampled(shown) if isinstance(shown, LagrangeMotion) else shown)
+    trajectory = (_sampled(shown) if isinstance(shown, LagrangeMotion) else shown).along("principal")
     if trajectory.batch_shape or not len(trajectory):
         raise InvalidInput(
             f"the figure is of one top at one time at least; got {len(trajectory)} samples of a batch of shape "

@@ -8,7 +8,6 @@ from .dataset import as_dataset as as_dataset
 from .dataset import write_dataset as write_dataset
 from .dataset import write_zarr as write_zarr
 from .dataset_reading import read_dataset as read_dataset
-from .given_axes import along_given_axes as along_given_axes
 from .gltf import write_gltf as write_gltf
 from .gyro_logs import ReadLog as ReadLog
 from .gyro_logs import read_gyro_log as read_gyro_log

@@ -19,8 +19,8 @@ import numpy as np
 from polhode import rotation
 from polhode.errors import InvalidInput, shown
 from polhode.formats.animation_keys import exact_motion
+from polhode.formats.attitude_checks import single_attitude
 from polhode.formats.epochs import TIME_SYSTEMS, as_text, later, read_epoch, since
-from polhode.formats.given_axes import along_given_axes, single_attitude
 from polhode.formats.labels import USUAL_ID, USUAL_ORIGINATOR, AttitudeLabels, is_in_spacecraft, labels_of
 from polhode.formats.paths import written_whole
 from polhode.motion.trajectory import Trajectory
@@ -67,7 +67,7 @@ def write_aem(
     if exact_motion(trajectory) is not None:
         again = trajectory.resampled(since(epoch, whole, picoseconds))
         trajectory = again if trajectory.angular_velocity is not None else replace(again, angular_velocity=None)
-    trajectory = along_given_axes(trajectory)
+    trajectory = trajectory.along("given")
     columns = _columns(trajectory, np.asarray(trajectory.attitude), rates)
     ends = as_text(whole[[0, -1]], picoseconds[[0, -1]], labels.time_system)
     head = _head(labels, TYPES[rates], *ends)

@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 
 from polhode.errors import FormatError, InvalidInput, shown
-from polhode.formats.given_axes import along_given_axes, check_recorded
+from polhode.formats.attitude_checks import check_recorded
 from polhode.formats.labels import Recording
 from polhode.formats.numerals import read_number
 from polhode.formats.opening import MB, open_file
@@ -46,7 +46,7 @@ def write_csv(trajectory: Trajectory, path: str | Path) -> Path:
     Raises:
         InvalidInput: for batches, and where the file cannot be written.
     """
-    columns = _columns(along_given_axes(trajectory), "123" if trajectory.frame is None else "xyz")
+    columns = _columns(trajectory.along("given"), "123" if trajectory.frame is None else "xyz")
     table = np.stack([values for _, values in columns], axis=-1)
     # RFC 4180 ends lines with CR LF, as the csv module does by itself
     with written_whole(path) as draft, draft.open("w", encoding="utf-8", newline="") as file:

@@ -13,7 +13,6 @@ import numpy as np
 
 from polhode.errors import InvalidInput, not_installed
 from polhode.formats.dataset_rules import COMPLEX_PART, COUNTED, MEMORY, UNITS
-from polhode.formats.given_axes import along_principal_axes
 from polhode.formats.labels import AttitudeLabels, labels_of
 from polhode.formats.opening import MB, read_file
 from polhode.formats.paths import written_whole
@@ -52,7 +51,7 @@ def _described(trajectory: Trajectory, attributes: dict[str, str] | None) -> tup
     """Return variables and coordinates, each (dimensions, values, attributes), and global attributes."""
     frame = trajectory.frame
     if frame is not None:
-        trajectory = along_principal_axes(trajectory)
+        trajectory = trajectory.along("principal")
     times = np.asarray(trajectory.times)
     batch = [f"batch_{k}" for k in range(len(trajectory.batch_shape))]
     clock = ("time", times, {"units": "s", "long_name": "time"})

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from polhode.errors import FormatError, InvalidInput, not_installed, shown
+from polhode.formats.attitude_checks import DAMAGED, check_recorded
 from polhode.formats.dataset_rules import COMPLEX_PART, COUNTED, MEMORY, ROLES, check_variables
-from polhode.formats.given_axes import DAMAGED, check_recorded
 from polhode.formats.hdf5_gate import check_hdf5
 from polhode.formats.labels import AttitudeLabels, Recording
 from polhode.formats.opening import MB, check_is_file, is_folder

@@ -12,7 +12,7 @@ from polhode.bodies.surface import Surface, box_in_place
 from polhode.bodies.turned import turned
 from polhode.errors import InvalidInput, shown
 from polhode.formats.animation_keys import keys_of
-from polhode.formats.given_axes import along_given_axes, single_attitude
+from polhode.formats.attitude_checks import single_attitude
 from polhode.formats.glb import Glb
 from polhode.formats.labels import AttitudeLabels
 from polhode.formats.paths import written_whole
@@ -90,7 +90,7 @@ def write_gltf(
     made = Glb({"asset": {"version": "2.0", "generator": "polhode", "extras": extras}, "scene": 0})
     name, length = (labels or AttitudeLabels()).object_name, LONG * reach / unit or 1.0
     place, body = _add_body(made, name, solid, trajectory.frame, length)
-    attitude = np.asarray(along_given_axes(keyed).attitude)
+    attitude = np.asarray(keyed.along("given").attitude)
     tracks = [(body, "rotation", _xyzw(_continuous(attitude)))]
     center = getattr(keyed.source, "center", None)
     if callable(center):

@@ -8,7 +8,7 @@ import numpy as np
 
 from polhode import rotation
 from polhode.errors import InvalidInput
-from polhode.formats.given_axes import along_given_axes, single_attitude
+from polhode.formats.attitude_checks import single_attitude
 from polhode.motion.trajectory import Trajectory
 
 if TYPE_CHECKING:
@@ -30,7 +30,7 @@ def as_rotation(trajectory: Trajectory) -> Rotation:
     >>> bool(np.abs(space - (0.1, 2.0, 0.3)).max() < 1e-14)
     True
     """
-    return rotation.as_scipy(single_attitude(along_given_axes(trajectory), "a Rotation"))
+    return rotation.as_scipy(single_attitude(trajectory.along("given"), "a Rotation"))
 
 
 def as_rotation_spline(trajectory: Trajectory) -> RotationSpline:

@@ -17,7 +17,7 @@ import numpy as np
 
 from polhode import rotation
 from polhode.errors import InvalidInput
-from polhode.formats.given_axes import along_given_axes, single_attitude
+from polhode.formats.attitude_checks import single_attitude
 from polhode.formats.labels import AttitudeLabels, labels_of
 from polhode.formats.paths import written_whole
 from polhode.formats.spice_kernels import (
@@ -73,7 +73,7 @@ def write_ck(
             leap seconds of others stay instead.
     """
     spice, path = spiceypy(), Path(path)
-    given = along_given_axes(trajectory)
+    given = trajectory.along("given")
     attitude, times = single_attitude(given, "A C-kernel"), np.asarray(trajectory.times)
     if labels is None:
         labels = labels_of(trajectory) or AttitudeLabels()

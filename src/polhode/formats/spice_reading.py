@@ -12,8 +12,8 @@ import numpy as np
 
 from polhode import rotation
 from polhode.errors import FormatError, InvalidInput
+from polhode.formats.attitude_checks import check_recorded
 from polhode.formats.epochs import TIME_SYSTEMS, read_epoch
-from polhode.formats.given_axes import check_recorded
 from polhode.formats.labels import AttitudeLabels, Recording
 from polhode.formats.numerals import read_number
 from polhode.formats.opening import MB, open_file

@@ -13,6 +13,7 @@ import numpy as np
 from polhode import rotation
 from polhode.arrays import always, as_float64, compiled, is_jax, namespace, register_node
 from polhode.errors import InvalidInput
+from polhode.motion.axes import Turn, chosen_axes
 from polhode.motion.inputs import (
     MOST_RADIANS,
     by_attributes,
@@ -104,8 +105,9 @@ class AbstractMotion(Plotted, abc.ABC):
         vector = checked_last_axis(name, vector, 3)
         if axes is not None:
             axes = as_float64(xp, axes, "axes")
-            attitude = rotation.multiply(checked_last_axis("attitude", attitude, 4), rotation.from_matrix(axes))
-            vector = vector @ axes
+            to_principal = Turn.to(axes)
+            attitude = to_principal.attitude(checked_last_axis("attitude", attitude, 4))
+            vector = to_principal.vector(vector)
         momentum = vector if angular_velocity is None else momentum_of(moments, vector)
         moments, momentum, attitude = checked(xp, moments, momentum, attitude, epoch)
         body = (moments, *(arrays[key] for key in numbers))
@@ -126,7 +128,7 @@ class AbstractMotion(Plotted, abc.ABC):
         """Set all fields from momentum and attitude along the principal axes."""
         object.__setattr__(self, "axes", axes)
         object.__setattr__(self, "_principal", (momentum, attitude))
-        given = self._along_given_axes(attitude, momentum)
+        given = self._turned(attitude, momentum)
         values = dict(zip(("moments", *self.body_numbers), body, strict=True))
         values |= {"momentum_at_epoch": given[1], "attitude_at_epoch": given[0], "epoch": epoch, "axes": axes,
                    "_principal": (momentum, attitude)}  # fmt: skip
@@ -209,15 +211,19 @@ class AbstractMotion(Plotted, abc.ABC):
         Raises:
             InvalidInput: for times that are not finite.
         """
+        return self._turned(*self._principal_state(t))
+
+    def _principal_state(self, t: Real[ArrayLike, "..."]) -> tuple[Array, Array]:
+        """Return attitude (…, 4) and momentum (…, 3) along the principal axes."""
         if type(t) in PLAIN and (one := self._alone) is not None and one.holds(t):
             found = np.array(self._state_of(one.column, *two_sum(float(t), -one.epoch)))
             if math.isfinite(found[0]):
-                return self._along_given_axes(found[:4], found[4:])
+                return found[:4], found[4:]
         xp = namespace(t, self.moments)
         t = checked_times(xp, t, self.batch_shape)
         attitude, momentum = self._closed_form(*compiled(_elapsed, t if is_jax(t) else self.epoch)(t, self.epoch))
         refuse_overflow(attitude, t, self._fastest)
-        return self._along_given_axes(attitude, momentum)
+        return attitude, momentum
 
     def attitude(self, t: Real[ArrayLike, "..."]) -> Float64[Array, "... 4"]:
         """Return the attitude (…, 4), unit quaternions wxyz, body → space."""
@@ -229,7 +235,8 @@ class AbstractMotion(Plotted, abc.ABC):
 
     def angular_velocity(self, t: Real[ArrayLike, "..."]) -> Float64[Array, "... 3"]:
         """Return the angular velocity (…, 3) [rad/s, body axes]."""
-        return self._angular_velocity_of(self.state(t)[1])
+        velocity = self._principal_state(t)[1] / self.moments
+        return velocity if self.axes is None else self._from_principal.vector(velocity)
 
     def rotation_matrix(self, t: Real[ArrayLike, "..."]) -> Float64[Array, "... 3 3"]:
         """Return the rotation matrix (…, 3, 3), body → space."""
@@ -255,10 +262,10 @@ class AbstractMotion(Plotted, abc.ABC):
         xp = namespace(times, self.moments)
         times = checked_sample_times(xp, times)
         motion = self._with_time_axis()
-        attitude, momentum = motion.state(times)
-        velocity = motion._angular_velocity_of(momentum)
+        attitude, momentum = motion._principal_state(times)
+        velocity = momentum / motion.moments
         invariants, drift = motion._invariants(attitude, momentum, velocity)
-        return Trajectory(
+        found = Trajectory(
             times=times,
             states=xp.concat([attitude, momentum], axis=-1),
             layout=StateLayout((ATTITUDE, MOMENTUM)),
@@ -268,15 +275,29 @@ class AbstractMotion(Plotted, abc.ABC):
             invariants=invariants,
             drift=drift,
             quantities=self.quantities,
-            source=self,
+            source=self._standing(None),
+            given_axes=self.axes,
         )
+        return found.standing(self.axes)
 
-    def along_principal_axes(self: Motion) -> Motion:
-        """Return the same motion with vectors and attitude along the principal axes, in the order of ``moments``."""
-        if self.axes is None:
+    def along(self: Motion, axes: str | Real[ArrayLike, "3 3"]) -> Motion:
+        """Return the same motion with vectors and attitude along other axes of the body.
+
+        Args:
+            axes: "principal" for the principal axes, in the order of ``moments``; "given" for those that the motion is
+                along now, the given ones of a motion made from a body; or axes by columns in these.
+
+        Raises:
+            InvalidInput: for axes that are none of these.
+        """
+        return self._standing(chosen_axes(axes, self.axes))
+
+    def _standing(self: Motion, axes: Array | None) -> Motion:
+        """Return the same motion along axes that the principal ones are the columns of ``axes`` in."""
+        if axes is self.axes:
             return self
         body = (self.moments, *(getattr(self, name) for name in self.body_numbers))
-        return self._of(body, *self._principal, self.epoch, None)
+        return self._of(body, *self._principal, self.epoch, axes)
 
     def _with_time_axis(self: Motion) -> Motion:
         """Return the same motion with a last batch axis of length 1 for times."""
@@ -294,26 +315,12 @@ class AbstractMotion(Plotted, abc.ABC):
         return motion
 
     @cached_unless_traced
-    def _back_to_given_axes(self) -> tuple[Array, Array]:
-        axes = namespace(self._principal[0], self.axes).asarray(self.axes)
-        return rotation.conjugate(rotation.from_matrix(axes)), axes
+    def _from_principal(self) -> Turn:
+        """The turn from the principal axes to those that vectors and attitude are along."""
+        return Turn.to(namespace(self._principal[0], self.axes).asarray(self.axes)).back
 
-    def _along_given_axes(self, attitude: Array, momentum: Array) -> tuple[Array, Array]:
-        """Return attitude and momentum of the principal axes as those of the given ones."""
+    def _turned(self, attitude: Array, momentum: Array) -> tuple[Array, Array]:
+        """Return attitude and momentum of the principal axes as those of the motion's own."""
         if self.axes is None:
             return attitude, momentum
-        back, axes = self._back_to_given_axes
-        return rotation.multiply(attitude, back), momentum @ axes.T
-
-    def _of_principal_axes(self, attitude: Array, momentum: Array) -> tuple[Array, Array]:
-        """Return attitude and momentum of the given axes as those of the principal ones."""
-        if self.axes is None:
-            return attitude, momentum
-        axes = namespace(momentum, self.axes).asarray(self.axes)
-        return rotation.multiply(attitude, rotation.from_matrix(self.axes)), momentum @ axes
-
-    def _angular_velocity_of(self, momentum: Float64[Array, "*#batch 3"]) -> Float64[Array, "*batch 3"]:
-        if self.axes is None:
-            return momentum / self.moments
-        axes = namespace(momentum, self.axes).asarray(self.axes)
-        return ((momentum @ axes) / self.moments) @ axes.T
+        return self._from_principal.attitude(attitude), self._from_principal.vector(momentum)

@@ -7,13 +7,15 @@ from typing import Any
 
 import numpy as np
 
+from polhode.arrays import namespace
 from polhode.errors import InvalidInput
+from polhode.motion.axes import Turn, chosen_axes
 from polhode.motion.base import AbstractMotion
 from polhode.motion.frame import BodyFrame
 from polhode.motion.layout import Quantity, StateLayout
 from polhode.motion.outcome import Ends, Outcome
 from polhode.motion.plotting import Plotted
-from polhode.types import Array, ArrayLike, ArrayOrFloat, Double, Float64, Integer
+from polhode.types import Array, ArrayLike, ArrayOrFloat, Double, Float64, Integer, Real
 
 NAMES = 17  # columns of the names of what there is, and more where one is longer
 _SAMPLED = ("states", "attitude", "momentum", "angular_velocity")
@@ -44,8 +46,10 @@ class Trajectory(Plotted):
         statistics: how many steps and iterations of implicit steps it took.
         error_estimate: estimated largest error of the states, relative to the size of attitude and momentum, (batch…);
             infinite where it is not known, None where it was not asked for or the motion is exact.
-        frame: the body's principal axes, along which momentum and angular velocity are, and its mass properties; None
-            where the components are along the given axes, or the body is not known.
+        frame: the body's principal axes in the given ones, and its mass properties; None where these are not known.
+        axes: (3, 3) principal axes by columns in those that attitude, momentum and angular velocity are along; None
+            where these are the principal axes themselves, or where no others are known. ``along`` turns to others.
+        given_axes: (3, 3) principal axes by columns in the given ones, where there is no frame that has them.
         memory: with the last state all that it takes to go on to the same bits: the arrays that the method carries
             along, for ``simulate``; None unless asked for.
         ends: how each copy of an integrated batch came to its end, and when; None otherwise.
@@ -74,6 +78,8 @@ class Trajectory(Plotted):
     ends: Ends | None = None
     memory: tuple[Array, ...] | None = None
     frame: BodyFrame | None = None
+    axes: Float64[Array, "3 3"] | None = None
+    given_axes: Float64[Array, "3 3"] | None = None
 
     def __len__(self) -> int:
         return len(self.times)
@@ -113,6 +119,43 @@ class Trajectory(Plotted):
             raise InvalidInput("the samples are not of an exact motion, which alone is known between them. "
                                "Integrate to the times that you need.")  # fmt: skip
         return replace(self.motion.sample(times), frame=self.frame)
+
+    def along(self, axes: str | Real[ArrayLike, "3 3"]) -> Trajectory:
+        """Return the same samples with attitude, momentum and angular velocity along other axes of the body.
+
+        States of a system that was integrated stay as the system has them.
+
+        Args:
+            axes: "principal", "given", or axes by columns in the given ones. Where the body is not known, the present
+                axes are both.
+
+        Raises:
+            InvalidInput: for axes that are none of these.
+
+        >>> import polhode as ph
+        >>> body = ph.shapes.box(1.0, (0.1, 0.2, 0.3))  # whose moments descend along x, y, z
+        >>> samples = ph.FreeMotion.from_body(body, (1.0, 0.0, 0.0)).sample([0.0, 1.0])
+        >>> samples.angular_velocity[0].tolist(), samples.along("principal").angular_velocity[0].tolist()
+        ([1.0, 0.0, 0.0], [0.0, 0.0, -1.0])
+        """
+        given = self.given_axes if self.frame is None else np.asarray(self.frame.axes)
+        return self.standing(chosen_axes(axes, given))
+
+    def standing(self, axes: Float64[Array, "3 3"] | None) -> Trajectory:
+        """Return the same samples along axes that the principal ones are the columns of ``axes`` in; None for these."""
+        if axes is self.axes or (axes is not None and self.axes is not None and np.array_equal(axes, self.axes)):
+            return self
+        if self.axes is None:
+            turn = Turn.to(axes).back
+        else:  # by the principal axes, as quaternions that went another way may have the other sign
+            turn = Turn.to(self.axes) if axes is None else Turn.to(self.axes).then(Turn.to(axes).back)
+        velocity, momentum = (None if x is None else turn.vector(x) for x in (self.angular_velocity, self.momentum))
+        attitude = None if self.attitude is None else turn.attitude(self.attitude)
+        turned = replace(self, attitude=attitude, momentum=momentum, angular_velocity=velocity, axes=axes)
+        if self.motion is None or attitude is None or momentum is None:
+            return turned
+        states = namespace(attitude, momentum).concat([attitude, momentum], axis=-1)
+        return replace(turned, states=states, source=self.motion._standing(axes))
 
     def between(self, start: float, end: float) -> Trajectory:
         """Return the samples from one time to another, both included [s]; drifts stay those of the whole motion.

@@ -13,7 +13,7 @@ import numpy as np
 from polhode import rotation
 from polhode.analysis.comparison import AttitudeHistory, Mechanics
 from polhode.errors import FormatError, InvalidInput, one_line, shown
-from polhode.formats.given_axes import along_given_axes, single_attitude
+from polhode.formats.attitude_checks import single_attitude
 from polhode.formats.labels import AttitudeLabels, Recording, labels_of
 from polhode.formats.opening import is_folder, open_file
 from polhode.formats.stamps import exact_number
@@ -181,7 +181,7 @@ def source_of(path: Path, kernels: Kernels, table: Table | None = None, kind: st
     if kind == "table" and found.attitude is None:
         raise InvalidInput(f"{path}: a comparison is of attitudes, and only --gyro is given. Name them by --quat or "
                            "--euler.")  # fmt: skip
-    trajectory = along_given_axes(found)
+    trajectory = found.along("given")
     history = replace(
         _history(path, trajectory), resolution=0.5 * PICOSECOND if kind == "aem" else 0.0,
         mechanics=_recorded_mechanics(trajectory, found.frame),
@@ -239,13 +239,13 @@ def _from_spec(path: Path) -> Source:
         raise _without_attitudes(path)
     with naming(path):
         moved = spec.motion()
-    trajectory = along_given_axes(moved.trajectory)
+    trajectory = moved.trajectory.along("given")
     history = replace(_history(path, trajectory), mechanics=moved.mechanics)
 
     if moved.trajectory.motion is not None:
 
         def exact(times: Any) -> tuple[Any, Any]:
-            found = along_given_axes(moved.trajectory.resampled(times))
+            found = moved.trajectory.resampled(times).along("given")
             return found.attitude, found.angular_velocity
 
         history = replace(history, exact=exact)

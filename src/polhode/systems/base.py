@@ -155,6 +155,11 @@ class AbstractSystem(HashableModule):
         return None
 
     @property
+    def given_axes(self) -> Float64[Array, "3 3"] | None:
+        """(3, 3) principal axes by columns in the body's given ones; None where no others are known."""
+        return None
+
+    @property
     def quantities(self) -> dict[str, Quantity]:
         """Unit and meaning of invariants and balances, by name; those that are left out have no unit that is known."""
         return {"energy": ENERGY}

@@ -106,6 +106,11 @@ class HeavyTop(AbstractLiePoissonSystem):
         return cls(np.asarray(motion.moments), float(motion.mgl), (0.0, 0.0, 1.0), axes)
 
     @property
+    def given_axes(self) -> Float64[Array, "3 3"]:
+        """The principal axes by columns in the given ones."""
+        return self.axes
+
+    @property
     def weight(self) -> Float64[Array, "3"]:
         """mgl χ (3,): weight times the centre of mass from the fixed point [N m, given axes]."""
         return self.mgl * (self.axes @ self.axis)

@@ -57,6 +57,7 @@ def trajectory_of(
         statistics=statistics,
         error_estimate=error_estimate,
         ends=ends,
+        given_axes=None if system.given_axes is None else np.asarray(system.given_axes),
     )
 
 

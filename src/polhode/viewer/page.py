@@ -151,7 +151,7 @@ def model_of(trajectory: Trajectory) -> dict[str, Any] | None:
     solved = next((kind for kind in (FreeMotion, LagrangeMotion) if moves_as_one_of((kind,), motion)), None)
     if motion is None or motion.batch_shape or solved is None:
         return None
-    along = motion.along_principal_axes()
+    along = motion.along("principal")
     numbers = {name: float(getattr(along, name)) for name in along.body_numbers}
     return {
         "solver": solved.__name__, "moments": np.asarray(along.moments).tolist(), **numbers,

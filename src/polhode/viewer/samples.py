@@ -7,7 +7,6 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from polhode.errors import InvalidInput
-from polhode.formats.given_axes import along_principal_axes
 from polhode.motion.base import AbstractMotion
 from polhode.motion.layout import StateLayout
 from polhode.motion.trajectory import Trajectory
@@ -53,7 +52,7 @@ def samples_of(trajectory: Trajectory) -> Samples:
         InvalidInput: for a trajectory without samples, a batch, or values that are not finite.
     """
     _check(trajectory)
-    trajectory = along_principal_axes(trajectory)
+    trajectory = trajectory.along("principal")
     if trajectory.motion is not None:
         return _evaluated(trajectory, trajectory.motion)
     return _thinned(trajectory)

@@ -34,7 +34,7 @@ class FreeMotion(AbstractMotion):
     that the error is a few units in the last place at any time and for any positive moments: no step, no drift. All
     components are along the principal axes, in the order of ``moments``; they may come in any order. Those of a motion
     made by ``from_body`` are along the body's given axes, in every attribute; ``axes`` then has the principal axes by
-    columns, and ``moments`` and ``encircled_axis`` are of these. ``along_principal_axes`` gives the other view.
+    columns, and ``moments`` and ``encircled_axis`` are of these. ``along("principal")`` gives the other view.
 
     Args:
         moments: (…, 3) principal moments [kg m²], positive.

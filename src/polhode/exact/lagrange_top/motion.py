@@ -42,7 +42,7 @@ class LagrangeMotion(AbstractMotion):
     drift, the same error at any time, from the sleeping top to the spherical pendulum (moments I1, I1, any I3; L3 = 0).
     All components are along the principal axes. Those of a motion made by ``from_body`` are along the body's given
     axes, in every attribute; ``axes`` then has the principal axes by columns, the third from the pivot to the centre of
-    mass, and ``moments`` are of these. ``along_principal_axes`` gives the other view.
+    mass, and ``moments`` are of these. ``along("principal")`` gives the other view.
 
     Args:
         moments: (…, 3) principal moments about the pivot [kg m²], positive, the first two equal.
@@ -177,7 +177,6 @@ class LagrangeMotion(AbstractMotion):
         xp = namespace(momentum, self.moments)
         kinetic = 0.5 * xp.sum(momentum * velocity, axis=-1)
         vertical_momentum = rotation.rotate(attitude, momentum)[..., 2]
-        attitude, momentum = self._of_principal_axes(attitude, momentum)
         values = {
             "energy": kinetic + self.mgl * _vertical(xp, attitude),
             "vertical_momentum": vertical_momentum,
