@@ -1,6 +1,7 @@
 """Reports, figures and datasets of every regime."""
 
 import json
+from dataclasses import replace
 
 import matplotlib.image
 import numpy as np

@@ -1,4 +1,9 @@
 """Kinds of motion that a spec can name: a folder each, which registers itself by being here.
 
-``docs/add_a_kind.md`` says what a folder holds, and how another package adds a kind of its own.
+``docs/add_a_kind.md`` says what a folder holds, and how another package adds a kind of its own. What an author needs
+for one is here.
 """
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import re
-import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from importlib import import_module, resources
+from importlib import resources
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
+from typing import TYPE_CHECKING, Any, ClassVar, Generic, NamedTuple, TypeVar
 
 import numpy as np
 
@@ -19,6 +18,7 @@ from polhode.bodies.body import Body
 from polhode.bodies.surface import Surface
 from polhode.errors import InvalidInput
 from polhode.formats.labels import AttitudeLabels
+from polhode.kinds.panel import KindPanel
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.answer import Group, Table
 from polhode.reports.base import MotionReport, SystemReport
@@ -119,19 +119,25 @@ class Ensemble(NamedTuple):
     refused: dict[int, str]
 
 
-class AbstractKind:
+Figures = Mapping[str, "Callable[[Any], Figure | None]"]
+"""What draws each figure of a report, or None, by the name of its file."""
+Overview = Sequence["tuple[Callable[..., Figure | None], int]"]
+"""What is drawn side by side of a motion or trajectory, each called with ``axes``, and how many axes each needs."""
+TableT = TypeVar("TableT", bound=SystemTable)
+
+
+class AbstractKind(Generic[TableT]):
     """A kind of motion that a spec can name as ``[system] kind``.
 
     A folder of ``polhode.kinds``, or a module that another package names in the entry-point group ``polhode.kinds``,
     offers one object of a subclass as ``KIND``. Importing it must be cheap: the methods import the other files of the
-    folder when they are needed, ``answers``, ``figures`` and ``panel``.
+    folder when they are needed. ``report`` must be overridden; all else may be. A system or motion says of which kind
+    it is by its ``kind``, so that its pages and ``plot`` show the pictures of this kind.
 
     Attributes:
         name: as specs write it; the folder's name has underscores for its hyphens.
         table: the model of the table [system].
         figure_names: of the files of ``figures``, which a later report may remove.
-        sources: the classes, as ``module.name``, of systems and motions that are of this kind, so that their pages
-            and ``plot`` show its own pictures.
         subject: what moves, in a word, where other kinds may move the same in another way.
         in_closed_form: whether the motion is known exactly at any time, without steps.
         has_motion: whether something moves in time, so that its report is an ``MotionReport``.
@@ -143,7 +149,6 @@ class AbstractKind:
     name: ClassVar[str]
     table: ClassVar[type[SystemTable]]
     figure_names: ClassVar[tuple[str, ...]] = ()
-    sources: ClassVar[tuple[str, ...]] = ()
     subject: ClassVar[str] = ""
     in_closed_form: ClassVar[bool] = False
     has_motion: ClassVar[bool] = True
@@ -151,42 +156,46 @@ class AbstractKind:
     is_default: ClassVar[bool] = False
     reach: ClassVar[float] = REACH
 
+    def __reduce__(self) -> tuple[Callable[[str], AbstractKind], tuple[str]]:
+        """Pickle a kind by its name: there is one object of each."""
+        return _kind_called, (self.name,)
+
     @property
     def example(self) -> str:
         """The folder's ``example.toml``: a short spec of this kind."""
         return self._file("example.toml")
 
-    def report(self, spec: Spec) -> SystemReport:
-        """Return the answers about a spec of this kind, by ``answers.report_of``.
+    def report(self, spec: Spec[TableT]) -> SystemReport:
+        """Return the answers about a spec of this kind.
 
         Raises:
             InvalidInput: for values that the system refuses.
             NotConverged: where a motion could not be followed.
         """
-        return self._part("answers").report_of(spec)
+        raise NotImplementedError(f"{type(self).__name__} must override `report`")
 
-    def motion(self, spec: Spec) -> SpecMotion:
-        """Return the motion alone, by ``answers.motion_of`` where a kind has one: much may not be needed for it.
+    def motion(self, spec: Spec[TableT]) -> SpecMotion:
+        """Return the motion alone; a kind overrides it where much of the report is not needed for it.
 
         Raises:
             InvalidInput, NotConverged: as ``report`` does.
         """
         self.check_motion()
-        answers = self._part("answers")
-        if hasattr(answers, "motion_of"):
-            return answers.motion_of(spec)
-        report = answers.report_of(spec)
+        report = motion_report_of(self.report(spec))
         return SpecMotion(report.trajectory, report.mechanics)
 
-    def answers_without_motion(self, spec: Spec) -> Iterable[Group | Table]:
-        """Return those of the report's answers that take no motion, by ``answers.answers_without_motion`` where there
-        is one; none elsewhere. They are computed one after the other as they are taken, the quickest first.
+    def answers_without_motion(self, spec: Spec[TableT]) -> Iterable[Group | Table]:
+        """Return those of the report's answers that take no motion; none unless overridden. They are computed one
+        after the other as they are taken, the quickest first.
 
         Raises:
             InvalidInput: for values that the system refuses.
         """
-        answers = self._part("answers")
-        return answers.answers_without_motion(spec) if hasattr(answers, "answers_without_motion") else ()
+        return ()
+
+    def panel(self) -> KindPanel | None:
+        """Return what the page of this kind shows of its own; None where it is that of any body."""
+        return None
 
     def next_steps(self, spec: Spec) -> Sequence[NextStep]:
         """Return the commands to go on with from a report of this kind."""
@@ -197,17 +206,17 @@ class AbstractKind:
         return ()
 
     def check_page(self) -> None:
-        """Refuse a page of what neither moves nor says in ``panel.py`` how it is to be shown.
+        """Refuse a page of what neither moves nor has a panel that says how it is to be shown.
 
         Raises:
             InvalidInput: for such a kind.
         """
-        if not self._has("panel.py"):
+        if self.panel() is None:
             self.check_motion()
 
     def _has_pictures(self) -> bool:
         """Whether any page has something to draw: the kind's own panels, or a body that turns."""
-        return self._has("panel.py") or (self.has_motion and self.has_attitude)
+        return self.panel() is not None or (self.has_motion and self.has_attitude)
 
     def check_motion(self) -> None:
         """Refuse what needs a motion.
@@ -234,100 +243,58 @@ class AbstractKind:
     def ensemble(
         self, samples: ManySpecs, names: Sequence[str], times: Float64[Array, "time"]
     ) -> Ensemble | None:
-        """Return answers about many motions at once, by ``ensemble.ensemble_of`` where a kind has one.
-
-        None where the kind knows no quicker way than a report on each.
+        """Return answers about many motions at once; None where the kind knows no quicker way than a report on each.
 
         Args:
             samples: what differs between them.
             names: of answers, as the JSON has them, and of parts of states, after ``states.``.
             times: (T,) [s] of states.
         """
-        if not self._has("ensemble.py"):
-            return None
-        return self._part("ensemble").ensemble_of(samples, names, times)
+        return None
 
     def rules(self, tables: dict[str, Any]) -> Iterator[Mistake]:
         """Yield what the raw tables of a file break beyond what each field says, and where."""
         yield from ()
 
-    def figures(self) -> Mapping[str, Callable[[Any], Figure | None]]:
-        """Return ``figures.FIGURES``: what draws each figure of a report, or None, by the name of its file."""
-        return self._part("figures").FIGURES if self.figure_names else {}
+    def figures(self) -> Figures:
+        """Return what draws each figure of a report, by the names in ``figure_names``."""
+        return {}
 
-    def overview(self) -> Sequence[tuple[Callable[..., Figure | None], int]]:
-        """Return ``figures.OVERVIEW``: what ``motion.plot()`` draws side by side, and how many axes each needs.
-
-        Each takes what is shown and ``axes``; without any, a trajectory is drawn part by part of its state.
-        """
-        return getattr(self._part("figures"), "OVERVIEW", ()) if self.figure_names else ()
+    def overview(self) -> Overview:
+        """Return what ``motion.plot()`` draws side by side; without any, a trajectory is drawn part by part."""
+        return ()
 
     def shown(self, report: SystemReport) -> Trajectory:
-        """Return what moves on the page of a report without a motion of its own, by ``panel.shown_of``.
+        """Return what moves on the page of a report without a motion of its own.
 
         Raises:
             InvalidInput: where there is nothing to show.
         """
         self.check_page()
-        return self._part("panel").shown_of(report)
+        return (self.panel() or KindPanel()).shown(report)
 
     def content_of_report(self, report: SystemReport, samples: Samples, surface: Surface | None) -> Content:
-        """Return the pictures on the page of a report without a motion of its own, by ``panel.content_of``.
-
-        Args:
-            report: of this kind.
-            samples: of what ``shown`` returned.
-            surface: of the body, along the axes of the samples.
-        """
-        return replace(self._part("panel").content_of(report, samples, surface), scripts=self._scripts())
+        """Return the pictures on the page of a report without a motion of its own; see ``KindPanel.content``."""
+        return replace((self.panel() or KindPanel()).content(report, samples, surface), scripts=self._scripts())
 
     def content(self, trajectory: Trajectory, samples: Samples, surface: Surface | None) -> Content | None:
-        """Return the kind's own pictures of a page, by ``panel.panels_of`` and ``panel.js``; None if it has none.
-
-        By ``panel.plots_of(trajectory, samples)``, where there is one, it brings ``plots`` and ``scatters`` of
-        ``Content``. By ``panel.model_of(trajectory)``, where there is one, the page goes on with the motion itself.
-
-        Args:
-            trajectory: whose source is one of ``sources``.
-            samples: of it, as the page shows them, along the principal axes.
-            surface: of the body, along the axes of the samples.
-        """
-        if not self._has("panel.py"):
+        """Return the kind's own pictures of a page; None if it has none. Arguments as ``KindPanel.panels`` has them."""
+        panel = self.panel()
+        if panel is None:
             return None
         from polhode.viewer.panels import Content, content_of, moves_as_one_of
 
-        part = self._part("panel")
-        # the page goes on by the equations of the source itself, which an heir may have changed
-        knows = hasattr(part, "model_of") and moves_as_one_of(self.source_classes(), trajectory.source)
-        model = part.model_of(trajectory) if knows else None
-        if not hasattr(part, "panels_of"):
+        # the page goes on by the equations of the class that names the kind, which an heir may have changed
+        names_it = next(one for one in type(trajectory.source).__mro__ if "kind" in vars(one))
+        model = panel.model(trajectory) if moves_as_one_of((names_it,), trajectory.source) else None
+        panels = panel.panels(trajectory, samples, surface)
+        if panels is None:
             return replace(content_of(trajectory.source, samples, surface), model=model)
-        panels = part.panels_of(trajectory, samples, surface)
-        more = part.plots_of(trajectory, samples) if hasattr(part, "plots_of") else {}
-        return Content(panels, self._scripts(), model, **more)
-
-    def scatters(self, report: MotionReport) -> tuple[dict[str, Any], ...]:
-        """Return by ``panel.scatters_of`` what a report's page draws beyond the part that it shows; none without it."""
-        if not self._has("panel.py"):
-            return ()
-        part = self._part("panel")
-        return part.scatters_of(report) if hasattr(part, "scatters_of") else ()
-
-    def source_classes(self) -> tuple[type, ...]:
-        """Return the classes of ``sources``, of the modules that are loaded: nothing is made of others yet."""
-        places = (name.rpartition(".") for name in self.sources)
-        return tuple(getattr(sys.modules[module], own) for module, _, own in places if module in sys.modules)
-
-    def _part(self, name: str) -> Any:
-        """Return a file of the folder as a module."""
-        return import_module(f"{type(self).__module__}.{name}")
-
-    def _has(self, name: str) -> bool:
-        """Whether the folder has a file of this name."""
-        return (resources.files(type(self).__module__) / name).is_file()
+        return Content(panels, self._scripts(), model, **panel.plots(trajectory, samples))
 
     def _scripts(self) -> tuple[str, ...]:
-        return (self._file("panel.js"),) if self._has("panel.js") else ()
+        drawn = resources.files(type(self).__module__) / "panel.js"
+        return (drawn.read_text("utf-8"),) if drawn.is_file() else ()
 
     def _file(self, name: str) -> str:
         return (resources.files(type(self).__module__) / name).read_text("utf-8")
@@ -341,8 +308,16 @@ class AbstractKind:
         return None if spec.source is None else surface_of_body(spec.source, spec.folder)
 
 
+def _kind_called(name: str) -> AbstractKind:
+    from polhode.kinds import registry
+
+    found = registry.find_kind(name)
+    assert found is not None, f"there is no kind {name}"
+    return found
+
+
 @dataclass(frozen=True)
-class Spec:
+class Spec(Generic[TableT]):
     """A spec in SI units.
 
     Attributes:
@@ -360,8 +335,8 @@ class Spec:
     """
 
     name: str
-    kind: AbstractKind
-    system: Any
+    kind: AbstractKind[TableT]
+    system: TableT
     body: Body | None
     spin: SpinTable | None
     until: float | None

@@ -118,7 +118,8 @@ def page_of_answers(report: SystemReport, name: str, surface: Surface | None) ->
     said = {"name": name, "summary": with_powers(report.summary), "surface": surface}
     if isinstance(report, MotionReport):
         notes = [with_powers(note) for note in [*report.notes, *filter(None, [report.shown_part])]]
-        scatters = () if kind is None else kind.scatters(report)
+        panel = None if kind is None else kind.panel()
+        scatters = () if panel is None else panel.scatters(report)
         return page_of(report.shown, **said, notes=notes, scatters=scatters, content=_content)
     assert kind is not None, f"a report of kind {report.kind} has no kind"
     notes = [with_powers(note) for note in report.notes]

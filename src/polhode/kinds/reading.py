@@ -74,7 +74,7 @@ def spec_of_tables(tables: dict[str, Any], path: Path) -> Spec:
         told = {location for location, _ in mistakes}
         mistakes += [mistake for mistake in beyond if mistake[0] not in told]
     body, unphysical = _built_body(table.get("body"), path.parent, mistakes)
-    if model is None or kind is None or mistakes or unphysical:
+    if model is None or kind is None or system is None or mistakes or unphysical:
         found = mistakes + [(location, str(error)) for location, error in unphysical]
         of_files = not mistakes and all(isinstance(error, FormatError) for _, error in unphysical)
         raise (FormatError if of_files else InvalidInput)(*as_message(path, found))

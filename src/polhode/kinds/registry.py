@@ -76,13 +76,11 @@ def known_figures() -> set[str]:
 
 
 def kind_of_source(source: Any) -> AbstractKind | None:
-    """Return the kind whose pictures show what a trajectory came from; None where no kind has any of its own.
-
-    A subclass of a kind's source is of that kind too: of the one that its nearest ancestor belongs to.
-    """
-    kinds = list(_importable())
-    ancestors = type(source).__mro__
-    return next((kind for one in ancestors for kind in kinds if one in kind.source_classes()), None)
+    """Return the kind whose pictures show what a trajectory came from; None where no kind has any of its own."""
+    name = getattr(source, "kind", "")
+    with contextlib.suppress(PolhodeError):
+        return find_kind(name) if isinstance(name, str) and name else None
+    return None
 
 
 def next_steps(spec: Spec) -> list[NextStep]:

@@ -70,6 +70,8 @@ class AbstractMotion(Plotted, abc.ABC):
 
     Attributes:
         title: what such a motion is called.
+        kind: the kind of spec whose pictures show it, by its name; empty for none.
+        page_solver: what the page calls the solver that goes on with such a motion; empty for none.
         has_vertical: whether space has an up of its own, as under gravity.
         body_numbers: the attributes (…) that say, with the moments, what the body is.
         moments: (…, 3) principal moments [kg m²].
@@ -81,6 +83,8 @@ class AbstractMotion(Plotted, abc.ABC):
     """
 
     title: ClassVar[str] = "Motion"
+    kind: ClassVar[str] = ""
+    page_solver: ClassVar[str] = ""
     has_vertical: ClassVar[bool] = False
     body_numbers: ClassVar[tuple[str, ...]] = ()
     moments: Float64[Array, "... 3"]

@@ -12,7 +12,7 @@ from pydantic import AfterValidator, BeforeValidator, Field, StrictBool, StrictI
 
 from polhode import rotation
 from polhode.errors import shown
-from polhode.spec.units import EXAMPLES, parse_quantity, parse_spectroscopic
+from polhode.spec.units import example_of, parse_quantity, parse_spectroscopic
 
 LARGEST = sys.float_info.max
 UNIT = "unit"  # attribute of what reads quantities
@@ -39,8 +39,22 @@ def _reader(unit: str, positive: bool = False) -> BeforeValidator:
     return BeforeValidator(read)
 
 
+def quantity(unit: str, *, positive: bool = False) -> Any:
+    """Return a type of field for quantities in any unit: a text like "3 N/m" becomes a number of the SI unit.
+
+    Args:
+        unit: in SI, as Pint reads it.
+        positive: whether zero and less are refused.
+
+    >>> from pydantic import TypeAdapter
+    >>> TypeAdapter(quantity("N/m")).validate_python("2 mN/m")
+    0.002
+    """
+    return Annotated[float, _reader(unit, positive)]
+
+
 def _three(unit: str) -> BeforeValidator:
-    example = EXAMPLES[unit]
+    example = example_of(unit)
 
     def check(value: Any) -> Any:
         if not isinstance(value, list) or len(value) != 3:

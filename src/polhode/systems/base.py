@@ -105,10 +105,12 @@ class AbstractSystem(HashableModule):
 
     Attributes:
         title: what it is called.
+        kind: the kind of spec whose pictures show it, by its name; empty for none.
         has_vertical: whether space has an up of its own, as under gravity.
     """
 
     title: ClassVar[str] = "Motion"
+    kind: ClassVar[str] = ""
     has_vertical: ClassVar[bool] = False
 
     @abc.abstractmethod

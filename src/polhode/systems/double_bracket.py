@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 import jax.numpy as jnp
 
 from polhode.algebra.base import AbstractLieAlgebra
@@ -31,6 +33,7 @@ class DoubleBracket(AbstractLiePoissonSystem):
     (1996) 1; Thomson & Reiter, J. Astronaut. Sci. 7 (1960) 29 for Explorer 1.
     """
 
+    kind: ClassVar[str] = "damped-body"
     algebra: AbstractLieAlgebra
     moments: Float64[Array, "3"]
     sink: EnergySink

@@ -72,6 +72,7 @@ class EulerDisk(AbstractSystem):
     Source: O'Reilly, Nonlinear Dyn. 10 (1996) 287; Le Saux, Leine & Glocker, J. Nonlinear Sci. 15 (2005) 27.
     """
 
+    kind: ClassVar[str] = "euler-disk"
     title: ClassVar[str] = "Euler's disk"
     has_vertical: ClassVar[bool] = True
     mechanics: RollingMechanics

@@ -41,6 +41,7 @@ class Gyrostat(AbstractLiePoissonSystem):
     Source: Zhukovskii 1885; Volterra, Acta Math. 22 (1899) 201; Hughes, *Spacecraft Attitude Dynamics*, §3.4.
     """
 
+    kind: ClassVar[str] = "gyrostat"
     title: ClassVar[str] = "Gyrostat"
     algebra: AbstractLieAlgebra
     moments: Float64[Array, "3"]
@@ -104,6 +105,7 @@ class TorquedGyrostat(AbstractRigidBody):
     Source: Hughes, *Spacecraft Attitude Dynamics*, §3.4 and ch. 6; Hall & Rand, J. Guid. Control Dyn. 17 (1994) 30.
     """
 
+    kind: ClassVar[str] = "gyrostat"
     title: ClassVar[str] = "Gyrostat with a driven rotor"
     moments: Float64[Array, "3"]
     mounts: tuple[AbstractMount, ...]

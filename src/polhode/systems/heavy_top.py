@@ -47,6 +47,7 @@ class HeavyTop(AbstractLiePoissonSystem):
     Source: Audin, *Spinning Tops*, ch. I; Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, §1.4 and §15.10.
     """
 
+    kind: ClassVar[str] = "heavy-top"
     title: ClassVar[str] = "Heavy top"
     has_vertical: ClassVar[bool] = True
     algebra: AbstractLieAlgebra

@@ -45,6 +45,7 @@ class SphereVortices(AbstractLiePoissonSystem):
     [-0.5, 0.5]
     """
 
+    kind: ClassVar[str] = "point-vortices"
     title: ClassVar[str] = "Point vortices on the sphere"
     algebra: Power
     strengths: Float64[Array, "n"]
@@ -163,6 +164,7 @@ class PlaneVortices(AbstractLiePoissonSystem):
     [1.0, 1.0]
     """
 
+    kind: ClassVar[str] = "point-vortices"
     title: ClassVar[str] = "Point vortices in the plane"
     algebra: Power
     strengths: Float64[Array, "n"]

@@ -73,6 +73,7 @@ class SphereFluid(AbstractLiePoissonSystem):
     Source: Zeitlin, Phys. Rev. Lett. 93 (2004) 264501; Modin & Viviani, J. Fluid Mech. 884 (2020) A22.
     """
 
+    kind: ClassVar[str] = "sphere-fluid"
     title: ClassVar[str] = "Ideal fluid on a sphere"
     algebra: QuantizedSphere
     rotation: Float64[Array, ""]

@@ -55,6 +55,7 @@ class SphereMHD(AbstractLiePoissonSystem):
     Source: Zeitlin, Phys. Rev. Lett. 93 (2004) 264501; Modin & Roop, IMA J. Numer. Anal. (2025), arXiv 2311.16045.
     """
 
+    kind: ClassVar[str] = "sphere-mhd"
     title: ClassVar[str] = "Ideal conducting fluid on a sphere"
     algebra: DualNumbers
     fluid: SphereFluid

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import ClassVar
 
 import equinox as eqx
 import jax.numpy as jnp
@@ -48,6 +49,7 @@ class SpinLattice(AbstractLiePoissonSystem):
     -4.0
     """
 
+    kind: ClassVar[str] = "spin-lattice"
     lattice: Lattice = eqx.field(static=True)
     spin: tuple[float, ...] = eqx.field(static=True)
     bonds: tuple[BondType, ...] = eqx.field(static=True)

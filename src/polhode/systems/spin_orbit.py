@@ -44,6 +44,7 @@ class SpinOrbit(AbstractSystem):
     [1.0, -0.543278]
     """
 
+    kind: ClassVar[str] = "spin-orbit"
     title: ClassVar[str] = "Spin on an orbit"
     asphericity: Float64[Array, ""]
     orbit: KeplerOrbit

@@ -47,6 +47,7 @@ class VlasovPoisson(AbstractLiePoissonSystem):
     [1.0, 0.0]
     """
 
+    kind: ClassVar[str] = "vlasov-poisson"
     title: ClassVar[str] = "Vlasov–Poisson plasma"
     algebra: Power
     length: Float64[Array, ""]

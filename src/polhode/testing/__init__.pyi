@@ -3,6 +3,7 @@ from .engines import EngineComparison as EngineComparison
 from .engines import FamilyErrors as FamilyErrors
 from .engines import MotionErrors as MotionErrors
 from .engines import compare_engine as compare_engine
+from .kinds import check_kind as check_kind
 from .laws import LawBroken as LawBroken
 from .motion_table import ReferenceMotion as ReferenceMotion
 from .motion_table import reference_motions as reference_motions

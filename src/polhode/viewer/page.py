@@ -14,8 +14,6 @@ import numpy as np
 
 from polhode.bodies.surface import Surface
 from polhode.errors import InvalidInput, shown
-from polhode.exact.free_body import FreeMotion
-from polhode.exact.lagrange_top import LagrangeMotion
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.wording import unit_in_words
 from polhode.types import Array
@@ -148,13 +146,15 @@ def check_given(trajectory: Any, name: Any, summary: Any, notes: Any) -> None:
 def model_of(trajectory: Trajectory) -> dict[str, Any] | None:
     """Return what the page's own solver needs of an exact motion, along its principal axes; None of others."""
     motion = trajectory.motion
-    solved = next((kind for kind in (FreeMotion, LagrangeMotion) if moves_as_one_of((kind,), motion)), None)
-    if motion is None or motion.batch_shape or solved is None:
+    if motion is None or motion.batch_shape or not motion.page_solver:
+        return None
+    names_it = next(one for one in type(motion).__mro__ if "page_solver" in vars(one))
+    if not moves_as_one_of((names_it,), motion):
         return None
     along = motion.along("principal")
     numbers = {name: float(getattr(along, name)) for name in along.body_numbers}
     return {
-        "solver": solved.__name__, "moments": np.asarray(along.moments).tolist(), **numbers,
+        "solver": motion.page_solver, "moments": np.asarray(along.moments).tolist(), **numbers,
         "momentum": np.asarray(along.momentum_at_epoch).tolist(),
         "attitude": np.asarray(along.attitude_at_epoch).tolist(), "epoch": float(along.epoch),
         **({} if trajectory.frame is None or trajectory.frame.mass is None else {"mass": float(trajectory.frame.mass)}),

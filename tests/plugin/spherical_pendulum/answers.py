@@ -9,11 +9,8 @@ from typing import ClassVar
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.kinds.base import Spec
+from polhode.kinds import Answer, Group, MotionReport, Spec, Table, accuracy
 from polhode.motion.trajectory import Trajectory
-from polhode.reports.about import accuracy
-from polhode.reports.answer import Answer, Group, Table
-from polhode.reports.base import MotionReport
 from polhode.simulation import simulate
 from spherical_pendulum.system import SphericalPendulum
 from spherical_pendulum.table import PendulumTable
@@ -50,10 +47,9 @@ class PendulumReport(MotionReport):
         ])]  # fmt: skip
 
 
-def report_of(spec: Spec) -> PendulumReport:
+def report_of(spec: Spec[PendulumTable]) -> PendulumReport:
     """Return the report on a spherical pendulum."""
     table = spec.system
-    assert isinstance(table, PendulumTable)
     system = SphericalPendulum(jnp.asarray(table.length), jnp.asarray(table.gravity))
     x, z = table.length * math.sin(table.lean), -table.length * math.cos(table.lean)
     start = np.array([x, 0.0, z, 0.0, table.rate * x, 0.0])

@@ -18,6 +18,7 @@ class SphericalPendulum(AbstractSystem):
     """r̈ = −g e_z + (g z − |v|²) r/l², for |r| = l; state (r, v) (…, 6)."""
 
     title: ClassVar[str] = "Spherical pendulum"
+    kind: ClassVar[str] = "spherical-pendulum"
     has_vertical: ClassVar[bool] = True
     length: Array
     gravity: Array

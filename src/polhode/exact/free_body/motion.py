@@ -66,6 +66,8 @@ class FreeMotion(AbstractMotion):
     ('short-axis', 10.680120081384)
     """
 
+    kind: ClassVar[str] = "free-body"
+    page_solver: ClassVar[str] = "FreeMotion"
     title: ClassVar[str] = "Free motion"
 
     def __init__(

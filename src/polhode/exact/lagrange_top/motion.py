@@ -74,6 +74,8 @@ class LagrangeMotion(AbstractMotion):
     ('cusp', 2.763928649428, 1.142288718976)
     """
 
+    kind: ClassVar[str] = "lagrange-top"
+    page_solver: ClassVar[str] = "LagrangeMotion"
     title: ClassVar[str] = "Lagrange top"
     has_vertical: ClassVar[bool] = True
     body_numbers: ClassVar[tuple[str, ...]] = ("mgl",)

@@ -3,21 +3,51 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from polhode.kinds.base import AbstractKind
 from polhode.kinds.damped_body.table import DampedBodyTable
 from polhode.spec.models import SystemTable
 from polhode.spec.rules import Mistake
 
+if TYPE_CHECKING:
+    from polhode.kinds.base import Figures, Spec, SpecMotion
+    from polhode.kinds.damped_body.answers import DampedBodyReport
+    from polhode.kinds.damped_body.panel import DampedBodyPanel
+    from polhode.reports.answer import Group, Table
 
-class DampedBodyKind(AbstractKind):
+
+class DampedBodyKind(AbstractKind[DampedBodyTable]):
     """A body that loses energy, inside or by drag."""
 
     name: ClassVar[str] = "damped-body"
     table: ClassVar[type[SystemTable]] = DampedBodyTable
-    sources: ClassVar[tuple[str, ...]] = ("polhode.systems.double_bracket.DoubleBracket",)
     figure_names: ClassVar[tuple[str, ...]] = ("momentum_sphere", "motion")
+
+    def report(self, spec: Spec[DampedBodyTable]) -> DampedBodyReport:
+        from polhode.kinds.damped_body.answers import report_of
+
+        return report_of(spec)
+
+    def motion(self, spec: Spec[DampedBodyTable]) -> SpecMotion:
+        from polhode.kinds.damped_body.answers import motion_of
+
+        return motion_of(spec)
+
+    def answers_without_motion(self, spec: Spec[DampedBodyTable]) -> Iterator[Group | Table]:
+        from polhode.kinds.damped_body.answers import answers_without_motion
+
+        return answers_without_motion(spec)
+
+    def figures(self) -> Figures:
+        from polhode.kinds.damped_body.figures import FIGURES
+
+        return FIGURES
+
+    def panel(self) -> DampedBodyPanel:
+        from polhode.kinds.damped_body.panel import DampedBodyPanel
+
+        return DampedBodyPanel()
 
     def rules(self, tables: dict[str, Any]) -> Iterator[Mistake]:
         from polhode.kinds.damped_body.rules import damped_rules

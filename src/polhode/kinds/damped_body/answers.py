@@ -56,7 +56,7 @@ class DampedStart:
         system: what moves.
     """
 
-    spec: Spec
+    spec: Spec[DampedBodyTable]
     table: DampedBodyTable
     momentum: Float64[Array, "3"]
     attitude: Float64[Array, "4"]
@@ -282,7 +282,7 @@ class DampedBodyReport(MotionReport):
         ]
 
 
-def report_of(spec: Spec) -> DampedBodyReport:
+def report_of(spec: Spec[DampedBodyTable]) -> DampedBodyReport:
     """Return the report on a body that loses energy inside, as a double bracket, or by drag.
 
     Raises:
@@ -292,7 +292,7 @@ def report_of(spec: Spec) -> DampedBodyReport:
     return DampedBodyReport(start, *_moved(spec, start))
 
 
-def motion_of(spec: Spec) -> SpecMotion:
+def motion_of(spec: Spec[DampedBodyTable]) -> SpecMotion:
     """Return the motion alone.
 
     Raises:
@@ -301,7 +301,7 @@ def motion_of(spec: Spec) -> SpecMotion:
     return SpecMotion(_moved(spec, _start_of(spec))[0], None)
 
 
-def answers_without_motion(spec: Spec) -> Iterator[Group | Table]:
+def answers_without_motion(spec: Spec[DampedBodyTable]) -> Iterator[Group | Table]:
     """Yield the answers of the report that need no trajectory.
 
     Raises:
@@ -315,9 +315,9 @@ def answers_without_motion(spec: Spec) -> Iterator[Group | Table]:
     yield Group("Motion", [start.settling()])
 
 
-def _start_of(spec: Spec) -> DampedStart:
+def _start_of(spec: Spec[DampedBodyTable]) -> DampedStart:
     table = spec.system
-    assert isinstance(table, DampedBodyTable) and spec.body is not None
+    assert spec.body is not None
     moments = spec.body.principal_moments
     if not moments[0] > 0:
         raise InvalidInput(
@@ -328,7 +328,7 @@ def _start_of(spec: Spec) -> DampedStart:
     return DampedStart(spec, table, momentum, attitude, _system(table, moments, momentum))
 
 
-def _moved(spec: Spec, start: DampedStart) -> tuple[Trajectory, bool]:
+def _moved(spec: Spec[DampedBodyTable], start: DampedStart) -> tuple[Trajectory, bool]:
     """Return the motion, and whether it is cut short."""
     times, moments, cut = spec.times, start.body.principal_moments, False
     if times is None:

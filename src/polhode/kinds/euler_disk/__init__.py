@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from polhode.bodies.surface import Surface
 from polhode.kinds.base import AbstractKind, Spec
@@ -12,14 +12,39 @@ from polhode.spec.models import SystemTable
 from polhode.spec.rules import Mistake
 from polhode.spec.surfaces import surface_of_disk
 
+if TYPE_CHECKING:
+    from polhode.kinds.base import Figures, Spec
+    from polhode.kinds.euler_disk.panel import EulerDiskPanel
+    from polhode.kinds.euler_disk.report import EulerDiskReport
+    from polhode.reports.answer import Group, Table
 
-class EulerDiskKind(AbstractKind):
+
+class EulerDiskKind(AbstractKind[EulerDiskTable]):
     """Euler's disk: a disk that rolls on a plane until it lies flat."""
 
     name: ClassVar[str] = "euler-disk"
     table: ClassVar[type[SystemTable]] = EulerDiskTable
     figure_names: ClassVar[tuple[str, ...]] = ("rolling_disk", "tilt", "contact_path")
-    sources: ClassVar[tuple[str, ...]] = ("polhode.systems.euler_disk.EulerDisk",)
+
+    def report(self, spec: Spec[EulerDiskTable]) -> EulerDiskReport:
+        from polhode.kinds.euler_disk.answers import report_of
+
+        return report_of(spec)
+
+    def answers_without_motion(self, spec: Spec[EulerDiskTable]) -> Iterator[Group | Table]:
+        from polhode.kinds.euler_disk.answers import answers_without_motion
+
+        return answers_without_motion(spec)
+
+    def figures(self) -> Figures:
+        from polhode.kinds.euler_disk.figures import FIGURES
+
+        return FIGURES
+
+    def panel(self) -> EulerDiskPanel:
+        from polhode.kinds.euler_disk.panel import EulerDiskPanel
+
+        return EulerDiskPanel()
 
     def rules(self, tables: dict[str, Any]) -> Iterator[Mistake]:
         from polhode.kinds.euler_disk.rules import disk_rules

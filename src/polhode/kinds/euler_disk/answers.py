@@ -36,7 +36,7 @@ TURN_SAMPLES = 125
 UPRIGHT = 1e-9  # rad
 
 
-def report_of(spec: Spec) -> EulerDiskReport:
+def report_of(spec: Spec[EulerDiskTable]) -> EulerDiskReport:
     """Return the report on a rolling disk.
 
     With dissipation and without times it is followed to its end, else for these times, or for ten nutations. What ends
@@ -47,7 +47,6 @@ def report_of(spec: Spec) -> EulerDiskReport:
         NotConverged: where the dissipation comes to an end before the motion does.
     """
     table, times = spec.system, spec.times
-    assert isinstance(table, EulerDiskTable)
     disk, ideal = _disks(table)
     start, steady = _start(table, disk), _steady(table, ideal)
     if table.dissipation and times is None:
@@ -74,14 +73,13 @@ def report_of(spec: Spec) -> EulerDiskReport:
     )  # fmt: skip
 
 
-def answers_without_motion(spec: Spec) -> Iterator[Group | Table]:
+def answers_without_motion(spec: Spec[EulerDiskTable]) -> Iterator[Group | Table]:
     """Yield the answers of the report that take no motion.
 
     Raises:
         InvalidInput: for sizes that no disk has, and starts that do not roll or are not steady.
     """
     table = spec.system
-    assert isinstance(table, EulerDiskTable)
     disk, ideal = _disks(table)
     yield from EulerDiskReport(
         table=table, disk=disk, trajectory=WITHOUT_MOTION, begin=_start(table, disk), steady=_steady(table, ideal),

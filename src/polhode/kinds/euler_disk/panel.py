@@ -9,6 +9,7 @@ import numpy as np
 from polhode.bodies.surface import Surface
 from polhode.kinds.euler_disk.laws import LAWS
 from polhode.kinds.euler_disk.report import EulerDiskReport
+from polhode.kinds.panel import KindPanel
 from polhode.motion.trajectory import Trajectory
 from polhode.systems import rolling_dissipation
 from polhode.viewer.encoding import packed
@@ -18,45 +19,48 @@ from polhode.viewer.samples import Samples
 STEEP = 0.62  # rad from which the path, which lies flat, is looked at
 
 
-def panels_of(trajectory: Trajectory, samples: Samples, surface: Surface | None) -> list[Panel]:
-    """Return the disk, the path of its contact and that of its centre."""
-    disk, layout = trajectory.source, trajectory.layout
-    contact = np.stack([layout.part(samples.states, name) for name in ("contact_x", "contact_y")], axis=-1)
-    return [{
-        "type": "disk", "radius": float(disk.mechanics.radius), "thickness": 2.0 * float(disk.mechanics.half_thickness),
-        "contact": packed(contact), "center": packed(np.asarray(disk.center(samples.states))), "elevation": STEEP,
-    }]  # fmt: skip
+class EulerDiskPanel(KindPanel):
+    """The picture of a rolling disk on a page."""
 
+    def panels(self, trajectory: Trajectory, samples: Samples, surface: Surface | None) -> list[Panel]:
+        """Return the disk, the path of its contact and that of its centre."""
+        disk, layout = trajectory.source, trajectory.layout
+        contact = np.stack([layout.part(samples.states, name) for name in ("contact_x", "contact_y")], axis=-1)
+        return [{
+            "type": "disk", "radius": float(disk.mechanics.radius),
+            "thickness": 2.0 * float(disk.mechanics.half_thickness),
+            "contact": packed(contact), "center": packed(np.asarray(disk.center(samples.states))), "elevation": STEEP,
+        }]  # fmt: skip
 
-def model_of(trajectory: Trajectory) -> dict[str, Any] | None:
-    """Return the disk, its losses and its start; None with a law that a spec has no name for."""
-    disk, found = trajectory.source, trajectory.source.mechanics
-    names = {getattr(rolling_dissipation, law.model): name for name, law in LAWS.items()}
-    laws = [(names.get(type(law)), law) for law in disk.dissipation]
-    if trajectory.batch_shape or not len(trajectory) or any(name is None for name, _ in laws):
-        return None
-    moments = [float(found.diametral_moment), float(found.axial_moment)]
-    return {
-        "solver": "EulerDisk", "mass": float(found.mass), "radius": float(found.radius),
-        "half_thickness": float(found.half_thickness), "diametral_moment": moments[0], "axial_moment": moments[1],
-        "gravity": float(found.gravity),
-        "dissipation": {name: float(getattr(law, LAWS[str(name)].key)) for name, law in laws},
-        "start": np.asarray(trajectory.states, dtype=float)[0].tolist(), "epoch": float(trajectory.times[0]),
-    }  # fmt: skip
+    def model(self, trajectory: Trajectory) -> dict[str, Any] | None:
+        """Return the disk, its losses and its start; None with a law that a spec has no name for."""
+        disk, found = trajectory.source, trajectory.source.mechanics
+        names = {getattr(rolling_dissipation, law.model): name for name, law in LAWS.items()}
+        laws = [(names.get(type(law)), law) for law in disk.dissipation]
+        if trajectory.batch_shape or not len(trajectory) or any(name is None for name, _ in laws):
+            return None
+        moments = [float(found.diametral_moment), float(found.axial_moment)]
+        return {
+            "solver": "EulerDisk", "mass": float(found.mass), "radius": float(found.radius),
+            "half_thickness": float(found.half_thickness), "diametral_moment": moments[0], "axial_moment": moments[1],
+            "gravity": float(found.gravity),
+            "dissipation": {name: float(getattr(law, LAWS[str(name)].key)) for name, law in laws},
+            "start": np.asarray(trajectory.states, dtype=float)[0].tolist(), "epoch": float(trajectory.times[0]),
+        }  # fmt: skip
 
-
-def scatters_of(report: EulerDiskReport) -> tuple[dict[str, Any], ...]:
-    """Return tilt and precession over the whole motion against the time left to its end, of one that ends."""
-    found = report.spin_down
-    if found is None or found.remaining is None:
-        return ()
-    left = np.asarray(found.remaining)
-    ahead = left > 0.0
-    states = np.asarray(found.trajectory.states)[ahead]
-    tilt, rate = np.degrees(np.asarray(found.trajectory.part("tilt"))[ahead]), np.abs(report.disk.precession(states))
-    words = "the whole motion: log₁₀ {} against log₁₀ of the time left [s], which runs to the left"
-    return tuple(
-        {"title": title, "words": words.format(unit), "x": packed(np.log10(left[ahead]), "f4"),
-         "y": packed(np.log10(np.asarray(values)), "f4")}
-        for title, unit, values in (("Tilt", "[°]", tilt), ("Precession", "[rad/s]", rate))
-    )  # fmt: skip
+    def scatters(self, report: EulerDiskReport) -> tuple[dict[str, Any], ...]:
+        """Return tilt and precession over the whole motion against the time left to its end, of one that ends."""
+        found = report.spin_down
+        if found is None or found.remaining is None:
+            return ()
+        left = np.asarray(found.remaining)
+        ahead = left > 0.0
+        states = np.asarray(found.trajectory.states)[ahead]
+        tilt = np.degrees(np.asarray(found.trajectory.part("tilt"))[ahead])
+        rate = np.abs(report.disk.precession(states))
+        words = "the whole motion: log₁₀ {} against log₁₀ of the time left [s], which runs to the left"
+        return tuple(
+            {"title": title, "words": words.format(unit), "x": packed(np.log10(left[ahead]), "f4"),
+             "y": packed(np.log10(np.asarray(values)), "f4")}
+            for title, unit, values in (("Tilt", "[°]", tilt), ("Precession", "[rad/s]", rate))
+        )  # fmt: skip

@@ -3,23 +3,51 @@
 from __future__ import annotations
 
 import math
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from polhode.kinds.base import AbstractKind
 from polhode.kinds.free_body.table import FreeBodyTable
 from polhode.spec.models import SystemTable
 
+if TYPE_CHECKING:
+    from collections.abc import Sequence
 
-class FreeBody(AbstractKind):
+    from polhode.kinds.base import Ensemble, Figures, ManySpecs, Overview, Spec
+    from polhode.kinds.free_body.answers import FreeBodyReport
+    from polhode.types import Array, Float64
+
+
+class FreeBody(AbstractKind[FreeBodyTable]):
     """The body that nothing acts on."""
 
     name: ClassVar[str] = "free-body"
     table: ClassVar[type[SystemTable]] = FreeBodyTable
     in_closed_form: ClassVar[bool] = True
     reach: ClassVar[float] = math.inf  # closed forms are computed at any size
-    sources: ClassVar[tuple[str, ...]] = ("polhode.exact.free_body.FreeMotion",)
     is_default: ClassVar[bool] = True
     figure_names: ClassVar[tuple[str, ...]] = ("momentum_sphere", "inertia_ellipsoid", "components", "herpolhode")
+
+    def report(self, spec: Spec[FreeBodyTable]) -> FreeBodyReport:
+        from polhode.kinds.free_body.answers import report_of
+
+        return report_of(spec)
+
+    def figures(self) -> Figures:
+        from polhode.kinds.free_body.figures import FIGURES
+
+        return FIGURES
+
+    def overview(self) -> Overview:
+        from polhode.kinds.free_body.figures import OVERVIEW
+
+        return OVERVIEW
+
+    def ensemble(
+        self, samples: ManySpecs, names: Sequence[str], times: Float64[Array, "time"]
+    ) -> Ensemble | None:
+        from polhode.kinds.free_body.ensemble import ensemble_of
+
+        return ensemble_of(samples, names, times)
 
 
 KIND = FreeBody()

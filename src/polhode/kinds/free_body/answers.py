@@ -26,6 +26,7 @@ from polhode.errors import InvalidInput
 from polhode.exact.free_body import FreeMotion
 from polhode.kinds.base import Spec
 from polhode.kinds.free_body.headline import headline
+from polhode.kinds.free_body.table import FreeBodyTable
 from polhode.motion.inputs import finite
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import about_body, accuracy, stability_values, verdicts
@@ -170,7 +171,7 @@ class FreeBodyReport(MotionReport):
         return headline(self.motion)
 
 
-def report_of(spec: Spec) -> FreeBodyReport:
+def report_of(spec: Spec[FreeBodyTable]) -> FreeBodyReport:
     """Return the report on the free motion of a spec's body."""
     assert spec.body is not None
     momentum, attitude = spec.start(spec.body.principal_moments, spec.body.principal_axes)

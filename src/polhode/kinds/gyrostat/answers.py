@@ -47,7 +47,7 @@ class GyrostatReport(MotionReport):
     """
 
     kind: ClassVar[str] = "gyrostat"
-    spec: Spec
+    spec: Spec[GyrostatTable]
     table: GyrostatTable
     moments: Float64[Array, "3"]
     axes: Float64[Array, "3 3"]
@@ -212,29 +212,27 @@ class GyrostatReport(MotionReport):
         ]
 
 
-def report_of(spec: Spec) -> GyrostatReport:
+def report_of(spec: Spec[GyrostatTable]) -> GyrostatReport:
     """Return the report on a body with a rotor, driven at a constant rate, free, or turned by a motor.
 
     Raises:
         InvalidInput: for a rotor that does not fit into the body.
     """
-    assert isinstance(spec.system, GyrostatTable)
     made = built(spec)
     return _report_on(spec, made, _moved(spec, made))
 
 
-def answers_without_motion(spec: Spec) -> Iterator[Group | Table]:
+def answers_without_motion(spec: Spec[GyrostatTable]) -> Iterator[Group | Table]:
     """Yield the answers of the report that take no motion; none with a motor, which makes steady rotations of the end.
 
     Raises:
         InvalidInput: for a rotor that does not fit into the body.
     """
-    assert isinstance(spec.system, GyrostatTable)
     if spec.system.motor_torque is None:
         yield from _report_on(spec, built(spec), WITHOUT_MOTION).without_motion()
 
 
-def _report_on(spec: Spec, made: RotorInBody, trajectory: Trajectory) -> GyrostatReport:
+def _report_on(spec: Spec[GyrostatTable], made: RotorInBody, trajectory: Trajectory) -> GyrostatReport:
     motor = spec.system.motor_torque is not None
     last = float(trajectory.part("rotor_momentum")[-1]) if motor else made.momentum
     found = steady_rotations(Gyrostat(made.moments, last * made.along), float(np.linalg.norm(made.total)))
@@ -244,7 +242,7 @@ def _report_on(spec: Spec, made: RotorInBody, trajectory: Trajectory) -> Gyrosta
     )
 
 
-def motion_of(spec: Spec) -> SpecMotion:
+def motion_of(spec: Spec[GyrostatTable]) -> SpecMotion:
     """Return the motion alone.
 
     Raises:
@@ -253,7 +251,7 @@ def motion_of(spec: Spec) -> SpecMotion:
     return SpecMotion(_moved(spec, built(spec)), None)
 
 
-def _moved(spec: Spec, made: RotorInBody) -> Trajectory:
+def _moved(spec: Spec[GyrostatTable], made: RotorInBody) -> Trajectory:
     assert spec.body is not None
     frame = BodyFrame(made.moments, made.axes, spec.body.center_of_mass, spec.body.mass)
     return replace(sampled(spec, made), frame=frame)

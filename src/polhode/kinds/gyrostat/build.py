@@ -20,14 +20,14 @@ from polhode.types import Array
 TURNS = 10
 
 
-def built(spec: Spec) -> RotorInBody:
+def built(spec: Spec[GyrostatTable]) -> RotorInBody:
     """Return what a spec asks for.
 
     Raises:
         InvalidInput: for a rotor that does not fit into the body.
     """
     table = spec.system
-    assert isinstance(table, GyrostatTable) and spec.body is not None
+    assert spec.body is not None
     if why := rotor_misfit(spec.body, table.rotor_axis, table.rotor_moment):
         raise InvalidInput(f"`system.rotor_moment` {why}")
     rotor = table.rotor_moment * table.rotor_rate * direction_of(table.rotor_axis)
@@ -38,14 +38,13 @@ def built(spec: Spec) -> RotorInBody:
     )
 
 
-def sampled(spec: Spec, made: RotorInBody) -> Trajectory:
+def sampled(spec: Spec[GyrostatTable], made: RotorInBody) -> Trajectory:
     """Return the motion at the times of the spec, or for ten turns.
 
     Raises:
         InvalidInput: for a run longer than can be waited for.
     """
     table, times = spec.system, spec.times
-    assert isinstance(table, GyrostatTable)
     if times is None:
         times = np.linspace(0.0, _span(table, made), spec.samples)
     state = np.concatenate([made.attitude, made.total])
@@ -56,7 +55,7 @@ def sampled(spec: Spec, made: RotorInBody) -> Trajectory:
     return simulate(system, np.append(state, made.momentum), times, step=table.step, progress=watch)
 
 
-def _start(spec: Spec, rotor: Array) -> tuple[Array, Array]:
+def _start(spec: Spec[GyrostatTable], rotor: Array) -> tuple[Array, Array]:
     """Return Ω (3,) along the given axes and their attitude (4,); a momentum in the spec is the whole one.
 
     Args:

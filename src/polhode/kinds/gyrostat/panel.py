@@ -7,23 +7,13 @@ from typing import Any
 import numpy as np
 
 from polhode.bodies.surface import Surface
+from polhode.kinds.panel import KindPanel
 from polhode.motion.trajectory import Trajectory
 from polhode.systems.gyrostat import Gyrostat
 from polhode.viewer.encoding import packed
 from polhode.viewer.models import start_of
 from polhode.viewer.panels import Panel, body_panels, moments_of, sphere_of_levels
 from polhode.viewer.samples import Samples
-
-
-def model_of(trajectory: Trajectory) -> dict[str, Any] | None:
-    """Return the body, its rotor and its start; None of one whose motor turns the rotor, and without attitudes."""
-    system, start = trajectory.source, start_of(trajectory)
-    if start is None or not isinstance(system, Gyrostat):
-        return None
-    rotor = np.asarray(system.rotor, dtype=float)
-    drive = "free" if system.free else "constant-rate"
-    return {"solver": "Gyrostat", "rotor": rotor.tolist(), "rotor_moment": system.rotor_moment, "rotor_drive": drive,
-            **start}  # fmt: skip
 
 
 def _turning(trajectory: Trajectory, samples: Samples) -> dict[str, Any]:
@@ -42,17 +32,30 @@ def _turning(trajectory: Trajectory, samples: Samples) -> dict[str, Any]:
     return {"axis": axis.tolist(), "rates": None if rates is None else packed(rates, "f8")}
 
 
-def panels_of(trajectory: Trajectory, samples: Samples, surface: Surface | None) -> list[Panel]:
-    """Return the body and the momentum sphere with levels of the carrier's energy."""
-    system, moments = trajectory.source, moments_of(trajectory.source)
-    found = body_panels(samples, moments, surface)
-    for panel in found:
-        panel["rotor"] = _turning(trajectory, samples)
-    if samples.momentum is None or not np.linalg.norm(samples.momentum, axis=-1).any():
-        return found
-    if isinstance(system, Gyrostat):
-        rotor, words = np.asarray(system.rotor, dtype=float), ""
-    else:
-        last = float(trajectory.layout.part(samples.states, "rotor_momentum")[-1])
-        rotor, words = last * np.asarray(system.axis, dtype=float), "; levels are those at the end"
-    return [*found, sphere_of_levels(samples.momentum, moments, rotor, words)]
+class GyrostatPanel(KindPanel):
+    """The pictures of a body with a rotor on a page."""
+
+    def model(self, trajectory: Trajectory) -> dict[str, Any] | None:
+        """Return the body, its rotor and its start; None of one whose motor turns the rotor, and without attitudes."""
+        system, start = trajectory.source, start_of(trajectory)
+        if start is None or not isinstance(system, Gyrostat):
+            return None
+        rotor = np.asarray(system.rotor, dtype=float)
+        drive = "free" if system.free else "constant-rate"
+        numbers = {"rotor": rotor.tolist(), "rotor_moment": system.rotor_moment, "rotor_drive": drive}
+        return {"solver": "Gyrostat", **numbers, **start}
+
+    def panels(self, trajectory: Trajectory, samples: Samples, surface: Surface | None) -> list[Panel]:
+        """Return the body and the momentum sphere with levels of the carrier's energy."""
+        system, moments = trajectory.source, moments_of(trajectory.source)
+        found = body_panels(samples, moments, surface)
+        for panel in found:
+            panel["rotor"] = _turning(trajectory, samples)
+        if samples.momentum is None or not np.linalg.norm(samples.momentum, axis=-1).any():
+            return found
+        if isinstance(system, Gyrostat):
+            rotor, words = np.asarray(system.rotor, dtype=float), ""
+        else:
+            last = float(trajectory.layout.part(samples.states, "rotor_momentum")[-1])
+            rotor, words = last * np.asarray(system.axis, dtype=float), "; levels are those at the end"
+        return [*found, sphere_of_levels(samples.momentum, moments, rotor, words)]

@@ -46,7 +46,7 @@ class HeavyTopReport(TopReport):
     kind: ClassVar[str] = "heavy-top"
 
 
-def report_of(spec: Spec) -> HeavyTopReport:
+def report_of(spec: Spec[HeavyTopTable]) -> HeavyTopReport:
     """Return the report on any body about a fixed point, by Taylor series or splitting into exact flows.
 
     Raises:
@@ -58,7 +58,7 @@ def report_of(spec: Spec) -> HeavyTopReport:
     return HeavyTopReport(spec.body, spec.surface, moved.top, moved.trajectory, verdicts, moved.warned, spec.remarks)
 
 
-def motion_of(spec: Spec) -> SpecMotion:
+def motion_of(spec: Spec[HeavyTopTable]) -> SpecMotion:
     """Return the motion alone.
 
     Raises:
@@ -69,14 +69,14 @@ def motion_of(spec: Spec) -> SpecMotion:
     return SpecMotion(moved.trajectory, mechanics_of(moved.top, moved.trajectory.frame))
 
 
-def answers_without_motion(spec: Spec) -> Iterator[Group | Table]:
+def answers_without_motion(spec: Spec[HeavyTopTable]) -> Iterator[Group | Table]:
     """Yield the answers of the report that take no motion.
 
     Raises:
         InvalidInput: for a body without mass.
     """
     table, body = spec.system, spec.body
-    assert isinstance(table, HeavyTopTable) and body is not None
+    assert body is not None
     top = top_of(body, table.pivot, table.gravity)
     yield about_body(body, top, frame_of(top, body, table.pivot))
     yield about_rests(rest_verdicts(top, _start(spec, top)[0]))
@@ -91,9 +91,9 @@ class _Moved(NamedTuple):
     warned: tuple[str, ...]
 
 
-def _moved(spec: Spec) -> _Moved:
+def _moved(spec: Spec[HeavyTopTable]) -> _Moved:
     table, body, times = spec.system, spec.body, spec.times
-    assert isinstance(table, HeavyTopTable) and body is not None
+    assert body is not None
     top = top_of(body, table.pivot, table.gravity)
     momentum, attitude = _start(spec, top)
     state = top.pack(rotation.multiply(attitude, rotation.conjugate(rotation.from_matrix(np.asarray(top.axes)))),
@@ -108,16 +108,14 @@ def _moved(spec: Spec) -> _Moved:
     return _Moved(top, momentum, trajectory, tuple(str(warning.message) for warning in caught))
 
 
-def _start(spec: Spec, top: HeavyTop) -> tuple[Float64[Array, "3"], Float64[Array, "4"]]:
+def _start(spec: Spec[HeavyTopTable], top: HeavyTop) -> tuple[Float64[Array, "3"], Float64[Array, "4"]]:
     """Return momentum along the principal axes, and their attitude, at the start."""
-    assert isinstance(spec.system, HeavyTopTable)
     momentum, attitude = spec.start(np.asarray(top.moments), np.asarray(top.axes))
     return start_of(top, spec.spin, momentum, attitude, spec.system.lean)
 
 
-def _remedy(spec: Spec) -> str:
+def _remedy(spec: Spec[HeavyTopTable]) -> str:
     """Return what helps against a long run: longer steps, or a kind of top that takes none."""
-    assert isinstance(spec.system, HeavyTopTable)
     exact = other_kind(spec.kind.subject, in_closed_form=True)
     longer = "" if spec.system.step is None else "A longer `system.step` takes less. "
     return longer + ("" if exact is None else f'kind = "{exact.name}" takes no steps, if it is one.')

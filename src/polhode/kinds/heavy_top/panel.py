@@ -6,13 +6,17 @@ from typing import Any
 
 import numpy as np
 
+from polhode.kinds.panel import KindPanel
 from polhode.motion.trajectory import Trajectory
 from polhode.viewer.models import start_of
 
 
-def model_of(trajectory: Trajectory) -> dict[str, Any] | None:
-    """Return the top and its start; None without attitudes."""
-    top, start = trajectory.source, start_of(trajectory)
-    if start is None:
-        return None
-    return {"solver": "HeavyTop", "mgl": float(top.mgl), "axis": np.asarray(top.axis).tolist(), **start}
+class HeavyTopPanel(KindPanel):
+    """What the page needs to go on with a heavy top itself; its pictures are those of any top."""
+
+    def model(self, trajectory: Trajectory) -> dict[str, Any] | None:
+        """Return the top and its start; None without attitudes."""
+        top, start = trajectory.source, start_of(trajectory)
+        if start is None:
+            return None
+        return {"solver": "HeavyTop", "mgl": float(top.mgl), "axis": np.asarray(top.axis).tolist(), **start}

@@ -126,7 +126,7 @@ _REGIMES = {
 }
 
 
-def report_of(spec: Spec) -> LagrangeTopReport:
+def report_of(spec: Spec[LagrangeTopTable]) -> LagrangeTopReport:
     """Return the report on a symmetric body about a point of its axis, exactly.
 
     Raises:
@@ -141,7 +141,7 @@ def report_of(spec: Spec) -> LagrangeTopReport:
     )  # fmt: skip
 
 
-def motion_of(spec: Spec) -> SpecMotion:
+def motion_of(spec: Spec[LagrangeTopTable]) -> SpecMotion:
     """Return the motion alone.
 
     Raises:
@@ -152,7 +152,7 @@ def motion_of(spec: Spec) -> SpecMotion:
     return SpecMotion(trajectory, mechanics_of(top, trajectory.frame))
 
 
-def _moved(spec: Spec) -> tuple[HeavyTop, LagrangeMotion, Trajectory]:
+def _moved(spec: Spec[LagrangeTopTable]) -> tuple[HeavyTop, LagrangeMotion, Trajectory]:
     body, times = spec.body, spec.times
     assert body is not None
     top, momentum, attitude = started(spec)
@@ -162,14 +162,14 @@ def _moved(spec: Spec) -> tuple[HeavyTop, LagrangeMotion, Trajectory]:
     return top, exact, replace(exact.sample(times), frame=frame_of(top, body, spec.system.pivot))
 
 
-def started(spec: Spec) -> tuple[HeavyTop, Float64[Array, "3"], Float64[Array, "4"]]:
+def started(spec: Spec[LagrangeTopTable]) -> tuple[HeavyTop, Float64[Array, "3"], Float64[Array, "4"]]:
     """Return the top of a spec, its axis third, with momentum (3,) along and attitude (4,) of its axes at the start.
 
     Raises:
         InvalidInput: as ``report_of`` does.
     """
     table, body = spec.system, spec.body
-    assert isinstance(table, LagrangeTopTable) and body is not None
+    assert body is not None
     top = _standing(body, table, spec.kind.subject)
     momentum, attitude = spec.start(np.asarray(top.moments), np.asarray(top.axes))
     return top, *start_of(top, spec.spin, momentum, attitude, table.lean)

@@ -193,14 +193,13 @@ def _plain(degrees: float) -> float:
     return 0.0 if abs(degrees) < 1e-9 else degrees
 
 
-def report_of(spec: Spec) -> VorticesReport:
+def report_of(spec: Spec[VorticesTable]) -> VorticesReport:
     """Return the report on point vortices.
 
     Raises:
         InvalidInput: for two vortices at one place, or a time that takes too many steps.
     """
     table = spec.system
-    assert isinstance(table, VorticesTable)
     system, state, radius = _start(table)
     state = system.check_state(state)
     times = np.linspace(0.0, _usual_end(system, state), spec.samples) if spec.times is None else spec.times
@@ -210,13 +209,12 @@ def report_of(spec: Spec) -> VorticesReport:
     return VorticesReport(system, radius, trajectory, turn, verdict, why)
 
 
-def answers_without_motion(spec: Spec) -> Iterator[Group | Table]:
+def answers_without_motion(spec: Spec[VorticesTable]) -> Iterator[Group | Table]:
     """Yield the answers of the report that take no motion.
 
     Raises:
         InvalidInput: for two vortices at one place.
     """
-    assert isinstance(spec.system, VorticesTable)
     system, state, radius = _start(spec.system)
     state = system.check_state(state)
     turn = _turn_of(system, state)

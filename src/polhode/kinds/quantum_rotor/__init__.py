@@ -11,10 +11,13 @@ from polhode.spec.models import SystemTable
 from polhode.spec.rules import Mistake
 
 if TYPE_CHECKING:
+    from polhode.kinds.base import Figures
+    from polhode.kinds.quantum_rotor.answers import QuantumRotorReport
+    from polhode.kinds.quantum_rotor.panel import QuantumRotorPanel
     from polhode.spec.rotors import SpecRotor
 
 
-class QuantumRotorKind(AbstractKind):
+class QuantumRotorKind(AbstractKind[QuantumRotorTable]):
     """A molecule as a quantum rotor: its levels and its lines."""
 
     name: ClassVar[str] = "quantum-rotor"
@@ -24,6 +27,21 @@ class QuantumRotorKind(AbstractKind):
     figure_names: ClassVar[tuple[str, ...]] = (
         "levels", "spectrum", "energy_surface", "momentum_sphere", "racket", "wigner", "racket_wigner",
     )  # fmt: skip
+
+    def report(self, spec: Spec[QuantumRotorTable]) -> QuantumRotorReport:
+        from polhode.kinds.quantum_rotor.answers import report_of
+
+        return report_of(spec)
+
+    def figures(self) -> Figures:
+        from polhode.kinds.quantum_rotor.figures import FIGURES
+
+        return FIGURES
+
+    def panel(self) -> QuantumRotorPanel:
+        from polhode.kinds.quantum_rotor.panel import QuantumRotorPanel
+
+        return QuantumRotorPanel()
 
     def rules(self, tables: dict[str, Any]) -> Iterator[Mistake]:
         from polhode.kinds.quantum_rotor.rules import rotor_rules

@@ -225,14 +225,13 @@ def _shape(kappa: float | None) -> str:
     return "A nearly oblate molecule" if kappa > OBLATE else "An asymmetric molecule"
 
 
-def report_of(spec: Spec) -> QuantumRotorReport:
+def report_of(spec: Spec[QuantumRotorTable]) -> QuantumRotorReport:
     """Return the report on a molecule.
 
     Raises:
         InvalidInput: for constants that no rotor has.
     """
     table = spec.system
-    assert isinstance(table, QuantumRotorTable)
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", UserWarning)
         asked = built(spec)

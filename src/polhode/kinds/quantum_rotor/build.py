@@ -10,14 +10,13 @@ from polhode.quantum.rotor import Rotor
 from polhode.spec.rotors import SpecRotor, asked_of, doubts_of_weights, rotor_of_body
 
 
-def built(spec: Spec) -> SpecRotor:
+def built(spec: Spec[QuantumRotorTable]) -> SpecRotor:
     """Return the molecule of a spec, its temperature, and how far its levels are wanted.
 
     Raises:
         InvalidInput: for constants that no rotor has.
     """
     table = spec.system
-    assert isinstance(table, QuantumRotorTable)
     options = {
         "distortion": table.distortion, "reduction": table.reduction, "representation": table.representation,
         "dipole": table.dipole, "spin_weights": table.spin_weights, "spin_axis": table.spin_axis,

@@ -12,6 +12,7 @@ from scipy import constants
 from polhode.bodies.surface import Surface
 from polhode.errors import InvalidInput
 from polhode.exact.free_body import FreeMotion
+from polhode.kinds.panel import KindPanel
 from polhode.kinds.quantum_rotor.answers import QuantumRotorReport, is_split
 from polhode.motion.trajectory import Trajectory
 from polhode.quantum.level_polhodes import LevelPolhodes, level_directions
@@ -45,40 +46,6 @@ class Shown(NamedTuple):
 
     level: int | None
     direction: Float64[Array, "3"]
-
-
-def shown_of(report: QuantumRotorReport) -> Trajectory:
-    """Return the classical motion that the page starts with: of the flip that the spec asks for, or of a level.
-
-    Raises:
-        InvalidInput: for J = 0, and for molecules without a motion on a sphere: linear and spherical ones.
-    """
-    _check(report)
-    size, moments = _size(report.J), _moments(report)
-    motion = FreeMotion(moments, size * _start(report).direction)
-    span = _span(report, motion)
-    trajectory = motion.sample(np.linspace(0.0, span, SAMPLES))
-    return trajectory if report.frame is None else replace(trajectory, frame=report.frame)
-
-
-def content_of(report: QuantumRotorReport, samples: Samples, surface: Surface | None) -> Content:
-    """Return the body, the sphere of the levels' polhodes and, up to J = 60, the Wigner function."""
-    directions, above = _polhodes(report)
-    families = [
-        {"starts": directions[chosen].tolist(), "axis": axis, "legend": f"levels round {'abc'[axis]}"}
-        for chosen, axis in ((above, ROUND_A), (~above, ROUND_C)) if chosen.any()
-    ]  # fmt: skip
-    axes = ["a", "b", "c"]
-    sphere = {
-        "type": "sphere", "title": f"Levels of J = {report.J} as polhodes", "families": families, "axes": axes,
-        "words": "drag the point to another level, or L", "legend": "",
-    }  # fmt: skip
-    panels = [*(panel | {"axes": axes} for panel in body_panels(samples, _moments(report), surface)), sphere]
-    if report.J <= LARGEST_J:
-        panels.append({"type": "wigner"})
-    panels[0] |= VIEW
-    words = {"axes": axes, "units": {"energy": [constants.h * WAVE_NUMBER, "cm⁻¹"], "momentum": [constants.hbar, "ħ"]}}
-    return Content(panels, model=_model(report, directions), solved=True, words=words)
 
 
 def _check(report: QuantumRotorReport) -> None:
@@ -192,3 +159,40 @@ def _of_flip(racket: Racket) -> list[list[str]]:
     if first is not None:
         said.append(["first reversal", f"{in_its_unit(first.time)}, to ⟨L_b⟩ = {first.along:.4f} J"])
     return said if revival is None else [*said, ["revival T_rev", in_its_unit(revival)]]
+
+
+class QuantumRotorPanel(KindPanel):
+    """Levels of one J as polhodes, their Wigner functions, and the flip of a quantum body."""
+
+    def shown(self, report: QuantumRotorReport) -> Trajectory:
+        """Return the classical motion that the page starts with: of the flip that the spec asks for, or of a level.
+
+        Raises:
+            InvalidInput: for J = 0, and for molecules without a motion on a sphere: linear and spherical ones.
+        """
+        _check(report)
+        size, moments = _size(report.J), _moments(report)
+        motion = FreeMotion(moments, size * _start(report).direction)
+        span = _span(report, motion)
+        trajectory = motion.sample(np.linspace(0.0, span, SAMPLES))
+        return trajectory if report.frame is None else replace(trajectory, frame=report.frame)
+
+    def content(self, report: QuantumRotorReport, samples: Samples, surface: Surface | None) -> Content:
+        """Return the body, the sphere of the levels' polhodes and, up to J = 60, the Wigner function."""
+        directions, above = _polhodes(report)
+        families = [
+            {"starts": directions[chosen].tolist(), "axis": axis, "legend": f"levels round {'abc'[axis]}"}
+            for chosen, axis in ((above, ROUND_A), (~above, ROUND_C)) if chosen.any()
+        ]  # fmt: skip
+        axes = ["a", "b", "c"]
+        sphere = {
+            "type": "sphere", "title": f"Levels of J = {report.J} as polhodes", "families": families, "axes": axes,
+            "words": "drag the point to another level, or L", "legend": "",
+        }  # fmt: skip
+        panels = [*(panel | {"axes": axes} for panel in body_panels(samples, _moments(report), surface)), sphere]
+        if report.J <= LARGEST_J:
+            panels.append({"type": "wigner"})
+        panels[0] |= VIEW
+        units = {"energy": [constants.h * WAVE_NUMBER, "cm⁻¹"], "momentum": [constants.hbar, "ħ"]}
+        words = {"axes": axes, "units": units}
+        return Content(panels, model=_model(report, directions), solved=True, words=words)

@@ -3,22 +3,47 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from polhode.kinds.base import AbstractKind
 from polhode.kinds.sphere_fluid.table import FluidTable
 from polhode.spec.models import SystemTable
 from polhode.spec.rules import Mistake
 
+if TYPE_CHECKING:
+    from polhode.kinds.base import Figures, Spec
+    from polhode.kinds.sphere_fluid.answers import FluidReport
+    from polhode.kinds.sphere_fluid.panel import SphereFluidPanel
+    from polhode.reports.answer import Group, Table
 
-class SphereFluidKind(AbstractKind):
+
+class SphereFluidKind(AbstractKind[FluidTable]):
     """An ideal fluid on a sphere, which may rotate."""
 
     name: ClassVar[str] = "sphere-fluid"
     table: ClassVar[type[SystemTable]] = FluidTable
     has_attitude: ClassVar[bool] = False
     figure_names: ClassVar[tuple[str, ...]] = ("vorticity", "globe", "spectrum", "zonal")
-    sources: ClassVar[tuple[str, ...]] = ("polhode.systems.sphere_fluid.SphereFluid",)
+
+    def report(self, spec: Spec[FluidTable]) -> FluidReport:
+        from polhode.kinds.sphere_fluid.answers import report_of
+
+        return report_of(spec)
+
+    def answers_without_motion(self, spec: Spec[FluidTable]) -> Iterator[Group | Table]:
+        from polhode.kinds.sphere_fluid.answers import answers_without_motion
+
+        return answers_without_motion(spec)
+
+    def figures(self) -> Figures:
+        from polhode.kinds.sphere_fluid.figures import FIGURES
+
+        return FIGURES
+
+    def panel(self) -> SphereFluidPanel:
+        from polhode.kinds.sphere_fluid.panel import SphereFluidPanel
+
+        return SphereFluidPanel()
 
     def rules(self, tables: dict[str, Any]) -> Iterator[Mistake]:
         from polhode.kinds.sphere_fluid.rules import fluid_rules

@@ -166,14 +166,13 @@ class FluidReport(MotionReport):
         ])  # fmt: skip
 
 
-def report_of(spec: Spec) -> FluidReport:
+def report_of(spec: Spec[FluidTable]) -> FluidReport:
     """Return the report on a fluid on a sphere.
 
     Raises:
         InvalidInput: for a fluid at rest or a vorticity beyond the numbers, or a time that takes too many steps.
     """
     table = spec.system
-    assert isinstance(table, FluidTable)
     fluid, state, earlier = _start(spec, table)
     vorticity = _vorticity(fluid, state)
     until = TURNOVERS * 2.0 * math.pi / vorticity if spec.until is None else spec.until
@@ -194,14 +193,13 @@ def report_of(spec: Spec) -> FluidReport:
     return FluidReport(fluid, table, state, trajectory, spec.samples)
 
 
-def answers_without_motion(spec: Spec) -> Iterator[Group | Table]:
+def answers_without_motion(spec: Spec[FluidTable]) -> Iterator[Group | Table]:
     """Yield the answers of the report that take no motion.
 
     Raises:
         InvalidInput: for a fluid at rest or a vorticity beyond the numbers.
     """
     table = spec.system
-    assert isinstance(table, FluidTable)
     fluid, state, _ = _start(spec, table)
     yield FluidReport(fluid, table, state, WITHOUT_MOTION, spec.samples).about_fluid()
 
@@ -212,7 +210,7 @@ def _vorticity(fluid: SphereFluid, state: Array) -> float:
     return math.sqrt(float(fluid.algebra.pairing(relative, relative)) / (4.0 * math.pi))
 
 
-def _start(spec: Spec, table: FluidTable) -> tuple[SphereFluid, Array, Trajectory | None]:
+def _start(spec: Spec[FluidTable], table: FluidTable) -> tuple[SphereFluid, Array, Trajectory | None]:
     """Return the fluid, its first state, and the run that it goes on from, if any."""
     fluid = SphereFluid(table.resolution, table.rotation)
     earlier = None if table.start_from is None else earlier_run(spec.folder / table.start_from, fluid)

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from polhode.bodies.surface import Surface
+from polhode.kinds.panel import KindPanel
 from polhode.motion.trajectory import Trajectory
 from polhode.viewer.encoding import packed
 from polhode.viewer.panels import Panel
@@ -18,28 +19,30 @@ CLIP = 99.7  # percentile of the vorticity at which colours end
 CURVES = (2, 4, 8, 16)  # degrees up to which energies are added
 
 
-def panels_of(trajectory: Trajectory, samples: Samples, surface: Surface | None) -> list[Panel]:
-    """Return maps of the relative vorticity, from south to north, which the page lays around a globe."""
-    rows = min(ROWS, 3 * trajectory.source.size)
-    count = max(2, min(len(samples.times), BYTES // (2 * rows * rows)))
-    frames = np.unique(np.linspace(0, len(samples.times) - 1, count).astype(int))
-    theta = np.pi * (1.0 - (np.arange(rows) + 0.5) / rows)
-    phi = 2.0 * np.pi * (np.arange(2 * rows) + 0.5) / (2 * rows)
-    fields = np.asarray(trajectory.source.on_grid(samples.states[frames], theta, phi))
-    largest = float(np.percentile(np.abs(fields), CLIP)) or 1.0
-    levels = np.clip(127.5 + 127.5 * fields / largest, 0.0, 255.0)
-    return [{
-        "type": "vorticity", "rows": rows, "columns": 2 * rows, "frames": packed(frames, "u4"),
-        "levels": packed(np.round(levels), "u1"), "largest": largest,
-    }]  # fmt: skip
+class SphereFluidPanel(KindPanel):
+    """The picture of a fluid on a sphere on a page."""
 
+    def panels(self, trajectory: Trajectory, samples: Samples, surface: Surface | None) -> list[Panel]:
+        """Return maps of the relative vorticity, from south to north, which the page lays around a globe."""
+        rows = min(ROWS, 3 * trajectory.source.size)
+        count = max(2, min(len(samples.times), BYTES // (2 * rows * rows)))
+        frames = np.unique(np.linspace(0, len(samples.times) - 1, count).astype(int))
+        theta = np.pi * (1.0 - (np.arange(rows) + 0.5) / rows)
+        phi = 2.0 * np.pi * (np.arange(2 * rows) + 0.5) / (2 * rows)
+        fields = np.asarray(trajectory.source.on_grid(samples.states[frames], theta, phi))
+        largest = float(np.percentile(np.abs(fields), CLIP)) or 1.0
+        levels = np.clip(127.5 + 127.5 * fields / largest, 0.0, 255.0)
+        return [{
+            "type": "vorticity", "rows": rows, "columns": 2 * rows, "frames": packed(frames, "u4"),
+            "levels": packed(np.round(levels), "u1"), "largest": largest,
+        }]  # fmt: skip
 
-def plots_of(trajectory: Trajectory, samples: Samples) -> dict[str, Any]:
-    """Return how much of the energy is in the largest eddies over time."""
-    energies = np.cumsum(np.asarray(trajectory.source.energy_spectrum(samples.states)), axis=1)
-    shares = energies / energies[:, -1:]
-    found = [
-        {"name": f"up to degree {k}", "values": packed(shares[:, k], "f4")}
-        for k in CURVES if k < trajectory.source.size
-    ]  # fmt: skip
-    return {"plots": [{"title": "energy in eddies", "unit": "of all", "series": found}]}
+    def plots(self, trajectory: Trajectory, samples: Samples) -> dict[str, Any]:
+        """Return how much of the energy is in the largest eddies over time."""
+        energies = np.cumsum(np.asarray(trajectory.source.energy_spectrum(samples.states)), axis=1)
+        shares = energies / energies[:, -1:]
+        found = [
+            {"name": f"up to degree {k}", "values": packed(shares[:, k], "f4")}
+            for k in CURVES if k < trajectory.source.size
+        ]  # fmt: skip
+        return {"plots": [{"title": "energy in eddies", "unit": "of all", "series": found}]}

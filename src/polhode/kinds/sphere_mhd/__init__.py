@@ -3,22 +3,47 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from polhode.kinds.base import AbstractKind
 from polhode.kinds.sphere_mhd.table import MagneticFluidTable
 from polhode.spec.models import SystemTable
 from polhode.spec.rules import Mistake
 
+if TYPE_CHECKING:
+    from polhode.kinds.base import Figures, Spec
+    from polhode.kinds.sphere_mhd.answers import MagneticReport
+    from polhode.kinds.sphere_mhd.panel import SphereMHDPanel
+    from polhode.reports.answer import Group, Table
 
-class SphereMHDKind(AbstractKind):
+
+class SphereMHDKind(AbstractKind[MagneticFluidTable]):
     """An ideal conducting fluid on a sphere, which may rotate."""
 
     name: ClassVar[str] = "sphere-mhd"
     table: ClassVar[type[SystemTable]] = MagneticFluidTable
     has_attitude: ClassVar[bool] = False
     figure_names: ClassVar[tuple[str, ...]] = ("maps", "globe", "energies", "spectrum")
-    sources: ClassVar[tuple[str, ...]] = ("polhode.systems.sphere_mhd.SphereMHD",)
+
+    def report(self, spec: Spec[MagneticFluidTable]) -> MagneticReport:
+        from polhode.kinds.sphere_mhd.answers import report_of
+
+        return report_of(spec)
+
+    def answers_without_motion(self, spec: Spec[MagneticFluidTable]) -> Iterator[Group | Table]:
+        from polhode.kinds.sphere_mhd.answers import answers_without_motion
+
+        return answers_without_motion(spec)
+
+    def figures(self) -> Figures:
+        from polhode.kinds.sphere_mhd.figures import FIGURES
+
+        return FIGURES
+
+    def panel(self) -> SphereMHDPanel:
+        from polhode.kinds.sphere_mhd.panel import SphereMHDPanel
+
+        return SphereMHDPanel()
 
     def rules(self, tables: dict[str, Any]) -> Iterator[Mistake]:
         from polhode.kinds.sphere_mhd.rules import magnetic_rules

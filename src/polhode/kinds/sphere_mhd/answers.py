@@ -243,14 +243,13 @@ def _mean_square(system: SphereMHD, matrix: Array) -> float:
     return math.sqrt(float(system.sphere.pairing(matrix, matrix)) / (4.0 * math.pi))
 
 
-def report_of(spec: Spec) -> MagneticReport:
+def report_of(spec: Spec[MagneticFluidTable]) -> MagneticReport:
     """Return the report on a conducting fluid on a sphere.
 
     Raises:
         InvalidInput: for a fluid and field at rest or beyond the numbers, or a time that takes too many steps.
     """
     table = spec.system
-    assert isinstance(table, MagneticFluidTable)
     system, state, earlier = _start(spec, table)
     size = _size(system, state)
     until = TURNOVERS * 2.0 * math.pi / size if spec.until is None else spec.until
@@ -274,14 +273,13 @@ def report_of(spec: Spec) -> MagneticReport:
     return MagneticReport(system, table, state, trajectory, spec.samples)
 
 
-def answers_without_motion(spec: Spec) -> Iterator[Group | Table]:
+def answers_without_motion(spec: Spec[MagneticFluidTable]) -> Iterator[Group | Table]:
     """Yield the answers of the report that take no motion.
 
     Raises:
         InvalidInput: for a fluid and field at rest or beyond the numbers.
     """
     table = spec.system
-    assert isinstance(table, MagneticFluidTable)
     system, state, _ = _start(spec, table)
     yield MagneticReport(system, table, state, WITHOUT_MOTION, spec.samples).about_start()
 
@@ -291,7 +289,7 @@ def _size(system: SphereMHD, state: Array) -> float:
     return max(_mean_square(system, state[1] - system.fluid.planetary), _mean_square(system, state[0]))
 
 
-def _start(spec: Spec, table: MagneticFluidTable) -> tuple[SphereMHD, Array, Trajectory | None]:
+def _start(spec: Spec[MagneticFluidTable], table: MagneticFluidTable) -> tuple[SphereMHD, Array, Trajectory | None]:
     """Return the system, its first state, and the run that it goes on from, if any."""
     system = SphereMHD(table.resolution, table.rotation)
     earlier = None if table.start_from is None else earlier_run(spec.folder / table.start_from, system)

@@ -3,22 +3,47 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from polhode.kinds.base import AbstractKind
 from polhode.kinds.spin_lattice.table import SpinLatticeTable
 from polhode.spec.models import SystemTable
 from polhode.spec.rules import Mistake
 
+if TYPE_CHECKING:
+    from polhode.kinds.base import Figures, Spec
+    from polhode.kinds.spin_lattice.answers import SpinLatticeReport
+    from polhode.kinds.spin_lattice.panel import SpinLatticePanel
+    from polhode.reports.answer import Group, Table
 
-class SpinLatticeKind(AbstractKind):
+
+class SpinLatticeKind(AbstractKind[SpinLatticeTable]):
     """Classical spins on a lattice, with exchange, damping and heat."""
 
     name: ClassVar[str] = "spin-lattice"
     table: ClassVar[type[SystemTable]] = SpinLatticeTable
     has_attitude: ClassVar[bool] = False
     figure_names: ClassVar[tuple[str, ...]] = ("spins", "energy", "waves")
-    sources: ClassVar[tuple[str, ...]] = ("polhode.systems.spin_lattice.SpinLattice",)
+
+    def report(self, spec: Spec[SpinLatticeTable]) -> SpinLatticeReport:
+        from polhode.kinds.spin_lattice.answers import report_of
+
+        return report_of(spec)
+
+    def answers_without_motion(self, spec: Spec[SpinLatticeTable]) -> Iterator[Group | Table]:
+        from polhode.kinds.spin_lattice.answers import answers_without_motion
+
+        return answers_without_motion(spec)
+
+    def figures(self) -> Figures:
+        from polhode.kinds.spin_lattice.figures import FIGURES
+
+        return FIGURES
+
+    def panel(self) -> SpinLatticePanel:
+        from polhode.kinds.spin_lattice.panel import SpinLatticePanel
+
+        return SpinLatticePanel()
 
     def rules(self, tables: dict[str, Any]) -> Iterator[Mistake]:
         from polhode.kinds.spin_lattice.rules import spin_rules

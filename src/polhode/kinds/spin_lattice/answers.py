@@ -213,14 +213,13 @@ def _whole(value: float) -> str:
     return f"{value:.0f}" if abs(value - round(value)) < 1e-6 else f"{value:.3f}"
 
 
-def report_of(spec: Spec) -> SpinLatticeReport:
+def report_of(spec: Spec[SpinLatticeTable]) -> SpinLatticeReport:
     """Return the report on spins on a lattice.
 
     Raises:
         InvalidInput: for bonds and places that make no lattice, or a time that takes too many steps.
     """
     table = spec.system
-    assert isinstance(table, SpinLatticeTable)
     system = lattice_of(table)
     state = start_of(system, table)
     fastest = _fastest(system)
@@ -260,13 +259,12 @@ def _in_joules(trajectory: Trajectory) -> Trajectory:
     )  # fmt: skip
 
 
-def answers_without_motion(spec: Spec) -> Iterator[Group | Table]:
+def answers_without_motion(spec: Spec[SpinLatticeTable]) -> Iterator[Group | Table]:
     """Yield the answers of the report that take no motion.
 
     Raises:
         InvalidInput: for bonds and places that make no lattice.
     """
-    assert isinstance(spec.system, SpinLatticeTable)
     yield from SpinLatticeReport(lattice_of(spec.system), spec.system, WITHOUT_MOTION, spec.samples).without_motion()
 
 

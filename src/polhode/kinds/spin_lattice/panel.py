@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from polhode.bodies.surface import Surface
+from polhode.kinds.panel import KindPanel
 from polhode.motion.trajectory import Trajectory
 from polhode.viewer.encoding import packed
 from polhode.viewer.panels import Panel
@@ -16,31 +17,33 @@ MOST = 1600  # arrows
 BYTES = 360_000  # of all their directions, so that a page stays small
 
 
-def panels_of(trajectory: Trajectory, samples: Samples, surface: Surface | None) -> list[Panel]:
-    """Return places and directions of the spins of the first layer, or of as many of its cells as a page holds."""
-    system = trajectory.source
-    lattice = system.lattice
-    first, second = lattice.shape[:2]
-    while first * second * lattice.sites > MOST:
-        first, second = (-(-first // 2), second) if first >= second else (first, -(-second // 2))
-    places = np.asarray(lattice.positions())[:first, :second, :1, :, :2].reshape(-1, 2)
-    chosen = np.asarray(samples.states)[:, :first, :second, :1] / np.asarray(system.spin)[:, None]
-    spins = chosen.reshape(len(chosen), -1, 3)
-    count = max(2, min(len(spins), BYTES // (3 * len(places))))
-    frames = np.unique(np.linspace(0, len(spins) - 1, count).astype(int))
-    places = places - 0.5 * (places.max(axis=0) + places.min(axis=0))
-    size = float(np.abs(places).max()) or 1.0
-    apart = np.linalg.norm(places[1:] - places[0], axis=1).min(initial=size) if len(places) > 1 else size
-    levels = np.round(np.clip(127.5 + 127.5 * spins[frames], 0.0, 255.0))
-    return [{
-        "type": "spins", "flat": True, "place": packed(places / size, "f4"), "apart": float(apart / size),
-        "frames": packed(frames, "u4"), "spins": packed(levels, "u1"),
-    }]  # fmt: skip
+class SpinLatticePanel(KindPanel):
+    """The picture of spins on a lattice on a page."""
 
+    def panels(self, trajectory: Trajectory, samples: Samples, surface: Surface | None) -> list[Panel]:
+        """Return places and directions of the spins of the first layer, or of as many of its cells as a page holds."""
+        system = trajectory.source
+        lattice = system.lattice
+        first, second = lattice.shape[:2]
+        while first * second * lattice.sites > MOST:
+            first, second = (-(-first // 2), second) if first >= second else (first, -(-second // 2))
+        places = np.asarray(lattice.positions())[:first, :second, :1, :, :2].reshape(-1, 2)
+        chosen = np.asarray(samples.states)[:, :first, :second, :1] / np.asarray(system.spin)[:, None]
+        spins = chosen.reshape(len(chosen), -1, 3)
+        count = max(2, min(len(spins), BYTES // (3 * len(places))))
+        frames = np.unique(np.linspace(0, len(spins) - 1, count).astype(int))
+        places = places - 0.5 * (places.max(axis=0) + places.min(axis=0))
+        size = float(np.abs(places).max()) or 1.0
+        apart = np.linalg.norm(places[1:] - places[0], axis=1).min(initial=size) if len(places) > 1 else size
+        levels = np.round(np.clip(127.5 + 127.5 * spins[frames], 0.0, 255.0))
+        return [{
+            "type": "spins", "flat": True, "place": packed(places / size, "f4"), "apart": float(apart / size),
+            "frames": packed(frames, "u4"), "spins": packed(levels, "u1"),
+        }]  # fmt: skip
 
-def plots_of(trajectory: Trajectory, samples: Samples) -> dict[str, Any]:
-    """Return the components of the magnetisation over time."""
-    states = np.asarray(samples.states)
-    mean = states.mean(axis=(1, 2, 3, 4)) / float(np.mean(trajectory.source.spin))
-    series = [{"name": name, "values": packed(mean[:, k], "f4")} for k, name in enumerate("xyz")]
-    return {"plots": [{"title": "magnetisation", "unit": "of the largest", "series": series}]}
+    def plots(self, trajectory: Trajectory, samples: Samples) -> dict[str, Any]:
+        """Return the components of the magnetisation over time."""
+        states = np.asarray(samples.states)
+        mean = states.mean(axis=(1, 2, 3, 4)) / float(np.mean(trajectory.source.spin))
+        series = [{"name": name, "values": packed(mean[:, k], "f4")} for k, name in enumerate("xyz")]
+        return {"plots": [{"title": "magnetisation", "unit": "of the largest", "series": series}]}

@@ -195,14 +195,13 @@ def ratio(order: float) -> str:
     return f"{found.numerator}:{found.denominator}"
 
 
-def report_of(spec: Spec) -> SpinOrbitReport:
+def report_of(spec: Spec[SpinOrbitTable]) -> SpinOrbitReport:
     """Return the report on a spin that starts at periapsis.
 
     Raises:
         InvalidInput: for an orbit so slow or fast that the squares of its rates leave the numbers.
     """
     table, times = spec.system, spec.times
-    assert isinstance(table, SpinOrbitTable)
     system = _system(spec, table)
     n = float(system.mean_motion)
     if times is None:
@@ -216,10 +215,9 @@ def report_of(spec: Spec) -> SpinOrbitReport:
     )  # fmt: skip
 
 
-def answers_without_motion(spec: Spec) -> Iterator[Group | Table]:
+def answers_without_motion(spec: Spec[SpinOrbitTable]) -> Iterator[Group | Table]:
     """Yield the answers of the report that take neither trajectory nor exponent."""
     table = spec.system
-    assert isinstance(table, SpinOrbitTable)
     system = _system(spec, table)
     listed = _listed(system, table)
     yield from SpinOrbitReport(
@@ -235,7 +233,7 @@ def _listed(system: SpinOrbit, table: SpinOrbitTable) -> list[Resonance]:
     return resonances(system, highest)
 
 
-def _system(spec: Spec, table: SpinOrbitTable) -> SpinOrbit:
+def _system(spec: Spec[SpinOrbitTable], table: SpinOrbitTable) -> SpinOrbit:
     if table.orbital_period is not None:
         orbit = KeplerOrbit(2.0 * math.pi / table.orbital_period, table.eccentricity)
     else:

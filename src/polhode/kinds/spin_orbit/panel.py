@@ -9,6 +9,7 @@ import numpy as np
 from polhode.analysis.spin_motion import steps_for
 from polhode.analysis.spin_orbit import poincare_section
 from polhode.bodies.surface import Surface
+from polhode.kinds.panel import KindPanel
 from polhode.motion.trajectory import Trajectory
 from polhode.simulation import simulate
 from polhode.types import Array
@@ -20,39 +21,41 @@ APART, LEAST = 1e-6, 1e-9  # rad
 ORBITS = 1500  # of the section
 
 
-def panels_of(trajectory: Trajectory, samples: Samples, surface: Surface | None) -> list[Panel]:
-    """Return the moon on its orbit, seen from above."""
-    system, orbit = trajectory.source, trajectory.source.orbit
-    place = np.asarray(orbit.direction(samples.times)) * np.asarray(orbit.distance_ratio(samples.times))[:, None]
-    return [{
-        "type": "orbit", "place": packed(place[:, :2]),
-        "angle": packed(trajectory.layout.part(samples.states, "angle")),
-        "eccentricity": float(orbit.eccentricity), "asphericity": float(system.asphericity), "flat": True,
-    }]  # fmt: skip
-
-
-def plots_of(trajectory: Trajectory, samples: Samples) -> dict[str, Any]:
-    """Return angle and rate, how far a twin that starts a little apart goes astray, and the section at periapsis."""
-    system, n = trajectory.source, float(trajectory.source.mean_motion)
-    angle, rate = (trajectory.layout.part(samples.states, name) for name in ("angle", "rate"))
-    found = [
-        {"title": "angle of the long axis, half turns taken off", "unit": "°",
-         "series": [_series("angle", np.degrees(angle - np.pi * np.round(angle / np.pi)))]},
-        {"title": "rate", "unit": "turns per orbit", "series": [_series("rate", rate / n)]},
-    ]  # fmt: skip
-    if samples.times[0] != 0.0 or len(samples.times) < 2:
-        return {"plots": found}
-    start = np.array([angle[0], rate[0]])
-    other = simulate(system, start + np.array([APART, 0.0]), samples.times, estimate_error=False)
-    apart = np.log10(np.maximum(np.abs(np.asarray(other.part("angle")) - angle), LEAST))
-    found.insert(1, {"title": "distance to a twin that starts 10⁻⁶ rad apart", "unit": "log₁₀ rad",
-                     "series": [_series("distance", apart)]})  # fmt: skip
-    points = poincare_section(system, start, ORBITS, steps_for(system, float(rate[0]) / n))
-    turned = points[:, 0] - np.pi * np.round(points[:, 0] / np.pi)
-    section = {"title": "Section at periapsis", "words": f"{ORBITS} orbits: θ̇/n against θ [°]",
-               "x": packed(np.degrees(turned), "f4"), "y": packed(points[:, 1] / n, "f4")}  # fmt: skip
-    return {"plots": found, "scatters": (section,)}
-
-
 def _series(name: str, values: Array) -> dict[str, Any]:
     return {"name": name, "values": packed(values, "f4")}
+
+
+class SpinOrbitPanel(KindPanel):
+    """The picture of a spin on an orbit on a page."""
+
+    def panels(self, trajectory: Trajectory, samples: Samples, surface: Surface | None) -> list[Panel]:
+        """Return the moon on its orbit, seen from above."""
+        system, orbit = trajectory.source, trajectory.source.orbit
+        place = np.asarray(orbit.direction(samples.times)) * np.asarray(orbit.distance_ratio(samples.times))[:, None]
+        return [{
+            "type": "orbit", "place": packed(place[:, :2]),
+            "angle": packed(trajectory.layout.part(samples.states, "angle")),
+            "eccentricity": float(orbit.eccentricity), "asphericity": float(system.asphericity), "flat": True,
+        }]  # fmt: skip
+
+    def plots(self, trajectory: Trajectory, samples: Samples) -> dict[str, Any]:
+        """Return angle and rate, how far a twin that starts a little apart strays, and the section at periapsis."""
+        system, n = trajectory.source, float(trajectory.source.mean_motion)
+        angle, rate = (trajectory.layout.part(samples.states, name) for name in ("angle", "rate"))
+        found = [
+            {"title": "angle of the long axis, half turns taken off", "unit": "°",
+             "series": [_series("angle", np.degrees(angle - np.pi * np.round(angle / np.pi)))]},
+            {"title": "rate", "unit": "turns per orbit", "series": [_series("rate", rate / n)]},
+        ]  # fmt: skip
+        if samples.times[0] != 0.0 or len(samples.times) < 2:
+            return {"plots": found}
+        start = np.array([angle[0], rate[0]])
+        other = simulate(system, start + np.array([APART, 0.0]), samples.times, estimate_error=False)
+        apart = np.log10(np.maximum(np.abs(np.asarray(other.part("angle")) - angle), LEAST))
+        found.insert(1, {"title": "distance to a twin that starts 10⁻⁶ rad apart", "unit": "log₁₀ rad",
+                         "series": [_series("distance", apart)]})  # fmt: skip
+        points = poincare_section(system, start, ORBITS, steps_for(system, float(rate[0]) / n))
+        turned = points[:, 0] - np.pi * np.round(points[:, 0] / np.pi)
+        section = {"title": "Section at periapsis", "words": f"{ORBITS} orbits: θ̇/n against θ [°]",
+                   "x": packed(np.degrees(turned), "f4"), "y": packed(points[:, 1] / n, "f4")}  # fmt: skip
+        return {"plots": found, "scatters": (section,)}

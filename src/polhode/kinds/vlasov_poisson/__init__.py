@@ -3,22 +3,47 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from polhode.kinds.base import AbstractKind
 from polhode.kinds.vlasov_poisson.table import PlasmaTable
 from polhode.spec.models import SystemTable
 from polhode.spec.rules import Mistake
 
+if TYPE_CHECKING:
+    from polhode.kinds.base import Figures, Spec
+    from polhode.kinds.vlasov_poisson.answers import PlasmaReport
+    from polhode.kinds.vlasov_poisson.panel import VlasovPoissonPanel
+    from polhode.reports.answer import Group, Table
 
-class VlasovPoissonKind(AbstractKind):
+
+class VlasovPoissonKind(AbstractKind[PlasmaTable]):
     """A plasma of electrons that moves by its own field."""
 
     name: ClassVar[str] = "vlasov-poisson"
     table: ClassVar[type[SystemTable]] = PlasmaTable
     has_attitude: ClassVar[bool] = False
     figure_names: ClassVar[tuple[str, ...]] = ("field", "phase_space")
-    sources: ClassVar[tuple[str, ...]] = ("polhode.systems.vlasov_poisson.VlasovPoisson",)
+
+    def report(self, spec: Spec[PlasmaTable]) -> PlasmaReport:
+        from polhode.kinds.vlasov_poisson.answers import report_of
+
+        return report_of(spec)
+
+    def answers_without_motion(self, spec: Spec[PlasmaTable]) -> Iterator[Group | Table]:
+        from polhode.kinds.vlasov_poisson.answers import answers_without_motion
+
+        return answers_without_motion(spec)
+
+    def figures(self) -> Figures:
+        from polhode.kinds.vlasov_poisson.figures import FIGURES
+
+        return FIGURES
+
+    def panel(self) -> VlasovPoissonPanel:
+        from polhode.kinds.vlasov_poisson.panel import VlasovPoissonPanel
+
+        return VlasovPoissonPanel()
 
     def rules(self, tables: dict[str, Any]) -> Iterator[Mistake]:
         from polhode.kinds.vlasov_poisson.rules import plasma_rules

@@ -168,7 +168,7 @@ class PlasmaReport(MotionReport):
         ])  # fmt: skip
 
 
-def report_of(spec: Spec) -> PlasmaReport:
+def report_of(spec: Spec[PlasmaTable]) -> PlasmaReport:
     """Return the report on a plasma.
 
     Raises:
@@ -195,14 +195,13 @@ def report_of(spec: Spec) -> PlasmaReport:
     return replace(about, trajectory=trajectory)
 
 
-def answers_without_motion(spec: Spec) -> Iterator[Group | Table]:
+def answers_without_motion(spec: Spec[PlasmaTable]) -> Iterator[Group | Table]:
     """Yield the answers of the report that take no motion."""
     yield from _without_motion(spec).without_motion()
 
 
-def _without_motion(spec: Spec) -> PlasmaReport:
+def _without_motion(spec: Spec[PlasmaTable]) -> PlasmaReport:
     table = spec.system
-    assert isinstance(table, PlasmaTable)
     beams = tuple(Beam(b.share, b.drift, b.spread) for b in table.beams) if table.beams else (Beam(),)
     fastest = table.fastest or max(abs(beam.drift) + REACH * beam.spread for beam in beams)
     count = table.velocities * table.particles_per_velocity

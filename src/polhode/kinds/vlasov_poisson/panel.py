@@ -8,6 +8,7 @@ import numpy as np
 from scipy.spatial import KDTree
 
 from polhode.bodies.surface import Surface
+from polhode.kinds.panel import KindPanel
 from polhode.motion.trajectory import Trajectory
 from polhode.viewer.encoding import packed
 from polhode.viewer.panels import Panel
@@ -17,29 +18,31 @@ ROWS, COLUMNS = 96, 72
 BYTES = 350_000  # of all pictures, so that a page stays small
 
 
-def panels_of(trajectory: Trajectory, samples: Samples, surface: Surface | None) -> list[Panel]:
-    """Return pictures of phase space: at each place the weight of the particle next to it, which it keeps."""
-    count = max(2, min(len(samples.times), BYTES // (ROWS * COLUMNS)))
-    frames = np.unique(np.linspace(0, len(samples.times) - 1, count).astype(int))
-    length, states = float(trajectory.source.length), np.asarray(samples.states)
-    weights = 1.0 / states[0, :, 2]
-    fastest = float(np.abs(states[0, :, 0]).max())
-    across, up = (np.arange(COLUMNS) + 0.5) / COLUMNS, 2.0 * (np.arange(ROWS) + 0.5) / ROWS
-    asked = np.stack(np.meshgrid(across, up), axis=-1).reshape(-1, 2)
-    levels = []
-    for k in frames:
-        x, v = np.mod(states[k, :, 1] / length, 1.0), np.clip(states[k, :, 0] / fastest + 1.0, 0.0, 2.0 - 1e-12)
-        tree = KDTree(np.column_stack([np.where(x < 1.0, x, 0.0), v]), boxsize=(1.0, 4.0))
-        levels.append(255.0 * weights[tree.query(asked)[1]] / weights.max())
-    return [{
-        "type": "phase_space", "rows": ROWS, "columns": COLUMNS, "frames": packed(frames, "u4"),
-        "levels": packed(np.round(np.array(levels)), "u1"), "flat": True,
-    }]  # fmt: skip
+class VlasovPoissonPanel(KindPanel):
+    """The picture of a plasma on a page: phase space."""
 
+    def panels(self, trajectory: Trajectory, samples: Samples, surface: Surface | None) -> list[Panel]:
+        """Return pictures of phase space: at each place the weight of the particle next to it, which it keeps."""
+        count = max(2, min(len(samples.times), BYTES // (ROWS * COLUMNS)))
+        frames = np.unique(np.linspace(0, len(samples.times) - 1, count).astype(int))
+        length, states = float(trajectory.source.length), np.asarray(samples.states)
+        weights = 1.0 / states[0, :, 2]
+        fastest = float(np.abs(states[0, :, 0]).max())
+        across, up = (np.arange(COLUMNS) + 0.5) / COLUMNS, 2.0 * (np.arange(ROWS) + 0.5) / ROWS
+        asked = np.stack(np.meshgrid(across, up), axis=-1).reshape(-1, 2)
+        levels = []
+        for k in frames:
+            x, v = np.mod(states[k, :, 1] / length, 1.0), np.clip(states[k, :, 0] / fastest + 1.0, 0.0, 2.0 - 1e-12)
+            tree = KDTree(np.column_stack([np.where(x < 1.0, x, 0.0), v]), boxsize=(1.0, 4.0))
+            levels.append(255.0 * weights[tree.query(asked)[1]] / weights.max())
+        return [{
+            "type": "phase_space", "rows": ROWS, "columns": COLUMNS, "frames": packed(frames, "u4"),
+            "levels": packed(np.round(np.array(levels)), "u1"), "flat": True,
+        }]  # fmt: skip
 
-def plots_of(trajectory: Trajectory, samples: Samples) -> dict[str, Any]:
-    """Return the logarithm of the field's waves over time."""
-    field = np.asarray(trajectory.source.field_amplitudes(samples.states))
-    shown = np.log10(np.maximum(field, 1e-12 * (field.max() or 1.0)))[:, :4]
-    series = [{"name": f"wave {k + 1}", "values": packed(shown[:, k], "f4")} for k in range(shown.shape[1])]
-    return {"plots": [{"title": "field", "unit": "log₁₀", "series": series}]}
+    def plots(self, trajectory: Trajectory, samples: Samples) -> dict[str, Any]:
+        """Return the logarithm of the field's waves over time."""
+        field = np.asarray(trajectory.source.field_amplitudes(samples.states))
+        shown = np.log10(np.maximum(field, 1e-12 * (field.max() or 1.0)))[:, :4]
+        series = [{"name": f"wave {k + 1}", "values": packed(shown[:, k], "f4")} for k in range(shown.shape[1])]
+        return {"plots": [{"title": "field", "unit": "log₁₀", "series": series}]}

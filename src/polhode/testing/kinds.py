@@ -1,0 +1,173 @@
+"""What holds of every kind of motion that a spec can name."""
+
+from __future__ import annotations
+
+import json
+import pickle
+import re
+import tempfile
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from polhode.errors import InvalidInput, shown
+from polhode.formats.dataset_reading import read_dataset
+from polhode.kinds.base import AbstractKind, Spec
+from polhode.kinds.page import page_of_report
+from polhode.kinds.reading import spec_of_tables
+from polhode.reports.answer import Table, plain, values_of
+from polhode.reports.base import MotionReport, SystemReport
+from polhode.spec.parsing import read_tables
+from polhode.testing.laws import LawBroken
+
+KEPT = 1e-9  # drift of what is conserved or balanced: no example is long
+ANY_BODY = {"body", "axis", "sphere", "poinsot"}  # panels that the page's own script makes
+NAME = re.compile(r"[a-z]+(-[a-z]+)*")
+
+
+def check_kind(kind: AbstractKind) -> None:
+    """Check a kind by its example: spec, report, JSON, figures, motion, dataset and page.
+
+    Args:
+        kind: any; it must be found by its name, as the folder of a kind or an entry point is.
+
+    Raises:
+        LawBroken: naming the first law that fails.
+        InvalidInput: for what is not a kind, and where the example is refused.
+        NotConverged: where the example's motion cannot be followed.
+
+    >>> from polhode.kinds.registry import default_kind
+    >>> check_kind(default_kind())
+    """
+    if not isinstance(kind, AbstractKind):
+        raise InvalidInput(f"`kind` must be an object of a subclass of AbstractKind, as KIND is; got {shown(kind)}.")
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "example.toml"
+        path.write_text(kind.example, "utf-8")
+        spec = _check_spec(kind, path)
+        report = spec.report()
+        _check_words(kind, report)
+        _check_json(kind, report)
+        _check_answers_without_motion(kind, spec, report)
+        _check_figures(kind, report, Path(folder))
+        _check_kept(report)
+        if kind.has_motion:
+            if not isinstance(report, MotionReport):
+                raise LawBroken("a kind with a motion reports on one: derive from MotionReport.")
+            _check_motion(kind, spec, report)
+            _check_dataset(report, Path(folder))
+            _check_page(spec, report, Path(folder))
+
+
+def _require(holds: Any, law: str) -> None:
+    if not holds:
+        raise LawBroken(f"{law}.")
+
+
+def _check_spec(kind: AbstractKind, path: Path) -> Spec:
+    _require(NAME.fullmatch(kind.name), f"a name is words with hyphens; got {shown(kind.name)}")
+    tables = read_tables(path)
+    spec = spec_of_tables(tables, path)
+    _require(spec.kind is kind, f"the example is of the kind {kind.name}, found by its name; it is of {spec.kind.name}")
+    _require(isinstance(spec.system, kind.table), "the table [system] is read by the kind's `table`")
+    system = tables.get("system", {"kind": kind.name})
+    system = system if isinstance(system, dict) else {"kind": system}
+    try:
+        spec_of_tables({**tables, "system": {**system, "nonsense": 1}}, path)
+    except InvalidInput as error:
+        said = str(error)
+    else:
+        said = "nothing"
+    named = "system.nonsense: unknown key" in said
+    _require(named, f"an unknown key in [system] is refused by its name; it said {said}")
+    return spec
+
+
+def _check_words(kind: AbstractKind, report: SystemReport) -> None:
+    said = [report.summary, *report.notes]
+    for group in report.answers:
+        rows = group.cells if isinstance(group, Table) else group.lines
+        said += [group.title, *(cell for row in rows for cell in row)]
+    _require(report.kind == kind.name, f"the report's `kind` is the kind's name; got {shown(report.kind)}")
+    _require(report.summary.endswith("."), f"the summary is of sentences; got {shown(report.summary)}")
+    wrong = [words for words in said if re.search(r"\b(nan|inf|None)\b", words)]
+    _require(not wrong, f"no line says nan, inf or None; got {shown(wrong[:1])}")
+
+
+def _check_json(kind: AbstractKind, report: SystemReport) -> None:
+    values = json.loads(report.json())
+    _require(values["kind"] == kind.name, f"the JSON's `kind` is the kind's name; got {shown(values['kind'])}")
+    _require(values.pop("units"), "some answers have units")
+    for name in report.units():
+        *levels, last = name.split(".")
+        found = values
+        for level in levels:
+            _require(isinstance(found, dict) and level in found, f"units are of answers; there is none called {name}")
+            found = found[level]
+        # a unit of a table is that of each of its rows
+        rows = found if isinstance(found, list) else [found, *found.values()]
+        _require(any(isinstance(row, dict) and last in row for row in rows),
+                 f"units are of answers; there is none called {name}")  # fmt: skip
+
+
+def _check_answers_without_motion(kind: AbstractKind, spec: Spec, report: SystemReport) -> None:
+    whole = report.as_json_dict()
+    for group in kind.answers_without_motion(spec):
+        for name, value in plain(values_of([group])).items():
+            inside = value if isinstance(value, dict) else {}
+            same = whole.get(name) == value or (inside and all(whole[name][key] == inside[key] for key in inside))
+            _require(same, f"what takes no motion is what the report says; {name} differs")
+
+
+def _check_figures(kind: AbstractKind, report: SystemReport, folder: Path) -> None:
+    names = tuple(report.figures())
+    _require(names == tuple(kind.figure_names), f"`figures` has the names of `figure_names`; got {names}")
+    written = report.draw(folder)
+    _require(not names or written, "the example has a figure")
+    _require({path.stem for path in written} <= set(names), "each figure has a name of `figure_names`")
+
+
+def _check_kept(report: SystemReport) -> None:
+    again = pickle.loads(pickle.dumps(report))
+    same = again.as_json_dict() == report.as_json_dict()
+    _require(same, "a report is the same after it is pickled, as commands keep it")
+
+
+def _check_motion(kind: AbstractKind, spec: Spec, report: MotionReport) -> None:
+    trajectory, moved = report.trajectory, spec.motion()
+    _require(trajectory.drift, "something is conserved or balanced, and its drift is told")
+    for name, drift in trajectory.drift.items():
+        largest = float(np.max(drift))
+        _require(largest < KEPT, f"{name} stays in the example; it drifts by {largest:.3g}, relative")
+        known = trajectory.invariants.keys() | trajectory.balances.keys()
+        _require(name in known, f"each drift is of an invariant or a balance; {name} is neither")
+    same = np.array_equal(moved.trajectory.states, trajectory.states)
+    _require(same, "`motion` gives the motion of the report, to the bit")
+    turns = moved.trajectory.attitude is not None
+    _require(turns == kind.has_attitude, "`has_attitude` says whether there are attitudes")
+    both = moved.mechanics, report.mechanics
+    _require((both[0] is None) == (both[1] is None), "`motion` gives the mechanics of the report")
+    frames = moved.trajectory.frame, trajectory.frame
+    _require((frames[0] is None) == (frames[1] is None), "`motion` gives the frame of the report")
+
+
+def _check_dataset(report: MotionReport, folder: Path) -> None:
+    found, wanted = read_dataset(report.save(folder / report.data_file)), report.trajectory
+    _require(np.array_equal(found.times, wanted.times), "a dataset gives the times back, to the bit")
+    _require(found.outcome == wanted.outcome, "a dataset gives the outcome back")
+    for part in found.layout.parts:
+        _require(np.array_equal(found.part(part.name), wanted.part(part.name)), f"a dataset gives {part.name} back")
+    for name in wanted.invariants | wanted.balances:
+        _require(found.quantity(name).unit == wanted.quantity(name).unit, f"a dataset gives the unit of {name} back")
+
+
+def _check_page(spec: Spec, report: MotionReport, folder: Path) -> None:
+    page = page_of_report(report, folder / "page.html", surface=spec.surface).read_text("utf-8")
+    found = re.search(r'id="motion">(.*?)</script>', page, re.DOTALL)
+    assert found is not None
+    data = json.loads(found[1])
+    types = {panel["type"] for panel in data["panels"]}
+    made = ANY_BODY | set(re.findall(r"polhodePanels \?\?= \{\}\)\.(\w+) =", page))
+    _require(types and types <= made, f"panel.js makes each panel of the page; none makes {sorted(types - made)}")
+    _require(data["name"] == spec.name and data["summary"], "a page has the spec's name and the report's summary")
