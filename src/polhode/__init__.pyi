@@ -20,6 +20,9 @@ from . import (
     integrators as integrators,
 )
 from . import (
+    kinds as kinds,
+)
+from . import (
     motion as motion,
 )
 from . import (
@@ -27,6 +30,9 @@ from . import (
 )
 from . import (
     quantum as quantum,
+)
+from . import (
+    reports as reports,
 )
 from . import (
     rotation as rotation,
@@ -58,6 +64,7 @@ from .bodies.body import Body as Body
 from .bodies.body import combine as combine
 from .bodies.mesh import from_mesh as from_mesh
 from .bodies.points import from_points as from_points
+from .cli.publish import publish as publish
 from .errors import FormatError as FormatError
 from .errors import InvalidInput as InvalidInput
 from .errors import NotConverged as NotConverged

@@ -15,8 +15,6 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.algebra.power import Power
-from polhode.algebra.so3 import SO3
 from polhode.arrays import in_jax_numpy, is_traced, refuse_single_precision
 from polhode.errors import InvalidInput, shown
 from polhode.integrators.adaptive import TOLERANCE
@@ -442,7 +440,7 @@ def orbit_solver(system: AbstractLiePoissonSystem, method: Any, order: int | Non
     """
     if method is None:
         algebra = system.algebra
-        spins = isinstance(algebra, Power) and isinstance(algebra.algebra, SO3)
+        spins = algebra.is_of_spins and len(algebra.element_shape) > 1
         method = Splitting if system.flows else SphericalMidpoint if spins else LieMidpoint
     if isinstance(method, type) and issubclass(method, AbstractOrbitSolver):
         any_size = jnp.asarray(1.0)

@@ -10,6 +10,7 @@ import pytest
 from polhode.cli import terminal
 from polhode.cli.main import main
 from polhode.cli.new import examples
+from polhode.kinds import registry
 from polhode.kinds.reading import read_spec
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -80,3 +81,21 @@ def test_they_are_in_the_wheel(tmp_path):
     names = zipfile.ZipFile(next(tmp_path.glob("*.whl"))).namelist()
     assert {f"polhode/examples/{path.name}" for path in EXAMPLES.glob("*.toml")} <= set(names)
     assert "polhode/examples/t_handle.stl" in names and "polhode/bodies/atomic_weights.csv" in names
+
+
+def test_an_example_of_another_package(capsys, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.syspath_prepend(str(Path(__file__).parents[1] / "plugin"))
+    registry._others.cache_clear()
+    try:
+        code, out, _ = run(["new"], capsys)
+        assert code == 0 and "(package spherical_pendulum)" in out
+        code, out, _ = run(["new", "spherical-pendulum"], capsys)
+        assert code == 0 and "Next: polhode report spherical-pendulum.toml" in out
+        assert read_spec("spherical-pendulum.toml").kind.name == "spherical-pendulum"
+        code, _, err = run(["new", "spherical-pendulum"], capsys)
+        assert code == 2 and "is there already, and nothing was copied" in err
+        code, _, err = run(["new", "spherical-pendulm"], capsys)
+        assert code == 2 and "did you mean spherical-pendulum?" in err
+    finally:
+        registry._others.cache_clear()

@@ -113,7 +113,7 @@ def of_classes(kinds):
 NO_ARRAYS = {
     "AbstractLieAlgebra.batch_shape", "AbstractLieAlgebra.structure_constants", "has_cayley", "has_cayley_terms",
     "is_compact",
-    "from_scipy", "testing.algebras.check_algebra", "testing.systems.check_system",
+    "from_scipy", "testing.algebras.check_algebra", "testing.kinds.check_kind", "testing.systems.check_system",
     "testing.motion_table.reference_motions", "testing.motion_table.motions_of", "testing.engines.compare_engine",
     "ReferenceMotion", "MotionErrors", "EngineComparison", "Comparison", "SpinDown", "Resonance", "AttitudeHistory",
     "bodies.surface.Surface", "Surface.along", "Surface.coarsened", "surface.joined",

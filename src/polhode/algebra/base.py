@@ -19,6 +19,7 @@ import numpy as np
 
 from polhode.arrays import custom_derivative, is_traced
 from polhode.errors import InvalidInput
+from polhode.motion.layout import StatePart
 from polhode.types import Array, ArrayLike, Double, Float64
 
 SERIES_TERMS = 60  # of Σ ad*ᵏμ/k!: enough for a turn by 2π and more in one step
@@ -67,6 +68,16 @@ class AbstractLieAlgebra(HashableModule):
     def casimir_names(self) -> tuple[str, ...]:
         """Names of the known Casimirs, in the order of ``casimirs``."""
         return ()
+
+    @property
+    def body_parts(self) -> tuple[StatePart, ...]:
+        """What a point of the dual is of a rigid body, whose attitude the group has; empty of other algebras."""
+        return ()
+
+    @property
+    def is_of_spins(self) -> bool:
+        """Whether a point of the dual is a spin with three components, or an array of such."""
+        return False
 
     # ------------------------------------------------------------------ the algebra and its dual
 

@@ -73,6 +73,10 @@ class Power(AbstractLieAlgebra):
         return math.prod(self.shape)
 
     @property
+    def is_of_spins(self) -> bool:
+        return self.algebra.is_of_spins
+
+    @property
     def dim(self) -> int:
         return self.copies * self.algebra.dim
 

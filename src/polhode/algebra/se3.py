@@ -9,6 +9,7 @@ import jax.numpy as jnp
 from polhode import rotation
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.so3 import SO3, scaled_norm
+from polhode.motion.layout import LINEAR, MOMENTUM, StatePart
 from polhode.types import Array, Float64
 
 
@@ -18,6 +19,10 @@ class SE3(AbstractLieAlgebra):
     ad*_(a,b) (Π, P) = (Π × a + P × b, P × a), pairing Π · a + P · b. Group elements (…, 7) are a unit quaternion wxyz
     and the translation behind it: r → R r + d. Casimirs |P|² and Π · P. Generic orbits have dimension 4.
     """
+
+    @property
+    def body_parts(self) -> tuple[StatePart, ...]:
+        return (MOMENTUM, LINEAR)
 
     @property
     def dim(self) -> int:

@@ -6,6 +6,7 @@ import jax.numpy as jnp
 
 from polhode import rotation
 from polhode.algebra.base import AbstractLieAlgebra
+from polhode.motion.layout import MOMENTUM, StatePart
 from polhode.types import Array, Float64
 
 
@@ -26,6 +27,14 @@ class SO3(AbstractLieAlgebra):
     >>> SO3().bracket(jnp.array([1.0, 0, 0]), jnp.array([0.0, 1, 0])).tolist()
     [0.0, 0.0, 1.0]
     """
+
+    @property
+    def body_parts(self) -> tuple[StatePart, ...]:
+        return (MOMENTUM,)
+
+    @property
+    def is_of_spins(self) -> bool:
+        return True
 
     @property
     def dim(self) -> int:

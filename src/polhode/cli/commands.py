@@ -10,6 +10,7 @@ import typer
 from polhode.cli import fit_options as options
 from polhode.cli import tumble_options as tumbling
 from polhode.cli.arguments import StrictCommand, whole_number
+from polhode.cli.foreign import Commands
 from polhode.cli.source_options import (
     ClockKernel,
     ClockOffset,
@@ -31,6 +32,7 @@ from polhode.cli.source_options import (
 
 app = typer.Typer(
     name="polhode",
+    cls=Commands,
     help="How does this thing rotate? Exact motion of rigid bodies, and what it means.",
     no_args_is_help=True,
     add_completion=False,

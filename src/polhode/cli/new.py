@@ -2,41 +2,68 @@
 
 from __future__ import annotations
 
+import contextlib
 import difflib
 import shutil
 import tomllib
+from collections.abc import Iterator
 from pathlib import Path
 
 import polhode
 from polhode.cli.terminal import as_typed
-from polhode.errors import InvalidInput, one_line, printable, shown
+from polhode.errors import InvalidInput, PolhodeError, one_line, printable, shown
 from polhode.formats.paths import written_together
+from polhode.kinds.base import AbstractKind
+from polhode.kinds.registry import find_kind, kind_names
 
 
 def run_new(example: str | None, out: Path | None) -> None:
     """Copy an example and the files that it needs into a folder, or list the examples."""
-    known = examples()
+    known, foreign = examples(), kinds_of_others()
     if example is None:
-        width = max(map(len, known))
+        width = max(map(len, {**known, **foreign}))
         for name, path in known.items():
-            print(printable(f"{name:<{width}}  {_about(path)}"))
+            print(printable(f"{name:<{width}}  {_about(path.read_text('utf-8'))}"))
+        for name, kind in foreign.items():
+            print(printable(f"{name:<{width}}  {_about(kind.example)} (package {type(kind).__module__.split('.')[0]})"))
         print(f"\nNext: {as_typed('new', 't_handle')} copies one of them.")
         return
-    chosen = known.get(example.removesuffix(".toml"))
+    asked, folder = example.removesuffix(".toml"), Path() if out is None else out
+    if asked not in known and asked in foreign:
+        with _copied([folder / f"{asked}.toml"], folder) as draft:
+            (draft / f"{asked}.toml").write_text(foreign[asked].example, "utf-8")
+        return
+    chosen = known.get(asked)
     if chosen is None:
-        near = difflib.get_close_matches(example, known, 1)
+        near = difflib.get_close_matches(example, [*known, *foreign], 1)
         meant = f"; did you mean {near[0]}?" if near else "."
         raise InvalidInput(f"no example is called {shown(example)}{meant} `polhode new` lists them.")
-    folder = Path() if out is None else out
     wanted = [chosen, *_needed(chosen)]
-    there = [folder / path.name for path in wanted if (folder / path.name).exists()]
-    if there:
-        raise InvalidInput(f"{there[0]}: is there already, and nothing was copied. Name another folder by --out.")
-    with written_together(folder) as draft:
+    with _copied([folder / path.name for path in wanted], folder) as draft:
         for path in wanted:
             shutil.copyfile(path, draft / path.name)
-    print(f"Written: {', '.join(one_line(str(folder / path.name)) for path in wanted)}")
-    print(f"Next: {as_typed('report', str(folder / chosen.name))}")
+
+
+@contextlib.contextmanager
+def _copied(wanted: list[Path], folder: Path) -> Iterator[Path]:
+    """Yield a draft folder whose files take the names that are wanted, the spec first, and say what was written."""
+    if there := [path for path in wanted if path.exists()]:
+        raise InvalidInput(f"{there[0]}: is there already, and nothing was copied. Name another folder by --out.")
+    with written_together(folder) as draft:
+        yield draft
+    print(f"Written: {', '.join(one_line(str(path)) for path in wanted)}")
+    print(f"Next: {as_typed('report', str(wanted[0]))}")
+
+
+def kinds_of_others() -> dict[str, AbstractKind]:
+    """Return the kinds that other packages bring, by name; those that cannot be imported are left out."""
+    found = {}
+    for name in kind_names():
+        with contextlib.suppress(PolhodeError):
+            kind = find_kind(name)
+            if kind is not None and not type(kind).__module__.startswith("polhode."):
+                found[name] = kind
+    return found
 
 
 def examples() -> dict[str, Path]:
@@ -52,10 +79,10 @@ def examples() -> dict[str, Path]:
     raise InvalidInput("the examples are missing from this installation. Install polhode again.")
 
 
-def _about(spec: Path) -> str:
+def _about(spec: str) -> str:
     """Return the first sentence of the comment that an example begins with."""
     lines = []
-    for line in spec.read_text("utf-8").splitlines():
+    for line in spec.splitlines():
         if not line.startswith("#"):
             break
         lines.append(line.lstrip("# "))

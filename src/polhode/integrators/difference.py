@@ -9,7 +9,6 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.algebra.se3 import SE3
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem, joined
 from polhode.types import Array, Double, Float64
 
@@ -53,7 +52,8 @@ def _has_sizes_by_algebra(system: AbstractSystem) -> TypeGuard[AbstractLiePoisso
 def parts_with_units(system: AbstractLiePoissonSystem, state: Double[Array, "..."]) -> list[Any]:
     """Return the indices of attitude, if there, and of what has a unit of its own in states (…, *shape)."""
     start = 0 if system.parts(state).attitude is None else 4
-    borders = [*([0] if start else []), start, *([start + 3] if isinstance(system.algebra, SE3) else []), None]
+    sizes = [part.size for part in system.algebra.body_parts[:-1]]
+    borders = [*([0] if start else []), *itertools.accumulate(sizes, initial=start), None]
     return [(..., slice(begin, end)) for begin, end in itertools.pairwise(borders)]
 
 

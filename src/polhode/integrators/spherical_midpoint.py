@@ -7,8 +7,7 @@ from typing import Any, ClassVar
 import equinox as eqx
 import jax.numpy as jnp
 
-from polhode.algebra.power import Power
-from polhode.algebra.so3 import SO3, scaled_norm
+from polhode.algebra.so3 import scaled_norm
 from polhode.errors import InvalidInput
 from polhode.integrators.base import AbstractOrbitSolver, Change, Scalar
 from polhode.integrators.composition import DEFAULT_ORDER, composed, stages
@@ -35,8 +34,7 @@ class SphericalMidpoint(AbstractOrbitSolver):
 
     def __init__(self, system: AbstractLiePoissonSystem, step_size: Scalar, order: int = DEFAULT_ORDER) -> None:
         algebra = system.algebra
-        single = algebra.algebra if isinstance(algebra, Power) else algebra
-        if not isinstance(single, SO3):
+        if not algebra.is_of_spins:
             raise InvalidInput(f"`SphericalMidpoint` needs SO3 or a Power of it; got {algebra.name}. Take LieMidpoint.")
         stages(order)
         self.system, self.step_size, self.own_order = system, step_size, order

@@ -6,8 +6,7 @@ from typing import Any, ClassVar, NamedTuple
 
 import jax.numpy as jnp
 
-from polhode.algebra.power import Power
-from polhode.algebra.so3 import SO3, scaled_norm
+from polhode.algebra.so3 import scaled_norm
 from polhode.arrays import is_traced
 from polhode.errors import InvalidInput, shown
 from polhode.integrators.base import AbstractOrbitSolver, Change, Scalar
@@ -62,7 +61,7 @@ class NoiseDriftNoise(AbstractOrbitSolver):
 
     def __init__(self, system: AbstractLiePoissonSystem, step_size: Scalar, bath: Bath) -> None:
         algebra = system.algebra
-        if not isinstance(algebra.algebra if isinstance(algebra, Power) else algebra, SO3):
+        if not algebra.is_of_spins:
             raise InvalidInput(f"`NoiseDriftNoise` needs SO3 or a Power of it; got {algebra.name}.")
         if not system.conserves_energy:
             raise InvalidInput("`system` must have no damping of its own; the bath's serves both noise and drift.")

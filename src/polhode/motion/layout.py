@@ -42,6 +42,7 @@ class Quantity(NamedTuple):
 
 ATTITUDE = StatePart("attitude", 4, "1", "attitude quaternion, scalar first, body to space")
 MOMENTUM = StatePart("momentum", 3, "kg m2 s-1", "angular momentum", "body")
+LINEAR = StatePart("linear", 3, "", "linear momentum, or a vector fixed in space", "body")
 ANGULAR_VELOCITY = StatePart("angular_velocity", 3, "rad s-1", "angular velocity", "body")
 """The state of a recording that has nothing else, as a gyroscope's."""
 

@@ -2,6 +2,6 @@
 
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import MotionReport, SystemReport
-from polhode.reports.report import Report
+from polhode.reports.report import Report, StudyReport
 
-__all__ = ["Answer", "Group", "MotionReport", "Report", "SystemReport", "Table"]
+__all__ = ["Answer", "Group", "MotionReport", "Report", "StudyReport", "SystemReport", "Table"]

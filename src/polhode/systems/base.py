@@ -14,13 +14,12 @@ import numpy as np
 from polhode import rotation
 from polhode.algebra.base import AbstractLieAlgebra, HashableModule
 from polhode.algebra.functions import Function
-from polhode.algebra.se3 import SE3
-from polhode.algebra.so3 import SO3
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
 from polhode.motion.layout import (
     ATTITUDE,
     ENERGY,
+    LINEAR,
     MOMENTUM,
     MOMENTUM_SPACE,
     MOMENTUM_SQUARED,
@@ -33,7 +32,6 @@ from polhode.types import Array, ArrayLike, Double, Float64, Integer, Real
 Components = tuple[Double[Array, "*shape"], ...]
 Flow = Callable[[Float64[Array, ""], Components], Components]
 Event = Callable[[Float64[Array, ""], Double[Array, "..."]], Float64[Array, ""]]
-LINEAR = StatePart("linear", 3, "", "linear momentum, or a vector fixed in space", "body")
 UNIT = 1e-6  # a quaternion further from unit length is taken for a mistake, not for rounding
 
 
@@ -271,9 +269,9 @@ class AbstractLiePoissonSystem(AbstractSystem):
         self, attitude: Float64[Array, "*batch 4"], point: Float64[Array, "*batch n"]
     ) -> dict[str, Float64[Array, "*batch 3"]]:
         """Return the vectors that stay fixed in space, by name."""
-        if isinstance(self.algebra, SO3):
-            return {"momentum_space": rotation.rotate(attitude, point)}
-        return {"linear_space": rotation.rotate(attitude, point[..., 3:])}
+        if LINEAR in self.algebra.body_parts:
+            return {"linear_space": rotation.rotate(attitude, point[..., 3:])}
+        return {"momentum_space": rotation.rotate(attitude, point)}
 
     def vectors(self, state: Double[Array, "..."]) -> Vectors:
         if not self.carries_attitude:
@@ -297,8 +295,9 @@ class AbstractLiePoissonSystem(AbstractSystem):
     @property
     def quantities(self) -> dict[str, Quantity]:
         # of a body, whose states are its momentum in SI; what other algebras mean is their system's to say
-        of_body = {"energy": ENERGY} if isinstance(self.algebra, SO3 | SE3) else {}
-        if isinstance(self.algebra, SO3):
+        parts = self.algebra.body_parts
+        of_body = {"energy": ENERGY} if parts else {}
+        if parts == (MOMENTUM,):
             of_body |= {"|L|²": MOMENTUM_SQUARED, "momentum_space": MOMENTUM_SPACE}
         point = jax.ShapeDtypeStruct(self.algebra.element_shape, self.algebra.dtype)
         casimirs = jax.eval_shape(self.algebra.named_casimirs, point)
@@ -311,10 +310,7 @@ class AbstractLiePoissonSystem(AbstractSystem):
         own = self.algebra.element_shape
         if len(own) != 1:
             return StateLayout(axes=len(own))
-        if isinstance(self.algebra, SO3):
-            return StateLayout((*front, MOMENTUM))
-        of_body = isinstance(self.algebra, SE3)
-        return StateLayout((*front, MOMENTUM, LINEAR) if of_body else (StatePart("point", own[0]),))
+        return StateLayout((*front, *(self.algebra.body_parts or (StatePart("point", own[0]),))))
 
     @known_numbers_only
     def check_state(self, state: Real[ArrayLike, "*shape"]) -> Double[Array, "*shape"]:
@@ -329,7 +325,7 @@ class AbstractLiePoissonSystem(AbstractSystem):
     @property
     def carries_attitude(self) -> bool:
         """Whether a state may have an attitude in front."""
-        return isinstance(self.algebra, SO3 | SE3) and self.sign == -1
+        return bool(self.algebra.body_parts) and self.sign == -1
 
     def parts(self, state: Real[ArrayLike, "..."]) -> Parts:
         """Take a packed state apart.

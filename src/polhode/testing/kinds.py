@@ -79,7 +79,7 @@ def _check_spec(kind: AbstractKind, path: Path) -> Spec:
         said = str(error)
     else:
         said = "nothing"
-    named = "system.nonsense: unknown key" in said
+    named = ".nonsense: unknown key" in said
     _require(named, f"an unknown key in [system] is refused by its name; it said {said}")
     return spec
 

@@ -1,0 +1,42 @@
+"""Commands that other packages bring, by the entry-point group ``polhode.commands``."""
+
+from __future__ import annotations
+
+from importlib.metadata import entry_points
+from typing import Any
+
+import typer
+from typer.core import TyperGroup
+
+from polhode.cli.arguments import StrictCommand
+from polhode.errors import InvalidInput
+
+GROUP = "polhode.commands"
+
+
+class Commands(TyperGroup):
+    """The commands of polhode, and after them those of other packages; one is imported only when it is asked for.
+
+    An entry point names a function whose arguments are annotated as Typer has them. It hands what it found out to
+    ``polhode.publish``.
+    """
+
+    def list_commands(self, ctx: Any) -> list[str]:
+        own = super().list_commands(ctx)
+        return [*own, *sorted(point.name for point in entry_points(group=GROUP) if point.name not in own)]
+
+    def get_command(self, ctx: Any, cmd_name: str) -> Any:
+        own = super().get_command(ctx, cmd_name)
+        if own is not None:
+            return own
+        point = next((point for point in entry_points(group=GROUP) if point.name == cmd_name), None)
+        if point is None:
+            return None
+        try:
+            function = point.load()
+        except Exception as error:
+            why = f"the command {cmd_name} of another package, {point.value}, cannot be imported: {error}"
+            raise InvalidInput(f"{why}. Update or remove it.") from error
+        alone = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None)
+        alone.command(cmd_name, cls=StrictCommand)(function)
+        return typer.main.get_command(alone)
