@@ -16,13 +16,14 @@ from polhode.formats.aem_reading import read_aem
 from polhode.formats.csv_table import write_csv
 from polhode.formats.dataset import write_dataset
 from polhode.formats.dataset_reading import read_dataset
+from polhode.formats.form import Kernels
 from polhode.formats.labels import AttitudeLabels
 from polhode.formats.spice import write_ck
 from polhode.formats.spice_reading import read_ck
 from polhode.kinds.base import AbstractKind
 from polhode.kinds.reading import read_spec
 from polhode.kinds.registry import find_kind
-from polhode.studies.sources import Kernels, source_of
+from polhode.studies.sources import source_of
 from sweeping import first
 
 EXACT = 1e-12  # rad and relative

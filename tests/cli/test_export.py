@@ -7,8 +7,8 @@ import pytest
 from pygltflib import GLTF2
 
 from polhode import formats, rotation
-from polhode.cli.export import FORMS
 from polhode.cli.main import main
+from polhode.formats.form_registry import written_forms
 from polhode.kinds.reading import read_spec
 
 DIGITS = 2e-15
@@ -99,7 +99,7 @@ def test_one_file_may_be_named(run, tmp_path):
 
 
 @pytest.mark.parametrize(("arguments", "words"), [
-    (("--to", "aen"), "must be one of netcdf, zarr, csv, aem, ck, gltf, urdf, cat, par; got 'aen'. Did you mean aem?"),
+    (("--to", "aen"), "must be one of aem, cat, ck, csv, gltf, netcdf, par, urdf, zarr; got 'aen'. Did you mean aem?"),
     (("--to", "NetCDF"), "got 'NetCDF'. Did you mean netcdf?"),
     (("--to", "aem", "--to", "csv", "--out", "one"), "--out names one file, and 2 forms"),
     (("--to", "csv", "--out", "missing/motion.csv"), "csv: missing/motion.csv: cannot be written"),
@@ -149,5 +149,5 @@ def test_help_names_every_form(capsys):
     with pytest.raises(SystemExit):
         main(["export", "--help"])
     shown = " ".join(capsys.readouterr().out.replace("│", " ").split())
-    assert ", ".join(list(FORMS)[:-1]) + f" or {list(FORMS)[-1]}" in shown
+    assert ", ".join(list(written_forms())[:-1]) + f" or {list(written_forms())[-1]}" in shown
     assert "default: named after the spec" in shown

@@ -29,6 +29,7 @@ from polhode.cli.source_options import (
     TimeColumn,
     TimeUnit,
 )
+from polhode.formats.form_registry import written_forms
 
 app = typer.Typer(
     name="polhode",
@@ -39,6 +40,14 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     rich_markup_mode=None,  # half of the time that `--help` would take
 )
+
+
+def _listed_forms() -> str:
+    """Return the names of the forms of files, for the help."""
+    *names, last = written_forms()
+    return f"{', '.join(names)} or {last}"
+
+
 SpecPath = Annotated[Path, typer.Argument(metavar="SPEC", help="TOML file: what body, how it spins, when.")]
 AsJson = Annotated[bool, typer.Option("--json", help="Print one JSON object (SI values) on standard output.")]
 BodySpec = Annotated[Path | None, typer.Option("--spec", metavar="SPEC", help="Whose body it is, for its moments.")]
@@ -228,8 +237,7 @@ def export(
     spec: SpecPath,
     to: Annotated[
         list[str],
-        typer.Option("--to", metavar="FORM",
-                     help="netcdf, zarr, csv, aem, ck, gltf, urdf, cat or par; may be repeated."),
+        typer.Option("--to", metavar="FORM", help=f"{_listed_forms()}; may be repeated."),
     ],
     out: Annotated[
         Path | None,
@@ -274,7 +282,7 @@ def import_(
     """
     from polhode.cli.columns import ColumnOptions
     from polhode.cli.importing import run_import
-    from polhode.studies.sources import Kernels
+    from polhode.formats.form import Kernels
 
     columns = ColumnOptions(mapping, time, time_unit, quat, order, direction, euler, sequence, gyro, unit, decimal)
     run_import(file, json, out, spec, Kernels(sclk, fk, lsk, spice_id), columns)
@@ -315,7 +323,7 @@ def compare(
     """
     from polhode.cli.columns import ColumnOptions
     from polhode.cli.compare import run_compare
-    from polhode.studies.sources import Kernels
+    from polhode.formats.form import Kernels
 
     columns = ColumnOptions(mapping, time, time_unit, quat, order, direction, euler, sequence, gyro, unit, decimal)
     run_compare(a, b, json, out, spec, Kernels(sclk, fk, lsk, spice_id), columns, offset)

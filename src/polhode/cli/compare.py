@@ -6,9 +6,9 @@ from pathlib import Path
 
 from polhode.cli.columns import ColumnOptions, tables_to_compare
 from polhode.cli.publish import publish
+from polhode.formats.form import Kernels
 from polhode.studies.clocks import offset_of
 from polhode.studies.compare import compare_files
-from polhode.studies.sources import Kernels
 
 
 def run_compare(

@@ -13,6 +13,8 @@ from polhode.cli.columns import ColumnOptions, table_to_import
 from polhode.cli.destinations import check_spares
 from polhode.cli.publish import publish
 from polhode.errors import InvalidInput, one_line
+from polhode.formats.form import Kernels
+from polhode.formats.form_registry import forms
 from polhode.formats.labels import AttitudeLabels
 from polhode.formats.stamps import in_words
 from polhode.motion.frame import BodyFrame
@@ -21,7 +23,7 @@ from polhode.motion.trajectory import Trajectory
 from polhode.reports.answer import Answer, Group
 from polhode.reports.report import PlainReport
 from polhode.reports.wording import counted, drifts, rate
-from polhode.studies.sources import COUNTED_FROM, KINDS, KINDS_IN_WORDS, Kernels, begin_of, body_of, read_recorded
+from polhode.studies.sources import COUNTED_FROM, begin_of, body_of, kind_in_words, read_recorded
 from polhode.studies.tables import about_reading, notes_on_reading
 
 
@@ -34,10 +36,10 @@ def run_import(
     table = table_to_import(columns)
     kind, trajectory, labels = read_recorded(path, kernels, table)
     if table is not None and kind != "table":
-        why = f"is {KINDS_IN_WORDS[kind]}, and the options of columns are for tables"
+        why = f"is {kind_in_words(kind)}, and the options of columns are for tables"
         raise InvalidInput(f"{path}: {why}. Leave them out.")
-    if kind in ("dataset", "csv"):
-        raise InvalidInput(f"{path}: is {KINDS_IN_WORDS[kind]} of polhode's already; there is nothing to import.")
+    if kind in forms() and forms()[kind].is_own:
+        raise InvalidInput(f"{path}: is {kind_in_words(kind)} of polhode's already; there is nothing to import.")
     notes, groups = [], []
     if kind == "table":
         notes = notes_on_reading(trajectory, one_line(path.name))
@@ -55,7 +57,7 @@ def run_import(
     header = {"title": path.name if labels is None else labels.object_name}
     header |= {COUNTED_FROM: in_words(begin)} if begin else {}
     what = "sample" if trajectory.attitude is None else "attitude"
-    name = KINDS[kind]
+    name = kind_in_words(kind, article=False)
     summary = f"{name[0].upper()}{name[1:]} with {counted(len(trajectory.times), what)}."
     groups.append(Group("", [Answer("drift", trajectory.drift)]))
     report = PlainReport(str(path), name, summary, groups, notes, lambda out: write_dataset(trajectory, out, header))

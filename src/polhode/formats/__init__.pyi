@@ -1,5 +1,6 @@
 from .aem import write_aem as write_aem
 from .aem_reading import read_aem as read_aem
+from .attitude_checks import single_attitude as single_attitude
 from .column_mapping import ColumnMapping as ColumnMapping
 from .column_reading import read_columns as read_columns
 from .csv_table import read_csv as read_csv
@@ -8,6 +9,9 @@ from .dataset import as_dataset as as_dataset
 from .dataset import write_dataset as write_dataset
 from .dataset import write_zarr as write_zarr
 from .dataset_reading import read_dataset as read_dataset
+from .form import Content as Content
+from .form import Form as Form
+from .form import Kernels as Kernels
 from .gltf import write_gltf as write_gltf
 from .gyro_logs import ReadLog as ReadLog
 from .gyro_logs import read_gyro_log as read_gyro_log

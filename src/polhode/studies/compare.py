@@ -9,12 +9,13 @@ from pathlib import Path
 from polhode.analysis import comparison
 from polhode.analysis.mechanics import Mechanics
 from polhode.errors import InvalidInput, shown
+from polhode.formats.form import Kernels
 from polhode.formats.labels import plain as same_name
 from polhode.reports.answer import Group
 from polhode.studies.clocks import lay_side_by_side
 from polhode.studies.comparison_report import ComparisonReport
 from polhode.studies.naming import naming
-from polhode.studies.sources import KINDS_IN_WORDS, Kernels, Source, body_of, source_of
+from polhode.studies.sources import Source, body_of, kind_in_words, source_of
 from polhode.studies.tables import Table, about_reading, notes_on_reading
 
 History = comparison.Source | Path | str
@@ -108,7 +109,7 @@ def _check_used(a: Source, b: Source, tables: tuple[Table | None, Table | None])
     """
     for side, table in zip((a, b), tables, strict=True):
         if table is not None and table.only and side.kind != "table":
-            why = f"is {KINDS_IN_WORDS[side.kind]}, and a mapping is for tables"
+            why = f"is {kind_in_words(side.kind)}, and a mapping is for tables"
             raise InvalidInput(f"{side.history.name}: {why}. Leave its part of the mapping out.")
     if tables != (None, None) and "table" not in (a.kind, b.kind):
         why = "is a table, and the options of columns are for these"

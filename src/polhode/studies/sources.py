@@ -14,6 +14,8 @@ from polhode import rotation
 from polhode.analysis.comparison import AttitudeHistory, Mechanics
 from polhode.errors import FormatError, InvalidInput, one_line, shown
 from polhode.formats.attitude_checks import single_attitude
+from polhode.formats.form import Kernels
+from polhode.formats.form_registry import form_that_begins, forms
 from polhode.formats.labels import AttitudeLabels, Recording, labels_of
 from polhode.formats.opening import is_folder, open_file
 from polhode.formats.stamps import exact_number
@@ -25,25 +27,13 @@ from polhode.studies.naming import naming
 from polhode.studies.tables import Table, needs_mapping
 
 HEAD = 65536  # bytes in which a file shows what it is
-KINDS = {"spec": "spec", "dataset": "dataset", "csv": "CSV table", "table": "table", "aem": "AEM", "ck": "C-kernel"}
-KINDS_IN_WORDS = {kind: f"{'an' if name[0] == 'A' else 'a'} {name}" for kind, name in KINDS.items()}
-OWN_TABLE = (b"time [s]", b'"time [s]"')
+SPEC, TABLE = "spec", "table"  # kinds of files that are no form
 OWN_ATTITUDE = (b"time [s],q_w,q_x,q_y,q_z", b'"time [s]","q_w","q_x","q_y","q_z"')
 _OF_TOML = re.compile(r"\s*(\[|[\w.\"'-]+\s*=)")
 SAME_ATTITUDE = 1e-6  # rad; what seven digits of a quaternion leave between two samples of one time
 SAME_MOMENTUM = 1e-9  # of the largest; a rotor whose momentum is less changes no energy that is printed
 COUNTED_FROM = "counted_from"
 """Attribute of tables and datasets: the stamp that times count from [s]."""
-PICOSECOND = 1e-12  # s; epochs in an AEM are read to one
-
-
-class Kernels(NamedTuple):
-    """What goes with a C-kernel, each None for the one next to it."""
-
-    sclk: Path | None = None
-    fk: Path | None = None
-    lsk: Path | None = None
-    spice_id: int | None = None
 
 
 @dataclass(frozen=True)
@@ -51,7 +41,7 @@ class Source:
     """An attitude history and where it is from.
 
     Attributes:
-        kind: one of KINDS.
+        kind: name of its form, "spec" or "table".
         trajectory: along the body's given axes.
         history: the same, for comparisons.
         labels: names, frames and epoch; None where it tells no epoch.
@@ -80,8 +70,19 @@ def begin_of(path: Path, trajectory: Trajectory) -> Decimal:
         raise FormatError(f"{path}: {COUNTED_FROM} {error}; got {shown(told)}. Import the file again.") from None
 
 
+def kind_in_words(kind: str, article: bool = True) -> str:
+    """Return what people call a kind of file, like "an AEM".
+
+    >>> kind_in_words("aem"), kind_in_words("spec", article=False)
+    ('an AEM', 'spec')
+    """
+    found = forms().get(kind)
+    name = kind if found is None else found.title
+    return f"{'an' if name[0] == 'A' else 'a'} {name}" if article else name
+
+
 def kind_of(path: Path, table: Table | None = None) -> str:
-    """Return which of KINDS a file is, by what it begins with; what is none of the others may be a spec.
+    """Return which form a file has, by what it begins with; what has none may be a spec, or a table of another tool.
 
     Args:
         path: of the file.
@@ -92,18 +93,13 @@ def kind_of(path: Path, table: Table | None = None) -> str:
         FormatError: for what is none of them.
     """
     if is_folder(path):
-        return "dataset"
+        return "netcdf"  # a store, which is read as such a dataset
     with open_file(path, "spec or motion") as file:
         head = file.read(HEAD)
-    if head.startswith((b"DAF/CK", b"NAIF/DAF")):
-        return "ck"
-    if head.startswith(b"\x89HDF"):
-        return "dataset"
     begin = head.removeprefix(b"\xef\xbb\xbf")
-    if begin.startswith(OWN_TABLE) and not (table is not None and (table.only or not begin.startswith(OWN_ATTITUDE))):
-        return "csv"
-    if b"CCSDS_AEM_VERS" in head:
-        return "aem"
+    found = form_that_begins(begin)
+    if found is not None and not (found.name == "csv" and _is_told(begin, table)):
+        return found.name
     if b"<aem" in head or b"<ndm" in head:
         raise FormatError(f"{path}: is XML; AEMs are read as text of keyword = value. Convert it.")
     if head.startswith(b"PK\x03\x04"):
@@ -112,8 +108,13 @@ def kind_of(path: Path, table: Table | None = None) -> str:
         why = "is not a spec, a dataset of polhode's, an AEM or a C-kernel: it begins like none of them"
         raise FormatError(f"{path}: {why}; it may be broken. Check the file.")
     if path.suffix.lower() == ".toml":
-        return "spec"
-    return "table" if table is not None or _looks_like_table(path, head) else "spec"
+        return SPEC
+    return TABLE if table is not None or _looks_like_table(path, head) else SPEC
+
+
+def _is_told(begin: bytes, table: Table | None) -> bool:
+    """Whether a table of polhode's is to be read as the columns are told: where that is for it, or as it needs it."""
+    return table is not None and (table.only or not begin.startswith(OWN_ATTITUDE))
 
 
 def _looks_like_table(path: Path, head: bytes) -> bool:
@@ -138,33 +139,19 @@ def read_recorded(
         InvalidInput: for a spec, which holds none, for a table that nothing is said of, or as the readers do.
     """
     kind = kind_of(path, table) if kind is None else kind
-    if kind == "table":
+    if kind == TABLE:
         from polhode.formats.column_reading import read_columns
 
         if table is None:
             raise needs_mapping(path)
         return kind, read_columns(path, table.mapping), None
-    if kind == "aem":
-        from polhode.formats.aem_reading import read_aem
-
-        found = read_aem(path)
-        return kind, found, labels_of(found)
-    if kind == "ck":
-        from polhode.formats.spice_reading import read_ck
-
-        found = read_ck(path, sclk=kernels.sclk, fk=kernels.fk, lsk=kernels.lsk, spice_id=kernels.spice_id)
-        return kind, found, labels_of(found)
-    if kind == "csv":
-        from polhode.formats.csv_table import read_csv
-
-        return kind, read_csv(path), None
-    if kind == "dataset":
-        from polhode.formats.dataset_reading import read_dataset
-
-        found = read_dataset(path)
-        return kind, found, _told(labels_of(found))
-    raise InvalidInput(f"{path}: is no AEM, C-kernel, table or dataset, as it does not begin like one. Check the "
-                       "file.")
+    form = forms().get(kind)
+    if form is None or form.read is None:
+        raise InvalidInput(f"{path}: is no AEM, C-kernel, table or dataset, as it does not begin like one. Check the "
+                           "file.")  # fmt: skip
+    found = form.read(path, kernels)
+    labels = labels_of(found) if form.has_labels else None
+    return kind, found, _told(labels) if form.is_own else labels
 
 
 def source_of(path: Path, kernels: Kernels, table: Table | None = None, kind: str | None = None) -> Source:
@@ -175,15 +162,15 @@ def source_of(path: Path, kernels: Kernels, table: Table | None = None, kind: st
         NotConverged: for a spec whose motion could not be followed.
     """
     kind = kind_of(path, table) if kind is None else kind
-    if kind == "spec":
+    if kind == SPEC:
         return _from_spec(path)
     _, found, labels = read_recorded(path, kernels, table, kind)
-    if kind == "table" and found.attitude is None:
+    if kind == TABLE and found.attitude is None:
         raise InvalidInput(f"{path}: a comparison is of attitudes, and only --gyro is given. Name them by --quat or "
                            "--euler.")  # fmt: skip
     trajectory = found.along("given")
     history = replace(
-        _history(path, trajectory), resolution=0.5 * PICOSECOND if kind == "aem" else 0.0,
+        _history(path, trajectory), resolution=0.0 if kind == TABLE else forms()[kind].resolution,
         mechanics=_recorded_mechanics(trajectory, found.frame),
     )  # fmt: skip
     return Source(kind, trajectory, history, labels, None, begin_of(path, found))
@@ -224,8 +211,8 @@ def body_of(path: Path) -> SpecBody:
     Raises:
         InvalidInput: for another kind of file, and as reading the spec does.
     """
-    if (kind := kind_of(path)) != "spec":
-        why = f"is {KINDS_IN_WORDS[kind]}, and --spec wants a spec, whose [body] has the moments"
+    if (kind := kind_of(path)) != SPEC:
+        why = f"is {kind_in_words(kind)}, and --spec wants a spec, whose [body] has the moments"
         raise InvalidInput(f"{path}: {why}. Give a TOML file like those of `polhode report`.")
     spec = read_spec(path)
     with naming(path):

@@ -14,6 +14,8 @@ from polhode.estimation.attitude_fit import fit_attitude
 from polhode.estimation.flight import SHORTEST, Flights, Window, find_flights
 from polhode.estimation.saturation import saturation
 from polhode.estimation.throw import ThrowFit, fit_throw
+from polhode.formats.form import Kernels
+from polhode.formats.form_registry import forms
 from polhode.formats.gyro_logs import ReadLog, read_gyro_log
 from polhode.formats.log_archives import is_archive
 from polhode.formats.numerals import read_number
@@ -23,11 +25,10 @@ from polhode.studies.attitude_report import AttitudeReport
 from polhode.studies.left_out import left_out_words
 from polhode.studies.naming import Called
 from polhode.studies.scale import read_scale
-from polhode.studies.sources import Kernels, kind_of, source_of
+from polhode.studies.sources import kind_of, source_of
 from polhode.studies.tables import Table
 from polhode.studies.throw_report import ThrowReport
 
-ATTITUDES = ("aem", "ck", "dataset", "csv")  # kinds of files that hold attitudes
 Progress = Callable[[Path], Callable[[int], None] | None]
 """Returns what is told how many lines of a file are read."""
 
@@ -87,7 +88,7 @@ def _attitude_kind(path: Path, table: Table | None) -> str | None:
     if not path.is_file() or is_archive(path):
         return None
     kind = kind_of(path, table)
-    return kind if kind in ATTITUDES else None
+    return kind if kind in forms() else None
 
 
 def _fit_attitudes(path: Path, kind: str, options: ThrowOptions, called: Called) -> AttitudeReport:

@@ -1,0 +1,117 @@
+"""What a form of file is: how it is known, read and written. Each stands in a file of ``formats/forms``."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
+
+from polhode.errors import InvalidInput
+
+if TYPE_CHECKING:
+    from polhode.bodies.body import Body
+    from polhode.bodies.surface import Surface
+    from polhode.formats.labels import AttitudeLabels
+    from polhode.motion.trajectory import Trajectory
+    from polhode.quantum.rotor import Levels, Rotor
+    from polhode.quantum.strengths import Lines
+
+
+class Kernels(NamedTuple):
+    """What goes with a C-kernel, each None for the one next to it."""
+
+    sclk: Path | None = None
+    fk: Path | None = None
+    lsk: Path | None = None
+    spice_id: int | None = None
+
+
+class Molecule(NamedTuple):
+    """A molecule as a quantum rotor, and what is asked about it; lines are None without a dipole."""
+
+    rotor: Rotor
+    temperature: float
+    levels: Callable[[], Levels]
+    lines: Callable[[], Lines | None]
+
+
+@dataclass(frozen=True)
+class Content:
+    """What there is to write.
+
+    Attributes:
+        name: of what moves.
+        labels: what attitude files say of it.
+        samples: its motion; None of what does not move.
+        part: that part of the motion that is worth watching; None likewise.
+        body: its mass properties, or None.
+        surface: returns what it looks like, in the given axes, or None.
+        molecule: returns it as a quantum rotor, or raises InvalidInput.
+    """
+
+    name: str
+    labels: AttitudeLabels
+    samples: Trajectory | None = None
+    part: Trajectory | None = None
+    body: Body | None = None
+    surface: Callable[[], Surface | None] = field(default=lambda: None)
+    molecule: Callable[[], Molecule] | None = None
+
+    @property
+    def trajectory(self) -> Trajectory:
+        """The motion.
+
+        Raises:
+            InvalidInput: for what does not move.
+        """
+        if self.samples is None:
+            raise InvalidInput(f"{self.name} has no motion to write. Choose a form for what does not move.")
+        return self.samples
+
+    def rotor(self) -> Molecule:
+        """Return the quantum rotor.
+
+        Raises:
+            InvalidInput: for what is none.
+        """
+        if self.molecule is None:
+            raise InvalidInput(f"{self.name} is no molecule with constants. Choose another form.")
+        return self.molecule()
+
+
+@dataclass(frozen=True)
+class Form:
+    """A form of file, which a module of ``formats/forms``, or an entry point of another package, offers as ``FORM``.
+
+    Importing such a module must be cheap: its functions import what they need.
+
+    Attributes:
+        name: as ``--to`` takes it.
+        title: as people call it: "AEM", "C-kernel".
+        ending: of the file's name.
+        holds: what is in it, and with how many digits.
+        write: writes the file and returns its path; None for a form that is only read.
+        read: returns the trajectory in a file; None for a form that is only written.
+        begins: whether a file that begins with these bytes is one; None for a form that is not read.
+        of_motion: whether it needs a motion.
+        sampled: whether it holds the samples of the report.
+        of_attitudes: whether readers interpolate its attitudes, so that a body must not turn far between samples.
+        is_own: whether polhode alone writes such files, so that there is nothing to import.
+        has_labels: whether it tells objects, frames and epochs.
+        resolution: of its times [s].
+    """
+
+    name: str
+    title: str
+    ending: str
+    holds: str = ""
+    write: Callable[[Content, Path], Path] | None = None
+    read: Callable[[Path, Kernels], Trajectory] | None = None
+    begins: Callable[[bytes], bool] | None = None
+    of_motion: bool = True
+    sampled: bool = True
+    of_attitudes: bool = False
+    is_own: bool = False
+    has_labels: bool = False
+    resolution: float = 0.0

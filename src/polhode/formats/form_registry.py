@@ -1,0 +1,62 @@
+"""Which forms of files there are: the modules of ``formats/forms``, and those of other packages."""
+
+from __future__ import annotations
+
+import contextlib
+import pkgutil
+from functools import cache
+from importlib import import_module
+from importlib.metadata import entry_points
+from pathlib import Path
+from typing import Any
+
+from polhode.errors import InvalidInput
+from polhode.formats.form import Form
+
+GROUP = "polhode.formats"
+HOME = Path(__file__).parent / "forms"
+
+
+@cache
+def forms() -> dict[str, Form]:
+    """Return all forms by name, those of other packages last; those that cannot be imported are left out."""
+    own = [import_module(f"polhode.formats.forms.{found.name}").FORM for found in pkgutil.iter_modules([str(HOME)])]
+    found: dict[str, Form] = {form.name: form for form in own}
+    for point in entry_points(group=GROUP):
+        with contextlib.suppress(InvalidInput):
+            form = _loaded(point)
+            found.setdefault(form.name, form)
+    return found
+
+
+def _loaded(point: Any) -> Form:
+    """Return the form of an entry point, of the class of ``importlib_metadata`` where that has been imported."""
+    try:
+        form = point.load()
+    except Exception as error:
+        why = f"the form {point.name} of another package, {point.value}, cannot be imported: {error}"
+        raise InvalidInput(f"{why}. Update or remove it.") from error
+    if not isinstance(form, Form):
+        raise InvalidInput(f"the form {point.name} of another package, {point.value}, is no Form. Update it.")
+    return form
+
+
+def check_importable(name: str) -> None:
+    """Say why a form of another package is not there.
+
+    Raises:
+        InvalidInput: where an entry point of this name cannot be imported, or names no form.
+    """
+    for point in entry_points(group=GROUP):
+        if point.name == name:
+            _loaded(point)
+
+
+def written_forms() -> dict[str, Form]:
+    """Return those that can be written, by name."""
+    return {name: form for name, form in forms().items() if form.write is not None}
+
+
+def form_that_begins(head: bytes) -> Form | None:
+    """Return the form of a file by the bytes that it begins with; None for none of them."""
+    return next((form for form in forms().values() if form.begins is not None and form.begins(head)), None)

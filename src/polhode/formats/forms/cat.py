@@ -1,0 +1,25 @@
+"""Catalogues of lines, as SPCAT writes them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from polhode.errors import InvalidInput
+from polhode.formats.form import Content, Form
+
+
+def write(content: Content, path: Path) -> Path:
+    """Write a molecule's lines."""
+    from polhode.formats.spcat import catalogue_of, write_cat
+
+    found = content.rotor()
+    lines = found.lines()
+    if lines is None:
+        raise InvalidInput("there is no dipole, and no lines without one. Give it, like "
+                           'dipole = ["0 D", "1.857 D", "0 D"].')  # fmt: skip
+    write_cat(catalogue_of(lines, degrees=2 if found.rotor.is_linear else 3), path)
+    return path
+
+
+FORM = Form("cat", "line catalogue", ".cat", "rotational lines of a molecule; frequencies to 100 Hz", write,
+            of_motion=False, sampled=False)  # fmt: skip

@@ -1,0 +1,100 @@
+"""Forms of files register themselves, those of other packages too."""
+
+import re
+from importlib.metadata import EntryPoint
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import polhode as ph
+import polhode.cli.commands  # whose help lists the forms that are there now
+from polhode.cli.main import main
+from polhode.errors import FormatError
+from polhode.formats import form_registry
+from polhode.studies.sources import kind_of
+
+PLUGIN = Path(__file__).parents[1] / "plugin"
+SPEC = """[body]
+moments = ["1 kg*m^2", "2 kg*m^2", "3 kg*m^2"]
+[spin]
+angular_velocity = ["0.1 rad/s", "1 rad/s", "0 rad/s"]
+[time]
+until = "3 s"
+samples = 31
+"""
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.syspath_prepend(str(PLUGIN))
+    form_registry.forms.cache_clear()
+    (tmp_path / "box.toml").write_text(SPEC)
+    yield tmp_path
+    form_registry.forms.cache_clear()
+
+
+def run(capsys, *arguments):
+    with pytest.raises(SystemExit) as end:
+        main([*map(str, arguments)])
+    out, err = capsys.readouterr()
+    return end.value.code or 0, out, err
+
+
+def test_it_is_exported_imported_compared_and_fitted(folder, capsys):
+    code, out, _ = run(capsys, "export", "box.toml", "--to", "qlog")
+    assert code == 0 and "box.qlog: 31 samples, attitudes of the given axes; every digit" in out
+    assert kind_of(folder / "box.qlog") == "qlog"
+    wanted = ph.report("box.toml").trajectory
+    rows = [[float(word) for word in line.split()] for line in (folder / "box.qlog").read_text().splitlines()[1:]]
+    assert np.array_equal(np.array(rows)[:, 1:], wanted.attitude)
+    code, out, _ = run(capsys, "import", "box.qlog")
+    assert code == 0 and "QLOG with 31 attitudes" in out and (folder / "box_imported.nc").is_file()
+    assert ph.compare("box.toml", "box.qlog").comparison.largest < 1e-12
+    assert ph.fit("box.qlog").kind == "attitude fit"
+
+
+def test_mistakes_name_what_is_wrong(folder, capsys, monkeypatch):
+    code, _, err = run(capsys, "export", "box.toml", "--to", "qlg")
+    assert code == 2 and "qlog" in err and "Did you mean" in err
+    points = [EntryPoint("odd", "nowhere:FORM", form_registry.GROUP), EntryPoint("no", "math:pi", form_registry.GROUP)]
+    monkeypatch.setattr(form_registry, "entry_points", lambda group: points)
+    form_registry.forms.cache_clear()
+    assert set(form_registry.forms()) >= {"aem", "netcdf"} and "odd" not in form_registry.forms()
+    code, _, err = run(capsys, "export", "box.toml", "--to", "odd")
+    assert code == 2 and "the form odd of another package, nowhere:FORM, cannot be imported" in err
+    code, _, err = run(capsys, "export", "box.toml", "--to", "no")
+    assert code == 2 and "the form no of another package, math:pi, is no Form" in err
+
+
+def test_each_has_what_it_needs():
+    for name, form in form_registry.forms().items():
+        assert form.name == name and form.ending.startswith(".") and form.title
+        assert form.write or form.read
+        assert (form.read is None) == (form.begins is None)
+        assert form.holds if form.write else True
+
+
+def test_no_form_takes_the_file_of_another(folder):
+    """One file of each form that is read is known as that, whatever the order in which forms are asked."""
+    spec = ph.read_spec("box.toml")
+    report = spec.report()
+    from polhode.cli.export import content_of
+
+    content = content_of(spec, report)
+    for name in ("netcdf", "csv", "aem", "qlog"):
+        form = form_registry.forms()[name]
+        path = form.write(content, folder / f"one{form.ending}")
+        head = path.read_bytes()[:65536]
+        assert [other.name for other in form_registry.forms().values() if other.begins and other.begins(head)] == [name]
+    (folder / "zeros.bin").write_bytes(bytes(100))
+    with pytest.raises(FormatError, match="begins like none of them"):
+        kind_of(folder / "zeros.bin")
+
+
+def test_the_table_in_the_documents_has_every_form():
+    text = (Path(__file__).parents[2] / "docs" / "files.md").read_text("utf-8")
+    rows = re.findall(r"^\| `(\w+)` \| `([^`]+)`", text, re.MULTILINE)
+    own = {(form.name, form.ending) for form in form_registry.forms().values() if form.write and form.name != "qlog"}
+    assert set(rows) == own
