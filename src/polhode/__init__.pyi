@@ -73,6 +73,7 @@ from .exact.lagrange_top import LagrangeMotion as LagrangeMotion
 from .formats.dataset import as_dataset as as_dataset
 from .kinds.page import show as show
 from .kinds.page import write_page as write_page
+from .kinds.plotting import plot as plot
 from .kinds.reading import read_spec as read_spec
 from .kinds.reading import report as report
 from .motion.frame import BodyFrame as BodyFrame

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from importlib import resources
+from importlib import import_module, resources
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, Generic, NamedTuple, TypeVar
 
@@ -157,8 +157,8 @@ class AbstractKind(Generic[TableT]):
     reach: ClassVar[float] = REACH
 
     def __reduce__(self) -> tuple[Callable[[str], AbstractKind], tuple[str]]:
-        """Pickle a kind by its name: there is one object of each."""
-        return _kind_called, (self.name,)
+        """Pickle a kind by its module: there is one object of each."""
+        return _kind_in, (type(self).__module__,)
 
     @property
     def example(self) -> str:
@@ -308,12 +308,8 @@ class AbstractKind(Generic[TableT]):
         return None if spec.source is None else surface_of_body(spec.source, spec.folder)
 
 
-def _kind_called(name: str) -> AbstractKind:
-    from polhode.kinds import registry
-
-    found = registry.find_kind(name)
-    assert found is not None, f"there is no kind {name}"
-    return found
+def _kind_in(module: str) -> AbstractKind:
+    return import_module(module).KIND
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,7 @@ import abc
 import math
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, TypeVar
+from typing import Any, ClassVar, NamedTuple, TypeVar
 
 import numpy as np
 
@@ -14,6 +14,7 @@ from polhode import rotation
 from polhode.arrays import always, as_float64, compiled, is_jax, namespace, register_node
 from polhode.errors import InvalidInput
 from polhode.motion.axes import Turn, chosen_axes
+from polhode.motion.exact import ExactMotion
 from polhode.motion.inputs import (
     MOST_RADIANS,
     by_attributes,
@@ -28,12 +29,9 @@ from polhode.motion.inputs import (
     spin_of,
 )
 from polhode.motion.layout import ATTITUDE, MOMENTUM, Quantity, StateLayout
-from polhode.motion.plotting import Plotted
+from polhode.motion.trajectory import Trajectory
 from polhode.special.doubledouble import two_sum
 from polhode.types import Array, ArrayLike, Float64, Real
-
-if TYPE_CHECKING:
-    from polhode.motion.trajectory import Trajectory
 
 MOST_TIME = 1e300  # s, where a body at rest, or hardly turning, is too
 PLAIN = (float, int, np.float64)  # numbers that are one time
@@ -61,7 +59,7 @@ def _elapsed(t: Array, epoch: Array) -> tuple[Array, Array]:
 
 
 @dataclass(frozen=True, eq=False, init=False)
-class AbstractMotion(Plotted, abc.ABC):
+class AbstractMotion(ExactMotion):
     """A motion of rigid bodies in closed form, at any time: no step, no drift.
 
     Subclasses are final, frozen, and pytrees of JAX where their arrays are JAX's. All vectors are along the body's axes
@@ -254,8 +252,6 @@ class AbstractMotion(Plotted, abc.ABC):
         Raises:
             InvalidInput: for times that are not finite, not one-dimensional, or none, and without times for a batch.
         """
-        from polhode.motion.trajectory import Trajectory  # a trajectory knows what an exact motion is
-
         if times is None:
             if self.batch_shape:
                 raise InvalidInput(

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -24,5 +23,6 @@ class Plotted:
         Raises:
             InvalidInput: for a batch of several bodies, or a trajectory without samples.
         """
-        # by name, since this is the one call against the flow of the rooms: pictures know motions, not motions pictures
-        return import_module("polhode.kinds.plotting").plot(self)
+        import polhode  # which hands in what draws, as pictures know motions and not motions pictures
+
+        return polhode.plot(self)

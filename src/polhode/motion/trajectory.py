@@ -3,19 +3,22 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
 from polhode.arrays import namespace
 from polhode.errors import InvalidInput
 from polhode.motion.axes import Turn, chosen_axes
-from polhode.motion.base import AbstractMotion
+from polhode.motion.exact import ExactMotion
 from polhode.motion.frame import BodyFrame
 from polhode.motion.layout import Quantity, StateLayout
 from polhode.motion.outcome import Ends, Outcome
 from polhode.motion.plotting import Plotted
 from polhode.types import Array, ArrayLike, ArrayOrFloat, Double, Float64, Integer, Real
+
+if TYPE_CHECKING:
+    from polhode.motion.base import AbstractMotion
 
 NAMES = 17  # columns of the names of what there is, and more where one is longer
 _SAMPLED = ("states", "attitude", "momentum", "angular_velocity")
@@ -92,7 +95,7 @@ class Trajectory(Plotted):
     @property
     def motion(self) -> AbstractMotion | None:
         """The exact motion that the samples are of, which gives the motion between them; None where there is none."""
-        return self.source if isinstance(self.source, AbstractMotion) else None
+        return cast("AbstractMotion", self.source) if isinstance(self.source, ExactMotion) else None
 
     def quantity(self, name: str) -> Quantity:
         """Return the unit and meaning of an invariant or balance; without a unit where none is known."""

@@ -206,3 +206,17 @@ def distinct(values: Any, unit: str = "") -> str:
 def drifts(values: dict[str, Any]) -> str:
     """Return drifts by name, the largest where each copy has its own."""
     return ", ".join(f"{KEPT.get(name, name.replace('_', ' '))} {float(np.max(x)):.1e}" for name, x in values.items())
+
+
+def order_words(m: int, n: int) -> str:
+    """Return a frequency of a tumbler, m/P_φ + n/P_ψ, as people write it.
+
+    >>> order_words(2, -2), order_words(1, 0), order_words(0, 2), order_words(-1, 3)
+    ('2/P_φ − 2/P_ψ', '1/P_φ', '2/P_ψ', '3/P_ψ − 1/P_φ')
+    """
+    parts = [(m, "P_φ"), (n, "P_ψ")]
+    if m < 0:
+        parts.reverse()
+    parts = [(k, name) for k, name in parts if k]
+    words = f"{'−' if parts[0][0] < 0 else ''}{abs(parts[0][0])}/{parts[0][1]}"
+    return words + "".join(f" {'−' if k < 0 else '+'} {abs(k)}/{name}" for k, name in parts[1:])

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 from matplotlib.figure import Figure
 
@@ -10,9 +12,11 @@ from polhode.estimation.tumbling import Tumbling
 from polhode.figures import style
 from polhode.figures.energy_levels import label_axes
 from polhode.figures.sphere import draw_curve, draw_disk, view_frame
-from polhode.reports.wording import LONG
-from polhode.studies.tumble_report import LightCurve, TumbleReport, order_words
+from polhode.reports.wording import LONG, order_words
 from polhode.types import Array
+
+if TYPE_CHECKING:
+    from polhode.studies.tumble_report import LightCurve, TumbleReport
 
 VIEW = (0.80, 0.46, 0.38)
 NAMED = 6  # lines that have their names in the figure

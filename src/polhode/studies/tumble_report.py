@@ -17,7 +17,7 @@ from polhode.estimation.tumbling import Tumbling
 from polhode.formats.paths import written_whole
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.report import StudyReport
-from polhode.reports.wording import angle, duration, in_its_unit, uncertain
+from polhode.reports.wording import angle, duration, in_its_unit, order_words, uncertain
 from polhode.types import Array, Float64
 
 if TYPE_CHECKING:
@@ -238,20 +238,6 @@ def _light(found: TumbleReport) -> list[Group | Table]:
             "amplitude": lambda row: f"{row['amplitude']:.4f} mag",
         }, rows, {"frequency": "1/s", "amplitude": "mag"}),
     ]  # fmt: skip
-
-
-def order_words(m: int, n: int) -> str:
-    """Return a frequency as a sum of the two.
-
-    >>> order_words(2, -2), order_words(1, 0), order_words(0, 2), order_words(-1, 3)
-    ('2/P_φ − 2/P_ψ', '1/P_φ', '2/P_ψ', '3/P_ψ − 1/P_φ')
-    """
-    parts = [(m, "P_φ"), (n, "P_ψ")]
-    if m < 0:
-        parts.reverse()
-    parts = [(k, name) for k, name in parts if k]
-    words = f"{'−' if parts[0][0] < 0 else ''}{abs(parts[0][0])}/{parts[0][1]}"
-    return words + "".join(f" {'−' if k < 0 else '+'} {abs(k)}/{name}" for k, name in parts[1:])
 
 
 def _or_none(value: float) -> float | None:

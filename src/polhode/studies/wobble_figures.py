@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 
 from polhode.figures import style
-from polhode.studies.wobble_report import DAY, MAS, YEAR, WobbleReport
+from polhode.studies.wobble_units import DAY, MAS, YEAR
+
+if TYPE_CHECKING:
+    from polhode.studies.wobble_report import WobbleReport
 
 FIRST_YEAR = 1858.8761  # of modified Julian dates
 MOST = 2.3  # cycles a year that the spectrum shows

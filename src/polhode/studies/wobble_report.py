@@ -20,12 +20,11 @@ from polhode.formats.polar_motion import PoleSeries, date_of
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.report import StudyReport
 from polhode.reports.wording import uncertain
+from polhode.studies.wobble_units import DAY, MAS, YEAR
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-DAY, YEAR = 86_400.0, 365.25 * 86_400.0
-MAS = math.pi / 648_000_000.0  # rad
 ROWS = 3.0 * YEAR  # between the windows that the text shows
 STRAIGHT = 0.01  # of energy that may be retrograde, as the Earth's wobble is a circle but for a thousandth
 AT_ODDS = 2.0  # standard errors between two estimates of the period

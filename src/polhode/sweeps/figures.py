@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.figure import Figure
 
 from polhode.figures import style
-from polhode.sweeps.answers import SweepReport
 from polhode.sweeps.distributions import Grid
 from polhode.sweeps.evaluation import DONE, LOST, REFUSED, STATUS, Column
 from polhode.sweeps.summary import Numbers
+
+if TYPE_CHECKING:
+    from polhode.sweeps.answers import SweepReport
 
 DRAWN = 200_000  # samples of a histogram, evenly chosen
 DOTS = 6_000  # of a map; more would only blur

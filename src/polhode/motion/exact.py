@@ -1,0 +1,24 @@
+"""What samples know of the exact motion that they are of."""
+
+from __future__ import annotations
+
+import abc
+from typing import TYPE_CHECKING
+
+from polhode.motion.plotting import Plotted
+from polhode.types import Array, ArrayLike, Float64, Real
+
+if TYPE_CHECKING:
+    from polhode.motion.trajectory import Trajectory
+
+
+class ExactMotion(Plotted, abc.ABC):
+    """A motion that is known at any time."""
+
+    @abc.abstractmethod
+    def sample(self, times: Real[ArrayLike, "time"] | None = None) -> Trajectory:
+        """Return the motion at times (T,) [s]."""
+
+    @abc.abstractmethod
+    def _standing(self, axes: Float64[Array, "3 3"] | None) -> ExactMotion:
+        """Return the same motion along axes that the principal ones are the columns of ``axes`` in."""
