@@ -9,6 +9,7 @@ from estimation.thrown import BODIES, SPINS, TROUBLES, euler, throw
 from polhode import estimation
 from polhode.errors import InvalidInput
 from polhode.estimation import Window, clean_log, fit_throw
+from polhode.estimation.flight import Flights
 from polhode.estimation.principal import why_undetermined
 from polhode.estimation.throw_fit import Model, Throw, fitted
 from polhode.estimation.throw_models import forced_rates, free_rates
@@ -126,7 +127,7 @@ def test_saturated_samples_and_outliers():
     fit = fit_throw(clean_log(log.times, rates), WHOLE, drag=False, gain=False)
     assert fit.clip == 8.0
     read = [ReadLog(clean_log(log.times, rates), "a mapping", "rad/s", None, ())]
-    report = ThrowReport(fit, ["log"], read, [], None)
+    report = ThrowReport(fit, ["log"], read, [Flights([], [])], None)
     [said] = [answer.words for group in report.answers if isinstance(group, Group)
               for answer in group.answers if answer.name == "clip"]  # fmt: skip
     assert said == "458.366 deg/s (8 rad/s)" and said in report.notes[0]

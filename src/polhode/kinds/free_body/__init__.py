@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING, ClassVar
 from polhode.kinds.base import AbstractKind
 from polhode.kinds.free_body.table import FreeBodyTable
 from polhode.spec.models import SystemTable
+from polhode.types import Array, Float64
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from polhode.kinds.base import Ensemble, Figures, ManySpecs, Overview, Spec
     from polhode.kinds.free_body.answers import FreeBodyReport
-    from polhode.types import Array, Float64
 
 
 class FreeBody(AbstractKind[FreeBodyTable]):

@@ -10,13 +10,13 @@ from polhode.kinds.base import AbstractKind
 from polhode.kinds.lagrange_top.table import LagrangeTopTable
 from polhode.spec.models import SystemTable
 from polhode.spec.rules import Mistake
+from polhode.types import Array, Float64
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from polhode.kinds.base import Ensemble, Figures, ManySpecs, Overview, Spec, SpecMotion
     from polhode.kinds.lagrange_top.answers import LagrangeTopReport
-    from polhode.types import Array, Float64
 
 
 class LagrangeTopKind(AbstractKind[LagrangeTopTable]):
