@@ -140,7 +140,7 @@ class AbstractKind(Generic[TableT]):
         figure_names: of the files of ``figures``, which a later report may remove.
         subject: what moves, in a word, where other kinds may move the same in another way.
         in_closed_form: whether the motion is known exactly at any time, without steps.
-        has_motion: whether something moves in time, so that its report is an ``MotionReport``.
+        has_motion: whether something moves in time, so that its report is a ``MotionReport``.
         has_attitude: whether the motion is that of a body that turns in space.
         is_default: whether a spec without [system] means this kind; of the kinds here one does.
         reach: the largest size, in SI, that its spec may give to a number, and one over the smallest.

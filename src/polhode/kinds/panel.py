@@ -35,7 +35,7 @@ class KindPanel:
         return {}
 
     def model(self, trajectory: Trajectory) -> dict[str, Any] | None:
-        """Return a solver of the page with its numbers, with which the page goes on with the motion; None of no one."""
+        """Return the page's own solver for this motion and its numbers; None where the page shows the samples alone."""
         return None
 
     def scatters(self, report: Any) -> tuple[dict[str, Any], ...]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -36,6 +37,11 @@ class Turn(NamedTuple):
         """The turn back, which leaves an attitude with the sign that it had."""
         return Turn(self.matrix.T, rotation.conjugate(self.quaternion))
 
+    def plain(self) -> PlainTurn:
+        """Return the same turn for single numbers."""
+        rows = tuple(tuple(row) for row in np.asarray(self.matrix).tolist())
+        return PlainTurn(tuple(np.asarray(self.quaternion).tolist()), rows)
+
     def then(self, other: Turn) -> Turn:
         """Return this turn and another after it."""
         return Turn(self.matrix @ other.matrix, rotation.multiply(self.quaternion, other.quaternion))
@@ -51,6 +57,22 @@ class Turn(NamedTuple):
         """
         rows = namespace(vector, self.matrix).asarray(self.matrix)
         return vector[..., 0:1] * rows[0] + vector[..., 1:2] * rows[1] + vector[..., 2:3] * rows[2]
+
+
+class PlainTurn(NamedTuple):
+    """A turn of single numbers, with the bits of the same turn of arrays, without what arrays cost."""
+
+    quaternion: tuple[float, ...]
+    rows: tuple[tuple[float, ...], ...]
+
+    def attitude(self, attitude: Sequence[float]) -> tuple[float, ...]:
+        """Return an attitude, four numbers, of the other axes."""
+        return rotation.product_of_parts(attitude, self.quaternion)
+
+    def vector(self, vector: Sequence[float]) -> tuple[float, ...]:
+        """Return the components of a vector along the other axes."""
+        (x, y, z), (first, second, third) = vector, self.rows
+        return tuple(x * a + y * b + z * c for a, b, c in zip(first, second, third, strict=True))
 
 
 def chosen_axes(

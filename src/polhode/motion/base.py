@@ -13,7 +13,7 @@ import numpy as np
 from polhode import rotation
 from polhode.arrays import always, as_float64, compiled, is_jax, namespace, register_node
 from polhode.errors import InvalidInput
-from polhode.motion.axes import Turn, chosen_axes
+from polhode.motion.axes import PlainTurn, Turn, chosen_axes
 from polhode.motion.exact import ExactMotion
 from polhode.motion.inputs import (
     MOST_RADIANS,
@@ -44,6 +44,7 @@ class _Alone(NamedTuple):
     column: tuple[float, ...]
     epoch: float
     fastest: float
+    turn: PlainTurn | None
 
     def holds(self, t: float) -> bool:
         """Return whether a time is within the range of phases; other times are refused where arrays of them are."""
@@ -156,7 +157,8 @@ class AbstractMotion(ExactMotion):
         """What the states of one body, of plain numbers, are made of; None of other motions."""
         if self.batch_shape or not isinstance(self.moments, np.ndarray):
             return None
-        return _Alone(tuple(self._columns.tolist()), float(self.epoch), float(self._fastest()))
+        turn = None if self.axes is None else self._from_principal.plain()
+        return _Alone(tuple(self._columns.tolist()), float(self.epoch), float(self._fastest()), turn)
 
     @abc.abstractmethod
     def _columns_of(self) -> Any:
@@ -213,14 +215,21 @@ class AbstractMotion(ExactMotion):
         Raises:
             InvalidInput: for times that are not finite.
         """
-        return self._turned(*self._principal_state(t))
+        if (numbers := self._numbers_at(t)) is None:
+            return self._turned(*self._principal_state(t))
+        turn = self._alone.turn  # type: ignore[union-attr]
+        found = np.array(numbers if turn is None else (*turn.attitude(numbers[:4]), *turn.vector(numbers[4:])))
+        return found[:4], found[4:]
+
+    def _numbers_at(self, t: Any) -> tuple[float, ...] | None:
+        """Return attitude and momentum along the principal axes at one time; None where arrays are needed."""
+        if type(t) not in PLAIN or (one := self._alone) is None or not one.holds(t):
+            return None
+        numbers = self._state_of(one.column, *two_sum(float(t), -one.epoch))
+        return numbers if math.isfinite(numbers[0]) else None
 
     def _principal_state(self, t: Real[ArrayLike, "..."]) -> tuple[Array, Array]:
         """Return attitude (…, 4) and momentum (…, 3) along the principal axes."""
-        if type(t) in PLAIN and (one := self._alone) is not None and one.holds(t):
-            found = np.array(self._state_of(one.column, *two_sum(float(t), -one.epoch)))
-            if math.isfinite(found[0]):
-                return found[:4], found[4:]
         xp = namespace(t, self.moments)
         t = checked_times(xp, t, self.batch_shape)
         attitude, momentum = self._closed_form(*compiled(_elapsed, t if is_jax(t) else self.epoch)(t, self.epoch))
@@ -237,8 +246,13 @@ class AbstractMotion(ExactMotion):
 
     def angular_velocity(self, t: Real[ArrayLike, "..."]) -> Float64[Array, "... 3"]:
         """Return the angular velocity (…, 3) [rad/s, body axes]."""
-        velocity = self._principal_state(t)[1] / self.moments
-        return velocity if self.axes is None else self._from_principal.vector(velocity)
+        numbers = self._numbers_at(t)
+        velocity = (self._principal_state(t)[1] if numbers is None else np.array(numbers[4:])) / self.moments
+        if self.axes is None:
+            return velocity
+        if numbers is None:
+            return self._from_principal.vector(velocity)
+        return np.array(self._from_principal.plain().vector(velocity.tolist()))
 
     def rotation_matrix(self, t: Real[ArrayLike, "..."]) -> Float64[Array, "... 3 3"]:
         """Return the rotation matrix (…, 3, 3), body → space."""
