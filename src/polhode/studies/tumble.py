@@ -15,7 +15,8 @@ from polhode.formats.known_tumblers import KnownTumbler, known_tumbler
 from polhode.spec.reach import check_reach
 from polhode.spec.uncertain import Uncertain, uncertain
 from polhode.studies.naming import Called, in_python
-from polhode.studies.tumble_report import Damping, LightCurve, TumbleReport
+from polhode.studies.tumble_report import TumbleReport
+from polhode.studies.tumbler import Damping, LightCurve
 
 TURNS, SAMPLES = 12.0, 2400  # of the precession, that a light curve shows
 Axis = Literal["encircled", "long", "short"]

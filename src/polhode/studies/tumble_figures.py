@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -13,36 +13,34 @@ from polhode.figures import style
 from polhode.figures.energy_levels import label_axes
 from polhode.figures.sphere import draw_curve, draw_disk, view_frame
 from polhode.reports.wording import LONG, order_words
+from polhode.studies.tumbler import LightCurve
 from polhode.types import Array
-
-if TYPE_CHECKING:
-    from polhode.studies.tumble_report import LightCurve, TumbleReport
 
 VIEW = (0.80, 0.46, 0.38)
 NAMED = 6  # lines that have their names in the figure
 
 
-def polhode(found: TumbleReport) -> Figure:
+def polhode(body: str, motion: Tumbling, others: Sequence[Tumbling]) -> Figure:
     """Return the path of the angular momentum among the polhodes of the body."""
     figure = style.new_figure(height=style.COLUMN * 1.05)
     axes = figure.subplots()
     draw_disk(axes)
     frame = view_frame(VIEW)
-    moments = found.motion.moments
+    moments = motion.moments
     for curve in polhode_family(moments):
         draw_curve(axes, frame, curve, style.LIGHT, 0.5)
     for curve in separatrix(moments):
         draw_curve(axes, frame, curve, style.VERMILION, 0.8)
-    draw_curve(axes, frame, _path(found.motion), style.BLUE, 1.4)
-    for other in found.others:
+    draw_curve(axes, frame, _path(motion), style.BLUE, 1.4)
+    for other in others:
         draw_curve(axes, frame, _path(other), style.SKY, 0.9)
     label_axes(axes, frame)
-    named = [(style.BLUE, 1.4, f"{found.motion.mode} mode"), (style.VERMILION, 0.8, "separatrix")]
-    named += [(style.SKY, 0.9, f"{other.mode} mode") for other in found.others]
+    named = [(style.BLUE, 1.4, f"{motion.mode} mode"), (style.VERMILION, 0.8, "separatrix")]
+    named += [(style.SKY, 0.9, f"{other.mode} mode") for other in others]
     handles = [axes.plot([], [], color=colour, lw=width, label=words)[0] for colour, width, words in named]
     axes.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, -0.01), ncols=3, fontsize=style.FONT - 1,
                 frameon=False)  # fmt: skip
-    axes.set_title(f"{found.name}: angular momentum along the principal axes", fontsize=style.FONT, color=style.DARK)
+    axes.set_title(f"{body}: angular momentum along the principal axes", fontsize=style.FONT, color=style.DARK)
     return figure
 
 
@@ -52,6 +50,7 @@ def _path(motion: Tumbling) -> Array:
 
 
 def light_curve(light: LightCurve) -> Figure:
+    """Return the magnitude over time."""
     figure = style.new_figure(width=1.8 * style.COLUMN, height=0.7 * style.COLUMN)
     axes = figure.subplots()
     size, unit = next(((size, unit) for least, size, unit in LONG if light.times[-1] >= least), (1.0, "s"))
@@ -68,6 +67,7 @@ def light_curve(light: LightCurve) -> Figure:
 
 
 def spectrum(light: LightCurve, motion: Tumbling) -> Figure:
+    """Return the frequencies of the light curve, by their orders."""
     figure = style.new_figure(width=1.8 * style.COLUMN, height=0.8 * style.COLUMN)
     axes = figure.subplots()
     lines = light.lines

@@ -7,45 +7,23 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, ClassVar, NamedTuple
+from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
 
-from polhode.analysis.light_curves import LightCurveLines
 from polhode.errors import InvalidInput, shown
 from polhode.estimation.tumbling import Tumbling
 from polhode.formats.paths import written_whole
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.report import StudyReport
 from polhode.reports.wording import angle, duration, in_its_unit, order_words, uncertain
-from polhode.types import Array, Float64
+from polhode.studies.tumbler import Damping, LightCurve
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 CALM = {"short-axis": 3, "long-axis": 1}
 WORDS = {"short-axis": "short-axis mode (SAM)", "long-axis": "long-axis mode (LAM)"}
-
-
-class Damping(NamedTuple):
-    """Time of damping [s], and what was assumed: diameter [m], density [kg/m³], μQ [Pa], K₃²."""
-
-    time: float
-    diameter: float
-    density: float
-    rigidity: float
-    shape_factor: float
-
-
-class LightCurve(NamedTuple):
-    """A synthetic light curve: semi-axes over the longest, geometry [rad], its frequencies, and its range [mag]."""
-
-    semi_axes: Float64[Array, "3"]
-    aspect: float
-    phase: float
-    lines: LightCurveLines
-    times: Float64[Array, "time"]
-    magnitudes: Float64[Array, "time"]
 
 
 @dataclass(frozen=True)
@@ -105,7 +83,7 @@ class TumbleReport(StudyReport):
 
         lit = {} if self.light is None else {
             "light_curve": partial(light_curve, self.light), "spectrum": partial(spectrum, self.light, self.motion)}
-        return {"polhode": partial(polhode, self), **lit}
+        return {"polhode": partial(polhode, self.name, self.motion, self.others), **lit}
 
     def save(self, path: str | Path) -> Path:
         """Write the light curve as .csv, or a spec of the motion as .toml.

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 
+from polhode.estimation.polar_motion import ChandlerFit
+from polhode.estimation.wobble_process import ChandlerProcess
+from polhode.estimation.wobble_windows import ChandlerWindows, PoleSpectrum
 from polhode.figures import style
+from polhode.formats.polar_motion import PoleSeries
 from polhode.studies.wobble_units import DAY, MAS, YEAR
-
-if TYPE_CHECKING:
-    from polhode.studies.wobble_report import WobbleReport
 
 FIRST_YEAR = 1858.8761  # of modified Julian dates
 MOST = 2.3  # cycles a year that the spectrum shows
@@ -23,9 +24,8 @@ def _years(seconds: Any) -> Any:
     return FIRST_YEAR + np.asarray(seconds) / YEAR
 
 
-def spiral(found: WobbleReport) -> Figure:
+def spiral(series: PoleSeries, line: ChandlerFit) -> Figure:
     """Return the pole's path as seen from above the North Pole: 90° West, y, to the left, Greenwich, x, up."""
-    series = found.series
     x, y = series.x[::EACH] / MAS, series.y[::EACH] / MAS
     years = _years(series.days[::EACH] * DAY)
     figure = style.new_figure(width=style.COLUMN * 1.1)
@@ -33,9 +33,9 @@ def spiral(found: WobbleReport) -> Figure:
     points = np.stack([y, x], axis=1)
     lines = LineCollection(list(np.stack([points[:-1], points[1:]], axis=1)), array=years[:-1], cmap="viridis", lw=0.5)
     axes.add_collection(lines)
-    mean = complex(*found.line.terms.value[-4:-2])
-    drift = complex(*found.line.terms.value[-2:])
-    ends = mean + drift * (np.array([series.days[0], series.days[-1]]) * DAY - found.line.epoch)
+    mean = complex(*line.terms.value[-4:-2])
+    drift = complex(*line.terms.value[-2:])
+    ends = mean + drift * (np.array([series.days[0], series.days[-1]]) * DAY - line.epoch)
     axes.plot(-ends.imag / MAS, ends.real / MAS, color=style.VERMILION, lw=1.4, label="fitted drift")
     axes.plot(-ends.imag[1:] / MAS, ends.real[1:] / MAS, "o", color=style.VERMILION, ms=3)
     axes.set_aspect("equal")
@@ -51,8 +51,8 @@ def spiral(found: WobbleReport) -> Figure:
     return figure
 
 
-def over_time(found: WobbleReport) -> Figure:
-    windows, process = found.windows, found.process
+def over_time(windows: ChandlerWindows, process: ChandlerProcess, line: ChandlerFit) -> Figure:
+    """Return amplitude and phase of the wobble over time."""
     figure = style.new_figure(width=style.COLUMN * 1.3)
     above, below = figure.subplots(2, 1, sharex=True, height_ratios=(3, 2))
     years = _years(windows.centres)
@@ -69,7 +69,7 @@ def over_time(found: WobbleReport) -> Figure:
         axes.errorbar(_years(process.times), other / unit, spread / unit, fmt=".", ms=2.5, lw=0.6, color=style.ORANGE,
                       label="Gauss–Markov process")  # fmt: skip
         style.tidy(axes)
-    period, amplitude = found.line.estimate.value[:2]
+    period, amplitude = line.estimate.value[:2]
     above.axhline(amplitude / MAS, color=style.GREY, lw=0.8, ls="--", label="one line")
     above.set_ylim(0.0, None)
     above.set_ylabel("amplitude  [mas]")
@@ -81,9 +81,10 @@ def over_time(found: WobbleReport) -> Figure:
     return figure
 
 
-def spectrum(found: WobbleReport) -> Figure:
-    frequencies = found.spectrum.frequencies * YEAR
-    density = found.spectrum.density / MAS**2 / YEAR
+def spectrum(found: PoleSpectrum, line: ChandlerFit) -> Figure:
+    """Return the spectrum of both senses of turning."""
+    frequencies = found.frequencies * YEAR
+    density = found.density / MAS**2 / YEAR
     figure = style.new_figure(width=style.COLUMN * 1.3, height=2.8)
     axes = figure.add_subplot()
     for sign, colour, name in ((1.0, style.BLUE, "prograde"), (-1.0, style.ORANGE, "retrograde")):
@@ -91,7 +92,7 @@ def spectrum(found: WobbleReport) -> Figure:
         order = np.argsort(np.abs(frequencies[side]))
         axes.semilogy(np.abs(frequencies[side])[order], density[side][order], color=colour, lw=0.9, label=name)
     top = float(density[np.abs(frequencies) <= MOST].max())
-    chandler = YEAR / float(found.line.estimate.value[0])
+    chandler = YEAR / float(line.estimate.value[0])
     for place, name, to in ((chandler, "Chandler", "right"), (1.0, "annual", "left"), (2.0, "semiannual", "right")):
         axes.axvline(place, color=style.LIGHT, lw=0.8, zorder=0)
         axes.text(place + (0.02 if to == "left" else -0.02), 2.0 * top, name, fontsize=style.FONT - 1, ha=to,

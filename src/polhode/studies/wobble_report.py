@@ -90,8 +90,11 @@ class WobbleReport(StudyReport):
     def figures(self) -> Mapping[str, Callable[[], Figure | None]]:
         from polhode.studies.wobble_figures import over_time, spectrum, spiral
 
-        drawings = {"pole_spiral": spiral, "chandler_over_time": over_time, "pole_spectrum": spectrum}
-        return {name: partial(draw, self) for name, draw in drawings.items()}
+        return {
+            "pole_spiral": partial(spiral, self.series, self.line),
+            "chandler_over_time": partial(over_time, self.windows, self.process, self.line),
+            "pole_spectrum": partial(spectrum, self.spectrum, self.line),
+        }
 
     def save(self, path: str | Path) -> Path:
         from polhode.formats.wobble_dataset import write_wobble
