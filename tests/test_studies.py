@@ -1,6 +1,7 @@
 """Reports from Python: the numbers of the command, shown in a notebook, without files."""
 
 import json
+import shutil
 from pathlib import Path
 
 import jaxtyping
@@ -14,6 +15,7 @@ from polhode.reports.report import PlainReport
 from polhode.studies.tumble import Friction
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
+PHONE, WATER = EXAMPLES / "phone_throw.csv", EXAMPLES / "water_spectrum.toml"
 KEYS = {"name", "kind", "summary", "units", "notes"}
 
 
@@ -142,6 +144,85 @@ def test_levels_and_lines_are_those_of_the_commands(capsys, tmp_path):
         ph.spectrum(EXAMPLES / "water.xyz")
     with pytest.raises(InvalidInput, match="`dipole` must be three numbers in debye"):
         ph.spectrum(water, dipole=(1.0, 2.0))
+
+
+def test_nothing_is_saved_over_what_was_read(tmp_path):
+    for name in ("t_handle.toml", "t_handle.stl", "phone_throw.csv", "water.xyz"):
+        shutil.copy(EXAMPLES / name, tmp_path / name)
+    made = {
+        "t_handle.stl": ph.report(tmp_path / "t_handle.toml"), "phone_throw.csv": ph.fit(tmp_path / "phone_throw.csv"),
+        "water.xyz": ph.levels(tmp_path / "water.xyz", j_max=2),
+    }  # fmt: skip
+    for name, report in made.items():
+        with pytest.raises(InvalidInput, match=f"{name}: is the file that was read; writing would destroy it"):
+            report.save(tmp_path / name)
+        assert (tmp_path / name).read_bytes() == (EXAMPLES / name).read_bytes()
+        assert report.save(tmp_path / "new.nc").is_file() and len(repr(report)) < 500
+
+
+@pytest.mark.parametrize("wrong", [None, 3, "", ["a"]])
+def test_what_is_no_path_is_refused(wrong, monkeypatch):
+    monkeypatch.setattr(jaxtyping.config, "jaxtyping_disable", True)
+    found = ph.report(EXAMPLES / "t_handle.toml")
+    calls = [found.save, found.write, ph.fit, ph.levels, ph.spectrum, lambda path: ph.fit("a", weighted=[path])]
+    for call in calls:
+        with pytest.raises(InvalidInput, match="must be the path of a file or folder"):
+            call(wrong)
+    with pytest.raises(InvalidInput, match=r"must end in \.nc"):
+        found.save("motion.txt")
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda: ph.fit("a", windows=3), "`windows` must be a list"),
+        (lambda: ph.fit("a", moment=3), "`moment` must be a text"),
+        (lambda: ph.fit("a", columns=3), "`columns` must be words by name"),
+        (lambda: ph.fit(PHONE, PHONE), "phone_throw.csv: is given twice"),
+        (lambda: ph.tumble("apophis", moments=3), "`moments` must be three quantities"),
+        (lambda: ph.tumble("apophis", friction=3), "`friction` must be"),
+        (lambda: ph.tumble("apophis", aspect="60 deg"), "`aspect` must be a number of radians"),
+        (lambda: ph.wobble(start=3), "`start` must be a day"),
+        (lambda: ph.wobble(window="x"), "`window` must be a positive number"),
+        (lambda: ph.spectrum(WATER, most=-1), "`most` must be a whole number"),
+        (lambda: ph.spectrum(WATER, most=1.5), "`most` must be a whole number"),
+        (lambda: ph.spectrum(WATER, min_intensity="x"), "`min_intensity` must be a number"),
+        (lambda: ph.spectrum(WATER, dipole=3), "`dipole` must be three numbers"),
+        (lambda: ph.spectrum(WATER, temperature=float("nan")), "`temperature` must be a number; got nan"),
+        (lambda: ph.spectrum(WATER, temperature=[3]), "`temperature` must be a number, or a text with its unit"),
+        (lambda: ph.compare(WATER, WATER, offset=[1]), "`offset` must be a time"),
+        (lambda: ph.compare(WATER, WATER, offset="x"), "`offset` must be `start`"),
+    ],
+)
+def test_wrong_types_are_refused_by_name(call, words, monkeypatch):
+    monkeypatch.setattr(jaxtyping.config, "jaxtyping_disable", True)
+    with pytest.raises(InvalidInput, match=words):
+        call()
+
+
+def test_a_temperature_that_is_the_spec_s_changes_nothing():
+    assert ph.spectrum(WATER).json() == ph.spectrum(WATER, temperature=300.0).json()
+
+
+def test_histories_in_any_order_are_compared():
+    motion = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5))
+    rising, falling = motion.sample(np.linspace(0.0, 10.0, 101)), motion.sample(np.linspace(9.0, 1.0, 81))
+    mixed = motion.sample([0.0, 5.0, 2.0, 7.0])
+    for one, other in ((rising, falling), (falling, rising), (mixed, rising)):
+        assert ph.compare(one, other).comparison.largest < 1e-3
+    with pytest.raises(InvalidInput, match="has two samples at 2 s"):
+        ph.compare(rising, motion.sample([0.0, 2.0, 1.0, 2.0]))
+
+
+def test_a_spec_of_another_body_is_told(tmp_path):
+    box = '[body]\nmoments = ["1 kg*m^2", "2 kg*m^2", "{} kg*m^2"]\n[spin]\nrate = "1 rad/s"\nabout = 2\n'
+    for name, moment in (("one", 3), ("other", 2.9)):
+        (tmp_path / f"{name}.toml").write_text(box.format(moment) + '[time]\nuntil = "3 s"\nsamples = 31\n')
+    ph.report(tmp_path / "one.toml").save(tmp_path / "one.nc")
+    told = ph.compare(tmp_path / "one.nc", tmp_path / "one.nc", spec=tmp_path / "other.toml").notes
+    assert "the moments of" in told[0] and told[0].endswith("are not those that one.nc has.")
+    assert not any("the moments of" in note for note in
+                   ph.compare(tmp_path / "one.nc", tmp_path / "one.nc", spec=tmp_path / "one.toml").notes)  # fmt: skip
 
 
 @pytest.mark.parametrize("command", ["body", "report"])

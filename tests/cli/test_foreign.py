@@ -58,6 +58,15 @@ def test_its_mistakes_are_those_of_a_command(capsys, tmp_path):
     assert code == 2 and "--out is given 2 times" in err
 
 
+def test_it_does_not_destroy_what_it_reads(capsys, times, tmp_path):
+    before = times.read_bytes()
+    code, out, err = run(capsys, "swings", times, "--out", times)
+    assert code == 2 and not out and "writing would destroy it" in err and times.read_bytes() == before
+    times.write_text("0\nnan\n2\n")
+    code, out, err = run(capsys, "swings", times)
+    assert code == 2 and not out and "times must be numbers that rise" in err
+
+
 def test_its_report_is_one(times):
     from swing_timer.report import time_swings
 
@@ -69,5 +78,10 @@ def test_one_that_cannot_be_imported_is_named(monkeypatch, capsys):
     broken = EntryPoint("broken", "nowhere:command", foreign.GROUP)
     monkeypatch.setattr(foreign, "entry_points", lambda group: [broken])
     code, _, err = run(capsys, "broken")
-    assert code == 2 and "the command broken of another package, nowhere:command, cannot be imported" in err
+    assert code == 2 and "the command broken of another package, nowhere:command, cannot be had" in err
     assert run(capsys, "brokn")[0] == 2
+    monkeypatch.setattr(foreign, "entry_points", lambda group: [EntryPoint("odd", "math:pi", group), broken])
+    code, _, err = run(capsys, "odd")
+    assert code == 2 and "the command odd of another package, math:pi, cannot be had" in err
+    code, out, _ = run(capsys, "--help")
+    assert code == 0 and "report " in out and "broken" not in out

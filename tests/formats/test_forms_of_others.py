@@ -68,6 +68,25 @@ def test_mistakes_name_what_is_wrong(folder, capsys, monkeypatch):
     assert code == 2 and "the form no of another package, math:pi, is no Form" in err
 
 
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("0 1 0 0 0\n1 nan 0 0 0\n", "the attitude of sample 1 is not a unit quaternion"),
+        ("0 2 0 0 0\n1 2 0 0 0\n", "the attitude of sample 0 is not a unit quaternion"),
+        ("1 1 0 0 0\n0 1 0 0 0\n", "has times that fall"),
+        ("", "cannot be read as a QLOG|holds no samples"),
+        ("0 1 0 0\n1 1 0 0 0\n", "cannot be read as a QLOG"),
+    ],
+)
+def test_what_its_reader_lets_pass_is_refused(folder, text, words, capsys):
+    """Whatever another package's reader does, nothing wrong goes on, and nobody sees its traceback."""
+    (folder / "bad.qlog").write_bytes(b"QLOG 1\n" + text.encode())
+    for arguments in (("import", "bad.qlog"), ("compare", "box.toml", "bad.qlog"), ("fit", "bad.qlog")):
+        code, out, err = run(capsys, *arguments)
+        assert code == 2 and not out and re.search(words, err) and "bad.qlog" in err, arguments
+    assert sorted(path.name for path in folder.iterdir()) == ["bad.qlog", "box.toml"]
+
+
 def test_each_has_what_it_needs():
     for name, form in form_registry.forms().items():
         assert form.name == name and form.ending.startswith(".") and form.title

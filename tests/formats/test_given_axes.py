@@ -53,6 +53,10 @@ def test_turns_go_round(turned):
         assert np.abs(again.states - found.states).max() <= 20 * EXACT * np.abs(found.states).max()
         back = found.along("given").along("principal").along("given")
         assert np.abs(back.states - begin.along("given").states).max() <= 20 * EXACT * np.abs(back.states).max()
+    one, other = made.along(turned).along("given").sample(TIMES), made.sample(TIMES).along(turned).along("given")
+    assert np.abs(one.states - other.states).max() <= 20 * EXACT * np.abs(other.states).max()
+    round_trip = made.along("principal").along("given")
+    assert np.abs(round_trip.momentum(1.0) - made.momentum(1.0)).max() <= EXACT
     axis = made.along(turned).axes
     along = np.eye(3) if axis is None else axis
     assert made.along(turned).momentum(1.0) @ along == pytest.approx(made.along("principal").momentum(1.0), rel=EXACT)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -182,14 +182,32 @@ def _compared(a: AttitudeHistory, b: AttitudeHistory, offset: float) -> Comparis
 def _sampled(source: Any, name: str) -> AttitudeHistory | None:
     """Return a history of what has samples, None of a motion in closed form."""
     if isinstance(source, AttitudeHistory):
-        return source
+        return _rising(source)
     if isinstance(source, Trajectory) and source.attitude is not None:
         velocity = None if source.angular_velocity is None else np.asarray(source.angular_velocity)
-        return AttitudeHistory(name, np.asarray(source.times), np.asarray(source.attitude), velocity)
+        return _rising(AttitudeHistory(name, np.asarray(source.times), np.asarray(source.attitude), velocity))
     if isinstance(source, AbstractMotion):
         return None
     got = "a trajectory without attitudes" if isinstance(source, Trajectory) else shown(source)
     raise InvalidInput(f"`{name}` must be an AttitudeHistory, a Trajectory with attitudes, or a motion; got {got}.")
+
+
+def _rising(history: AttitudeHistory) -> AttitudeHistory:
+    """Return a history in the order of its times.
+
+    Raises:
+        InvalidInput: for two samples at one time.
+    """
+    steps = np.diff(history.times)
+    if (steps > 0).all():
+        return history
+    order = np.argsort(history.times, kind="stable")
+    times = np.asarray(history.times)[order]
+    if (np.diff(times) == 0).any():
+        again = float(times[1:][np.diff(times) == 0][0])
+        raise InvalidInput(f"{history.name} has two samples at {again:.9g} s. Leave out one.")
+    velocity = None if history.angular_velocity is None else np.asarray(history.angular_velocity)[order]
+    return replace(history, times=times, attitude=np.asarray(history.attitude)[order], angular_velocity=velocity)
 
 
 def _evaluated(motion: Any, times: Array, name: str) -> AttitudeHistory:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 from importlib.metadata import entry_points
 from typing import Any
 
@@ -23,7 +24,14 @@ class Commands(TyperGroup):
 
     def list_commands(self, ctx: Any) -> list[str]:
         own = super().list_commands(ctx)
-        return [*own, *sorted(point.name for point in entry_points(group=GROUP) if point.name not in own)]
+        others = sorted({point.name for point in entry_points(group=GROUP)} - set(own))
+        return [*own, *(name for name in others if self._can_be_had(ctx, name))]
+
+    def _can_be_had(self, ctx: Any, name: str) -> bool:
+        """Whether a command can be imported; one that cannot is left out of the list, and told when it is asked for."""
+        with contextlib.suppress(InvalidInput):
+            return self.get_command(ctx, name) is not None
+        return False
 
     def get_command(self, ctx: Any, cmd_name: str) -> Any:
         own = super().get_command(ctx, cmd_name)
@@ -32,11 +40,10 @@ class Commands(TyperGroup):
         point = next((point for point in entry_points(group=GROUP) if point.name == cmd_name), None)
         if point is None:
             return None
-        try:
-            function = point.load()
-        except Exception as error:
-            why = f"the command {cmd_name} of another package, {point.value}, cannot be imported: {error}"
-            raise InvalidInput(f"{why}. Update or remove it.") from error
         alone = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None)
-        alone.command(cmd_name, cls=StrictCommand)(function)
-        return typer.main.get_command(alone)
+        try:
+            alone.command(cmd_name, cls=StrictCommand)(point.load())
+            return typer.main.get_command(alone)
+        except Exception as error:  # whatever another package may do
+            why = f"the command {cmd_name} of another package, {point.value}, cannot be had: {error}"
+            raise InvalidInput(f"{why}. Update or remove it.") from error

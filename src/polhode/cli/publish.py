@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
+from polhode.cli.destinations import check_spares
 from polhode.cli.render import as_json, print_report
 from polhode.errors import InvalidInput
 from polhode.formats.paths import written_together
@@ -13,7 +14,7 @@ from polhode.reports.report import Report
 
 def publish(
     report: Report, json: bool, data: Path | None = None, figures: Path | None = None, *, written: Sequence[str] = (),
-    removed: Sequence[str] | None = None, certificates: bool = False, following: str = "",
+    removed: Sequence[str] | None = None, certificates: bool = False, following: str = "", read: Sequence[Path] = (),
 ) -> None:  # fmt: skip
     """Write a report's data and figures where asked for, and print it.
 
@@ -26,12 +27,16 @@ def publish(
         removed: files of an earlier report that it has removed; None for a command that removes none.
         certificates: whether the functions that verdicts rest on are printed as well.
         following: a command to try next.
+        read: files that were read, which are not written over.
 
     Raises:
         InvalidInput: if a file cannot be written, and for figures of a report that has none.
     """
     if figures is not None and not report.figures():
         raise InvalidInput(f"--figures: a report of kind {report.kind} has no figures. Leave it out.")
+    if data is not None:
+        for path in read:
+            check_spares(data, path)
     files = [*written, *([] if data is None else [str(report.save(data))]), *_figures(report, figures)]
     if json:
         ends = {"files": files} | ({} if removed is None else {"removed": removed})

@@ -4,14 +4,33 @@ from __future__ import annotations
 
 import contextlib
 import errno
+import os
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
-from polhode.errors import InvalidInput, PolhodeError, one_line
+from polhode.errors import InvalidInput, PolhodeError, one_line, shown
 from polhode.formats.drafts import draft_in, folder_made
 
 # what a disk without room says, and a limit of a user's
 FULL = (errno.ENOSPC, errno.EFBIG, getattr(errno, "EDQUOT", errno.ENOSPC))
+
+
+def as_path(name: str, given: str | os.PathLike[str]) -> Path:
+    """Return a path.
+
+    Args:
+        name: of the argument, for messages.
+        given: by a user.
+
+    Raises:
+        InvalidInput: for anything else than a path that is not empty.
+
+    >>> as_path("path", "motion.nc").name
+    'motion.nc'
+    """
+    if not isinstance(given, str | os.PathLike) or not os.fspath(given):
+        raise InvalidInput(f"`{name}` must be the path of a file or folder; got {shown(given)}. Name one.")
+    return Path(given)
 
 
 @contextlib.contextmanager

@@ -16,7 +16,7 @@ import numpy as np
 from polhode.analysis.mechanics import Mechanics
 from polhode.bodies.body import Body
 from polhode.bodies.surface import Surface
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, shown
 from polhode.formats.labels import AttitudeLabels
 from polhode.kinds.panel import KindPanel
 from polhode.motion.trajectory import Trajectory
@@ -368,7 +368,11 @@ class Spec(Generic[TableT]):
     def report(self) -> SystemReport:
         """Return the answers; see ``AbstractKind.report``."""
         with self._within_double_precision():
-            found = replace(self.kind.report(self), name=self.name, drawings=self.kind.figures)
+            made = self.kind.report(self)
+            if not isinstance(made, SystemReport):
+                name = self.kind.name
+                raise InvalidInput(f"`report` of the kind {name} must return a SystemReport; got {shown(made)}.")
+            found = replace(made, name=self.name, drawings=self.kind.figures)
             if wrong := NOT_FINITE.search("\n".join([found.summary, *found.notes])):
                 raise OverflowError(f"its sentences would say {wrong.group()}")
         return found

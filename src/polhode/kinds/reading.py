@@ -13,9 +13,11 @@ from pydantic import ValidationError
 from polhode.bodies.body import Body
 from polhode.errors import FormatError, InvalidInput, NotConverged, printable, shown
 from polhode.formats.molecule import FORMS
+from polhode.formats.paths import as_path
 from polhode.kinds.base import AbstractKind, Spec
 from polhode.kinds.registry import default_kind, find_kind, kind_names
 from polhode.reports.base import SystemReport
+from polhode.reports.report import with_inputs
 from polhode.spec.building import build_body, build_part
 from polhode.spec.export import labels_of
 from polhode.spec.mistakes import as_message, mistakes_of
@@ -103,11 +105,15 @@ def report(spec: Spec | str | Path) -> SystemReport:
             f"`spec` must be a Spec, as `read_spec` returns it, or the path of a file; got {shown(spec)}. "
             "What a report says of motions and trajectories is in `polhode.analysis`."
         )
-    read = read_spec(spec)
+    return with_inputs(lambda: _report_on_file(as_path("spec", spec)))
+
+
+def _report_on_file(path: Path) -> SystemReport:
+    read = read_spec(path)
     try:
         return read.report()
     except (InvalidInput, NotConverged) as error:
-        raise type(error)(f"{spec}: {error}") from None
+        raise type(error)(f"{path}: {error}") from None
 
 
 def kind_of_tables(tables: dict[str, Any], path: Path) -> AbstractKind:

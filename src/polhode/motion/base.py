@@ -77,8 +77,9 @@ class AbstractMotion(ExactMotion):
         momentum_at_epoch: (…, 3) [kg m²/s, body axes].
         attitude_at_epoch: (…, 4) unit quaternion wxyz, body → space.
         epoch: (…) time at which these hold [s].
-        axes: (3, 3) principal axes by columns in the body's given ones, which vectors and attitude are then along; None
-            where they are along the principal axes themselves.
+        axes: (3, 3) principal axes by columns in those that vectors and attitude are along; None where these are the
+            principal axes themselves.
+        given_axes: (3, 3) principal axes by columns in the body's given ones; None where no others are known.
     """
 
     title: ClassVar[str] = "Motion"
@@ -91,6 +92,7 @@ class AbstractMotion(ExactMotion):
     attitude_at_epoch: Float64[Array, "... 4"]
     epoch: Float64[Array, "..."]
     axes: Float64[Array, "3 3"] | None
+    given_axes: Float64[Array, "3 3"] | None = field(repr=False, init=False)
     _principal: tuple[Array, Array] = field(repr=False, init=False)  # momentum and attitude
 
     def __init__(
@@ -114,7 +116,7 @@ class AbstractMotion(ExactMotion):
         momentum = vector if angular_velocity is None else momentum_of(moments, vector)
         moments, momentum, attitude = checked(xp, moments, momentum, attitude, epoch)
         body = (moments, *(arrays[key] for key in numbers))
-        self._hold(*self._checked_further(xp, body, momentum, attitude, epoch), epoch, axes)
+        self._hold(*self._checked_further(xp, body, momentum, attitude, epoch), epoch, axes, axes)
 
     def _checked_further(
         self, xp: Any, body: tuple[Array, ...], momentum: Array, attitude: Array, epoch: Array
@@ -127,14 +129,14 @@ class AbstractMotion(ExactMotion):
         return body, momentum, attitude
 
     def _hold(self, body: tuple[Array, ...], momentum: Array, attitude: Array, epoch: Array,
-              axes: Array | None) -> None:  # fmt: skip
+              axes: Array | None, given_axes: Array | None) -> None:  # fmt: skip
         """Set all fields from momentum and attitude along the principal axes."""
         object.__setattr__(self, "axes", axes)
         object.__setattr__(self, "_principal", (momentum, attitude))
         given = self._turned(attitude, momentum)
         values = dict(zip(("moments", *self.body_numbers), body, strict=True))
         values |= {"momentum_at_epoch": given[1], "attitude_at_epoch": given[0], "epoch": epoch, "axes": axes,
-                   "_principal": (momentum, attitude)}  # fmt: skip
+                   "given_axes": given_axes, "_principal": (momentum, attitude)}  # fmt: skip
         for name, value in values.items():
             object.__setattr__(self, name, value)
         register_node(type(self), tuple(values), like=self.moments)
@@ -290,7 +292,7 @@ class AbstractMotion(ExactMotion):
             drift=drift,
             quantities=self.quantities,
             source=self._standing(None),
-            given_axes=self.axes,
+            given_axes=self.given_axes,
         )
         return found.standing(self.axes)
 
@@ -298,20 +300,20 @@ class AbstractMotion(ExactMotion):
         """Return the same motion with vectors and attitude along other axes of the body.
 
         Args:
-            axes: "principal" for the principal axes, in the order of ``moments``; "given" for those that the motion is
-                along now, the given ones of a motion made from a body; or axes by columns in these.
+            axes: "principal" for the principal axes, in the order of ``moments``; "given" for the body's given ones; or
+                axes by columns in the given ones. Of a motion that is not made from a body both are the same.
 
         Raises:
             InvalidInput: for axes that are none of these.
         """
-        return self._standing(chosen_axes(axes, self.axes))
+        return self._standing(chosen_axes(axes, self.given_axes))
 
     def _standing(self: Motion, axes: Array | None) -> Motion:
         """Return the same motion along axes that the principal ones are the columns of ``axes`` in."""
         if axes is self.axes:
             return self
         body = (self.moments, *(getattr(self, name) for name in self.body_numbers))
-        return self._of(body, *self._principal, self.epoch, axes)
+        return self._of(body, *self._principal, self.epoch, axes, self.given_axes)
 
     def _with_time_axis(self: Motion) -> Motion:
         """Return the same motion with a last batch axis of length 1 for times."""
@@ -319,7 +321,7 @@ class AbstractMotion(ExactMotion):
         moments, momentum, attitude = (v[..., None, :] if v.ndim > 1 else v for v in vectors)
         numbers = (*(getattr(self, name) for name in self.body_numbers), self.epoch)
         *numbers, epoch = (v[..., None] if v.ndim else v for v in numbers)
-        return self._of((moments, *numbers), momentum, attitude, epoch, self.axes)
+        return self._of((moments, *numbers), momentum, attitude, epoch, self.axes, self.given_axes)
 
     @classmethod
     def _of(cls: type[Motion], *fields: Any) -> Motion:

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from polhode.analysis.mechanics import Mechanics
+from polhode.errors import InvalidInput, shown
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.answer import plain
 from polhode.reports.report import Report
@@ -64,9 +65,11 @@ class MotionReport(SystemReport):
     trajectory: Trajectory
     data_file: ClassVar[str] = "motion.nc"
 
-    def save(self, path: str | Path) -> Path:
+    def _write_data(self, path: Path) -> Path:
         from polhode.formats.dataset import write_dataset
 
+        if path.suffix.lower() != ".nc":
+            raise InvalidInput(f"{path}: must end in .nc, as a NetCDF dataset is written; got {shown(path.suffix)}.")
         return write_dataset(self.trajectory, path, {"title": self.name})
 
     @property

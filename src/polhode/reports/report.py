@@ -7,11 +7,12 @@ import html
 import json
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
 from polhode.errors import InvalidInput, printable, shown
 from polhode.formats.figure_file import save_figure
-from polhode.formats.paths import written_together
+from polhode.formats.opening import files_recorded
+from polhode.formats.paths import as_path, written_together
 from polhode.reports.answer import Group, Table, plain, units_of, values_of
 
 if TYPE_CHECKING:
@@ -31,6 +32,7 @@ class Report(abc.ABC):
         trajectory: the motion, where there is one.
         determined: whether the question could be answered.
         data_file: name of the file that ``write`` saves the data under; empty where there are none.
+        inputs: the files that it was made from, which are not written over.
 
     >>> import polhode as ph
     >>> found = ph.tumble("apophis")
@@ -43,6 +45,15 @@ class Report(abc.ABC):
     trajectory: Trajectory | None
     determined: bool = True
     data_file: ClassVar[str] = ""
+    inputs: Sequence[Path] = ()
+
+    def __init_subclass__(cls, **options: Any) -> None:
+        super().__init_subclass__(**options)
+        if "__repr__" not in vars(cls):  # a dataclass would write out all of its arrays
+            cls.__repr__ = Report.__repr__  # type: ignore[method-assign]
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__} on {printable(self.name)}: {printable(self.summary)}>"
 
     @property
     @abc.abstractmethod
@@ -67,8 +78,16 @@ class Report(abc.ABC):
         """Write the data into a file that appears whole or not at all, and return its path.
 
         Raises:
-            InvalidInput: for a report without data, and for a path that cannot be written.
+            InvalidInput: for a report without data, for a path that cannot be written, and for a file that the report
+                was made from.
         """
+        place = as_path("path", path)
+        if taken := [one for one in self.inputs if one.exists() and place.exists() and place.samefile(one)]:
+            raise InvalidInput(f"{taken[0]}: is the file that was read; writing would destroy it. Name another.")
+        return self._write_data(place)
+
+    def _write_data(self, path: Path) -> Path:
+        """Write the data, where a kind of report has any, and return the path."""
         raise InvalidInput(f"{path}: a report of kind {self.kind} has no data to save. Its numbers are in json().")
 
     def values(self) -> dict[str, Any]:
@@ -127,11 +146,14 @@ class Report(abc.ABC):
         Raises:
             InvalidInput: if the files cannot be written.
         """
-        with written_together(folder) as draft:
+        place = as_path("folder", folder)
+        if self.data_file and any(one.resolve() == (place / self.data_file).resolve() for one in self.inputs):
+            raise InvalidInput(f"{place / self.data_file}: is a file that was read. Name another folder.")
+        with written_together(place) as draft:
             written = self.draw(draft, *forms)
             if self.data_file:
-                written.append(self.save(draft / self.data_file))
-        return [Path(folder) / path.name for path in written]
+                written.append(self._write_data(draft / self.data_file))
+        return [place / path.name for path in written]
 
     def _repr_html_(self) -> str:
         """Return the text as a notebook shows it."""
@@ -142,6 +164,9 @@ class Report(abc.ABC):
             if rows:
                 parts.append(_html_table(group.title, head, rows))
         return "".join([*parts, *(f"<p><i>Note: {_escaped(note)}</i></p>" for note in self.notes)])
+
+
+ReportT = TypeVar("ReportT", bound=Report)
 
 
 class StudyReport(Report):
@@ -173,8 +198,16 @@ class PlainReport(StudyReport):
     def notes(self) -> Sequence[str]:
         return self._notes
 
-    def save(self, path: str | Path) -> Path:
-        return super().save(path) if self._save is None else self._save(Path(path))
+    def _write_data(self, path: Path) -> Path:
+        return super()._write_data(path) if self._save is None else self._save(path)
+
+
+def with_inputs(make: Callable[[], ReportT]) -> ReportT:
+    """Return what ``make`` returns, with the files that it read meanwhile as its ``inputs``."""
+    with files_recorded() as read:
+        report = make()
+    object.__setattr__(report, "inputs", tuple(read))
+    return report
 
 
 def _html_table(title: str, head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:

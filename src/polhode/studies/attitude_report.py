@@ -110,7 +110,7 @@ class AttitudeReport(StudyReport):
 
         return attitude_figures(self.fit)
 
-    def save(self, path: str | Path) -> Path:
+    def _write_data(self, path: Path) -> Path:
         from polhode.formats.throw_dataset import write_attitude_fit
 
-        return write_attitude_fit(self.fit, self.name, Path(path))
+        return write_attitude_fit(self.fit, self.name, path)

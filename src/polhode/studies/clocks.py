@@ -26,8 +26,8 @@ class Laid(NamedTuple):
     words: str
 
 
-def offset_of(text: str | None) -> Decimal | str | None:
-    """Return what ``--offset`` says: A's clock at B's zero [s], exactly, or START; None where it says nothing.
+def offset_of(text: str | None, name: str = "--offset") -> Decimal | str | None:
+    """Return what an offset says: A's clock at B's zero [s], exactly, or START; None where it says nothing.
 
     Raises:
         InvalidInput: for what is neither.
@@ -40,9 +40,9 @@ def offset_of(text: str | None) -> Decimal | str | None:
         try:
             return exact_number(found["number"]) * IN_DECIMAL_SECONDS[unit]
         except ValueError:
-            raise InvalidInput(f"--offset must be between 1e-30 and 1e30 in size, or 0; got {shown(text)}. Say A's "
+            raise InvalidInput(f"{name} must be between 1e-30 and 1e30 in size, or 0; got {shown(text)}. Say A's "
                                "time at B's time zero.") from None  # fmt: skip
-    raise InvalidInput(f"--offset must be `{START}`, or a time with its unit like `-68.5 s`; got {shown(text)}.")
+    raise InvalidInput(f"{name} must be `{START}`, or a time with its unit like `-68.5 s`; got {shown(text)}.")
 
 
 def _is_number(text: str) -> bool:

@@ -2,22 +2,27 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from decimal import Decimal
 from pathlib import Path
+
+import numpy as np
 
 from polhode.analysis import comparison
 from polhode.analysis.mechanics import Mechanics
 from polhode.errors import InvalidInput, shown
 from polhode.formats.form import Kernels
 from polhode.formats.labels import plain as same_name
+from polhode.formats.paths import as_path
 from polhode.reports.answer import Group
-from polhode.studies.clocks import lay_side_by_side
+from polhode.studies.clocks import lay_side_by_side, offset_of
 from polhode.studies.comparison_report import ComparisonReport
 from polhode.studies.naming import naming
 from polhode.studies.sources import Source, body_of, kind_in_words, source_of
 from polhode.studies.tables import Table, about_reading, notes_on_reading
 
+SAME_INERTIA = 1e-6  # relative; what seven digits of a file leave
 History = comparison.Source | Path | str
 
 
@@ -34,8 +39,8 @@ def compare(
             with one: spec, dataset, CSV of polhode's, CCSDS AEM, C-kernel with its own kernels next to it.
         b: the other.
         spec: of files, that of the body's spec, for its moments where the two do not tell energy and momentum.
-        offset: A's time at B's time zero [s], or "start" if both begin at the same moment; of files it is found out if
-            left out, otherwise it is 0 then.
+        offset: A's time at B's time zero [s]; of files also a text like "-68.5 s", or "start" if both begin at the same
+            moment. Left out, it is 0, and of files what their epochs say.
 
     Raises:
         InvalidInput: for what cannot be read or is no attitude history, and for two that have no time in common.
@@ -46,15 +51,18 @@ def compare(
     >>> ph.compare(motion, motion.sample([0.0, 1.0, 2.0])).summary
     'Both agree to 3.0e-16 rad: to rounding.'
     """
+    if not (offset is None or isinstance(offset, str) or (isinstance(offset, int | float) and math.isfinite(offset))):
+        raise InvalidInput(f"`offset` must be a time in seconds, or a text like `-68.5 s`; got {shown(offset)}.")
     if isinstance(a, str | Path) and isinstance(b, str | Path):
-        told = offset if offset is None or isinstance(offset, str) else Decimal(offset)
-        return compare_files(Path(a), Path(b), None if spec is None else Path(spec), offset=told)
+        told = offset_of(offset, "`offset`") if offset is None or isinstance(offset, str) else Decimal(offset)
+        body = None if spec is None else as_path("spec", spec)
+        return compare_files(as_path("a", a), as_path("b", b), body, offset=told)
     sides = [source_of(Path(side), Kernels()).history if isinstance(side, str | Path) else side for side in (a, b)]
     if spec is not None or isinstance(offset, str):
         name, got = ("spec", spec) if spec is not None else ("offset", offset)
         rule = "left out" if name == "spec" else "a time in seconds"
-        raise InvalidInput(f"`{name}` must be {rule} where not both are files; got {shown(got)}. An AttitudeHistory "
-                           "takes its mechanics with it.")  # fmt: skip
+        more = " An AttitudeHistory takes its mechanics with it." if name == "spec" else ""
+        raise InvalidInput(f"`{name}` must be {rule} where not both are files; got {shown(got)}.{more}")
     begin = 0.0 if offset is None else float(offset)
     words = "taken as one" if begin == 0.0 else f"B's time zero is at {begin:.9g} s of A"
     return ComparisonReport(comparison.compare(*sides, offset=begin), words)
@@ -83,15 +91,25 @@ def compare_files(
     _check_used(a, b, tables)
     shared = None if spec is None else _mechanics_of(spec)
     known = shared or a.history.mechanics or b.history.mechanics
+    others = [] if shared is None else [side.history.name for side in (a, b) if _has_other_moments(side, shared)]
     histories = [replace(side.history, mechanics=shared or side.history.mechanics or known) for side in (a, b)]
     with naming(f"{first}, {second}"):
         laid = lay_side_by_side(a, b, offset)
         found = comparison.compare(*histories, offset=laid.offset)
     reading, notes = _readings(a, b)
-    warned = (*notes, *_kinds(a, b), *_names(a, b))
+    doubts = [f"the moments of {spec} are not those that {name} has." for name in others]
+    warned = (*notes, *doubts, *_kinds(a, b), *_names(a, b))
     unknown = _unknown(a, b, known)
     why = {} if unknown is None else {"unknown": unknown}
     return ComparisonReport(found, laid.words, warned, reading=tuple(reading), **why)
+
+
+def _has_other_moments(side: Source, shared: Mechanics) -> bool:
+    """Whether a file's own moments are others than those of the spec that is given for both."""
+    own = side.history.mechanics
+    if own is None:
+        return False
+    return float(np.abs(own.inertia - shared.inertia).max()) > SAME_INERTIA * float(np.abs(own.inertia).max())
 
 
 def _mechanics_of(spec: Path) -> Mechanics:

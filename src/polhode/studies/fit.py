@@ -6,9 +6,10 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, shown
 from polhode.formats.column_mapping import mapping_of_words
-from polhode.reports.report import Report
+from polhode.formats.paths import as_path
+from polhode.reports.report import Report, with_inputs
 from polhode.studies.naming import Called, in_python
 from polhode.studies.tables import Table
 from polhode.studies.throws import Progress, ThrowOptions, fit_logs
@@ -51,10 +52,19 @@ def fit(
     >>> found = ph.fit("examples/phone_throw.csv")  # doctest: +SKIP
     >>> found.summary  # doctest: +SKIP
     """
+    texts = {"moment": moment, "mass": mass, "added_weight": added_weight}
+    if wrong := [name for name, text in texts.items() if text is not None and not isinstance(text, str)]:
+        raise InvalidInput(f"`{wrong[0]}` must be a text like \"150 g\"; got {shown(texts[wrong[0]])}.")
+    lists = {"windows": windows, "weighted": weighted, **({} if free is None else {"free": free})}
+    if wrong := [name for name, some in lists.items() if isinstance(some, str) or not isinstance(some, Sequence)]:
+        raise InvalidInput(f"`{wrong[0]}` must be a list; got {shown(lists[wrong[0]])}.")
+    if columns is not None and not isinstance(columns, Mapping):
+        raise InvalidInput(f'`columns` must be words by name, like {{"time": "t"}}; got {shown(columns)}.')
     table = None if columns is None else Table(mapping_of_words(columns), True)
     options = ThrowOptions(windows, drag, torque, rotor, gain, clip, moment, mass, added_weight,
-                           [Path(path) for path in weighted], table)  # fmt: skip
-    return fit_files([Path(path) for path in files], free, options, in_python)
+                           [as_path("weighted", path) for path in weighted], table)  # fmt: skip
+    paths = [as_path("files", path) for path in files]
+    return with_inputs(lambda: fit_files(paths, free, options, in_python))
 
 
 def fit_files(

@@ -65,13 +65,13 @@ class LineFitReport(StudyReport):
         start, fit, asked = self.start, self.fit, self.asked
         return [*self.warned, *_together(start, fit, asked), *_fixed(start, fit, asked), *_remarks(fit)]
 
-    def save(self, path: str | Path) -> Path:
+    def _write_data(self, path: Path) -> Path:
         """Write the constants as a ``.par`` file, or with their correlations as ``.var``."""
         from polhode.formats.spfit_constants import constant_table, write_par
 
         sigma = dict(zip(self.fit.names, self.fit.sigma.tolist(), strict=True))
-        write_par(constant_table(self.fit.rotor, sigma, self.name, self.fit.correlation), Path(path))
-        return Path(path)
+        write_par(constant_table(self.fit.rotor, sigma, self.name, self.fit.correlation), path)
+        return path
 
 
 def fit_lines(

@@ -12,9 +12,9 @@ import numpy as np
 
 from polhode import rotation
 from polhode.analysis.comparison import AttitudeHistory, Mechanics
-from polhode.errors import FormatError, InvalidInput, one_line, shown
-from polhode.formats.attitude_checks import single_attitude
-from polhode.formats.form import Kernels
+from polhode.errors import FormatError, InvalidInput, PolhodeError, one_line, shown
+from polhode.formats.attitude_checks import check_recorded, single_attitude
+from polhode.formats.form import Form, Kernels
 from polhode.formats.form_registry import form_that_begins, forms
 from polhode.formats.labels import AttitudeLabels, Recording, labels_of
 from polhode.formats.opening import is_folder, open_file
@@ -149,9 +149,30 @@ def read_recorded(
     if form is None or form.read is None:
         raise InvalidInput(f"{path}: is no AEM, C-kernel, table or dataset, as it does not begin like one. Check the "
                            "file.")  # fmt: skip
-    found = form.read(path, kernels)
+    found = _read(form, path, kernels)
     labels = labels_of(found) if form.has_labels else None
     return kind, found, _told(labels) if form.is_own else labels
+
+
+def _read(form: Form, path: Path, kernels: Kernels) -> Trajectory:
+    """Return what is in a file, of forms of other packages too, whose readers may let anything pass.
+
+    Raises:
+        FormatError: for what cannot be read, holds nothing, or is no attitude.
+    """
+    assert form.read is not None
+    try:
+        found = form.read(path, kernels)
+    except (ValueError, IndexError, KeyError, TypeError, ArithmeticError) as error:
+        if isinstance(error, PolhodeError):
+            raise
+        raise FormatError(f"{path}: cannot be read as {kind_in_words(form.name)} ({error}). Check the file.") from error
+    check_recorded(path, found.times, found.attitude, found.angular_velocity)
+    times = np.asarray(found.times)
+    if not form.is_own and not (len(times) and (np.diff(times) >= 0.0).all()):
+        why = "holds no samples" if not len(times) else "has times that fall"
+        raise FormatError(f"{path}: {why}. Check the file.")
+    return found
 
 
 def source_of(path: Path, kernels: Kernels, table: Table | None = None, kind: str | None = None) -> Source:

@@ -12,13 +12,14 @@ from typing import TYPE_CHECKING, ClassVar
 import numpy as np
 
 from polhode.errors import InvalidInput, shown
+from polhode.formats.paths import as_path
 from polhode.formats.rotor_dataset import rotor_attributes, write_spectrum
 from polhode.kinds.base import Spec
 from polhode.kinds.reading import read_spec_or_molecule
 from polhode.quantum.rotor import Levels, Rotor, below_ground
 from polhode.quantum.strengths import DEBYE, Lines
 from polhode.reports.answer import Answer, Group, Table
-from polhode.reports.report import StudyReport
+from polhode.reports.report import StudyReport, with_inputs
 from polhode.reports.spectra import AREA, frequency, level_table, line_table
 from polhode.spec.reach import check_reach
 from polhode.spec.rotors import SpecRotor, asked_of, check_summable, doubts_of_weights
@@ -72,7 +73,7 @@ class LevelsReport(StudyReport):
 
         return {"level_diagram": partial(level_diagram, self.rotor, self.j_max)}
 
-    def save(self, path: str | Path) -> Path:
+    def _write_data(self, path: Path) -> Path:
         return write_spectrum(path, levels=self.levels, attributes=rotor_attributes(self.rotor, self.name))
 
 
@@ -124,7 +125,7 @@ class SpectrumReport(StudyReport):
 
         return {"spectrum": partial(spectrum, self.lines)}
 
-    def save(self, path: str | Path) -> Path:
+    def _write_data(self, path: Path) -> Path:
         attributes = rotor_attributes(self.asked.rotor, self.name, self.asked.temperature)
         return write_spectrum(path, lines=self.lines, attributes=attributes)
 
@@ -143,6 +144,10 @@ def levels(molecule: Path | str | Spec, *, j_max: int | None = None) -> LevelsRe
     >>> ph.levels("examples/water_spectrum.toml", j_max=2).summary  # doctest: +SKIP
     'Constants 835.840288 GHz, 435.351717 GHz, 278.138699 GHz; 9 levels to J = 2.'
     """
+    return with_inputs(lambda: _levels(molecule, j_max))
+
+
+def _levels(molecule: Path | str | Spec, j_max: int | None) -> LevelsReport:
     with warnings_as_notes(_place(molecule)) as notes:
         spec = _spec(molecule)
         rotor, _, usual, doubts = spec.kind.rotor(spec)
@@ -176,7 +181,8 @@ def spectrum(
     >>> ph.spectrum("examples/water_spectrum.toml", highest="1 THz").plot()  # doctest: +SKIP
     """
     bounds = {"lowest": lowest, "highest": highest}
-    return spectrum_within(molecule, j_max, temperature, bounds, min_intensity, most, dipole, in_python)
+    return with_inputs(lambda: spectrum_within(molecule, j_max, temperature, bounds, min_intensity, most, dipole,
+                                               in_python))  # fmt: skip
 
 
 def spectrum_within(
@@ -191,7 +197,9 @@ def spectrum_within(
     if low > high:
         ends = " and ".join(map(str, bounds.values()))
         raise InvalidInput(f"{called('lowest')} must not be above {called('highest')}; got {ends}.")
-    if not 0.0 <= min_intensity < math.inf:
+    if isinstance(most, bool) or not isinstance(most, int) or most < 1:
+        raise InvalidInput(f"{called('most')} must be a whole number of lines, 1 or more; got {shown(most)}.")
+    if not isinstance(min_intensity, int | float) or not 0.0 <= min_intensity < math.inf:
         raise InvalidInput(f"{called('min_intensity')} must be a number of nm² MHz, not negative; got "
                            f"{shown(min_intensity)}.")  # fmt: skip
     moment = None if dipole is None else _dipole(dipole, called("dipole"))
@@ -212,7 +220,7 @@ def spectrum_within(
 
 
 def _spec(molecule: Path | str | Spec) -> Spec:
-    return molecule if isinstance(molecule, Spec) else read_spec_or_molecule(molecule)
+    return molecule if isinstance(molecule, Spec) else read_spec_or_molecule(as_path("molecule", molecule))
 
 
 def _place(molecule: Path | str | Spec) -> str:
@@ -230,7 +238,7 @@ def _asked(
             rotor.constants, rotor.distortion, reduction, representation, dipole, rotor.spin_weights, rotor.spin_axis
         )
         notes = notes or doubts_of_weights(rotor, None)
-    if temperature is None:
+    if temperature is None or temperature == found.temperature:
         return SpecRotor(rotor, found.temperature, found.j_max if j_max is None else j_max, notes)
     return asked_of(rotor, temperature, j_max, notes)
 
@@ -240,9 +248,13 @@ def _read(name: str, given: float | str | None, read: Callable[[str], float]) ->
         return None
     try:
         found = read(given) if isinstance(given, str) else float(given)
-    except (TypeError, ValueError) as error:
+    except TypeError:
+        raise InvalidInput(f"{name} must be a number, or a text with its unit; got {shown(given)}.") from None
+    except ValueError as error:
         raise InvalidInput(f"{name} {error}.") from None
-    if not found >= 0.0:
+    if math.isnan(found):
+        raise InvalidInput(f"{name} must be a number; got {shown(given)}.")
+    if found < 0.0:
         raise InvalidInput(f"{name} must not be negative; got {shown(given)}.")
     check_reach(name, found)
     return found
@@ -250,7 +262,10 @@ def _read(name: str, given: float | str | None, read: Callable[[str], float]) ->
 
 def _dipole(given: Sequence[float], name: str) -> tuple[float, ...]:
     """Return a dipole (3,) [C m] of three numbers in debye."""
-    values = tuple(float(value) * DEBYE for value in given)
+    try:
+        values = tuple(float(value) * DEBYE for value in given)
+    except (TypeError, ValueError):
+        raise InvalidInput(f"{name} must be three numbers in debye, along a, b and c; got {shown(given)}.") from None
     if len(values) != 3 or not all(map(math.isfinite, values)):
         raise InvalidInput(f"{name} must be three numbers in debye, along a, b and c; got {shown(list(given))}.")
     check_reach(name, *values)

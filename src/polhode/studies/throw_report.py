@@ -113,10 +113,10 @@ class ThrowReport(StudyReport):
 
         return throw_figures(self.fit)
 
-    def save(self, path: str | Path) -> Path:
+    def _write_data(self, path: Path) -> Path:
         from polhode.formats.throw_dataset import write_throw
 
-        return write_throw(self.fit, self.names, Path(path))
+        return write_throw(self.fit, self.names, path)
 
 
 def _doubts(fit: ThrowFit) -> list[str]:

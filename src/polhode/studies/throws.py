@@ -68,6 +68,10 @@ def fit_logs(paths: Sequence[Path], options: ThrowOptions, called: Called, progr
     Raises:
         InvalidInput: for what cannot be read or fitted, and for options that are of the other kind of log.
     """
+    every = [*paths, *options.weighted]
+    there = [path for path in every if path.exists()]
+    if twice := [path for k, path in enumerate(there) if any(map(path.samefile, there[:k]))]:
+        raise InvalidInput(f"{twice[0]}: is given twice, and a log counts once. Leave it out.")
     kind = _attitude_kind(paths[0], options.table)
     if kind is None:
         return _fit_throws(paths, options, called, progress)

@@ -74,8 +74,16 @@ def tumble(
     if mode not in (None, *MODES):
         raise InvalidInput(f"`mode` must be {' or '.join(MODES)}; got {shown(mode)}.")
     for name, angle, most in (("aspect", aspect, 180.0), ("phase", phase, 170.0)):
+        if isinstance(angle, bool) or not isinstance(angle, int | float):
+            raise InvalidInput(f"`{name}` must be a number of radians; got {shown(angle)}.")
         if not 0.0 <= angle <= np.radians(most) * (1 + 1e-15):
             raise InvalidInput(f"`{name}` must be between 0 and {most:g}° in radians; got {shown(angle)}.")
+    lists = {"moments": moments, "semi_axes": semi_axes}
+    for name, some in lists.items():
+        if some is not None and (isinstance(some, str) or np.ndim(some) == 0 or len(some) != 3):
+            raise InvalidInput(f"`{name}` must be three quantities; got {shown(some)}.")
+    if friction is not None and not isinstance(friction, Friction):
+        raise InvalidInput(f"`friction` must be a polhode.studies.tumble.Friction; got {shown(friction)}.")
     known = None if body is None else known_tumbler(str(body))
     given = Given(precession, rotation, moments, semi_axes, axis, mode, friction, aspect, phase)
     return tumble_report(known, given, in_python)

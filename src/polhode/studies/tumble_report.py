@@ -85,13 +85,12 @@ class TumbleReport(StudyReport):
             "light_curve": partial(light_curve, self.light), "spectrum": partial(spectrum, self.light, self.motion)}
         return {"polhode": partial(polhode, self.name, self.motion, self.others), **lit}
 
-    def save(self, path: str | Path) -> Path:
+    def _write_data(self, path: Path) -> Path:
         """Write the light curve as .csv, or a spec of the motion as .toml.
 
         Raises:
             InvalidInput: for another ending, and for the light curve of a flat body.
         """
-        path = Path(path)
         ending = path.suffix.lower()
         if ending not in (".csv", ".toml"):
             raise InvalidInput(f"{path}: must end in .csv (light curve) or .toml (spec); got {shown(path.suffix)}.")

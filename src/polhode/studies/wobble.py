@@ -12,7 +12,9 @@ from polhode.estimation.polar_motion import chandler_fit
 from polhode.estimation.pole_series import DAY, YEAR
 from polhode.estimation.wobble_process import chandler_process
 from polhode.estimation.wobble_windows import chandler_windows, pole_spectrum
+from polhode.formats.paths import as_path
 from polhode.formats.polar_motion import PoleSeries, date_of, day_of, read_polar_motion
+from polhode.reports.report import with_inputs
 from polhode.studies.wobble_report import WobbleReport
 
 
@@ -32,7 +34,13 @@ def wobble(
 
     Source: Wilson & Vicente, Geophys. J. Int. 103 (1990) 743, for period and Q.
     """
-    return wobble_report(series, start, end, window, ("`start`", "`end`"))
+    days = {"start": start, "end": end}
+    if wrong := [name for name, day in days.items() if day is not None and not isinstance(day, str)]:
+        raise InvalidInput(f'`{wrong[0]}` must be a day like "1976-01-01"; got {shown(days[wrong[0]])}.')
+    if isinstance(window, bool) or not isinstance(window, int | float):
+        raise InvalidInput(f"`window` must be a positive number of years; got {shown(window)}.")
+    given = series if series is None or isinstance(series, PoleSeries) else as_path("series", series)
+    return with_inputs(lambda: wobble_report(given, start, end, window, ("`start`", "`end`")))
 
 
 def wobble_report(

@@ -96,10 +96,10 @@ class WobbleReport(StudyReport):
             "pole_spectrum": partial(spectrum, self.spectrum, self.line),
         }
 
-    def save(self, path: str | Path) -> Path:
+    def _write_data(self, path: Path) -> Path:
         from polhode.formats.wobble_dataset import write_wobble
 
-        return write_wobble(self.windows, self.process, self.excitation, self.series.source, Path(path))
+        return write_wobble(self.windows, self.process, self.excitation, self.series.source, path)
 
 
 def _q(value: float) -> str:

@@ -6,6 +6,7 @@ import json
 import pickle
 import re
 import tempfile
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -15,9 +16,11 @@ from polhode.errors import InvalidInput, shown
 from polhode.formats.dataset_reading import read_dataset
 from polhode.kinds.base import AbstractKind, Spec
 from polhode.kinds.page import page_of_report
+from polhode.kinds.panel import KindPanel
 from polhode.kinds.reading import spec_of_tables
 from polhode.reports.answer import Table, plain, values_of
 from polhode.reports.base import MotionReport, SystemReport
+from polhode.spec.models import SystemTable
 from polhode.spec.parsing import read_tables
 from polhode.testing.laws import LawBroken
 
@@ -42,6 +45,7 @@ def check_kind(kind: AbstractKind) -> None:
     """
     if not isinstance(kind, AbstractKind):
         raise InvalidInput(f"`kind` must be an object of a subclass of AbstractKind, as KIND is; got {shown(kind)}.")
+    _check_parts(kind)
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "example.toml"
         path.write_text(kind.example, "utf-8")
@@ -58,6 +62,22 @@ def check_kind(kind: AbstractKind) -> None:
             _check_motion(kind, spec, report)
             _check_dataset(report, Path(folder))
             _check_page(spec, report, Path(folder))
+
+
+def _check_parts(kind: AbstractKind) -> None:
+    home = type(kind).__module__
+    try:
+        example = kind.example
+    except (OSError, TypeError, AttributeError) as error:
+        why = f"a kind stands in a folder with __init__.py and example.toml; {home} has none: {error}."
+        raise LawBroken(why) from None
+    _require(example.strip(), "the example is a spec; it is empty")
+    table = getattr(kind, "table", None)
+    right = isinstance(table, type) and issubclass(table, SystemTable)
+    _require(right, f"`table` is a class derived from SystemTable; got {shown(table)}")
+    _require(isinstance(kind.figures(), Mapping), f"`figures` returns a mapping; got {shown(kind.figures())}")
+    panel = kind.panel()
+    _require(panel is None or isinstance(panel, KindPanel), f"`panel` returns a KindPanel or None; got {shown(panel)}")
 
 
 def _require(holds: Any, law: str) -> None:

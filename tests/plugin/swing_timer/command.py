@@ -16,4 +16,4 @@ def swings(
     out: Annotated[Path | None, typer.Option("--out", metavar="FILE", help="File for the residuals.")] = None,
 ) -> None:
     """Tell the period of a swing."""
-    ph.publish(time_swings(file), json, out, figures)
+    ph.publish(time_swings(file), json, out, figures, read=[file])

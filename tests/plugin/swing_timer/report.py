@@ -12,6 +12,7 @@ import numpy as np
 
 from polhode.errors import InvalidInput
 from polhode.figures import style
+from polhode.formats.paths import written_whole
 from polhode.reports import Answer, Group, StudyReport, Table
 
 if TYPE_CHECKING:
@@ -43,9 +44,10 @@ class SwingReport(StudyReport):
     def figures(self) -> Mapping[str, Callable[[], Figure | None]]:
         return {"residuals": partial(_drawn, self)}
 
-    def save(self, path: str | Path) -> Path:
-        Path(path).write_text("".join(f"{x!r}\n" for x in self.residuals))
-        return Path(path)
+    def _write_data(self, path: Path) -> Path:
+        with written_whole(path) as draft:
+            draft.write_text("".join(f"{x!r}\n" for x in self.residuals))
+        return path
 
 
 def _drawn(report: SwingReport) -> Figure:
@@ -69,6 +71,8 @@ def time_swings(path: Path) -> SwingReport:
         raise InvalidInput(f"{path}: cannot be read ({error}). Give a file with a time on each line.") from None
     if len(times) < 3:
         raise InvalidInput(f"{path}: has {len(times)} times, and a period with its error needs three. Count longer.")
+    if not (np.isfinite(times).all() and (np.diff(times) > 0.0).all()):
+        raise InvalidInput(f"{path}: times must be numbers that rise. Sort them, each once.")
     count = np.arange(len(times)) / 2.0
     (period, start), covariance = np.polyfit(count, times, 1, cov="unscaled")
     residuals = times - (start + period * count)
