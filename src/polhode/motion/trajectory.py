@@ -142,6 +142,7 @@ class Trajectory(Plotted):
         ([1.0, 0.0, 0.0], [0.0, 0.0, -1.0])
         """
         given = self.given_axes if self.frame is None else np.asarray(self.frame.axes)
+        given = self.axes if given is None else given
         return self.standing(chosen_axes(axes, given))
 
     def standing(self, axes: Float64[Array, "3 3"] | None) -> Trajectory:
