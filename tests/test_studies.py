@@ -76,7 +76,7 @@ def test_a_report_on_a_spec_is_that_of_the_command(capsys, tmp_path):
     assert set(found.plot()) == {Path(name).stem for name in names} - {"motion"}
     for path in written:
         assert path.suffix == ".nc" or path.read_bytes() == (tmp_path / "by_command" / path.name).read_bytes()
-    with pytest.raises(InvalidInput, match=r"`name` must be one of .*momentum_sphere.* for a report of kind free-body"):
+    with pytest.raises(InvalidInput, match=r"`name` must be one of .*momentum_sphere.* in a report of kind free-body"):
         found.figure("tilt")
 
 

@@ -65,7 +65,7 @@ def test_mistakes_name_what_is_wrong(folder, capsys, monkeypatch):
     code, _, err = run(capsys, "export", "box.toml", "--to", "odd")
     assert code == 2 and "the form odd of another package, nowhere:FORM, cannot be imported" in err
     code, _, err = run(capsys, "export", "box.toml", "--to", "no")
-    assert code == 2 and "the form no of another package, math:pi, is no Form" in err
+    assert code == 2 and "the form no of another package, math:pi, is not a Form" in err
 
 
 @pytest.mark.parametrize(

@@ -182,17 +182,17 @@ def _compared(a: AttitudeHistory, b: AttitudeHistory, offset: float) -> Comparis
 def _sampled(source: Any, name: str) -> AttitudeHistory | None:
     """Return a history of what has samples, None of a motion in closed form."""
     if isinstance(source, AttitudeHistory):
-        return _rising(source)
+        return _sort_by_time(source)
     if isinstance(source, Trajectory) and source.attitude is not None:
         velocity = None if source.angular_velocity is None else np.asarray(source.angular_velocity)
-        return _rising(AttitudeHistory(name, np.asarray(source.times), np.asarray(source.attitude), velocity))
+        return _sort_by_time(AttitudeHistory(name, np.asarray(source.times), np.asarray(source.attitude), velocity))
     if isinstance(source, AbstractMotion):
         return None
     got = "a trajectory without attitudes" if isinstance(source, Trajectory) else shown(source)
     raise InvalidInput(f"`{name}` must be an AttitudeHistory, a Trajectory with attitudes, or a motion; got {got}.")
 
 
-def _rising(history: AttitudeHistory) -> AttitudeHistory:
+def _sort_by_time(history: AttitudeHistory) -> AttitudeHistory:
     """Return a history in the order of its times.
 
     Raises:

@@ -35,7 +35,7 @@ def run_export(path: Path, names: Sequence[str], out: Path | None) -> None:
     content = content_of(spec, moving_report_of(path, spec) if moving else report_of(path, spec))
     for form in wanted:
         place = out or Path(f"{path.stem}{form.ending}")
-        written = _written(form, content, place)
+        written = _write(form, content, place)
         print(one_line(f"{written}: {_said(form, content)}"))
         if form.of_attitudes and content.samples is not None:
             _warn_of_long_turns(content.samples, form.name)
@@ -73,7 +73,7 @@ def _lines(asked: SpecRotor) -> Lines | None:
     return asked.rotor.lines(asked.j_max, asked.temperature)
 
 
-def _written(form: Form, content: Content, place: Path) -> Path:
+def _write(form: Form, content: Content, place: Path) -> Path:
     """Write one file, with what its writer warns of on standard error."""
     assert form.write is not None
     try:

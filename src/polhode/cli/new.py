@@ -30,7 +30,7 @@ def run_new(example: str | None, out: Path | None) -> None:
         return
     asked, folder = example.removesuffix(".toml"), Path() if out is None else out
     if asked not in known and asked in foreign:
-        with _copied([folder / f"{asked}.toml"], folder) as draft:
+        with _copying([folder / f"{asked}.toml"], folder) as draft:
             (draft / f"{asked}.toml").write_text(foreign[asked].example, "utf-8")
         return
     chosen = known.get(asked)
@@ -39,13 +39,13 @@ def run_new(example: str | None, out: Path | None) -> None:
         meant = f"; did you mean {near[0]}?" if near else "."
         raise InvalidInput(f"no example is called {shown(example)}{meant} `polhode new` lists them.")
     wanted = [chosen, *_needed(chosen)]
-    with _copied([folder / path.name for path in wanted], folder) as draft:
+    with _copying([folder / path.name for path in wanted], folder) as draft:
         for path in wanted:
             shutil.copyfile(path, draft / path.name)
 
 
 @contextlib.contextmanager
-def _copied(wanted: list[Path], folder: Path) -> Iterator[Path]:
+def _copying(wanted: list[Path], folder: Path) -> Iterator[Path]:
     """Yield a draft folder whose files take the names that are wanted, the spec first, and say what was written."""
     if there := [path for path in wanted if path.exists()]:
         raise InvalidInput(f"{there[0]}: is there already, and nothing was copied. Name another folder by --out.")

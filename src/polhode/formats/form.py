@@ -76,7 +76,7 @@ class Content:
             InvalidInput: for what is none.
         """
         if self.molecule is None:
-            raise InvalidInput(f"{self.name} is no molecule with constants. Choose another form.")
+            raise InvalidInput(f"{self.name} is not a molecule with rotational constants. Choose another form.")
         return self.molecule()
 
 

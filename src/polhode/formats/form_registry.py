@@ -24,12 +24,12 @@ def forms() -> dict[str, Form]:
     found: dict[str, Form] = {form.name: form for form in own}
     for point in entry_points(group=GROUP):
         with contextlib.suppress(InvalidInput):
-            form = _loaded(point)
+            form = _load(point)
             found.setdefault(form.name, form)
     return found
 
 
-def _loaded(point: Any) -> Form:
+def _load(point: Any) -> Form:
     """Return the form of an entry point, of the class of ``importlib_metadata`` where that has been imported."""
     try:
         form = point.load()
@@ -37,7 +37,7 @@ def _loaded(point: Any) -> Form:
         why = f"the form {point.name} of another package, {point.value}, cannot be imported: {error}"
         raise InvalidInput(f"{why}. Update or remove it.") from error
     if not isinstance(form, Form):
-        raise InvalidInput(f"the form {point.name} of another package, {point.value}, is no Form. Update it.")
+        raise InvalidInput(f"the form {point.name} of another package, {point.value}, is not a Form. Update it.")
     return form
 
 
@@ -49,7 +49,7 @@ def check_importable(name: str) -> None:
     """
     for point in entry_points(group=GROUP):
         if point.name == name:
-            _loaded(point)
+            _load(point)
 
 
 def written_forms() -> dict[str, Form]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import abc
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -126,7 +127,7 @@ Overview = Sequence["tuple[Callable[..., Figure | None], int]"]
 TableT = TypeVar("TableT", bound=SystemTable)
 
 
-class AbstractKind(Generic[TableT]):
+class AbstractKind(abc.ABC, Generic[TableT]):
     """A kind of motion that a spec can name as ``[system] kind``.
 
     A folder of ``polhode.kinds``, or a module that another package names in the entry-point group ``polhode.kinds``,
@@ -165,6 +166,7 @@ class AbstractKind(Generic[TableT]):
         """The folder's ``example.toml``: a short spec of this kind."""
         return self._file("example.toml")
 
+    @abc.abstractmethod
     def report(self, spec: Spec[TableT]) -> SystemReport:
         """Return the answers about a spec of this kind.
 
@@ -172,7 +174,6 @@ class AbstractKind(Generic[TableT]):
             InvalidInput: for values that the system refuses.
             NotConverged: where a motion could not be followed.
         """
-        raise NotImplementedError(f"{type(self).__name__} must override `report`")
 
     def motion(self, spec: Spec[TableT]) -> SpecMotion:
         """Return the motion alone; a kind overrides it where much of the report is not needed for it.

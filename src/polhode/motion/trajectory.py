@@ -52,7 +52,7 @@ class Trajectory(Plotted):
         frame: the body's principal axes in the given ones, and its mass properties; None where these are not known.
         axes: (3, 3) principal axes by columns in those that attitude, momentum and angular velocity are along; None
             where these are the principal axes themselves, or where no others are known. ``along`` turns to others.
-        given_axes: (3, 3) principal axes by columns in the given ones, where there is no frame that has them.
+        given_axes: (3, 3) principal axes by columns in the given ones, for samples without a frame; else None.
         memory: with the last state all that it takes to go on to the same bits: the arrays that the method carries
             along, for ``simulate``; None unless asked for.
         ends: how each copy of an integrated batch came to its end, and when; None otherwise.

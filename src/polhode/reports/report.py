@@ -116,8 +116,10 @@ class Report(abc.ABC):
         """
         figures = self.figures()
         if name not in figures:
-            known = f"one of {', '.join(figures)}" if figures else "left alone, as there are no figures"
-            raise InvalidInput(f"`name` must be {known}, for a report of kind {self.kind}; got {shown(name)}.")
+            where = f"in a report of kind {self.kind}; got {shown(name)}"
+            if not figures:
+                raise InvalidInput(f"there are no figures {where}.")
+            raise InvalidInput(f"`name` must be one of {', '.join(figures)}, the figures {where}.")
         return figures[name]()
 
     def plot(self) -> dict[str, Figure]:

@@ -43,7 +43,8 @@ def compare(
             moment. Left out, it is 0, and of files what their epochs say.
 
     Raises:
-        InvalidInput: for what cannot be read or is no attitude history, and for two that have no time in common.
+        InvalidInput: for files that cannot be read, for what is not an attitude history, and for two histories that
+            have no time in common.
         NotConverged: for a spec whose motion could not be followed.
 
     >>> import polhode as ph
