@@ -77,8 +77,8 @@ def _engine(kind: str) -> Callable[[Any], tuple[Any, Any]]:
     @jax.jit
     def state(moments: Any, mgl: Any, momentum: Any, attitude: Any, times: Any) -> Any:
         if kind == "free body":
-            return ph.FreeMotion(moments, momentum, attitude).state(times)
-        return ph.LagrangeMotion(moments, mgl, momentum, attitude).state(times)
+            return ph.FreeMotion(moments, momentum=momentum, attitude=attitude).state(times)
+        return ph.LagrangeMotion(moments, mgl=mgl, momentum=momentum, attitude=attitude).state(times)
 
     def engine(motion: Any) -> tuple[Any, Any]:
         count = len(motion.times)
@@ -107,11 +107,11 @@ def _speed(less: int) -> None:
     print(f"a copy moves {bandwidth / 1e9:.0f} GB/s; the rest in shares of it")
     moments, momentum = jnp.array([1.0, 2.0, 3.0]), jnp.array([0.3, 1.8, 1.5])
     times = jnp.linspace(0.0, 1e6, 4_000_000 // less)
-    body = ph.FreeMotion(moments, momentum)
+    body = ph.FreeMotion(moments, momentum=momentum)
     one = jax.jit(lambda t: body.state(t))
     _said("one body at many times", len(times), 8 * 8, _median(lambda: one(times)), bandwidth)
     many = momentum + 1e-7 * jnp.arange(1_000_000 // less)[:, None]
-    each = jax.jit(lambda L: ph.FreeMotion(moments, L).state(50.0))
+    each = jax.jit(lambda L: ph.FreeMotion(moments, momentum=L).state(50.0))
     _said("many bodies, with set-up", len(many), 8 * 10, _median(lambda: each(many)), bandwidth)
     steps, system = 100, ph.systems.FreeRigidBody((1.0, 2.0, 3.0))
     method, span = ph.integrators.Splitting, np.array([0.0, steps * 0.01])

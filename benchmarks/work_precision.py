@@ -146,7 +146,7 @@ def cases():
     """Return the systems with start and converged end."""
     momentum = (0.3, 1.8, 1.5)
     body = ph.systems.FreeRigidBody(MOMENTS)
-    motion = ph.FreeMotion(MOMENTS, momentum)
+    motion = ph.FreeMotion(MOMENTS, momentum=momentum)
     yield "free rigid body", body, np.concatenate([ATTITUDE, momentum]), np.concatenate(motion.state(SPAN))
     top = ph.systems.BodyInPotential(MOMENTS, lambda up: 0.7 * up[2] + 0.3 * up[0])
     start = np.concatenate([ATTITUDE, momentum, [0.6, 0.0, 0.8]])

@@ -15,7 +15,7 @@ SAME = 1e-14
 
 
 def momentum_at(moments, momentum, t):
-    return ph.FreeMotion(moments, momentum).momentum(t)
+    return ph.FreeMotion(moments, momentum=momentum).momentum(t)
 
 
 @pytest.mark.parametrize("axes", [(0, None, None), (None, 1, None), (None, None, 0), (0, 1, None), (0, 1, 0)])

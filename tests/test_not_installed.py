@@ -28,7 +28,7 @@ PYTHON = re.escape(sys.executable)
 
 
 def motion():
-    return ph.FreeMotion((1.0, 2.0, 3.0), (0.1, 1.0, 0.1)).sample(np.arange(3.0))
+    return ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.1, 1.0, 0.1)).sample(np.arange(3.0))
 
 
 @pytest.mark.parametrize("name", WAYS)

@@ -28,7 +28,7 @@ TIMES = np.linspace(0.0, 5.0, 11)
 
 def test_against_the_exact_motion():
     found = ph.simulate(body, START, TIMES)
-    motion = ph.FreeMotion(MOMENTS, MOMENTUM)
+    motion = ph.FreeMotion(MOMENTS, momentum=MOMENTUM)
     assert np.abs(found.attitude - motion.attitude(TIMES)).max() < 1e-11
     assert np.abs(found.momentum - motion.momentum(TIMES)).max() < 1e-11
     assert np.abs(found.angular_velocity - motion.angular_velocity(TIMES)).max() < 1e-11
@@ -65,7 +65,7 @@ def test_steps_fit_between_uneven_samples_and_are_counted():
 
 def test_a_diffrax_solver_may_be_given():
     found = ph.simulate(body, START, TIMES, diffrax.Dopri8())
-    assert np.abs(found.momentum - ph.FreeMotion(MOMENTS, MOMENTUM).momentum(TIMES)).max() < 1e-9
+    assert np.abs(found.momentum - ph.FreeMotion(MOMENTS, momentum=MOMENTUM).momentum(TIMES)).max() < 1e-9
 
 
 @pytest.mark.parametrize("scale", first(1, [1e-200, 1e200]))
@@ -74,7 +74,7 @@ def test_states_whose_squares_are_no_numbers(scale, heavy):
     moments, times = np.array(MOMENTS) * (scale if heavy else 1.0), TIMES * (1.0 if heavy else 1.0 / scale)
     with pytest.warns(UserWarning, match="beyond double precision"):
         found = ph.simulate(systems.FreeRigidBody(moments), scale * MOMENTUM, times, LieMidpoint)
-    wanted = ph.FreeMotion(MOMENTS, MOMENTUM).momentum(TIMES)
+    wanted = ph.FreeMotion(MOMENTS, momentum=MOMENTUM).momentum(TIMES)
     assert np.abs(found.states / scale - wanted).max() < 1e-9
     assert "|L|²" not in found.drift and all(value < 1e-12 for value in found.drift.values())
     assert found.error_estimate < 1e-9

@@ -61,7 +61,7 @@ def slopes_of(function, point):
 
 
 def exactly_weighed(momentum):
-    return np.sum(ph.FreeMotion(MOMENTS, momentum).momentum(TIMES) * WEIGHTS)
+    return np.sum(ph.FreeMotion(MOMENTS, momentum=momentum).momentum(TIMES) * WEIGHTS)
 
 
 @pytest.mark.parametrize("method", [Splitting, pytest.param(LieMidpoint, marks=pytest.mark.sweep), ADAPTIVE])
@@ -110,7 +110,7 @@ def test_derivatives_by_the_arrays_in_a_system_and_by_times():
         return ph.solve(body, START, times, ADAPTIVE).saved[-1] @ weights
 
     def exactly(numbers):
-        return ph.FreeMotion(numbers[:3], START).momentum(0.5 * numbers[3]) @ np.asarray(weights)
+        return ph.FreeMotion(numbers[:3], momentum=START).momentum(0.5 * numbers[3]) @ np.asarray(weights)
 
     numbers = jnp.asarray([*MOMENTS, 2.0])
     wanted = slopes_of(exactly, numbers)

@@ -205,7 +205,7 @@ def test_a_temperature_that_is_the_spec_s_changes_nothing():
 
 
 def test_histories_in_any_order_are_compared():
-    motion = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5))
+    motion = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5))
     rising, falling = motion.sample(np.linspace(0.0, 10.0, 101)), motion.sample(np.linspace(9.0, 1.0, 81))
     mixed = motion.sample([0.0, 5.0, 2.0, 7.0])
     for one, other in ((rising, falling), (falling, rising), (mixed, rising)):

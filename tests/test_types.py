@@ -107,7 +107,7 @@ def test_a_broken_kernel_of_rotations_is_caught(kernel, monkeypatch):
 
 
 def test_a_broken_motion_is_caught(monkeypatch):
-    motion = polhode.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5))
+    motion = polhode.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5))
     attitude, momentum = motion.state(0.5)
     monkeypatch.setattr(type(motion), "state", lambda self, t: (momentum, attitude))
     for wrong in (motion.attitude, motion.momentum):
@@ -121,7 +121,7 @@ def test_a_broken_motion_is_caught(monkeypatch):
     ("integrators.composition", "STAGES", {2: (1,)}, lambda: composition.stages(2)),
     ("exact.free_body.evaluation", "FORM", SimpleNamespace(
         columns=lambda given: np.zeros(50), states=lambda *given: (np.zeros((5, 3)), np.zeros((5, 4)))),
-     lambda: polhode.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5)).momentum(np.arange(5.0))),
+     lambda: polhode.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5)).momentum(np.arange(5.0))),
     ("analysis.poinsot", "as_float64", lambda xp, value, name: xp.asarray(value[:2]),
      lambda: poinsot.ellipsoid_semi_axes((1.0, 2.0, 3.0))),
 ], ids=["systems", "integrators", "exact", "analysis"])  # fmt: skip
@@ -192,7 +192,7 @@ def test_the_alias_stands_once():
 
 
 def test_users_do_not_pay_for_the_checks():
-    code = "import sys, polhode; polhode.FreeMotion((1., 2., 3.), (1., 1., 1.)).state(1.0); print(*sys.modules)"
+    code = "import sys, polhode; polhode.FreeMotion((1., 2., 3.), momentum=(1., 1., 1.)).state(1.0); print(*sys.modules)"
     found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120, check=True)
     assert "polhode.types" in found.stdout.split()
     assert not {"jax", "jaxtyping"} & set(found.stdout.split())

@@ -23,7 +23,7 @@ def rows(quick: bool) -> Iterator[Row]:
     chosen = [k for k, t in enumerate(motion.times) if t > 100.0]
     for k in chosen:
         t, exact = float(motion.times[k]), motion.attitudes[k]
-        body = ph.FreeMotion(motion.moments, motion.momentum, motion.attitude)
+        body = ph.FreeMotion(motion.moments, momentum=motion.momentum, attitude=motion.attitude)
         ours, error = (lambda t=t, body=body: body.state(t)), angle(body.attitude(t), exact)
         work = f"t = {t:.4g} (units of I/L)"
         yield from _orekit(work, motion, t, exact, ours, error, quick)

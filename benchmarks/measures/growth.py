@@ -30,7 +30,7 @@ def _measured(quick: bool) -> dict[str, tuple[str, dict[str, tuple[Any, Any]]]]:
     few = 2 if quick else 5
     spans, counts = 10.0 ** np.arange(1, 1 + few), 10 ** np.arange(2, 2 + few)
     sizes = 2 ** np.arange(1, max(few, 3))
-    motion, body = ph.FreeMotion(MOMENTS, START), ph.systems.FreeRigidBody(MOMENTS)
+    motion, body = ph.FreeMotion(MOMENTS, momentum=START), ph.systems.FreeRigidBody(MOMENTS)
     start = np.array([1.0, 0.0, 0.0, 0.0, *START])
     momenta = np.random.default_rng(0).normal(size=(int(counts[-1]), 3))
 
@@ -55,7 +55,9 @@ def _measured(quick: bool) -> dict[str, tuple[str, dict[str, tuple[Any, Any]]]]:
         f"splitting of order 2, step {STEP:g}": [median(lambda t=t: stepped(t), 3) for t in spans],
     }
     of_bodies = {
-        "exact, with set-up": [median(lambda n=n: ph.FreeMotion(MOMENTS, momenta[:n]).state(50.0), 3) for n in counts]
+        "exact, with set-up": [
+            median(lambda n=n: ph.FreeMotion(MOMENTS, momentum=momenta[:n]).state(50.0), 3) for n in counts
+        ]
     }
     of_sizes = {"Lie midpoint on su(N), 100 steps": [median(unitary(int(n)), 3) for n in sizes]}
     return {

@@ -61,7 +61,7 @@ def cases(quick: bool) -> Iterator[Case]:
     moments = (1.5, 1.5, 1.0)
     top = HeavyTop(moments, 1.0)
     start = top.pack(attitude, angular_velocity=(0.6, 0.4, 1.8))
-    motion = ph.LagrangeMotion(moments, 1.0, np.asarray(start[4:7]), attitude)
+    motion = ph.LagrangeMotion(moments, mgl=1.0, momentum=np.asarray(start[4:7]), attitude=attitude)
     for span in (20.0,) if quick else (20.0, 1000.0):
         yield Case(f"Lagrange's, t = {span:,.0f}", top, start, span, np.concatenate(motion.state(span)))
 

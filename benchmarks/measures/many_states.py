@@ -22,16 +22,18 @@ def rows(quick: bool) -> Iterator[Row]:
     host = "Numba" if importlib.util.find_spec("numba") else "NumPy"
     jacobi = lambda: ellipj(times, 0.3)  # noqa: E731
     for name, momentum in BODIES.items():
-        motion = ph.FreeMotion(MOMENTS, momentum)
+        motion = ph.FreeMotion(MOMENTS, momentum=momentum)
         found = compared(lambda m=motion: m.state(times), jacobi, repeats)
         yield Row(f"one body, {name}, {count:,} times", PEER, None, None, *found, host)
     moments, momenta = rng.uniform(0.5, 3.0, (count, 3)), rng.normal(size=(count, 3))
-    found = compared(lambda: ph.FreeMotion(moments, momenta).state(times), jacobi, repeats)
+    found = compared(lambda: ph.FreeMotion(moments, momentum=momenta).state(times), jacobi, repeats)
     yield Row(f"{count:,} bodies with set-up, one time each", PEER, None, None, *found, host)
-    top = ph.LagrangeMotion((1.0, 1.0, 0.5), 1.0, (0.1, 0.2, 2.5), (0.8, 0.6, 0.0, 0.0))
+    top = ph.LagrangeMotion((1.0, 1.0, 0.5), mgl=1.0, momentum=(0.1, 0.2, 2.5), attitude=(0.8, 0.6, 0.0, 0.0))
     found = compared(lambda: top.state(times), jacobi, repeats)
     yield Row(f"one Lagrange top, {count:,} times", PEER, None, None, *found, host)
     bodies, attitudes = moments[:, [0, 0, 1]], rng.normal(size=(count, 4))
     attitudes, mgl = attitudes / np.linalg.norm(attitudes, axis=1, keepdims=True), rng.uniform(0.2, 3.0, count)
-    found = compared(lambda: ph.LagrangeMotion(bodies, mgl, momenta, attitudes).state(times), jacobi, repeats)
+    found = compared(
+        lambda: ph.LagrangeMotion(bodies, mgl=mgl, momentum=momenta, attitude=attitudes).state(times), jacobi, repeats
+    )
     yield Row(f"{count:,} Lagrange tops with set-up, one time each", PEER, None, None, *found, host)

@@ -17,7 +17,7 @@ def rows(quick: bool) -> Iterator[Row]:
     """Yield the C loop's time over ours, with compensated sums as ours and with plain ones."""
     steps = 10_000 if quick else 1_000_000
     body, times = ph.systems.FreeRigidBody(MOMENTS), np.linspace(0.0, steps * STEP, 11)
-    exact = np.concatenate(ph.FreeMotion(MOMENTS, START[4:]).state(times[-1]))
+    exact = np.concatenate(ph.FreeMotion(MOMENTS, momentum=START[4:]).state(times[-1]))
 
     def ours() -> np.ndarray:
         method = ph.integrators.Splitting

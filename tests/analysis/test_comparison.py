@@ -10,7 +10,7 @@ from polhode.analysis.alignment import fit_alignment, mean_quaternion
 from polhode.analysis.comparison import AttitudeHistory, Mechanics, compare
 
 EXACT = 1e-12  # rad, rad/s and relative: rounding of a few quaternion products
-MOTION = FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5), attitude=(0.5, -0.5, 0.5, 0.5))
+MOTION = FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5), attitude=(0.5, -0.5, 0.5, 0.5))
 TIMES = np.linspace(3.0, 43.0, 1501)
 BODY = Mechanics(np.diag([1.0, 2.0, 3.0]))
 
@@ -32,15 +32,15 @@ def disturbed(body, space, rate, times=TIMES):
 
 
 def test_motions_and_trajectories_are_compared_as_they_are():
-    motion = FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5))
-    other = FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5 + 1e-6))
+    motion = FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5))
+    other = FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5 + 1e-6))
     times = np.linspace(0.0, 5.0, 101)
     assert compare(motion, motion.sample(times)).largest < 1e-14
     assert compare(motion.sample(times), motion).largest < 1e-14
     found = compare(motion.sample(times), other)
     wanted = rotation.angle_between(motion.attitude(times), other.attitude(times))
     assert found.angle == pytest.approx(wanted, abs=1e-14) and found.largest > 1e-7
-    late = FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5), epoch=-2.0)
+    late = FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5), epoch=-2.0)
     assert compare(late.sample(times - 2.0), motion, offset=-2.0).largest < 1e-13
     with pytest.raises(InvalidInput, match="both motions in closed form"):
         compare(motion, other)
@@ -48,7 +48,7 @@ def test_motions_and_trajectories_are_compared_as_they_are():
 
 @pytest.mark.usefixtures("any_type")
 def test_what_has_no_attitude_is_not_compared():
-    samples = FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5)).sample(np.linspace(0.0, 5.0, 101))
+    samples = FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5)).sample(np.linspace(0.0, 5.0, 101))
     with pytest.raises(InvalidInput, match="`b` must be an AttitudeHistory, a Trajectory"):
         compare(samples, "motion.nc")
 
@@ -91,7 +91,7 @@ def test_what_no_alignment_explains_remains():
 
 
 def test_a_steady_spin_does_not_tell_all_nine_apart():
-    spin = FreeMotion((1.0, 2.0, 3.0), (0.0, 0.0, 3.0)).attitude(TIMES)
+    spin = FreeMotion((1.0, 2.0, 3.0), momentum=(0.0, 0.0, 3.0)).attitude(TIMES)
     turned = rotation.multiply(spin, rotation.from_rotation_vector((0.0, 0.0, 0.02)))
     found = fit_alignment(TIMES, turned, spin)
     assert found is not None and not found.determined and found.remaining.max() <= EXACT
@@ -147,7 +147,7 @@ def test_times_to_a_digit_are_the_same_times(late):
 def test_nothing_is_fitted_to_the_rounding_of_times(rates):
     """A steady turn meets the bound speed times half a digit exactly; four times that is no rounding any more."""
     digit, speed = 1e-9, 7.0
-    spin = FreeMotion((1.0, 2.0, 3.0), (0.0, 0.0, 3.0 * speed))
+    spin = FreeMotion((1.0, 2.0, 3.0), momentum=(0.0, 0.0, 3.0 * speed))
     velocity = spin.angular_velocity(TIMES) if rates else None
     for shift, rounded in ((0.5, True), (-0.5, True), (2.0, False)):
         seen = AttitudeHistory("seen", TIMES, spin.attitude(TIMES + shift * digit), velocity, resolution=0.5 * digit)
@@ -200,7 +200,9 @@ def test_a_motion_that_loses_energy_is_found_out():
 
 
 def test_a_top_keeps_energy_and_vertical_momentum():
-    top = LagrangeMotion((1.0, 1.0, 2.0), 3.0, (0.2, 0.4, 6.0), rotation.from_rotation_vector((0.5, 0.0, 0.0)))
+    top = LagrangeMotion(
+        (1.0, 1.0, 2.0), mgl=3.0, momentum=(0.2, 0.4, 6.0), attitude=rotation.from_rotation_vector((0.5, 0.0, 0.0))
+    )
     samples = top.sample(TIMES)
     heavy = Mechanics(np.diag([1.0, 1.0, 2.0]), np.array([0.0, 0.0, 3.0]))
     own = AttitudeHistory("top", TIMES, samples.attitude, samples.angular_velocity, mechanics=heavy)

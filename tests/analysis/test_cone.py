@@ -31,7 +31,7 @@ def between(first, second):
 @pytest.mark.parametrize("name", MOTIONS)
 def test_they_are_those_of_the_motion(name):
     moments, momentum = MOTIONS[name]
-    motion = FreeMotion(moments, momentum)
+    motion = FreeMotion(moments, momentum=momentum)
     period = motion.period if motion.period and np.isfinite(motion.period) else 10.0
     L = motion.momentum(np.linspace(0.0, period, 4001))
     sampled = np.stack([between(np.eye(3)[k], L) for k in range(3)])
@@ -49,14 +49,17 @@ def test_they_are_those_of_the_motion(name):
 def test_a_tiny_cone_keeps_its_digits():
     """Of the Earth's size: a hair off the axis of largest moment, oblate, where the angle is that of L itself."""
     small = 3e-12
-    found = cone_angles(FreeMotion((1.0, 1.0, 1.003), (small, 0.0, 1.0)))
+    found = cone_angles(FreeMotion((1.0, 1.0, 1.003), momentum=(small, 0.0, 1.0)))
     assert np.abs(np.array(found) / math.atan(small) - 1.0).max() < 1e-12
-    assert abs(velocity_angles(FreeMotion((1.0, 1.0, 1.003), (small, 0.0, 1.0)))[0] / (0.003 * small) - 1.0) < 1e-9
+    assert (
+        abs(velocity_angles(FreeMotion((1.0, 1.0, 1.003), momentum=(small, 0.0, 1.0)))[0] / (0.003 * small) - 1.0)
+        < 1e-9
+    )
 
 
 def test_on_the_separatrix_they_are_those_of_all_time():
     """I = (1, 2, 3): the great circle's plane passes half-way between the axes where 2E = |L|²/I_2."""
-    motion = FreeMotion((3.0, 4.0, 6.0), (1.0, 0.5, -1.0))
+    motion = FreeMotion((3.0, 4.0, 6.0), momentum=(1.0, 0.5, -1.0))
     assert motion.regime == "separatrix"
     L = motion.momentum(np.linspace(-200.0, 200.0, 40001))
     found = axis_angles(motion)
@@ -66,5 +69,5 @@ def test_on_the_separatrix_they_are_those_of_all_time():
 
 
 def test_at_rest_there_are_none():
-    still = FreeMotion((1.0, 2.0, 3.0), (0.0, 0.0, 0.0))
+    still = FreeMotion((1.0, 2.0, 3.0), momentum=(0.0, 0.0, 0.0))
     assert axis_angles(still) is None and cone_angles(still) is None and velocity_angles(still) is None

@@ -50,10 +50,10 @@ def test_a_body_has_settled_by_its_time():
 
 def test_rates_of_free_bodies():
     """A steady turn comes back in its period; a tumbling one flips by half of the turn in a polhode's period."""
-    steady = ph.FreeMotion((1.0, 2.0, 3.0), (0.0, 0.0, 6.0))
+    steady = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.0, 0.0, 6.0))
     assert analysis.rotation_period(steady) == pytest.approx(math.pi, rel=1e-15)
     assert fastest_rate(steady) == pytest.approx(2.0, rel=1e-15) and analysis.turn_per_flip(steady) is None
-    tumbling = ph.FreeMotion((1.0, 2.0, 3.0), (0.01, 4.0, 0.02))
+    tumbling = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.01, 4.0, 0.02))
     assert analysis.rotation_period(tumbling) is None
     turn = analysis.turn_per_flip(tumbling)
     assert turn == pytest.approx(tumbling.precession_rate * tumbling.flip_interval, rel=1e-12)

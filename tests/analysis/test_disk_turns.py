@@ -94,7 +94,7 @@ def test_turns_are_counted_by_the_contact():
     again = ph.simulate(DISK, motion.states[k], np.asarray(last.times) - last.times[0])
     assert np.abs(last.states - np.asarray(again.states)).max() < 1e-7
     with pytest.raises(InvalidInput, match="must be of one EulerDisk"):
-        analysis.first_turns(ph.FreeMotion((1.0, 2.0, 3.0), (0.0, 0.0, 1.0)).sample([0.0, 1.0]), 1.0, 5)
+        analysis.first_turns(ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.0, 0.0, 1.0)).sample([0.0, 1.0]), 1.0, 5)
     with pytest.raises(InvalidInput, match="`span` must be positive"):
         analysis.rolling_path(DISK, start, 0.0, 5)
 

@@ -73,7 +73,7 @@ def test_where_losses_lead_nowhere():
 
 def test_the_strength_follows_from_the_power_and_takes_it():
     rate = sink_rate_by_loss((1.0, 2.0, 3.0), LONG, 1e-6)
-    motion = ph.FreeMotion((1.0, 2.0, 3.0), LONG)
+    motion = ph.FreeMotion((1.0, 2.0, 3.0), momentum=LONG)
     times = np.linspace(0.0, motion.period, 20001)
     L = motion.momentum(times)
     loss = rate * np.sum(np.cross(L, L / np.array([1.0, 2.0, 3.0])) ** 2, axis=-1)

@@ -62,7 +62,7 @@ def test_a_driven_motion_has_the_period_of_its_drive():
 
 def test_the_period_of_a_free_body_is_that_of_its_closed_form():
     found = periodic_motion(ph.systems.FreeRigidBody((1.0, 2.0, 3.0)), [0.3, 0.1, 2.0], 9.5)
-    exact = ph.FreeMotion((1.0, 2.0, 3.0), found.state).period
+    exact = ph.FreeMotion((1.0, 2.0, 3.0), momentum=found.state).period
     assert abs(found.period - exact) < 1e-13 * exact and np.abs(found.multipliers - 1.0).max() < found.errors.max()
 
 

@@ -85,8 +85,8 @@ def test_damping_is_harris_rule():
     (lambda: ellipsoid_brightness([1.0, 1.0, 1.0], SUN, [np.nan, 0.0, 0.0]), "finite"),
     (lambda: equivalent_ellipsoid([1.0, 2.0, 3.0]), "solid"), (lambda: equivalent_ellipsoid([2.0, 1.0, 2.5]), "rise"),
     (lambda: internal_damping_time(-1.0, 1.0), "period"), (lambda: internal_damping_time(1.0, 1.0, np.inf), "density"),
-    (lambda: light_curve_lines(ph.FreeMotion([1, 2, 2.5], [0, 0, 1]), [3, 2, 1], SUN, OBSERVER), "tumble"),
-    (lambda: light_curve(ph.FreeMotion([1, 2, 2.5], [0, 1, 1]), [0.0], [3, 2, 1], SUN, -SUN), "lit side"),
+    (lambda: light_curve_lines(ph.FreeMotion([1, 2, 2.5], momentum=[0, 0, 1]), [3, 2, 1], SUN, OBSERVER), "tumble"),
+    (lambda: light_curve(ph.FreeMotion([1, 2, 2.5], momentum=[0, 1, 1]), [0.0], [3, 2, 1], SUN, -SUN), "lit side"),
 ])  # fmt: skip
 def test_bad_input_is_refused(call, words):
     with pytest.raises(ph.InvalidInput, match=words):

@@ -103,7 +103,7 @@ def test_the_free_body_at_held_energy_and_momentum():
     found = ph.continue_periodic(make, (3.0, 3.4), [0.3, 0.1, 2.0], 9.5)
     start, levels = make(3.0), []
     for value, motion in zip(found.values, found.motions, strict=True):
-        exact = ph.FreeMotion((1.0, 2.0, value), motion.state)
+        exact = ph.FreeMotion((1.0, 2.0, value), momentum=motion.state)
         assert abs(motion.period / exact.period - 1.0) < EXACT
         levels.append([float(x) for x in make(value).invariants(motion.state).values()])
     wanted = [float(x) for x in start.invariants(found.motions[0].state).values()]

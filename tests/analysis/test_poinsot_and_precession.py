@@ -17,7 +17,7 @@ EXACT = 1e-13
 @pytest.mark.parametrize("momentum", [SAM, LAM])
 @pytest.mark.parametrize("scale", [1.0, 1e-9, 3e7])
 def test_radii_are_the_extremes_of_the_curve(momentum, scale):
-    motion = ph.FreeMotion(scale * np.array([1.0, 2.0, 3.0]), scale * np.array(momentum))
+    motion = ph.FreeMotion(scale * np.array([1.0, 2.0, 3.0]), momentum=scale * np.array(momentum))
     found = herpolhode(motion)
     times = np.linspace(0.0, motion.period, 20001)
     radii = np.linalg.norm(herpolhode_curve(motion, times), axis=1)
@@ -27,7 +27,7 @@ def test_radii_are_the_extremes_of_the_curve(momentum, scale):
 
 
 def test_ellipsoid_rolls_without_slipping():
-    motion = ph.FreeMotion((1.0, 2.0, 3.0), SAM)
+    motion = ph.FreeMotion((1.0, 2.0, 3.0), momentum=SAM)
     times = np.linspace(0.0, 5.0, 40001)
     point = contact_point(motion.angular_velocity(times), motion.energy)
     assert np.abs((point / ellipsoid_semi_axes(motion.moments)) ** 2 @ np.ones(3) - 1.0).max() < EXACT
@@ -41,19 +41,19 @@ def test_ellipsoid_rolls_without_slipping():
 
 
 def test_radii_in_the_limits():
-    assert herpolhode(ph.FreeMotion((1.0, 2.0, 3.0), (0.0, 0.0, 2.0)))[:2] == (0.0, 0.0)
-    assert herpolhode(ph.FreeMotion((1.0, 2.0, 3.0), (0.0, 2.0, 0.0)))[:2] == (0.0, 0.0)
-    assert herpolhode(ph.FreeMotion((2.0, 2.0, 2.0), SAM))[:2] == (0.0, 0.0)
-    assert herpolhode(ph.FreeMotion((3.0, 4.0, 6.0), (1.0, 2.0, 1.0))).inner_radius == 0.0
-    circle = herpolhode(ph.FreeMotion((1.0, 1.0, 2.0), (0.3, 0.4, 1.0)))
+    assert herpolhode(ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.0, 0.0, 2.0)))[:2] == (0.0, 0.0)
+    assert herpolhode(ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.0, 2.0, 0.0)))[:2] == (0.0, 0.0)
+    assert herpolhode(ph.FreeMotion((2.0, 2.0, 2.0), momentum=SAM))[:2] == (0.0, 0.0)
+    assert herpolhode(ph.FreeMotion((3.0, 4.0, 6.0), momentum=(1.0, 2.0, 1.0))).inner_radius == 0.0
+    circle = herpolhode(ph.FreeMotion((1.0, 1.0, 2.0), momentum=(0.3, 0.4, 1.0)))
     assert circle.inner_radius == pytest.approx(circle.outer_radius, rel=EXACT)
-    assert herpolhode(ph.FreeMotion((1.0, 2.0, 3.0), (0.0, 0.0, 0.0))) is None
+    assert herpolhode(ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.0, 0.0, 0.0))) is None
 
 
 @pytest.mark.parametrize(("moments", "sense"), [((1.0, 1.0, 2.0), "with"), ((2.0, 2.0, 1.0), "against")])
 def test_symmetric_bodies_precess_as_the_book_says(moments, sense):
     momentum = np.array([0.3, 0.4, 1.0])
-    motion = ph.FreeMotion(moments, momentum)
+    motion = ph.FreeMotion(moments, momentum=momentum)
     in_body, in_space = body_precession(motion), space_precession(motion)
     spin = momentum[2] / moments[2]
     assert in_body.rate == pytest.approx(abs(moments[2] - moments[0]) / moments[0] * spin, rel=EXACT)
@@ -70,13 +70,13 @@ def test_symmetric_bodies_precess_as_the_book_says(moments, sense):
     ("ratio", "degrees"), [(0.3, 193.0), (0.1, 166.3), (0.05, 151.4), (0.02, 113.2), (0.01, 71.8), (0.001, 7.9)]
 )
 def test_tennis_racket(ratio, degrees):
-    motion = ph.FreeMotion((0.00121, 0.01638, 0.01748), (0.00121 * ratio, 0.01638, 0.0))
+    motion = ph.FreeMotion((0.00121, 0.01638, 0.01748), momentum=(0.00121 * ratio, 0.01638, 0.0))
     assert np.degrees(racket_twist(motion)) == pytest.approx(degrees, abs=0.05)
 
 
 def test_a_racket_spun_about_its_handle_has_no_twist():
     with pytest.raises(InvalidInput, match="handle"):
-        racket_twist(ph.FreeMotion((1.0, 2.0, 3.0), (1.0, 0.0, 0.0)))
+        racket_twist(ph.FreeMotion((1.0, 2.0, 3.0), momentum=(1.0, 0.0, 0.0)))
 
 
 @pytest.mark.parametrize("handle", [0, 1, 2])
@@ -96,4 +96,4 @@ def test_twist_is_that_of_an_integration(handle, momentum):
     turned_once.terminal = True
     path = solve_ivp(field, (0.0, 100.0), [*momentum, 0.0, 0.0], "DOP853", events=turned_once, rtol=1e-12, atol=1e-14)
     twist = abs(path.y_events[0][0, 4])
-    assert racket_twist(ph.FreeMotion(moments, momentum), handle) == pytest.approx(twist, abs=1e-9)
+    assert racket_twist(ph.FreeMotion(moments, momentum=momentum), handle) == pytest.approx(twist, abs=1e-9)

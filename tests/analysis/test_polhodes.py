@@ -25,7 +25,7 @@ def test_family_and_separatrix():
 
 
 def test_own_polhode_has_even_steps_where_time_has_not_and_no_corners():
-    motion = ph.FreeMotion(MOMENTS, (1e-4, 1.0, 1e-4))
+    motion = ph.FreeMotion(MOMENTS, momentum=(1e-4, 1.0, 1e-4))
     curve = polhode(motion, 500)
     steps = np.linalg.norm(np.diff(curve, axis=0), axis=1)
     assert np.ptp(kinetic(curve)) < 1e-14 and steps.max() < 2.5 * steps.mean()
@@ -33,7 +33,7 @@ def test_own_polhode_has_even_steps_where_time_has_not_and_no_corners():
     assert np.linalg.norm(np.diff(turns, axis=0), axis=1).max() < 0.1
     uneven = np.linalg.norm(np.diff(motion.momentum(np.linspace(0.0, motion.period, 501)), axis=0), axis=1)
     assert uneven.max() > 3.0 * uneven.mean()
-    assert polhode(ph.FreeMotion(MOMENTS, (0.0, 0.0, 1.0)), 10) is None
+    assert polhode(ph.FreeMotion(MOMENTS, momentum=(0.0, 0.0, 1.0)), 10) is None
 
 
 @pytest.mark.parametrize("rotor", [(0.0, 0.0, 0.0), (0.1, 0.2, 0.4), (0.0, 0.0, 0.6)])

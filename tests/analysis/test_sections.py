@@ -11,7 +11,7 @@ from polhode.errors import InvalidInput, NotConverged
 
 MOMENTS, MOMENTUM = (1.0, 2.0, 3.5), np.array([0.3, 2.0, 0.1])
 BODY = systems.FreeRigidBody(MOMENTS)
-MOTION = ph.FreeMotion(MOMENTS, MOMENTUM)
+MOTION = ph.FreeMotion(MOMENTS, momentum=MOMENTUM)
 SPAN = (0.0, 60.0)
 
 

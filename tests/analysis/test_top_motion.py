@@ -64,18 +64,20 @@ def test_steady_rates_keep_the_tilt():
     """Thrown with either rate, a top of this tilt and spin goes round at that rate, at constant tilt."""
     moments, mgl, spin, tilt = (1.0, 1.0, 0.5), 1.0, 5.0, 0.9
     attitude = (np.cos(0.5 * tilt), np.sin(0.5 * tilt), 0.0, 0.0)
-    thrown = ph.LagrangeMotion(moments, mgl, (0.3, 0.0, 0.5 * spin), attitude)
+    thrown = ph.LagrangeMotion(moments, mgl=mgl, momentum=(0.3, 0.0, 0.5 * spin), attitude=attitude)
     rates = analysis.steady_precession_of(thrown)
     assert rates is not None and not analysis.keeps_its_tilt(thrown)
     for rate in rates:
         # Ω across the axis, φ̇ sin θ, lies up along the body's second axis
-        steady = ph.LagrangeMotion(moments, mgl, (0.0, rate * np.sin(tilt), 0.5 * spin), attitude)
+        steady = ph.LagrangeMotion(moments, mgl=mgl, momentum=(0.0, rate * np.sin(tilt), 0.5 * spin), attitude=attitude)
         assert analysis.keeps_its_tilt(steady)
         axis = rotation.rotate(steady.attitude(np.array([0.0, 0.1])), E3)
         turned = np.diff(np.unwrap(np.arctan2(axis[:, 1], axis[:, 0])))[0]
         assert turned == pytest.approx(0.1 * rate, rel=1e-9)
     for height in (0.0, np.pi):
-        standing = ph.LagrangeMotion(moments, mgl, (0, 0, 2.5), (np.cos(height / 2), np.sin(height / 2), 0.0, 0.0))
+        standing = ph.LagrangeMotion(
+            moments, mgl=mgl, momentum=(0, 0, 2.5), attitude=(np.cos(height / 2), np.sin(height / 2), 0.0, 0.0)
+        )
         assert analysis.steady_precession_of(standing) is None
 
 
@@ -83,7 +85,9 @@ def test_a_motion_is_the_same_top_as_a_system():
     """Along the given axes of a body too: splitting follows the closed form."""
     cone = ph.shapes.cone(0.1, 0.03, 0.05).placed((0.6, 0.8, 0.0, 0.0))
     pivot = ph.rotation.rotate(np.array([0.6, 0.8, 0.0, 0.0]), np.array([0.0, 0.0, 0.0375]))
-    motion = ph.LagrangeMotion.from_body(cone, pivot, (20.0, -30.0, 50.0), attitude=(0.8, 0.6, 0.0, 0.0))
+    motion = ph.LagrangeMotion.from_body(
+        cone, pivot=pivot, angular_velocity=(20.0, -30.0, 50.0), attitude=(0.8, 0.6, 0.0, 0.0)
+    )
     top = systems.HeavyTop.from_motion(motion)
     assert np.linalg.norm(top.weight) == pytest.approx(0.1 * 9.80665 * 0.0375, rel=1e-12)
     assert np.asarray(top.weight) == pytest.approx((cone.center_of_mass - pivot) * 0.1 * 9.80665, abs=1e-15)
@@ -92,4 +96,4 @@ def test_a_motion_is_the_same_top_as_a_system():
     given = rotation.multiply(found.attitude, rotation.conjugate(rotation.from_matrix(np.asarray(top.axes))))
     assert rotation.angle_between(given, motion.attitude(found.times)).max() < 1e-9
     with pytest.raises(InvalidInput, match="must be of one top"):
-        systems.HeavyTop.from_motion(ph.LagrangeMotion((1.0, 1.0, 0.5), np.array([1.0, 2.0]), (0, 0, 1.0)))
+        systems.HeavyTop.from_motion(ph.LagrangeMotion((1.0, 1.0, 0.5), mgl=np.array([1.0, 2.0]), momentum=(0, 0, 1.0)))

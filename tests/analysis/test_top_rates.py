@@ -22,7 +22,7 @@ def released(spin, azimuthal=0.0, tilt=TILT):
     velocity = rotation.rotate(rotation.conjugate(lean), np.array([0.0, 0.0, azimuthal]))
     momentum = np.asarray(MOMENTS) * velocity
     momentum[2] = MOMENTS[2] * spin
-    return ph.LagrangeMotion(MOMENTS, MGL, momentum, lean)
+    return ph.LagrangeMotion(MOMENTS, mgl=MGL, momentum=momentum, attitude=lean)
 
 
 @pytest.mark.parametrize("azimuthal", [0.0, -0.3, 0.25])  # a cusp, loops, undulation

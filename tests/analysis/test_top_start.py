@@ -66,7 +66,9 @@ def test_steady_precession_keeps_the_tilt(tilt, which):
         return
     attitude = SYMMETRIC.leaning(lean)
     velocity = analysis.top_velocity(SYMMETRIC, attitude, 3.0, rate)
-    motion = ph.LagrangeMotion((1.0, 1.0, 0.5), 1.0, np.array([1.0, 1.0, 0.5]) * velocity, attitude)
+    motion = ph.LagrangeMotion(
+        (1.0, 1.0, 0.5), mgl=1.0, momentum=np.array([1.0, 1.0, 0.5]) * velocity, attitude=attitude
+    )
     tilts = analysis.axis_tilt(SYMMETRIC, motion.sample(np.linspace(0.0, 50.0, 300)).attitude)
     assert np.abs(tilts - lean).max() < 5e-15
     assert (motion.precession_rate, motion.spin_rate) == pytest.approx((rate, 3.0), rel=1e-13)

@@ -179,7 +179,8 @@ def test_an_exact_motion_is_found_by_its_epoch(files, capsys):
 
 
 def test_no_time_in_common_is_one_error(files, capsys):
-    write_aem(FreeMotion((1.0, 2.0, 3.0), (0.0, 0.1, 1.0)).sample(np.linspace(0.0, 9.0, 20)), files / "other.aem",
+    motion = FreeMotion((1.0, 2.0, 3.0), momentum=(0.0, 0.1, 1.0))
+    write_aem(motion.sample(np.linspace(0.0, 9.0, 20)), files / "other.aem",
               labels=AttitudeLabels(epoch="2027-01-01T00:00:00"))  # fmt: skip
     code, _, err = run(["compare", "box.aem", "other.aem"], capsys)
     assert code == 2 and "no time in common" in err and err.count("\n") == 1
@@ -295,7 +296,7 @@ def test_names_that_differ_by_case_and_underscore_are_the_same(files, capsys):
 def test_two_attitudes_at_one_time_are_a_contradiction(tmp_path, monkeypatch, capsys):
     """One of them was taken silently; the same one twice is no contradiction."""
     monkeypatch.chdir(tmp_path)
-    samples = FreeMotion((1.0, 2.0, 3.0), (0.3, 0.4, 0.5)).sample(np.array([0.0, 1.0, 1.0, 2.0, 0.5]))
+    samples = FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 0.4, 0.5)).sample(np.array([0.0, 1.0, 1.0, 2.0, 0.5]))
     write_dataset(samples, tmp_path / "same.nc")
     with pytest.raises(SystemExit, match="0"):
         main(["compare", "same.nc", "same.nc"])
@@ -309,7 +310,7 @@ def test_two_attitudes_at_one_time_are_a_contradiction(tmp_path, monkeypatch, ca
 
 
 def test_one_attitude_is_one(files, capsys):
-    write_aem(FreeMotion((1.0, 2.0, 3.0), (0.0, 0.1, 1.0)).sample(np.zeros(1)), "one.aem")
+    write_aem(FreeMotion((1.0, 2.0, 3.0), momentum=(0.0, 0.1, 1.0)).sample(np.zeros(1)), "one.aem")
     assert "AEM with 1 attitude." in run(["import", "one.aem"], capsys)[1]
 
 
@@ -381,7 +382,7 @@ def logs(tmp_path, monkeypatch):
     """A spec, and its motion logged by clocks that began with the computer, and in 1970; stamps have no common step."""
     monkeypatch.chdir(tmp_path)
     (tmp_path / "free.toml").write_text(FREE)
-    motion = FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5))
+    motion = FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5))
     attitudes = [",".join(map(repr, motion.attitude(n * 1e-9).tolist())) for n in NANOSECONDS]
     for name, unit, begin, divisor in (("boot", "us", 68_497_369, 1000), ("unix", "ns", 1_605_400_445_000_000_123, 1)):
         rows = [f"{begin + n // divisor},{q}" for n, q in zip(NANOSECONDS, attitudes, strict=True)]

@@ -62,7 +62,7 @@ def test_places_that_cannot_be_written(run, tmp_path, out):
 
 def test_page_of_a_free_body_needs_no_jax(tmp_path):
     text = (
-        "import sys, polhode as ph; m = ph.FreeMotion((1, 2, 3), (0.3, 1.8, 1.5));"
+        "import sys, polhode as ph; m = ph.FreeMotion((1, 2, 3), momentum=(0.3, 1.8, 1.5));"
         "ph.show(m.sample([0.0, 1.0]));"
         "sys.exit(len({'jax', 'matplotlib', 'xarray', 'trimesh'} & set(sys.modules)))"
     )

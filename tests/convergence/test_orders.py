@@ -81,7 +81,7 @@ def end(name, method, step, order, **more):
 def reference(name):
     """The exact solution of the free body and the Toda lattice; of others, another method with a short step."""
     if name == "body":
-        motion = ph.FreeMotion((1.0, 2.0, 3.0), STARTS["body"][4:], STARTS["body"][:4])
+        motion = ph.FreeMotion((1.0, 2.0, 3.0), momentum=STARTS["body"][4:], attitude=STARTS["body"][:4])
         return np.concatenate(motion.state(SPAN))
     if name == "toda":
         return np.asarray(toda.exact(STARTS["toda"], SPAN))

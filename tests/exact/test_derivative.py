@@ -14,6 +14,7 @@ from oracle.families import Case, draw
 from polhode.errors import InvalidInput
 from polhode.exact.free_body.derivative import state_tangent
 from polhode.testing.laws import ONCE
+from starts import free_motion
 
 WORST = 1e-13
 """Relative to the size of the Jacobian's block (turn or momentum, by moments, momentum or time): the promise."""
@@ -40,7 +41,7 @@ def jacobian(cases):
     moments, momentum, time = (np.array([case[i] for case in cases]) for i in (1, 2, 3))
     count = len(cases)
     start = np.tile([1.0, 0.0, 0.0, 0.0], (count, 1))
-    state = ph.FreeMotion(moments, momentum).state(time)
+    state = ph.FreeMotion(moments, momentum=momentum).state(time)
     turns, changes = [], []
     for k in range(7):
         unit = direction(k)
@@ -56,7 +57,7 @@ def jacobian(cases):
 def at_the_saddle_too_long(case):
     low, middle, high = sorted(case.moments)
     rate = np.linalg.norm(case.momentum) * np.sqrt((middle - low) / low * (high - middle) / high) / middle
-    return ph.FreeMotion(*case[1:3]).regime in ("separatrix", "permanent") and rate * abs(case.time) > GROWTH_SHOWN
+    return free_motion(*case[1:3]).regime in ("separatrix", "permanent") and rate * abs(case.time) > GROWTH_SHOWN
 
 
 def worst_by_family(cases, found):
@@ -114,7 +115,7 @@ def test_a_wrong_derivative_is_caught():
 
 
 def attitude_and_momentum(moments, momentum, attitude, time, epoch=0.0):
-    return jnp.concatenate(ph.FreeMotion(moments, momentum, attitude, epoch).state(time))
+    return jnp.concatenate(ph.FreeMotion(moments, momentum=momentum, attitude=attitude, epoch=epoch).state(time))
 
 
 MOMENTS, MOMENTUM, TIME = (1.0, 2.0, 3.0), (0.3, 1.8, 1.5), 7.0
@@ -123,7 +124,7 @@ ATTITUDE = (0.5, -0.5, 0.1, 0.7)
 
 def test_by_time_jax_gives_the_rates_of_the_equations_of_motion():
     """q̇ = ½ q ω and L̇ = L × ω, of one motion; by all that makes a motion, compiled for half a minute, in the sweep."""
-    motion = ph.FreeMotion(MOMENTS, MOMENTUM)
+    motion = ph.FreeMotion(MOMENTS, momentum=MOMENTUM)
     with jax.enable_x64(True):
         by_time = jax.jit(lambda t: jax.jvp(motion.state, (t,), (jnp.ones(()),)), compiler_options=ONCE)
         (attitude, momentum), rates = jax.tree.map(np.asarray, by_time(jnp.asarray(TIME)))
@@ -151,7 +152,7 @@ def test_forward_and_reverse_mode_agree(by_jax):
 def test_jax_gives_the_exact_tangent(by_jax):
     (moments, momentum, attitude, time), forward, _ = by_jax
     values = tuple(map(np.asarray, (moments, momentum, attitude, time)))
-    state = ph.FreeMotion(*values[:3]).state(values[3])
+    state = free_motion(*values[:3]).state(values[3])
     for k in range(7):
         unit = direction(k)
         change = (np.array(unit.moments), np.array(unit.momentum), np.zeros(4), np.array(unit.time))
@@ -166,7 +167,7 @@ def test_the_attitude_passes_its_change_on(by_jax):
     (moments, momentum, attitude, time), forward, _ = by_jax
     turn = np.array([0.0, 0.3, -0.2, 0.5])
     change = ph.rotation.multiply(turn, np.asarray(attitude))
-    later = ph.FreeMotion(*map(np.asarray, (moments, momentum, attitude))).attitude(float(time))
+    later = free_motion(*map(np.asarray, (moments, momentum, attitude))).attitude(float(time))
     assert np.abs(forward[2][:4] @ change - ph.rotation.multiply(turn, later)).max() < SAME
     # a longer quaternion is the same attitude
     assert np.abs(forward[2] @ np.asarray(attitude)).max() < SAME
@@ -199,7 +200,7 @@ def test_second_derivatives_against_differences_of_the_first():
     """Central differences of order eight at a step of their own, from a generic start and beside the saddle."""
     for momentum in (MOMENTUM, (1e-4, 2.0, -1e-4)):
         point = np.array([*MOMENTS, *momentum, 4.0])
-        height = lambda x: ph.FreeMotion(x[:3], x[3:6]).rotation_matrix(x[6])[2, 0]  # noqa: E731
+        height = lambda x: ph.FreeMotion(x[:3], momentum=x[3:6]).rotation_matrix(x[6])[2, 0]  # noqa: E731
         with jax.enable_x64(True):
             found = np.asarray(jax.jit(jax.hessian(height))(jnp.asarray(point)))
             slope = jax.jit(jax.grad(height))
@@ -212,15 +213,15 @@ def test_second_derivatives_against_differences_of_the_first():
 
 def test_third_derivatives_are_refused():
     with jax.enable_x64(True), pytest.raises(InvalidInput, match="first and second derivatives only"):
-        body = lambda t: ph.FreeMotion(jnp.asarray(MOMENTS), jnp.asarray(MOMENTUM)).attitude(t)[0]  # noqa: E731
+        body = lambda t: ph.FreeMotion(jnp.asarray(MOMENTS), momentum=jnp.asarray(MOMENTUM)).attitude(t)[0]  # noqa: E731
         jax.eval_shape(jax.grad(jax.grad(jax.grad(body))), TIME)
 
 
 def test_a_motion_passes_through_jit_and_vmap():
     with jax.enable_x64(True):
-        many = jax.vmap(lambda momentum: ph.FreeMotion(jnp.asarray(MOMENTS), momentum))(jnp.eye(3) + 0.1)
+        many = jax.vmap(lambda momentum: ph.FreeMotion(jnp.asarray(MOMENTS), momentum=momentum))(jnp.eye(3) + 0.1)
         states = jax.jit(jax.vmap(lambda motion: motion.state(TIME)[0]))(many)
-    wanted = ph.FreeMotion(MOMENTS, np.eye(3) + 0.1).attitude(TIME)
+    wanted = ph.FreeMotion(MOMENTS, momentum=np.eye(3) + 0.1).attitude(TIME)
     assert np.abs(np.asarray(states) - wanted).max() < SAME
 
 
@@ -251,12 +252,14 @@ def test_derivatives_of_the_numbers(momentum):
     """Against differences of the textbook's formulas with 60 digits, relative to the largest of each number."""
     names = ("modulus", "period", "precession_rate", "precession_per_period", "solid_angle")
     with jax.enable_x64(True):
-        numbers = lambda I, L: jnp.stack([getattr(ph.FreeMotion(I, L), name) for name in names])  # noqa: E731, E741
+        numbers = lambda I, L: jnp.stack([getattr(ph.FreeMotion(I, momentum=L), name) for name in names])  # noqa: E731, E741
         found = np.concatenate(jax.jacfwd(numbers, argnums=(0, 1))(*map(jnp.asarray, (MOMENTS, momentum))), axis=1)
     with mp.workdps(60):
         point = [*map(mp.mpf, MOMENTS), *map(mp.mpf, momentum)]
         values = [float(x) for x in numbers_of(*point)]
-        assert values == pytest.approx([getattr(ph.FreeMotion(MOMENTS, momentum), name) for name in names], rel=1e-13)
+        assert values == pytest.approx(
+            [getattr(ph.FreeMotion(MOMENTS, momentum=momentum), name) for name in names], rel=1e-13
+        )
         along = lambda j, h: numbers_of(*(x + (h if k == j else 0) for k, x in enumerate(point)))  # noqa: E731
         h = mp.mpf(10) ** -25
         wanted = [[float((a - b) / (2 * h)) for a, b in zip(along(j, h), along(j, -h), strict=True)] for j in range(6)]
@@ -271,7 +274,7 @@ def test_meaning_has_derivatives_in_either_mode():
     moments, momentum = (1.0, 2.0, 3.0), (0.3, 1.8, 1.5)
     with jax.enable_x64(True):
         arrays = jnp.array(moments), jnp.array(momentum)
-        answers = lambda I, L: jnp.stack([ph.FreeMotion(I, L).period, ph.FreeMotion(I, L).action])  # noqa: E731, E741
+        answers = lambda I, L: jnp.stack([ph.FreeMotion(I, momentum=L).period, ph.FreeMotion(I, momentum=L).action])  # noqa: E731, E741
         of_moments, of_momentum = jax.jit(jax.jacrev(answers, argnums=(0, 1)))(*arrays)
         way = jnp.array([0.1, 0.7, -0.4])
         forward = jax.jit(lambda I, L, d: jax.jvp(lambda x: answers(I, x), (L,), (d,))[1])(*arrays, way)[1]  # noqa: E741
@@ -289,7 +292,7 @@ def test_meaning_has_derivatives_in_either_mode():
         wanted = [float(mp.diff(period, point, tuple(int(j == k) for j in range(6)))) for k in range(6)]
     assert np.concatenate(found) == pytest.approx(wanted, rel=1e-12)
 
-    plain, L = ph.FreeMotion(moments, momentum), np.array(momentum)
+    plain, L = ph.FreeMotion(moments, momentum=momentum), np.array(momentum)
     long_axis_rate = plain.precession_rate - 2 * np.pi / plain.period
     by_hand = plain.period / (2 * np.pi) * (L / moments - long_axis_rate * L / np.linalg.norm(L))
     assert np.asarray(reverse) == pytest.approx(by_hand, rel=1e-12)

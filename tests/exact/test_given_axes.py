@@ -43,7 +43,7 @@ def thrown(request):
 
 @pytest.fixture(scope="module")
 def plain():
-    return ph.FreeMotion(MOMENTS, MOMENTS * VELOCITY)
+    return ph.FreeMotion(MOMENTS, momentum=MOMENTS * VELOCITY)
 
 
 def test_what_is_said_at_the_epoch_is_what_is_said_of_that_time(thrown):

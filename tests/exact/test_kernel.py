@@ -14,6 +14,7 @@ from oracle.numpy_alone import compiled_alone, numpy_alone, python_alone
 from polhode.exact.closed_form import ClosedForm
 from polhode.exact.free_body import kernel, kernel_setup
 from polhode.exact.free_body.evaluation import FORM
+from starts import free_motion
 
 WORST_ERROR = 16.0
 """eps, as of every evaluation."""
@@ -21,7 +22,7 @@ PER_FAMILY = 22  # together enough for the kernels to be chosen
 
 
 def states(case):
-    motion = ph.FreeMotion(case.moments, case.momentum)
+    motion = ph.FreeMotion(case.moments, momentum=case.momentum)
     attitude, momentum = np.empty((1, 4)), np.empty((1, 3))
     FORM._of_one(tuple(motion._columns), np.array([case.time]), np.zeros(1), attitude, momentum)
     return attitude[0], momentum[0]
@@ -37,7 +38,7 @@ def test_states_are_exact_in_every_family(announce):
 
 def batch(cases):
     moments, momenta, times = (np.array([getattr(c, n) for c in cases]) for n in ("moments", "momentum", "time"))
-    return ph.FreeMotion(moments, momenta), times
+    return ph.FreeMotion(moments, momentum=momenta), times
 
 
 def test_many_bodies_are_exact_in_every_family(announce, monkeypatch):
@@ -86,9 +87,9 @@ def test_many_bodies_agree_with_numpy(monkeypatch):
     compiled_alone(monkeypatch)
     monkeypatch.setattr(kernel_setup, "WORTH", 400)
     monkeypatch.setattr(kernel, "WORTH", 1000)
-    found = [ph.FreeMotion(*shaped, epoch=epoch).state(times), ph.FreeMotion(*arguments).state(1.5)]
+    found = [free_motion(*shaped, epoch=epoch).state(times), free_motion(*arguments).state(1.5)]
     numpy_alone(monkeypatch)
-    wanted = [ph.FreeMotion(*shaped, epoch=epoch).state(times), ph.FreeMotion(*arguments).state(1.5)]
+    wanted = [free_motion(*shaped, epoch=epoch).state(times), free_motion(*arguments).state(1.5)]
     assert found[0][0].shape == (4, 500, 3, 4) and found[1][1].shape == (1500, 3)
     for a, b in zip(found, wanted, strict=True):
         scale = np.abs(b[1]).max(axis=-1, keepdims=True)
@@ -99,9 +100,11 @@ def test_many_bodies_agree_with_numpy(monkeypatch):
 def test_several_threads_may_use_it_at_once(monkeypatch):
     compiled_alone(monkeypatch)
     moments, momentum, attitude = many_bodies(np.random.default_rng(4), 700)
-    once = ph.FreeMotion(moments, momentum, attitude).state(3.0)
+    once = ph.FreeMotion(moments, momentum=momentum, attitude=attitude).state(3.0)
     with ThreadPoolExecutor(4) as pool:
-        for again in pool.map(lambda _: ph.FreeMotion(moments, momentum, attitude).state(3.0), range(8)):
+        for again in pool.map(
+            lambda _: ph.FreeMotion(moments, momentum=momentum, attitude=attitude).state(3.0), range(8)
+        ):
             assert all((a == b).all() for a, b in zip(again, once, strict=True))
 
 
@@ -111,12 +114,12 @@ STARTS = [(0.3, 0.1, 3.0), (0.3, 1.8, 1.5), (0.9, 1.6, 0.3), (1e-6, 2.0, 3e-6), 
 @pytest.mark.parametrize("momentum", STARTS)
 def test_long_runs_go_through_it_and_agree(momentum, monkeypatch):
     """By threads, in blocks that are not full, with the epoch's rest, for times of any shape."""
-    motion = ph.FreeMotion((1.0, 2.0, 3.0), momentum, epoch=0.1)
+    motion = ph.FreeMotion((1.0, 2.0, 3.0), momentum=momentum, epoch=0.1)
     times = np.linspace(-50.0, 1e4, 70_001)[:-1].reshape(2, -1)
     calls = []
     monkeypatch.setattr(ClosedForm, "_of_one", lambda *x, run=ClosedForm._of_one: calls.append(1) or run(*x))
     found = motion.state(times)
-    motion = ph.FreeMotion((1.0, 2.0, 3.0), momentum, epoch=0.1)
+    motion = ph.FreeMotion((1.0, 2.0, 3.0), momentum=momentum, epoch=0.1)
     numpy_alone(monkeypatch)
     wanted = motion.state(times)
     assert calls and found[0].shape == (2, 35_000, 4)
@@ -124,7 +127,7 @@ def test_long_runs_go_through_it_and_agree(momentum, monkeypatch):
 
 
 def test_a_wrong_column_is_noticed():
-    motion = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5))
+    motion = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5))
     columns = motion._columns.tolist()
     columns[4] *= 1.0 + 1e-13
     assert np.abs(FORM.state(tuple(columns), 100.0, 0.0)[4:] - motion.momentum(100.0)).max() > 1e-13
@@ -133,24 +136,24 @@ def test_a_wrong_column_is_noticed():
 def test_what_python_cannot_divide_goes_to_numba(monkeypatch):
     """Numba's numbers become infinite where Python's raise errors."""
     python_alone(monkeypatch)
-    wanted = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5)).state(2.0)
+    wanted = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5)).state(2.0)
 
     def broken(*given):
         raise ZeroDivisionError
 
     monkeypatch.setattr(kernel_setup, "set_up", broken)
     monkeypatch.setattr(kernel, "state_at", broken)
-    found = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5)).state(2.0)
+    found = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5)).state(2.0)
     assert (found[0] == wanted[0]).all() and (found[1] == wanted[1]).all()
 
 
 def test_a_process_that_has_used_it_may_fork():
     code = """
 import multiprocessing, numpy as np, polhode as ph
-motion = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5))
+motion = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5))
 times = np.linspace(0.0, 9.0, 100_000)
 before = motion.momentum(times)[-1]
-many = ph.FreeMotion((1.0, 2.0, 3.0), times[3:99_999].reshape(-1, 3))
+many = ph.FreeMotion((1.0, 2.0, 3.0), momentum=times[3:99_999].reshape(-1, 3))
 many_before = many.momentum(7.0)
 with multiprocessing.get_context("fork").Pool(2) as pool:
     for after in pool.map(motion.momentum, [times] * 2):

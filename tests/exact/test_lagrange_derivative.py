@@ -12,6 +12,7 @@ from oracle.lagrange_derivatives import reference_change
 from oracle.lagrange_families import TopCase, draw_tops
 from oracle.standing_top import standing_jacobian
 from polhode.errors import InvalidInput
+from starts import lagrange_motion
 
 WORST = 1e-12
 """Of the Jacobian's largest entry in natural units, where the motion does not magnify errors."""
@@ -47,7 +48,7 @@ def drawn_tops(count, seed, longest):
 
 
 def endless(case):
-    return ph.LagrangeMotion(*case[1:5]).regime == "separatrix"
+    return lagrange_motion(*case[1:5]).regime == "separatrix"
 
 
 def packed(cases):
@@ -57,7 +58,10 @@ def packed(cases):
 def states(p):
     """Attitude and momentum as one vector (…, 7) of I1, I3, mgl, momentum, attitude and time (…, 11)."""
     moments = jnp.stack([p[..., 0], p[..., 0], p[..., 1]], axis=-1)
-    return jnp.concatenate(ph.LagrangeMotion(moments, p[..., 2], p[..., 3:6], p[..., 6:10]).state(p[..., 10]), axis=-1)
+    return jnp.concatenate(
+        ph.LagrangeMotion(moments, mgl=p[..., 2], momentum=p[..., 3:6], attitude=p[..., 6:10]).state(p[..., 10]),
+        axis=-1,
+    )
 
 
 def jacobians(cases):

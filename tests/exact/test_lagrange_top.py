@@ -21,7 +21,9 @@ MOMENTS = (1.0, 1.0, 0.5)
 def tipped(theta, theta_rate, azimuth_rate, spin, **options):
     """A top with φ = ψ = 0: L1 = I1 θ̇, L2 = I1 φ̇ sin θ."""
     momentum = (theta_rate, azimuth_rate * math.sin(theta), MOMENTS[2] * spin)
-    return ph.LagrangeMotion(MOMENTS, 1.0, momentum, (math.cos(theta / 2), math.sin(theta / 2), 0.0, 0.0), **options)
+    return ph.LagrangeMotion(
+        MOMENTS, mgl=1.0, momentum=momentum, attitude=(math.cos(theta / 2), math.sin(theta / 2), 0.0, 0.0), **options
+    )
 
 
 TABLE = {
@@ -101,7 +103,7 @@ REGIMES = {
 @pytest.mark.parametrize("name", REGIMES)
 def test_regimes(name):
     mgl, momentum, attitude = REGIMES[name]
-    assert ph.LagrangeMotion(MOMENTS, mgl, momentum, attitude).regime == name
+    assert ph.LagrangeMotion(MOMENTS, mgl=mgl, momentum=momentum, attitude=attitude).regime == name
 
 
 @pytest.mark.parametrize("spin", [0.0, 1.1, -2.0])
@@ -109,7 +111,10 @@ def test_a_smaller_displacement_takes_longer_to_leave_by_its_logarithm(spin):
     """An upright top leaves as e^{λt}, λ² = mgl/I1 − (L3/2I1)²; twice on the way to its next stand."""
     I1, mgl, sizes = 0.8, 1.3, np.array([1e-40, 1e-59, 1e-62, 1e-100, 1e-200, 1e-300])
     growth = math.sqrt(mgl / I1 - (spin / (2.0 * I1)) ** 2)
-    tops = [ph.LagrangeMotion((I1, I1, 0.5), mgl, (0.3 * v, 0.0, spin), (1.0, v, 0.0, 0.0)) for v in sizes]
+    tops = [
+        ph.LagrangeMotion((I1, I1, 0.5), mgl=mgl, momentum=(0.3 * v, 0.0, spin), attitude=(1.0, v, 0.0, 0.0))
+        for v in sizes
+    ]
     assert {top.regime for top in tops} == {"planar" if spin == 0.0 else "loop"}
     periods = [top.nutation_period for top in tops]
     assert np.diff(periods) == pytest.approx(-2.0 * np.diff(np.log(sizes)) / growth, rel=1e-13)
@@ -119,7 +124,9 @@ def test_a_hanging_top_swings_alike_however_little():
     """Its swing is linear in the displacement, which the attitude's w and z and the momentum's first two are here."""
     swings = []
     for size in (1e-40, 1e-130, 1e-300):
-        top = ph.LagrangeMotion((0.8, 0.8, 0.5), 1.3, (0.3 * size, -0.7 * size, 1.1), (size, 0.6, 0.8, -0.5 * size))
+        top = ph.LagrangeMotion(
+            (0.8, 0.8, 0.5), mgl=1.3, momentum=(0.3 * size, -0.7 * size, 1.1), attitude=(size, 0.6, 0.8, -0.5 * size)
+        )
         attitude, momentum = top.state(np.array([0.0, 7.3, -1e4, 1e9]))
         swings.append(np.concatenate([attitude[:, [0, 3]], momentum[:, :2]], axis=-1) / size)
     assert np.abs(swings[0]).max() < 5.0
@@ -130,7 +137,7 @@ def test_a_hanging_top_swings_alike_however_little():
 def test_a_pendulum_started_on_its_way_up_turns_over_however_near_the_top():
     """w = 2 √(mgl I1) β is the growing direction exactly, and energy is above the top's by β⁴ alone."""
     size = 2.0**-300
-    top = ph.LagrangeMotion((1.0, 1.0, 0.5), 1.0, (2.0 * size, 0.0, 0.0), (1.0, size, 0.0, 0.0))
+    top = ph.LagrangeMotion((1.0, 1.0, 0.5), mgl=1.0, momentum=(2.0 * size, 0.0, 0.0), attitude=(1.0, size, 0.0, 0.0))
     # the modulus of a pendulum that turns over: k² = 1/(1 + w²β²/4) for unit moment and weight; K = ln 4/k'
     assert top.regime == "planar"
     assert top.nutation_period == pytest.approx(2.0 * (math.log(4.0) - math.log(size * size)), rel=1e-14)
@@ -138,23 +145,26 @@ def test_a_pendulum_started_on_its_way_up_turns_over_however_near_the_top():
 
 def test_regimes_of_a_batch_are_codes_and_absent_values_nan_or_inf():
     mgl, momentum, attitude = (np.array(v, float) for v in zip(*REGIMES.values(), strict=True))
-    tops = ph.LagrangeMotion(MOMENTS, mgl, momentum, attitude)
+    tops = ph.LagrangeMotion(MOMENTS, mgl=mgl, momentum=momentum, attitude=attitude)
     assert tops.regime.tolist() == list(range(len(REGIMES)))
     period = dict(zip(REGIMES, tops.nutation_period.tolist(), strict=True))
     assert math.isnan(period["sleeping"]) and period["separatrix"] == math.inf and period["loop"] > 0
-    assert ph.LagrangeMotion(MOMENTS, 1.0, (2, 0, 0), DOWN).nutation_period == np.inf
+    assert ph.LagrangeMotion(MOMENTS, mgl=1.0, momentum=(2, 0, 0), attitude=DOWN).nutation_period == np.inf
 
 
 def test_a_steady_top_precesses_and_spins_at_its_rates():
     """L3 φ̇ = mgl at a level axis, and ω3 = ψ̇ + φ̇ cos θ."""
-    top = ph.LagrangeMotion(MOMENTS, 2.0, (0, 1, 2), LEVEL)
+    top = ph.LagrangeMotion(MOMENTS, mgl=2.0, momentum=(0, 1, 2), attitude=LEVEL)
     assert top.precession_rate == pytest.approx(1.0, rel=PRINTED)
     assert top.spin_rate == pytest.approx(4.0, rel=PRINTED)
 
 
 def test_without_weight_it_is_the_free_body():
     moments, momentum, attitude = (2.0, 2.0, 1.0), (0.3, 0.4, 1.2), (0.5, -0.5, 0.5, 0.5)
-    top, body = ph.LagrangeMotion(moments, 0.0, momentum, attitude), ph.FreeMotion(moments, momentum, attitude)
+    top, body = (
+        ph.LagrangeMotion(moments, mgl=0.0, momentum=momentum, attitude=attitude),
+        ph.FreeMotion(moments, momentum=momentum, attitude=attitude),
+    )
     times = np.linspace(-1e6, 1e6, 7)
     for x, y in zip(top.state(times), body.state(times), strict=True):
         assert np.abs(x - y).max() < KEPT
@@ -175,7 +185,7 @@ def test_samples_keep_their_invariants():
 def test_the_given_quaternion_comes_out_at_the_epoch_normalised_with_its_sign():
     given = np.array([-0.5, 0.1, -0.7, 0.2]) / np.linalg.norm([-0.5, 0.1, -0.7, 0.2])
     for mgl in (1.0, 0.0, -1.0):
-        top = ph.LagrangeMotion(MOMENTS, mgl, (1, 2, 3), given * (1 + 3e-7), epoch=5.0)
+        top = ph.LagrangeMotion(MOMENTS, mgl=mgl, momentum=(1, 2, 3), attitude=given * (1 + 3e-7), epoch=5.0)
         attitude, momentum = top.state(5.0)
         assert np.abs(attitude - given).max() < 1e-15
         assert np.abs(momentum - [1, 2, 3]).max() < 4e-15
@@ -184,21 +194,21 @@ def test_the_given_quaternion_comes_out_at_the_epoch_normalised_with_its_sign():
 def test_tops_and_times_broadcast():
     rng = np.random.default_rng(1)
     mgl, momentum, times = rng.normal(size=3), rng.normal(size=(3, 3)), np.linspace(0, 9, 5)
-    attitude, angular = ph.LagrangeMotion(MOMENTS, mgl[:, None], momentum[:, None]).state(times)
+    attitude, angular = ph.LagrangeMotion(MOMENTS, mgl=mgl[:, None], momentum=momentum[:, None]).state(times)
     assert attitude.shape == (3, 5, 4)
-    one = ph.LagrangeMotion(MOMENTS, mgl[1], momentum[1]).state(times[2])
+    one = ph.LagrangeMotion(MOMENTS, mgl=mgl[1], momentum=momentum[1]).state(times[2])
     assert np.abs(attitude[1, 2] - one[0]).max() < 1e-15
     assert np.abs(angular[1, 2] - one[1]).max() < 4e-15
-    assert ph.LagrangeMotion(MOMENTS, mgl, momentum).sample(times).attitude.shape == (3, 5, 4)
+    assert ph.LagrangeMotion(MOMENTS, mgl=mgl, momentum=momentum).sample(times).attitude.shape == (3, 5, 4)
 
 
 @pytest.mark.sweep
 def test_jax_arrays_come_back_as_jax_arrays_with_all_answers():
     with jax.enable_x64(True):
-        top = ph.LagrangeMotion(jnp.array(MOMENTS), jnp.array(1.0), jnp.array((0.1, 0.2, 2.5)))
+        top = ph.LagrangeMotion(jnp.array(MOMENTS), mgl=jnp.array(1.0), momentum=jnp.array((0.1, 0.2, 2.5)))
         attitude, momentum = top.state(jnp.array(3.0))
         assert isinstance(attitude, jax.Array) and isinstance(momentum, jax.Array)
-        same = ph.LagrangeMotion(MOMENTS, 1.0, (0.1, 0.2, 2.5))
+        same = ph.LagrangeMotion(MOMENTS, mgl=1.0, momentum=(0.1, 0.2, 2.5))
         assert np.abs(attitude - same.state(3.0)[0]).max() < 1e-15
         assert top.regime == same.regime
         assert top.nutation_period == pytest.approx(same.nutation_period, rel=PRINTED)
@@ -232,6 +242,6 @@ def test_bad_times_and_tilts_are_named():
 
 def test_unequal_moments_are_shown_with_the_digits_that_tell_them_apart():
     with pytest.raises(InvalidInput, match=r"got \(1.0, 1.0000000000000002, 0.5\) kg m², 2.2e-16 .* by rounding: give"):
-        ph.LagrangeMotion((1.0, 1.0 + 2.0**-52, 0.5), 1.0, (0.1, 0.0, 2.0))
+        ph.LagrangeMotion((1.0, 1.0 + 2.0**-52, 0.5), mgl=1.0, momentum=(0.1, 0.0, 2.0))
     with pytest.raises(InvalidInput, match="Other heavy tops have no closed form"):
-        ph.LagrangeMotion((1.0, 1.1, 0.5), 1.0, (0.1, 0.0, 2.0))
+        ph.LagrangeMotion((1.0, 1.1, 0.5), mgl=1.0, momentum=(0.1, 0.0, 2.0))

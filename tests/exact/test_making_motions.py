@@ -18,9 +18,9 @@ def test_a_motion_is_made_again_with_another_value(turn):
     later = dataclasses.replace(motion, epoch=2.5)
     assert np.allclose(later.momentum(TIMES + 2.5), motion.momentum(TIMES), rtol=0.0, atol=1e-13)
     assert np.allclose(later.attitude(TIMES + 2.5), motion.attitude(TIMES), rtol=0.0, atol=1e-13)
-    top = LagrangeMotion((1.0, 1.0, 0.5), 1.0, (0.0, 0.0, 2.5), (3**0.5 / 2, 0.5, 0.0, 0.0))
+    top = LagrangeMotion((1.0, 1.0, 0.5), mgl=1.0, momentum=(0.0, 0.0, 2.5), attitude=(3**0.5 / 2, 0.5, 0.0, 0.0))
     heavier = dataclasses.replace(top, mgl=2.0)
-    other = LagrangeMotion((1.0, 1.0, 0.5), 2.0, (0.0, 0.0, 2.5), (3**0.5 / 2, 0.5, 0.0, 0.0))
+    other = LagrangeMotion((1.0, 1.0, 0.5), mgl=2.0, momentum=(0.0, 0.0, 2.5), attitude=(3**0.5 / 2, 0.5, 0.0, 0.0))
     assert np.array_equal(heavier.attitude(TIMES), other.attitude(TIMES))
 
 
@@ -28,8 +28,8 @@ def test_a_spin_may_be_an_angular_velocity():
     moments, velocity = np.array([1.0, 2.0, 3.0]), np.array([0.3, -0.9, 0.5])
     assert np.array_equal(FreeMotion(moments, angular_velocity=velocity).momentum_at_epoch, moments * velocity)
     top = (2.0, 2.0, 3.0)
-    assert np.array_equal(LagrangeMotion(top, 1.0, angular_velocity=velocity).momentum_at_epoch, [0.6, -1.8, 1.5])
-    for make in (FreeMotion, lambda moments, **spin: LagrangeMotion(top, 1.0, **spin)):
+    assert np.array_equal(LagrangeMotion(top, mgl=1.0, angular_velocity=velocity).momentum_at_epoch, [0.6, -1.8, 1.5])
+    for make in (FreeMotion, lambda moments, **spin: LagrangeMotion(top, mgl=1.0, **spin)):
         for spin in ({}, {"momentum": velocity, "angular_velocity": velocity}):
             with pytest.raises(InvalidInput, match="exactly one of `angular_velocity` and `momentum`"):
                 make(moments, **spin)
@@ -44,14 +44,14 @@ def test_a_spin_may_be_an_angular_velocity():
 def test_an_inertia_tensor_is_a_body_and_no_list_of_moments():
     tensor = [[2.0, 0.3, 0.0], [0.3, 1.5, 0.1], [0.0, 0.1, 2.5]]
     with pytest.raises(InvalidInput, match=r"inertia tensor\. Make a body of it, Body\.from_inertia"):
-        FreeMotion(tensor, (0.1, 0.2, 0.3))
+        FreeMotion(tensor, momentum=(0.1, 0.2, 0.3))
     with pytest.raises(InvalidInput, match="inertia tensor"):
-        FreeMotion(np.diag([1.0, 2.0, 3.0]), (0.1, 0.2, 0.3))
+        FreeMotion(np.diag([1.0, 2.0, 3.0]), momentum=(0.1, 0.2, 0.3))
     body = Body.from_inertia(tensor)
     motion = FreeMotion.from_body(body, momentum=(0.1, 0.2, 0.3))
     expected = np.linalg.solve(tensor, (0.1, 0.2, 0.3))  # Ω from L by the tensor itself
     assert np.allclose(motion.angular_velocity(0.0), expected, rtol=0.0, atol=1e-15)
-    three = FreeMotion(tensor_of_three := [[1.0, 1.1, 1.2], [1.1, 1.3, 1.4], [1.2, 1.4, 1.5]], np.ones((3, 3)))
+    three = FreeMotion(tensor_of_three := [[1.0, 1.1, 1.2], [1.1, 1.3, 1.4], [1.2, 1.4, 1.5]], momentum=np.ones((3, 3)))
     assert three.batch_shape == (3,) and np.array_equal(three.moments, tensor_of_three)
 
 

@@ -14,6 +14,7 @@ from polhode.errors import InvalidInput
 from polhode.exact.closed_form import ClosedForm
 from polhode.exact.lagrange_top import kernel, kernel_setup
 from polhode.exact.lagrange_top.evaluation import FORM
+from starts import lagrange_motion
 
 PER_FAMILY, PER_FAMILY_OF_MANY, SWEEP_PER_FAMILY = 3, 20, 600
 AGREEMENT = 8e-15
@@ -27,7 +28,7 @@ LEFT = ("steady", "sleeping", "hanging", "separatrix", "weightless_special")
 def test_states_are_exact_in_every_family(announce):
     worst = {}
     for case in draw_tops(PER_FAMILY, 8):
-        top = ph.LagrangeMotion(*case[1:5])
+        top = lagrange_motion(*case[1:5])
         attitude, momentum = np.empty((1, 4)), np.empty((1, 3))
         FORM._of_one(tuple(top._columns), np.array([case.time]), np.zeros(1), attitude, momentum)
         worst[case.family] = max(worst.get(case.family, 0.0), *errors(attitude[0], momentum[0], case))
@@ -47,7 +48,10 @@ def test_long_runs_go_through_it_and_agree(momentum, lean, monkeypatch):
     attitude = (np.cos(lean / 2), np.sin(lean / 2), 0.0, 0.0)
 
     def tops():
-        return [ph.LagrangeMotion((1.0, 1.0, 0.5), mgl, momentum, attitude, epoch=0.1) for mgl in (1.0, -1.0)]
+        return [
+            ph.LagrangeMotion((1.0, 1.0, 0.5), mgl=mgl, momentum=momentum, attitude=attitude, epoch=0.1)
+            for mgl in (1.0, -1.0)
+        ]
 
     calls = []
     monkeypatch.setattr(ClosedForm, "_of_one", lambda *x, run=ClosedForm._of_one: calls.append(1) or run(*x))
@@ -83,7 +87,7 @@ def left(monkeypatch):
 def check_many(per_family, seed, left, announce):
     cases = draw_tops(per_family, seed)
     *top, times = batch(cases)
-    attitude, momentum = ph.LagrangeMotion(*top).state(times)
+    attitude, momentum = lagrange_motion(*top).state(times)
     worst, taken = {}, Counter()
     for k, case in enumerate(cases):
         worst[case.family] = max(worst.get(case.family, 0.0), *errors(attitude[k], momentum[k], case))
@@ -122,7 +126,7 @@ def test_what_rounding_leaves_of_the_separatrix_is_summed_exactly(left):
     """Double-double alone is wrong by 1e7 eps here: c, F and D vanish together, and how long tops linger tells them."""
     cases = list(tops_next_to_the_separatrix(60))
     *top, times = batch(cases)
-    motion = ph.LagrangeMotion(*top)
+    motion = lagrange_motion(*top)
     attitude, momentum = motion.state(times)
     assert not left[0].any() and np.median(motion.nutation_period * np.sqrt(top[1] / top[0][:, 0])) > 30.0
     assert max(max(errors(attitude[k], momentum[k], case)) for k, case in enumerate(cases)) <= WORST_ERROR
@@ -136,10 +140,10 @@ def test_sweep_of_many_tops(left, announce):
 def test_columns_and_numbers_agree_with_numpy_in_every_family(left, monkeypatch):
     """The form, the regime and the numbers of each top are the same, rates and states to rounding."""
     *top, times = batch(draw_tops(PER_FAMILY_OF_MANY, 9))
-    motion = ph.LagrangeMotion(*top)
+    motion = lagrange_motion(*top)
     found, columns = motion.state(times), motion._columns
     numpy_alone(monkeypatch)
-    alone = ph.LagrangeMotion(*top)
+    alone = lagrange_motion(*top)
     wanted = alone.state(times)
     size = np.maximum(np.abs(wanted[1]).max(axis=1), np.abs(top[2]).max(axis=1)) + 1e-300
     assert 0 < left[0].sum() < len(times) and len(left) == 1
@@ -179,7 +183,7 @@ def test_many_tops_agree_with_numpy(monkeypatch):
     monkeypatch.setattr(kernel, "WORTH", 1000)
 
     def states():
-        tops = ph.LagrangeMotion(*shaped, epoch=epoch), ph.LagrangeMotion(*(x[9:] for x in arguments))
+        tops = lagrange_motion(*shaped, epoch=epoch), lagrange_motion(*(x[9:] for x in arguments))
         return tops[0].state(times), tops[1].state(1.5)
 
     found = states()
@@ -200,10 +204,10 @@ def test_mistakes_among_many_are_refused_in_the_same_words(monkeypatch):
             wrong = [x.copy() for x in good]
             wrong[which][where] = value
             with pytest.raises(InvalidInput) as caught:
-                ph.LagrangeMotion(*wrong).state(1.0)
+                lagrange_motion(*wrong).state(1.0)
             said.append(str(caught.value))
         with pytest.raises(InvalidInput) as caught:
-            ph.LagrangeMotion(*good).state(1e300)
+            lagrange_motion(*good).state(1e300)
         said.append(str(caught.value))
         numpy_alone(monkeypatch)
     assert said[:6] == said[6:] and len(set(said)) == 6
@@ -212,16 +216,16 @@ def test_mistakes_among_many_are_refused_in_the_same_words(monkeypatch):
 def test_several_threads_may_set_up_at_once(monkeypatch):
     compiled_alone(monkeypatch)
     arguments = many_tops(np.random.default_rng(4), 700)
-    once = ph.LagrangeMotion(*arguments)._columns
+    once = lagrange_motion(*arguments)._columns
     with ThreadPoolExecutor(4) as pool:
-        for again in pool.map(lambda _: ph.LagrangeMotion(*arguments)._columns, range(8)):
+        for again in pool.map(lambda _: lagrange_motion(*arguments)._columns, range(8)):
             assert all((a == b).all() for a, b in zip(again, once, strict=True))
 
 
 def test_a_wrong_column_is_noticed():
     """The tests of agreement would see an error of a rate in its fourteenth digit."""
     arguments = [x[9:] for x in many_tops(np.random.default_rng(6), 609)]
-    top = ph.LagrangeMotion(*arguments)
+    top = lagrange_motion(*arguments)
     columns = top._columns.copy()
     columns[4] *= 1.0 + 1e-14
     found, _ = FORM.states(columns, np.full(600, 20.0), np.zeros(600))

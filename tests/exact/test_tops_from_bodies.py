@@ -54,7 +54,7 @@ def body_of(name, turn):
 
 def made(name, turn, **changed):
     given = {"angular_velocity": turn @ VELOCITY, "attitude": ATTITUDE, "gravity": TOPS[name][3]} | changed
-    return ph.LagrangeMotion.from_body(body_of(name, turn), PIVOT, **given)
+    return ph.LagrangeMotion.from_body(body_of(name, turn), pivot=PIVOT, **given)
 
 
 CASES = [f"{name}, {turn}" for name in TOPS for turn in TURNS]
@@ -147,7 +147,9 @@ def test_answers_do_not_depend_on_the_axes(case):
     I1, mgl = A + mass * height**2, mass * gravity * abs(height)
     turned = np.diag([1.0, side, side])  # half a turn about the first axis
     attitude = rotation.multiply(ATTITUDE, rotation.from_matrix(turn @ turned))
-    plain = ph.LagrangeMotion((I1, I1, C), mgl, np.array([I1, I1, C]) * (turned @ VELOCITY), attitude)
+    plain = ph.LagrangeMotion(
+        (I1, I1, C), mgl=mgl, momentum=np.array([I1, I1, C]) * (turned @ VELOCITY), attitude=attitude
+    )
     motion = made(name, turn)
     assert motion.regime == plain.regime
     for answer in ("energy", "vertical_momentum", "axial_momentum", "nutation_limits", "nutation_period",
@@ -223,7 +225,11 @@ attitude = [0.8, 0.0, 0.6, 0.0]
     read = read_spec(spec)
     report = read.report()
     top = ph.LagrangeMotion.from_body(
-        read.body, (0.01, 0.09, 0.0), (1.0, 30.0, -2.0), attitude=(0.8, 0.0, 0.6, 0.0), gravity=9.7
+        read.body,
+        pivot=(0.01, 0.09, 0.0),
+        angular_velocity=(1.0, 30.0, -2.0),
+        attitude=(0.8, 0.0, 0.6, 0.0),
+        gravity=9.7,
     )
     values = report.as_json_dict()
     assert values["mgl"] == pytest.approx(0.06 * 9.7 * 0.07, rel=1e-14)
@@ -235,23 +241,31 @@ attitude = [0.8, 0.0, 0.6, 0.0]
 
 
 CONE = ph.shapes.cone(0.1, 0.03, 0.05)
+
+
+def _top(body, pivot, angular_velocity=None, momentum=None, **given):
+    return ph.LagrangeMotion.from_body(
+        body, pivot=pivot, angular_velocity=angular_velocity, momentum=momentum, **given
+    )
+
+
 REFUSED = {
-    "no body": (lambda: ph.LagrangeMotion.from_body(3, PIVOT, VELOCITY), "`body` must be a Body; got 3"),
-    "no mass": (lambda: ph.LagrangeMotion.from_body(ph.Body.from_moments(2, 2, 3), PIVOT, VELOCITY), "give `mass`"),
-    "no spin": (lambda: ph.LagrangeMotion.from_body(CONE, (0, 0, 0.04)), "exactly one of `angular_velocity` and"),
-    "two spins": (lambda: ph.LagrangeMotion.from_body(CONE, (0, 0, 0.04), VELOCITY, VELOCITY), "exactly one of"),
-    "three moments": (lambda: ph.LagrangeMotion.from_body(ph.shapes.box(1, (1, 2, 3)), (0, 0, 1), VELOCITY),
+    "no body": (lambda: _top(3, PIVOT, VELOCITY), "`body` must be a Body; got 3"),
+    "no mass": (lambda: _top(ph.Body.from_moments(2, 2, 3), PIVOT, VELOCITY), "give `mass`"),
+    "no spin": (lambda: _top(CONE, (0, 0, 0.04)), "exactly one of `angular_velocity` and"),
+    "two spins": (lambda: _top(CONE, (0, 0, 0.04), VELOCITY, VELOCITY), "exactly one of"),
+    "three moments": (lambda: _top(ph.shapes.box(1, (1, 2, 3)), (0, 0, 1), VELOCITY),
                       r"must be a Lagrange top, .* HeavyTop\.from_body with simulate"),
-    "pivot beside the axis": (lambda: ph.LagrangeMotion.from_body(CONE, (1e-7, 0, 0.04), VELOCITY),
+    "pivot beside the axis": (lambda: _top(CONE, (1e-7, 0, 0.04), VELOCITY),
                               "not symmetric about the line from pivot to centre of mass"),
-    "three moments, free": (lambda: ph.LagrangeMotion.from_body(ph.shapes.box(1, (1, 2, 3)), (0, 0, 0), VELOCITY),
+    "three moments, free": (lambda: _top(ph.shapes.box(1, (1, 2, 3)), (0, 0, 0), VELOCITY),
                             r"its moments at the pivot are \(.*\) kg m²\. Check"),
-    "no gravity": (lambda: ph.LagrangeMotion.from_body(CONE, (0, 0, 0.04), VELOCITY, gravity=0.0),
+    "no gravity": (lambda: _top(CONE, (0, 0, 0.04), VELOCITY, gravity=0.0),
                    r"`gravity` must be positive and finite \[m/s²\]; got 0"),
-    "pivot of two": (lambda: ph.LagrangeMotion.from_body(CONE, (0, 0), VELOCITY), r"`point` must have shape \(3,\)"),
-    "a thin rod": (lambda: ph.LagrangeMotion.from_body(ph.shapes.rod(1, 1).placed(translation=(0, 0, 0.5)), (0, 0, 0),
+    "pivot of two": (lambda: _top(CONE, (0, 0), VELOCITY), r"`point` must have shape \(3,\)"),
+    "a thin rod": (lambda: _top(ph.shapes.rod(1, 1).placed(translation=(0, 0, 0.5)), (0, 0, 0),
                                                        VELOCITY), "`moments` must be positive"),
-    "attitude of three": (lambda: ph.LagrangeMotion.from_body(CONE, (0, 0, 0.04), VELOCITY, attitude=(1, 0, 0)),
+    "attitude of three": (lambda: _top(CONE, (0, 0, 0.04), VELOCITY, attitude=(1, 0, 0)),
                           r"`attitude` must have shape \(\.\.\., 4\)"),
 }  # fmt: skip
 
@@ -269,9 +283,9 @@ def test_a_pivot_at_the_centre_of_mass_leaves_the_free_body():
     turn = TURNS["rotated"]
     body = ph.Body(0.3, PIVOT, turn @ np.diag([2e-4, 2e-4, 3.5e-4]) @ turn.T)
     with pytest.warns(UserWarning, match="the body is free") as caught:
-        top = ph.LagrangeMotion.from_body(body, PIVOT, VELOCITY, attitude=ATTITUDE)
+        top = ph.LagrangeMotion.from_body(body, pivot=PIVOT, angular_velocity=VELOCITY, attitude=ATTITUDE)
     assert len(caught) == 1 and top.mgl == 0.0 and top.regime == "free"
-    free = ph.FreeMotion.from_body(body, VELOCITY, attitude=ATTITUDE)
+    free = ph.FreeMotion.from_body(body, angular_velocity=VELOCITY, attitude=ATTITUDE)
     assert top.rotation_matrix(TIMES) == pytest.approx(free.rotation_matrix(TIMES), abs=1e-12)
     # an axis of symmetry whose other moments a turned body has equal but for rounding
     nearly = PivotedBody(np.array([0.3, 0.7, np.nextafter(0.7, 1.0)]), np.eye(3), np.zeros(3), 0.0)

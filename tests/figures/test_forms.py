@@ -113,10 +113,13 @@ def test_small_curves_are_enlarged_by_powers_of_ten():
 @pytest.mark.parametrize("name", ["momentum_sphere", "inertia_ellipsoid", "components", "herpolhode"])
 def test_a_motion_is_drawn_without_a_spec(name):
     draw = getattr(ph.figures, name)
-    motion = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5), epoch=2.0)
+    motion = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5), epoch=2.0)
     lines = [line for axes in draw(motion).axes for line in axes.lines]
     assert lines
-    for other in (ph.FreeMotion((1.0, 2.0, 3.0), (0.0, 0.0, 1.5)), ph.FreeMotion((3.0, 4.0, 6.0), (1.0, 2.0, 1.0))):
+    for other in (
+        ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.0, 0.0, 1.5)),
+        ph.FreeMotion((3.0, 4.0, 6.0), momentum=(1.0, 2.0, 1.0)),
+    ):
         draw(other)
     with pytest.raises(InvalidInput, match="Take one of it"):
-        draw(ph.FreeMotion((1.0, 2.0, 3.0), [(0.3, 1.8, 1.5)] * 2))
+        draw(ph.FreeMotion((1.0, 2.0, 3.0), momentum=[(0.3, 1.8, 1.5)] * 2))

@@ -112,7 +112,7 @@ def test_outlines_and_rims():
 def test_the_point_that_touches():
     """It is on the ellipsoid, its normal is L, and the plane keeps its distance √(2E)/|L|; L itself fails all three."""
     moments = np.array([1.0, 2.0, 2.6])
-    motion = FreeMotion(moments, (0.3, 4.0, 0.2))
+    motion = FreeMotion(moments, momentum=(0.3, 4.0, 0.2))
     momentum = motion.momentum(np.linspace(0.0, 3.0, 50))
     distance = np.sqrt(2.0 * motion.energy) / motion.momentum_norm
 

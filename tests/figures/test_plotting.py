@@ -13,8 +13,8 @@ from polhode.kinds import registry
 from polhode.kinds.plotting import plot
 from polhode.viewer.panels import moves_as_one_of
 
-FREE = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5))
-TOP = ph.LagrangeMotion((1.0, 1.0, 2.0), 3.0, (1.0, 0.0, 6.0))
+FREE = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5))
+TOP = ph.LagrangeMotion((1.0, 1.0, 2.0), mgl=3.0, momentum=(1.0, 0.0, 6.0))
 TIMES = np.linspace(0.0, 3.0, 40)
 
 
@@ -99,7 +99,7 @@ def test_every_figure_is_drawn_on_given_axes(draw, moved, count):
 
 def test_a_top_of_unknown_shape_says_so():
     assert "shape is not known" in ph.figures.spinning_top(TOP).axes[0].get_title()
-    assert ph.figures.spinning_top(ph.LagrangeMotion((1.0, 1.0, 2.0), 0.0, (1.0, 0.0, 6.0))) is None
+    assert ph.figures.spinning_top(ph.LagrangeMotion((1.0, 1.0, 2.0), mgl=0.0, momentum=(1.0, 0.0, 6.0))) is None
 
 
 def test_notebooks_show_a_figure_without_pyplot():
@@ -109,7 +109,7 @@ def test_notebooks_show_a_figure_without_pyplot():
 
 @pytest.mark.usefixtures("any_type")
 def test_what_cannot_be_drawn_is_refused_in_words():
-    several = ph.FreeMotion((1.0, 2.0, 3.0), np.ones((2, 3)))
+    several = ph.FreeMotion((1.0, 2.0, 3.0), momentum=np.ones((2, 3)))
     with pytest.raises(InvalidInput, match="of one body"):
         several.plot()
     with pytest.raises(InvalidInput, match="batch of shape"):

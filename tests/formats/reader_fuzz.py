@@ -32,7 +32,7 @@ CPU_SECONDS, WALL_SECONDS = 10, 300  # a case may take; the second is for what w
 MORE_MEMORY = 10**9  # bytes that a case may add to the process
 LONGEST_MESSAGE = 3000  # characters
 EXAMPLES = Path(__file__).parents[2] / "examples"
-MOTION = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 0.4, 0.5))
+MOTION = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 0.4, 0.5))
 LABELS = formats.AttitudeLabels("BOX", epoch="2026-03-01T12:00:00.5", time_system="TAI", spice_id=-777)
 NUMBERS = ("0", "-1", "1e300", "-1e300", "1e400", "1e-400", "nan", "inf", "2_5", "１", "0x10", "999999999999",
            "4294967295", "-2147483649", "9" * 400, "1e", "", "½", "1,5", "--1", "9" * 5000, "1e-310", "2")  # fmt: skip

@@ -24,7 +24,7 @@ PRINTED = 1e-4
 PICOSECOND = 1e-12
 FASTEST = 3.0
 """rad/s, more than any motion here: what a last digit of a time, 0.1 s and ten times that, turns it by."""
-MOTION = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5), attitude=(0.5, -0.5, 0.1, 0.7))
+MOTION = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5), attitude=(0.5, -0.5, 0.1, 0.7))
 BODY = ph.shapes.box(2.0, (1.0, 2.0, 3.0)).placed(Rotation.from_euler("zyx", (0.4, 0.3, -1.0)).as_matrix(), (0, 0, 0))
 QUATERNION = (0.1, -0.5, 0.7, 0.5)
 START, SPIN = np.array([0.5, -0.5, 0.1, 0.7]), np.array([0.1, 2.0, -0.3])
@@ -49,7 +49,7 @@ def given_case():
     frame = BODY.frame
     momentum = frame.axes.T @ BODY.inertia @ SPIN
     attitude = rotation.multiply(START, rotation.from_matrix(frame.axes))
-    return ph.FreeMotion(frame.moments, momentum, attitude).sample(np.linspace(0.0, 20.0, 201)), frame
+    return ph.FreeMotion(frame.moments, momentum=momentum, attitude=attitude).sample(np.linspace(0.0, 20.0, 201)), frame
 
 
 @pytest.mark.parametrize("rates", [None, "derivative", "angular velocity"])
@@ -151,7 +151,7 @@ def test_figure_g4_of_the_standard(tmp_path):
 
 
 def test_exact_motions_are_evaluated_at_the_printed_epochs(tmp_path):
-    fast = ph.FreeMotion((1.0, 2.0, 3.0), (30.0, 180.0, 150.0))
+    fast = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(30.0, 180.0, 150.0))
     times = np.linspace(0.0, 1.0, 7)  # none but the ends has a place among picoseconds
     found = read_aem(write_aem(fast.sample(times), tmp_path / "fast.aem"))
     turned = rotation.angle_between(found.attitude, fast.sample(found.times).attitude)
@@ -250,7 +250,7 @@ def test_labels_that_the_format_cannot_hold(tmp_path, name):
 
 def test_motions_that_the_format_cannot_hold(tmp_path):
     good = MOTION.sample(np.linspace(0.0, 1.0, 3))
-    batch = ph.FreeMotion((1.0, 2.0, 3.0), np.ones((4, 1, 3))).sample(np.linspace(0.0, 1.0, 3))
+    batch = ph.FreeMotion((1.0, 2.0, 3.0), momentum=np.ones((4, 1, 3))).sample(np.linspace(0.0, 1.0, 3))
     cases = [
         (replace(good, attitude=None), {}, "holds attitudes"),
         (batch, {}, "holds one body"),

@@ -11,7 +11,7 @@ from polhode import formats
 from polhode.errors import FormatError, InvalidInput
 from polhode.motion.frame import BodyFrame
 
-MOTION = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5), attitude=(0.5, -0.5, 0.1, 0.7))
+MOTION = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5), attitude=(0.5, -0.5, 0.1, 0.7))
 TIMES = np.linspace(0.0, 20.0, 101)
 
 
@@ -67,13 +67,13 @@ def test_what_has_no_attitude(tmp_path):
 
 
 def test_empty_trajectories(tmp_path):
-    empty = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5)).sample([0.0]).taken(slice(0, 0))
+    empty = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5)).sample([0.0]).taken(slice(0, 0))
     found = formats.read_csv(formats.write_csv(empty, tmp_path / "empty.csv"))
     assert found.times.shape == (0,) and found.attitude.shape == (0, 4)
 
 
 def test_batches_and_places_that_cannot_be_written(tmp_path, trajectory):
-    batch = ph.FreeMotion((1.0, 2.0, 3.0), np.ones((4, 1, 3))).sample(TIMES)
+    batch = ph.FreeMotion((1.0, 2.0, 3.0), momentum=np.ones((4, 1, 3))).sample(TIMES)
     with pytest.raises(InvalidInput, match="one body; got a batch of shape"):
         formats.write_csv(batch, tmp_path / "motion.csv")
     with pytest.raises(InvalidInput, match="cannot be written"):

@@ -15,9 +15,9 @@ from polhode.errors import FormatError, InvalidInput
 from polhode.formats.dataset import label_attributes
 from polhode.motion import Outcome, StateLayout
 
-MOTION = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5), attitude=(0.5, -0.5, 0.1, 0.7))
+MOTION = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5), attitude=(0.5, -0.5, 0.1, 0.7))
 TIMES = np.linspace(0.0, 20.0, 101)
-BATCH = ph.FreeMotion((1.0, 2.0, 3.0), np.random.default_rng(0).normal(size=(4, 1, 3)))
+BATCH = ph.FreeMotion((1.0, 2.0, 3.0), momentum=np.random.default_rng(0).normal(size=(4, 1, 3)))
 LABELS = formats.AttitudeLabels('a </script> = "b" Größe', center="EARTH", comments=("two", "lines"), spice_id=-77)
 WAYS = {"nc": formats.write_dataset, "zarr": formats.write_zarr}
 
@@ -75,7 +75,7 @@ def test_batches(tmp_path, ending):
 
 @pytest.mark.parametrize("ending", WAYS)
 def test_a_copy_that_ended_is_not_written_to_be_refused_later(tmp_path, ending):
-    whole = ph.FreeMotion((1.0, 2.0, 3.0), np.random.default_rng(0).normal(size=(4, 3))).sample(TIMES)
+    whole = ph.FreeMotion((1.0, 2.0, 3.0), momentum=np.random.default_rng(0).normal(size=(4, 3))).sample(TIMES)
     states = np.array(whole.states)
     states[2, 40:] = np.inf
     path = tmp_path / f"ended.{ending}"
@@ -99,7 +99,7 @@ def test_motions_with_states_of_their_own(tmp_path):
 
 @pytest.mark.parametrize("ending", WAYS)
 def test_empty_trajectories(tmp_path, ending):
-    empty = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5)).sample([0.0]).taken(slice(0, 0))
+    empty = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5)).sample([0.0]).taken(slice(0, 0))
     found = formats.read_dataset(WAYS[ending](empty, tmp_path / f"empty.{ending}"))
     assert found.times.shape == (0,) and found.attitude.shape == (0, 4)
 

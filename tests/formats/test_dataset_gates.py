@@ -19,7 +19,7 @@ from polhode import formats
 from polhode.errors import FormatError, InvalidInput
 from polhode.formats import AttitudeLabels
 
-MOTION = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 0.4, 0.5))
+MOTION = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 0.4, 0.5))
 TIMES = np.linspace(0.0, 5.0, 20)
 FRAME = ph.shapes.box(2.0, (1.0, 2.0, 3.0)).frame
 
@@ -361,7 +361,7 @@ def test_what_another_tool_may_change(netcdf):
 
 def test_an_invariant_that_one_of_a_batch_does_not_have(tmp_path):
     """On a singular leaf an invariant is NaN throughout; a single NaN, or one of all copies, is damage."""
-    batch = ph.FreeMotion((1.0, 2.0, 3.0), np.array([[0.3, 0.4, 0.5], [0.1, 0.2, 0.3]])).sample(TIMES)
+    batch = ph.FreeMotion((1.0, 2.0, 3.0), momentum=np.array([[0.3, 0.4, 0.5], [0.1, 0.2, 0.3]])).sample(TIMES)
     energy = np.array(batch.invariants["energy"])
     for rows, times, allowed in ((0, slice(None), True), (0, 3, False), (slice(None), slice(None), False)):
         values = energy.copy()

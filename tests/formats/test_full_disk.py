@@ -19,7 +19,7 @@ from polhode.figures import style
 from polhode.formats.figure_file import save_figure
 from polhode.formats.paths import written_together, written_whole
 
-MOTION = ph.FreeMotion((1.0, 2.0, 3.0), (0.1, 2.0, 0.2)).sample(np.linspace(0.0, 60.0, 400))
+MOTION = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.1, 2.0, 0.2)).sample(np.linspace(0.0, 60.0, 400))
 PATIENCE = 60  # s
 
 

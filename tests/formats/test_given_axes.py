@@ -20,7 +20,9 @@ VELOCITY, ATTITUDE = np.array([0.3, -1.0, 0.7]), np.array([0.5, -0.5, 0.5, 0.5])
 def principal():
     axes = BODY.principal_axes
     attitude = ph.rotation.multiply(ATTITUDE, ph.rotation.from_matrix(axes))
-    return ph.FreeMotion(BODY.principal_moments, BODY.principal_moments * (VELOCITY @ axes), attitude).sample(TIMES)
+    return ph.FreeMotion(
+        BODY.principal_moments, momentum=BODY.principal_moments * (VELOCITY @ axes), attitude=attitude
+    ).sample(TIMES)
 
 
 def test_it_is_the_motion_along_the_given_axes():
@@ -84,7 +86,7 @@ def test_axes_that_are_none(axes, monkeypatch):
 def test_samples_and_states_have_the_same_bits():
     """A matrix product rounds one vector and many in different orders: 35 of these 50 states differed so."""
     free = ph.FreeMotion.from_body(BODY, angular_velocity=VELOCITY, attitude=ATTITUDE)
-    top = ph.LagrangeMotion.from_body(ph.shapes.cone(1.0, 0.3, 1.0), (0.0, 0.0, -0.75), VELOCITY)
+    top = ph.LagrangeMotion.from_body(ph.shapes.cone(1.0, 0.3, 1.0), pivot=(0.0, 0.0, -0.75), angular_velocity=VELOCITY)
     for motion in (free, top):
         samples = motion.sample(TIMES)
         for k, t in enumerate(TIMES.tolist()):

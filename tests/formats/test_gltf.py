@@ -32,7 +32,7 @@ HERE = Path(__file__).parent / "gltf_validator"
 EXAMPLES = Path(__file__).parents[2] / "examples"
 BODY = ph.shapes.box(2.0, (0.1, 0.2, 0.3)).placed((0.8, 0.2, -0.4, 0.4), (5.0, -7.0, 11.0))
 FRAME = BODY.frame
-MOTION = ph.FreeMotion(BODY.principal_moments, (0.002, 0.07, 0.003), (0.5, -0.5, 0.5, 0.5))
+MOTION = ph.FreeMotion(BODY.principal_moments, momentum=(0.002, 0.07, 0.003), attitude=(0.5, -0.5, 0.5, 0.5))
 TIMES = np.linspace(0.0, 8.0, 500)
 
 
@@ -148,7 +148,7 @@ def test_a_trajectory_turned_to_the_given_axes_is_evaluated_along_these(tmp_path
 def test_the_mesh_is_the_body_about_its_centre(tmp_path):
     surface = Surface(cuboid((0.1, 0.2, 0.3)).vertices + [1.0, 2.0, 3.0], cuboid((1, 1, 1)).faces)  # noqa: RUF005
     body = ph.from_mesh(*surface, mass=2.0)
-    motion = ph.FreeMotion(body.principal_moments, (0.002, 0.07, 0.003))
+    motion = ph.FreeMotion(body.principal_moments, momentum=(0.002, 0.07, 0.003))
     path = written(tmp_path, motion.sample(TIMES), frame=body.frame, surface=surface)
     corners, normals = triangles(path, "BODY")
     wanted = surface.vertices[surface.faces] - body.center_of_mass
@@ -208,7 +208,9 @@ def test_khronos_validator_finds_nothing(tmp_path, case):
 def top():
     body = ph.shapes.cone(0.06, 0.03, 0.04).placed(translation=(0.0, 0.0, 0.01))
     moments = np.diag(body.about((0.0, 0.0, 0.0)))
-    motion = ph.LagrangeMotion(moments, 0.06 * 9.81 * 0.01, (0.0, 0.0, 3e-3), (np.cos(0.2), np.sin(0.2), 0.0, 0.0))
+    motion = ph.LagrangeMotion(
+        moments, mgl=0.06 * 9.81 * 0.01, momentum=(0.0, 0.0, 3e-3), attitude=(np.cos(0.2), np.sin(0.2), 0.0, 0.0)
+    )
     frame = BodyFrame(moments, np.eye(3), body.center_of_mass, body.mass, np.zeros(3))
     return motion, frame
 
@@ -239,7 +241,7 @@ def molecule_case():
     places = [[0, 0, 0], [7.6e-11, 5.9e-11, 0], [-7.6e-11, 5.9e-11, 0]]
     body = ph.from_points(np.array([16, 1, 1]) * 1.66e-27, places)
     rates = np.array([1e11, 2e12, 3e11])
-    motion = ph.FreeMotion(body.principal_moments, body.principal_moments * rates)
+    motion = ph.FreeMotion(body.principal_moments, momentum=body.principal_moments * rates)
     return {"trajectory": motion.sample(np.linspace(0.0, 2e-11, 400)), "frame": body.frame}
 
 
@@ -279,13 +281,13 @@ def test_a_free_body_s_momentum_stands_still(tmp_path):
 
 
 def test_momentum_straight_down(tmp_path):
-    motion = ph.FreeMotion((1.0, 2.0, 2.5), (0.0, 0.0, -1.0))
+    motion = ph.FreeMotion((1.0, 2.0, 2.5), momentum=(0.0, 0.0, -1.0))
     path = written(tmp_path, motion.sample(TIMES))
     assert Rotation.from_quat(node(path, "angular momentum")["rotation"]).apply([0, 0, 1]) == pytest.approx([0, 0, -1])
 
 
 def test_a_body_at_rest_has_no_momentum_to_show(tmp_path):
-    path = written(tmp_path, ph.FreeMotion((1.0, 2.0, 2.5), (0.0, 0.0, 0.0)).sample(TIMES))
+    path = written(tmp_path, ph.FreeMotion((1.0, 2.0, 2.5), momentum=(0.0, 0.0, 0.0)).sample(TIMES))
     assert not [node for node in taken_apart(path)[0]["nodes"] if node["name"] == "angular momentum"]
 
 
@@ -334,7 +336,7 @@ def test_a_molecule_is_shown_large_and_slow_and_a_planet_small_and_fast(tmp_path
     assert 0.5 <= np.abs(triangles(path, "BODY")[0]).max() <= 10.0
     clock, _ = check_keys(path, case["trajectory"].source, case["frame"].axes, speed=extras["seconds_per_second"])
     assert clock[-1] == pytest.approx(20.0)
-    planet = ph.FreeMotion((8.01e37, 8.01e37, 8.04e37), (0.0, 1e32, 5.8e33))
+    planet = ph.FreeMotion((8.01e37, 8.01e37, 8.04e37), momentum=(0.0, 1e32, 5.8e33))
     path = written(tmp_path, planet.sample(np.linspace(0.0, 5e6, 2000)))
     assert taken_apart(path)[0]["asset"]["extras"]["seconds_per_second"] == 1e5
     assert tracks(path)[0][-1] == 50.0
@@ -363,7 +365,7 @@ def test_a_flat_surface_and_triangles_without_area(tmp_path):
 
 @pytest.mark.usefixtures("any_type")
 def test_what_cannot_be_shown(tmp_path):
-    batch = ph.FreeMotion((1.0, 2.0, 2.5), np.ones((2, 1, 3))).sample(TIMES)
+    batch = ph.FreeMotion((1.0, 2.0, 2.5), momentum=np.ones((2, 1, 3))).sample(TIMES)
     good = MOTION.sample(TIMES)
     bad = np.array(good.attitude)
     bad[3] = np.nan

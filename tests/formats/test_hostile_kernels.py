@@ -23,7 +23,7 @@ def written(tmp_path_factory):
     """A kernel of 120 records, with those beside it, by ending."""
     labels = AttitudeLabels("BOX", spice_id=-777)
     path = tmp_path_factory.mktemp("kernels") / "a.bc"
-    motion = FreeMotion((1.0, 2.0, 3.0), (0.3, 0.4, 0.5)).sample(np.linspace(0.0, 5.0, 120))
+    motion = FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 0.4, 0.5)).sample(np.linspace(0.0, 5.0, 120))
     return {file.suffix: file.read_bytes() for file in write_ck(motion, path, labels=labels)}
 
 

@@ -12,7 +12,7 @@ from polhode.formats import as_rotation, as_rotation_spline
 from polhode.motion.frame import BodyFrame
 
 EXACT = 1e-15
-MOTION = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5), attitude=(0.5, -0.5, 0.1, 0.7))
+MOTION = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5), attitude=(0.5, -0.5, 0.1, 0.7))
 TRAJECTORY = MOTION.sample(np.linspace(0.0, 5.0, 501))
 
 
@@ -41,7 +41,7 @@ def test_motions_without_one_attitude_each_time():
     with pytest.raises(InvalidInput, match="holds attitudes"):
         as_rotation(replace(TRAJECTORY, attitude=None))
     with pytest.raises(InvalidInput, match="batch"):
-        as_rotation(ph.FreeMotion((1.0, 2.0, 3.0), np.ones((4, 1, 3))).sample(np.linspace(0.0, 1.0, 3)))
+        as_rotation(ph.FreeMotion((1.0, 2.0, 3.0), momentum=np.ones((4, 1, 3))).sample(np.linspace(0.0, 1.0, 3)))
     with pytest.raises(InvalidInput, match="sample 2 does not come after"):
         as_rotation_spline(replace(TRAJECTORY.taken(slice(3)), times=np.array([0.0, 1.0, 1.0])))
     with pytest.raises(InvalidInput, match="got one"):

@@ -20,7 +20,7 @@ from polhode.formats.time_scales import leap_seconds_kernel
 
 EXACT = 1e-12  # rad and relative; SPICE and we multiply a few matrices at rounding
 EPHEMERIS = 1.2e-7  # s, what SPICE's ephemeris time tells apart in 2026
-MOTION = FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5), attitude=(0.5, 0.5, -0.5, 0.5))
+MOTION = FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5), attitude=(0.5, 0.5, -0.5, 0.5))
 TIMES = np.linspace(0.0, 20.0, 301)
 LABELS = AttitudeLabels(object_name="Tumbler 1", body_frame="TUMBLER_BODY", epoch="2026-03-01T12:34:56.789",
                         spice_id=-777)  # fmt: skip
@@ -84,14 +84,14 @@ def test_the_file_is_about_the_given_axes(tmp_path, furnished):
     given = FreeMotion.from_body(body, angular_velocity=(1.0, 2.0, 0.3))
     axes = body.principal_axes
     attitude = rotation.multiply(given.attitude_at_epoch, rotation.from_matrix(axes))
-    principal = FreeMotion(body.principal_moments, given.momentum_at_epoch @ axes, attitude)
+    principal = FreeMotion(body.principal_moments, momentum=given.momentum_at_epoch @ axes, attitude=attitude)
     furnished(write_ck(replace(principal.sample(TIMES), frame=body.frame), tmp_path / "a.bc", labels=LABELS))
     assert max(errors_by_spice(given.sample(TIMES), LABELS)) <= EXACT
 
 
 @pytest.mark.parametrize("scale", [1e-11, 1e-3, 1.0, 1e6, 1e9])
 def test_times_come_back_bit_for_bit_at_any_scale(tmp_path, scale):
-    samples = FreeMotion((1.0, 2.0, 3.0), np.array([0.3, 1.8, 1.5]) / scale).sample(TIMES * scale)
+    samples = FreeMotion((1.0, 2.0, 3.0), momentum=np.array([0.3, 1.8, 1.5]) / scale).sample(TIMES * scale)
     back = read_ck(write_ck(samples, tmp_path / "a.bc", labels=LABELS)[0])
     assert np.array_equal(back.times, samples.times)
     assert rotation.angle_between(back.attitude, samples.attitude).max() <= EXACT
@@ -116,8 +116,8 @@ def test_without_angular_velocity(tmp_path, furnished):
 
 
 def test_no_interpolation_over_half_turns(tmp_path, furnished):
-    fast = FreeMotion((1.0, 2.0, 3.0), (0.0, 0.0, 3.0 * 2.0)).sample(np.arange(5.0))  # two radians a second
-    slow = FreeMotion((1.0, 2.0, 3.0), (0.0, 0.0, 3.0 * 4.0)).sample(np.arange(5.0))
+    fast = FreeMotion((1.0, 2.0, 3.0), momentum=(0.0, 0.0, 3.0 * 2.0)).sample(np.arange(5.0))  # two radians a second
+    slow = FreeMotion((1.0, 2.0, 3.0), momentum=(0.0, 0.0, 3.0 * 4.0)).sample(np.arange(5.0))
     for name, samples, found in (("a", fast, True), ("b", slow, False)):
         furnished(write_ck(samples, tmp_path / f"{name}.bc", labels=LABELS))
         if found:
@@ -265,7 +265,7 @@ def test_motions_that_a_kernel_cannot_hold(tmp_path):
     samples = MOTION.sample(TIMES)
     for broken, words in (
         (replace(samples, attitude=None), "attitude"), (replace(samples, times=TIMES[::-1]), "rise"),
-        (FreeMotion((1.0, 2.0, 3.0), np.ones((2, 3))).sample(TIMES), "batch"),
+        (FreeMotion((1.0, 2.0, 3.0), momentum=np.ones((2, 3))).sample(TIMES), "batch"),
     ):  # fmt: skip
         with pytest.raises(InvalidInput, match=words):
             write_ck(broken, tmp_path / "a.bc", labels=LABELS)
@@ -301,7 +301,7 @@ from polhode.formats import spice, spice_kernels
 from polhode.formats.spice_reading import read_ck
 if "unlocked" in sys.argv:
     spice.spice_alone = spice_kernels.spice_alone = contextlib.nullcontext
-samples, wrong = FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5)).sample(np.linspace(0.0, 20.0, 50)), []
+samples, wrong = FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5)).sample(np.linspace(0.0, 20.0, 50)), []
 def work(name):
     for _ in range(40):
         try:

@@ -20,7 +20,7 @@ DEFAULT = 1e-9  # state error of the default method and step at t = 100
 MOMENTS = (1.0, 2.0, 3.0)
 START = np.array([0.5, -0.5, 0.1, 0.7, 0.3, 1.8, 1.5])
 START[:4] /= np.linalg.norm(START[:4])
-EXACT = ph.FreeMotion(MOMENTS, START[4:], START[:4])
+EXACT = ph.FreeMotion(MOMENTS, momentum=START[4:], attitude=START[:4])
 SPARSE = np.linspace(0.0, 100.0, 11)
 body = systems.FreeRigidBody(MOMENTS)
 
@@ -62,7 +62,7 @@ def test_the_default_is_exact_enough():
 )  # fmt: skip
 def test_estimate_whatever_the_samples(times):
     found = ph.simulate(body, START, times, step=0.5, order=4)
-    check(found, ph.FreeMotion(MOMENTS, START[4:], START[:4], epoch=times[0]))
+    check(found, ph.FreeMotion(MOMENTS, momentum=START[4:], attitude=START[:4], epoch=times[0]))
 
 
 @pytest.mark.sweep
@@ -70,7 +70,7 @@ def test_estimate_beside_the_exact_top():
     moments, attitude = (1.0, 1.0, 0.5), np.array([0.9, 0.3, 0.2, 0.1]) / np.linalg.norm([0.9, 0.3, 0.2, 0.1])
     top = systems.HeavyTop(moments, 1.0)
     state = np.asarray(top.pack(attitude, angular_velocity=(0.3, 0.2, 6.0)))
-    exact = ph.LagrangeMotion(moments, 1.0, state[4:7], attitude)
+    exact = ph.LagrangeMotion(moments, mgl=1.0, momentum=state[4:7], attitude=attitude)
     for order, step in ((None, None), (2, None), (6, 0.1)):
         found = ph.simulate(top, state, SPARSE, Splitting, order=order, step=step)
         check(found, exact)
@@ -166,7 +166,7 @@ def beside_the_separatrix(rng: Any, count: int, low: float, high: float) -> Any:
 
 def errors_over_estimates(system: Any, momenta: Any, times: Any, method: Any) -> Any:
     found = ph.simulate(system, momenta, times, method)
-    exact = np.moveaxis(np.stack([ph.FreeMotion(MOMENTS, momenta).state(t)[1] for t in times]), 0, 1)
+    exact = np.moveaxis(np.stack([ph.FreeMotion(MOMENTS, momentum=momenta).state(t)[1] for t in times]), 0, 1)
     off = np.linalg.norm(found.states - exact, axis=-1).max(axis=-1) / np.linalg.norm(momenta, axis=-1)
     return off / np.asarray(found.error_estimate)
 
@@ -223,6 +223,6 @@ LEFT_THE_SADDLE = [
 def test_runs_that_are_at_the_same_saddle_by_chance_do_not_vouch_for_each_other(system, method, start, count):
     start, times = np.array(start), np.linspace(0.0, 60.0, count)
     found = ph.simulate(system, start, times, method)
-    exact = ph.FreeMotion(MOMENTS, start).state(times)[1]
+    exact = ph.FreeMotion(MOMENTS, momentum=start).state(times)[1]
     error = np.linalg.norm(found.states[:, -3:] - exact, axis=-1).max() / np.linalg.norm(start)
     assert error > 1e-5 and error < 30.0 * found.error_estimate

@@ -74,7 +74,7 @@ def test_more_copies_than_a_block():
     count = 2 * BLOCK + 3
     states = np.linspace(0.5, 2.0, count)[:, None] * SLOW
     found = ph.simulate(body, states.reshape(1, count, 3), TIMES)
-    exact = ph.FreeMotion(MOMENTS, states.reshape(1, count, 1, 3)).momentum(TIMES)
+    exact = ph.FreeMotion(MOMENTS, momentum=states.reshape(1, count, 1, 3)).momentum(TIMES)
     assert found.states.shape == (1, count, 4, 3)
     assert np.abs(found.states - exact).max() < 1e-9
     more = ph.simulate(body, states[:BLOCK], TIMES)

@@ -23,7 +23,7 @@ def moved(moments, momentum, times=TIMES):
 
 
 def exact(moments, momentum, times=TIMES):
-    return ph.FreeMotion(moments, momentum, epoch=times[0]).momentum(times)
+    return ph.FreeMotion(moments, momentum=momentum, epoch=times[0]).momentum(times)
 
 
 def test_values_are_those_of_the_motion_compiled_or_not():

@@ -124,7 +124,7 @@ def test_dataset_round_trip(tmp_path):
 
 
 def test_dataset_of_a_batch():
-    motion = ph.FreeMotion((1.0, 2.0, 3.0), np.eye(3) + 0.1)
+    motion = ph.FreeMotion((1.0, 2.0, 3.0), momentum=np.eye(3) + 0.1)
     data = as_dataset(motion.sample(np.linspace(0.0, 1.0, 7)))
     assert data.momentum.dims == ("batch_0", "time", "axis") and data.momentum.shape == (3, 7, 3)
 

@@ -33,7 +33,9 @@ def test_the_cone_is_lagranges_top(read):
     I3 = 0.3 * m * r * r
     I1 = 0.15 * m * (r * r + h * h / 4) + m * d * d
     half = np.radians(15.0)
-    top = ph.LagrangeMotion((I1, I1, I3), m * 9.80665 * d, (0, 0, I3 * 200.0), (np.cos(half), np.sin(half), 0, 0))
+    top = ph.LagrangeMotion(
+        (I1, I1, I3), mgl=m * 9.80665 * d, momentum=(0, 0, I3 * 200.0), attitude=(np.cos(half), np.sin(half), 0, 0)
+    )
     assert values["regime"] == "cusp"
     for key in ("nutation_period", "precession_per_period", "spin_per_period", "energy"):
         assert values[key] == pytest.approx(getattr(top, key), rel=1e-12)

@@ -28,20 +28,29 @@ def half(point):
 
 
 ENTRIES = {
-    "FreeMotion moments": (THREE, lambda x: ph.FreeMotion(x, THREE)),
-    "FreeMotion momentum": (THREE, lambda x: ph.FreeMotion(THREE, x)),
-    "FreeMotion attitude": (FOUR, lambda x: ph.FreeMotion(THREE, THREE, x)),
-    "FreeMotion epoch": (0.0, lambda x: ph.FreeMotion(THREE, THREE, FOUR, x)),
-    "FreeMotion time": (1.0, lambda x: ph.FreeMotion(THREE, THREE).state(x)),
-    "FreeMotion times": (THREE, lambda x: ph.FreeMotion(THREE, THREE).sample(x)),
-    "FreeMotion.from_body": (THREE, lambda x: ph.FreeMotion.from_body(BALL, x)),
-    "LagrangeMotion moments": ((1.0, 1.0, 0.5), lambda x: ph.LagrangeMotion(x, 1.0, THREE)),
-    "LagrangeMotion mgl": (1.0, lambda x: ph.LagrangeMotion((1.0, 1.0, 0.5), x, THREE)),
-    "LagrangeMotion time": (1.0, lambda x: ph.LagrangeMotion((1.0, 1.0, 0.5), 1.0, THREE).state(x)),
-    "LagrangeMotion.from_body": (THREE, lambda x: ph.LagrangeMotion.from_body(BALL, (0.0, 0.0, -2.0), x)),
-    "LagrangeMotion.from_body pivot": ((0.0, 0.0, -2.0), lambda x: ph.LagrangeMotion.from_body(BALL, x, THREE)),
-    "LagrangeMotion.from_body gravity": (9.8, lambda x: ph.LagrangeMotion.from_body(BALL, THREE, THREE, gravity=x)),
-    "list of numbers": ([np.float32(1.0), 2.0, 3.0], lambda x: ph.FreeMotion(x, THREE)),
+    "FreeMotion moments": (THREE, lambda x: ph.FreeMotion(x, momentum=THREE)),
+    "FreeMotion momentum": (THREE, lambda x: ph.FreeMotion(THREE, momentum=x)),
+    "FreeMotion attitude": (FOUR, lambda x: ph.FreeMotion(THREE, momentum=THREE, attitude=x)),
+    "FreeMotion epoch": (0.0, lambda x: ph.FreeMotion(THREE, momentum=THREE, attitude=FOUR, epoch=x)),
+    "FreeMotion time": (1.0, lambda x: ph.FreeMotion(THREE, momentum=THREE).state(x)),
+    "FreeMotion times": (THREE, lambda x: ph.FreeMotion(THREE, momentum=THREE).sample(x)),
+    "FreeMotion.from_body": (THREE, lambda x: ph.FreeMotion.from_body(BALL, angular_velocity=x)),
+    "LagrangeMotion moments": ((1.0, 1.0, 0.5), lambda x: ph.LagrangeMotion(x, mgl=1.0, momentum=THREE)),
+    "LagrangeMotion mgl": (1.0, lambda x: ph.LagrangeMotion((1.0, 1.0, 0.5), mgl=x, momentum=THREE)),
+    "LagrangeMotion time": (1.0, lambda x: ph.LagrangeMotion((1.0, 1.0, 0.5), mgl=1.0, momentum=THREE).state(x)),
+    "LagrangeMotion.from_body": (
+        THREE,
+        lambda x: ph.LagrangeMotion.from_body(BALL, pivot=(0.0, 0.0, -2.0), angular_velocity=x),
+    ),
+    "LagrangeMotion.from_body pivot": (
+        (0.0, 0.0, -2.0),
+        lambda x: ph.LagrangeMotion.from_body(BALL, pivot=x, angular_velocity=THREE),
+    ),
+    "LagrangeMotion.from_body gravity": (
+        9.8,
+        lambda x: ph.LagrangeMotion.from_body(BALL, pivot=THREE, angular_velocity=THREE, gravity=x),
+    ),
+    "list of numbers": ([np.float32(1.0), 2.0, 3.0], lambda x: ph.FreeMotion(x, momentum=THREE)),
     "Body": (MATRIX, lambda x: ph.Body(1.0, (0.0, 0.0, 0.0), x)),
     "rotation": (FOUR, ph.rotation.as_matrix),
     "rotation vector": (THREE, ph.rotation.from_rotation_vector),
@@ -90,8 +99,10 @@ ENTRIES = {
     "stability": ((0.0, 1.0, 0.0), lambda x: ph.stability(BODY, x)),
     "section state": (THREE, lambda x: ph.section(BODY, x, lambda t, point: point[1], (0.0, 1.0))),
     "section times": ((0.0, 1.0), lambda x: ph.section(BODY, THREE, lambda t, point: point[1], x)),
-    "continue_equilibria": ((0.0, 1.0, 0.0), lambda x: ph.continue_equilibria(
-        lambda a: systems.FreeRigidBody((1.0, 2.0, 3.0 + a)), (0.0, 1.0), x, starts=4)),
+    "continue_equilibria": (
+        (0.0, 1.0, 0.0),
+        lambda x: ph.continue_equilibria(lambda a: systems.FreeRigidBody((1.0, 2.0, 3.0 + a)), (0.0, 1.0), x, starts=4),
+    ),
     "certify state": (THREE, lambda x: ph.certify(BODY, x, (0.0, 0.1))),
     "certify times": ((0.0, 0.1), lambda x: ph.certify(BODY, THREE, x)),
     "lyapunov state": (THREE, lambda x: ph.lyapunov(BODY, x, (0.0, 1.0))),
@@ -99,10 +110,14 @@ ENTRIES = {
     "monodromy state": (THREE, lambda x: ph.monodromy(BODY, x, (0.0, 1.0))),
     "monodromy times": ((0.0, 1.0), lambda x: ph.monodromy(BODY, THREE, x)),
     "periodic_motion": (THREE, lambda x: ph.periodic_motion(BODY, x, 9.0)),
-    "continue_periodic state": (THREE, lambda x: ph.continue_periodic(lambda a: systems.FreeRigidBody((1.0, 2.0, a)),
-                                                                      (3.0, 3.001), x, 9.0)),
-    "continue_periodic limits": ((3.0, 3.001), lambda x: ph.continue_periodic(
-        lambda a: systems.FreeRigidBody((1.0, 2.0, a)), x, THREE, 9.0)),
+    "continue_periodic state": (
+        THREE,
+        lambda x: ph.continue_periodic(lambda a: systems.FreeRigidBody((1.0, 2.0, a)), (3.0, 3.001), x, 9.0),
+    ),
+    "continue_periodic limits": (
+        (3.0, 3.001),
+        lambda x: ph.continue_periodic(lambda a: systems.FreeRigidBody((1.0, 2.0, a)), x, THREE, 9.0),
+    ),
     "find_equilibria": ((0.0, 1.0, 0.0), lambda x: ph.find_equilibria(BODY, x)),
 }
 
@@ -132,18 +147,20 @@ def test_single_precision_is_refused(entry, make):
 @pytest.mark.parametrize("dtype", ["float16", "bfloat16", "complex64"])
 def test_other_types_of_few_digits(dtype):
     with pytest.raises(InvalidInput, match=dtype):
-        ph.FreeMotion(jnp.asarray(THREE, dtype=dtype), THREE)
+        ph.FreeMotion(jnp.asarray(THREE, dtype=dtype), momentum=THREE)
 
 
 def test_traced_numbers_are_refused_as_their_type_is_known():
     with pytest.raises(InvalidInput, match="float32"):
-        jax.jit(lambda x: ph.FreeMotion(x, jnp.asarray(THREE)).momentum(1.0))(jnp.asarray(THREE, dtype="float32"))
+        jax.jit(lambda x: ph.FreeMotion(x, momentum=jnp.asarray(THREE)).momentum(1.0))(
+            jnp.asarray(THREE, dtype="float32")
+        )
 
 
 @pytest.mark.sweep
 def test_whole_numbers_and_plain_ones_are_good():
-    wanted = ph.FreeMotion((1.0, 2.0, 3.0), (1.0, 1.0, 2.0)).energy
-    assert ph.FreeMotion(jnp.array([1, 2, 3]), np.array([1, 1, 2], dtype=np.int32)).energy == wanted
+    wanted = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(1.0, 1.0, 2.0)).energy
+    assert ph.FreeMotion(jnp.array([1, 2, 3]), momentum=np.array([1, 1, 2], dtype=np.int32)).energy == wanted
 
 
 BEFORE_64_BITS = """
@@ -164,21 +181,21 @@ def refused(call):
     raise AssertionError("not refused")
 
 for x in (I, whole):
-    refused(lambda: ph.FreeMotion(x, (0.3, 1.8, 1.5)))
-    refused(lambda: ph.FreeMotion((1.0, 2.0, 3.3), x))
+    refused(lambda: ph.FreeMotion(x, momentum=(0.3, 1.8, 1.5)))
+    refused(lambda: ph.FreeMotion((1.0, 2.0, 3.3), momentum=x))
     refused(lambda: ph.rotation.from_rotation_vector(x))
     refused(lambda: jax.jit(ph.rotation.from_rotation_vector)(x))
-refused(lambda: ph.FreeMotion((1.0, 2.0, 3.3), (0.3, 1.8, 1.5)).state(I[0]))
-refused(lambda: jax.jit(lambda t: ph.FreeMotion((1.0, 2.0, 3.3), (0.3, 1.8, 1.5)).momentum(t))(2.0))
+refused(lambda: ph.FreeMotion((1.0, 2.0, 3.3), momentum=(0.3, 1.8, 1.5)).state(I[0]))
+refused(lambda: jax.jit(lambda t: ph.FreeMotion((1.0, 2.0, 3.3), momentum=(0.3, 1.8, 1.5)).momentum(t))(2.0))
 ph.algebra
 assert jnp.array([1.0]).dtype == "float64"
 refused(lambda: ph.systems.FreeRigidBody(I))
-refused(lambda: ph.FreeMotion(I, (0.3, 1.8, 1.5)))
+refused(lambda: ph.FreeMotion(I, momentum=(0.3, 1.8, 1.5)))
 H = lambda L: 0.5 * jnp.sum(L**2 / I)
 refused(lambda: ph.systems.LiePoisson(ph.algebra.SO3(), H))
 refused(lambda: ph.systems.BodyInPotential((1.0, 2.0, 3.3), H))
 refused(lambda: ph.stability(ph.systems.FreeRigidBody((1.0, 2.0, 3.3)), (0.0, 0.0, 1.0), integrals=[H]))
-ph.FreeMotion(whole, (0.3, 1.8, 1.5))
+ph.FreeMotion(whole, momentum=(0.3, 1.8, 1.5))
 """
 
 

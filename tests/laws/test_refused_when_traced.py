@@ -53,11 +53,11 @@ HISTORY = comparison.AttitudeHistory("b", TIMES, TURNS)
 
 
 def moving(moments):
-    return ph.FreeMotion(moments, (0.3, 1.8, 1.5))
+    return ph.FreeMotion(moments, momentum=(0.3, 1.8, 1.5))
 
 
 def swinging(momentum):
-    return ph.LagrangeMotion((1.0, 1.0, 0.5), 1.0, momentum)
+    return ph.LagrangeMotion((1.0, 1.0, 0.5), mgl=1.0, momentum=momentum)
 
 
 def scaled(system, factor):
@@ -125,8 +125,10 @@ REFUSED = {
     "velocity_distribution": (THREE, lambda x: analysis.velocity_distribution(analysis.MAXWELLIAN, x)),
     "dispersion": (0.3, lambda x: analysis.dispersion(analysis.MAXWELLIAN, 0.3, x)),
     "fastest_growing_wave": (0.3, lambda x: analysis.fastest_growing_wave(analysis.MAXWELLIAN, x)),
-    "fitted_growth": (np.linspace(0.0, 30.0, 31), lambda x: analysis.fitted_growth(
-        x, np.full(31, 1e-3), 0.3, analysis.PlasmaWave(0.3, 0.0, 0.2, 1.0, 0.0), 30.0)),
+    "fitted_growth": (
+        np.linspace(0.0, 30.0, 31),
+        lambda x: analysis.fitted_growth(x, np.full(31, 1e-3), 0.3, analysis.PlasmaWave(0.3, 0.0, 0.2, 1.0, 0.0), 30.0),
+    ),
     "plasma_wave": (0.3, lambda x: analysis.plasma_wave(analysis.MAXWELLIAN, x)),
     "plane_rotation_exponents": (np.zeros((3, 3)), lambda x: analysis.plane_rotation_exponents(ROTATING, x)),
     "EulerDisk": (0.1, lambda x: systems.EulerDisk(1.0, x)),
@@ -180,8 +182,14 @@ REFUSED = {
     "Racket.ensemble": (THREE, quantum.Racket((3.0, 2.0, 1.0), 3).ensemble),
     "Rotor.partition_function": (300.0, quantum.Rotor((3.0, 2.0, 1.0)).partition_function),
     "Rotor.lines": (300.0, lambda x: quantum.Rotor((3.0, 2.0, 1.0), dipole=AXIS).lines(1, x)),
-    "fit_rotor": (1.0, lambda x: quantum.fit_rotor(quantum.Rotor((3.0, 2.0, 1.0)), quantum.MeasuredLines(
-        np.array([[1, 0, 1]]), np.array([[0, 0, 0]]), x * np.ones(1), np.ones(1)), ["B"])),
+    "fit_rotor": (
+        1.0,
+        lambda x: quantum.fit_rotor(
+            quantum.Rotor((3.0, 2.0, 1.0)),
+            quantum.MeasuredLines(np.array([[1, 0, 1]]), np.array([[0, 0, 0]]), x * np.ones(1), np.ones(1)),
+            ["B"],
+        ),
+    ),
     "find_equilibria": (AXIS, lambda x: ph.find_equilibria(BODY, x)),
     "simulate": (THREE, lambda x: ph.simulate(BODY, x, (0.0, 1.0))),
     "sections.section": (THREE, lambda x: ph.section(BODY, x, lambda t, point: point[1], (0.0, 1.0))),
@@ -285,7 +293,10 @@ REFUSED = {
     "critical_rolling_speed": (1.0, lambda x: rolling.critical_rolling_speed(scaled(DISK, x))),
     "critical_spin_rate": (1.0, lambda x: rolling.critical_spin_rate(scaled(DISK, x))),
     "HeavyTop.from_body": (1.0, lambda x: systems.HeavyTop.from_body(SOLID, pivot=(0.0, 0.0, x))),
-    "LagrangeMotion.from_body": (1.0, lambda x: ph.LagrangeMotion.from_body(SOLID, (0.0, 0.0, x), THREE)),
+    "LagrangeMotion.from_body": (
+        1.0,
+        lambda x: ph.LagrangeMotion.from_body(SOLID, pivot=(0.0, 0.0, x), angular_velocity=THREE),
+    ),
     "SpinOrbit.from_body": (0.1, lambda x: systems.SpinOrbit.from_body(SOLID, x)),
     "HeavyTop.check_state": (SIX, TOP.check_state),
 }
@@ -333,7 +344,7 @@ KNOWN = {
     "resonances": lambda: len(spin_orbit.resonances(SPIN)),
 }
 EYE_OF_JAX, THREE_OF_JAX = jnp.eye(3), jnp.asarray(THREE)
-MOTION = ph.FreeMotion(THREE, (0.3, 1.8, 1.5))
+MOTION = ph.FreeMotion(THREE, momentum=(0.3, 1.8, 1.5))
 
 
 AT_ONCE = ("HeavyTop", "orbit_dimension", "from_axis_angle", "poisson_tensor", "contact_point")

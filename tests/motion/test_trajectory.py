@@ -16,7 +16,7 @@ MOMENTS, MOMENTUM_AT_EPOCH = (1.0, 2.0, 3.0), (0.3, 1.8, 1.5)
 
 @pytest.fixture(scope="module")
 def motion():
-    return ph.FreeMotion(MOMENTS, MOMENTUM_AT_EPOCH)
+    return ph.FreeMotion(MOMENTS, momentum=MOMENTUM_AT_EPOCH)
 
 
 def test_it_prints_on_one_screen(motion):
@@ -56,7 +56,7 @@ def test_samples_between_two_times(motion):
 
 
 def test_batches_are_cut_along_time():
-    motions = ph.FreeMotion(MOMENTS, np.array([MOMENTUM_AT_EPOCH, (0.1, 0.2, 0.3)]))
+    motions = ph.FreeMotion(MOMENTS, momentum=np.array([MOMENTUM_AT_EPOCH, (0.1, 0.2, 0.3)]))
     found = motions.sample(np.linspace(0.0, 10.0, 11))
     assert found.batch_shape == (2,) and len(found) == 11
     cut = found.between(2.0, 4.0)

@@ -8,6 +8,7 @@ import pytest
 import polhode as ph
 from oracle.families import Case
 from oracle.measures import error_in_eps
+from starts import free_motion
 
 WORST_ERROR = 16.0
 """eps, the promise of the library."""
@@ -23,7 +24,7 @@ def draw(rng, leading):
     moments = np.sort(rng.uniform(0.1, 1.0, 3)) * 10.0 ** rng.uniform(-1, 1)
     momentum = rng.choice((-1.0, 1.0), 3) * 10.0 ** rng.uniform(SMALLEST, -130, 3)
     momentum[leading] = rng.choice((-1.0, 1.0)) * 10.0 ** rng.uniform(-1, 1)
-    motion = ph.FreeMotion(moments, momentum)
+    motion = ph.FreeMotion(moments, momentum=momentum)
     time = 10.0 ** rng.uniform(-2, 4) / np.abs(momentum / moments).max()
     if leading == 1:
         ahead = np.linspace(0.0, motion.period, 20_001)
@@ -39,7 +40,7 @@ def test_tiny_components_down_to_the_smallest_numbers(leading):
     worst = 0.0
     for _ in range(COUNT):
         case = Case("tiny", *draw(rng, leading))
-        worst = max(worst, *error_in_eps(*ph.FreeMotion(*case[1:3]).state(case.time), case))
+        worst = max(worst, *error_in_eps(*free_motion(*case[1:3]).state(case.time), case))
     assert worst <= WORST_ERROR
 
 
@@ -48,7 +49,7 @@ def test_tiny_components_down_to_the_smallest_numbers(leading):
 def test_answers_beside_a_principal_axis(leading, beside, exponent):
     moments, momentum = (1.0, 2.0, 3.0), np.zeros(3)
     momentum[leading], momentum[beside] = 1.0, 10.0**exponent
-    motion = ph.FreeMotion(moments, momentum)
+    motion = ph.FreeMotion(moments, momentum=momentum)
     if leading == 1:
         # the pair of real exponents ±λ: T = 4K/λ, K = ln(4/k'), k' the size of what is beside in units of its axis
         rate = math.sqrt(1.0 / 12.0)
@@ -66,8 +67,8 @@ def test_answers_beside_a_principal_axis(leading, beside, exponent):
 
 def test_one_such_body_does_not_fail_a_batch():
     momentum = np.array([[0.0, 1e-156, 1.0], [0.3, 1.8, 1.5], [5e-324, 1.0, 0.0]])
-    attitude, found = ph.FreeMotion((1.0, 2.0, 3.0), momentum).state(1.0)
-    alone = ph.FreeMotion((1.0, 2.0, 3.0), momentum[1]).state(1.0)
+    attitude, found = ph.FreeMotion((1.0, 2.0, 3.0), momentum=momentum).state(1.0)
+    alone = ph.FreeMotion((1.0, 2.0, 3.0), momentum=momentum[1]).state(1.0)
     assert attitude[1] == pytest.approx(alone[0], abs=1e-15) and found[1] == pytest.approx(alone[1], abs=1e-15)
     turned = math.cos(0.5 / 3.0), 0.0, 0.0, math.sin(0.5 / 3.0)
     assert attitude[0] == pytest.approx(turned, abs=1e-15)
@@ -75,13 +76,13 @@ def test_one_such_body_does_not_fail_a_batch():
 
 @pytest.mark.parametrize("time", [1e30, -1e35, 1e300])
 def test_times_at_which_no_digit_is_left_are_refused(time):
-    free = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5))
-    top = ph.LagrangeMotion((1.0, 1.0, 0.5), 1.0, (0.0, 0.0, 2.5), (3**0.5 / 2, 0.5, 0.0, 0.0))
+    free = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5))
+    top = ph.LagrangeMotion((1.0, 1.0, 0.5), mgl=1.0, momentum=(0.0, 0.0, 2.5), attitude=(3**0.5 / 2, 0.5, 0.0, 0.0))
     for motion in (free, top):
         for times in (time, [0.0, time]):
             with pytest.raises(ph.InvalidInput, match=r"at most 1e\+27 rad, beyond which a phase has hardly a digit"):
                 motion.state(times)
-    slow = ph.FreeMotion((1.0, 2.0, 3.0), np.array([0.3, 1.8, 1.5]) / abs(time))
+    slow = ph.FreeMotion((1.0, 2.0, 3.0), momentum=np.array([0.3, 1.8, 1.5]) / abs(time))
     assert np.isfinite(slow.momentum(time)).all()  # a fast body of a batch does not speak for a slow one
-    both = ph.FreeMotion((1.0, 2.0, 3.0), [(0.3, 1.8, 1.5), np.array([0.3, 1.8, 1.5]) / abs(time)])
+    both = ph.FreeMotion((1.0, 2.0, 3.0), momentum=[(0.3, 1.8, 1.5), np.array([0.3, 1.8, 1.5]) / abs(time)])
     assert np.isfinite(both.momentum(np.array([1.0, time]))).all()

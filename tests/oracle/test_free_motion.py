@@ -28,7 +28,7 @@ def columns(cases: list[Case]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 
 def many_states(cases: list[Case]) -> tuple[np.ndarray, np.ndarray]:
     moments, momentum, times = columns(cases)
-    return ph.FreeMotion(moments, momentum).state(times)
+    return ph.FreeMotion(moments, momentum=momentum).state(times)
 
 
 numpy_states, python_states, kernel_states = (
@@ -58,7 +58,7 @@ def jax_vmapped_states(cases: list[Case], where="compiled") -> tuple[np.ndarray,
 
 
 def one_state(moments, momentum, time):
-    return ph.FreeMotion(moments, momentum).state(time)
+    return ph.FreeMotion(moments, momentum=momentum).state(time)
 
 
 ENGINES = {
@@ -138,7 +138,7 @@ def test_a_mixed_batch_equals_its_bodies_one_by_one(count):
     others = python_states(cases)
     assert np.array_equal(attitudes, others[0]) and np.array_equal(momenta, others[1])
     for case, attitude, momentum in zip(cases, attitudes, momenta, strict=True):
-        alone = ph.FreeMotion(case.moments, case.momentum).state(case.time)
+        alone = ph.FreeMotion(case.moments, momentum=case.momentum).state(case.time)
         assert np.array_equal(alone[0], attitude) and np.array_equal(alone[1], momentum), case
 
 
@@ -147,9 +147,11 @@ def test_all_bodies_at_all_times_equal_the_flat_batch():
     moments, momentum, times = columns(cases)
     longest = 1e26 / (np.abs(momentum).max(-1) / moments.min(-1)).max()  # of the fastest body, which meets all times
     times = np.clip(times, -longest, longest)
-    attitudes, momenta = ph.FreeMotion(moments[:, None], momentum[:, None]).state(times)
+    attitudes, momenta = ph.FreeMotion(moments[:, None], momentum=momentum[:, None]).state(times)
     count = len(cases)
-    flat = ph.FreeMotion(np.repeat(moments, count, 0), np.repeat(momentum, count, 0)).state(np.tile(times, count))
+    flat = ph.FreeMotion(np.repeat(moments, count, 0), momentum=np.repeat(momentum, count, 0)).state(
+        np.tile(times, count)
+    )
     assert np.array_equal(attitudes, flat[0].reshape(count, count, 4))
     assert np.array_equal(momenta, flat[1].reshape(count, count, 3))
 
@@ -161,8 +163,8 @@ def test_attitude_and_epoch_are_taken_up():
     rng = np.random.default_rng(9)
     start = rng.normal(size=(len(cases), 4))
     start /= np.linalg.norm(start, axis=-1, keepdims=True)
-    motion = ph.FreeMotion(moments, momentum, attitude=start, epoch=-times)
-    from_identity = ph.FreeMotion(moments, momentum).state(2 * times)  # t - epoch is exact
+    motion = ph.FreeMotion(moments, momentum=momentum, attitude=start, epoch=-times)
+    from_identity = ph.FreeMotion(moments, momentum=momentum).state(2 * times)  # t - epoch is exact
     attitudes, momenta = motion.state(times)
     product = quaternion_product(start, from_identity[0])
     sign = np.sign((product * attitudes).sum(-1, keepdims=True))
@@ -180,7 +182,7 @@ def quaternion_product(p: np.ndarray, q: np.ndarray) -> np.ndarray:
 
 @pytest.mark.parametrize("moments", [(1.0, 2.0, 3.0), (2.0, 2.0, 2.0), (1e12, 1.0, 1e-12)])
 def test_a_body_at_rest_stays(moments):
-    attitude, momentum = ph.FreeMotion(moments, (0.0, 0.0, 0.0), attitude=(0.5, 0.5, -0.5, 0.5)).state(1e9)
+    attitude, momentum = ph.FreeMotion(moments, momentum=(0.0, 0.0, 0.0), attitude=(0.5, 0.5, -0.5, 0.5)).state(1e9)
     assert attitude.tolist() == [0.5, 0.5, -0.5, 0.5]
     assert momentum.tolist() == [0.0, 0.0, 0.0]
 

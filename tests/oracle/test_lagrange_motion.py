@@ -18,6 +18,7 @@ from oracle.lagrange_families import TopCase, draw_tops
 from oracle.measures import EPS, rotation_of
 from oracle.numpy_alone import compiled_alone, numpy_alone, python_alone, under
 from oracle.optimized import OPTIMIZED
+from starts import lagrange_motion
 from sweeping import first
 
 WORST_ERROR = 16.0
@@ -59,7 +60,7 @@ def columns(cases: list[TopCase]) -> tuple[np.ndarray, ...]:
 
 def many_states(cases: list[TopCase]) -> tuple[np.ndarray, np.ndarray]:
     *top, times = columns(cases)
-    return ph.LagrangeMotion(*top).state(times)
+    return lagrange_motion(*top).state(times)
 
 
 numpy_states, python_states, kernel_states = (
@@ -68,7 +69,7 @@ numpy_states, python_states, kernel_states = (
 
 
 def one_state(moments, mgl, momentum, attitude, time):
-    return ph.LagrangeMotion(moments, mgl, momentum, attitude).state(time)
+    return ph.LagrangeMotion(moments, mgl=mgl, momentum=momentum, attitude=attitude).state(time)
 
 
 def jax_states(cases: list[TopCase], where="compiled") -> tuple[np.ndarray, np.ndarray]:
@@ -148,7 +149,7 @@ def test_a_mixed_batch_equals_its_tops_one_by_one(count):
     others = python_states(cases)
     assert np.array_equal(attitudes, others[0]) and np.array_equal(momenta, others[1])
     for case, attitude, momentum in zip(cases, attitudes, momenta, strict=True):
-        alone = ph.LagrangeMotion(*case[1:5]).state(case.time)
+        alone = lagrange_motion(*case[1:5]).state(case.time)
         assert np.array_equal(alone[0], attitude) and np.array_equal(alone[1], momentum), case
 
 

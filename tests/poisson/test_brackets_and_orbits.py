@@ -122,7 +122,7 @@ def test_area_of_a_cap_and_the_whole_sphere():
     assert poisson.symplectic_area(cap, sign=1) == pytest.approx(wanted, rel=1e-5)
     assert poisson.symplectic_area(cap) == pytest.approx(-wanted, rel=1e-5)
     assert poisson.liouville_volume(lie.SO3(), np.array([0.0, 3.0, 4.0])) == pytest.approx(20.0 * np.pi, rel=EXACT)
-    motion = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5))
+    motion = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5))
     loop = motion.momentum(np.linspace(0.0, motion.period, 4001)[:-1])
     assert abs(poisson.symplectic_area(loop)) == pytest.approx(2.0 * np.pi * motion.action, rel=1e-6)
 

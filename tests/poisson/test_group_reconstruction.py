@@ -29,7 +29,7 @@ def path(system, start, count):
 def test_the_attitude_of_a_body_comes_back():
     body = ph.systems.FreeRigidBody((1.0, 2.0, 3.0))
     start = np.array([0.3, 1.8, 1.5])
-    exact = ph.FreeMotion((1.0, 2.0, 3.0), start).attitude(END)
+    exact = ph.FreeMotion((1.0, 2.0, 3.0), momentum=start).attitude(END)
     assert path(body, start, 401).elements[-1] == pytest.approx(exact, abs=1e-8)
     found = run(body, start, 101)
     other = reconstruct(found.times, found.states, body.velocity)

@@ -42,7 +42,7 @@ def test_momentum_maps_and_the_lifted_action():
 
 @pytest.mark.parametrize("momentum", first(1, [[0.3, 1.8, 1.5], [0.9, 1.6, 0.3]]))
 def test_attitude_and_phases_come_back(momentum):
-    motion = ph.FreeMotion(MOMENTS, momentum, attitude=rotation.normalize((0.5, 0.1, -0.7, 0.2)))
+    motion = ph.FreeMotion(MOMENTS, momentum=momentum, attitude=rotation.normalize((0.5, 0.1, -0.7, 0.2)))
     again = jax.jit(lambda t, L, q: poisson.reconstruct(t, L, lambda L: L / MOMENTS, q))  # compiled as a whole
     start, errors = motion.attitude(0.0), []
     for count in (400, 800):

@@ -31,7 +31,7 @@ def start(energy, G):
 @pytest.mark.parametrize("energy", [1100.0, 1200.0, 1540.0, 1545.0, 1700.0, 2900.0])
 def test_actions_are_areas_and_periods_those_of_the_free_body(energy):
     G = 10.5
-    motion = ph.FreeMotion(tuple(0.5 / x for x in W), start(energy, G))
+    motion = ph.FreeMotion(tuple(0.5 / x for x in W), momentum=start(energy, G))
     found = orbit(W, G, np.array(energy))
     area = motion.solid_angle if energy < W[1] * G * G else 2.0 * math.pi - motion.solid_angle
     assert found.action == pytest.approx(0.5 * G * area, rel=1e-12)

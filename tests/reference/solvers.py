@@ -95,8 +95,10 @@ def together(givens):
     """Return the motions (N,) of cases of one kind as one."""
     moments, momentum, attitude, epoch = (np.array([g[k] for g in givens]) for k in range(4))
     if givens[0].mgl is None:
-        return ph.FreeMotion(moments, momentum, attitude, epoch)
-    return ph.LagrangeMotion(moments, np.array([g.mgl for g in givens]), momentum, attitude, epoch)
+        return ph.FreeMotion(moments, momentum=momentum, attitude=attitude, epoch=epoch)
+    return ph.LagrangeMotion(
+        moments, mgl=np.array([g.mgl for g in givens]), momentum=momentum, attitude=attitude, epoch=epoch
+    )
 
 
 def by_polhode(givens, times):

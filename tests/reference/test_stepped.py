@@ -206,7 +206,9 @@ def test_errors_fall_with_the_eighth_power_of_the_step():
     given = {"moments": [1.0, 2.0, 3.0], "rotor": [0.0, 0.0, 0.0], "attitude": UNIT.tolist(), "momentum": MOMENTUM}
     counts = [12, 16, 24, 32]
     (found,) = in_javascript([{"kind": "fixedSteps", "given": given, "until": 8.0, "counts": counts}])
-    wanted = np.concatenate(ph.FreeMotion(given["moments"], given["momentum"], given["attitude"]).state(8.0))
+    wanted = np.concatenate(
+        ph.FreeMotion(given["moments"], momentum=given["momentum"], attitude=given["attitude"]).state(8.0)
+    )
     errors = np.linalg.norm(np.array(found) - wanted, axis=-1)
     assert errors.min() > 1e-12  # above rounding
     slope = -np.polyfit(np.log(counts), np.log(errors), 1)[0]

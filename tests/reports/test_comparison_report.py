@@ -8,7 +8,7 @@ from polhode import FreeMotion, rotation
 from polhode.analysis.comparison import AttitudeHistory, compare
 from polhode.studies.comparison_report import ComparisonReport
 
-MOTION = FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5))
+MOTION = FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5))
 TIMES = np.linspace(0.0, 10.0, 50)
 HISTORY = AttitudeHistory("samples", TIMES, MOTION.attitude(TIMES))
 

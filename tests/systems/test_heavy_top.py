@@ -118,7 +118,7 @@ def test_lagranges_top_is_followed(moments, tilt, spin):
     top = HeavyTop(moments, 1.0)
     times = np.linspace(0.0, 20.0, 21)
     found = ph.simulate(top, top.pack(attitude, spin), times, step=0.01, order=6)
-    exact = ph.LagrangeMotion(moments, 1.0, np.array(moments) * spin, attitude).sample(times)
+    exact = ph.LagrangeMotion(moments, mgl=1.0, momentum=np.array(moments) * spin, attitude=attitude).sample(times)
     assert np.abs(found.attitude - exact.attitude).max() < 1e-11
     assert np.abs(found.momentum - exact.momentum).max() < 1e-11
 
@@ -127,7 +127,7 @@ def test_lagranges_top_is_followed(moments, tilt, spin):
 def test_order_by_slope_against_lagrange():
     moments, attitude, spin = (1.0, 1.0, 0.5), (np.cos(0.5), np.sin(0.5), 0.0, 0.0), (0.3, -0.2, 3.0)
     top, times = HeavyTop(moments, 1.0), np.array([0.0, 2.0])
-    exact = ph.LagrangeMotion(moments, 1.0, np.array(moments) * spin, attitude).state(2.0)
+    exact = ph.LagrangeMotion(moments, mgl=1.0, momentum=np.array(moments) * spin, attitude=attitude).state(2.0)
     for order, sizes in ((2, (0.04, 0.02, 0.01)), (4, (0.1, 0.05, 0.025))):
         misses = []
         for size in sizes:
@@ -176,7 +176,9 @@ def test_a_fixed_point_at_the_centre_of_mass_is_the_free_body():
     assert float(top.mgl) == 0.0 and top.case is not None and top.case[0] == "Euler"
     times = np.linspace(0.0, 100.0, 5)
     found = ph.simulate(top, top.pack(angular_velocity=(0.1, 1.0, 0.2)), times)
-    exact = ph.FreeMotion(np.asarray(top.moments), np.asarray(found.momentum[0]), found.attitude[0]).sample(times)
+    exact = ph.FreeMotion(
+        np.asarray(top.moments), momentum=np.asarray(found.momentum[0]), attitude=found.attitude[0]
+    ).sample(times)
     assert np.abs(found.attitude - exact.attitude).max() < 1e-13
 
 

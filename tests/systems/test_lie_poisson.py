@@ -57,7 +57,7 @@ def test_parameters_are_data(made):
         before = compiled()
         ends.append(move(made(moments)))
         counts.append(compiled() - before)
-        exact = ph.FreeMotion(moments, MOMENTUM).momentum(1.0)
+        exact = ph.FreeMotion(moments, momentum=MOMENTUM).momentum(1.0)
         assert np.abs(ends[-1] - exact).max() < 1e-4
     assert counts == [1, 0]
 

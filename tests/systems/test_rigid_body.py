@@ -132,7 +132,7 @@ def test_a_slug_and_drag_as_bodies_of_their_own():
 def test_with_nothing_it_is_the_free_body():
     body = RigidBody(MOMENTS)
     found = ph.simulate(body, body.pack(ATTITUDE, VELOCITY), TIMES)
-    motion = ph.FreeMotion(MOMENTS, MOMENTS * VELOCITY, ATTITUDE)
+    motion = ph.FreeMotion(MOMENTS, momentum=MOMENTS * VELOCITY, attitude=ATTITUDE)
     assert np.abs(found.attitude - motion.attitude(TIMES)).max() < MOTION
     assert np.abs(found.angular_velocity - motion.angular_velocity(TIMES)).max() < MOTION
     assert set(found.invariants) == {"energy", "|L|²", "momentum_space"} and max(found.drift.values()) < MOTION

@@ -48,7 +48,7 @@ def test_quadratic_drag_decays_as_one_over_time():
 def test_without_torques_it_is_the_free_body():
     start = np.concatenate([TILTED, [0.3, 1.8, 1.5]])
     found = ph.simulate(TorquedBody(MOMENTS, []), start, TIMES)
-    motion = ph.FreeMotion(MOMENTS, start[4:], TILTED)
+    motion = ph.FreeMotion(MOMENTS, momentum=start[4:], attitude=TILTED)
     assert np.abs(found.attitude - motion.attitude(TIMES)).max() < MOTION
     assert np.abs(found.angular_velocity - motion.angular_velocity(TIMES)).max() < MOTION
     assert max(found.drift.values()) < MOTION

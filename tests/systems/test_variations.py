@@ -40,7 +40,7 @@ def test_changes_move_where_the_motion_stands_still(method, momentum):
     """The motion alone chose the steps: one over all of the time, and changes were off by 27 million, of any size."""
     body, start = ph.systems.FreeRigidBody((1.0, 2.0, 3.0)), np.array(momentum)
     found = ph.simulate(Variations(body, 3), np.concatenate([start[None], 1e9 * np.eye(3)]), [0.0, 20.0], method)
-    by_start = jax.jacfwd(lambda L: ph.FreeMotion((1.0, 2.0, 3.0), L).momentum(20.0))(jnp.asarray(start))
+    by_start = jax.jacfwd(lambda L: ph.FreeMotion((1.0, 2.0, 3.0), momentum=L).momentum(20.0))(jnp.asarray(start))
     off = np.abs(found.states[-1, 1:].T / 1e9 - by_start).max() / np.abs(by_start).max()
     assert off < (1e-14 if method is Taylor else 1e-10) and off < 3.0 * found.error_estimate
 

@@ -27,7 +27,7 @@ def one_case(rng, longest):
     # all along, as what is said is of the whole motion; samples change no steps
     times = np.linspace(0.0, times[-1], 129)
     motion = solve_by_series(body, method, start, times, tolerance=tolerance)
-    attitude, exact = ph.FreeMotion(moments, momentum).state(times)
+    attitude, exact = ph.FreeMotion(moments, momentum=momentum).state(times)
     size = np.abs(motion.states[:, 4:]).max()
     error = max(np.abs(motion.states[:, :4] - attitude).max(), np.abs(motion.states[:, 4:] - exact).max() / size)
     return error, said

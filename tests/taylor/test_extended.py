@@ -22,7 +22,7 @@ def top_at(last, method=EXTENDED):
     top = systems.HeavyTop(MOMENTS, 1.0, (0.0, 0.0, 1.0))
     start = np.concatenate([(LEVEL, LEVEL, 0.0, 0.0), MOMENTUM, (0.0, 1.0, 0.0)])
     found = ph.simulate(top, start, np.linspace(0.0, last, 5), method)
-    exact = ph.LagrangeMotion(MOMENTS, 1.0, MOMENTUM, (LEVEL, LEVEL, 0.0, 0.0)).state(found.times)
+    exact = ph.LagrangeMotion(MOMENTS, mgl=1.0, momentum=MOMENTUM, attitude=(LEVEL, LEVEL, 0.0, 0.0)).state(found.times)
     return np.abs(found.states[:, :7] - np.concatenate(exact, axis=1)).max(), found.error_estimate
 
 
@@ -51,7 +51,7 @@ def test_a_moment_off_in_its_last_digit_is_seen(monkeypatch):
 def test_free_bodies_and_copies_agree_with_closed_forms():
     moments, momenta = (1.0, 2.0, 3.0), np.array([[0.3, 1.8, 1.5], [0.9, 1.6, 0.3], [1e-3, 2.0, 2e-3]])
     found = ph.simulate(systems.FreeRigidBody(moments), momenta, np.array([0.0, 300.0, 1500.0]), EXTENDED)
-    exact = ph.FreeMotion(moments, momenta[:, None]).momentum(found.times)
+    exact = ph.FreeMotion(moments, momentum=momenta[:, None]).momentum(found.times)
     assert np.abs(found.states - exact).max() < 8.0 * EPS and np.max(found.error_estimate) < 8.0 * EPS
 
 

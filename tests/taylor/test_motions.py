@@ -66,7 +66,7 @@ def test_systems_with_powers(system, start):
 @pytest.mark.parametrize("times", [np.linspace(0.0, 20.0, 9), np.linspace(3.0, -5.0, 5)], ids=["on", "back"])
 def test_the_free_body_is_that_of_the_closed_form(times):
     found = ph.simulate(BODY, START, times, Taylor)
-    attitude, momentum = ph.FreeMotion(MOMENTS, START[4:], epoch=times[0]).state(times)
+    attitude, momentum = ph.FreeMotion(MOMENTS, momentum=START[4:], epoch=times[0]).state(times)
     assert np.abs(found.attitude - attitude).max() < 1e-13 and np.abs(found.momentum - momentum).max() < 1e-13
     assert found.drift["energy"] < 1e-15 and found.drift["|L|²"] < 1e-15
 
@@ -78,7 +78,7 @@ def test_a_symmetric_top_is_that_of_elliptic_functions():
     start = top.pack(attitude=attitude, angular_velocity=np.array(momentum) / moments)
     times = np.linspace(0.0, 8.0, 4)
     found = ph.simulate(top, start, times, Taylor)
-    wanted = ph.LagrangeMotion(moments, mgl, momentum, attitude).attitude(times)
+    wanted = ph.LagrangeMotion(moments, mgl=mgl, momentum=momentum, attitude=attitude).attitude(times)
     assert np.abs(found.attitude - wanted).max() < 1e-12
     assert max(np.max(v) for k, v in found.drift.items() if "space" not in k) < 1e-15
 
@@ -101,7 +101,7 @@ def test_samples_change_nothing_and_copies_are_as_one_alone():
 def test_a_tolerance_is_of_the_error(tolerance):
     times = np.linspace(0.0, 6.0, 4)
     found = ph.simulate(BODY, START, times, Taylor, tolerance=tolerance)
-    truth = ph.FreeMotion(MOMENTS, START[4:]).state(times)
+    truth = ph.FreeMotion(MOMENTS, momentum=START[4:]).state(times)
     error = max(np.abs(found.attitude - truth[0]).max(), np.abs(found.momentum - truth[1]).max() / 2.0)
     assert error <= found.error_estimate <= tolerance
 
@@ -132,7 +132,7 @@ def test_an_event_ends_the_motion_at_its_own_time(level, forth):
     body = watched(level)
     found = ph.simulate(body, START, forth * np.linspace(0.0, 40.0, 81), Taylor)
     assert str(found.outcome) == "turned over" and (found.states[:-1, 5] > level).all()
-    exact = ph.FreeMotion(MOMENTS, START[4:]).momentum(found.times)
+    exact = ph.FreeMotion(MOMENTS, momentum=START[4:]).momentum(found.times)
     assert exact[-1, 1] == pytest.approx(level, abs=1e-13) and np.abs(found.momentum - exact).max() < 1e-13
     theirs = ph.simulate(body, START, forth * np.linspace(0.0, 40.0, 81), diffrax.Dopri8())
     assert found.times[-1] == pytest.approx(theirs.times[-1], abs=1e-10)
@@ -165,7 +165,7 @@ def test_events_of_copies_and_one_that_never_happens():
     found = ph.simulate(body, starts, [0.0, 1.0, 40.0], Taylor)
     assert found.ends.event.tolist() == [0, 0, -1] and found.ends.time[2] == 40.0
     for k in range(2):
-        exact = ph.FreeMotion(MOMENTS, starts[k, 4:]).momentum(found.ends.time[k])
+        exact = ph.FreeMotion(MOMENTS, momentum=starts[k, 4:]).momentum(found.ends.time[k])
         assert exact[1] == pytest.approx(1.0, abs=1e-13) and np.isinf(found.states[k, -1]).all()
     with pytest.raises(InvalidInput, match="at or past the event"):
         ph.simulate(body, START * [1, 1, 1, 1, 1, 0.4, 1], [0.0, 1.0], Taylor)

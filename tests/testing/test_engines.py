@@ -28,7 +28,7 @@ def scalar_last(motion):
 
 def wrong_sense(motion):
     """Euler's equations with the wrong sign run backwards."""
-    return motion.attitudes, ph.FreeMotion(motion.moments, motion.momentum).momentum(-motion.times)
+    return motion.attitudes, ph.FreeMotion(motion.moments, momentum=motion.momentum).momentum(-motion.times)
 
 
 def opposite_quaternions(motion):

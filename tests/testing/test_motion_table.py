@@ -55,9 +55,9 @@ def worst_in_eps(motions):
             np.array([getattr(motion, name) for motion in group])
             for name in ("moments", "momentum", "attitude", "mgl", "times", "attitudes", "momenta")
         )
-        given = moments[:, None], momentum[:, None], attitude[:, None]
-        motion = (ph.FreeMotion(*given) if kind == "free body"
-                  else ph.LagrangeMotion(given[0], mgl[:, None], *given[1:]))  # fmt: skip
+        start = {"momentum": momentum[:, None], "attitude": attitude[:, None]}
+        motion = (ph.FreeMotion(moments[:, None], **start) if kind == "free body"
+                  else ph.LagrangeMotion(moments[:, None], mgl=mgl[:, None], **start))  # fmt: skip
         attitudes, momenta = motion.state(times)
         sign = np.sign(np.sum(attitudes * q, axis=-1, keepdims=True))
         size = np.linalg.norm(L, axis=-1).max(axis=-1)[:, None, None]

@@ -19,7 +19,7 @@ FINGER = 40  # pixels a control should measure
 
 @pytest.fixture(scope="module")
 def page_of_a_book(tmp_path_factory):
-    motion = ph.FreeMotion((1.0, 2.0, 3.0), (0.1, 2.0, 0.1))
+    motion = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.1, 2.0, 0.1))
     path = tmp_path_factory.mktemp("book") / "book.html"
     return write_page(motion.sample(np.linspace(0.0, 30.0, 601)), path, name="a book", notes=["thrown"])
 
@@ -192,7 +192,7 @@ def test_dark_ground_and_the_toggle(page_of_a_book, opened):
 
 def test_a_name_is_text(opened, tmp_path):
     name = "</script><script>window.hacked = 1</script><!-- <b>&amp;\u2028 @@data@@"
-    motion = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5)).sample([0.0, 0.1, 0.2])
+    motion = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5)).sample([0.0, 0.1, 0.2])
     page = opened(write_page(motion, tmp_path / "name.html", name=name, summary=name, notes=[name]))
     assert page.tab.evaluate("window.hacked") is None
     assert page.tab.locator("h1").text_content() == name
@@ -208,7 +208,7 @@ def test_policy_refuses_other_scripts(page_of_a_book, opened):
 
 
 def test_samples_too_far_apart_are_not_joined(opened, tmp_path):
-    motion = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5)).sample(np.linspace(0.0, 300.0, 40))
+    motion = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5)).sample(np.linspace(0.0, 300.0, 40))
     motion = replace(motion, source=FreeRigidBody((1.0, 2.0, 3.0)))
     page = opened(write_page(motion, tmp_path / "apart.html"))
     assert "it jumps" in page.tab.locator("#notes").text_content()
@@ -233,7 +233,7 @@ ODD = {
 @pytest.mark.parametrize("name", ODD)
 def test_odd_motions_are_drawn(opened, tmp_path, name):
     moments, momentum, end, count = ODD[name]
-    motion = ph.FreeMotion(moments, momentum).sample(np.linspace(0.0, end, count))
+    motion = ph.FreeMotion(moments, momentum=momentum).sample(np.linspace(0.0, end, count))
     page = opened(write_page(motion, tmp_path / "odd.html", name=name))
     page.seek(page.count() - 1)
     assert page.tab.locator("#failure").is_hidden() and not page.complaints
@@ -244,7 +244,7 @@ def test_odd_motions_are_drawn(opened, tmp_path, name):
 
 
 def test_attitudes_alone_are_drawn(opened, tmp_path):
-    whole = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5)).sample(np.linspace(0.0, 9.0, 91))
+    whole = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5)).sample(np.linspace(0.0, 9.0, 91))
     read = Recording(labels=AttitudeLabels())
     bare = replace(whole, source=read, momentum=None, angular_velocity=None, invariants={})
     page = opened(write_page(bare, tmp_path / "bare.html"))
@@ -264,7 +264,7 @@ def test_without_webgl_the_page_says_so(browser, page_of_a_book):
 
 
 def test_frame_of_a_notebook(opened, tmp_path):
-    motion = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5)).sample(np.linspace(0.0, 9.0, 91))
+    motion = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5)).sample(np.linspace(0.0, 9.0, 91))
     host = tmp_path / "notebook.html"
     frame = show(motion, name='"quoted"', height=500)._repr_html_()
     host.write_text(f"<!doctype html><script>window.polhode = {{firstPicture: 1}}</script>{frame}", "utf-8")

@@ -107,7 +107,7 @@ def test_ellipsoid_rolls_without_slipping(example_page, opened, name):
 
 
 def test_coarse_steps_roll_too(opened, tmp_path):
-    motion = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5))
+    motion = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5))
     page = opened(write_page(motion.sample(np.linspace(0.0, 3000.0, 300)), tmp_path / "coarse.html"), **SMALL)
     times, worst = np.array(page.times()), 0.0
     assert np.diff(times).max() * np.linalg.norm(motion.angular_velocity(times), axis=-1).max() > 0.24  # rad
@@ -124,7 +124,7 @@ def test_coarse_steps_roll_too(opened, tmp_path):
 
 
 def test_plane_too_low_is_found(opened, tmp_path):
-    motion = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5))
+    motion = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5))
     stepped = replace(motion.sample(np.linspace(0.0, 20.0, 1001)), source=FreeRigidBody((1.0, 2.0, 3.0)))
     path = write_page(stepped, tmp_path / "low.html")
     text = path.read_text("utf-8")
@@ -136,7 +136,7 @@ def test_plane_too_low_is_found(opened, tmp_path):
 
 
 def test_body_that_turns_too_fast_is_found(opened, tmp_path):
-    motion = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5))
+    motion = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5))
     right = motion.sample(np.linspace(0.0, 20.0, 1001))
     right = replace(right, source=FreeRigidBody((1.0, 2.0, 3.0)))
     check_rolls(opened(write_page(right, tmp_path / "right.html"), **SMALL))

@@ -16,7 +16,7 @@ STEPPED_SAME = 1e-7
 """Of states that both sides reach by steps."""
 DRIFT = 1e-12
 """Of |L| and the energy over ten minutes."""
-MOTION = ph.FreeMotion((1.0, 2.0, 3.0), (0.1, 2.0, 0.1))
+MOTION = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.1, 2.0, 0.1))
 TIMES = np.array([0.0, 0.7, 13.0, 250.0, -40.0])
 BOTH = "times => times.map(t => window.polhode.state(t))"
 
@@ -35,7 +35,7 @@ def drawn(page, times=TIMES):
 def computed(settings, times=TIMES):
     moments = np.array(settings["body"]["moments"])
     velocity = np.array(settings["spin"]["angular_velocity"])
-    return ph.FreeMotion(moments, moments * velocity, settings["spin"]["attitude"]).state(times)
+    return ph.FreeMotion(moments, momentum=moments * velocity, attitude=settings["spin"]["attitude"]).state(times)
 
 
 def miss(page, settings):
@@ -180,7 +180,7 @@ def test_the_point_on_the_sphere_is_dragged_to_another_polhode(book, opened):
 
 def test_a_box_is_set_by_its_edges(opened, tmp_path):
     box = ph.shapes.box(2.0, (0.3, 0.2, 0.1))
-    motion = ph.FreeMotion(box.principal_moments, box.principal_moments * np.array([0.1, 2.0, 0.1]))
+    motion = ph.FreeMotion(box.principal_moments, momentum=box.principal_moments * np.array([0.1, 2.0, 0.1]))
     path = write_page(replace(motion.sample(np.linspace(0.0, 9.0, 91)), frame=box.frame), tmp_path / "box.html")
     page = opened(path)
     page.tab.locator("#set-by").select_option("1")
@@ -208,7 +208,7 @@ def test_the_page_says_what_a_report_says(book, opened):
         moments = random.permutation(moments).tolist()
         tables = {"body": {"moments": moments}, "spin": {"angular_velocity": velocity.tolist()}}
         assert page.tab.evaluate("tables => window.polhode.set(tables)", tables)
-        motion = ph.FreeMotion(moments, np.array(moments) * velocity)
+        motion = ph.FreeMotion(moments, momentum=np.array(moments) * velocity)
         form = ph.analysis.rotation_form(motion)
         forms.add(form)
         assert page.tab.locator("#facts dd").first.text_content().startswith(SEEN[form]), (tables, form)
@@ -226,7 +226,7 @@ def test_angles_and_rates_are_plotted_over_time(book, opened):
     assert page.tab.evaluate("window.polhode.shown().time") == pytest.approx(15.0, abs=0.1)
     page.tab.evaluate("window.polhode.set({spin: {rate: 2, about: 3, tilt: 1e-5}})")
     *_, small = page.tab.evaluate("window.polhode.plots()")
-    wide = ph.analysis.cone_angles(ph.FreeMotion((1.0, 2.0, 3.0), (2e-5, 0.0, 6.0)))
+    wide = ph.analysis.cone_angles(ph.FreeMotion((1.0, 2.0, 3.0), momentum=(2e-5, 0.0, 6.0)))
     assert float(small["across"].removesuffix("″")) == pytest.approx(np.degrees(2.0 * wide[1]) * 3600.0, rel=0.01)
     assert not page.complaints
 
@@ -242,13 +242,17 @@ def top_of(settings, times=TIMES):
     node, up = Rotation.from_euler("Z", phi).apply([1.0, 0.0, 0.0]), np.array([0.0, 0.0, 1.0])
     in_space = spin["precession"] * up + spin["nutation_rate"] * node + spin["spin"] * attitude.apply(up)
     momentum = np.array(system["moments"]) * attitude.inv().apply(in_space)
-    return ph.LagrangeMotion(system["moments"], system["mgl"], momentum, spin["attitude"]).state(times)
+    return ph.LagrangeMotion(system["moments"], mgl=system["mgl"], momentum=momentum, attitude=spin["attitude"]).state(
+        times
+    )
 
 
 @pytest.fixture(scope="module")
 def toy(tmp_path_factory):
     azimuth, lean = ph.rotation.from_axis_angle((0, 0, 1), 0.3), ph.rotation.from_axis_angle((1, 0, 0), 0.5)
-    motion = ph.LagrangeMotion((1.0, 1.0, 0.5), 2.0, (0.2, 0.3, 2.5), ph.rotation.multiply(azimuth, lean))
+    motion = ph.LagrangeMotion(
+        (1.0, 1.0, 0.5), mgl=2.0, momentum=(0.2, 0.3, 2.5), attitude=ph.rotation.multiply(azimuth, lean)
+    )
     return write_page(motion.sample(np.linspace(0.0, 20.0, 401)), tmp_path_factory.mktemp("toy") / "toy.html")
 
 

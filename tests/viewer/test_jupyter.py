@@ -21,7 +21,7 @@ nbformat = pytest.importorskip("nbformat")
 
 WAIT = 90.0  # seconds for the server, and for each step in the browser
 MOMENTS, MOMENTUM = (1.0, 2.0, 3.0), (0.3, 1.8, 1.5)
-CELL = f"import polhode as ph\nph.show(ph.FreeMotion({MOMENTS}, {MOMENTUM}))"
+CELL = f"import polhode as ph\nph.show(ph.FreeMotion({MOMENTS}, momentum={MOMENTUM}))"
 SAME, TRIES = 1e-9, 4
 SCREENSHOTS = Path(__file__).parents[2] / "build" / "screenshots"
 
@@ -114,7 +114,7 @@ def lab(browser, server):
 def miss(frame, moments, momentum, time):
     """How far the frame's state is from Python's; the sign of a quaternion says nothing."""
     found = frame.evaluate("t => Object.values(window.polhode.state(t)).map((x) => [...x])", time)
-    attitude, wanted = ph.FreeMotion(moments, momentum).state(time)
+    attitude, wanted = ph.FreeMotion(moments, momentum=momentum).state(time)
     return max(1.0 - abs(np.dot(found[0], attitude)), np.abs(np.array(found[1]) - wanted).max())
 
 

@@ -26,7 +26,7 @@ from polhode.viewer.samples import MOST
 EXAMPLES = Path(__file__).parents[2] / "examples"
 LARGEST = 1_500_000
 """Bytes: what the page promises."""
-MOTION = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5))
+MOTION = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5))
 TIMES = np.linspace(0.0, 20.0, 101)
 
 
@@ -143,7 +143,7 @@ def test_backward_times_run_forward(tmp_path):
 
 
 def test_at_rest_and_one_sample(tmp_path):
-    rest = ph.FreeMotion((1.0, 2.0, 3.0), (0.0, 0.0, 0.0)).sample(TIMES)
+    rest = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.0, 0.0, 0.0)).sample(TIMES)
     assert kinds(data_of(write_page(rest, tmp_path / "rest.html"))) == ["body"]
     assert kinds(data_of(write_page(MOTION.sample([1.0]), tmp_path / "one.html"))) == ["body", "sphere", "poinsot"]
 
@@ -154,7 +154,7 @@ def test_at_rest_and_one_sample(tmp_path):
     ((1e-47, 2e-47, 3e-47), (1e-34, 1e-34, 0.0)),
 ])  # fmt: skip
 def test_all_kinds_of_moments(tmp_path, moments, momentum):
-    motion = ph.FreeMotion(moments, momentum)
+    motion = ph.FreeMotion(moments, momentum=momentum)
     span = 2.0 * np.pi * motion.momentum_norm / motion.energy
     data = data_of(write_page(motion.sample(np.linspace(0.0, span, 200)), tmp_path / "page.html"))
     body, _, _ = data["panels"]
@@ -166,7 +166,7 @@ def test_surface_is_turned_into_the_axes_of_the_motion(tmp_path):
     body = ph.shapes.box(2.0, (3.0, 1.0, 2.0)).placed(np.eye(3), (5.0, 0.0, 0.0))
     corners = np.array([[x, y, z] for x in (3.5, 6.5) for y in (-0.5, 0.5) for z in (-1.0, 1.0)])
     surface = Surface(corners, np.array([[0, 1, 3], [4, 6, 7], [0, 4, 5]]))
-    motion = ph.FreeMotion(body.principal_moments, (1.0, 2.0, 3.0))
+    motion = ph.FreeMotion(body.principal_moments, momentum=(1.0, 2.0, 3.0))
     trajectory = replace(motion.sample(TIMES), frame=body.frame)
     path = write_page(trajectory, tmp_path / "page.html", surface=surface)
     drawn = data_of(path)["panels"][0]
@@ -176,7 +176,7 @@ def test_surface_is_turned_into_the_axes_of_the_motion(tmp_path):
 
 
 def test_what_cannot_be_shown_is_said(tmp_path):
-    batch = ph.FreeMotion((1.0, 2.0, 3.0), [[0.3, 1.8, 1.5], [0.0, 1.0, 1.0]]).sample(TIMES)
+    batch = ph.FreeMotion((1.0, 2.0, 3.0), momentum=[[0.3, 1.8, 1.5], [0.0, 1.0, 1.0]]).sample(TIMES)
     with pytest.raises(InvalidInput, match=r"one body; got a batch of shape \(2,\)"):
         write_page(batch, tmp_path / "page.html")
     empty = MOTION.sample(TIMES).taken(slice(0))
@@ -279,7 +279,7 @@ def test_a_moon_has_a_twin_and_a_section(tmp_path):
 
 def test_an_exact_motion_and_a_spec_are_shown_as_they_are(tmp_path):
     assert data_of(write_page(MOTION, tmp_path / "motion.html"))["model"]["momentum"] == [0.3, 1.8, 1.5]
-    top = ph.LagrangeMotion((1.0, 1.0, 0.5), 1.0, (0.0, 0.0, 2.5), (0.8, 0.6, 0.0, 0.0))
+    top = ph.LagrangeMotion((1.0, 1.0, 0.5), mgl=1.0, momentum=(0.0, 0.0, 2.5), attitude=(0.8, 0.6, 0.0, 0.0))
     assert data_of(write_page(top, tmp_path / "top.html"))["model"]["mgl"] == 1.0
     spec = read_spec(EXAMPLES / "t_handle.toml")
     shown = data_of(write_page(spec, tmp_path / "spec.html"))
@@ -287,4 +287,4 @@ def test_an_exact_motion_and_a_spec_are_shown_as_they_are(tmp_path):
     with pytest.raises(InvalidInput, match="a spec has its own"):
         write_page(spec, tmp_path / "twice.html", summary="mine")
     with pytest.raises(InvalidInput, match=r"`times` must be given for a batch of bodies, here of shape \(2,\)"):
-        write_page(ph.FreeMotion((1.0, 2.0, 3.0), np.ones((2, 3))), tmp_path / "batch.html")
+        write_page(ph.FreeMotion((1.0, 2.0, 3.0), momentum=np.ones((2, 3))), tmp_path / "batch.html")

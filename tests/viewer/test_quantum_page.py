@@ -75,7 +75,7 @@ def test_the_cloud_moves_by_euler_s_equations(page_of):
     begun = np.array(page.measure("wigner", "cloud")["cloud"])
     energy = begun**2 @ np.array(CONSTANTS)
     assert (energy > CONSTANTS[1]).any() and (energy < CONSTANTS[1]).any()
-    motion = FreeMotion(1.0 / (4.0 * np.pi * np.array(CONSTANTS)), 7.5 * begun[:, None, :])
+    motion = FreeMotion(1.0 / (4.0 * np.pi * np.array(CONSTANTS)), momentum=7.5 * begun[:, None, :])
     for time in TIMES[1:]:
         page.tab.evaluate("time => window.polhode.goTo(time)", time)
         wanted = np.asarray(motion.momentum(np.array([time])))[:, 0] / 7.5

@@ -35,7 +35,7 @@ def spun(motion, spin):
     moments, axis = np.asarray(motion.moments), spin["about"] - 1
     velocity = np.zeros(3)
     velocity[axis], velocity[(axis + 1) % 3] = math.cos(spin["tilt"]), math.sin(spin["tilt"])
-    return ph.FreeMotion(moments, moments * velocity * spin["rate"])
+    return ph.FreeMotion(moments, momentum=moments * velocity * spin["rate"])
 
 
 def numbers(words, pattern):
@@ -90,7 +90,7 @@ def test_the_stopped_drum_leaves_a_spin_about_the_major_axis():
     words, _ = story("dual_spin")
     spec = read_spec(EXAMPLES / "dual_spin.toml")
     momentum, _ = spec.start(spec.body.principal_moments, spec.body.principal_axes)
-    stopped = ph.FreeMotion(spec.body.principal_moments, momentum)
+    stopped = ph.FreeMotion(spec.body.principal_moments, momentum=momentum)
     away = axis_angles(stopped)[2]
     assert rotation_form(stopped) == "coning" and "tumbles" not in words
     held, most = numbers(words, r"within ([\d.]+)°")

@@ -147,7 +147,7 @@ def compare(a: Source, b: Source, *, offset: float = 0.0) -> Comparison:
         InvalidInput: for histories that have no time in common, two motions without samples, or anything else.
 
     >>> from polhode import FreeMotion
-    >>> motion = FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5))
+    >>> motion = FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5))
     >>> samples = motion.sample(np.linspace(0.0, 5.0, 100))
     >>> compare(motion, samples).largest < 1e-14
     True

@@ -92,7 +92,7 @@ def certify(
 
     >>> import polhode as ph
     >>> found = ph.certify(ph.systems.FreeRigidBody((1.0, 2.0, 3.0)), [0.3, 1.8, 1.5], [0.0, 5.0])
-    >>> exact = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5)).momentum(5.0)
+    >>> exact = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5)).momentum(5.0)
     >>> bool((abs(found.states[-1] - exact) < 3e-15).all() and (found.radii < 1e-15).all() and found.exact)
     True
 

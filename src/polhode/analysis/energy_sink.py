@@ -89,7 +89,7 @@ def sink_rate_by_loss(moments: Real[ArrayLike, "3"], momentum: Real[ArrayLike, "
     0.01
     """
     I, L = _checked(moments, momentum, power, FLAT)  # noqa: E741
-    motion = FreeMotion(I, L)
+    motion = FreeMotion(I, momentum=L)
     if motion.period is None:
         raise InvalidInput(
             f"the start must turn about no axis steadily, or nothing is lost; its momentum is {L.tolist()} kg m²/s. "
@@ -147,7 +147,7 @@ def _integral(I: Array, norm2: float, first: float, last: float, long: bool) -> 
     large = norm2 * (other - own * np.expm1(-w)) / least
     zero = np.zeros_like(w)
     squares = (large, zero, small) if long else (small, zero, large)
-    motion = FreeMotion(I, np.sqrt(np.stack(squares, axis=-1))[:, None, :])
+    motion = FreeMotion(I, momentum=np.sqrt(np.stack(squares, axis=-1))[:, None, :])
     times = np.asarray(motion.period) * np.arange(SAMPLES) / SAMPLES
     means = np.mean(_losses(I, np.asarray(motion.momentum(times)) ** 2), axis=-1)
     return float(np.sum(weights * 0.5 * own * norm2 * np.exp(-w) / means))

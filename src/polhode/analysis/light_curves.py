@@ -97,7 +97,7 @@ def light_curve(
         InvalidInput: if the observer sees the dark side (at a phase angle of 180°), or for bad semi-axes or directions.
 
     Example:
-        >>> motion = FreeMotion([0.61, 0.965, 1.0], [0.0, 0.8, 0.6])
+        >>> motion = FreeMotion([0.61, 0.965, 1.0], momentum=[0.0, 0.8, 0.6])
         >>> light_curve(motion, [0.0, 1.0], [1.0, 0.7, 0.65], [1.0, 0.2, 0.0], [1.0, 0.0, 0.0]).shape
         (2,)
     """
@@ -131,7 +131,7 @@ def light_curve_lines(
             ``light_curve`` does.
 
     Example:
-        >>> motion = FreeMotion([0.61, 0.965, 1.0], [0.0, 0.8, 0.6])
+        >>> motion = FreeMotion([0.61, 0.965, 1.0], momentum=[0.0, 0.8, 0.6])
         >>> lines = light_curve_lines(motion, [1.0, 0.69, 0.65], [1.0, 0.3, 0.0], [1.0, 0.0, 0.0], 1)
         >>> lines.precession_order.tolist(), lines.rotation_order.tolist()
         ([2], [-2])

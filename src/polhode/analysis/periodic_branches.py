@@ -112,7 +112,7 @@ def continue_periodic(
     >>> import polhode as ph
     >>> body = lambda third: ph.systems.FreeRigidBody((1.0, 2.0, third))
     >>> found = continue_periodic(body, (3.0, 3.2), [0.3, 0.1, 2.0], 9.5)
-    >>> exact = ph.FreeMotion((1.0, 2.0, 3.2), found.motions[-1].state).period
+    >>> exact = ph.FreeMotion((1.0, 2.0, 3.2), momentum=found.motions[-1].state).period
     >>> bool(abs(found.periods[-1] / exact - 1.0) < 1e-10), set(found.verdicts)
     (True, {'spectrally stable'})
 

@@ -45,7 +45,7 @@ def polhode_family(moments: Real[ArrayLike, "3"]) -> list[Float64[Array, "points
             angle = part * reach
             near, far = np.cos(angle), np.sin(angle)
             start = (far, 0.0, near) if axis == 2 else (near, 0.0, far)
-            motion = FreeMotion(moments, start)
+            motion = FreeMotion(moments, momentum=start)
             period = finite(motion.period)
             if period is None:
                 continue

@@ -82,7 +82,7 @@ def steady_precession_of(motion: LagrangeMotion) -> SteadyPrecession | None:
 
     None where it stands upright or hangs, and where it spins too slowly for any; see ``steady_precession``.
 
-    >>> top = LagrangeMotion((1.0, 1.0, 0.5), 1.0, (0.0, 0.0, 2.5), (3**0.5 / 2, 0.5, 0.0, 0.0))
+    >>> top = LagrangeMotion((1.0, 1.0, 0.5), mgl=1.0, momentum=(0.0, 0.0, 2.5), attitude=(3**0.5 / 2, 0.5, 0.0, 0.0))
     >>> round(steady_precession_of(top).slow, 12)
     0.438447187191
     """

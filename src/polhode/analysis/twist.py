@@ -47,7 +47,7 @@ def racket_twist(motion: FreeMotion | Trajectory, handle: int = 0) -> float:
 
     Source: Ashbaugh, Chicone & Cushman, J. Dyn. Differ. Equ. 3 (1991) 67.
 
-    >>> racket = FreeMotion((0.00121, 0.01638, 0.01748), (0.1 * 0.00121, 0.01638, 0.0))
+    >>> racket = FreeMotion((0.00121, 0.01638, 0.01748), momentum=(0.1 * 0.00121, 0.01638, 0.0))
     >>> round(math.degrees(racket_twist(racket)), 1)
     166.3
     """

@@ -46,7 +46,7 @@ def closed_forms(where: str) -> Iterator[None]:
 
     >>> import jax, polhode as ph
     >>> with ph.closed_forms("compiled"):
-    ...     momentum_at = jax.jit(ph.FreeMotion((1.0, 2.0, 3.0), jax.numpy.ones(3)).momentum).lower(5.0)
+    ...     momentum_at = jax.jit(ph.FreeMotion((1.0, 2.0, 3.0), momentum=jax.numpy.ones(3)).momentum).lower(5.0)
     """
     if where not in WAYS:
         raise InvalidInput(f"`where` must be one of {', '.join(map(repr, WAYS))}; got {shown(where)}.")

@@ -162,7 +162,9 @@ def _told(
                            reason, singular)  # fmt: skip
     start = found.order.T @ x[PLACES["start"]]
     there = system.attitude0 * Rotation.from_rotvec(x[PLACES["attitude"]]) * Rotation.from_matrix(found.order)
-    motion = FreeMotion(found.moments, found.moments * start, there.as_quat(scalar_first=True), epoch)
+    motion = FreeMotion(
+        found.moments, momentum=found.moments * start, attitude=there.as_quat(scalar_first=True), epoch=epoch
+    )
     torque = _torque(x, covariance, axes, found, solution.freedom) if system.torque else None
     return AttitudeFit(found.ratios, found.axes, found.turn, found.joint, found.equal, torque, motion, motion.regime, t,
                        residuals, rms, sigma, rate_sigma, scores, None, singular)  # fmt: skip

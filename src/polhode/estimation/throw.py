@@ -330,7 +330,7 @@ def _motion(found: Principal, best: Solution, k: int, throw: Throw) -> tuple[Fre
     if best.model.rotor:
         return None, None
     rates = found.order.T @ best.parameters[best.model.places[f"start {k}"]]
-    motion = FreeMotion(found.moments, found.moments * rates, epoch=throw.epoch)
+    motion = FreeMotion(found.moments, momentum=found.moments * rates, epoch=throw.epoch)
     return motion, motion.regime
 
 

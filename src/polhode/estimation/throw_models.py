@@ -38,7 +38,7 @@ def free_states(shape: Float64[Array, "2"], start: Float64[Array, "3"], elapsed:
     """Return attitudes, rates and their derivatives by s, c and the three starting rates, without torque."""
     moments = moments_of(shape)
     n = len(elapsed)
-    attitude, momentum = FreeMotion(moments, moments * start).state(elapsed)
+    attitude, momentum = FreeMotion(moments, momentum=moments * start).state(elapsed)
     d_moments, d_momentum = np.zeros((5, 3)), np.zeros((5, 3))
     d_moments[:2] = D_MOMENTS
     d_momentum[:2] = D_MOMENTS * start

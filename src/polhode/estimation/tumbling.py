@@ -238,7 +238,7 @@ def _turns(mode: Mode, moments: Array, place: Array) -> tuple[Array, Array, Arra
     none = np.zeros_like(place)
     parts = (none, large, small) if mode == "short-axis" else (small, large, none)
     momentum = np.stack(parts, axis=-1) / np.hypot(small, large)[:, None]
-    motion = FreeMotion(moments, momentum)
+    motion = FreeMotion(moments, momentum=momentum)
     return np.asarray(motion.precession_per_period) / (2 * np.pi), np.asarray(motion.period), momentum
 
 
@@ -268,7 +268,7 @@ def _tumbling(mode: Mode, solved: _Solved, rotation: float, interval: TumblingIn
     moments = solved.moments[0]
     start = solved.momentum[0]
     upright = Rotation.align_vectors([0.0, 0.0, 1.0], start)[0].as_quat(scalar_first=True)
-    motion = FreeMotion(moments, rate * start, attitude=upright)
+    motion = FreeMotion(moments, momentum=rate * start, attitude=upright)
     precession = float(2 * np.pi / (motion.precession_per_period / motion.period))
     turn, roll = 1.0 / precession, 1.0 / rotation
     long = 1.0 / (turn - roll) if mode == "short-axis" else precession

@@ -27,7 +27,7 @@ def axis_locus(shown: LagrangeMotion | Trajectory, *, axes: Any = None) -> Figur
         InvalidInput: for the motion of anything else, or of several tops.
 
     >>> from polhode import LagrangeMotion
-    >>> axis_locus(LagrangeMotion((1.0, 1.0, 2.0), 3.0, (1.0, 0.0, 6.0))).axes[0].get_title()[:16]
+    >>> axis_locus(LagrangeMotion((1.0, 1.0, 2.0), mgl=3.0, momentum=(1.0, 0.0, 6.0))).axes[0].get_title()[:16]
     'Path of the axis'
     """
     top = top_shown(shown)

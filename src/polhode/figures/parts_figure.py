@@ -31,7 +31,7 @@ def parts(trajectory: Trajectory, *, axes: Any = None) -> Figure:
         InvalidInput: for a batch, or a trajectory without samples.
 
     >>> from polhode import FreeMotion
-    >>> motion = FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5)).sample([0.0, 0.5, 1.0])
+    >>> motion = FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5)).sample([0.0, 0.5, 1.0])
     >>> [panel.get_ylabel() for panel in parts(motion).axes]
     ['attitude', 'momentum\\n[kg m²/s, body]']
     """

@@ -30,7 +30,7 @@ def momentum_sphere(shown: FreeMotion | Trajectory, *, axes: Any = None) -> Figu
         InvalidInput: for the motion of anything else, or of several bodies.
 
     >>> from polhode import FreeMotion
-    >>> momentum_sphere(FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5))).axes[0].get_title()
+    >>> momentum_sphere(FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5))).axes[0].get_title()
     'Momentum sphere, body axes'
     """
     motion, samples = free_motion_of(shown)

@@ -68,7 +68,7 @@ def write_gltf(
 
     >>> import tempfile
     >>> from polhode.exact.free_body import FreeMotion
-    >>> motion = FreeMotion((1.0, 2.0, 2.5), (0.1, 2.0, 0.2))
+    >>> motion = FreeMotion((1.0, 2.0, 2.5), momentum=(0.1, 2.0, 0.2))
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     write_gltf(motion.sample(np.linspace(0.0, 20.0, 600)), f"{folder}/tumbling.glb").name
     'tumbling.glb'

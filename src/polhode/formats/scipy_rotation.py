@@ -25,7 +25,7 @@ def as_rotation(trajectory: Trajectory) -> Rotation:
         InvalidInput: for motions without attitude, batches, and trajectories without samples.
 
     >>> import numpy as np, polhode as ph
-    >>> trajectory = ph.FreeMotion((1.0, 2.0, 3.0), (0.1, 2.0, 0.3)).sample(np.linspace(0.0, 5.0, 6))
+    >>> trajectory = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.1, 2.0, 0.3)).sample(np.linspace(0.0, 5.0, 6))
     >>> space = as_rotation(trajectory).apply(trajectory.momentum)  # constant
     >>> bool(np.abs(space - (0.1, 2.0, 0.3)).max() < 1e-14)
     True

@@ -43,7 +43,7 @@ def write_page(
             cannot be written.
 
     >>> import polhode as ph, tempfile, pathlib
-    >>> motion = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5))
+    >>> motion = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5))
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     path = write_page(motion, pathlib.Path(folder) / "motion.html", name="a body")
     ...     path.stat().st_size < 1_500_000

@@ -25,7 +25,7 @@ def plot(moved: AbstractMotion | Trajectory) -> Figure:
         InvalidInput: for a batch, a trajectory without samples, or anything else.
 
     >>> from polhode import FreeMotion
-    >>> [axes.get_title() for axes in plot(FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5))).axes][0]
+    >>> [axes.get_title() for axes in plot(FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5))).axes][0]
     'Momentum sphere, body axes'
     """
     from polhode.figures import style

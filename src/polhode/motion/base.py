@@ -17,7 +17,6 @@ from polhode.motion.axes import PlainTurn, Turn, chosen_axes
 from polhode.motion.exact import ExactMotion
 from polhode.motion.inputs import (
     MOST_RADIANS,
-    by_attributes,
     cached_unless_traced,
     checked,
     checked_last_axis,
@@ -96,11 +95,11 @@ class AbstractMotion(ExactMotion):
     _principal: tuple[Array, Array] = field(repr=False, init=False)  # momentum and attitude
 
     def __init__(
-        self, moments: Array, numbers: dict[str, Array], momentum: Array | None, attitude: Array, epoch: Array,
-        angular_velocity: Array | None, attributes: dict[str, Array],
+        self, moments: ArrayLike, numbers: dict[str, ArrayLike], momentum: ArrayLike | None, attitude: ArrayLike | None,
+        epoch: ArrayLike, angular_velocity: ArrayLike | None, axes: ArrayLike | None,
     ) -> None:  # fmt: skip
-        """Check what a motion is made of, and set all fields."""
-        momentum, attitude, axes = by_attributes(type(self).__name__, momentum, attitude, attributes)
+        """Check the arguments, and set all fields."""
+        attitude = (1.0, 0.0, 0.0, 0.0) if attitude is None else attitude
         name, vector = spin_of(momentum, angular_velocity)
         named = {"moments": moments, **numbers, name: vector, "attitude": attitude, "epoch": epoch}
         xp = namespace(*named.values())

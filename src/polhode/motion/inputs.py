@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from polhode.arrays import as_float64, compiled, is_jax, is_traced, namespace
-from polhode.errors import InvalidInput, shown
+from polhode.errors import InvalidInput
 from polhode.rotation import UNIT_TOLERANCE
 from polhode.types import Array, ArrayLike, ArrayOrFloat, Float64, Real, Shaped
 
@@ -28,22 +28,19 @@ class cached_unless_traced(cached_property):
         return value
 
 
-def by_attributes(
-    name: str, momentum: ArrayLike | None, attitude: ArrayLike, attributes: dict[str, ArrayLike]
-) -> tuple[ArrayLike | None, ArrayLike, ArrayLike | None]:
-    """Return momentum, attitude and axes where a motion's attributes may be given by their own names.
+def one_of(name: str, argument: ArrayLike | None, attribute: ArrayLike | None) -> ArrayLike | None:
+    """Return an argument of a motion that may also be given by the name of the attribute that keeps it.
+
+    Args:
+        name: of the argument; the attribute's has ``_at_epoch`` added.
+        argument, attribute: the two; ``dataclasses.replace`` passes the second.
 
     Raises:
-        TypeError: for other names.
-        InvalidInput: for a momentum given twice.
+        InvalidInput: if both are given.
     """
-    unknown = attributes.keys() - {"momentum_at_epoch", "attitude_at_epoch", "axes"}
-    if unknown:
-        raise TypeError(f"{name}() got an unexpected keyword argument {shown(min(unknown))}")
-    if momentum is not None and "momentum_at_epoch" in attributes:
-        raise InvalidInput("give `momentum` or `momentum_at_epoch`, not both: they are the same.")
-    momentum = attributes.get("momentum_at_epoch", momentum)
-    return momentum, attributes.get("attitude_at_epoch", attitude), attributes.get("axes")
+    if argument is not None and attribute is not None:
+        raise InvalidInput(f"give `{name}` or `{name}_at_epoch`, not both: they are the same.")
+    return attribute if argument is None else argument
 
 
 def spin_of(momentum: ArrayLike | None, angular_velocity: ArrayLike | None) -> tuple[str, ArrayLike]:

@@ -58,7 +58,7 @@ class Trajectory(Plotted):
         ends: how each copy of an integrated batch came to its end, and when; None otherwise.
 
     >>> import polhode as ph
-    >>> motion = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5)).sample([0.0, 0.5, 1.0, 1.5])
+    >>> motion = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5)).sample([0.0, 0.5, 1.0, 1.5])
     >>> len(motion), len(motion.between(0.5, 1.0)), motion.part("momentum").shape
     (4, 2, (4, 3))
     """
@@ -137,7 +137,7 @@ class Trajectory(Plotted):
 
         >>> import polhode as ph
         >>> body = ph.shapes.box(1.0, (0.1, 0.2, 0.3))  # whose moments descend along x, y, z
-        >>> samples = ph.FreeMotion.from_body(body, (1.0, 0.0, 0.0)).sample([0.0, 1.0])
+        >>> samples = ph.FreeMotion.from_body(body, angular_velocity=(1.0, 0.0, 0.0)).sample([0.0, 1.0])
         >>> samples.angular_velocity[0].tolist(), samples.along("principal").angular_velocity[0].tolist()
         ([1.0, 0.0, 0.0], [0.0, 0.0, -1.0])
         """

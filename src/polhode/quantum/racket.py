@@ -270,7 +270,7 @@ class Racket:
     def _moved(self, units: Float64[Array, "n 3"], times: Float64[Array, "time"]) -> Float64[Array, "n time"]:
         """Return L_b/|L| (n, T) of free bodies, whose energies E/ħ are 2π times the constants times L²."""
         moments = 1.0 / (4.0 * math.pi * np.array(self.constants))
-        motion: Any = FreeMotion(moments, (self._G * units)[:, None, :])
+        motion: Any = FreeMotion(moments, momentum=(self._G * units)[:, None, :])
         return np.asarray(motion.momentum(times))[..., 1] / self._G
 
 

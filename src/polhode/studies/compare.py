@@ -48,7 +48,7 @@ def compare(
         NotConverged: for a spec whose motion could not be followed.
 
     >>> import polhode as ph
-    >>> motion = ph.FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5))
+    >>> motion = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5))
     >>> ph.compare(motion, motion.sample([0.0, 1.0, 2.0])).summary
     'Both agree to 3.0e-16 rad: to rounding.'
     """

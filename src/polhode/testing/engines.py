@@ -103,7 +103,7 @@ def compare_engine(engine: Engine, motions: Sequence[ReferenceMotion] | None = N
 
     >>> import polhode as ph
     >>> def engine(motion):
-    ...     return ph.FreeMotion(motion.moments, motion.momentum, motion.attitude).state(motion.times)
+    ...     return ph.FreeMotion(motion.moments, momentum=motion.momentum, attitude=motion.attitude).state(motion.times)
     >>> found = compare_engine(engine, reference_motions(kind="free body"))
     >>> found.worst.motions > 100, max(found.worst[1:]) < 1e-14
     (True, True)
@@ -170,9 +170,9 @@ def _by_rounding(motion: ReferenceMotion, precision: np.dtype) -> np.ndarray:
         return np.full(motion.times.shape, np.inf)
     start = normalize(attitude)
     if motion.kind == "free body":
-        moved = FreeMotion(moments, momentum, start)
+        moved = FreeMotion(moments, momentum=momentum, attitude=start)
     else:
-        moved = LagrangeMotion(moments, mgl, momentum, start)
+        moved = LagrangeMotion(moments, mgl=mgl, momentum=momentum, attitude=start)
     return angle_between(moved.attitude(motion.times), motion.attitudes)
 
 

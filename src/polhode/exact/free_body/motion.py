@@ -13,12 +13,14 @@ from polhode.arrays import compiled, is_traced, namespace
 from polhode.bodies.body import Body, check_is_body
 from polhode.exact.free_body import evaluation, geometry
 from polhode.motion.base import AbstractMotion
-from polhode.motion.inputs import cached_unless_traced, finite, known, named_code, plain_answer, spin_of
+from polhode.motion.inputs import cached_unless_traced, finite, known, named_code, one_of, plain_answer, spin_of
 from polhode.motion.invariants import drift, norm
 from polhode.motion.layout import ENERGY, MOMENTUM_NORM, MOMENTUM_SPACE, Quantity
 from polhode.types import Array, ArrayLike, Float64, Real
 
 Spin = Real[ArrayLike, "*#batch 3"] | None
+Attitude = Real[ArrayLike, "*#batch 4"]
+Axes = Real[ArrayLike, "3 3"]
 
 
 def _of_unit_length(attitude: Array) -> Array:
@@ -39,12 +41,15 @@ class FreeMotion(AbstractMotion):
     Args:
         moments: (…, 3) principal moments [kg m²], positive.
         momentum: (…, 3) angular momentum at the epoch [kg m²/s, principal axes]; this or ``angular_velocity``.
-        attitude: (…, 4) unit quaternion wxyz at the epoch, body → space.
-        epoch: (…) time at which these hold [s].
         angular_velocity: (…, 3) at the epoch [rad/s, principal axes].
+        attitude: (…, 4) unit quaternion wxyz at the epoch, body → space; the identity if not given.
+        epoch: (…) time at which these hold [s].
+        momentum_at_epoch, attitude_at_epoch: as ``momentum`` and ``attitude``, by the names of the attributes that keep
+            them, so that ``dataclasses.replace(motion, epoch=1.0)`` works.
+        axes: (3, 3) the principal axes by columns in the axes that vectors and attitude are along; the principal axes
+            themselves if not given.
 
-    Attributes may be given by their own names too, ``momentum_at_epoch``, ``attitude_at_epoch`` and ``axes``, then all
-    along the given axes: so ``dataclasses.replace(motion, epoch=1.0)`` works.
+    Arguments after the moments are given by name: three numbers could be a momentum or an angular velocity.
 
     Batch axes of all four are broadcast against each other, and times against them: one body at many times t (T,);
     many bodies each at its time t (N,); all with all: momentum (N, 1, 3), t (T,). JAX arrays in, JAX arrays out, with
@@ -61,7 +66,7 @@ class FreeMotion(AbstractMotion):
     Source: Jacobi 1849; Klein & Sommerfeld, *Theorie des Kreisels*; van Zon & Schofield, J. Comput. Phys. 225 (2007)
     145.
 
-    >>> motion = FreeMotion((1.0, 2.0, 3.0), (0.3, 1.8, 1.5))
+    >>> motion = FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5))
     >>> motion.regime, round(motion.period, 12)
     ('short-axis', 10.680120081384)
     """
@@ -71,19 +76,22 @@ class FreeMotion(AbstractMotion):
     title: ClassVar[str] = "Free motion"
 
     def __init__(
-        self, moments: Real[ArrayLike, "*#batch 3"], momentum: Spin = None,
-        attitude: Real[ArrayLike, "*#batch 4"] = (1.0, 0.0, 0.0, 0.0), epoch: Real[ArrayLike, "*#batch"] = 0.0, *,
-        angular_velocity: Spin = None, **attributes: ArrayLike,
+        self, moments: Real[ArrayLike, "*#batch 3"], *, momentum: Spin = None, angular_velocity: Spin = None,
+        attitude: Attitude | None = None, epoch: Real[ArrayLike, "*#batch"] = 0.0,
+        momentum_at_epoch: Spin = None, attitude_at_epoch: Attitude | None = None, axes: Axes | None = None,
     ) -> None:  # fmt: skip
-        super().__init__(moments, {}, momentum, attitude, epoch, angular_velocity, attributes)
+        momentum = one_of("momentum", momentum, momentum_at_epoch)
+        attitude = one_of("attitude", attitude, attitude_at_epoch)
+        super().__init__(moments, {}, momentum, attitude, epoch, angular_velocity, axes)
 
     @classmethod
     def from_body(
         cls,
         body: Body,
+        *,
         angular_velocity: Spin = None,
         momentum: Spin = None,
-        attitude: Real[ArrayLike, "*#batch 4"] = (1.0, 0.0, 0.0, 0.0),
+        attitude: Attitude | None = None,
         epoch: Real[ArrayLike, "*#batch"] = 0.0,
     ) -> FreeMotion:
         """Return the motion of a body, with vectors and attitude along the body's given axes, in and out.
@@ -100,9 +108,8 @@ class FreeMotion(AbstractMotion):
         """
         check_is_body(body)
         spin_of(momentum, angular_velocity)
-        given = {} if momentum is None else {"momentum_at_epoch": momentum}
-        return cls(body.principal_moments, attitude=attitude, epoch=epoch, angular_velocity=angular_velocity,
-                   axes=body.principal_axes, **given)  # fmt: skip
+        return cls(body.principal_moments, momentum=momentum, angular_velocity=angular_velocity, attitude=attitude,
+                   epoch=epoch, axes=body.principal_axes)  # fmt: skip
 
     # ------------------------------------------------------------------ evaluation
 

@@ -22,6 +22,7 @@ from polhode.motion.inputs import (
     finite,
     known,
     named_code,
+    one_of,
     plain_answer,
     refuse_not_finite,
     spin_of,
@@ -31,6 +32,8 @@ from polhode.motion.layout import ENERGY, Quantity
 from polhode.types import Array, ArrayLike, Float64, Real
 
 Spin = Real[ArrayLike, "*#batch 3"] | None
+Attitude = Real[ArrayLike, "*#batch 4"]
+Axes = Real[ArrayLike, "3 3"]
 
 
 @dataclass(frozen=True, eq=False, init=False)
@@ -50,12 +53,16 @@ class LagrangeMotion(AbstractMotion):
             the third axis. A negative one is a top on the reversed axis, with answers about the axis as given; zero is
             the free symmetric body.
         momentum: (…, 3) angular momentum at the epoch [kg m²/s, body axes]; this or ``angular_velocity``.
-        attitude: (…, 4) unit quaternion wxyz at the epoch, body → space; q/|q| is meant, exactly.
-        epoch: (…) time at which these hold [s].
         angular_velocity: (…, 3) at the epoch [rad/s, body axes].
+        attitude: (…, 4) unit quaternion wxyz at the epoch, body → space; q/|q| is meant, exactly. The
+            identity if not given.
+        epoch: (…) time at which these hold [s].
+        momentum_at_epoch, attitude_at_epoch: as ``momentum`` and ``attitude``, by the names of the attributes that keep
+            them, so that ``dataclasses.replace(top, epoch=1.0)`` works.
+        axes: (3, 3) the principal axes by columns in the axes that vectors and attitude are along; the principal axes
+            themselves if not given.
 
-    Attributes may be given by their own names too, ``momentum_at_epoch``, ``attitude_at_epoch`` and ``axes``, then all
-    along the given axes: so ``dataclasses.replace(top, epoch=1.0)`` works.
+    Arguments after the moments are given by name: three numbers could be a momentum or an angular velocity.
 
     Batch axes of all five are broadcast against each other, and times against them. JAX arrays in, JAX arrays out, with
     ``jit``, ``vmap`` and first derivatives.
@@ -69,7 +76,7 @@ class LagrangeMotion(AbstractMotion):
 
     Source: Klein & Sommerfeld, *Theorie des Kreisels*, ch. IV and VI; Whittaker, *Analytical Dynamics*, §71–75.
 
-    >>> top = LagrangeMotion((1.0, 1.0, 0.5), 1.0, (0.0, 0.0, 2.5), (3**0.5 / 2, 0.5, 0.0, 0.0))
+    >>> top = LagrangeMotion((1.0, 1.0, 0.5), mgl=1.0, momentum=(0.0, 0.0, 2.5), attitude=(3**0.5 / 2, 0.5, 0.0, 0.0))
     >>> top.regime, round(top.nutation_period, 12), round(top.precession_per_period, 12)
     ('cusp', 2.763928649428, 1.142288718976)
     """
@@ -82,22 +89,24 @@ class LagrangeMotion(AbstractMotion):
     mgl: Float64[Array, "*batch"]
 
     def __init__(
-        self, moments: Real[ArrayLike, "*#batch 3"], mgl: Real[ArrayLike, "*#batch"], momentum: Spin = None,
-        attitude: Real[ArrayLike, "*#batch 4"] = (1.0, 0.0, 0.0, 0.0), epoch: Real[ArrayLike, "*#batch"] = 0.0, *,
-        angular_velocity: Spin = None, **attributes: ArrayLike,
+        self, moments: Real[ArrayLike, "*#batch 3"], *, mgl: Real[ArrayLike, "*#batch"], momentum: Spin = None,
+        angular_velocity: Spin = None, attitude: Attitude | None = None, epoch: Real[ArrayLike, "*#batch"] = 0.0,
+        momentum_at_epoch: Spin = None, attitude_at_epoch: Attitude | None = None, axes: Axes | None = None,
     ) -> None:  # fmt: skip
-        super().__init__(moments, {"mgl": mgl}, momentum, attitude, epoch, angular_velocity, attributes)
+        momentum = one_of("momentum", momentum, momentum_at_epoch)
+        attitude = one_of("attitude", attitude, attitude_at_epoch)
+        super().__init__(moments, {"mgl": mgl}, momentum, attitude, epoch, angular_velocity, axes)
 
     @classmethod
     def from_body(
         cls,
         body: Body,
+        *,
         pivot: Real[ArrayLike, "3"],
         angular_velocity: Spin = None,
         momentum: Spin = None,
-        attitude: Real[ArrayLike, "*#batch 4"] = (1.0, 0.0, 0.0, 0.0),
+        attitude: Attitude | None = None,
         epoch: Real[ArrayLike, "*#batch"] = 0.0,
-        *,
         gravity: float = STANDARD_GRAVITY,
     ) -> LagrangeMotion:
         """Return the top that a body makes about a fixed point, vectors and attitude along its given axes, in and out.
@@ -124,16 +133,17 @@ class LagrangeMotion(AbstractMotion):
 
         >>> import polhode as ph
         >>> cone = ph.shapes.cone(0.1, 0.03, 0.05).placed((0.0, 1.0, 0.0, 0.0))  # on its point, 37.5 mm below
-        >>> top = LagrangeMotion.from_body(cone, (0.0, 0.0, -0.0375), (0.0, 0.0, 200.0), attitude=(0.8, 0.6, 0.0, 0.0))
+        >>> top = LagrangeMotion.from_body(
+        ...     cone, pivot=(0.0, 0.0, -0.0375), angular_velocity=(0.0, 0.0, 200.0), attitude=(0.8, 0.6, 0.0, 0.0)
+        ... )
         >>> top.regime, round(top.nutation_period, 6)
         ('cusp', 0.188594)
         """
         spin_of(momentum, angular_velocity)
         pivoted = about_pivot(body, pivot, gravity)
         moments, axes = third_axis_to_centre(pivoted)
-        given = {} if momentum is None else {"momentum_at_epoch": momentum}
-        return cls(moments, pivoted.mgl, attitude=attitude, epoch=epoch, angular_velocity=angular_velocity,
-                   axes=axes, **given)  # fmt: skip
+        return cls(moments, mgl=pivoted.mgl, momentum=momentum, angular_velocity=angular_velocity, attitude=attitude,
+                   epoch=epoch, axes=axes)  # fmt: skip
 
     # ------------------------------------------------------------------ evaluation
 

@@ -203,7 +203,7 @@ def free_body_report(
             "the body is a thin rod: its moment about its own axis is zero, and its spin about it is undefined. "
             "Give it a radius, as a cylinder; of a linear molecule, `polhode body` gives the moments."
         )
-    motion = FreeMotion(body.principal_moments, momentum, attitude)
+    motion = FreeMotion(body.principal_moments, momentum=momentum, attitude=attitude)
     sizes = (motion.energy, motion.momentum_norm)
     if any(x is None or (x and not 1.0 / LARGEST < x < LARGEST) for x in sizes) or (sizes[1] and not sizes[0]):
         raise InvalidInput(

@@ -31,7 +31,7 @@ class FreeBodies:
 
     def __init__(self, moments: Any, momentum: Any, attitude: Any) -> None:
         self.momentum = momentum
-        self.motion = FreeMotion(moments, momentum, attitude)
+        self.motion = FreeMotion(moments, momentum=momentum, attitude=attitude)
 
     @cached_property
     def velocity(self) -> Any:

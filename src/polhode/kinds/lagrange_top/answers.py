@@ -156,7 +156,7 @@ def _moved(spec: Spec[LagrangeTopTable]) -> tuple[HeavyTop, LagrangeMotion, Traj
     body, times = spec.body, spec.times
     assert body is not None
     top, momentum, attitude = started(spec)
-    exact = LagrangeMotion(np.asarray(top.moments), float(top.mgl), momentum, attitude)
+    exact = LagrangeMotion(np.asarray(top.moments), mgl=float(top.mgl), momentum=momentum, attitude=attitude)
     if times is None:
         times = usual_times(finite(exact.nutation_period), top, momentum, spec.samples)
     return top, exact, replace(exact.sample(times), frame=frame_of(top, body, spec.system.pivot))

@@ -56,7 +56,8 @@ def ensemble_of(samples: ManySpecs, names: Sequence[str], times: Any) -> Ensembl
             starts[k] = np.asarray(top.moments), float(top.mgl), momentum, attitude
         except InvalidInput as error:
             refused[k] = str(error)
-    motion = LagrangeMotion(*(np.array(column) for column in zip(*starts, strict=True)))
+    moments, mgl, momentum, attitude = (np.array(column) for column in zip(*starts, strict=True))
+    motion = LagrangeMotion(moments, mgl=mgl, momentum=momentum, attitude=attitude)
     with np.errstate(all="ignore"):
         values = {name: NUMBERS[name](motion) for name in names if name in NUMBERS}
     states = [name for name in names if name.startswith(STATES)]

@@ -172,7 +172,7 @@ class QuantumRotorPanel(KindPanel):
         """
         _check(report)
         size, moments = _size(report.J), _moments(report)
-        motion = FreeMotion(moments, size * _start(report).direction)
+        motion = FreeMotion(moments, momentum=size * _start(report).direction)
         span = _span(report, motion)
         trajectory = motion.sample(np.linspace(0.0, span, SAMPLES))
         return trajectory if report.frame is None else replace(trajectory, frame=report.frame)
