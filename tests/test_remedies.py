@@ -19,7 +19,7 @@ import typer
 from pydantic import BaseModel
 
 import polhode
-from polhode.bodies.mesh import from_mesh
+from polhode.bodies.body import Body
 from polhode.cli.commands import app
 from polhode.cli.main import main
 from polhode.errors import InvalidInput
@@ -217,9 +217,9 @@ def test_nobody_who_has_asked_for_repair_is_told_to():
     for wrong in ([*faces[:3], *inside], [[0, 1, 2], *faces[1:]], [face[::-1] for face in faces], [*faces, *inside],
                   [*faces, [0, 0, 1]]):  # fmt: skip
         with pytest.raises(InvalidInput, match=r"(ask for|Ask for|with) repair.*repair = true in a spec, repair=True"):
-            from_mesh(corners, wrong, density=1.0)
+            Body.from_mesh(corners, wrong, density=1.0)
         try:
-            from_mesh(corners, wrong, density=1.0, repair=True)
+            Body.from_mesh(corners, wrong, density=1.0, repair=True)
         except InvalidInput as error:
             assert "ask for repair" not in str(error) and "with repair" not in str(error)
 

@@ -59,11 +59,8 @@ from .analysis.stability import stability as stability
 from .analysis.twist import racket_twist as racket_twist
 from .arrays import closed_forms as closed_forms
 from .bodies import shapes as shapes
-from .bodies.atoms import from_atoms as from_atoms
 from .bodies.body import Body as Body
 from .bodies.body import combine as combine
-from .bodies.mesh import from_mesh as from_mesh
-from .bodies.points import from_points as from_points
 from .cli.publish import publish as publish
 from .errors import FormatError as FormatError
 from .errors import InvalidInput as InvalidInput

@@ -21,7 +21,7 @@ VIBRATION = 0.04
 def water(**options):
     half = 0.5 * ANGLE
     x, y = BOND * np.sin(half), BOND * np.cos(half)
-    return ph.from_atoms(["O", "H", "H"], [[0, 0, 0], [x, y, 0], [-x, y, 0]], **options)
+    return ph.Body.from_atoms(["O", "H", "H"], [[0, 0, 0], [x, y, 0], [-x, y, 0]], **options)
 
 
 def bent_triatomic(middle, end, bond, angle):
@@ -62,12 +62,12 @@ def test_the_axes_of_water_lie_in_its_symmetry():
 @pytest.mark.parametrize(
     ("make", "words"),
     [
-        (lambda: ph.from_atoms(["Xx"], [[0.0, 0, 0]]), "chemical elements; got 'Xx'"),
-        (lambda: ph.from_atoms(["X"], [[0.0, 0, 0]]), "chemical elements; got 'X'"),
-        (lambda: ph.from_atoms([1, 8], [[0.0, 0, 0], [1.0, 0, 0]]), "chemical elements"),
-        (lambda: ph.from_atoms(["H", "H"], [[0.0, 0, 0]]), "match"),
-        (lambda: ph.from_atoms(["H", "H"], [[0.0, 0, 0], [np.nan, 0, 0]]), "finite"),
-        (lambda: ph.from_atoms(["H"], [[0.0, 0, 0]]), "coincide"),
+        (lambda: ph.Body.from_atoms(["Xx"], [[0.0, 0, 0]]), "chemical elements; got 'Xx'"),
+        (lambda: ph.Body.from_atoms(["X"], [[0.0, 0, 0]]), "chemical elements; got 'X'"),
+        (lambda: ph.Body.from_atoms([1, 8], [[0.0, 0, 0], [1.0, 0, 0]]), "chemical elements"),
+        (lambda: ph.Body.from_atoms(["H", "H"], [[0.0, 0, 0]]), "match"),
+        (lambda: ph.Body.from_atoms(["H", "H"], [[0.0, 0, 0], [np.nan, 0, 0]]), "finite"),
+        (lambda: ph.Body.from_atoms(["H"], [[0.0, 0, 0]]), "coincide"),
     ],
 )
 @pytest.mark.usefixtures("any_type")

@@ -47,7 +47,7 @@ def atoms(name):
 
 
 def rotor_of(name, places):
-    return Rotor.from_body(ph.from_atoms(atoms(name), places, isotopic_masses(atoms(name))))
+    return Rotor.from_body(ph.Body.from_atoms(atoms(name), places, isotopic_masses(atoms(name))))
 
 
 def shape_of(rotor):
@@ -106,7 +106,7 @@ def test_a_thin_body_of_two_moments_is_a_line_whatever_rounding_leaves():
     """I1 + I2 ≥ I3 was asked of moments one of which had just been rounded to zero: got (0, 1.8853e-46, 1.8853e-46)."""
     rng = np.random.default_rng(3)
     for turn in Rotation.random(200, rng=rng).as_matrix():
-        body = ph.from_points(rng.uniform(1.0, 9.0, 5), np.outer(rng.normal(size=5), turn[0]))
+        body = ph.Body.from_points(rng.uniform(1.0, 9.0, 5), np.outer(rng.normal(size=5), turn[0]))
         assert body.principal_moments[0] == 0.0 and body.principal_moments[1] == body.principal_moments[2]
     thin = Rotor.from_body(ph.Body.from_moments(1e-56, 1e-46, 1.0000000001e-46))
     assert thin.is_linear and thin.constants[1] == thin.constants[2]
@@ -116,5 +116,5 @@ def test_a_straight_molecule_of_a_file_is_linear(tmp_path: Path):
     """One atom is a millionth of an ångström beside the line."""
     (tmp_path / "ocs.xyz").write_text("3\nocs\nO 0 1e-6 -1.6797\nC 0 0 -0.5217\nS 0 0 1.0391\n")
     symbols, positions, _ = ph.formats.read_molecule(tmp_path / "ocs.xyz")
-    rotor = Rotor.from_body(ph.from_atoms(symbols, positions, isotopic_masses(symbols)))
+    rotor = Rotor.from_body(ph.Body.from_atoms(symbols, positions, isotopic_masses(symbols)))
     assert rotor.is_linear and rotor.constants[1] == pytest.approx(6.0951e9, rel=1e-4)

@@ -32,7 +32,7 @@ def close(found, wanted, allowed):
 
 @pytest.mark.parametrize("size", [(1.0, 2.0, 3.0), (1e-3, 1e-3, 5e-3), (70.0, 0.01, 300.0)])
 def test_a_box_is_exact(size):
-    body = ph.from_mesh(*box(size=size), mass=2.0)
+    body = ph.Body.from_mesh(*box(size=size), mass=2.0)
     wanted = ph.shapes.box(2.0, size)
     assert np.diag(body.inertia) == pytest.approx(np.diag(wanted.inertia), rel=EXACT, abs=0.0)
     assert body.principal_moments == pytest.approx(wanted.principal_moments, rel=EXACT, abs=0.0)
@@ -41,7 +41,7 @@ def test_a_box_is_exact(size):
 @pytest.mark.parametrize("far", [1e3, 1e6, 1e9])
 def test_a_box_far_away_is_as_exact_as_its_corners(far):
     vertices, faces = box((far, -far, far))
-    body = ph.from_mesh(vertices, faces, mass=2.0)
+    body = ph.Body.from_mesh(vertices, faces, mass=2.0)
     size = np.ptp(vertices, axis=0)
     close(body.inertia, ph.shapes.box(2.0, size).inertia, EXACT)
     assert body.center_of_mass == pytest.approx(0.5 * (vertices.min(axis=0) + vertices.max(axis=0)), rel=EXACT)
@@ -49,7 +49,7 @@ def test_a_box_far_away_is_as_exact_as_its_corners(far):
 
 def test_a_regular_tetrahedron_has_moments_of_a_twentieth():
     vertices = np.array([[1.0, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]])  # edges of √8
-    body = ph.from_mesh(vertices, TETRAHEDRON[:, ::-1], mass=3.0)
+    body = ph.Body.from_mesh(vertices, TETRAHEDRON[:, ::-1], mass=3.0)
     close(body.inertia, 3.0 * 8.0 / 20.0 * np.eye(3), EXACT)
 
 
@@ -66,26 +66,26 @@ def test_tetrahedra_against_points_in_rational_arithmetic(seed):
         [float(sum((sum(x * x for x in v) if i == j else 0) - v[i] * v[j] for v in d) / 20) for j in range(3)]
         for i in range(3)
     ]
-    body = ph.from_mesh(vertices, faces, mass=1.0)
+    body = ph.Body.from_mesh(vertices, faces, mass=1.0)
     close(body.inertia, np.array(inertia), EXACT)
     close(body.center_of_mass, np.array([float(x) for x in center]), EXACT)
 
 
 def test_another_integrator_agrees():
     vertices, faces = lumpy()
-    body = ph.from_mesh(vertices, faces, density=2.0)
+    body = ph.Body.from_mesh(vertices, faces, density=2.0)
     other = trimesh.Trimesh(vertices, faces, process=False)
     other.density = 2.0
     assert body.mass == pytest.approx(other.mass, rel=MANY)
     close(body.center_of_mass, other.center_mass, MANY)
     close(body.inertia, other.moment_inertia, MANY)
-    assert np.abs(body.inertia - ph.from_mesh(vertices * 1.001, faces, density=2.0).inertia).max() > 1e-3
+    assert np.abs(body.inertia - ph.Body.from_mesh(vertices * 1.001, faces, density=2.0).inertia).max() > 1e-3
 
 
 @pytest.mark.parametrize("thin", [1e-2, 1e-4, 1e-7])
 def test_needles_and_foils_keep_their_digits(thin):
     for size in [(thin, 2 * thin, 1.0), (1.0, 2.0, thin)]:
-        inertia = np.diag(ph.from_mesh(*box(size=size), mass=1.0).inertia)
+        inertia = np.diag(ph.Body.from_mesh(*box(size=size), mass=1.0).inertia)
         assert inertia == pytest.approx(np.diag(ph.shapes.box(1.0, size).inertia), rel=EXACT, abs=0.0)
 
 
@@ -99,8 +99,8 @@ def test_a_difference_from_the_trace_would_lose_a_needle():
 def test_turning_and_shifting_a_mesh_does_the_same_to_the_body():
     vertices, faces = lumpy()
     turn = ph.rotation.from_rotation_vector([0.1, 0.5, 0.9])
-    still = ph.from_mesh(vertices, faces, density=3.0)
-    moved = ph.from_mesh(vertices @ ph.rotation.as_matrix(turn).T + [1.0, -2.0, 3.0], faces, density=3.0)
+    still = ph.Body.from_mesh(vertices, faces, density=3.0)
+    moved = ph.Body.from_mesh(vertices @ ph.rotation.as_matrix(turn).T + [1.0, -2.0, 3.0], faces, density=3.0)
     wanted = still.placed(turn, (1.0, -2.0, 3.0))
     close(moved.inertia, wanted.inertia, MANY)
     close(moved.center_of_mass, wanted.center_of_mass, MANY)
@@ -110,18 +110,18 @@ def test_turning_and_shifting_a_mesh_does_the_same_to_the_body():
 def test_the_triangulation_does_not_matter():
     vertices, faces = lumpy()
     finer = trimesh.Trimesh(vertices, faces, process=False).subdivide()
-    body, same = ph.from_mesh(vertices, faces, mass=1.0), ph.from_mesh(finer.vertices, finer.faces, mass=1.0)
+    body, same = ph.Body.from_mesh(vertices, faces, mass=1.0), ph.Body.from_mesh(finer.vertices, finer.faces, mass=1.0)
     close(same.inertia, body.inertia, MANY)
 
 
 def test_parts_that_touch_make_the_whole():
     halves = joined(box((0.0, 0.0, -0.75), (1.0, 2.0, 1.5)), box((0.0, 0.0, 0.75), (1.0, 2.0, 1.5)))
-    body = ph.from_mesh(*halves, density=1.0, several=True)
+    body = ph.Body.from_mesh(*halves, density=1.0, several=True)
     close(body.inertia, ph.shapes.box(6.0, (1.0, 2.0, 3.0)).inertia, EXACT)
 
 
 def test_a_cavity_is_taken_out():
-    hollow = ph.from_mesh(*joined(box(), inside_out(box(size=(0.5, 0.5, 0.5)))), density=1.0)
+    hollow = ph.Body.from_mesh(*joined(box(), inside_out(box(size=(0.5, 0.5, 0.5)))), density=1.0)
     wanted = ph.shapes.box(6.0, (1, 2, 3)).inertia - ph.shapes.box(0.125, (0.5,) * 3).inertia
     assert hollow.mass == pytest.approx(6.0 - 0.125, rel=EXACT)
     close(hollow.inertia, wanted, EXACT)
@@ -130,15 +130,15 @@ def test_a_cavity_is_taken_out():
 def test_a_body_may_lie_in_a_cavity():
     nested = joined(box(size=(4.0,) * 3), inside_out(box(size=(2.0,) * 3)), box(size=(1.0,) * 3))
     with pytest.raises(InvalidInput, match="2 separate bodies"):
-        ph.from_mesh(*nested, density=1.0)
-    assert ph.from_mesh(*nested, density=1.0, several=True).mass == pytest.approx(64.0 - 8.0 + 1.0, rel=EXACT)
+        ph.Body.from_mesh(*nested, density=1.0)
+    assert ph.Body.from_mesh(*nested, density=1.0, several=True).mass == pytest.approx(64.0 - 8.0 + 1.0, rel=EXACT)
 
 
 def test_several_bodies_only_on_request():
     two = joined(box(), box((5.0, 0.0, 0.0)))
     with pytest.raises(InvalidInput, match=r"2 separate bodies.*several = true in a spec, several=True"):
-        ph.from_mesh(*two, mass=1.0)
-    together = ph.from_mesh(*two, density=1.0, several=True)
+        ph.Body.from_mesh(*two, mass=1.0)
+    together = ph.Body.from_mesh(*two, density=1.0, several=True)
     wanted = ph.combine([ph.shapes.box(6.0, (1, 2, 3)).placed(np.eye(3), (x, 0, 0)) for x in (0.0, 5.0)])
     close(together.inertia, wanted.inertia, EXACT)
 
@@ -155,8 +155,8 @@ def test_without_the_gate_bad_meshes_would_pass_silently():
 def test_mass_or_density():
     for options in ({}, {"mass": 1.0, "density": 1.0}):
         with pytest.raises(InvalidInput, match="exactly one"):
-            ph.from_mesh(*box(), **options)
+            ph.Body.from_mesh(*box(), **options)
     for options in ({"mass": -1.0}, {"density": np.nan}, {"density": np.ones(2)}):
         with pytest.raises(InvalidInput, match="positive"):
-            ph.from_mesh(*box(), **options)
-    assert ph.from_mesh(*box(), density=2.0).mass == pytest.approx(12.0, rel=EXACT)
+            ph.Body.from_mesh(*box(), **options)
+    assert ph.Body.from_mesh(*box(), density=2.0).mass == pytest.approx(12.0, rel=EXACT)

@@ -103,7 +103,7 @@ BROKEN = {
 def test_broken_meshes_are_refused(fault):
     mesh, words = BROKEN[fault]
     with pytest.raises(InvalidInput, match=words):
-        ph.from_mesh(*mesh, mass=1.0, several=True)
+        ph.Body.from_mesh(*mesh, mass=1.0, several=True)
 
 
 ICOSAHEDRON = trimesh.creation.icosahedron().volume
@@ -132,9 +132,9 @@ WHOLE = {
 def test_whole_meshes_pass(name):
     (vertices, faces), volume = WHOLE[name]
     turn = ph.rotation.as_matrix(ph.rotation.from_rotation_vector([0.3, 0.7, -0.4]))
-    assert ph.from_mesh(vertices, faces, density=1.0, several=True).mass == pytest.approx(volume, rel=EXACT)
+    assert ph.Body.from_mesh(vertices, faces, density=1.0, several=True).mass == pytest.approx(volume, rel=EXACT)
     for moved in (vertices @ turn.T, 1e-6 * vertices, (vertices @ turn.T).astype(np.float32)):
-        body = ph.from_mesh(moved, faces, density=1.0, several=True)
+        body = ph.Body.from_mesh(moved, faces, density=1.0, several=True)
         scale = np.ptp(moved[:, 0]) / np.ptp((vertices @ turn.T if moved.max() > 1e-3 else vertices)[:, 0])
         assert body.mass == pytest.approx(volume * scale**3, rel=SINGLE)
 
@@ -195,14 +195,16 @@ def scrambled(mesh, seed=0):
 def test_repair_turns_faces_right(name):
     mesh, volume = WHOLE[name]
     for spoiled in (inside_out(mesh), scrambled(mesh), mesh):
-        assert ph.from_mesh(*spoiled, density=1.0, several=True, repair=True).mass == pytest.approx(volume, rel=EXACT)
+        repaired = ph.Body.from_mesh(*spoiled, density=1.0, several=True, repair=True)
+        assert repaired.mass == pytest.approx(volume, rel=EXACT)
     with pytest.raises(InvalidInput, match="wound inconsistently"):
-        ph.from_mesh(*scrambled(mesh), density=1.0, several=True)
+        ph.Body.from_mesh(*scrambled(mesh), density=1.0, several=True)
 
 
 def test_repair_drops_triangles_with_repeated_corners():
     vertices, faces = box()
-    assert ph.from_mesh(vertices, np.vstack([faces, [[0, 0, 1]]]), density=1.0, repair=True).mass == pytest.approx(6.0)
+    needle = np.vstack([faces, [[0, 0, 1]]])
+    assert ph.Body.from_mesh(vertices, needle, density=1.0, repair=True).mass == pytest.approx(6.0)
 
 
 @pytest.mark.parametrize(
@@ -218,4 +220,4 @@ def test_repair_drops_triangles_with_repeated_corners():
 )
 def test_what_repair_cannot_mend_is_still_refused(mesh, words):
     with pytest.raises(InvalidInput, match=words):
-        ph.from_mesh(*mesh, mass=1.0, repair=True)
+        ph.Body.from_mesh(*mesh, mass=1.0, repair=True)

@@ -31,7 +31,7 @@ def test_against_rational_arithmetic_wherever_they_lie(far):
     rng = np.random.default_rng(3)
     masses, positions = rng.uniform(0.1, 5.0, 9), rng.normal(size=(9, 3)) + far
     mass, center, inertia = exact_inertia(masses, positions)
-    body = ph.from_points(masses, positions)
+    body = ph.Body.from_points(masses, positions)
     assert body.mass == pytest.approx(mass, rel=EXACT)
     assert body.center_of_mass == pytest.approx(center, rel=EXACT, abs=EXACT)
     assert np.abs(body.inertia - inertia).max() < EXACT * np.abs(inertia).max()
@@ -49,8 +49,8 @@ def test_moments_from_the_origin_would_lose_digits_far_away():
 def test_points_are_the_parts_they_are_made_of():
     rng = np.random.default_rng(4)
     masses, positions = rng.uniform(0.1, 5.0, 8), rng.normal(size=(8, 3))
-    whole = ph.from_points(masses, positions)
-    halves = [ph.from_points(masses[k : k + 4], positions[k : k + 4]) for k in (0, 4)]
+    whole = ph.Body.from_points(masses, positions)
+    halves = [ph.Body.from_points(masses[k : k + 4], positions[k : k + 4]) for k in (0, 4)]
     together = ph.combine(halves)
     assert together.inertia == pytest.approx(whole.inertia, abs=EXACT * np.abs(whole.inertia).max())
     assert together.center_of_mass == pytest.approx(whole.center_of_mass, abs=EXACT * 3)
@@ -58,10 +58,10 @@ def test_points_are_the_parts_they_are_made_of():
 
 def test_points_on_a_line_are_a_rod_and_in_a_plane_a_flat_body():
     direction = np.array([1.0, 2.0, -3.0])
-    line = ph.from_points([1.0, 2.0, 3.0], np.outer([0.0, 0.7, 1.9], direction)).principal_moments
+    line = ph.Body.from_points([1.0, 2.0, 3.0], np.outer([0.0, 0.7, 1.9], direction)).principal_moments
     assert line[0] == 0.0
     assert line[1] == line[2]
-    flat = ph.from_points([1.0, 2.0, 3.0], [[0.0, 0, 0], [1, 0.3, 0.2], [0.4, 2, 1]]).principal_moments
+    flat = ph.Body.from_points([1.0, 2.0, 3.0], [[0.0, 0, 0], [1, 0.3, 0.2], [0.4, 2, 1]]).principal_moments
     assert flat[0] + flat[1] == pytest.approx(flat[2], rel=EXACT)
 
 
@@ -82,4 +82,4 @@ def test_points_on_a_line_are_a_rod_and_in_a_plane_a_flat_body():
 )
 def test_bad_input(masses, positions, words):
     with pytest.raises(InvalidInput, match=words):
-        ph.from_points(masses, positions)
+        ph.Body.from_points(masses, positions)

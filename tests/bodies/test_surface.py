@@ -40,7 +40,7 @@ def test_the_box_has_the_inertia(size):
     body = ph.shapes.box(2.0, size)
     found = box_of_same_inertia(np.diag(body.inertia), body.mass)
     assert np.ptp(found.vertices, axis=0) == pytest.approx(size, rel=EXACT * 10)
-    assert ph.from_mesh(*found, mass=2.0).inertia == pytest.approx(body.inertia, rel=EXACT * 10, abs=EXACT)
+    assert ph.Body.from_mesh(*found, mass=2.0).inertia == pytest.approx(body.inertia, rel=EXACT * 10, abs=EXACT)
 
 
 def test_the_box_of_other_moments():
@@ -55,7 +55,7 @@ def test_the_box_in_place_has_the_body_s_inertia_and_place(pivot):
     if pivot is not None:
         moments, axes = np.linalg.eigh(PLACED.about(pivot))
         frame = BodyFrame(moments, axes, PLACED.center_of_mass, PLACED.mass, np.array(pivot))
-    found = ph.from_mesh(*box_in_place(frame), mass=2.0)
+    found = ph.Body.from_mesh(*box_in_place(frame), mass=2.0)
     assert found.center_of_mass == pytest.approx(PLACED.center_of_mass, rel=EXACT * 10)
     # moments about a point 14 m away are 100 times those about the centre
     assert found.inertia == pytest.approx(PLACED.inertia, rel=EXACT * 1000, abs=EXACT * 1000)

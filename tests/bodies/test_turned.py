@@ -24,7 +24,7 @@ ROUND = {
 
 def body_inside(surface):
     """The gate refuses what is open, inverted or overlapping."""
-    return ph.from_mesh(surface.vertices, surface.faces, mass=MASS)
+    return ph.Body.from_mesh(surface.vertices, surface.faces, mass=MASS)
 
 
 def error(surface, wanted):

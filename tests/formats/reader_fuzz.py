@@ -210,7 +210,7 @@ def read_mesh(path: Path) -> None:
         vertices, faces = formats.read_mesh(path, 1e-3, repair)
         assert np.isfinite(vertices).all() and faces.min() >= 0 and faces.max() < len(vertices)
         try:
-            assert np.isfinite(ph.from_mesh(vertices, faces, mass=1.0).inertia).all()
+            assert np.isfinite(ph.Body.from_mesh(vertices, faces, mass=1.0).inertia).all()
         except InvalidInput:  # of the body, which has no path
             pass
 
@@ -219,7 +219,7 @@ def read_molecule(path: Path) -> None:
     symbols, positions, masses = formats.read_molecule(path)
     assert len(symbols) == len(positions) and np.isfinite(positions).all()
     try:
-        assert np.isfinite(ph.from_atoms(symbols, positions, masses).inertia).all()
+        assert np.isfinite(ph.Body.from_atoms(symbols, positions, masses).inertia).all()
     except InvalidInput:
         pass
 

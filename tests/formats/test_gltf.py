@@ -147,7 +147,7 @@ def test_a_trajectory_turned_to_the_given_axes_is_evaluated_along_these(tmp_path
 
 def test_the_mesh_is_the_body_about_its_centre(tmp_path):
     surface = Surface(cuboid((0.1, 0.2, 0.3)).vertices + [1.0, 2.0, 3.0], cuboid((1, 1, 1)).faces)  # noqa: RUF005
-    body = ph.from_mesh(*surface, mass=2.0)
+    body = ph.Body.from_mesh(*surface, mass=2.0)
     motion = ph.FreeMotion(body.principal_moments, momentum=(0.002, 0.07, 0.003))
     path = written(tmp_path, motion.sample(TIMES), frame=body.frame, surface=surface)
     corners, normals = triangles(path, "BODY")
@@ -161,7 +161,7 @@ def test_the_mesh_is_the_body_about_its_centre(tmp_path):
 def test_without_a_surface_the_box_of_the_same_inertia(tmp_path):
     corners, _ = triangles(written(tmp_path, frame=FRAME), "BODY")
     corners = np.unique(corners.reshape(-1, 3), axis=0)
-    mesh = ph.from_mesh(*cuboid((0.1, 0.2, 0.3)), mass=2.0)
+    mesh = ph.Body.from_mesh(*cuboid((0.1, 0.2, 0.3)), mass=2.0)
     assert len(corners) == 8
     found = (corners - corners.mean(axis=0)).T @ (corners - corners.mean(axis=0))
     # of the eight corners ∑ r rᵀ is 2 edge², of the box ∫ r rᵀ dm is m edge²/12
@@ -239,7 +239,7 @@ def disk_case():
 
 def molecule_case():
     places = [[0, 0, 0], [7.6e-11, 5.9e-11, 0], [-7.6e-11, 5.9e-11, 0]]
-    body = ph.from_points(np.array([16, 1, 1]) * 1.66e-27, places)
+    body = ph.Body.from_points(np.array([16, 1, 1]) * 1.66e-27, places)
     rates = np.array([1e11, 2e12, 3e11])
     motion = ph.FreeMotion(body.principal_moments, momentum=body.principal_moments * rates)
     return {"trajectory": motion.sample(np.linspace(0.0, 2e-11, 400)), "frame": body.frame}

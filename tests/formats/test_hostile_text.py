@@ -34,7 +34,7 @@ def refused(read, path):
 
 
 def mesh(path):
-    return ph.from_mesh(*formats.read_mesh(path, 1.0), mass=1.0)
+    return ph.Body.from_mesh(*formats.read_mesh(path, 1.0), mass=1.0)
 
 
 TETRAHEDRON = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"

@@ -24,7 +24,7 @@ def saved(folder, mesh, name="mesh.stl"):
 
 def check_box(mesh, size=SIZE, allowed=EXACT):
     wanted = ph.shapes.box(2.0, size).inertia
-    found = ph.from_mesh(*mesh, mass=2.0).inertia
+    found = ph.Body.from_mesh(*mesh, mass=2.0).inertia
     assert np.abs(found - wanted).max() <= allowed * np.abs(wanted).max()
 
 
@@ -50,7 +50,7 @@ def test_scenes_are_joined_with_their_placement(tmp_path):
     for x in (-2.0, 2.0):
         scene.add_geometry(trimesh.creation.box(SIZE), transform=trimesh.transformations.translation_matrix((x, 0, 0)))
     vertices, faces = read_mesh(saved(tmp_path, scene, "two.glb"), unit=1.0)
-    body = ph.from_mesh(vertices, faces, density=1.0, several=True)
+    body = ph.Body.from_mesh(vertices, faces, density=1.0, several=True)
     wanted = ph.combine([ph.shapes.box(6.0, SIZE).placed(np.eye(3), (x, 0, 0)) for x in (-2.0, 2.0)])
     assert body.inertia == pytest.approx(wanted.inertia, abs=EXACT * 100)
 
@@ -105,13 +105,13 @@ def test_repair_only_on_request(tmp_path, fault):
     mesh, words = SPOILED[fault]
     path = saved(tmp_path, mesh)
     with pytest.raises(InvalidInput, match=words):
-        ph.from_mesh(*read_mesh(path, unit=1.0), mass=2.0)
+        ph.Body.from_mesh(*read_mesh(path, unit=1.0), mass=2.0)
     check_box(read_mesh(path, unit=1.0, repair=True), allowed=SINGLE)
 
 
 def test_repair_leaves_a_good_mesh_as_it_is(tmp_path):
     path = saved(tmp_path, trimesh.creation.torus(2.0, 0.5))
-    good, same = (ph.from_mesh(*read_mesh(path, unit=1.0, repair=repair), mass=1.0) for repair in (False, True))
+    good, same = (ph.Body.from_mesh(*read_mesh(path, unit=1.0, repair=repair), mass=1.0) for repair in (False, True))
     assert same.inertia == pytest.approx(good.inertia, abs=EXACT)
 
 
@@ -119,8 +119,8 @@ def test_repair_keeps_cavities(tmp_path):
     hollow = trimesh.util.concatenate([trimesh.creation.icosphere(2), trimesh.creation.icosphere(2, radius=0.5)])
     path = saved(tmp_path, hollow)
     with pytest.raises(InvalidInput, match="overlaps itself: 1 of its 2 pieces lie inside"):
-        ph.from_mesh(*read_mesh(path, unit=1.0), density=1.0)
-    mass = ph.from_mesh(*read_mesh(path, unit=1.0, repair=True), density=1.0).mass
+        ph.Body.from_mesh(*read_mesh(path, unit=1.0), density=1.0)
+    mass = ph.Body.from_mesh(*read_mesh(path, unit=1.0, repair=True), density=1.0).mass
     assert mass == pytest.approx(0.875 * trimesh.creation.icosphere(2).volume, rel=SINGLE)
 
 
@@ -128,7 +128,7 @@ def test_holes_too_large_to_guess_stay_open(tmp_path):
     ball = trimesh.creation.icosphere(2)
     path = saved(tmp_path, without(ball, *np.flatnonzero(ball.triangles_center[:, 2] > 0.5)))
     with pytest.raises(InvalidInput, match="open"):
-        ph.from_mesh(*read_mesh(path, unit=1.0, repair=True), mass=2.0)
+        ph.Body.from_mesh(*read_mesh(path, unit=1.0, repair=True), mass=2.0)
 
 
 POINTS = (
@@ -158,7 +158,7 @@ def test_a_file_cut_short(tmp_path):
     path = saved(tmp_path, BOX)
     path.write_bytes(path.read_bytes()[:-60])
     with pytest.raises(InvalidInput, match=r"mesh\.stl: (cannot be read|holds no triangles)"):
-        ph.from_mesh(*read_mesh(path, unit=1.0), mass=1.0)
+        ph.Body.from_mesh(*read_mesh(path, unit=1.0), mass=1.0)
 
 
 @pytest.mark.usefixtures("any_type")

@@ -35,7 +35,7 @@ def test_positions_come_in_metres(tmp_path, name):
 def test_masses_of_isotopes_are_kept(tmp_path):
     path = written(tmp_path, ISOTOPES)
     assert read_molecule(path)[2] == pytest.approx(np.array([2.014, 1.008]) * ATOMIC_MASS_UNIT, rel=1e-14, abs=0.0)
-    assert ph.from_atoms(*read_molecule(path)).mass == pytest.approx(3.022 * ATOMIC_MASS_UNIT, rel=1e-14, abs=0.0)
+    assert ph.Body.from_atoms(*read_molecule(path)).mass == pytest.approx(3.022 * ATOMIC_MASS_UNIT, rel=1e-14, abs=0.0)
 
 
 @pytest.mark.parametrize("name", ["a.xyz", "a.extxyz", "a.pdb", "a.sdf"])
@@ -83,10 +83,10 @@ def test_plain_xyz_and_masses_need_no_ase_and_are_as_with_it(tmp_path, monkeypat
     for name in ("ase", "ase.io", "ase.data"):
         monkeypatch.setitem(sys.modules, name, None)
     lower = written(tmp_path, PLAIN.replace("O 0", "o 0").replace("0.586 0", "0.586 0 0.41 charge"))
-    body = ph.from_atoms(*read_molecule(lower))
+    body = ph.Body.from_atoms(*read_molecule(lower))
     assert body.mass == pytest.approx((15.999 + 2 * 1.008) * ATOMIC_MASS_UNIT, rel=1e-14, abs=0.0)
     for symbol, weight in list(zip(chemical_symbols, atomic_masses, strict=True))[1:]:
-        two = ph.from_atoms([symbol, symbol], [(0.0, 0.0, 0.0), (0.0, 0.0, 1e-10)])
+        two = ph.Body.from_atoms([symbol, symbol], [(0.0, 0.0, 0.0), (0.0, 0.0, 1e-10)])
         assert two.mass == 2.0 * (weight * ATOMIC_MASS_UNIT)
     with pytest.raises(FormatError, match=r"line 4: .*a symbol and three numbers in ångström; got 'H 0\.757 0\.586'"):
         read_molecule(written(tmp_path, PLAIN.replace("H 0.757 0.586 0", "H 0.757 0.586")))

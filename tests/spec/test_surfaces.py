@@ -45,7 +45,7 @@ def test_a_part_is_drawn_where_and_as_it_is(read, shape, axis):
     kind, measures = shape.split(",")[0], SHAPES[shape]
     spec = read(f"""[body]
     parts = [{{shape = "{kind}", mass = "2 kg", {measures}, axis = "{axis}", at = ["10 cm", "-20 cm", "30 cm"]}}]""")
-    drawn = ph.from_mesh(*spec.surface, mass=2.0)
+    drawn = ph.Body.from_mesh(*spec.surface, mass=2.0)
     assert drawn.center_of_mass == pytest.approx([0.1, -0.2, 0.3], rel=EXACT)
     assert np.abs(drawn.inertia - spec.body.inertia).max() <= DRAWN * np.abs(spec.body.inertia).max()
 
@@ -54,7 +54,7 @@ def test_a_part_is_drawn_where_and_as_it_is(read, shape, axis):
 def test_a_shell_without_thickness_is_drawn_with_a_little(read, shape, inner):
     spec = read(f"""[body]
     parts = [{{shape = "{shape}", mass = "2 kg", radius = "1 cm", inner_radius = "1 cm"{inner}}}]""")
-    drawn = ph.from_mesh(*spec.surface, mass=2.0)
+    drawn = ph.Body.from_mesh(*spec.surface, mass=2.0)
     assert np.abs(drawn.inertia - spec.body.inertia).max() <= 2 * DRAWN * np.abs(spec.body.inertia).max()
 
 
@@ -66,7 +66,7 @@ def test_a_cone_points_where_its_axis_says(read, axis, apex):
     farthest = vertices[np.linalg.norm(vertices, axis=1).argmax()]
     assert farthest == pytest.approx(apex, abs=EXACT)
     assert (vertices @ apex).min() == pytest.approx(-3.0, rel=EXACT)  # the base, h/4 the other way
-    assert ph.from_mesh(*spec.surface, mass=2.0).mass == 2.0  # turned, not mirrored: the gate would say inverted
+    assert ph.Body.from_mesh(*spec.surface, mass=2.0).mass == 2.0  # turned, not mirrored: the gate would say inverted
 
 
 def test_parts_are_drawn_together(read):
@@ -80,7 +80,7 @@ def test_parts_are_drawn_together(read):
 
 def test_a_mesh_is_its_own_triangles():
     spec = read_spec(EXAMPLES / "t_handle.toml")
-    drawn = ph.from_mesh(*spec.surface, mass=spec.body.mass)
+    drawn = ph.Body.from_mesh(*spec.surface, mass=spec.body.mass)
     assert drawn.inertia == pytest.approx(spec.body.inertia, rel=EXACT)
     assert drawn.center_of_mass == pytest.approx(spec.body.center_of_mass, rel=EXACT)
 

@@ -40,7 +40,7 @@ def made(chance):
         "about": lambda: body().about(vector()),
         "placed": lambda: body().placed((1.0, 0.0, 0.0, 0.0), vector()),
         "combined": lambda: ph.combine([body(), body().placed((1.0, 0.0, 0.0, 0.0), vector())]),
-        "points": lambda: ph.from_points([size() for _ in range(4)], [vector() for _ in range(4)]),
+        "points": lambda: ph.Body.from_points([size() for _ in range(4)], [vector() for _ in range(4)]),
         "box": lambda: ph.shapes.box(size(), (size(), size(), size())),
         "free": lambda: ph.FreeMotion.from_body(body(), angular_velocity=vector()),
     }

@@ -142,7 +142,7 @@ def test_a_mesh_is_a_top():
     cone = trimesh.creation.cone(radius=0.03, height=0.06, sections=64)
     cone.apply_transform(trimesh.transformations.rotation_matrix(np.pi, (1, 0, 0)))  # on its point, at the origin
     cone.apply_translation((0, 0, 0.06))
-    body = ph.from_mesh(cone.vertices, cone.faces, mass=0.1)
+    body = ph.Body.from_mesh(cone.vertices, cone.faces, mass=0.1)
     lowest = np.array(cone.vertices)[np.argmin(cone.vertices[:, 2])]
     top = HeavyTop.from_body(body, lowest)
     assert top.case is not None and top.case[0] == "Lagrange"

@@ -8,10 +8,9 @@ from importlib.resources import files
 
 import numpy as np
 
-from polhode.arrays import known_numbers_only
-from polhode.bodies.body import Body
+from polhode.bodies import points
 from polhode.bodies.digits import judged, last_digit, unsure_moments
-from polhode.bodies.points import from_points
+from polhode.bodies.inertia import MassProperties, principal_axes
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, Float64, Real
 
@@ -19,27 +18,10 @@ ATOMIC_MASS_UNIT = 1.66053906892e-27  # kg, CODATA 2022
 ANGSTROM = 1e-10  # m
 
 
-@known_numbers_only
-def from_atoms(
+def mass_properties(
     symbols: Sequence[str], positions: Real[ArrayLike, "n 3"], masses: Real[ArrayLike, "n"] | None = None
-) -> Body:
-    """Return a molecule as a rigid body of point masses, which is where its rotational constants come from.
-
-    Masses are standard atomic weights, averaged over isotopes; a spectroscopist gives the isotopes' masses instead.
-    The rotational constants of an equilibrium geometry are not those of the vibrational ground state.
-
-    Positions of 3 to 8 decimals in ångström are taken as rounded to these, as programs print them: moments that this
-    does not tell apart are equal, and one that it does not tell from zero is zero, so that straight molecules stay
-    straight and symmetric tops symmetric whichever way they are turned.
-
-    Args:
-        symbols: (n,) chemical symbols.
-        positions: (n, 3) [m].
-        masses: (n,) [kg], or None for the table's; multiples of ``ATOMIC_MASS_UNIT`` for isotopes.
-
-    Raises:
-        InvalidInput: for unknown symbols, atoms at one place, or arrays that do not match.
-    """
+) -> MassProperties:
+    """Return mass, centre and inertia of a molecule; see ``Body.from_atoms``, which documents the arguments."""
     symbols = list(symbols)
     try:
         shape = np.shape(positions)
@@ -51,17 +33,17 @@ def from_atoms(
     if len(distinct) < len(symbols):
         twice = min(set(range(len(symbols))) - set(first.tolist()))
         raise InvalidInput(f"atoms must be apart; atom {twice + 1} ({symbols[twice]}) is where another one is.")
-    return _to_its_digits(from_points(atomic_masses(symbols) if masses is None else masses, positions), positions)
+    properties = points.mass_properties(atomic_masses(symbols) if masses is None else masses, positions)
+    return _round_to_digits(properties, positions)
 
 
-def _to_its_digits(body: Body, positions: Array) -> Body:
-    """Return a body whose moments are equal or zero where the digits of the positions do not tell them apart."""
-    assert body.mass is not None  # points have masses
-    moments, axes = body.principal_moments, body.principal_axes
-    found, _ = judged(moments, unsure_moments(moments, body.mass, last_digit(positions, ANGSTROM)))
+def _round_to_digits(properties: MassProperties, positions: Array) -> MassProperties:
+    """Return moments that are equal or zero where the digits of the positions do not tell them apart."""
+    moments, axes = principal_axes(properties.inertia)
+    found, _ = judged(moments, unsure_moments(moments, properties.mass, last_digit(positions, ANGSTROM)))
     if (found == moments).all():
-        return body
-    return Body(body.mass, body.center_of_mass, axes @ np.diag(found) @ axes.T)
+        return properties
+    return properties._replace(inertia=axes @ np.diag(found) @ axes.T)
 
 
 def atomic_masses(symbols: Sequence[str]) -> Float64[Array, "n"]:

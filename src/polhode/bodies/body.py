@@ -10,19 +10,16 @@ from typing import Any
 
 import numpy as np
 
-from polhode.arrays import as_float64, is_traced, known_numbers_only
-from polhode.bodies.digits import judged
+from polhode.arrays import known_numbers_only
+from polhode.bodies import atoms, mesh, points
+from polhode.bodies.inertia import LARGEST, ROUNDING, check_moments, finite_array, point_inertia, principal_axes
 from polhode.errors import InvalidInput, shown
 from polhode.motion.frame import BodyFrame
 from polhode.rotation import as_matrix, from_matrix, normalize
 from polhode.types import Array, ArrayLike, Float64, Real
 
-ROUNDING = 64 * np.finfo(float).eps  # what the sums behind an inertia matrix may leave, relative to its entries
-MOST_DEFECT = 1.0 / 3.0  # of I3: more than vibration does to any molecule that stays in one shape
 MOMENT_TIMES_CONSTANT = 6.62607015e-34 / (8.0 * math.pi**2)  # h/8π² [kg m² Hz], h exact by definition
 SYMMETRY = 1e-9  # a matrix less symmetric than this was mistyped, not rounded
-LARGEST = 1e150  # SI; beyond it products of two overflow, and no body is near
-TIE = 1e-9  # direction cosines closer than this are equal, so that rounding never decides between two axes
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,9 +53,9 @@ class Body:
     effective: bool = False
 
     def __post_init__(self) -> None:
-        mass = None if self.mass is None else _finite("mass", self.mass, ())
-        center = _finite("center_of_mass", self.center_of_mass, (3,))
-        inertia = _finite("inertia", self.inertia, (3, 3))
+        mass = None if self.mass is None else finite_array("mass", self.mass, ())
+        center = finite_array("center_of_mass", self.center_of_mass, (3,))
+        inertia = finite_array("inertia", self.inertia, (3, 3))
         if mass is not None and not mass > 0:
             raise InvalidInput(f"`mass` must be positive; got {float(mass):g} kg. Check sign and units.")
         scale = np.abs(inertia).max()
@@ -89,7 +86,7 @@ class Body:
         >>> Body.from_moments(3.0, 1.0, 2.5).principal_moments
         array([1. , 2.5, 3. ])
         """
-        return cls(mass, (0.0, 0.0, 0.0), np.diag(_finite("moments", (I1, I2, I3), (3,))), effective)
+        return cls(mass, (0.0, 0.0, 0.0), np.diag(finite_array("moments", (I1, I2, I3), (3,))), effective)
 
     @classmethod
     @known_numbers_only
@@ -110,7 +107,7 @@ class Body:
         >>> print((water.principal_moments / 1.66053906892e-47).round(3), f"{water.inertial_defect:.3g}")
         [0.605 1.161 1.817] 8.55e-49
         """
-        constants = _finite("constants", (A, B, C), (3,))
+        constants = finite_array("constants", (A, B, C), (3,))
         if not (constants > 0.0).all():
             raise InvalidInput(f"rotational constants must be positive; got {constants.tolist()} Hz. Check signs.")
         return cls(mass, (0.0, 0.0, 0.0), np.diag(MOMENT_TIMES_CONSTANT / constants), effective)
@@ -124,6 +121,78 @@ class Body:
         array([1. , 2.5, 3. ])
         """
         return cls(mass, (0.0, 0.0, 0.0), inertia)
+
+    @classmethod
+    @known_numbers_only
+    def from_points(cls, masses: Real[ArrayLike, "n"], positions: Real[ArrayLike, "n 3"]) -> Body:
+        """Return point masses as one rigid body: J = Σ m (|r|² 1 − r rᵀ), r from the centre of mass.
+
+        Args:
+            masses: (n,) [kg], positive.
+            positions: (n, 3) [m].
+
+        Raises:
+            InvalidInput: for shapes that do not match, masses that are not positive, or points all in one place.
+
+        >>> Body.from_points([1.0, 1.0], [[-1, 0, 0], [1, 0, 0]]).principal_moments
+        array([0., 2., 2.])
+        """
+        return cls(*points.mass_properties(masses, positions))
+
+    @classmethod
+    @known_numbers_only
+    def from_atoms(
+        cls, symbols: Sequence[str], positions: Real[ArrayLike, "n 3"], masses: Real[ArrayLike, "n"] | None = None
+    ) -> Body:
+        """Return a molecule as a rigid body of point masses, which is where its rotational constants come from.
+
+        Masses are standard atomic weights, averaged over isotopes; a spectroscopist gives the isotopes' masses instead.
+        The rotational constants of an equilibrium geometry are not those of the vibrational ground state.
+
+        Positions with 3 to 8 decimals in ångström are taken as rounded to these, as programs print them. Moments that
+        differ by less than this rounding are set equal, and a moment smaller than it is set to zero, so that linear
+        molecules stay linear and symmetric tops symmetric, whichever way they are turned.
+
+        Args:
+            symbols: (n,) chemical symbols.
+            positions: (n, 3) [m].
+            masses: (n,) [kg], or None for the table's; multiples of ``ATOMIC_MASS_UNIT`` for isotopes.
+
+        Raises:
+            InvalidInput: for unknown symbols, atoms at one place, or arrays that do not match.
+        """
+        return cls(*atoms.mass_properties(symbols, positions, masses))
+
+    @classmethod
+    @known_numbers_only
+    def from_mesh(
+        cls, vertices: Real[ArrayLike, "n 3"], faces: Real[ArrayLike, "m 3"], *, mass: float | None = None,
+        density: float | None = None, several: bool = False, repair: bool = False,
+    ) -> Body:  # fmt: skip
+        """Return the homogeneous body inside a closed triangle mesh: J = ρ ∫ (|r|² 1 − r rᵀ) dV about the centroid.
+
+        Args:
+            vertices: (n, 3) corners [m].
+            faces: (m, 3) indices of corners, counterclockwise seen from outside. A closed surface that faces inward and
+                lies inside another one is a cavity.
+            mass: [kg]; this or ``density``.
+            density: [kg/m³].
+            several: accept disjoint bodies, touching or not, as one rigid body.
+            repair: first orient the faces (bodies outward, surfaces inside them inward, as cavities) and drop
+                triangles with repeated corners. Only on request, as this guesses. Holes are not filled; to fill them,
+                read the mesh from a file with repair.
+
+        Raises:
+            InvalidInput: if the mesh is open, wound inconsistently, inverted, overlapping, or of several bodies; if not
+                exactly one of mass and density is given, positive.
+
+        >>> corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
+        >>> Body.from_mesh(corners, [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]], density=6.0).mass
+        1.0
+
+        Source: Tonon, J. Math. Stat. 1 (2004) 8 (signed tetrahedra); Mirtich, J. Graphics Tools 1 (1996) 31.
+        """
+        return cls(*mesh.mass_properties(vertices, faces, mass=mass, density=density, several=several, repair=repair))
 
     @cached_property
     def _principal(self) -> tuple[Float64[Array, "3"], Float64[Array, "3 3"]]:
@@ -168,7 +237,7 @@ class Body:
             InvalidInput: if the body has no mass, or the point is so far away that the inertia overflows.
         """
         with np.errstate(over="ignore", invalid="ignore"):  # what overflows is refused
-            offset = self.center_of_mass - _finite("point", point, (3,))
+            offset = self.center_of_mass - finite_array("point", point, (3,))
             inertia = self.inertia + self._known_mass("the inertia about another point") * point_inertia(offset)
         if not np.isfinite(inertia).all():
             raise InvalidInput(f"the inertia about `point` overflows; got {shown(point)} m. Check its unit.")
@@ -189,12 +258,12 @@ class Body:
         if hasattr(rotation, "as_matrix"):
             rotation = rotation.as_matrix()
         if np.shape(rotation) == (4,):
-            turn = as_matrix(normalize(_finite("rotation", rotation, (4,))))
+            turn = as_matrix(normalize(finite_array("rotation", rotation, (4,))))
         else:
-            turn = _finite("rotation", rotation, (3, 3))
+            turn = finite_array("rotation", rotation, (3, 3))
             from_matrix(turn)  # refuses reflections and matrices that are not orthogonal
         with np.errstate(over="ignore", invalid="ignore"):  # what overflows is refused
-            center = turn @ self.center_of_mass + _finite("translation", translation, (3,))
+            center = turn @ self.center_of_mass + finite_array("translation", translation, (3,))
             return Body(self.mass, center, turn @ self.inertia @ turn.T, self.effective)
 
     def _known_mass(self, purpose: str) -> float:
@@ -212,7 +281,7 @@ def check_is_body(body: Any) -> None:
     if not isinstance(body, Body):
         raise InvalidInput(
             f"`body` must be a Body; got {shown(body)}. "
-            "Make one with polhode.shapes, from_mesh or Body."
+            "Make one with polhode.shapes or Body.from_mesh."
         )
 
 
@@ -237,118 +306,3 @@ def combine(bodies: Sequence[Body]) -> Body:
         shifted = masses[:, None, None] * point_inertia(centers - center)
         inertia = np.sum([body.inertia for body in bodies], axis=0) + shifted.sum(axis=0)
         return Body(float(masses.sum()), center, inertia, any(body.effective for body in bodies))
-
-
-def point_inertia(offset: Real[ArrayLike, "*batch 3"]) -> Float64[Array, "*batch 3 3"]:
-    """Return |r|² 1 − r rᵀ (…, 3, 3), the inertia of a unit mass at r, its diagonal as sums of squares."""
-    x, y, z = np.moveaxis(np.asarray(offset, dtype=float), -1, 0)
-    rows = ((y * y + z * z, -x * y, -x * z), (-x * y, x * x + z * z, -y * z), (-x * z, -y * z, x * x + y * y))
-    return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
-
-
-def check_moments(moments: Float64[Array, "3"], effective: bool = False) -> None:
-    """Refuse moments (3,) ascending that no rigid body has, or effective ones that no molecule has.
-
-    Raises:
-        InvalidInput: if one is negative beyond rounding, all vanish, or I1 + I2 < I3 beyond rounding, of effective ones
-            by more than a third of I3.
-    """
-    I1, I2, I3 = moments
-    shown = ", ".join(f"{x:.6g}" for x in moments)
-    if not I3 > 0:
-        raise InvalidInput(f"the principal moments must not all vanish; got ({shown}) kg m². A point has no attitude.")
-    if I1 < -ROUNDING * I3:
-        raise InvalidInput(
-            f"the principal moments must not be negative; got ({shown}) kg m². "
-            "Check signs and sizes of the products of inertia."
-        )
-    if I1 + I2 < I3 * (1.0 - (MOST_DEFECT if effective else ROUNDING)):
-        rule, bodies = ("I1 + I2 ≥ 2/3 I3", "molecule") if effective else ("I1 + I2 ≥ I3", "rigid body")
-        raise InvalidInput(
-            f"the principal moments must satisfy {rule}; got ({shown}) kg m². No {bodies} has these; "
-            "check units and order."
-        )
-
-
-def principal_axes(inertia: Float64[Array, "3 3"]) -> tuple[Float64[Array, "3"], Float64[Array, "3 3"]]:
-    """Return ascending moments (3,) and right-handed axes (3, 3), by columns, of a symmetric matrix."""
-    diagonal = np.diag(inertia)
-    if np.array_equal(inertia, np.diag(diagonal)):
-        order = np.argsort(diagonal, kind="stable")
-        moments, axes = diagonal[order], np.eye(3)[:, order]
-        moments = np.where((moments < 0) & (moments > -ROUNDING * moments[2]), 0.0, moments)
-    else:
-        scale = 2.0 ** np.frexp(np.abs(inertia).max())[1]  # a power of two, so that scaling rounds nothing
-        moments, axes = _jacobi(inertia / scale)
-        # what relative rounding of the entries does to each moment: v · |J| v with |v|
-        unsure = ROUNDING * np.einsum("ik,ij,jk->k", np.abs(axes), np.abs(inertia / scale), np.abs(axes))
-        moments, groups = judged(moments, unsure)
-        columns = [axis for group in groups for axis in _nearest_axes(axes[:, group])]
-        moments, axes = moments * scale, np.column_stack(columns)
-    leading = [_first_largest(np.abs(axes[:, k])) for k in range(3)]
-    axes = axes * np.where(axes[leading, range(3)] < 0, -1.0, 1.0)
-    if np.linalg.det(axes) < 0:
-        axes[:, 2] = -axes[:, 2]
-    return moments, axes + 0.0
-
-
-def _jacobi(matrix: Array) -> tuple[Array, Array]:
-    """Return ascending eigenvalues and eigenvectors of a symmetric (3, 3) matrix by Jacobi's rotations.
-
-    Unlike LAPACK's reduction to tridiagonal form it keeps the relative accuracy of small eigenvalues of a positive
-    matrix that is nearly diagonal after scaling.
-
-    Source: Rutishauser, Numer. Math. 9 (1966) 1; Demmel & Veselić, SIAM J. Matrix Anal. Appl. 13 (1992) 1204.
-    """
-    a, v = np.array(matrix), np.eye(3)
-    for _ in range(40):  # converges quadratically, in 4 to 6 sweeps
-        if not a[[0, 0, 1], [1, 2, 2]].any():
-            break
-        for p, q in ((0, 1), (0, 2), (1, 2)):
-            small = np.finfo(float).eps / 4 * np.sqrt(abs(a[p, p])) * np.sqrt(abs(a[q, q]))
-            if abs(a[p, q]) <= max(small, np.finfo(float).tiny):
-                a[p, q] = a[q, p] = 0.0
-                continue
-            theta = 0.5 * (a[q, q] - a[p, p]) / a[p, q]
-            t = 1.0 / (theta + np.copysign(np.hypot(theta, 1.0), theta))
-            c = 1.0 / np.hypot(t, 1.0)
-            s, change, r = t * c, t * a[p, q], 3 - p - q
-            a[p, p], a[q, q], a[p, q], a[q, p] = a[p, p] - change, a[q, q] + change, 0.0, 0.0
-            a[p, r], a[q, r] = c * a[p, r] - s * a[q, r], s * a[p, r] + c * a[q, r]
-            a[r, p], a[r, q] = a[p, r], a[q, r]
-            v[:, p], v[:, q] = c * v[:, p] - s * v[:, q], s * v[:, p] + c * v[:, q]
-    order = np.argsort(np.diag(a), kind="stable")
-    return np.diag(a)[order], v[:, order]
-
-
-def _nearest_axes(space: Array) -> list[Array]:
-    """Return an orthonormal basis of the column space: the given axes nearest to it, projected in turn."""
-    if space.shape[1] == 1:
-        return [space[:, 0]]
-    projections = space @ space.T
-    nearness = np.diag(projections).copy()
-    chosen: list[int] = []
-    for _ in range(space.shape[1]):
-        chosen.append(_first_largest(nearness))
-        nearness[chosen[-1]] = -1.0
-    basis: list[Array] = []
-    for k in sorted(chosen):
-        vector = projections[:, k] - sum((b * (b @ projections[:, k]) for b in basis), np.zeros(3))
-        basis.append(vector / np.linalg.norm(vector))
-    return basis
-
-
-def _first_largest(values: Array) -> int:
-    return int(np.flatnonzero(values > values.max() - TIE)[0])
-
-
-def _finite(name: str, value: Any, shape: tuple[int, ...]) -> Array:
-    """Return a float64 copy of the wanted shape, finite."""
-    if is_traced(value):
-        raise InvalidInput(f"`{name}` must be known numbers, not traced by JAX; give moments to FreeMotion instead.")
-    array = np.array(as_float64(np, value, name))
-    if array.shape != shape:
-        raise InvalidInput(f"`{name}` must have shape {shape}; got {array.shape}.")
-    if not np.isfinite(array).all():
-        raise InvalidInput(f"`{name}` must be finite; got {shown(array.tolist())}. Check where the value comes from.")
-    return array

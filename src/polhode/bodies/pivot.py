@@ -8,7 +8,8 @@ from typing import NamedTuple
 import numpy as np
 
 from polhode.arrays import is_traced, refuse_single_precision
-from polhode.bodies.body import Body, check_is_body, principal_axes
+from polhode.bodies.body import Body, check_is_body
+from polhode.bodies.inertia import principal_axes
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, Float64, Real
 

@@ -1,4 +1,4 @@
-"""Bodies made of point masses."""
+"""Mass properties of point masses."""
 
 from __future__ import annotations
 
@@ -6,26 +6,13 @@ import math
 
 import numpy as np
 
-from polhode.arrays import known_numbers_only
-from polhode.bodies.body import LARGEST, Body, point_inertia
+from polhode.bodies.inertia import LARGEST, MassProperties, point_inertia
 from polhode.errors import InvalidInput
 from polhode.types import ArrayLike, Real
 
 
-@known_numbers_only
-def from_points(masses: Real[ArrayLike, "n"], positions: Real[ArrayLike, "n 3"]) -> Body:
-    """Return point masses as one rigid body: J = Σ m (|r|² 1 − r rᵀ), r from the centre of mass.
-
-    Args:
-        masses: (n,) [kg], positive.
-        positions: (n, 3) [m].
-
-    Raises:
-        InvalidInput: for shapes that do not match, masses that are not positive, or points all in one place.
-
-    >>> from_points([1.0, 1.0], [[-1, 0, 0], [1, 0, 0]]).principal_moments
-    array([0., 2., 2.])
-    """
+def mass_properties(masses: Real[ArrayLike, "n"], positions: Real[ArrayLike, "n 3"]) -> MassProperties:
+    """Return mass, centre and inertia of point masses; see ``Body.from_points``, which documents the arguments."""
     try:
         real = not (np.iscomplexobj(masses) or np.iscomplexobj(positions))
         m, r = (np.array(x, dtype=float) for x in (masses, positions)) if real else (None, None)
@@ -45,4 +32,4 @@ def from_points(masses: Real[ArrayLike, "n"], positions: Real[ArrayLike, "n 3"])
         raise InvalidInput(f"`positions` must not all coincide; got {len(r)} at one place. A point has no attitude.")
     offsets = r - r[0]
     center = m @ offsets / m.sum()
-    return Body(float(m.sum()), center + r[0], np.einsum("n,nij->ij", m, point_inertia(offsets - center)))
+    return MassProperties(float(m.sum()), center + r[0], np.einsum("n,nij->ij", m, point_inertia(offsets - center)))

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from polhode.arrays import known_numbers_only
-from polhode.bodies.body import point_inertia, principal_axes
+from polhode.bodies.inertia import point_inertia, principal_axes
 from polhode.errors import InvalidInput
 from polhode.motion.frame import BodyFrame
 from polhode.types import Array, ArrayLike, Float64, Integer, Real
@@ -22,7 +22,9 @@ _FACES = np.array([[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5,
 
 @dataclass(frozen=True, eq=False)
 class Surface:
-    """A triangle mesh to draw; it need not be closed. It unpacks into vertices and faces, as ``from_mesh`` takes them.
+    """A triangle mesh to draw, which need not be closed.
+
+    ``vertices, faces = surface`` unpacks it; ``Body.from_mesh(*surface, …)`` takes it where it is closed.
 
     Attributes:
         vertices: (n, 3) [m].

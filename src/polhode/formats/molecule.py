@@ -30,7 +30,7 @@ def read_molecule(path: str | Path) -> tuple[list[str], Float64[Array, "n 3"], F
     """Return symbols, positions (n, 3) [m] and masses (n,) [kg] of a structure file, by its ending (see ``FORMS``).
 
     Masses are None unless the file gives them, as an extended xyz with a ``masses`` column does for isotopes. The three
-    are the arguments of ``from_atoms``.
+    are the arguments of ``Body.from_atoms``.
 
     Raises:
         InvalidInput: if the file is missing, or ASE is, which all but plain .xyz needs.

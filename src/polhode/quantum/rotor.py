@@ -118,7 +118,7 @@ class Rotor:
         """Return the rigid rotor with a body's principal moments, A = h/8π²I_a; linear where one of them is zero.
 
         Args:
-            body: such as ``ph.from_atoms`` makes.
+            body: such as ``ph.Body.from_atoms`` makes.
             options: dipole, spin_weights, spin_axis.
         """
         moments = np.array(body.principal_moments, float)

@@ -12,9 +12,7 @@ import numpy as np
 from polhode import rotation
 from polhode.analysis.thermal import thermal_momentum
 from polhode.bodies import shapes
-from polhode.bodies.atoms import from_atoms
 from polhode.bodies.body import Body, combine
-from polhode.bodies.mesh import from_mesh
 from polhode.errors import InvalidInput
 from polhode.formats.mesh import read_mesh
 from polhode.formats.molecule import read_molecule
@@ -36,7 +34,9 @@ def build_body(table: BodyTable, folder: Path) -> Body:
     if table.mesh is not None:
         vertices, faces = read_mesh(folder / table.mesh, table.mesh_unit or 1.0, table.repair)
         with _of_file("mesh", table.mesh):
-            return from_mesh(vertices, faces, table.mass, table.density, table.several, table.repair)
+            return Body.from_mesh(
+                vertices, faces, mass=table.mass, density=table.density, several=table.several, repair=table.repair
+            )
     if table.moments is not None:
         return Body.from_moments(*table.moments, mass=table.mass)
     if table.inertia is not None:
@@ -52,7 +52,7 @@ def build_body(table: BodyTable, folder: Path) -> Body:
     if table.molecule is not None:
         atoms = read_molecule(folder / table.molecule)
         with _of_file("molecule", table.molecule):
-            return from_atoms(*atoms)
+            return Body.from_atoms(*atoms)
     if table.urdf is not None:
         return read_urdf_inertial(folder / table.urdf, table.link)
     return combine([build_part(part) for part in table.parts or []])

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from polhode.bodies.atoms import from_atoms, isotopic_masses
+from polhode.bodies.atoms import isotopic_masses
 from polhode.bodies.body import Body
 from polhode.errors import InvalidInput
 from polhode.formats.molecule import read_molecule
@@ -79,7 +79,7 @@ def rotor_of_body(
     if source.molecule is not None:
         symbols, positions, masses = read_molecule(folder / source.molecule)
         masses = isotopic_masses(symbols) if masses is None else masses
-        body = from_atoms(symbols, positions, masses)
+        body = Body.from_atoms(symbols, positions, masses)
         atoms = Atoms(symbols, masses, (positions - body.center_of_mass) @ body.principal_axes)
     return Rotor.from_body(body, **options), atoms
 
