@@ -126,7 +126,7 @@ def test_files_and_motions_are_compared(capsys, tmp_path):
 
 def by_files_history(spec):
     moved = ph.report(spec).trajectory.along("given")
-    return ph.AttitudeHistory("samples", np.asarray(moved.times), np.asarray(moved.attitude))
+    return ph.analysis.AttitudeHistory("samples", np.asarray(moved.times), np.asarray(moved.attitude))
 
 
 def test_levels_and_lines_are_those_of_the_commands(capsys, tmp_path):

@@ -5,6 +5,7 @@ import sys
 from importlib import metadata
 from typing import Any
 
+__all__ = ["FormatError", "InvalidInput", "NotConverged", "PolhodeError"]
 LONGEST_VALUE = 120  # characters of a value in a message
 LONGEST_MESSAGE = 1900  # characters
 JOINERS = "\u200c\u200d"  # invisible, but Persian, Hindi and emoji are spelt with them
@@ -118,3 +119,7 @@ def not_installed(what: str, library: str, extra: str, otherwise: str = "") -> I
     python = f'"{sys.executable}"' if " " in sys.executable else sys.executable or "python"
     command = f"{python} -m pip install " + " ".join(f'"{one}"' for one in wanted or [library])
     return InvalidInput(f"{what} need {library}, which is not installed. Run `{command}`. {otherwise}".rstrip())
+
+
+def __dir__() -> list[str]:
+    return __all__

@@ -19,6 +19,26 @@ if TYPE_CHECKING:
     from scipy.spatial.transform import Rotation
 
 Part = Float64[ArrayOrFloat, "..."]
+__all__ = [
+    "angle_between",
+    "as_matrix",
+    "as_rotation_vector",
+    "as_scipy",
+    "conjugate",
+    "from_axis_angle",
+    "from_euler_angles",
+    "from_matrix",
+    "from_rotation_vector",
+    "from_scipy",
+    "hat",
+    "multiply",
+    "normalize",
+    "perpendicular",
+    "quaternion_rate",
+    "rotate",
+    "shortest_between",
+    "vee",
+]
 UNIT_TOLERANCE = 1e-6  # a quaternion further from unit length is taken for a mistake, not for rounding
 ORTHOGONALITY_TOLERANCE = 1e-6  # a matrix further from a rotation is taken for a mistake, not for rounding
 OPPOSITE = 4e-16  # length of the sum of two unit vectors below which it is rounding: they are opposite
@@ -370,3 +390,5 @@ def from_scipy(rotation: Rotation) -> Float64[Array, "*batch 4"]:
     return xp.concat([xyzw[..., 3:], xyzw[..., :3]], axis=-1)
 
 
+def __dir__() -> list[str]:
+    return __all__

@@ -20,7 +20,7 @@ def spin(along_x, along_z):
 @pytest.mark.parametrize("across", first(1, [0.3, 0.05, 0.8]))
 def test_folds_lie_on_the_astroid(across):
     """Stoner & Wohlfarth, Phil. Trans. R. Soc. A 240 (1948) 599: |h_x|^⅔ + |h_z|^⅔ = 1."""
-    found = ph.continue_equilibria(lambda h: spin(across, h), (-1.0, 1.0), [0.0, 0.0, 1.0])
+    found = ph.analysis.continue_equilibria(lambda h: spin(across, h), (-1.0, 1.0), [0.0, 0.0, 1.0])
     switching = (1.0 - across ** (2.0 / 3.0)) ** 1.5
     assert [one.kind for one in found.bifurcations] == ["fold", "fold"]
     assert np.abs([one.value for one in found.bifurcations] - switching * np.array([-1.0, 1.0])).max() < 1e-11
@@ -35,7 +35,7 @@ def test_folds_lie_on_the_astroid(across):
 def test_a_rotor_makes_the_middle_axis_stable_by_a_pitchfork():
     """A gyrostat's middle axis is stable once (L − h)/I2 < L/I3, here from h = ½ on; the arms are rotations aside."""
     make = lambda h: ph.systems.Gyrostat((1.0, 2.0, 4.0), (0.0, h, 0.0))  # noqa: E731
-    found = ph.continue_equilibria(make, (0.0, 0.9), [0.0, 1.0, 0.0])
+    found = ph.analysis.continue_equilibria(make, (0.0, 0.9), [0.0, 1.0, 0.0])
     (one,) = found.bifurcations
     assert one.kind == "pitchfork" and abs(one.value - 0.5) < 1e-12 and np.abs(one.point - [0.0, 1.0, 0.0]).max() < 1e-7
     assert len(one.branches) == 2
@@ -51,7 +51,7 @@ def test_a_rotor_makes_the_middle_axis_stable_by_a_pitchfork():
 def test_a_top_falls_asleep_by_a_hamiltonian_hopf_bifurcation():
     """An upright top is unstable above mgl = (I3 ω)²/(4 I1); its circle of rests that lean is one branch."""
     make = lambda mgl: ph.systems.HeavyTop((1.0, 1.0, 0.5), mgl)  # noqa: E731
-    found = ph.continue_equilibria(make, (0.1, 2.0), [0.0, 0.0, 2.0, 0.0, 0.0, 1.0], starts=16)
+    found = ph.analysis.continue_equilibria(make, (0.1, 2.0), [0.0, 0.0, 2.0, 0.0, 0.0, 1.0], starts=16)
     (one,) = found.bifurcations
     assert one.kind == "Hamiltonian Hopf" and abs(one.value - 1.0) < 1e-9
     assert np.abs(one.point - [0.0, 0.0, 2.0, 0.0, 0.0, 1.0]).max() < 1e-9 and len(found.branches) == 3
@@ -62,7 +62,7 @@ def test_branches_that_cross_and_fold():
     def make(b):
         return ph.systems.LiePoisson(SO3, lambda m: -m[0] + 0.5 * (b - 1.0) * m[1] ** 2 + 0.3 * m[1] ** 3)
 
-    found = ph.continue_equilibria(make, (-1.0, 1.5), [0.0, 0.0, 1.0])
+    found = ph.analysis.continue_equilibria(make, (-1.0, 1.5), [0.0, 0.0, 1.0])
     turn = brentq(lambda t: np.sin(t) + 0.9 * np.cos(t) ** 3, -1.5, 0.0)
     crossing, fold = found.bifurcations
     assert (crossing.kind, fold.kind) == ("transcritical", "fold") and len(crossing.branches) == 2
@@ -85,4 +85,4 @@ def test_branches_that_cross_and_fold():
 )
 def test_what_is_no_family_is_refused(make, limits, words):
     with pytest.raises(InvalidInput, match=words):
-        ph.continue_equilibria(make, limits, jnp.array([0.0, 0.0, 1.0]))
+        ph.analysis.continue_equilibria(make, limits, jnp.array([0.0, 0.0, 1.0]))

@@ -7,7 +7,7 @@ import pytest
 
 import polhode as ph
 from polhode import systems
-from polhode.analysis import floquet, periodic_branches
+from polhode.analysis import continue_periodic, floquet, periodic_branches
 from polhode.errors import InvalidInput, NotConverged
 
 EXACT = 1e-10
@@ -65,7 +65,7 @@ BESIDE = {"branch point": (splitting, 1, 1e-5), "period doubling": (twisted, 2, 
 
 def test_a_cycle_grows_as_it_should():
     """r² = μ, with the multiplier e^(−2 μ T)."""
-    found = ph.continue_periodic(lambda mu: Cycle(mu, growing), (0.1, 0.3), [0.31, 0.0], 3.1)
+    found = continue_periodic(lambda mu: Cycle(mu, growing), (0.1, 0.3), [0.31, 0.0], 3.1)
     assert found.values[[0, -1]] == pytest.approx([0.1, 0.3], abs=1e-15) and not found.bifurcations
     assert set(found.verdicts) == {"spectrally stable"} and (np.diff(found.values) > 0.0).all()
     for value, motion in zip(found.values, found.motions, strict=True):
@@ -76,7 +76,7 @@ def test_a_cycle_grows_as_it_should():
 def test_a_branch_goes_round_its_fold():
     """f = μ + r² − r⁴: cycles on r² = ½ ± ½ √(1 + 4 μ), which meet at μ = −¼."""
     outer = np.sqrt(0.5 + 0.5 * np.sqrt(0.6))
-    found = ph.continue_periodic(lambda mu: Cycle(mu, folded), (-0.1, -1.0), [outer, 0.0], 3.1)
+    found = continue_periodic(lambda mu: Cycle(mu, folded), (-0.1, -1.0), [outer, 0.0], 3.1)
     assert [b.kind for b in found.bifurcations] == ["fold"] and abs(found.bifurcations[0].value + 0.25) < EXACT
     assert abs(np.sum(found.bifurcations[0].motion.state ** 2) - 0.5) < 1e-4
     assert found.verdicts[0] == "spectrally stable" and found.verdicts[-1] == "unstable"
@@ -86,7 +86,7 @@ def test_a_branch_goes_round_its_fold():
 @pytest.mark.parametrize("kind", BESIDE)
 def test_bifurcations_are_found_where_they_are(kind):
     beside, count, near = BESIDE[kind]
-    found = ph.continue_periodic(lambda mu: Cycle(mu, circle, beside), (0.1, 0.6), [1.0, *[0.0] * (count + 1)], 3.1)
+    found = continue_periodic(lambda mu: Cycle(mu, circle, beside), (0.1, 0.6), [1.0, *[0.0] * (count + 1)], 3.1)
     assert [b.kind for b in found.bifurcations] == [kind] and abs(found.bifurcations[0].value - 0.317) < near
     assert found.verdicts[0] == "spectrally stable" and found.verdicts[-1] == "unstable"
 
@@ -100,7 +100,7 @@ def test_a_branch_that_is_not_halved_is_seen(monkeypatch):
 def test_the_free_body_at_held_energy_and_momentum():
     """Periods of the closed form, of the same |L| and energy all along."""
     make = lambda third: systems.FreeRigidBody((1.0, 2.0, third))  # noqa: E731
-    found = ph.continue_periodic(make, (3.0, 3.4), [0.3, 0.1, 2.0], 9.5)
+    found = continue_periodic(make, (3.0, 3.4), [0.3, 0.1, 2.0], 9.5)
     start, levels = make(3.0), []
     for value, motion in zip(found.values, found.motions, strict=True):
         exact = ph.FreeMotion((1.0, 2.0, value), momentum=motion.state)
@@ -123,7 +123,7 @@ def test_a_driven_oscillator_answers():
         def invariants(self, state):
             return {}
 
-    found = ph.continue_periodic(Driven, (3.0, 2.0), [0.4, 0.0], 2.0 * np.pi, fixed=True)
+    found = continue_periodic(Driven, (3.0, 2.0), [0.4, 0.0], 2.0 * np.pi, fixed=True)
     assert found.values[-1] == 2.0 and (found.periods == 2.0 * np.pi).all()
     for k, motion in zip(found.values, found.motions, strict=True):
         size = (k - 1.0) ** 2 + delta**2
@@ -137,7 +137,7 @@ def test_a_motion_of_one_value_alone_is_refused():
     """A symmetric top's nutation and spin are in resonance at one weight, where all integrals stay as they are."""
     make = lambda weight: systems.HeavyTop((1.0, 1.0, 0.5), weight)  # noqa: E731
     with pytest.raises(NotConverged, match="does not go on to other values of the parameter"):
-        ph.continue_periodic(make, (1.0, 1.1), [0.3, 0.0, 2.0, 0.6, 0.0, 0.8], 3.0)
+        continue_periodic(make, (1.0, 1.1), [0.3, 0.0, 2.0, 0.6, 0.0, 0.8], 3.0)
 
 
 def test_no_system_outside_of_the_range_is_asked_for_at_its_beginning():
@@ -146,20 +146,20 @@ def test_no_system_outside_of_the_range_is_asked_for_at_its_beginning():
             raise InvalidInput("there is none")
         return Cycle(mu, growing)
 
-    assert ph.continue_periodic(make, (0.1, 0.2), [0.31, 0.0], 3.1).values[-1] == 0.2
+    assert continue_periodic(make, (0.1, 0.2), [0.31, 0.0], 3.1).values[-1] == 0.2
 
 
 def test_a_branch_that_ends_nowhere_says_so(monkeypatch):
     monkeypatch.setattr(periodic_branches, "MOST", 4)
     with pytest.warns(UserWarning, match=r"could not be followed beyond the value 0\.\d+: what comes after"):
-        ph.continue_periodic(lambda mu: Cycle(mu, growing), (0.1, 1.0), [0.31, 0.0], 3.1)
+        continue_periodic(lambda mu: Cycle(mu, growing), (0.1, 1.0), [0.31, 0.0], 3.1)
 
 
 @pytest.mark.parametrize(("call", "error", "words"), [
-    (lambda make: ph.continue_periodic(make, (0.1, 0.1), [0.3, 0.0], 3.1), InvalidInput, "`limits` must be two"),
-    (lambda make: ph.continue_periodic(make, (0.1, np.nan), [0.3, 0.0], 3.1), InvalidInput, "`limits` must be two"),
-    (lambda make: ph.continue_periodic(make, (0.1, 1.0), [0.3, 0.0], -1.0), InvalidInput, "`period` must be"),
-    (lambda make: ph.continue_periodic(make, (0.1, 1.0), [9.0, 0.0], 0.3), NotConverged, "no periodic motion|equilib"),
+    (lambda make: continue_periodic(make, (0.1, 0.1), [0.3, 0.0], 3.1), InvalidInput, "`limits` must be two"),
+    (lambda make: continue_periodic(make, (0.1, np.nan), [0.3, 0.0], 3.1), InvalidInput, "`limits` must be two"),
+    (lambda make: continue_periodic(make, (0.1, 1.0), [0.3, 0.0], -1.0), InvalidInput, "`period` must be"),
+    (lambda make: continue_periodic(make, (0.1, 1.0), [9.0, 0.0], 0.3), NotConverged, "no periodic motion|equilib"),
 ])  # fmt: skip
 def test_what_cannot_be_followed_is_refused(call, error, words):
     with pytest.raises(error, match=words):
@@ -167,6 +167,6 @@ def test_what_cannot_be_followed_is_refused(call, error, words):
 
 
 def test_multipliers_are_those_of_the_motion_alone():
-    found = ph.continue_periodic(lambda mu: Cycle(mu, circle, BESIDE["torus"][0]), (0.1, 0.2), [1.0, 0, 0, 0], 3.1)
+    found = continue_periodic(lambda mu: Cycle(mu, circle, BESIDE["torus"][0]), (0.1, 0.2), [1.0, 0, 0, 0], 3.1)
     alone = floquet.periodic_motion(Cycle(0.2, circle, BESIDE["torus"][0]), found.motions[-1].state, 3.14)
     assert np.abs(alone.multipliers - found.motions[-1].multipliers).max() < 1e-9

@@ -9,10 +9,10 @@ from scipy.stats import multivariate_normal
 from estimation.wobbling import AMPLITUDE, ANNUAL, DAY, MAS, PERIOD, RATE, YEAR, kicked, lines, white
 from polhode.errors import InvalidInput
 from polhode.estimation import (
-    chandler_fit,
-    chandler_process,
-    chandler_windows,
     euler_chain,
+    fit_chandler,
+    fit_chandler_process,
+    fit_chandler_windows,
     polar_excitation,
     pole_spectrum,
     wobble_process,
@@ -31,7 +31,7 @@ def off(estimate, truth):
 
 
 def test_lines_in_red_noise():
-    fit = chandler_fit(*lines(rng(1)))
+    fit = fit_chandler(*lines(rng(1)))
     assert (off(fit.estimate, [PERIOD, AMPLITUDE]) < FAR).all()
     size, error = fit.amplitude("annual_prograde")
     assert abs(size - ANNUAL) < FAR * error < 0.2 * ANNUAL
@@ -43,7 +43,7 @@ def test_lines_in_red_noise():
 
 def test_errors_that_take_the_noise_for_white_are_too_small():
     """Red noise of a memory of 100 d is 2.5 times as large at the wobble's rate as white noise of its size."""
-    fits = [chandler_fit(*lines(rng(seed))) for seed in range(9)]
+    fits = [fit_chandler(*lines(rng(seed))) for seed in range(9)]
     fit = sorted(fits, key=lambda fit: fit.estimate.standard_error[0])[4]
     plain = np.sqrt(6.0 * 2.0 * fit.rms**2 / len(fit.times)) / AMPLITUDE / (fit.times[-1] - fit.times[0])
     plain *= PERIOD**2 / (2 * np.pi)
@@ -54,7 +54,7 @@ def test_errors_that_take_the_noise_for_white_are_too_small():
 def test_a_wrong_sense_is_noticed(broken):
     times, x, y = lines(rng(3), 14.0)
     with pytest.raises(InvalidInput, match=r"turns against the Earth's spin.*sign of y"):
-        chandler_fit(times, *broken(x, y))
+        fit_chandler(times, *broken(x, y))
 
 
 def changed(k, entry):
@@ -72,19 +72,19 @@ def changed(k, entry):
 ])  # fmt: skip
 def test_refused(spoil, words):
     with pytest.raises(InvalidInput, match=words):
-        chandler_fit(*spoil(*lines(rng(4), 14.0)))
+        fit_chandler(*spoil(*lines(rng(4), 14.0)))
 
 
 def test_noise_alone_has_no_wobble():
     times = 10 * DAY * np.arange(700)
     m = MAS * white(rng(5), 700)
     with pytest.raises(InvalidInput, match=r"no Chandler wobble|turns against"):
-        chandler_fit(times, m.real, -m.imag)
+        fit_chandler(times, m.real, -m.imag)
 
 
 def test_a_wobble_that_is_kicked():
     series = kicked(rng(6), 40.0)
-    fit, found = chandler_fit(*series), chandler_process(*series)
+    fit, found = fit_chandler(*series), fit_chandler_process(*series)
     assert fit.noise.walk > 0.0
     assert abs(fit.estimate.value[0] - PERIOD) < FAR * fit.estimate.standard_error[0]
     assert abs(found.estimate.value[0] - PERIOD) < FAR * found.estimate.standard_error[0]
@@ -125,7 +125,7 @@ def test_the_likelihood_is_that_of_a_dense_covariance():
 def test_windows_follow_what_changes():
     times, x, y = lines(rng(8), 30.0, 2 * MAS)
     m = x - 1j * y + AMPLITUDE * (times / times[-1]) * np.exp(1j * (RATE * times + 1.0))
-    found = chandler_windows(times, m.real, -m.imag, period=PERIOD)
+    found = fit_chandler_windows(times, m.real, -m.imag, period=PERIOD)
     truth = AMPLITUDE * (1 + found.centres / times[-1])
     assert (np.abs(found.amplitude - truth) < FAR * found.amplitude_error + 0.01 * AMPLITUDE).all()
     assert np.abs(found.phase - found.phase.mean()).max() < 0.05
@@ -136,7 +136,7 @@ def test_windows_follow_what_changes():
     (3 * YEAR, "from 4 years"), (40 * YEAR, "20.0|19.9"), (np.nan, "window")])  # fmt: skip
 def test_windows_that_cannot_be(window, words):
     with pytest.raises(InvalidInput, match=words):
-        chandler_windows(*lines(rng(9), 20.0), window=window, period=PERIOD)
+        fit_chandler_windows(*lines(rng(9), 20.0), window=window, period=PERIOD)
 
 
 def test_excitation_drives_the_pole_again():
@@ -198,25 +198,25 @@ def earth():
     (37665, 61312, 432.6, 122), (42778, 51544, 433.0, 172)])  # fmt: skip
 def test_the_earth(earth, first, last, period, amplitude):
     inside = (earth.days >= first) & (earth.days < last)
-    fit = chandler_fit(earth.days[inside] * DAY, earth.x[inside], earth.y[inside])
+    fit = fit_chandler(earth.days[inside] * DAY, earth.x[inside], earth.y[inside])
     assert fit.estimate.value[0] / DAY == pytest.approx(period, abs=1.0)
     assert fit.estimate.value[1] / MAS == pytest.approx(amplitude, abs=2.0)
     assert 0.5 < fit.estimate.standard_error[0] / DAY < 5.0
     assert fit.energy_ratio < 1e-3
     with pytest.raises(InvalidInput, match="against the Earth's spin"):
-        chandler_fit(earth.days[inside] * DAY, earth.x[inside], -earth.y[inside])
+        fit_chandler(earth.days[inside] * DAY, earth.x[inside], -earth.y[inside])
 
 
 def test_the_seasons_and_q_of_the_earth(earth):
     inside = earth.days < 61312
     series = earth.days[inside] * DAY, earth.x[inside], earth.y[inside]
-    fit, found = chandler_fit(*series), chandler_process(*series)
+    fit, found = fit_chandler(*series), fit_chandler_process(*series)
     assert fit.amplitude("annual_prograde")[0] / MAS == pytest.approx(92.0, abs=1.0)
     assert fit.amplitude("annual_retrograde")[0] / MAS == pytest.approx(4.8, abs=0.5)
     assert found.estimate.value[0] / DAY == pytest.approx(433.0, abs=3.0)
     low, high = found.quality_intervals[0.95]
     assert low < 49 < 179 < high  # Furuya & Chao 1996, Wilson & Vicente 1990
-    windows = chandler_windows(*series, period=432.6 * DAY)
+    windows = fit_chandler_windows(*series, period=432.6 * DAY)
     years = 1858.8761 + windows.centres / (365.25 * DAY)
     near = lambda year: windows.amplitude[np.argmin(np.abs(years - year))] / MAS  # noqa: E731
     assert near(1996) == pytest.approx(180, abs=10) and near(2020) < 30
@@ -242,14 +242,14 @@ def within(interval, truth):
                                                        (64, kicked, 0.86)])  # fmt: skip
 def test_coverage_of_the_line(years, make, lowest):
     """95 % intervals; for a wobble that is kicked some 90 %, as the rate is not linear in so much walking."""
-    look = lambda series: within(chandler_fit(*series).estimate.interval()[0], PERIOD)  # noqa: E731
+    look = lambda series: within(fit_chandler(*series).estimate.interval()[0], PERIOD)  # noqa: E731
     got = covered(300, lambda r: make(r, years), look)
     assert lowest < got < 0.995
 
 
 @pytest.mark.sweep
 def test_coverage_of_the_amplitude():
-    look = lambda s: within(chandler_fit(*s).estimate.interval()[1], AMPLITUDE)  # noqa: E731
+    look = lambda s: within(fit_chandler(*s).estimate.interval()[1], AMPLITUDE)  # noqa: E731
     assert 0.91 < covered(300, lambda r: lines(r, 20), look) < 0.995
 
 
@@ -257,7 +257,7 @@ def test_coverage_of_the_amplitude():
 @pytest.mark.parametrize("quality", [50.0, 100.0])
 def test_coverage_of_the_process(quality):
     def look(series):
-        found = chandler_process(*series)
+        found = fit_chandler_process(*series)
         return [within(found.period_intervals[level], PERIOD) for level in (0.6827, 0.95)] + [
             within(found.quality_intervals[level], quality) for level in (0.6827, 0.95)]  # fmt: skip
 
@@ -269,7 +269,7 @@ def test_coverage_of_the_process(quality):
 def test_coverage_of_windows():
     """Windows apart from each other, of the same line in red noise."""
     def look(series):
-        found = chandler_windows(*series, period=PERIOD)
+        found = fit_chandler_windows(*series, period=PERIOD)
         apart = slice(None, None, 24)
         return np.mean(np.abs(found.amplitude[apart] - AMPLITUDE) < 1.96 * found.amplitude_error[apart])
 

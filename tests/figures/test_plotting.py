@@ -120,5 +120,5 @@ def test_what_cannot_be_drawn_is_refused_in_words():
         with pytest.raises(InvalidInput, match=r"must be|the figure is of"):
             draw(moved)
     with pytest.raises(InvalidInput, match="`motion` must be a FreeMotion"):
-        ph.racket_twist(TOP)
-    assert ph.racket_twist(FREE.sample(TIMES)) == ph.racket_twist(FREE)
+        ph.analysis.racket_twist(TOP)
+    assert ph.analysis.racket_twist(FREE.sample(TIMES)) == ph.analysis.racket_twist(FREE)

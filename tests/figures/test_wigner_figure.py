@@ -30,7 +30,7 @@ def test_a_hemisphere_has_the_values_of_the_symbol():
 
 def test_levels_stand_on_their_polhodes():
     """The lowest level is about c, the highest about a, and the curve is that of the energy."""
-    figure = level_wigner(ph.Rotor(W), 6)
+    figure = level_wigner(ph.quantum.Rotor(W), 6)
     names = [panel.get_title() for panel in figure.axes]
     assert names[0] == "$6_{0,6}$" and names[-1] == "$6_{6,0}$"
     for panel, above in ((figure.axes[0], False), (figure.axes[-1], True)):
@@ -48,6 +48,6 @@ def test_a_racket_goes_to_the_other_side():
 
 def test_what_is_not_drawn():
     with pytest.raises(InvalidInput, match="`J` must be at most 60"):
-        level_wigner(ph.Rotor(W), 61)
+        level_wigner(ph.quantum.Rotor(W), 61)
     with pytest.raises(InvalidInput, match="three different constants"):
-        level_wigner(ph.Rotor((27.0, 9.0, 9.0)), 3)
+        level_wigner(ph.quantum.Rotor((27.0, 9.0, 9.0)), 3)

@@ -14,7 +14,7 @@ from polhode import systems
 from polhode.errors import InvalidInput
 from polhode.integrators import LieMidpoint, MuntheKaas
 from polhode.integrators.probing import undeclared_jumps
-from polhode.systems import AbstractTorque, LaggedTorque, RigidBody, Rotor
+from polhode.systems import AbstractTorque, LaggedTorque, RigidBody, Wheel
 
 MOMENTS = (1.0, 2.0, 3.0)
 SPAN = np.array([0.0, 1000.0])
@@ -99,7 +99,7 @@ def test_what_shows_only_along_the_motion_is_found_there():
 
 def test_a_motor_and_an_actuator_name_their_jumps(stepper):
     on = lambda t: jnp.where((t >= 400.0) & (t < 400.001), 2.0, 0.0)  # noqa: E731
-    wheel = Rotor((0.0, 0.0, 1.0), 0.1, motor=lambda t, *more: on(t), jumps=[400.0, 400.001])
+    wheel = Wheel((0.0, 0.0, 1.0), 0.1, motor=lambda t, *more: on(t), jumps=[400.0, 400.001])
     system = RigidBody(MOMENTS, mounts=[wheel])
     found = ph.simulate(system, system.pack(angular_velocity=(0.0, 0.0, 0.0)), SPAN, stepper)
     assert found.angular_velocity[-1, 2] == pytest.approx(-0.002 / 2.9, rel=1e-6)
@@ -174,7 +174,7 @@ def test_methods_along_the_orbit_stop_at_jumps(method):
 
 def test_bad_jumps_are_refused():
     with pytest.raises(InvalidInput, match="`jumps` must be a list of finite times"):
-        Rotor((0.0, 0.0, 1.0), 0.1, jumps=[np.nan])
+        Wheel((0.0, 0.0, 1.0), 0.1, jumps=[np.nan])
     with pytest.raises(InvalidInput, match="`jumps` must be finite times"):
         gained(RigidBody(MOMENTS, torques=[Pulse(np.inf, 1.0, 0.5, True)]), 0.0, SPAN)
 

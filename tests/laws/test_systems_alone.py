@@ -24,10 +24,10 @@ def motor(t, attitude, angular_velocity, rate):
     return 0.3 * t - 0.1 * rate + 0.2 * attitude[..., 1] + 0.1 * angular_velocity[..., 0]
 
 
-ROTOR, SLUG = systems.Rotor((1.0, 2.0, 3.0), 0.3, motor, 0.1), systems.SphericalSlug(0.2, 0.3)
+ROTOR, SLUG = systems.Wheel((1.0, 2.0, 3.0), 0.3, motor, 0.1), systems.SphericalSlug(0.2, 0.3)
 SINK = systems.EnergySink(0.1)
 LAGGED = systems.LaggedTorque(lambda t, attitude, velocity: t[..., None] * velocity + attitude[..., 1:], 0.7)
-HELD = systems.HeldRotor((0.0, 1.0, 1.0), 0.1, 5.0)
+HELD = systems.HeldWheel((0.0, 1.0, 1.0), 0.1, 5.0)
 GRAVITY = systems.GravityGradient(systems.KeplerOrbit(0.7, 0.0, 0.4), MOMENTS)
 SPECIMENS = [
     *{type(system): system for system in reversed(SYSTEMS)}.values(), DISK, systems.SpinOrbit(0.89, 0.4), ORBIT, *LAWS,

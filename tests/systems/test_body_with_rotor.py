@@ -30,12 +30,12 @@ def test_momentum_and_energy_are_those_of_the_parts(free):
 
 
 def test_it_moves_like_a_body_put_together_of_mounts():
-    """A free rotor by ``RigidBody`` and its ``Rotor``, whose moments are those of the whole."""
+    """A free rotor by ``RigidBody`` and its ``Wheel``, whose moments are those of the whole."""
     made = systems.rotor_in_body(BODY, AXIS, MOMENT, RATE, VELOCITY, TURNED, free=True)
     times = np.linspace(0.0, 2.0, 5)
     ours = ph.simulate(made.gyrostat, np.concatenate([made.attitude, made.total]), times, step=1e-3)
     principal = BODY.principal_axes
-    whole = systems.RigidBody(BODY.principal_moments, [systems.Rotor(principal.T @ AXIS, MOMENT)])
+    whole = systems.RigidBody(BODY.principal_moments, [systems.Wheel(principal.T @ AXIS, MOMENT)])
     attitude = rotation.multiply(TURNED, rotation.from_matrix(principal))
     start = whole.pack(attitude=attitude, angular_velocity=principal.T @ VELOCITY, rates=[RATE])
     theirs = ph.simulate(whole, start, times)

@@ -35,7 +35,7 @@ def made(chance):
         "masses": lambda: systems.Manakov((size(), size(), signed(), size())),
         "spin and orbit": lambda: systems.SpinOrbit(signed(), signed()),
         "drag": lambda: systems.TorquedBody((size(), size(), size()), [systems.LinearDrag(signed())]),
-        "rotor": lambda: systems.RigidBody((size(), size(), size()), [systems.Rotor(vector(), size(), signed())]),
+        "rotor": lambda: systems.RigidBody((size(), size(), size()), [systems.Wheel(vector(), size(), signed())]),
         "body": lambda: ph.Body(size(), vector(), np.diag((size(), size(), size()))),
         "about": lambda: body().about(vector()),
         "placed": lambda: body().placed((1.0, 0.0, 0.0, 0.0), vector()),

@@ -17,18 +17,19 @@ from polhode.systems import (
     EnergySink,
     GravityGradient,
     Gyrostat,
-    HeldRotor,
+    HeldWheel,
     KeplerOrbit,
     LaggedTorque,
     LinearDrag,
     QuadraticDrag,
     RigidBody,
-    Rotor,
     SphericalSlug,
     TorquedGyrostat,
+    Wheel,
 )
+from systems import multibody
 from systems.balances import worst_balance
-from systems.multibody import Hub, Wheel
+from systems.multibody import Hub
 
 MOMENTS = np.array([1.0, 2.0, 2.6])
 ATTITUDE = rotation.normalize(np.array([0.9, 0.1, -0.2, 0.3]))
@@ -51,14 +52,17 @@ def same_motor(t, turn, velocity, spin):
     return 0.05 * np.sin(2.0 * t) - 0.01 * spin + 0.02 * turn[0, 2] - 0.03 * velocity[2]
 
 
-ROTORS = [Rotor(FIRST, 0.2, motor), Rotor(5.0 * SECOND, 0.1, 0.03, friction=0.02)]
+ROTORS = [Wheel(FIRST, 0.2, motor), Wheel(5.0 * SECOND, 0.1, 0.03, friction=0.02)]
 RATES = [4.0, -6.0]
 BODY = RigidBody(MOMENTS, ROTORS)
 START = BODY.pack(ATTITUDE, VELOCITY, rates=RATES)
 
 
 def hub(**more):
-    wheels = [Wheel(FIRST, 0.2, 0.13, same_motor), Wheel(SECOND, 0.1, 0.06, lambda t, R, v, s: 0.03 - 0.02 * s)]
+    wheels = [
+        multibody.Wheel(FIRST, 0.2, 0.13, same_motor),
+        multibody.Wheel(SECOND, 0.1, 0.06, lambda t, R, v, s: 0.03 - 0.02 * s),
+    ]
     return Hub(np.diag(MOMENTS), wheels, **more)
 
 
@@ -96,7 +100,7 @@ def test_two_skew_rotors_with_motors_move_as_bodies_of_their_own():
     assert np.abs(found.received["energy"] - (energies - energies[0])).max() < 10 * AGREES
 
 
-class WithoutReaction(Rotor):
+class WithoutReaction(Wheel):
     """A broken specimen: it turns, and the body does not feel it."""
 
     def momentum(self, own):
@@ -140,7 +144,7 @@ def test_with_nothing_it_is_the_free_body():
 
 
 def test_with_held_rotors_it_is_the_gyrostat():
-    mounts = [HeldRotor(FIRST, 0.2, 4.0), HeldRotor((0.0, -2.0, 0.0), 0.1, 3.0)]
+    mounts = [HeldWheel(FIRST, 0.2, 4.0), HeldWheel((0.0, -2.0, 0.0), 0.1, 3.0)]
     body, rotor = RigidBody(MOMENTS, mounts), 0.8 * FIRST + np.array([0.0, -0.3, 0.0])
     start = body.pack(ATTITUDE, VELOCITY)
     assert np.abs(np.asarray(start[4:]) - (MOMENTS * VELOCITY + rotor)).max() < 1e-15
@@ -154,13 +158,13 @@ def test_with_held_rotors_it_is_the_gyrostat():
 def test_a_free_rotor_and_a_driven_one_are_the_gyrostats_with_the_moments_of_the_carrier():
     less = MOMENTS - np.array([0.0, 0.2, 0.0])
     for torque, driven in ((None, 0.0), (0.04, 0.04)):
-        body = RigidBody(MOMENTS, [Rotor((0.0, 1.0, 0.0), 0.2, torque)])
+        body = RigidBody(MOMENTS, [Wheel((0.0, 1.0, 0.0), 0.2, torque)])
         start = body.pack(ATTITUDE, VELOCITY, rates=[4.0])
         found = ph.simulate(body, start, TIMES)
         same = ph.simulate(TorquedGyrostat(less, (0.0, 1.0, 0.0), 0.2, driven), start, TIMES)
         assert np.abs(found.states - same.states).max() < AGREES
         assert ("energy" in found.invariants) == (torque is None)
-    free = RigidBody(MOMENTS, [Rotor((0.0, 1.0, 0.0), 0.2)])
+    free = RigidBody(MOMENTS, [Wheel((0.0, 1.0, 0.0), 0.2)])
     start = free.pack(ATTITUDE, VELOCITY, rates=[4.0])
     one = ph.simulate(free, start, TIMES)
     momentum = 0.2 * (4.0 + VELOCITY[1])
@@ -210,7 +214,7 @@ def test_a_lagged_torque_answers_a_step_exponentially():
 CIRCLE = KeplerOrbit(0.7, 0.0, mean_anomaly=0.4)
 EVERYTHING = RigidBody(
     MOMENTS,
-    [*ROTORS, HeldRotor((0.0, 1.0, 2.0), 0.05, 7.0), SphericalSlug(0.2, 0.05), EnergySink(0.02)],
+    [*ROTORS, HeldWheel((0.0, 1.0, 2.0), 0.05, 7.0), SphericalSlug(0.2, 0.05), EnergySink(0.02)],
     [LinearDrag((0.01, 0.02, 0.03)), QuadraticDrag(0.01), GravityGradient(CIRCLE, MOMENTS),
      LaggedTorque(lambda t, attitude, velocity: 0.1 * jnp.sin(t)[..., None] * attitude[..., 1:], 0.5)],
 )  # fmt: skip
@@ -231,7 +235,7 @@ def test_with_everything_on_at_once_energy_changes_by_the_sum_of_powers():
                                   "actuator_torque")  # fmt: skip
 
 
-class Perpetual(Rotor):
+class Perpetual(Wheel):
     """A broken specimen: its friction costs nothing."""
 
     def power(self, t, attitude, angular_velocity, own):
@@ -245,7 +249,7 @@ def test_a_wrong_power_is_found_out():
 
 
 def test_the_jacobi_integral_of_a_satellite_with_a_free_rotor_is_kept():
-    satellite = RigidBody(MOMENTS, [Rotor(FIRST, 0.2), HeldRotor(SECOND, 0.1, 5.0)], [GravityGradient(CIRCLE, MOMENTS)])
+    satellite = RigidBody(MOMENTS, [Wheel(FIRST, 0.2), HeldWheel(SECOND, 0.1, 5.0)], [GravityGradient(CIRCLE, MOMENTS)])
     found = ph.simulate(satellite, satellite.pack(ATTITUDE, VELOCITY, rates=[3.0, None]), TIMES)
     assert np.ptp(found.received["jacobi_integral"]) < 1e-14 and found.drift["jacobi_integral"] < BALANCE
     assert np.ptp(found.balances["kinetic_energy"]) > 0.1
@@ -342,13 +346,13 @@ def test_states_are_made_and_taken_apart_by_name():
 
 def test_adaptive_steps_know_the_sizes():
     assert np.asarray(BODY.scales(START)).tolist() == [1.0] * 4 + [float(np.abs(np.asarray(START[4:])).max())] * 5
-    still = RigidBody(MOMENTS, [Rotor(FIRST, 0.2, 0.05)])
+    still = RigidBody(MOMENTS, [Wheel(FIRST, 0.2, 0.05)])
     assert np.asarray(still.scales(still.pack())) == pytest.approx([0.1] * 4, rel=1e-15)
     lagged = RigidBody(MOMENTS, torques=[EVERYTHING.torques[-1]])
     assert np.asarray(lagged.scales(lagged.pack())).tolist() == [1.0] * 4 + [2.6] * 3 + [1.0] * 3
 
 
-class Flat(Rotor):
+class Flat(Wheel):
     def momentum(self, own):
         return own[..., :1]
 
@@ -367,23 +371,23 @@ class NotBatched(AbstractTorque):
     ("call", "words"),
     [
         (lambda: RigidBody((1.0, 2.0)), "`moments` must be three positive"),
-        (lambda: RigidBody(MOMENTS, Rotor(FIRST, 0.1)), "`mounts` must be a list"),
+        (lambda: RigidBody(MOMENTS, Wheel(FIRST, 0.1)), "`mounts` must be a list"),
         (lambda: RigidBody(MOMENTS, [LinearDrag(0.1)]), "Derive your own from AbstractMount"),
-        (lambda: RigidBody(MOMENTS, [], [Rotor(FIRST, 0.1)]), "Derive your own from AbstractTorque"),
-        (lambda: RigidBody(MOMENTS, [Rotor((1, 0, 0), 0.6), Rotor((2, 0, 0), 0.5)]), r"`mounts` must be parts of the"),
+        (lambda: RigidBody(MOMENTS, [], [Wheel(FIRST, 0.1)]), "Derive your own from AbstractTorque"),
+        (lambda: RigidBody(MOMENTS, [Wheel((1, 0, 0), 0.6), Wheel((2, 0, 0), 0.5)]), r"`mounts` must be parts of the"),
         (lambda: RigidBody(MOMENTS, [SphericalSlug(1.5, 0.1)]), r"moments \[-0.5, 0.5, 1.1\] kg m²"),
         (lambda: RigidBody(MOMENTS, [Flat(FIRST, 0.1)]), r"a Flat, must give `momentum` of shape \(3,\)"),
         (lambda: RigidBody(MOMENTS, [], [Narrow()]), r"`torques\[0\]`, a Narrow, cannot be evaluated"),
         (lambda: RigidBody(MOMENTS, [], [NotBatched()]), r"`torques\[0\]`, a NotBatched, cannot be evaluated"),
-        (lambda: RigidBody(MOMENTS, [Rotor(FIRST, 0.1, lambda *given: jnp.ones(2))]), r"`mounts\[0\]`, a Rotor"),
-        (lambda: RigidBody(MOMENTS, [Rotor(FIRST, 0.1, lambda *given: np.sin(given[0]))]), r"written with jax\.numpy"),
+        (lambda: RigidBody(MOMENTS, [Wheel(FIRST, 0.1, lambda *given: jnp.ones(2))]), r"`mounts\[0\]`, a Wheel"),
+        (lambda: RigidBody(MOMENTS, [Wheel(FIRST, 0.1, lambda *given: np.sin(given[0]))]), r"written with jax\.numpy"),
         (lambda: RigidBody(MOMENTS, [], [GravityGradient(CIRCLE, (1.0, 2.0, 3.0))]), "both the same"),
-        (lambda: Rotor((0.0, 0.0, 0.0), 0.1), "`axis` must be a direction"),
-        (lambda: Rotor((1.0, 0.0), 0.1), "`axis` must be three finite"),
-        (lambda: Rotor(FIRST, 0.0), "`moment` must be a finite number above 0"),
-        (lambda: Rotor(FIRST, 0.1, "fast"), "`motor` must be a finite number"),
-        (lambda: Rotor(FIRST, 0.1, friction=-1.0), "`friction` must be a finite number not below 0"),
-        (lambda: HeldRotor(FIRST, 0.1, np.inf), "`rate` must be a finite number"),
+        (lambda: Wheel((0.0, 0.0, 0.0), 0.1), "`axis` must be a direction"),
+        (lambda: Wheel((1.0, 0.0), 0.1), "`axis` must be three finite"),
+        (lambda: Wheel(FIRST, 0.0), "`moment` must be a finite number above 0"),
+        (lambda: Wheel(FIRST, 0.1, "fast"), "`motor` must be a finite number"),
+        (lambda: Wheel(FIRST, 0.1, friction=-1.0), "`friction` must be a finite number not below 0"),
+        (lambda: HeldWheel(FIRST, 0.1, np.inf), "`rate` must be a finite number"),
         (lambda: SphericalSlug(0.1, -1.0), "`damping` must be a finite number not below 0"),
         (lambda: EnergySink(-0.1), "`rate` must be finite and not negative"),
         (lambda: LaggedTorque(0.3, 1.0), "`command` must be a function"),
@@ -391,7 +395,7 @@ class NotBatched(AbstractTorque):
         (lambda: BODY.pack(ATTITUDE, VELOCITY, VELOCITY), "not both"),
         (lambda: BODY.pack(ATTITUDE, rates=[1.0]), "one entry for each of the 2 mounts"),
         (lambda: BODY.pack(ATTITUDE, rates=[1.0, np.float32(2.0)]), r"`rates\[1\]` must be float64"),
-        (lambda: EVERYTHING.pack(rates=[0.0, 0.0, 1.0, None, None]), r"`rates\[2\]` is for a HeldRotor"),
+        (lambda: EVERYTHING.pack(rates=[0.0, 0.0, 1.0, None, None]), r"`rates\[2\]` is for a HeldWheel"),
         (lambda: EVERYTHING.pack(actuators=[None, None, None, (1.0, 2.0)]), r"`actuators\[3\]` must have"),
         (lambda: EVERYTHING.pack(ATTITUDE, actuators=0.0), "one entry for each of the 4 torques"),
         (lambda: BODY.check_state(np.ones(7)), r"RigidBody must have shape \(…, 9\)"),

@@ -18,7 +18,7 @@ from polhode.formats.labels import AttitudeLabels, Recording
 from polhode.kinds.free_body.answers import free_body_report
 from polhode.kinds.page import page_of_report, show, write_page
 from polhode.kinds.reading import read_spec
-from polhode.systems import FreeRigidBody, HeavyTop, LinearDrag, RigidBody, Rotor, SpinOrbit
+from polhode.systems import FreeRigidBody, HeavyTop, LinearDrag, RigidBody, SpinOrbit, Wheel
 from polhode.viewer.encoding import with_powers
 from polhode.viewer.page import check_given
 from polhode.viewer.samples import MOST
@@ -61,7 +61,7 @@ def test_free_body_has_its_three_panels(tmp_path):
 def test_levels_of_the_energy_where_all_turns_with_the_body(tmp_path):
     """With a rotor inside, ½ L·I⁻¹L is not the energy, and its levels say nothing."""
     moments = (1.0, 2.0, 3.0)
-    for mounts, torques, levels in (([Rotor((0.0, 0.0, 1.0), 0.1)], [], False), ([], [LinearDrag(0.1)], True)):
+    for mounts, torques, levels in (([Wheel((0.0, 0.0, 1.0), 0.1)], [], False), ([], [LinearDrag(0.1)], True)):
         body = RigidBody(moments, mounts, torques)
         start = body.pack((1.0, 0.0, 0.0, 0.0), (0.3, 0.9, 0.5), rates=[8.0] * len(mounts))
         data = data_of(write_page(ph.simulate(body, start, TIMES[:21], estimate_error=False), tmp_path / "page.html"))

@@ -3,11 +3,12 @@
 import numpy as np
 import pytest
 
-from polhode import FreeMotion, Rotor
+from polhode import FreeMotion
 from polhode.errors import InvalidInput
 from polhode.kinds.page import write_page
 from polhode.kinds.quantum_rotor.panel import LARGEST_J
 from polhode.kinds.reading import read_spec
+from polhode.quantum import Rotor
 from polhode.quantum.level_polhodes import level_polhodes
 from polhode.quantum.operators import Representation, rigid_terms
 from polhode.quantum.racket import Racket

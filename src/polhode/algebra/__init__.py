@@ -51,3 +51,7 @@ __all__ = [
     "killing_form",
     "polynomial_casimirs",
 ]
+
+
+def __dir__() -> list[str]:
+    return __all__

@@ -61,6 +61,7 @@ from .lyapunov_exponents import lyapunov as lyapunov
 from .manakov_rotations import plane_rotation_exponents as plane_rotation_exponents
 from .mechanics import Mechanics as Mechanics
 from .mechanics import invariants_along as invariants_along
+from .periodic_branches import continue_periodic as continue_periodic
 from .plasma_growth import GrowthFit as GrowthFit
 from .plasma_growth import fitted_growth as fitted_growth
 from .plasma_waves import MAXWELLIAN as MAXWELLIAN

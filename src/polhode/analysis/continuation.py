@@ -108,7 +108,7 @@ def continue_equilibria(
     >>> import polhode as ph, jax.numpy as jnp
     >>> def spin(field):  # with an easy axis z, in a field along x
     ...     return ph.systems.LiePoisson(ph.algebra.SO3(), lambda m: -0.5 * m[2] ** 2 - field * m[0])
-    >>> found = ph.continue_equilibria(spin, (0.0, 2.0), [0.0, 0.0, 1.0])
+    >>> found = ph.analysis.continue_equilibria(spin, (0.0, 2.0), [0.0, 0.0, 1.0])
     >>> [(b.kind, round(b.value, 9)) for b in found.bifurcations]
     [('pitchfork', 1.0)]
 

@@ -68,7 +68,7 @@ def lyapunov(
 
     >>> import polhode as ph
     >>> body = ph.systems.FreeRigidBody((1.0, 2.0, 3.0))
-    >>> bool(ph.lyapunov(body, [0.3, 1.9, 0.1], (0.0, 300.0)).is_chaotic)
+    >>> bool(ph.analysis.lyapunov(body, [0.3, 1.9, 0.1], (0.0, 300.0)).is_chaotic)
     False
 
     Source: Benettin, Galgani, Giorgilli & Strelcyn, Meccanica 15 (1980) 9 and 21; Shimada & Nagashima, Prog. Theor.

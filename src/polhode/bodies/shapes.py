@@ -17,6 +17,8 @@ from polhode.bodies.body import Body
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, Float64, Real
 
+__all__ = ["box", "cone", "cylinder", "disk", "ellipsoid", "rod", "sphere", "torus"]
+
 SMALLEST, LARGEST = 1e-60, 1e60  # m or kg; no body is near
 
 
@@ -137,3 +139,7 @@ def _numbers(name: str, value: Any) -> Array:
     if value is None:
         raise InvalidInput(f"`{name}` must be given as a number; got None.")
     return np.asarray(as_float64(np, value, name))
+
+
+def __dir__() -> list[str]:
+    return __all__

@@ -12,7 +12,7 @@ from .flight import free_flights as free_flights
 from .gyro_log import GyroLog as GyroLog
 from .gyro_log import clean_log as clean_log
 from .polar_motion import ChandlerFit as ChandlerFit
-from .polar_motion import chandler_fit as chandler_fit
+from .polar_motion import fit_chandler as fit_chandler
 from .rest import rest_stretches as rest_stretches
 from .scale import moments_from_one as moments_from_one
 from .scale import moments_from_weight as moments_from_weight
@@ -25,8 +25,8 @@ from .tumbling import TumblingInterval as TumblingInterval
 from .tumbling import fit_tumbling as fit_tumbling
 from .tumbling import least_period_ratios as least_period_ratios
 from .wobble_process import ChandlerProcess as ChandlerProcess
-from .wobble_process import chandler_process as chandler_process
+from .wobble_process import fit_chandler_process as fit_chandler_process
 from .wobble_windows import ChandlerWindows as ChandlerWindows
 from .wobble_windows import PoleSpectrum as PoleSpectrum
-from .wobble_windows import chandler_windows as chandler_windows
+from .wobble_windows import fit_chandler_windows as fit_chandler_windows
 from .wobble_windows import pole_spectrum as pole_spectrum

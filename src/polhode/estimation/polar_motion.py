@@ -25,7 +25,7 @@ from polhode.types import Array, ArrayLike, Complex128, Float64, Real
 
 STEP = 5.0 * DAY  # means over it are fitted: nothing that the model has changes within
 SHORTEST, LONGEST = 380.0 * DAY, 490.0 * DAY  # periods among which the wobble's is sought
-BEATS = 2.0 * 6.39 * 365.25 * DAY  # twice the beat of 433 d and a year; `chandler_fit` says why
+BEATS = 2.0 * 6.39 * 365.25 * DAY  # twice the beat of 433 d and a year; `fit_chandler` says why
 ANNUAL = 2.0 * np.pi / YEAR
 SEASONS = {"annual_prograde": ANNUAL, "annual_retrograde": -ANNUAL,
            "semiannual_prograde": 2.0 * ANNUAL, "semiannual_retrograde": -2.0 * ANNUAL}  # fmt: skip
@@ -86,7 +86,7 @@ class _Model(NamedTuple):
 
 
 @known_numbers_only
-def chandler_fit(times: Real[ArrayLike, "n"], x: Real[ArrayLike, "n"], y: Real[ArrayLike, "n"]) -> ChandlerFit:
+def fit_chandler(times: Real[ArrayLike, "n"], x: Real[ArrayLike, "n"], y: Real[ArrayLike, "n"]) -> ChandlerFit:
     """Fit the Chandler wobble, its rate included, with drift and seasons, by least squares.
 
     Errors allow for coloured noise and for a wobble whose amplitude and phase walk, as told by what is left on both
@@ -110,7 +110,7 @@ def chandler_fit(times: Real[ArrayLike, "n"], x: Real[ArrayLike, "n"], y: Real[A
         >>> t = 86400.0 * np.arange(0.0, 9000.0, 10.0)
         >>> m = 7e-7 * np.exp(2j * np.pi * t / (433.0 * 86400.0)) + 4e-7 * np.exp(2j * np.pi * t / 31556926.0)
         >>> noise = 1e-9 * np.random.default_rng(1).normal(size=(2, len(t)))
-        >>> fit = chandler_fit(t, m.real + noise[0], -m.imag + noise[1])
+        >>> fit = fit_chandler(t, m.real + noise[0], -m.imag + noise[1])
         >>> [round(float(fit.estimate.value[0]) / 86400.0, 1), round(float(fit.estimate.value[1]) * 1e7, 2)]
         [433.0, 7.0]
     """

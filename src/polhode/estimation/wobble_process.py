@@ -24,7 +24,7 @@ from scipy.stats import chi2
 
 from polhode.arrays import known_numbers_only
 from polhode.estimation.estimate import Estimate
-from polhode.estimation.polar_motion import ANNUAL, ChandlerFit, chandler_fit
+from polhode.estimation.polar_motion import ANNUAL, ChandlerFit, fit_chandler
 from polhode.estimation.pole_series import DAY, Pole, even
 from polhode.types import Array, ArrayLike, Complex128, Float64, Real
 
@@ -82,7 +82,7 @@ class _Filtered(NamedTuple):
 
 
 @known_numbers_only
-def chandler_process(
+def fit_chandler_process(
     times: Real[ArrayLike, "n"], x: Real[ArrayLike, "n"], y: Real[ArrayLike, "n"]
 ) -> ChandlerProcess:
     """Estimate period and Q of the Chandler wobble as a Gauss–Markov process, by restricted likelihood.
@@ -97,7 +97,7 @@ def chandler_process(
         y: the pole towards 90° West [rad].
 
     Raises:
-        InvalidInput: for series that ``chandler_fit`` refuses, or with gaps.
+        InvalidInput: for series that ``fit_chandler`` refuses, or with gaps.
 
     Example:
         >>> import numpy as np
@@ -105,12 +105,12 @@ def chandler_process(
         >>> kicks, s = np.random.default_rng(2).normal(size=(900, 2)) @ [1e-7, 1e-7j], np.zeros(900, complex)
         >>> for k in range(1, 900):
         ...     s[k] = np.exp((2j - 0.01) * np.pi * 20 / 433) * s[k - 1] + kicks[k]
-        >>> found = chandler_process(t, s.real, -s.imag)
+        >>> found = fit_chandler_process(t, s.real, -s.imag)
         >>> low, high = found.period_intervals[0.95]
         >>> low < 433 * 86400 < high
         True
     """
-    line = chandler_fit(times, x, y)
+    line = fit_chandler(times, x, y)
     band, middles = _banded(line)
     cost = lambda p: _filtered(p, band).cost  # noqa: E731
     starts = [np.array([line.estimate.value[0] / UNIT, np.log(q), r]) for q, r in ((50.0, 0.0), (300.0, 2.0))]

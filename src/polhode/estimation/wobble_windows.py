@@ -9,7 +9,7 @@ import numpy as np
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.estimation.line_noise import level_at
-from polhode.estimation.polar_motion import LONGEST, SEASONS, SHORTEST, STEP, chandler_fit
+from polhode.estimation.polar_motion import LONGEST, SEASONS, SHORTEST, STEP, fit_chandler
 from polhode.estimation.pole_series import DAY, YEAR, Pole, averaged, even, pole_of
 from polhode.types import Array, ArrayLike, Complex128, Float64, Real
 
@@ -78,7 +78,7 @@ class PoleSpectrum:
 
 
 @known_numbers_only
-def chandler_windows(
+def fit_chandler_windows(
     times: Real[ArrayLike, "n"], x: Real[ArrayLike, "n"], y: Real[ArrayLike, "n"], window: float = SIX_YEARS,
     period: float | None = None,
 ) -> ChandlerWindows:  # fmt: skip
@@ -93,7 +93,7 @@ def chandler_windows(
         x: the pole towards Greenwich [rad].
         y: the pole towards 90° West [rad].
         window: length [s].
-        period: of the wobble [s]; that of ``chandler_fit`` if None.
+        period: of the wobble [s]; that of ``fit_chandler`` if None.
 
     Raises:
         InvalidInput: for a series that is wrong, a window too short or longer than it, a period not near 433 d.
@@ -102,7 +102,7 @@ def chandler_windows(
         >>> import numpy as np
         >>> t = 86400.0 * np.arange(0.0, 4000.0, 5.0)
         >>> m = (1 + t / t[-1]) * 5e-7 * np.exp(2j * np.pi * t / (433 * 86400))
-        >>> found = chandler_windows(t, m.real, -m.imag, period=433 * 86400)
+        >>> found = fit_chandler_windows(t, m.real, -m.imag, period=433 * 86400)
         >>> (found.amplitude[[0, -1]] * 1e7).round(1).tolist()
         [6.4, 8.5]
     """
@@ -112,7 +112,7 @@ def chandler_windows(
                            f"year, to the series' {raw.span / YEAR:.2f} years; got {shown(window / YEAR)}. Leave it "
                            "out for 6 years.")  # fmt: skip
     if period is None:
-        period = float(chandler_fit(times, x, y).estimate.value[0])
+        period = float(fit_chandler(times, x, y).estimate.value[0])
     if not SHORTEST <= period <= LONGEST:
         raise InvalidInput(f"`period` must be from {SHORTEST / DAY:g} to {LONGEST / DAY:g} d, in seconds; got "
                            f"{shown(period)}. Leave it out to have it fitted.")  # fmt: skip

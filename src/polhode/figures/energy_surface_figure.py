@@ -37,7 +37,7 @@ def energy_surface(rotor: Rotor, J: int, *, axes: Any = None) -> Figure:
     Raises:
         InvalidInput: for a symmetric molecule.
 
-    >>> from polhode import Rotor
+    >>> from polhode.quantum import Rotor
     >>> energy_surface(Rotor((27.0, 14.0, 9.0)), 3).axes[0].get_title()
     'Rotational energy surface, levels of J = 3'
     """

@@ -37,7 +37,7 @@ def level_diagram(rotor: Rotor, j_max: int, *, axes: Any = None) -> Figure:
     Raises:
         InvalidInput: for a J that is not a whole number from 0 to 10,000.
 
-    >>> from polhode import Rotor
+    >>> from polhode.quantum import Rotor
     >>> level_diagram(Rotor((27.0e9, 14.0e9, 9.0e9)), 3).axes[0].get_xlabel()
     '$K_a$'
     """

@@ -30,7 +30,7 @@ def quantum_sphere(rotor: Rotor, J: int, *, axes: Any = None) -> Figure:
     Raises:
         InvalidInput: for a symmetric molecule.
 
-    >>> from polhode import Rotor
+    >>> from polhode.quantum import Rotor
     >>> quantum_sphere(Rotor((27.0, 14.0, 9.0)), 3).axes[0].get_title()
     'Levels of J = 3 as polhodes'
     """

@@ -27,7 +27,7 @@ def spectrum(lines: Lines, *, axes: Any = None) -> Figure | None:
         lines: with intensities.
         axes: matplotlib axes to draw on; a new figure without them.
 
-    >>> from polhode import Rotor
+    >>> from polhode.quantum import Rotor
     >>> from polhode.quantum import DEBYE
     >>> spectrum(Rotor((27e9, 14e9, 9e9), dipole=(0.0, DEBYE, 0.0)).lines(3, 300.0)).axes[0].get_xlabel()
     'frequency  [GHz]'

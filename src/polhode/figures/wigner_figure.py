@@ -40,7 +40,7 @@ def level_wigner(rotor: Rotor, J: int, *, axes: Any = None) -> Figure:
     Raises:
         InvalidInput: for a symmetric molecule, or a larger J.
 
-    >>> from polhode import Rotor
+    >>> from polhode.quantum import Rotor
     >>> len(level_wigner(Rotor((27.0, 14.0, 9.0)), 1).axes)
     3
     """

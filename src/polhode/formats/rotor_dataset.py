@@ -52,7 +52,7 @@ def spectrum_dataset(
         InvalidInput: without both.
 
     >>> import polhode as ph
-    >>> found = spectrum_dataset(ph.Rotor((27e9, 14e9, 9e9)).levels(1))
+    >>> found = spectrum_dataset(ph.quantum.Rotor((27e9, 14e9, 9e9)).levels(1))
     >>> found.energy.units, found.energy.values.tolist()
     ('Hz', [0.0, 23000000000.0, 36000000000.0, 41000000000.0])
     """
@@ -111,7 +111,7 @@ def rotor_attributes(rotor: Rotor, name: str, temperature: float | None = None) 
     """Return what a dataset says of a molecule: constants and dipole in SI units, and how distortion is meant.
 
     >>> import polhode as ph
-    >>> rotor_attributes(ph.Rotor((27e9, 14e9, 9e9)), "molecule")["title"]
+    >>> rotor_attributes(ph.quantum.Rotor((27e9, 14e9, 9e9)), "molecule")["title"]
     'molecule'
     """
     found: dict[str, Any] = {"title": name, "rotational_constants_hertz": np.array(rotor.constants)}

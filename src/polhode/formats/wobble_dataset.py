@@ -21,8 +21,8 @@ def write_wobble(
     """Write what sliding windows, the process and deconvolution say; the file appears whole or not at all.
 
     Args:
-        windows: as ``chandler_windows`` returns them.
-        process: as ``chandler_process`` returns it.
+        windows: as ``fit_chandler_windows`` returns them.
+        process: as ``fit_chandler_process`` returns it.
         excitation: as ``polar_excitation`` returns it.
         source: of the data.
         path: of the dataset.

@@ -1,12 +1,14 @@
 """What a motion is, exact or sampled: the currency between what moves and what is made of it."""
 
 from polhode.motion.base import AbstractMotion
+from polhode.motion.frame import BodyFrame
 from polhode.motion.layout import Quantity, StateLayout, StatePart
 from polhode.motion.outcome import Ending, Ends, Outcome, Status
 from polhode.motion.trajectory import Trajectory
 
 __all__ = [
     "AbstractMotion",
+    "BodyFrame",
     "Ending",
     "Ends",
     "Outcome",
@@ -16,3 +18,7 @@ __all__ = [
     "Status",
     "Trajectory",
 ]
+
+
+def __dir__() -> list[str]:
+    return __all__

@@ -45,3 +45,7 @@ __all__ = [
     "symplectic_area",
     "time_derivative",
 ]
+
+
+def __dir__() -> list[str]:
+    return __all__

@@ -5,3 +5,7 @@ from polhode.reports.base import MotionReport, SystemReport
 from polhode.reports.report import Report, StudyReport
 
 __all__ = ["Answer", "Group", "MotionReport", "Report", "StudyReport", "SystemReport", "Table"]
+
+
+def __dir__() -> list[str]:
+    return __all__

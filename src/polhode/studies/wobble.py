@@ -8,10 +8,10 @@ from pathlib import Path
 from polhode.errors import InvalidInput, shown
 from polhode.estimation.euler_periods import euler_chain
 from polhode.estimation.excitation import polar_excitation
-from polhode.estimation.polar_motion import chandler_fit
+from polhode.estimation.polar_motion import fit_chandler
 from polhode.estimation.pole_series import DAY, YEAR
-from polhode.estimation.wobble_process import chandler_process
-from polhode.estimation.wobble_windows import chandler_windows, pole_spectrum
+from polhode.estimation.wobble_process import fit_chandler_process
+from polhode.estimation.wobble_windows import fit_chandler_windows, pole_spectrum
 from polhode.formats.paths import as_path
 from polhode.formats.polar_motion import PoleSeries, date_of, day_of, read_polar_motion
 from polhode.reports.report import with_inputs
@@ -58,9 +58,9 @@ def wobble_report(
         raise InvalidInput(f"`window` must be a positive number of years; got {shown(window)}.")
     used = _between(series, first, last, called)
     pole = (used.days * DAY, used.x, used.y)
-    line, process = chandler_fit(*pole), chandler_process(*pole)
+    line, process = fit_chandler(*pole), fit_chandler_process(*pole)
     period, quality = (float(value) for value in process.estimate.value)
-    windows = chandler_windows(*pole, window * YEAR, float(line.estimate.value[0]))
+    windows = fit_chandler_windows(*pole, window * YEAR, float(line.estimate.value[0]))
     return WobbleReport(used, line, process, windows, polar_excitation(*pole, period, quality), pole_spectrum(*pole),
                   euler_chain())  # fmt: skip
 

@@ -15,7 +15,7 @@ from polhode.systems.kirchhoff import Kirchhoff
 from polhode.systems.lattice import Bond, Lattice, exchange_matrix
 from polhode.systems.lie_poisson import LiePoisson
 from polhode.systems.manakov import Manakov
-from polhode.systems.mounts import AbstractMount, EnergySink, HeldRotor, Rotor, SphericalSlug
+from polhode.systems.mounts import AbstractMount, EnergySink, HeldWheel, SphericalSlug, Wheel
 from polhode.systems.point_vortices import PlaneVortices, SphereVortices
 from polhode.systems.rigid_body import AbstractRigidBody, RigidBody
 from polhode.systems.rolling_dissipation import (
@@ -59,7 +59,7 @@ __all__ = [
     "GravityGradient",
     "Gyrostat",
     "HeavyTop",
-    "HeldRotor",
+    "HeldWheel",
     "KeplerOrbit",
     "Kirchhoff",
     "LaggedTorque",
@@ -72,7 +72,6 @@ __all__ = [
     "RigidBody",
     "RollingCouple",
     "RollingDissipation",
-    "Rotor",
     "RotorInBody",
     "SphereFluid",
     "SphereMHD",
@@ -86,7 +85,12 @@ __all__ = [
     "Variations",
     "ViscousContourFriction",
     "VlasovPoisson",
+    "Wheel",
     "exchange_matrix",
     "quiet_start",
     "rotor_in_body",
 ]
+
+
+def __dir__() -> list[str]:
+    return __all__

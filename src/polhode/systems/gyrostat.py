@@ -14,7 +14,7 @@ from polhode.errors import InvalidInput
 from polhode.systems.base import AbstractLiePoissonSystem, Flow
 from polhode.systems.free_rigid_body import axis_flow, checked_moments, checked_vector
 from polhode.systems.kepler_orbit import checked_number
-from polhode.systems.mounts import AbstractMount, Rotor
+from polhode.systems.mounts import AbstractMount, Wheel
 from polhode.systems.rigid_body import AbstractRigidBody
 from polhode.systems.torques import AbstractTorque
 from polhode.types import Array, ArrayLike, Float64, Real
@@ -117,7 +117,7 @@ class TorquedGyrostat(AbstractRigidBody):
     ) -> None:
         moment = float(checked_number("rotor_moment", rotor_moment, above=0.0, unit="kg m²"))
         motor = float(checked_number("torque", torque, unit="N m"))
-        self.moments, self.mounts, self.torques = checked_moments(moments), (Rotor(axis, moment, motor),), ()
+        self.moments, self.mounts, self.torques = checked_moments(moments), (Wheel(axis, moment, motor),), ()
 
     @property
     def carrier(self) -> Float64[Array, "3"]:
@@ -140,7 +140,7 @@ class TorquedGyrostat(AbstractRigidBody):
         return self._rotor.moment
 
     @property
-    def _rotor(self) -> Rotor:
+    def _rotor(self) -> Wheel:
         (rotor,) = self.mounts
-        assert isinstance(rotor, Rotor)
+        assert isinstance(rotor, Wheel)
         return rotor

@@ -95,7 +95,7 @@ class AbstractMount(AbstractAttachment):
         return jnp.zeros((*angular_velocity.shape[:-1], self.state_size))
 
 
-class Rotor(AbstractMount):
+class Wheel(AbstractMount):
     """A rotor on an axis a fixed in the body, which turns freely, against friction, or by a motor.
 
     Its state is its whole axial momentum h = J (σ + a·Ω), with σ its rate relative to the body: ḣ = u − c σ, p = h a.
@@ -115,7 +115,7 @@ class Rotor(AbstractMount):
 
     Source: Hughes, *Spacecraft Attitude Dynamics* (1986), §3.4.
 
-    >>> wheel, velocity = Rotor((0.0, 0.0, 2.0), moment=0.5, motor=0.25, friction=0.125), jnp.array([0.0, 0.0, 1.0])
+    >>> wheel, velocity = Wheel((0.0, 0.0, 2.0), moment=0.5, motor=0.25, friction=0.125), jnp.array([0.0, 0.0, 1.0])
     >>> own = wheel.start(rate=5.0, angular_velocity=velocity)
     >>> own.tolist(), wheel.state_rate(0.0, None, velocity, own).tolist()
     ([3.0], [-0.375])
@@ -200,7 +200,7 @@ class Rotor(AbstractMount):
         return (self.moment * (rate + jnp.sum(angular_velocity * self.axis, axis=-1)))[..., None]
 
 
-class HeldRotor(AbstractMount):
+class HeldWheel(AbstractMount):
     """A rotor that its motor keeps at a constant rate σ relative to the body: p = J σ a, fixed in the body.
 
     It has no state of its own. Energy is counted without the motor's work, as in ``Gyrostat``, which is a body with

@@ -362,20 +362,20 @@ class AbstractRigidBody(AbstractSystem):
 class RigidBody(AbstractRigidBody):
     """A body with any mounts inside and any torques on it.
 
-    With nothing it is the free body, with a ``HeldRotor`` a gyrostat, with an ``EnergySink`` the double bracket. As
+    With nothing it is the free body, with a ``HeldWheel`` a gyrostat, with an ``EnergySink`` the double bracket. As
     Lie–Poisson systems, with exact flows and verdicts, these are ``FreeRigidBody``, ``Gyrostat`` and ``DoubleBracket``.
 
     Args:
         moments: (3,) principal moments of the whole body, its mounts locked [kg m²], positive.
-        mounts: what is inside, such as ``Rotor``; any number, on any axes.
+        mounts: what is inside, such as ``Wheel``; any number, on any axes.
         torques: what acts on it, such as ``LinearDrag``; any number.
 
     Raises:
         InvalidInput: for moments that are not positive, rotors that leave the body none, what is not a mount or a
             torque, one whose methods fail, or a gravity gradient on other moments.
 
-    >>> from polhode.systems import LinearDrag, Rotor
-    >>> wheels = [Rotor((1.0, 0.0, 0.0), 0.1, motor=0.02), Rotor((0.0, 3.0, 4.0), 0.1)]
+    >>> from polhode.systems import LinearDrag, Wheel
+    >>> wheels = [Wheel((1.0, 0.0, 0.0), 0.1, motor=0.02), Wheel((0.0, 3.0, 4.0), 0.1)]
     >>> body = RigidBody((1.0, 2.0, 2.5), wheels, [LinearDrag(0.5)])
     >>> start = body.pack(angular_velocity=(0.0, 0.0, 1.0), rates=[5.0, 0.0])
     >>> body.layout(start).names
