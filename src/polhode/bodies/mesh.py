@@ -1,4 +1,4 @@
-"""Homogeneous bodies bounded by triangle meshes, which first pass the gate."""
+"""Mass properties of homogeneous bodies that are bounded by triangle meshes."""
 
 from __future__ import annotations
 
