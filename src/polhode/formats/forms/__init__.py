@@ -1,4 +1,4 @@
-"""The file formats, one module each with its ``FORM``, found because it is in this folder.
+"""The file formats: one module each with its ``FORM``, which is found without being registered.
 
 Another package adds one by the entry-point group ``polhode.formats``.
 """
