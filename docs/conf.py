@@ -1,16 +1,22 @@
 """Sphinx: pages in Markdown, those with code cells run at every build, and the reference from docstrings."""
 
 import re
+import sys
 from pathlib import Path
 
 from docutils import nodes
+from docutils.statemachine import StringList
 from latex2mathml.converter import convert
+from sphinx.util.docutils import SphinxDirective
 
 import polhode
 from polhode.cli.compiled import compile_quickly
 from polhode.formats.figure_file import save_figure
 from polhode.kinds.playground import write_playground
 from polhode.kinds.reading import read_spec
+
+sys.path.insert(0, str(Path(__file__).parent))
+from module_lists import files_of, markdown_list
 
 compile_quickly()  # here and in the kernels that run the cells
 project = "polhode"
@@ -61,6 +67,24 @@ def write_live_pages(app, exception):
         write_playground(Path(app.outdir) / "playground-page.html", examples)
 
 
+class FilesOfRooms(SphinxDirective):
+    """The files of one or more rooms of the package, by their docstrings, to be opened by a click."""
+
+    required_arguments = 1
+    final_argument_whitespace = True
+
+    def run(self):
+        listed, names = nodes.container(), self.arguments[0].split()
+        for name in names:
+            for path in files_of(name):
+                self.env.note_dependency(str(path))
+        text = "\n".join(markdown_list(name) for name in names)
+        self.state.nested_parse(StringList(text.splitlines(), "module_lists.py"), 0, listed)
+        count = len(text.splitlines())
+        opened = f"<details><summary>{count} file{'s' if count > 1 else ''}</summary>"
+        return [nodes.raw("", opened, format="html"), listed, nodes.raw("", "</details>", format="html")]
+
+
 def as_mathml(node, display):
     """Browsers know bold letters by their style alone."""
     found = convert(node.astext(), display=display)
@@ -78,6 +102,7 @@ def displayed_math(writer, node):
 
 
 def setup(app):
+    app.add_directive("files", FilesOfRooms)
     app.add_html_math_renderer("mathml", (inline_math, None), (displayed_math, None))
     app.connect("autodoc-process-docstring", escape_marks)
     app.connect("builder-inited", draw_figures)

@@ -29,7 +29,7 @@ def slow_in_the_sweep(cases, slow):
             for name, case in names.items()]  # fmt: skip
 
 
-@pytest.mark.parametrize("page", slow_in_the_sweep(PAGES, {"README.md", "euler_disk.md", "tops.md"}))
+@pytest.mark.parametrize("page", slow_in_the_sweep(PAGES, {"python.md", "euler_disk.md", "tops.md"}))
 def test_python_in_the_docs_runs(page):
     exec(compile("\n".join(FENCE.findall(page.read_text("utf-8"))), page.name, "exec"), {})
 
@@ -49,14 +49,22 @@ def test_examples_in_docstrings(name):
     assert found.attempted and not found.failed
 
 
+def anchors(page):
+    """Return the anchors that headings of a page get, as GitHub and MyST make them."""
+    titles = re.findall(r"^#+ (.+)$", re.sub(r"```.*?```", "", page.read_text("utf-8"), flags=re.DOTALL), re.MULTILINE)
+    return {re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-") for title in titles}
+
+
 def test_links_in_the_docs_lead_somewhere():
     for page in [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *(ROOT / "docs").glob("*.md")]:
-        for target in re.findall(r"\]\(([^)#:]+)\)", page.read_text("utf-8")):
+        for target, anchor in re.findall(r"\]\(([^)#:]*)(?:#([^)]*))?\)", page.read_text("utf-8")):
             if drawn := re.fullmatch(r"images/drawn/(\w+)-(\w+)\.png", target):  # as the documents are built
                 spec = ph.read_spec(ROOT / "examples" / f"{drawn[1]}.toml")
                 assert drawn[2] in spec.kind.figure_names, f"{page.name}: {target}"
             else:
-                assert (page.parent / target).exists(), f"{page.name}: {target}"
+                there = page.parent / target if target else page
+                assert there.exists(), f"{page.name}: {target}"
+                assert not anchor or anchor in anchors(there), f"{page.name}: {target}#{anchor}"
 
 
 def emphasised(page):
@@ -81,6 +89,10 @@ def test_messages_show_values_shortly():
     allowed = {"__init__.py", "spice_kernels.py", "time_scales.py"}  # names of attributes; digits of kernels
     written = {path.name for path in (ROOT / "src").rglob("*.py") if "!r}" in path.read_text("utf-8")}
     assert written <= allowed
+
+
+def test_the_readme_is_read_in_five_minutes():
+    assert len((ROOT / "README.md").read_text("utf-8").split()) <= 700
 
 
 def test_version_and_changelog():

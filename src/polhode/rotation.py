@@ -1,4 +1,4 @@
-"""Rotations as unit quaternions (w, x, y, z), body → space, and what converts to and from them.
+"""Rotations as unit quaternions (w, x, y, z), body → space, and conversions to and from them.
 
 Every function takes leading batch axes, and NumPy, JAX or any array-API arrays. Products follow Hamilton:
 R(p q) = R(p) R(q). Formulas: Shuster, J. Astronaut. Sci. 41 (1993) 439, with the scalar moved to the front.

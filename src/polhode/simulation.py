@@ -1,4 +1,4 @@
-"""From a system and a state to a trajectory."""
+"""``simulate``: from a system and a state to a trajectory."""
 
 from __future__ import annotations
 

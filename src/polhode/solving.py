@@ -1,4 +1,4 @@
-"""From a system, a state and times to states, as a pure function: compiled, batched and differentiated by JAX.
+"""``solve``: from a system, a state and times to states, as a pure function that JAX compiles and differentiates.
 
 ``polhode.simulation`` makes a checked ``Trajectory`` of the same runs.
 """

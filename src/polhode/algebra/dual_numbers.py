@@ -1,4 +1,4 @@
-"""An algebra over the dual numbers: the algebra acting on itself, and what its dual carries along."""
+"""An algebra extended by the dual numbers: the algebra acting on a commuting copy of itself, and its dual."""
 
 from __future__ import annotations
 

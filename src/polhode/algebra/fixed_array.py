@@ -1,4 +1,4 @@
-"""Numbers that define a thing, known wherever it is used: also inside of functions that JAX traces."""
+"""Arrays that stay plain numbers inside functions that JAX traces, such as the constants of an algebra."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Functions of one point that users give: what is asked of them before anything is built on them."""
+"""Checks of functions that users give, such as Hamiltonians and Casimirs, before anything is built on them."""
 
 from __future__ import annotations
 

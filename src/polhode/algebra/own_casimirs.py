@@ -1,4 +1,4 @@
-"""Casimirs of an algebra of one's own: those given, after a check that they are Casimirs, or polynomials found."""
+"""Casimirs of a user's own algebra: given ones, after a check, or polynomials that are found."""
 
 from __future__ import annotations
 

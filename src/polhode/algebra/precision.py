@@ -1,4 +1,4 @@
-"""Double precision: what is stepped or differentiated is JAX, and rests on float64."""
+"""Switches JAX to double precision, on which everything rests that is stepped or differentiated."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""so(p, q): turns and boosts, that is the matrices that keep a scalar product of signature (p, q)."""
+"""so(p, q): rotations and boosts, the matrices that keep a scalar product of signature (p, q)."""
 
 from __future__ import annotations
 

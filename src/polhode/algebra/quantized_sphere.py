@@ -1,4 +1,4 @@
-"""su(N) as the functions on a sphere of area 4π, blurred to N² − 1 numbers: Zeitlin's matrices.
+"""su(N) as the functions on a sphere of area 4π, reduced to N² − 1 numbers: Zeitlin's matrices.
 
 f ↦ F = i f(ħS) with ħ = 2/√(N² − 1): spherical harmonics Y_lm become matrices T_lm, l < N, and {f, g} = x·(∇f × ∇g)
 becomes −[F, G]/ħ up to terms that fall as 1/N². Row i stands for m = −s + i, s = (N − 1)/2.

@@ -1,4 +1,4 @@
-"""Products of complex matrices by real ones."""
+"""Products of complex matrices, computed by real ones."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""se(2): motions of the plane; the dual of a planar body, and of the pendulum."""
+"""se(2): motions of the plane; its dual has the states of a planar body, and of the pendulum."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""se(3): rotations and translations; the dual of the heavy top and of a body in an ideal fluid."""
+"""se(3): rotations and translations; its dual has the states of the heavy top and of a body in an ideal fluid."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Equilibria on one leaf of a family of systems, followed by the length of their branch: steps, turns and splits.
+"""Follows the equilibria of a family of systems on one leaf, by the length of their branch, through folds and splits.
 
 An equilibrium is where the energy's derivative along the leaf vanishes; its second derivative there is a symmetric
 matrix, which is singular exactly where a branch turns back or another meets it.

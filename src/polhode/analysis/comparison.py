@@ -1,4 +1,4 @@
-"""Two attitude histories of one body against each other."""
+"""Compares two attitude histories of one body."""
 
 from __future__ import annotations
 

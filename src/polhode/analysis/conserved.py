@@ -1,4 +1,4 @@
-"""What a Lie–Poisson system conserves, as functions of coordinates ⟨μ, e_i⟩: compiled derivatives, and checks.
+"""Conserved quantities of a Lie–Poisson system in coordinates ⟨μ, e_i⟩, with compiled derivatives and checks.
 
 A certificate is worth as much as the conservation laws it is made of. Each function that takes part is therefore
 checked at random points near the equilibrium, away from it and along its orbit, not only at the point itself.

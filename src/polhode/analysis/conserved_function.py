@@ -1,4 +1,4 @@
-"""The function of conserved quantities by which a verdict is reached, as data and in words."""
+"""The conserved function that proves a verdict, as data and in words."""
 
 from __future__ import annotations
 

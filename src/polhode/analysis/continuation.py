@@ -1,4 +1,4 @@
-"""Equilibria along a parameter: branches, their stability, and where they fold, split or lose it."""
+"""Equilibria along a parameter: branches, their stability, and where they fold, split or lose stability."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How a body that loses energy settles: the angle to its major axis, and the times in which it gets there."""
+"""How a body that loses energy settles: the angle to its major axis, and how long that takes."""
 
 from __future__ import annotations
 

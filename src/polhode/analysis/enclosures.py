@@ -1,4 +1,4 @@
-"""Proved enclosures of a motion: the state at a time, in balls that hold it for certain."""
+"""Proved enclosures of a motion: balls that are certain to contain the state at a time."""
 
 from __future__ import annotations
 

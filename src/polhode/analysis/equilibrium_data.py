@@ -1,4 +1,4 @@
-"""An equilibrium's matrices: all that is conserved there, differentiated and checked, free of units."""
+"""The matrices behind a verdict: derivatives of all that is conserved at an equilibrium, dimensionless."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a free body, or one turning about a fixed point under its weight, keeps along any attitude history."""
+"""Energy and momentum of a free body, or of a body about a fixed point, along any attitude history."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Exponents of power laws from samples of a motion, with what is uncertain about them.
+"""Exponents of power laws from samples of a motion, with their uncertainty.
 
 The samples are exact, but a law is only approached: what a fit misses is not noise. Exponents are therefore those of
 the second half of the samples, which is nearer to the law, and their uncertainty is half of what the fits of both

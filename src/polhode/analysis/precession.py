@@ -1,4 +1,4 @@
-"""Precession said in full: which axis, in which frame, at what mean rate, and in which sense."""
+"""Precession described in full: which axis, in which frame, at what mean rate, and in which sense."""
 
 from __future__ import annotations
 

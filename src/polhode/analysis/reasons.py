@@ -1,4 +1,4 @@
-"""Why a verdict was reached, or left open: what was found, as data; ``str`` writes the sentence that is made of it.
+"""The reasons for a verdict, as data; ``str`` turns them into a sentence.
 
 Rates are in 1/s. A number that decides stands beside the one that it was compared with.
 """

@@ -1,4 +1,4 @@
-"""The second variation of H + Σ λ C on the tangent space of a leaf, free of units; and definite members of a family.
+"""The second variation of H + Σ λ C on the tangent space of a leaf, dimensionless, and λ that make it definite.
 
 Physical components differ in unit and size, so that no fixed threshold tells zero from small. Here the state is scaled
 by powers of two until the terms of the second variation, before they cancel, are of order one; then their rounding

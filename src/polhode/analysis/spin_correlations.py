@@ -1,4 +1,4 @@
-"""What scattering sees of moving spins: the structure factor by wave vector and frequency."""
+"""The structure factor of moving spins by wave vector and frequency, which is what scattering measures."""
 
 from __future__ import annotations
 

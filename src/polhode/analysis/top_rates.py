@@ -1,4 +1,4 @@
-"""How fast a top precesses and nutates: from its motion, from the linearised steady motion, and as gyroscopes are told.
+"""How fast a top precesses and nutates: from its motion, by linearisation, and by the formulas for fast gyroscopes.
 
 A body that is not quite symmetric about the line from the fixed point to the centre of mass is taken for one that is,
 with its mean moment across it, in the last two.

@@ -1,4 +1,4 @@
-"""Whether a top stands: its axis upright and hanging, at rest or spinning."""
+"""Stability of a top whose axis points up or hangs down, at rest or spinning."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the moments and the tumbling of an asteroid say of its shape and of the time that it takes to calm down."""
+"""Shape and damping time of a tumbling asteroid, from its moments and its motion."""
 
 from __future__ import annotations
 

@@ -1,5 +1,7 @@
-"""The seam between NumPy and JAX: the only folder of the closed-form half that may touch JAX, and only once a JAX
-array has come in."""
+"""The layer between NumPy and JAX, for closed forms.
+
+It is the only folder of the closed-form rooms that may import JAX, and does so only once a JAX array has come in.
+"""
 
 from polhode.arrays.derivatives import (
     COMPLEX_STEP,

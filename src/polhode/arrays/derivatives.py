@@ -1,4 +1,4 @@
-"""What closed forms tell JAX about their derivatives."""
+"""Tells JAX the derivatives of closed forms."""
 
 from __future__ import annotations
 

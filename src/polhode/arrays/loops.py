@@ -1,4 +1,4 @@
-"""Loops and choices that NumPy takes at once and JAX compiles."""
+"""Loops and branches that NumPy runs as they are and JAX compiles."""
 
 from __future__ import annotations
 

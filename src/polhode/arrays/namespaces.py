@@ -1,4 +1,4 @@
-"""Which library an array belongs to, and what is refused of it."""
+"""Tells which library an array belongs to, and refuses single precision."""
 
 from __future__ import annotations
 

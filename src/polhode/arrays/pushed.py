@@ -1,4 +1,4 @@
-"""Forward and reverse derivatives of operations that offer cheaper routes than their Jacobian.
+"""Forward and reverse derivatives of operations that have cheaper ways than forming their Jacobian.
 
 One operation gives the changes of the values, another the weights of the arguments. Second derivatives go through the
 Jacobian.

@@ -1,4 +1,4 @@
-"""Gradual underflow in threads that have switched it off.
+"""Restores gradual underflow in threads where it is switched off.
 
 XLA's threads take numbers below 2.2e-308 for zero, and NumPy called back from them does so too: then the same closed
 form would give other answers in a compiled function than outside of it.

@@ -1,4 +1,4 @@
-"""Which moments are equal, and which are zero, to the digits that they come from.
+"""Which moments are equal, and which are zero, to the digits of the data that they come from.
 
 One rule wherever moments are judged: two that differ by no more than what is unsure about them are equal, and one that
 does not rise above it is zero. What is unsure comes from the rounding of an inertia's entries, or from the digits of

@@ -1,4 +1,4 @@
-"""Mass properties of homogeneous bodies bounded by triangle meshes, which are checked first."""
+"""Mass properties of homogeneous bodies that are bounded by triangle meshes."""
 
 from __future__ import annotations
 

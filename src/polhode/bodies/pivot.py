@@ -1,4 +1,4 @@
-"""A body that turns about a fixed point under its weight, as far as its motion goes."""
+"""A body about a fixed point: its moments there, its weight's arm, and its axis of symmetry."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a body looks like: triangles to draw, not to integrate."""
+"""The surface of a body, as triangles for drawing only."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Surfaces of revolution about z, as triangles to draw."""
+"""Surfaces of revolution about z, as triangles for drawing."""
 
 from __future__ import annotations
 

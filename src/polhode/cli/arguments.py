@@ -1,4 +1,4 @@
-"""The command line before a command takes it: what no option may be."""
+"""Checks of the command line that hold for all commands and options."""
 
 from __future__ import annotations
 

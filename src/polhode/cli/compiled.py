@@ -1,4 +1,4 @@
-"""A command compiles quickly, and keeps in the user's cache folder what it compiled and read, for the next time."""
+"""Makes JAX compile quickly for a command, and keeps what it compiled in the user's cache folder."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where a command may write."""
+"""Checks where a command may write."""
 
 from __future__ import annotations
 

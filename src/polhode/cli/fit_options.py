@@ -1,4 +1,4 @@
-"""Options of ``polhode fit``, beside those of columns that other commands have too."""
+"""Options of ``polhode fit``, besides those of columns, which other commands have too."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Reports kept in the user's cache folder: what one command computed, the next one takes while it is still true.
+"""Reports kept in the user's cache folder, for the next command on the same spec.
 
 A report follows from its spec and from the program, so it is kept under a digest of both; with it are kept the digests
 of the files that were read while it was computed, such as an earlier run that it goes on from, and it is true as long

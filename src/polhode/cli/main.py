@@ -1,4 +1,4 @@
-"""The command ``polhode``: how it ends, whatever happens."""
+"""The command ``polhode``: runs it, and turns errors and signals into messages and exit codes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""``polhode new [EXAMPLE]``: a spec to begin with, copied from the examples that come with the package."""
+"""``polhode new [EXAMPLE]``: copies a spec from the examples that come with the package."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Printing a report, as text or JSON, and writing its figures and data where asked for."""
+"""Prints a report as text or JSON, and writes its figures and data where the user asks for it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Reports for people to read, and for programs as JSON."""
+"""Reports as text for people, and as JSON for programs."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""``polhode report SPEC``: the main job."""
+"""``polhode report SPEC``: how the body moves, in words, figures and files."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Reports on specs, as they were kept or computed now; what is refused names the file."""
+"""Reports on specs, taken from the cache or computed now; errors name the file."""
 
 from __future__ import annotations
 

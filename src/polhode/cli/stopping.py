@@ -1,4 +1,4 @@
-"""Signals that stop a command: Ctrl-C, a polite kill, a terminal that is closed.
+"""Signals that stop a command: Ctrl-C, SIGTERM, and SIGHUP from a terminal that is closed.
 
 Each raises ``Stopped`` where the command is, so that every file being written cleans up after itself, and the command
 ends with 128 and the signal's number. Python's handlers run in the main thread between two of its instructions only,

@@ -1,4 +1,4 @@
-"""``polhode sweep SPEC``: many motions, with numbers of the spec spread, into one Zarr store."""
+"""``polhode sweep SPEC``: many motions, with numbers of the spec varied, into one Zarr store."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Output that every terminal can show: signs that its encoding lacks are written in other words."""
+"""Output that every terminal can show: characters that its encoding lacks are replaced by words."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""``polhode tumble``: how a body tumbles, from its two periods and the ratios of its moments."""
+"""``polhode tumble``: how an asteroid tumbles, from its two periods and the ratios of its moments."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where in a log a body flies freely: by its accelerometer, or by what keeps the angular momentum."""
+"""Where in a log a body flies freely: by its accelerometer, or by its constant angular momentum."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Noise about a line of a spectrum, by what a fit leaves there, and what it does to the fit.
+"""The noise around a line of a spectrum, from the residuals of a fit, and the errors that it causes.
 
 White noise of ordinary formulas is not what polar motion leaves: its residuals are red, and the excitation shakes
 the wobble itself, so that amplitude and phase walk. Close to a line such noise is a constant plus what falls off as

@@ -1,4 +1,4 @@
-"""Inertia by a linear map: R J ω is constant in space, so what is left of it after centring has J in its null space."""
+"""A first estimate of the inertia J: R J ω is constant in space, which is linear in J."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Free flights in the log of a gyro alone: where one inertia J keeps R J ω, R from the gyro itself."""
+"""Free flights in the log of a gyro alone: where one inertia J keeps R J ω constant."""
 
 from __future__ import annotations
 

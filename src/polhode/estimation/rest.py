@@ -1,4 +1,4 @@
-"""Where in a log the device lies still, so that its gyro reads its bias alone."""
+"""Where in a log the device lies still, so that its gyro shows its bias alone."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The bias that a gyro shows while the device lies still, where no motion has to explain it."""
+"""The bias of a gyro, from stretches in which the device lies still."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Whether a gyro ran into its limit: a plateau at the end of its range, into which rates run without slowing."""
+"""Finds samples at a gyro's limit: a plateau at the end of its range, which rates reach without slowing."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Absolute moments: free flight only tells ratios, so one number more is needed."""
+"""Absolute moments from their ratios and one more number, as free flight gives ratios only."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""When a fit of throws is no result: estimates where no body or gyro is, and motions that explain nothing."""
+"""Reasons to reject a fit of throws: impossible estimates, and motions that do not explain the data."""
 
 from __future__ import annotations
 

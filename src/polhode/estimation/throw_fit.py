@@ -1,4 +1,4 @@
-"""The least squares of a throw: which parameters there are, what they predict, and how noisy the samples are."""
+"""Least squares of a throw: its parameters, what they predict, and the noise of the samples."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Which motion throws are of: models from the simple to the rich, each from the one before it, and other starts."""
+"""The choice of a model for throws, from simple to rich, each fitted from the result of the one before."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What no model of a throw knows, and what it does to the estimates: a smooth torque, gains larger than expected.
+"""Errors that no model of a throw covers, and their effect on estimates: a smooth torque, larger gain errors.
 
 A model that leaves something out fits by moving what it has, and its residuals do not tell by how much. So the last
 step is a least squares with a smooth torque in the body beside the model, small as its own effect shows, and with the

@@ -1,4 +1,4 @@
-"""Free flights by the accelerometer: it feels its own turning about the centre of mass alone."""
+"""Free flights by the accelerometer, which then feels only its rotation about the centre of mass."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The Chandler wobble as a damped free motion that white excitation keeps going: period and Q by likelihood.
+"""The Chandler wobble as a damped free motion excited by white noise: period and Q by likelihood.
 
 The wobble is the Gauss–Markov process ds = iσ_c s dt + dw of ṁ = iσ_c(m − ψ), σ_c = σ(1 + i/2Q), with a white
 excitation ψ. All else that moves the pole is far from white from the lowest frequencies to the highest, so the

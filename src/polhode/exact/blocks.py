@@ -1,4 +1,4 @@
-"""What closed forms do to whole batches, in blocks that stay in cache, and what JAX does at once."""
+"""Evaluates closed forms over batches: with NumPy in blocks that stay in cache, with JAX at once."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Running a closed form's kernels: by Python for little work, by Numba for much, always to the same bits.
+"""Runs a closed form's kernels, by Python for little work and by Numba for much, always to the same bits.
 
 Numba takes a third of a second to load, and some seconds to compile the kernels, once for an installation. Neither is
 worth it for one body at a few times.

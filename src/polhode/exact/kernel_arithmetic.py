@@ -1,4 +1,4 @@
-"""What the kernels compute with: double-double numbers, phases, stores, and a start of threads.
+"""Arithmetic of the kernels: double-double numbers, phases, storage, and the start of threads.
 
 Kernels are functions of single numbers, written once. Python runs them as they are, for one body at few times, without
 anything that has to be loaded; ``compiling`` has them compiled by Numba, for many. Both give the same bits: the

@@ -1,4 +1,4 @@
-"""Figures for papers and reports, all in one look: matplotlib figures, saved by ``save``."""
+"""Figures for papers and reports, all in one style: matplotlib figures, saved by ``save``."""
 
 import lazy_loader
 

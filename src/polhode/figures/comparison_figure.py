@@ -1,4 +1,4 @@
-"""Two attitude histories against each other: the angle between them, and what each loses of its invariants."""
+"""Two attitude histories against each other: the angle between them, and how the invariants of each drift."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Levels of the energy on the momentum sphere, which undamped motions follow."""
+"""Curves of constant energy on the momentum sphere, which undamped motions follow."""
 
 from __future__ import annotations
 

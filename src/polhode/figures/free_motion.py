@@ -1,4 +1,4 @@
-"""What the figures of a free body draw."""
+"""The motion that the figures of a free body draw, from a trajectory or an exact motion."""
 
 from __future__ import annotations
 

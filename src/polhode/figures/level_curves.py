@@ -1,4 +1,4 @@
-"""Polhodes that quantum levels are, as curves on the unit sphere and colours."""
+"""Polhodes that correspond to quantum levels, as coloured curves on the unit sphere."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Any trajectory over time, part by part of its state."""
+"""Any trajectory over time, one panel for each part of its state."""
 
 from __future__ import annotations
 

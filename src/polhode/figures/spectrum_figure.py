@@ -1,4 +1,4 @@
-"""The lines of a molecule as sticks."""
+"""The line spectrum of a molecule, one stick for each line."""
 
 from __future__ import annotations
 

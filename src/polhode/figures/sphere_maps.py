@@ -1,4 +1,4 @@
-"""Maps of functions on a sphere: equal in area, and as one sees a globe."""
+"""Maps of functions on a sphere: an equal-area map, and the globe seen from outside."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Fits of throws: data against fit, residuals, the polhode through the data, and how the ratios' errors go together."""
+"""Fits of throws: data against fit, residuals, the polhode through the data, and how errors of the ratios correlate."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The top itself, leaning on its pivot, with what its axis and its angular velocity describe, and what acts on it."""
+"""The top on its pivot, with the paths of its axis and its angular velocity, and the forces on it."""
 
 from __future__ import annotations
 

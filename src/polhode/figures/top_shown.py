@@ -1,4 +1,4 @@
-"""What the figures of a top draw."""
+"""The motion and the parts of a top that its figures draw."""
 
 from __future__ import annotations
 

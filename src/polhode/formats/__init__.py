@@ -1,4 +1,4 @@
-"""Motions and bodies in files, their own and other tools': read, write, hand on."""
+"""Reads and writes motions and bodies, in polhode's own file formats and in those of other tools."""
 
 import lazy_loader
 

@@ -1,4 +1,4 @@
-"""When an animation has its keys, and the motion there: near enough to each other, apart in single precision."""
+"""Times and attitudes of an animation's keys: close enough to interpolate, distinct in single precision."""
 
 from __future__ import annotations
 

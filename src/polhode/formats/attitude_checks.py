@@ -1,4 +1,4 @@
-"""What files of attitudes can hold, and what they must."""
+"""Checks of attitudes before they are written to a file, and after they are read."""
 
 from __future__ import annotations
 

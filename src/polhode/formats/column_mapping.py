@@ -1,4 +1,4 @@
-"""Which columns of a plain table mean what, in the words of the options of ``polhode import``.
+"""The mapping that says what the columns of a plain table are, in the words of ``polhode import``.
 
 Nothing is assumed that would change the motion: units, the place of a quaternion's scalar and the sequence of Euler
 angles have to be said, here or by the names of the columns.

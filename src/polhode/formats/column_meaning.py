@@ -1,4 +1,4 @@
-"""Numbers of a plain table as times, attitudes and rates, checked, and the account of how they were understood."""
+"""Turns numbers of a plain table into checked times, attitudes and rates, and says how they were understood."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Text in fixed columns, as spectroscopists' files have it: fields touch, and where one begins alone says what it is.
+"""Text in fixed columns, as spectroscopists use it: fields may touch, and their position alone identifies them.
 
 Whole numbers that are too long for their field begin with a letter: in two columns A0 is 100 and Z9 is 359, a0 is −10.
 """

@@ -1,4 +1,4 @@
-"""What a form of file is: how it is known, read and written. Each stands in a file of ``formats/forms``."""
+"""What describes a file format: how it is recognised, read and written. Each is a file in ``formats/forms``."""
 
 from __future__ import annotations
 

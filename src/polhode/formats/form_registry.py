@@ -1,4 +1,4 @@
-"""Which forms of files there are: the modules of ``formats/forms``, and those of other packages."""
+"""The list of file formats: the modules of ``formats/forms``, and those of other packages."""
 
 from __future__ import annotations
 

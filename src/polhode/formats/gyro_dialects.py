@@ -1,4 +1,4 @@
-"""Headers of gyro logs that are known: one row of a table for each program that writes them.
+"""The headers of known gyro logs: one row of a table for each program that writes them.
 
 A new one is a row of ``DIALECTS``. Names are compared in small letters, with or without a unit in brackets.
 """

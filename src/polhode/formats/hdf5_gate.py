@@ -1,4 +1,4 @@
-"""HDF5 files looked through before their arrays are read: what polhode writes, and nothing that leads out of the file.
+"""Checks of HDF5 files before their arrays are read: only what polhode writes, no link to other files.
 
 HDF5 can keep arrays in other files, load plugins to decode them, and declare sizes that nothing is stored for.
 

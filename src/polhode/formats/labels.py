@@ -1,4 +1,4 @@
-"""What an attitude file says about whose attitude it holds, in which frames, since when."""
+"""Labels of an attitude file: whose attitude it is, in which frames, from which epoch."""
 
 from __future__ import annotations
 

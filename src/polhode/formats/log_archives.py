@@ -1,4 +1,4 @@
-"""Zip archives with the tables of a gyro log: the tables wanted are taken out, within bounds, and nothing else."""
+"""Zip archives with the tables of a gyro log: only the wanted tables are taken out, within bounds."""
 
 from __future__ import annotations
 

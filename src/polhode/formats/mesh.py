@@ -1,4 +1,4 @@
-"""Triangle meshes from files, those of other forms than STL and OBJ read by trimesh, and repaired on request."""
+"""Triangle meshes from files: STL and OBJ directly, other formats by trimesh, with repairs on request."""
 
 from __future__ import annotations
 

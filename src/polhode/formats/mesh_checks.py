@@ -1,4 +1,4 @@
-"""Mesh files looked through before trimesh reads them: counts that the bytes can hold, text that is text.
+"""Checks of mesh files before trimesh reads them: counts that the bytes can hold, text that is text.
 
 Source: the formats' own: PLY (Turk, 1994), OFF (Geomview), glTF 2.0 (Khronos).
 """

@@ -1,4 +1,4 @@
-"""Molecules from files: plain xyz by ourselves, all else by ASE, from text that has been looked through."""
+"""Molecules from files: plain xyz directly, other formats by ASE after a check of their text."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Wavefront OBJ: corners and faces alone, whatever materials, groups and textures it names.
+"""Wavefront OBJ: vertices and faces; materials, groups and textures are ignored.
 
 Source: Wavefront, *Advanced Visualizer Manual*, appendix B1, "Object files".
 """

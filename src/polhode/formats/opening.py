@@ -1,4 +1,4 @@
-"""Input files opened: regular files only, without waiting, and no more bytes than the format's limit.
+"""Opens input files: regular files only, without waiting, and no more bytes than the format's limit.
 
 A pipe that nobody writes to would block the opening for ever, and a device such as /dev/zero never ends. Who keeps what
 was computed from files has them recorded here, so that it is known, by content, which they were.

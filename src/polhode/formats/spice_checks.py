@@ -1,4 +1,4 @@
-"""SPICE kernels looked through before SPICE reads them: lists that end, counts that fit, text that loads nothing.
+"""Checks of SPICE kernels before SPICE reads them: lists that end, counts that fit, text that loads nothing.
 
 SPICE follows a C-kernel's lists without looking whether they end, and a text kernel may have it load other files.
 

@@ -1,4 +1,4 @@
-"""SPICE's kernels: loading them for a while, and the text ones that go with an attitude history."""
+"""SPICE's kernels: loaded while they are needed, and text kernels to go with an attitude history."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Stamps of time with more digits than a double holds, as seconds from the first of them.
+"""Time stamps with more digits than a double holds, as seconds from the first of them.
 
 A clock that counts nanoseconds since 1970 has nineteen digits, and a double tells 2.4e-7 s apart there. Differences of
 stamps are short again, so they are formed before anything is rounded.

@@ -1,4 +1,4 @@
-"""How a plain table is laid out: what stands between its columns, which line names them, where the numbers begin.
+"""The layout of a plain table: its separator, the line that names its columns, and where its numbers begin.
 
 Found from the first lines: the sign that divides most of them into equally many cells, mostly numbers.
 """

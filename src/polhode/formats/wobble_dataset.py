@@ -1,4 +1,4 @@
-"""The wobble's series, in windows, as a process and what excites it, as a NetCDF dataset."""
+"""Results on the Chandler wobble (series, windows, process, excitation) as a NetCDF dataset."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Zarr stores looked through before zarr opens them: plain files, known codecs, sizes that the files can hold.
+"""Checks of Zarr stores before zarr opens them: plain files, known codecs, sizes that the files can hold.
 
 A store names the code that decodes it, pickle among it, and sizes that need not fit its bytes. Read here are the
 documents on the disk as JSON, and the first bytes of every chunk; nothing is decoded by what the store names.

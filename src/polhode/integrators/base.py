@@ -1,4 +1,4 @@
-"""The frame of every integrator: inner steps, compensated sums, counting, and honest failure.
+"""What all integrators share: inner steps, compensated sums, counts, and reports of failure.
 
 From sample to sample a solver takes ⌈Δt/step⌉ equal steps, for one state at a time: a batch is a ``vmap``. A method
 gives the *change* of the state over a step, computed without cancellation; changes are added by compensated sums, so

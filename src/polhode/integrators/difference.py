@@ -1,4 +1,4 @@
-"""How far two motions of one system are apart, and starts that are as near as numbers can be."""
+"""The distance between two motions of one system, and starts that differ by rounding alone."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Fixed points to rounding, with a count and an honest verdict; derivatives of either mode by the implicit rule.
+"""Fixed-point iteration to rounding, with a count and a convergence test; derivatives by the implicit function rule.
 
 Optimistix finds the same ones, but its derivatives take from 1.3 times the time to compile with GMRES to 300 times the
 time to run with a dense matrix of 3000 unknowns.

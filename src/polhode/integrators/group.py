@@ -1,4 +1,4 @@
-"""How the attitude moves with a group element, as a change that does not cancel."""
+"""The change of an attitude by a group element, without cancellation."""
 
 from __future__ import annotations
 

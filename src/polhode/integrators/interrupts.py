@@ -1,4 +1,4 @@
-"""Ctrl-C while compiled loops run."""
+"""Handles Ctrl-C while compiled loops run."""
 
 from __future__ import annotations
 

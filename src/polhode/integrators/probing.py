@@ -1,4 +1,4 @@
-"""Where rates of change jump or start to move with time, found by trying times, as no step control sees between steps.
+"""Finds times at which rates of change jump or start, by trying many times, as step control cannot see them.
 
 Steps of a body that hardly moves are as long as the samples are apart, and none of their stages need lie in a pulse.
 So rates that depend on time by themselves are evaluated at many times, at a fixed state. Where they stay, and then

@@ -1,4 +1,4 @@
-"""Any system whose rates are made of products, powers and elementary functions, by Taylor series of its motion."""
+"""``Taylor``: systems whose rates are products, powers and elementary functions, by Taylor series of the motion."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Gradients of motions by Taylor series, by the adjoint equations: one way back for any number of parameters.
+"""Gradients of motions by Taylor series: one pass of the adjoint equations for any number of parameters.
 
 Weights λ of the state move against time by λ̇ = −(∂f/∂x)ᵀ λ, and those of the numbers in f by μ̇ = −(∂f/∂p)ᵀ λ. The
 series of the motion itself goes back beside them, from one known state to the one before it.

@@ -1,4 +1,4 @@
-"""A motion by Taylor series as a function of arrays, with its derivatives by the start and by the numbers in a system.
+"""A motion by Taylor series as a function of arrays, with derivatives by its start and by the system's numbers.
 
 These numbers stand beside the state and do not move, so that what is traced once serves all of their values. Tangents
 go along with the motion by the same recurrences, all in one run or few; gradients come back by the adjoint equations.

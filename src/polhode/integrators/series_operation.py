@@ -1,4 +1,4 @@
-"""Motions by Taylor series as one operation of JAX, placed among what is traced."""
+"""Motions by Taylor series as one operation of JAX, for use inside traced functions."""
 
 from __future__ import annotations
 

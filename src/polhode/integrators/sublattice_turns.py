@@ -1,4 +1,4 @@
-"""Turns of spins, one sublattice after another, about the field of the others."""
+"""Turns spins about the field of their neighbours, one sublattice after another."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a kind of motion is: its table in a spec, its answers, its figures."""
+"""The base class of a kind of motion: its table in a spec, its answers, its figures."""
 
 from __future__ import annotations
 

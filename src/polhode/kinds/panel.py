@@ -1,4 +1,4 @@
-"""What the page of a kind shows of its own."""
+"""The panels that a kind adds to its page."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Which kinds there are: the folders next to this file, and those of other packages."""
+"""The list of kinds: the folders next to this file, and those of other packages."""
 
 from __future__ import annotations
 

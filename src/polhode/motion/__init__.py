@@ -1,4 +1,4 @@
-"""What a motion is, exact or sampled: the currency between what moves and what is made of it."""
+"""Motions, exact or sampled: the data that other rooms make and use."""
 
 from polhode.motion.base import AbstractMotion
 from polhode.motion.frame import BodyFrame

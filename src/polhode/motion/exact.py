@@ -1,4 +1,4 @@
-"""What samples know of the exact motion that they are of."""
+"""How a sampled trajectory remembers the exact motion that it was sampled from."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The axes that a motion is given along, and where they stand in the body."""
+"""The axes along which a motion is given, and how they lie in the body."""
 
 from __future__ import annotations
 

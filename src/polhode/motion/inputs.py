@@ -1,4 +1,4 @@
-"""What the exact motions ask of their arguments, and how they answer for one body."""
+"""Checks of the arguments of exact motions, and the form of their answers for a single body."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What an exact motion keeps, and by how much samples of it depart from that."""
+"""What an exact motion conserves, and how far its samples depart from that."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Which numbers of a packed state mean what."""
+"""The meaning of the numbers in a packed state."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How a sampled motion came to its end."""
+"""How a sampled motion ended."""
 
 from __future__ import annotations
 

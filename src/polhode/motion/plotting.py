@@ -1,4 +1,4 @@
-"""The way from a motion up to its picture, so that ``.plot()`` is found where people look for it."""
+"""The method ``plot`` of motions and trajectories, which calls the figures of the rooms above."""
 
 from __future__ import annotations
 

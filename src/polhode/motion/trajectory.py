@@ -1,4 +1,4 @@
-"""The currency between motion and everything after it."""
+"""A sampled motion: plain arrays with their meaning, units, invariants and drift."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The motion on the group itself, back from a trajectory on the dual of its algebra.
+"""Reconstructs the motion on the group from a trajectory on the dual of its algebra.
 
 Source: Marsden, Montgomery & Ratiu, Mem. Amer. Math. Soc. 436 (1990); Magnus' expansion of order 4 at Gauss's points:
 Blanes, Casas, Oteo & Ros, Phys. Rep. 470 (2009) 151, §5.

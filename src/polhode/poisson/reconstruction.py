@@ -1,4 +1,4 @@
-"""The attitude back from a reduced trajectory on so(3)*, with its dynamic and geometric phase.
+"""Reconstructs the attitude from a reduced trajectory on so(3)*, with its dynamic and geometric phase.
 
 Source: Montgomery, Am. J. Phys. 59 (1991) 394; Marsden, Montgomery & Ratiu, Mem. Amer. Math. Soc. 436 (1990); Magnus'
 expansion of order 4 at Gauss's points: Blanes, Casas, Oteo & Ros, Phys. Rep. 470 (2009) 151.

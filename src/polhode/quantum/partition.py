@@ -1,4 +1,4 @@
-"""Partition functions of rotors: sums over levels, as far as these count."""
+"""Partition functions of rotors: sums over the levels that contribute."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The levels that are polhodes: uniform quantisation through the separatrix, doublets, and the spacing of levels.
+"""Levels from polhodes: uniform quantisation through the separatrix, doublets, and the spacing of levels.
 
 A level is a polhode whose cap holds a whole number of quanta, mended where the two modes meet and tunnel into each
 other. With G = J + ½, action S, barrier θ and ε = −θ/π: S + φ = πK_a ± δ, φ = ε ln|ε| − ε − Im ln Γ(½ + iε), δ =

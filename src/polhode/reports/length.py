@@ -1,4 +1,4 @@
-"""How long a run will take: said where it is long, refused where it would be far too long."""
+"""Predicts how long a run will take; long runs are announced, and far too long ones refused."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What computes: by which program, its libraries and settings were these numbers made, to the bit.
+"""The program, libraries and settings on which every bit of a result depends, as a digest.
 
 Who keeps numbers for later, reports or the chunks of a sweep, keeps them under this digest.
 """

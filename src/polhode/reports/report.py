@@ -1,4 +1,4 @@
-"""A report: what polhode found out about something, as one object, whatever that is."""
+"""The base class of reports: summary, answers, notes, figures and data in one object."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The plain answers about tops: a body turning about a fixed point under its weight."""
+"""The answers about tops: a body turning about a fixed point under its weight."""
 
 from __future__ import annotations
 

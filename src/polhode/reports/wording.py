@@ -1,4 +1,4 @@
-"""Numbers in words for people; what has no value has no words."""
+"""Numbers in words for people."""
 
 from __future__ import annotations
 

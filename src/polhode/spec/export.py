@@ -1,4 +1,4 @@
-"""The table [export]: what attitude files say of whose attitude they hold, in which frames, since when."""
+"""The table [export]: labels of attitude files, such as object, frames and epoch."""
 
 from __future__ import annotations
 

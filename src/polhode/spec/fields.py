@@ -1,4 +1,4 @@
-"""The kinds of value that a spec holds; each turns to SI and says in plain words what it wants instead."""
+"""The types of value in a spec: each converts to SI, and its error says what is expected."""
 
 from __future__ import annotations
 

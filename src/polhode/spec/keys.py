@@ -1,4 +1,4 @@
-"""Numbers of a spec by their keys, like ``spin.rate`` or ``body.moments.1``: what they are, and specs with others."""
+"""Reads and replaces single numbers of a spec by their keys, like ``spin.rate`` or ``body.moments.1``."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Mistakes in a spec, in words for people."""
+"""Turns mistakes in a spec into messages for people."""
 
 from __future__ import annotations
 

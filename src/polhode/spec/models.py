@@ -1,4 +1,4 @@
-"""The tables of a spec and their fields; what fields ask of each other stands in ``rules``."""
+"""The tables of a spec and their fields; rules between fields are in ``rules``."""
 
 from __future__ import annotations
 

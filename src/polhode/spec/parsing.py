@@ -1,4 +1,4 @@
-"""From a TOML file to nested tables, within bounds that no spec comes near."""
+"""From a TOML file to nested tables, within bounds far beyond those of any reasonable spec."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How large and how small the numbers of a spec may be, where a motion is computed by steps.
+"""Limits on the numbers of a spec where a motion is computed by steps.
 
 Squares and products of them are formed on the way, and double precision ends at 1e±308. What has a closed form is
 computed at any size instead; see ``AbstractKind.reach``.

@@ -1,4 +1,4 @@
-"""What the reader of a report should know of how the numbers of a spec were taken."""
+"""Remarks for the reader of a report: how numbers of a spec were understood, and what was assumed."""
 
 from __future__ import annotations
 

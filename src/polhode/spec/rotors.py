@@ -1,4 +1,4 @@
-"""The quantum rotor that a spec's body is."""
+"""The quantum rotor of a spec's body."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the fields of a spec ask of each other.
+"""Rules that the fields of a spec must satisfy together.
 
 Rules look at the raw tables, at which keys are there. So they speak up even when values are wrong, and everything is
 said at once.

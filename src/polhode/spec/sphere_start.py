@@ -1,4 +1,4 @@
-"""Tables of what flows on spheres start from: random fields, waves and vortices."""
+"""Starts of flows on spheres, from tables of random fields, waves and vortices."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the body of a spec looks like, as triangles in its given axes; to draw, the mass properties stand elsewhere."""
+"""The surface of a spec's body, as triangles along its given axes, for drawing only."""
 
 from __future__ import annotations
 

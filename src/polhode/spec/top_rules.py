@@ -1,4 +1,4 @@
-"""What the tables of a top of any kind ask of each other."""
+"""Rules that the tables of a top of any kind must satisfy together."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Legendre functions on the cut of a degree ν that may be complex, but whose ν(ν+1) is real: P_ν(cos θ).
+"""Legendre functions P_ν(cos θ) on the cut, for complex degrees ν whose ν(ν+1) is real.
 
 With −ν(ν+1) = κ the series of ₂F₁(−ν, ν+1; 1; x), x = (1 − cos θ)/2, has real terms, whatever ν is. Beyond x = ½ it is
 continued in 1 − x, where it has a logarithm. Source: NIST DLMF 14.3.1, 15.2.1, 15.8.10.

@@ -1,4 +1,4 @@
-"""Spherical tensors T_kq of a spin: the matrices that turn as spherical harmonics do.
+"""Spherical tensors T_kq of a spin: matrices that rotate as spherical harmonics do.
 
 Source: Varshalovich, Moskalev & Khersonskii, *Quantum Theory of Angular Momentum*, §2.4; Hoppe & Yau, Commun. Math.
 Phys. 195 (1998) 67, for the tridiagonal matrix.

@@ -1,4 +1,4 @@
-"""Two clocks laid side by side: by their epochs, by ``--offset``, or by what may be assumed."""
+"""Aligns the clocks of two attitude histories: by their epochs, by ``--offset``, or by assumption."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How messages call what is given: as arguments of Python, or as options of a command."""
+"""How messages name an input: as an argument of Python, or as an option of a command."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Whatever holds an attitude history: a spec, a dataset or table of ours, an AEM or a C-kernel, by content."""
+"""Whatever holds an attitude history: a spec, a polhode dataset or table, an AEM or a C-kernel, told by content."""
 
 from __future__ import annotations
 

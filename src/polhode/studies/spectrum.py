@@ -1,4 +1,4 @@
-"""``polhode.levels`` and ``polhode.spectrum``: what a molecule's rotor has for levels and lines."""
+"""``polhode.levels`` and ``polhode.spectrum``: the levels and lines of a molecule."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is found out about a tumbling body beside its motion."""
+"""What a report says about a tumbling body besides its motion: damping and light curve."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Units in which the pole's motion is told."""
+"""Units of the pole's motion in reports and figures."""
 
 import math
 

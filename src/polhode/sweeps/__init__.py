@@ -1,0 +1,1 @@
+"""Sweeps: many motions of one spec, with some of its numbers varied."""

@@ -1,4 +1,4 @@
-"""How an input of a sweep is spread: each way turns uniform numbers, or the place of a sample, into values.
+"""Distributions of the inputs of a sweep: each turns uniform numbers, or a sample's index, into values.
 
 The same ways serve random and quasi-random points: every one is a map from the unit cube, so that values are monotonic
 or at least smooth in each of its coordinates.

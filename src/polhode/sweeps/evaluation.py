@@ -140,7 +140,7 @@ class Evaluator:
 
     @cached_property
     def columns(self) -> list[Column]:
-        """The outputs; what no sample told yet, the kind may tell."""
+        """The outputs of the sweep; where no sample has shown yet whether one is text, the kind is asked."""
         columns, found = self._probe[1], self._first
         if found is None:
             return columns

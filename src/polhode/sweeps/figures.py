@@ -1,4 +1,4 @@
-"""Figures of a sweep: how outputs are spread, where on a map of two inputs each word holds, what outputs depend on."""
+"""Figures of a sweep: histograms, maps of verdicts over two inputs, and sensitivities."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the store of a sweep consists of. It follows from the sweep alone, so that nothing of a store need be believed.
+"""The layout of a sweep's store. It follows from the sweep alone, so that nothing in a store need be trusted.
 
 Arrays are those of Zarr's format 2: for each array a folder with documents about it, and a file for each chunk.
 """

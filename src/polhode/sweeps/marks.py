@@ -1,4 +1,4 @@
-"""Marks of finished chunks: checksums of a chunk's data, and what statistics need of it, under a seal of their own.
+"""Marks of finished chunks: checksums of their data, and their part of the statistics, under a seal.
 
 A mark is a line with the SHA-256 of what follows, and JSON. The seal tells damage, and the JSON says of which sweep and
 chunk it is, so that a mark that was copied or renamed is none; what is read is checked in form all the same.

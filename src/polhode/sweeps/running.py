@@ -1,4 +1,4 @@
-"""Computing the chunks of a sweep, here or on a Dask cluster; what is finished stays finished."""
+"""Computes the chunks of a sweep, here or on a Dask cluster, and keeps those that are finished."""
 
 from __future__ import annotations
 

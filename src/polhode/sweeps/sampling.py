@@ -1,4 +1,4 @@
-"""Which values each sample of a sweep has: a function of its number alone, whoever computes it, in whatever order."""
+"""The inputs of each sample of a sweep: a function of its index alone, whatever computes it, in whatever order."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is found in the folder of a sweep, looked at before it is taken for what a sweep wrote."""
+"""Checks of the folder of a sweep before anything in it is used."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is kept of some samples in place of them, so that statistics of many such parts can be put together."""
+"""Partial statistics of some samples, which can be merged."""
 
 from __future__ import annotations
 

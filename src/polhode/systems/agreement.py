@@ -1,4 +1,4 @@
-"""Whether what a system says of itself agrees: energy, velocity, generator, vector field and flows.
+"""Checks that a system's energy, velocity, generator, vector field and flows agree.
 
 They describe one motion, and a subclass that changes one of them inherits the others. What disagrees would move by one
 and be judged by another, so it is refused. ``polhode.testing.check_system`` checks more, at more points; the systems of

@@ -1,4 +1,4 @@
-"""What is put on a rigid body: mounts inside it and torques on it, each with a state of its own where it needs one."""
+"""Base classes of what is put on a rigid body: mounts inside it and torques on it, with states of their own."""
 
 from __future__ import annotations
 

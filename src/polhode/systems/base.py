@@ -1,4 +1,4 @@
-"""What every system offers; and Lie–Poisson systems, whose equations of motion are written here once."""
+"""Base classes of systems; the Lie–Poisson equations of motion are written here once."""
 
 from __future__ import annotations
 

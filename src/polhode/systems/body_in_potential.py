@@ -1,4 +1,4 @@
-"""A body with a fixed point in a potential that depends on where a fixed direction points in it."""
+"""A body with a fixed point in a potential that depends on how a direction in space lies in the body."""
 
 from __future__ import annotations
 

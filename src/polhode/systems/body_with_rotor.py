@@ -1,4 +1,4 @@
-"""A rotor inside a body: along which axes the two move, with which moments, and how they start."""
+"""A rotor inside a body: the axes along which the two move, their moments, and their start."""
 
 from __future__ import annotations
 

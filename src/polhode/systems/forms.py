@@ -1,4 +1,4 @@
-"""The rates of change and events of a system, refused where they have another form than a state's or a number's."""
+"""Checks of the shapes of a system's rates of change and events."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Kepler's orbit: where the attracting centre stands as seen from a body that goes round it."""
+"""Kepler's orbit: direction and distance of the attracting centre, seen from the body that goes round it."""
 
 from __future__ import annotations
 

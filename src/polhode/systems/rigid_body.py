@@ -1,4 +1,4 @@
-"""A rigid body put together from parts: mounts inside it, torques on it. Its equations of motion stand here once."""
+"""A rigid body put together from parts, mounts inside it and torques on it, with its equations of motion."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Samples of states as a trajectory, with all that the system says of them: invariants, balances, drift."""
+"""Turns sampled states into a trajectory with the system's invariants, balances and drift."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A system together with tangents of its motion, which the linearised flow carries along."""
+"""A system together with tangent vectors of its motion, moved by the linearised flow."""
 
 from __future__ import annotations
 

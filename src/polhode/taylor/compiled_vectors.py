@@ -1,4 +1,4 @@
-"""What a kernel computes with, for Numba: loads, stores and arithmetic of LLVM's <8 x double>.
+"""Arithmetic of a kernel for Numba: loads, stores and operations on LLVM's <8 x double>.
 
 LLVM does not find the vectors in these kernels by itself. A value that is one needs no search, and becomes whatever the
 machine has: one register of AVX-512, two of AVX, four of SSE or NEON.

@@ -1,4 +1,4 @@
-"""Copies on their way: what a kernel changes while it moves them from one jump of a system to the next."""
+"""The state of copies while a kernel moves them from one jump of a system to the next."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is to be known of a jaxpr, JAX's list of the operations of a function, before it is evaluated."""
+"""Questions about a jaxpr, JAX's list of the operations of a function, that are asked before it is evaluated."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The kernel: copies side by side, their steps, samples and events, and the way back onto what is conserved.
+"""The kernel: copies side by side, their steps, samples and events, and the projection onto conserved quantities.
 
 It runs any program, so that it is compiled once for an installation; ``kernels`` says by whom. A copy takes the same
 steps to the same bits, whatever lane it is in and whatever moves beside it.

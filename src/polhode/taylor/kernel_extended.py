@@ -1,4 +1,4 @@
-"""The way along a series whose first coefficients have twice as many digits, as the state has.
+"""Evaluates a series whose first coefficients have twice as many digits, as the state has.
 
 Roundings of a step are then those of its higher terms, which are small. They matter all the same: numbers such as one
 over a moment are rounded once and for all, so that what they leave out has one sign, and a phase grows with the square

@@ -1,4 +1,4 @@
-"""The way back onto what is conserved, by one Newton step after each step in time."""
+"""Projects a state onto its conserved quantities, by one Newton step after each step in time."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The recurrences of Taylor coefficients, of any program, and the way along a series.
+"""The recurrences of Taylor coefficients of any program, and the evaluation of a series.
 
 Source: Jorba & Zou, Exp. Math. 14 (2005) 99, §3.2, for the length of a step.
 """

@@ -1,4 +1,4 @@
-"""What the kernel works on, in flat arrays that Python makes before it begins."""
+"""The work space of the kernel, in flat arrays that Python makes before it begins."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Zeros of polynomials between two times, none of which is missed."""
+"""Finds all zeros of polynomials between two times."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The numbers of a kernel that moves eight copies side by side, in plain Python; see ``vectors``."""
+"""Arithmetic of a kernel on eight copies side by side, in plain Python; see ``vectors``."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""From a system to the programs that its motion needs: rates of change, what is watched, and what is conserved."""
+"""Builds the programs that a system's motion needs: rates of change, watched functions, conserved quantities."""
 
 from __future__ import annotations
 

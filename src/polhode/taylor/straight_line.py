@@ -1,4 +1,4 @@
-"""Machine code for the coefficients of one form of program: what the kernel reads from tables stands in the code.
+"""Machine code for the coefficients of one form of program, without the tables that the kernel reads.
 
 It makes the same sums in the same order, so that no bit depends on which of the two computes. Programs that differ by
 factors alone share one code, unless these are 1 or −1 in one and not in the other. LLVM takes some hundredths of a

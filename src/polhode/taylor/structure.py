@@ -1,4 +1,4 @@
-"""What systems have in common that differ by their numbers alone, so that it is traced once for all of them."""
+"""The structure that systems share which differ by numbers alone, so that it is traced once for all of them."""
 
 from __future__ import annotations
 

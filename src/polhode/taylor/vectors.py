@@ -1,4 +1,4 @@
-"""The numbers that a kernel computes with, in plain Python: of one copy; ``lanes`` has eight copies side by side.
+"""Arithmetic of a kernel on one copy, in plain Python; ``lanes`` has eight copies side by side.
 
 ``compiled_vectors`` has both for Numba. A kernel keeps all numbers in flat arrays of doubles, and sees them through
 ``vectors``: of one copy as they are, of eight copies each number as a vector of eight.

@@ -1,4 +1,4 @@
-"""What holds of every kind of motion that a spec can name."""
+"""Checks that every kind of motion must pass."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How a law is stated and found broken."""
+"""How checks state a law, and report where it is broken."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Running the free body's closed form over batches: NumPy in blocks, JAX as one operation with its derivative."""
+"""Runs the free body's closed form over batches: NumPy in blocks, JAX as one operation with its derivative."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the motion of a free body means: periods, precession, solid angle and action, from its two frequencies."""
+"""The numbers that describe a free body's motion, such as periods, precession and action, from its two frequencies."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Running the Lagrange top's closed form over batches: NumPy in blocks, JAX as one operation with its derivative."""
+"""Runs the Lagrange top's closed form over batches: NumPy in blocks, JAX as one operation with its derivative."""
 
 from __future__ import annotations
 

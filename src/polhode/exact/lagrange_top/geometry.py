@@ -1,4 +1,4 @@
-"""What the motion of a Lagrange top means: its turning points, period, precession, spin and regime."""
+"""The numbers that describe a Lagrange top's motion: turning points, period, precession, spin and regime."""
 
 from __future__ import annotations
 

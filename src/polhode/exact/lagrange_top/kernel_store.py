@@ -1,4 +1,4 @@
-"""Where the kernels keep a block of tops: rows of BLOCK numbers, a double-double number in two rows that follow."""
+"""How the kernels store a block of tops: rows of BLOCK numbers, two adjacent rows for a double-double number."""
 
 from __future__ import annotations
 

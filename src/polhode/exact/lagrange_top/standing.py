@@ -1,4 +1,4 @@
-"""The derivative of a Lagrange top's motion where it stands for ever: asleep, hanging, at rest, or gone upright.
+"""The derivative of a Lagrange top's motion where the axis stays vertical: sleeping, hanging, at rest, almost upright.
 
 About an upright top 4β'' = (2G − a²) β, so that perturbations turn or grow with constant coefficients; a hanging one is
 an upright one with G < 0 on the reversed axis. A top on the separatrix that has come so near upright that |β|² is

@@ -1,4 +1,4 @@
-"""The derivative of a Lagrange top's attitude and momentum along perturbations of all that it is given.
+"""The derivative of a Lagrange top's attitude and momentum along perturbations of all its inputs.
 
 Whole nutations add what the Hessian of the action says, each the same, and the rest is one short flow that is
 differentiated as it stands; nothing takes the root of anything that may vanish. Which nutations count as whole is

@@ -1,4 +1,4 @@
-"""The forms of files, a module each with its ``FORM``, which registers itself by being here.
+"""The file formats: one module each with its ``FORM``, which is found without being registered.
 
 Another package adds one by the entry-point group ``polhode.formats``.
 """

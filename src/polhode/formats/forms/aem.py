@@ -1,4 +1,4 @@
-"""CCSDS Attitude Ephemeris Messages."""
+"""The format ``aem``: CCSDS Attitude Ephemeris Messages."""
 
 from __future__ import annotations
 

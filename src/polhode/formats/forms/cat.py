@@ -1,4 +1,4 @@
-"""Catalogues of lines, as SPCAT writes them."""
+"""The format ``cat``: catalogues of molecular lines, as SPCAT writes them."""
 
 from __future__ import annotations
 

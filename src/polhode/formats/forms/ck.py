@@ -1,4 +1,4 @@
-"""SPICE C-kernels."""
+"""The format ``ck``: SPICE C-kernels."""
 
 from __future__ import annotations
 

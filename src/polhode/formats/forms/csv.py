@@ -1,4 +1,4 @@
-"""A table with one line of names and units."""
+"""The format ``csv``: a table of numbers with one line of names and units."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""glTF animations."""
+"""The format ``gltf``: glTF animations."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""NetCDF: all that is known, bit for bit."""
+"""The format ``netcdf``: NetCDF, with all that is known about a motion, bit for bit."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Constants of molecules, as SPFIT reads them."""
+"""The format ``par``: constants of molecules, as SPFIT reads them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The link of a robot."""
+"""The format ``urdf``: the mass properties of a robot's link."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The plain answers about bodies that lose energy, inside or by drag."""
+"""The answers about bodies that lose energy, inside or by drag."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the page needs to go on with a body that loses energy itself; its pictures are those of any body."""
+"""Lets the page continue the motion of a body that loses energy; its pictures are those of any body."""
 
 from __future__ import annotations
 

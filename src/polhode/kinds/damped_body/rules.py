@@ -1,4 +1,4 @@
-"""What the keys of a body that loses energy ask of each other."""
+"""Rules that the keys of a body that loses energy must satisfy together."""
 
 from __future__ import annotations
 

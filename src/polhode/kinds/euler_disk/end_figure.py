@@ -1,4 +1,4 @@
-"""A rolling disk's tilt and precession: on its way to the singularity in log-log, without end against time."""
+"""A rolling disk's tilt and precession: in log-log towards the singularity, or against time if there is none."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a spec says of the losses of a rolling disk: a list of laws, each with its own key and unit."""
+"""The laws of dissipation in a spec of a rolling disk, each with its own key and unit."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The plain answers about a disk that rolls on a plane, until it lies flat or for as long as it is watched."""
+"""The answers about a disk that rolls on a plane, until it lies flat or for a given time."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the keys of a rolling disk ask of each other."""
+"""Rules that the keys of a rolling disk must satisfy together."""
 
 from __future__ import annotations
 

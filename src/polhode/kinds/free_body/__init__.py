@@ -1,4 +1,4 @@
-"""The body that nothing acts on."""
+"""The free body, on which nothing acts."""
 
 from __future__ import annotations
 

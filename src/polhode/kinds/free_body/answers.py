@@ -1,4 +1,4 @@
-"""The plain answers about a freely rotating body."""
+"""The answers about a freely rotating body."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a free body does, in one sentence, as a person would see it."""
+"""What a free body does, in one sentence, as a person would describe it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The plain answers about gyrostats: a body with a rotor inside."""
+"""The answers about gyrostats: a body with a rotor inside."""
 
 from __future__ import annotations
 

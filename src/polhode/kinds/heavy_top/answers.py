@@ -1,4 +1,4 @@
-"""The plain answers about a heavy top: any body about a fixed point, by Taylor series or splitting into exact flows."""
+"""The answers about a heavy top: any body about a fixed point, by Taylor series or splitting into exact flows."""
 
 from __future__ import annotations
 

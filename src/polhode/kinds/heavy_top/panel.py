@@ -1,4 +1,4 @@
-"""What the page needs to go on with a heavy top itself; its pictures are those of any top."""
+"""Lets the page continue the motion of a heavy top; its pictures are those of any top."""
 
 from __future__ import annotations
 

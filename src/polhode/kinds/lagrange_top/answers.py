@@ -1,4 +1,4 @@
-"""The plain answers about a Lagrange top: a symmetric body about a point of its axis, exactly."""
+"""The answers about a Lagrange top: a symmetric body about a point of its axis, exactly."""
 
 from __future__ import annotations
 

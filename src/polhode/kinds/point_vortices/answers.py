@@ -1,4 +1,4 @@
-"""The plain answers about point vortices."""
+"""The answers about point vortices."""
 
 from __future__ import annotations
 

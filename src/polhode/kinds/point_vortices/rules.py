@@ -1,4 +1,4 @@
-"""What the keys of point vortices ask of each other."""
+"""Rules that the keys of point vortices must satisfy together."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where point vortices went."""
+"""The paths of point vortices."""
 
 from __future__ import annotations
 

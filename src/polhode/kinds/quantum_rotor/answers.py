@@ -1,4 +1,4 @@
-"""The plain answers about a molecule: constants, levels, lines, and the polhodes that the levels are."""
+"""The answers about a molecule: constants, levels, lines, and the polhodes of the levels."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The page of a molecule: its levels of one J as polhodes, their Wigner functions, and the flip of a quantum body."""
+"""The page of a molecule: levels of one J as polhodes, Wigner functions, and the flip of a quantum body."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the keys of a quantum rotor ask of each other."""
+"""Rules that the keys of a quantum rotor must satisfy together."""
 
 from __future__ import annotations
 

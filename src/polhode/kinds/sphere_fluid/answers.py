@@ -1,4 +1,4 @@
-"""The plain answers about an ideal fluid on a sphere."""
+"""The answers about an ideal fluid on a sphere."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Maps of the vorticity: equal in area, and as one sees a globe."""
+"""Maps of the vorticity: an equal-area map, and the globe seen from outside."""
 
 from __future__ import annotations
 

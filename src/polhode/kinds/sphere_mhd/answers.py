@@ -1,4 +1,4 @@
-"""The plain answers about a conducting fluid on a sphere."""
+"""The answers about a conducting fluid on a sphere."""
 
 from __future__ import annotations
 

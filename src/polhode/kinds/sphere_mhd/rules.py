@@ -1,4 +1,4 @@
-"""What the keys of a conducting fluid on a sphere ask of each other."""
+"""Rules that the keys of a conducting fluid on a sphere must satisfy together."""
 
 from __future__ import annotations
 

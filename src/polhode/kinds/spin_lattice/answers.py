@@ -1,4 +1,4 @@
-"""The plain answers about spins on a lattice."""
+"""The answers about spins on a lattice."""
 
 from __future__ import annotations
 

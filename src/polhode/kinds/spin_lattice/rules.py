@@ -1,4 +1,4 @@
-"""What the keys of spins on a lattice ask of each other."""
+"""Rules that the keys of spins on a lattice must satisfy together."""
 
 from __future__ import annotations
 

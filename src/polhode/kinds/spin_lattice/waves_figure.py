@@ -1,4 +1,4 @@
-"""What scattering sees of the spins, over the waves of linear theory."""
+"""The structure factor of the spins, with the frequencies of linear spin waves."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The plain answers about the spin of a moon or planet on its orbit."""
+"""The answers about the spin of a moon or planet on its orbit."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A spin's angle and rate over time, with what keeps step with the orbit."""
+"""A spin's angle and rate over time, beside the rotation that keeps step with the orbit."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the keys of a spin on an orbit ask of each other."""
+"""Rules that the keys of a spin on an orbit must satisfy together."""
 
 from __future__ import annotations
 

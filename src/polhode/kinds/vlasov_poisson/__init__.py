@@ -1,4 +1,4 @@
-"""A plasma of electrons that moves by its own field."""
+"""A plasma of electrons that moves in its own field."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The plain answers about a plasma wave."""
+"""The answers about a plasma wave."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the keys of a plasma ask of each other."""
+"""Rules that the keys of a plasma must satisfy together."""
 
 from __future__ import annotations
 
