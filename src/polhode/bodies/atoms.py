@@ -10,7 +10,7 @@ import numpy as np
 
 from polhode.arrays import known_numbers_only
 from polhode.bodies.body import Body
-from polhode.bodies.digits import judged, last_digit, unsure_moments
+from polhode.bodies.digits import judge_moments, last_digit, unsure_moments
 from polhode.bodies.points import from_points
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, Float64, Real
@@ -58,7 +58,7 @@ def _to_its_digits(body: Body, positions: Array) -> Body:
     """Return a body whose moments are equal or zero where the digits of the positions do not tell them apart."""
     assert body.mass is not None  # points have masses
     moments, axes = body.principal_moments, body.principal_axes
-    found, _ = judged(moments, unsure_moments(moments, body.mass, last_digit(positions, ANGSTROM)))
+    found, _ = judge_moments(moments, unsure_moments(moments, body.mass, last_digit(positions, ANGSTROM)))
     if (found == moments).all():
         return body
     return Body(body.mass, body.center_of_mass, axes @ np.diag(found) @ axes.T)
@@ -72,7 +72,7 @@ def atomic_masses(symbols: Sequence[str]) -> Float64[Array, "n"]:
 
     Source: Meija et al., Pure Appl. Chem. 88 (2016) 265, as in ASE's tables.
     """
-    return _looked_up(symbols, _atomic_weights())
+    return _look_up(symbols, _atomic_weights())
 
 
 def isotopic_masses(symbols: Sequence[str]) -> Float64[Array, "n"]:
@@ -83,10 +83,10 @@ def isotopic_masses(symbols: Sequence[str]) -> Float64[Array, "n"]:
 
     Source: Coursey et al., *Atomic Weights and Isotopic Compositions* 4.1 (NIST, 2015), as in ASE's tables.
     """
-    return _looked_up(symbols, _isotope_masses())
+    return _look_up(symbols, _isotope_masses())
 
 
-def _looked_up(symbols: Sequence[str], table: dict[str, float]) -> Float64[Array, "n"]:
+def _look_up(symbols: Sequence[str], table: dict[str, float]) -> Float64[Array, "n"]:
     unknown = [symbol for symbol in symbols if symbol not in table]
     if unknown:
         raise InvalidInput(

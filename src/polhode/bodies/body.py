@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from polhode.arrays import as_float64, is_traced, known_numbers_only
-from polhode.bodies.digits import judged
+from polhode.bodies.digits import judge_moments
 from polhode.errors import InvalidInput, shown
 from polhode.motion.frame import BodyFrame
 from polhode.rotation import as_matrix, from_matrix, normalize
@@ -169,7 +169,7 @@ class Body:
         """
         with np.errstate(over="ignore", invalid="ignore"):  # what overflows is refused
             offset = self.center_of_mass - _finite("point", point, (3,))
-            inertia = self.inertia + self._known_mass("the inertia about another point") * point_inertia(offset)
+            inertia = self.inertia + self._require_mass("the inertia about another point") * point_inertia(offset)
         if not np.isfinite(inertia).all():
             raise InvalidInput(f"the inertia about `point` overflows; got {shown(point)} m. Check its unit.")
         return inertia
@@ -197,7 +197,7 @@ class Body:
             center = turn @ self.center_of_mass + _finite("translation", translation, (3,))
             return Body(self.mass, center, turn @ self.inertia @ turn.T, self.effective)
 
-    def _known_mass(self, purpose: str) -> float:
+    def _require_mass(self, purpose: str) -> float:
         if self.mass is None:
             raise InvalidInput(f"{purpose} needs the body's mass; give `mass` when making it.")
         return self.mass
@@ -230,7 +230,7 @@ def combine(bodies: Sequence[Body]) -> Body:
             f"`bodies` must be Body objects; got {shown(strange[0])}. "
             "Make one with polhode.shapes or Body."
         )
-    masses = np.array([body._known_mass("combining bodies") for body in bodies])
+    masses = np.array([body._require_mass("combining bodies") for body in bodies])
     centers = np.array([body.center_of_mass for body in bodies])
     with np.errstate(over="ignore", invalid="ignore"):  # what overflows is refused
         center = masses @ (centers - centers[0]) / masses.sum() + centers[0]
@@ -282,7 +282,7 @@ def principal_axes(inertia: Float64[Array, "3 3"]) -> tuple[Float64[Array, "3"],
         moments, axes = _jacobi(inertia / scale)
         # what relative rounding of the entries does to each moment: v · |J| v with |v|
         unsure = ROUNDING * np.einsum("ik,ij,jk->k", np.abs(axes), np.abs(inertia / scale), np.abs(axes))
-        moments, groups = judged(moments, unsure)
+        moments, groups = judge_moments(moments, unsure)
         columns = [axis for group in groups for axis in _nearest_axes(axes[:, group])]
         moments, axes = moments * scale, np.column_stack(columns)
     leading = [_first_largest(np.abs(axes[:, k])) for k in range(3)]

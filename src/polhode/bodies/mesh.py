@@ -6,7 +6,7 @@ import numpy as np
 
 from polhode.arrays import known_numbers_only
 from polhode.bodies.body import Body
-from polhode.bodies.mesh_gate import checked_mesh, repaired_mesh, triple_products
+from polhode.bodies.mesh_gate import check_mesh, repair_mesh, triple_products
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, Float64, Real
 
@@ -52,8 +52,8 @@ def from_mesh(
                 "Check sign and units."
             )
     if repair:
-        vertices, faces = repaired_mesh(vertices, faces)
-    vertices, faces = checked_mesh(vertices, faces, several, repaired=repair)
+        vertices, faces = repair_mesh(vertices, faces)
+    vertices, faces = check_mesh(vertices, faces, several, repaired=repair)
     volume, center, second = volume_moments(vertices[faces])
     whole = float(mass if mass is not None else density * volume)  # type: ignore[operator]
     xx, yy, zz = np.diag(second)

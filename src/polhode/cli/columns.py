@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from polhode.errors import FormatError, InvalidInput
-from polhode.formats.column_mapping import ColumnMapping, mapping_of_words
+from polhode.formats.column_mapping import ColumnMapping, make_mapping
 from polhode.spec.parsing import read_tables
 from polhode.studies.tables import Table
 
@@ -46,7 +46,7 @@ def table_to_import(options: ColumnOptions) -> Table | None:
     if sides := [side for side in SIDES if side in words]:
         why = f"has a table [{sides[0]}], which is for `polhode compare`"
         raise InvalidInput(f"{options.mapping}: {why}. Leave it out.")
-    return Table(_mapping(words, _place(options)), True)
+    return Table(_make_mapping(words, _place(options)), True)
 
 
 def tables_to_compare(options: ColumnOptions) -> tuple[Table | None, Table | None]:
@@ -67,7 +67,7 @@ def tables_to_compare(options: ColumnOptions) -> tuple[Table | None, Table | Non
         given = {**words, **own.get(side, {})}
         needed = side in own or not own  # with one side alone, the other needs no mapping
         where = f"{_place(options)}[{side}]: " if side in own else _place(options)
-        found.append(Table(_mapping(given, where), side in own) if needed else None)
+        found.append(Table(_make_mapping(given, where), side in own) if needed else None)
     return found[0], found[1]
 
 
@@ -87,9 +87,9 @@ def _place(options: ColumnOptions) -> str:
     return "" if options.mapping is None else f"{options.mapping}: "
 
 
-def _mapping(words: dict[str, Any], where: str) -> ColumnMapping:
+def _make_mapping(words: dict[str, Any], where: str) -> ColumnMapping:
     try:
-        return mapping_of_words(words)
+        return make_mapping(words)
     except InvalidInput as error:
         raise InvalidInput(*(f"{where}{line if where else _of_options(line)}" for line in error.args)) from None
 

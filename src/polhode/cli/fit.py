@@ -35,12 +35,12 @@ def run_fit(
     unit = columns.unit if columns.mapping is None and columns.words.keys() == {"unit"} else None
     options = options._replace(table=None if unit else table_to_import(columns), unit=unit)
 
-    def called(name: str) -> str:
+    def name_option(name: str) -> str:
         if name == "columns":
             return ", ".join(map(as_option, columns.words or ["mapping"]))
         return as_option("window" if name == "windows" else name)  # which is given at a time here
 
-    report = fit_files(files, None if free is None else free.split(","), options, called, _progress)
+    report = fit_files(files, None if free is None else free.split(","), options, name_option, _progress)
     publish(report, json, out, figures)
     if not report.determined:
         raise typer.Exit(NOT_DETERMINED)

@@ -8,7 +8,7 @@ from pathlib import Path
 from polhode.cli.destinations import check_spares
 from polhode.cli.render import as_json, print_report
 from polhode.errors import InvalidInput
-from polhode.formats.paths import written_together
+from polhode.formats.paths import write_together
 from polhode.reports.report import Report
 
 
@@ -49,6 +49,6 @@ def publish(
 def _figures(report: Report, folder: Path | None) -> Sequence[str]:
     if folder is None:
         return []
-    with written_together(folder) as draft:
+    with write_together(folder) as draft:
         drawn = report.draw(draft)
     return [str(folder / path.name) for path in drawn]

@@ -80,7 +80,7 @@ class Bodies(NamedTuple):
     refused: dict[int, str]
 
 
-def motion_report_of(report: SystemReport) -> MotionReport:
+def require_motion_report(report: SystemReport) -> MotionReport:
     """Return the report of a kind that has a motion, as one that has a trajectory."""
     assert isinstance(report, MotionReport), f"a report of kind {report.kind} must be on a motion"
     return report
@@ -182,7 +182,7 @@ class AbstractKind(abc.ABC, Generic[TableT]):
             InvalidInput, NotConverged: as ``report`` does.
         """
         self.check_motion()
-        report = motion_report_of(self.report(spec))
+        report = require_motion_report(self.report(spec))
         return SpecMotion(report.trajectory, report.mechanics)
 
     def answers_without_motion(self, spec: Spec[TableT]) -> Iterable[Group | Table]:
@@ -237,9 +237,9 @@ class AbstractKind(abc.ABC, Generic[TableT]):
         Raises:
             InvalidInput: for a spec without [body], or a body that is no rotor.
         """
-        from polhode.spec.rotors import asked_of, rotor_of_body
+        from polhode.spec.rotors import complete_rotor, rotor_of_body
 
-        return asked_of(rotor_of_body(spec.body, spec.source, spec.folder)[0])
+        return complete_rotor(rotor_of_body(spec.body, spec.source, spec.folder)[0])
 
     def ensemble(
         self, samples: ManySpecs, names: Sequence[str], times: Float64[Array, "time"]
@@ -283,14 +283,14 @@ class AbstractKind(abc.ABC, Generic[TableT]):
         panel = self.panel()
         if panel is None:
             return None
-        from polhode.viewer.panels import Content, content_of, moves_as_one_of
+        from polhode.viewer.panels import Content, choose_content, keeps_motion_of
 
         # the page goes on by the equations of the class that names the kind, which an heir may have changed
         names_it = next(one for one in type(trajectory.source).__mro__ if "kind" in vars(one))
-        model = panel.model(trajectory) if moves_as_one_of((names_it,), trajectory.source) else None
+        model = panel.model(trajectory) if keeps_motion_of((names_it,), trajectory.source) else None
         panels = panel.panels(trajectory, samples, surface)
         if panels is None:
-            return replace(content_of(trajectory.source, samples, surface), model=model)
+            return replace(choose_content(trajectory.source, samples, surface), model=model)
         return Content(panels, self._scripts(), model, **panel.plots(trajectory, samples))
 
     def _scripts(self) -> tuple[str, ...]:

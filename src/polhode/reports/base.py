@@ -39,7 +39,7 @@ class SystemReport(Report):
         return {name: partial(draw, self) for name, draw in drawings.items()}
 
 
-def left_out(kind: type) -> Any:
+def make_placeholder(kind: type) -> Any:
     """Return what stands for an object of a class in a report of which no answer that takes it is asked."""
 
     class LeftOut(kind):
@@ -51,7 +51,7 @@ def left_out(kind: type) -> Any:
     return tuple.__new__(LeftOut) if issubclass(kind, tuple) else object.__new__(LeftOut)
 
 
-WITHOUT_MOTION: Trajectory = left_out(Trajectory)
+WITHOUT_MOTION: Trajectory = make_placeholder(Trajectory)
 
 
 class MotionReport(SystemReport):

@@ -23,7 +23,7 @@ from polhode.reports.about import GIVEN, about_axes, accuracy, stability_values,
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import MotionReport
 from polhode.reports.wording import distinct, unit_in_words, vector
-from polhode.spec.building import momentum_of
+from polhode.spec.building import compute_momentum
 from polhode.spec.models import SpinTable
 from polhode.systems.heavy_top import HeavyTop
 from polhode.types import Array, ArrayLike, Float64, Real
@@ -78,7 +78,7 @@ class TopReport(MotionReport):
 
     @property
     def mechanics(self) -> Mechanics:
-        return mechanics_of(self.top, self.frame)
+        return build_mechanics(self.top, self.frame)
 
     @property
     def axis_in_space(self) -> Float64[Array, "time 3"]:
@@ -182,7 +182,7 @@ def about_rests(found: dict[str, Stability]) -> Table:
     return verdicts("equilibria", title, "position", lambda row: row["position"], rows, key="position")
 
 
-def top_of(body: Body, pivot: Real[ArrayLike, "3"], gravity: float) -> HeavyTop:
+def build_top(body: Body, pivot: Real[ArrayLike, "3"], gravity: float) -> HeavyTop:
     """Return the top that a spec asks for; that its body may be free is said in the report.
 
     Raises:
@@ -195,17 +195,17 @@ def top_of(body: Body, pivot: Real[ArrayLike, "3"], gravity: float) -> HeavyTop:
         return HeavyTop.from_body(body, pivot, gravity)
 
 
-def frame_of(top: HeavyTop, body: Body, pivot: Real[ArrayLike, "3"]) -> BodyFrame:
+def build_frame(top: HeavyTop, body: Body, pivot: Real[ArrayLike, "3"]) -> BodyFrame:
     """Return the principal axes at the fixed point, and the mass properties."""
     return BodyFrame(np.asarray(top.moments), np.asarray(top.axes), body.center_of_mass, body.mass, np.asarray(pivot))
 
 
-def mechanics_of(top: HeavyTop, frame: BodyFrame) -> Mechanics:
+def build_mechanics(top: HeavyTop, frame: BodyFrame) -> Mechanics:
     """Return what energy and momentum of a top are made of, along the given axes."""
     return Mechanics(frame.inertia, np.asarray(top.weight))
 
 
-def attitude_of(top: HeavyTop, attitude: Float64[Array, "4"], lean: float | None) -> Float64[Array, "4"]:
+def build_attitude(top: HeavyTop, attitude: Float64[Array, "4"], lean: float | None) -> Float64[Array, "4"]:
     """Return the attitude (4,) of the principal axes at the start: as given, or leaning by an angle [rad].
 
     Raises:
@@ -218,7 +218,7 @@ def attitude_of(top: HeavyTop, attitude: Float64[Array, "4"], lean: float | None
     return top.leaning(lean)
 
 
-def start_of(
+def build_start(
     top: HeavyTop, spin: SpinTable | None, momentum: Float64[Array, "3"], attitude: Float64[Array, "4"],
     lean: float | None,
 ) -> tuple[Float64[Array, "3"], Float64[Array, "4"]]:  # fmt: skip
@@ -234,7 +234,7 @@ def start_of(
     Raises:
         InvalidInput: for a body without an axis that leans, or a spin at which nothing precesses as it is wanted.
     """
-    attitude = attitude_of(top, attitude, lean)
+    attitude = build_attitude(top, attitude, lean)
     if spin is None or not spin.is_of_a_top:
         return _bearable(top, momentum), attitude
     if float(top.mgl) == 0.0:
@@ -249,7 +249,7 @@ def start_of(
             raise InvalidInput('there is one steady precession alone at this tilt; write `spin.precession = "slow"`.')
         precession = wanted
     velocity = top_velocity(top, attitude, turn, precession, spin.nutation_rate or 0.0)
-    return _bearable(top, momentum_of(np.asarray(top.moments), velocity)), attitude
+    return _bearable(top, compute_momentum(np.asarray(top.moments), velocity)), attitude
 
 
 def _bearable(top: HeavyTop, momentum: Float64[Array, "3"]) -> Float64[Array, "3"]:

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from polhode.errors import InvalidInput, shown
-from polhode.formats.column_mapping import mapping_of_words
+from polhode.formats.column_mapping import make_mapping
 from polhode.formats.paths import as_path
 from polhode.reports.report import Report, with_inputs
 from polhode.studies.naming import Called, in_python
@@ -60,7 +60,7 @@ def fit(
         raise InvalidInput(f"`{wrong[0]}` must be a list; got {shown(lists[wrong[0]])}.")
     if columns is not None and not isinstance(columns, Mapping):
         raise InvalidInput(f'`columns` must be words by name, like {{"time": "t"}}; got {shown(columns)}.')
-    table = None if columns is None else Table(mapping_of_words(columns), True)
+    table = None if columns is None else Table(make_mapping(columns), True)
     options = ThrowOptions(windows, drag, torque, rotor, gain, clip, moment, mass, added_weight,
                            [as_path("weighted", path) for path in weighted], table)  # fmt: skip
     paths = [as_path("files", path) for path in files]

@@ -12,7 +12,7 @@ import numpy as np
 from polhode.errors import InvalidInput, shown
 from polhode.formats.spfit import read_lin
 from polhode.kinds.reading import read_spec_or_molecule
-from polhode.quantum.derivatives import AXES, once_each, value_of
+from polhode.quantum.derivatives import AXES, get_constant, once_each
 from polhode.quantum.fitting import RotorFit, fit_rotor
 from polhode.quantum.measured import MeasuredLines
 from polhode.quantum.rotor import Rotor
@@ -63,7 +63,7 @@ class LineFitReport(StudyReport):
     @property
     def notes(self) -> list[str]:
         start, fit, asked = self.start, self.fit, self.asked
-        return [*self.warned, *_together(start, fit, asked), *_fixed(start, fit, asked), *_remarks(fit)]
+        return [*self.warned, *_together(start, fit, asked), *_list_fixed(start, fit, asked), *_remarks(fit)]
 
     def _write_data(self, path: Path) -> Path:
         """Write the constants as a ``.par`` file, or with their correlations as ``.var``."""
@@ -113,7 +113,7 @@ def _together(start: Rotor, fit: RotorFit, asked: Sequence[str] | None) -> list[
     return [f"{both} are equal at the start and fitted as one, {first}; to fit each, start from values that differ."]
 
 
-def _fixed(start: Rotor, fit: RotorFit, asked: Sequence[str] | None) -> list[str]:
+def _list_fixed(start: Rotor, fit: RotorFit, asked: Sequence[str] | None) -> list[str]:
     """Return which constants that the spec gives were left as they are, as no line depends on them."""
     if asked is not None:
         return []
@@ -140,7 +140,7 @@ def _quality(fit: RotorFit, measured: MeasuredLines) -> Group:
 
 def _constants(fit: RotorFit, start: Rotor) -> Table:
     columns = zip(fit.names, fit.values.tolist(), fit.sigma.tolist(), strict=True)
-    rows = [{"constant": name, "value": value, "standard_error": sigma, "start": value_of(start, name)}
+    rows = [{"constant": name, "value": value, "standard_error": sigma, "start": get_constant(start, name)}
             for name, value, sigma in columns]  # fmt: skip
     return Table("constants", "Constants", {
         "constant": lambda row: row["constant"],

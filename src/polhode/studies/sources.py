@@ -16,14 +16,14 @@ from polhode.errors import FormatError, InvalidInput, PolhodeError, one_line, sh
 from polhode.formats.attitude_checks import check_recorded, single_attitude
 from polhode.formats.form import Form, Kernels
 from polhode.formats.form_registry import form_that_begins, forms
-from polhode.formats.labels import AttitudeLabels, Recording, labels_of
+from polhode.formats.labels import AttitudeLabels, Recording, find_labels
 from polhode.formats.opening import is_folder, open_file
 from polhode.formats.stamps import exact_number
-from polhode.formats.table_form import Line, form_of, is_comment
+from polhode.formats.table_form import Line, detect_form, is_comment
 from polhode.kinds.reading import read_spec
 from polhode.motion.frame import BodyFrame
 from polhode.motion.trajectory import Trajectory
-from polhode.studies.naming import naming
+from polhode.studies.naming import name_file_in_errors
 from polhode.studies.tables import Table, needs_mapping
 
 HEAD = 65536  # bytes in which a file shows what it is
@@ -57,7 +57,7 @@ class Source:
     begin: Decimal = Decimal(0)
 
 
-def begin_of(path: Path, trajectory: Trajectory) -> Decimal:
+def find_begin(path: Path, trajectory: Trajectory) -> Decimal:
     """Return the stamp of its file's clock that a trajectory's times count from [s], exactly; 0 for the clock's zero.
 
     Raises:
@@ -81,7 +81,7 @@ def kind_in_words(kind: str, article: bool = True) -> str:
     return f"{'an' if name[0] == 'A' else 'a'} {name}" if article else name
 
 
-def kind_of(path: Path, table: Table | None = None) -> str:
+def detect_kind(path: Path, table: Table | None = None) -> str:
     """Return which form a file has, by what it begins with; what has none may be a spec, or a table of another tool.
 
     Args:
@@ -98,7 +98,7 @@ def kind_of(path: Path, table: Table | None = None) -> str:
         head = file.read(HEAD)
     begin = head.removeprefix(b"\xef\xbb\xbf")
     found = form_that_begins(begin)
-    if found is not None and not (found.name == "csv" and _is_told(begin, table)):
+    if found is not None and not (found.name == "csv" and _is_chosen(begin, table)):
         return found.name
     if b"<aem" in head or b"<ndm" in head:
         raise FormatError(f"{path}: is XML; AEMs are read as text of keyword = value. Convert it.")
@@ -112,7 +112,7 @@ def kind_of(path: Path, table: Table | None = None) -> str:
     return TABLE if table is not None or _looks_like_table(path, head) else SPEC
 
 
-def _is_told(begin: bytes, table: Table | None) -> bool:
+def _is_chosen(begin: bytes, table: Table | None) -> bool:
     """Whether a table of polhode's is to be read as the columns are told: where that is for it, or as it needs it."""
     return table is not None and (table.only or not begin.startswith(OWN_ATTITUDE))
 
@@ -124,7 +124,7 @@ def _looks_like_table(path: Path, head: bytes) -> bool:
     if any(_OF_TOML.match(line.text) for line in content if not is_comment(line.text)):
         return False
     try:
-        form_of(path, content)
+        detect_form(path, content)
     except FormatError:
         return False
     return True
@@ -138,7 +138,7 @@ def read_recorded(
     Raises:
         InvalidInput: for a spec, which holds none, for a table that nothing is said of, or as the readers do.
     """
-    kind = kind_of(path, table) if kind is None else kind
+    kind = detect_kind(path, table) if kind is None else kind
     if kind == TABLE:
         from polhode.formats.column_reading import read_columns
 
@@ -149,12 +149,12 @@ def read_recorded(
     if form is None or form.read is None:
         raise InvalidInput(f"{path}: is no AEM, C-kernel, table or dataset, as it does not begin like one. Check the "
                            "file.")  # fmt: skip
-    found = _read(form, path, kernels)
-    labels = labels_of(found) if form.has_labels else None
-    return kind, found, _told(labels) if form.is_own else labels
+    found = _read_form(form, path, kernels)
+    labels = find_labels(found) if form.has_labels else None
+    return kind, found, _keep_chosen(labels) if form.is_own else labels
 
 
-def _read(form: Form, path: Path, kernels: Kernels) -> Trajectory:
+def _read_form(form: Form, path: Path, kernels: Kernels) -> Trajectory:
     """Return what is in a file, of forms of other packages too, whose readers may let anything pass.
 
     Raises:
@@ -175,14 +175,14 @@ def _read(form: Form, path: Path, kernels: Kernels) -> Trajectory:
     return found
 
 
-def source_of(path: Path, kernels: Kernels, table: Table | None = None, kind: str | None = None) -> Source:
-    """Return the attitude history of any file, of which ``kind_of`` may have found the kind already.
+def load_source(path: Path, kernels: Kernels, table: Table | None = None, kind: str | None = None) -> Source:
+    """Return the attitude history of any file, of which ``detect_kind`` may have found the kind already.
 
     Raises:
         InvalidInput: for what is missing, has no attitude, or holds several bodies.
         NotConverged: for a spec whose motion could not be followed.
     """
-    kind = kind_of(path, table) if kind is None else kind
+    kind = detect_kind(path, table) if kind is None else kind
     if kind == SPEC:
         return _from_spec(path)
     _, found, labels = read_recorded(path, kernels, table, kind)
@@ -192,12 +192,12 @@ def source_of(path: Path, kernels: Kernels, table: Table | None = None, kind: st
     trajectory = found.along("given")
     history = replace(
         _history(path, trajectory), resolution=0.0 if kind == TABLE else forms()[kind].resolution,
-        mechanics=_recorded_mechanics(trajectory, found.frame),
+        mechanics=_find_mechanics(trajectory, found.frame),
     )  # fmt: skip
-    return Source(kind, trajectory, history, labels, None, begin_of(path, found))
+    return Source(kind, trajectory, history, labels, None, find_begin(path, found))
 
 
-def _recorded_mechanics(trajectory: Trajectory, frame: BodyFrame | None) -> Mechanics | None:
+def _find_mechanics(trajectory: Trajectory, frame: BodyFrame | None) -> Mechanics | None:
     """Return the mechanics of a free body's dataset, whose momentum is the moments times the velocity.
 
     Of a top the dataset does not tell the weight, and a rotor's momentum is not in the moments.
@@ -226,17 +226,17 @@ class SpecBody(NamedTuple):
     mechanics: Mechanics | None
 
 
-def body_of(path: Path) -> SpecBody:
+def load_body(path: Path) -> SpecBody:
     """Return the body of a spec.
 
     Raises:
         InvalidInput: for another kind of file, and as reading the spec does.
     """
-    if (kind := kind_of(path)) != SPEC:
+    if (kind := detect_kind(path)) != SPEC:
         why = f"is {kind_in_words(kind)}, and --spec wants a spec, whose [body] has the moments"
         raise InvalidInput(f"{path}: {why}. Give a TOML file like those of `polhode report`.")
     spec = read_spec(path)
-    with naming(path):
+    with name_file_in_errors(path):
         motion = spec.motion()
     return SpecBody(spec.kind.name, motion.trajectory.frame, motion.mechanics)
 
@@ -245,7 +245,7 @@ def _from_spec(path: Path) -> Source:
     spec = read_spec(path)
     if not spec.kind.has_attitude:
         raise _without_attitudes(path)
-    with naming(path):
+    with name_file_in_errors(path):
         moved = spec.motion()
     trajectory = moved.trajectory.along("given")
     history = replace(_history(path, trajectory), mechanics=moved.mechanics)
@@ -257,7 +257,7 @@ def _from_spec(path: Path) -> Source:
             return found.attitude, found.angular_velocity
 
         history = replace(history, exact=exact)
-    return Source("spec", trajectory, history, _told(spec.labels), spec.kind.name)
+    return Source("spec", trajectory, history, _keep_chosen(spec.labels), spec.kind.name)
 
 
 def _without_attitudes(path: Path) -> InvalidInput:
@@ -265,7 +265,7 @@ def _without_attitudes(path: Path) -> InvalidInput:
     return InvalidInput(f"{path}: {why}. Choose the motion of a body that turns in space.")
 
 
-def _told(labels: AttitudeLabels | None) -> AttitudeLabels | None:
+def _keep_chosen(labels: AttitudeLabels | None) -> AttitudeLabels | None:
     """Return labels that somebody chose: the usual epoch says nothing about when the motion was."""
     usual = AttitudeLabels()
     unsaid = labels is None or (labels.epoch, labels.time_system) == (usual.epoch, usual.time_system)

@@ -34,7 +34,7 @@ def needs_mapping(path: Path) -> InvalidInput:
     return InvalidInput(f"{path}: is a table {columns}. Say what they are, like {EXAMPLE}.")
 
 
-def about_reading(trajectory: Trajectory, title: str, level: str) -> Group:
+def describe_reading(trajectory: Trajectory, title: str, level: str) -> Group:
     """Return how a table was understood.
 
     Args:
@@ -67,7 +67,7 @@ def about_reading(trajectory: Trajectory, title: str, level: str) -> Group:
     ])  # fmt: skip
 
 
-def notes_on_reading(trajectory: Trajectory, name: str) -> list[str]:
+def list_reading_notes(trajectory: Trajectory, name: str) -> list[str]:
     """Return what a reader should know of how a table was understood."""
     assert isinstance(trajectory.source, Recording)
     found = trajectory.source.attributes

@@ -16,7 +16,7 @@ from polhode.estimation.throw_fit import BIAS_SPREAD
 from polhode.formats.gyro_logs import ReadLog
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.report import StudyReport
-from polhode.reports.wording import counted, uncertain
+from polhode.reports.wording import uncertain, write_count
 from polhode.studies.fit_answers import (
     about_axes,
     about_inertia,
@@ -71,7 +71,7 @@ class ThrowReport(StudyReport):
     @property
     def summary(self) -> str:
         fit = self.fit
-        what = counted(len(fit.throws), "throw")
+        what = write_count(len(fit.throws), "throw")
         if fit.degenerate is not None or fit.ratios is None:
             return f"{what}: the inertia cannot be told. {sentence(fit.degenerate or '')}"
         said = ", ".join(f"{name} = {uncertain(value, error)}" for name, value, error in each(fit.ratios))
@@ -170,9 +170,9 @@ def _gyro(fit: ThrowFit) -> Group:
                "of y and z, x and z, x and y", None if cross is None else in_words(cross)),
         Answer("gain_spread", fit.gain_spread if sure and gain is not None else None, "", "",
                "standard deviation of the gains, by the log and by what was known beforehand"),
-        _torque_of("drag", fit.drag, "", "drag c/I3", "−c_i |ω| ω_i", "none" if sure else None),
-        _torque_of("linear_drag", fit.linear_drag, "1/s", "linear drag b/I3", "−b_i ω_i"),
-        _torque_of("one_sided_drag", fit.one_sided_drag, "", "one-sided drag d/I3", "−d_i |ω| |ω_i|"),
+        _describe_torque("drag", fit.drag, "", "drag c/I3", "−c_i |ω| ω_i", "none" if sure else None),
+        _describe_torque("linear_drag", fit.linear_drag, "1/s", "linear drag b/I3", "−b_i ω_i"),
+        _describe_torque("one_sided_drag", fit.one_sided_drag, "", "one-sided drag d/I3", "−d_i |ω| |ω_i|"),
         Answer("rotor", None if fit.rotor is None else values(fit.rotor), "rad/s", "wheel's momentum h/I3",
                "along the principal axes; null where none is fitted",
                ("none assumed" if sure else None) if fit.rotor is None else f"{in_words(fit.rotor)} rad/s"),
@@ -190,7 +190,7 @@ def _bias_in_words(fit: ThrowFit) -> str:
     return f"{in_words(fit.bias)} rad/s{assumed}"
 
 
-def _torque_of(key: str, found: Estimate | None, unit: str, label: str, torque: str, words: str | None = None
+def _describe_torque(key: str, found: Estimate | None, unit: str, label: str, torque: str, words: str | None = None
                ) -> Answer:  # fmt: skip
     if found is None:
         return Answer(key, None, unit, label if words else "", "", words)
@@ -202,7 +202,7 @@ def _quality(fit: ThrowFit) -> Group:
     sure = fit.degenerate is None and len(fit.residuals) > 0
     first = fit.throws[0]
     how = "as given" if first.window.reason == "given" else first.window.reason
-    how += f"; {counted(len(fit.throws) - 1, 'more throw')} below" if len(fit.throws) > 1 else ""
+    how += f"; {write_count(len(fit.throws) - 1, 'more throw')} below" if len(fit.throws) > 1 else ""
     return Group("Fit", [
         Answer("rms", fit.rms if sure else None, "rad/s", "residuals", "root mean square",
                f"{fit.rms:.3g} rad/s rms" if sure else None),

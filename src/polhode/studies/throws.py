@@ -25,7 +25,7 @@ from polhode.studies.attitude_report import AttitudeReport
 from polhode.studies.left_out import left_out_words
 from polhode.studies.naming import Called
 from polhode.studies.scale import read_scale
-from polhode.studies.sources import kind_of, source_of
+from polhode.studies.sources import detect_kind, load_source
 from polhode.studies.tables import Table
 from polhode.studies.throw_report import ThrowReport
 
@@ -88,10 +88,10 @@ def fit_logs(paths: Sequence[Path], options: ThrowOptions, called: Called, progr
 def _attitude_kind(path: Path, table: Table | None) -> str | None:
     """Return which kind of log of attitudes a file is, by its content or by what is said of its columns; else None."""
     if table is not None and table.mapping.attitude:
-        return kind_of(path, table)
+        return detect_kind(path, table)
     if not path.is_file() or is_archive(path):
         return None
-    kind = kind_of(path, table)
+    kind = detect_kind(path, table)
     return kind if kind in forms() else None
 
 
@@ -101,7 +101,7 @@ def _fit_attitudes(path: Path, kind: str, options: ThrowOptions, called: Called)
         raise InvalidInput(f"{called('windows')} must be given once at most for a log of attitudes; got "
                            f"{len(windows)}.")  # fmt: skip
     known = read_scale(options.moment, options.mass, options.added_weight, bool(options.weighted), called)
-    trajectory = source_of(path, Kernels(), options.table, kind).trajectory
+    trajectory = load_source(path, Kernels(), options.table, kind).trajectory
     times, attitude = np.asarray(trajectory.times), np.asarray(trajectory.attitude)
     rates = None if trajectory.angular_velocity is None else np.asarray(trajectory.angular_velocity)
     for window in windows:

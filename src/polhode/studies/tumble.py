@@ -114,7 +114,7 @@ def tumble_report(known: KnownTumbler | None, given: Given, called: Called) -> T
     Raises:
         InvalidInput: as ``tumble`` does.
     """
-    periods, moments, errors = _measured(known, given, called)
+    periods, moments, errors = _gather_measured(known, given, called)
     motions = fit_tumbling(*periods, moments, given.axis, errors if any(errors) else None)
     mode: Mode = given.mode or (motions[0].mode if known is None else known.mode)  # type: ignore[assignment]
     chosen = [motion for motion in motions if motion.mode == mode]
@@ -132,7 +132,7 @@ def tumble_report(known: KnownTumbler | None, given: Given, called: Called) -> T
     )  # fmt: skip
 
 
-def _measured(
+def _gather_measured(
     known: KnownTumbler | None, given: Given, called: Called
 ) -> tuple[tuple[float, float], list[float], list[float]]:
     """Return both periods [s], the moments by size, and the errors of all five."""

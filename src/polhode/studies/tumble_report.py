@@ -13,7 +13,7 @@ import numpy as np
 
 from polhode.errors import InvalidInput, shown
 from polhode.estimation.tumbling import Tumbling
-from polhode.formats.paths import written_whole
+from polhode.formats.paths import write_whole
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.report import StudyReport
 from polhode.reports.wording import angle, duration, in_its_unit, order_words, uncertain
@@ -75,7 +75,7 @@ class TumbleReport(StudyReport):
 
     @property
     def answers(self) -> list[Group | Table]:
-        return [_state(self.motion), _periods(self.motion), _body(self), *_damping(self.damping),
+        return [_state(self.motion), _periods(self.motion), _body(self), *_describe_damping(self.damping),
                 *_others(self.others), *_light(self)]  # fmt: skip
 
     def figures(self) -> Mapping[str, Callable[[], Figure | None]]:
@@ -95,13 +95,13 @@ class TumbleReport(StudyReport):
         if ending not in (".csv", ".toml"):
             raise InvalidInput(f"{path}: must end in .csv (light curve) or .toml (spec); got {shown(path.suffix)}.")
         if ending == ".toml":
-            with written_whole(path) as draft:
+            with write_whole(path) as draft:
                 draft.write_text(_spec(self), "utf-8")
             return path
         if self.light is None:
             why = "a flat body, I1 + I2 = I3, has no light curve here. Give moments of a solid body."
             raise InvalidInput(f"{path}: {why}")
-        with written_whole(path) as draft, draft.open("w", encoding="utf-8", newline="") as file:
+        with write_whole(path) as draft, draft.open("w", encoding="utf-8", newline="") as file:
             writer = csv.writer(file)
             writer.writerow(["time [s]", "magnitude [mag]"])
             writer.writerows(zip(self.light.times.tolist(), self.light.magnitudes.tolist(), strict=True))
@@ -171,7 +171,7 @@ def _body(found: TumbleReport) -> Group:
     ])  # fmt: skip
 
 
-def _damping(damping: Damping | None) -> list[Group]:
+def _describe_damping(damping: Damping | None) -> list[Group]:
     if damping is None:
         return []
     assumed = (f"D = {damping.diameter:.4g} m, ρ = {damping.density:.4g} kg/m³, μQ = {damping.rigidity:.3g} Pa, "

@@ -282,23 +282,23 @@ class DampedBodyReport(MotionReport):
         ]
 
 
-def report_of(spec: Spec[DampedBodyTable]) -> DampedBodyReport:
+def make_report(spec: Spec[DampedBodyTable]) -> DampedBodyReport:
     """Return the report on a body that loses energy inside, as a double bracket, or by drag.
 
     Raises:
         InvalidInput: for a body with a vanishing moment.
     """
-    start = _start_of(spec)
-    return DampedBodyReport(start, *_moved(spec, start))
+    start = _make_start(spec)
+    return DampedBodyReport(start, *_simulate(spec, start))
 
 
-def motion_of(spec: Spec[DampedBodyTable]) -> SpecMotion:
+def simulate_motion(spec: Spec[DampedBodyTable]) -> SpecMotion:
     """Return the motion alone.
 
     Raises:
         InvalidInput: for a body with a vanishing moment.
     """
-    return SpecMotion(_moved(spec, _start_of(spec))[0], None)
+    return SpecMotion(_simulate(spec, _make_start(spec))[0], None)
 
 
 def answers_without_motion(spec: Spec[DampedBodyTable]) -> Iterator[Group | Table]:
@@ -307,7 +307,7 @@ def answers_without_motion(spec: Spec[DampedBodyTable]) -> Iterator[Group | Tabl
     Raises:
         InvalidInput: for a body with a vanishing moment.
     """
-    start = _start_of(spec)
+    start = _make_start(spec)
     yield about_body(start.body)
     yield start.losses()
     yield Group("Motion", start.flat_spin())
@@ -315,7 +315,7 @@ def answers_without_motion(spec: Spec[DampedBodyTable]) -> Iterator[Group | Tabl
     yield Group("Motion", [start.settling()])
 
 
-def _start_of(spec: Spec[DampedBodyTable]) -> DampedStart:
+def _make_start(spec: Spec[DampedBodyTable]) -> DampedStart:
     table = spec.system
     assert spec.body is not None
     moments = spec.body.principal_moments
@@ -328,7 +328,7 @@ def _start_of(spec: Spec[DampedBodyTable]) -> DampedStart:
     return DampedStart(spec, table, momentum, attitude, _system(table, moments, momentum))
 
 
-def _moved(spec: Spec[DampedBodyTable], start: DampedStart) -> tuple[Trajectory, bool]:
+def _simulate(spec: Spec[DampedBodyTable], start: DampedStart) -> tuple[Trajectory, bool]:
     """Return the motion, and whether it is cut short."""
     times, moments, cut = spec.times, start.body.principal_moments, False
     if times is None:

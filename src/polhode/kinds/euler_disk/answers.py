@@ -24,7 +24,7 @@ from polhode.kinds.euler_disk.table import EulerDiskTable
 from polhode.motion.frame import BodyFrame
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.answer import Group, Table
-from polhode.reports.base import WITHOUT_MOTION, left_out
+from polhode.reports.base import WITHOUT_MOTION, make_placeholder
 from polhode.reports.length import Watch
 from polhode.simulation import simulate
 from polhode.systems.euler_disk import EulerDisk
@@ -36,7 +36,7 @@ TURN_SAMPLES = 125
 UPRIGHT = 1e-9  # rad
 
 
-def report_of(spec: Spec[EulerDiskTable]) -> EulerDiskReport:
+def make_report(spec: Spec[EulerDiskTable]) -> EulerDiskReport:
     """Return the report on a rolling disk.
 
     With dissipation and without times it is followed to its end, else for these times, or for ten nutations. What ends
@@ -50,7 +50,7 @@ def report_of(spec: Spec[EulerDiskTable]) -> EulerDiskReport:
     disk, ideal = _disks(table)
     start, steady = _start(table, disk), _steady(table, ideal)
     if table.dissipation and times is None:
-        found = _ended(disk, start)
+        found = _simulate_end(disk, start)
         trajectory = found.trajectory
         path = last_turns(trajectory, TURNS, spec.samples)
         turn = 2.0 * math.pi / abs(float(disk.precession(start)))
@@ -83,7 +83,7 @@ def answers_without_motion(spec: Spec[EulerDiskTable]) -> Iterator[Group | Table
     disk, ideal = _disks(table)
     yield from EulerDiskReport(
         table=table, disk=disk, trajectory=WITHOUT_MOTION, begin=_start(table, disk), steady=_steady(table, ideal),
-        laws=[], spin_down=None, end_by_energy=None, path=left_out(DiskPath), opening=None,
+        laws=[], spin_down=None, end_by_energy=None, path=make_placeholder(DiskPath), opening=None,
         thresholds=_thresholds(table, ideal),
     ).without_motion()  # fmt: skip
 
@@ -124,7 +124,7 @@ def _start(table: EulerDiskTable, disk: EulerDisk) -> Array:
     return state
 
 
-def _ended(disk: EulerDisk, start: Array) -> SpinDown:
+def _simulate_end(disk: EulerDisk, start: Array) -> SpinDown:
     try:
         return spin_down(disk, start)
     except (InvalidInput, NotConverged) as error:

@@ -12,7 +12,7 @@ from polhode.kinds.euler_disk.report import EulerDiskReport
 from polhode.kinds.panel import KindPanel
 from polhode.motion.trajectory import Trajectory
 from polhode.systems import rolling_dissipation
-from polhode.viewer.encoding import packed
+from polhode.viewer.encoding import pack
 from polhode.viewer.panels import Panel
 from polhode.viewer.samples import Samples
 
@@ -29,7 +29,7 @@ class EulerDiskPanel(KindPanel):
         return [{
             "type": "disk", "radius": float(disk.mechanics.radius),
             "thickness": 2.0 * float(disk.mechanics.half_thickness),
-            "contact": packed(contact), "center": packed(np.asarray(disk.center(samples.states))), "elevation": STEEP,
+            "contact": pack(contact), "center": pack(np.asarray(disk.center(samples.states))), "elevation": STEEP,
         }]  # fmt: skip
 
     def model(self, trajectory: Trajectory) -> dict[str, Any] | None:
@@ -60,7 +60,7 @@ class EulerDiskPanel(KindPanel):
         rate = np.abs(report.disk.precession(states))
         words = "the whole motion: log₁₀ {} against log₁₀ of the time left [s], which runs to the left"
         return tuple(
-            {"title": title, "words": words.format(unit), "x": packed(np.log10(left[ahead]), "f4"),
-             "y": packed(np.log10(np.asarray(values)), "f4")}
+            {"title": title, "words": words.format(unit), "x": pack(np.log10(left[ahead]), "f4"),
+             "y": pack(np.log10(np.asarray(values)), "f4")}
             for title, unit, values in (("Tilt", "[°]", tilt), ("Precession", "[rad/s]", rate))
         )  # fmt: skip

@@ -212,7 +212,7 @@ class EulerDiskReport(MotionReport):
             "power at first": lambda row: f"{row['power']:.4g} W",
             "share": lambda row: f"{row['share']:.4g}",
             "share when fitted": lambda row: "–" if row["share_late"] is None else f"{row['share_late']:.4g}",
-            "its exponent n": lambda row: _predicted(row["exponent"]),
+            "its exponent n": lambda row: _word(row["exponent"]),
         }
         units = {
             "power": "W, at the start", "share": "of the power, at the start",
@@ -234,7 +234,7 @@ class EulerDiskReport(MotionReport):
             "fitted": lambda row: uncertain(row["fitted"], row["uncertainty"]) + (
                 ", too uncertain to compare" if row["uncertainty"] > TELLING * abs(row["fitted"]) else ""),
             "predicted": lambda row: (
-                "–" if row["predicted"] is None else f"{_predicted(row['predicted'])} ({said[row['name']][1]}{of_whom})"
+                "–" if row["predicted"] is None else f"{_word(row['predicted'])} ({said[row['name']][1]}{of_whom})"
             ),
         }
         title = f"Exponents, fitted where |tilt rate|/(tilt·Ω) < {ASYMPTOTIC_FIT:g}"
@@ -298,7 +298,7 @@ def _before(end: float | None, time: float, uncertainty: float | None) -> str:
     return f", t0 − {uncertain(end - time, uncertainty, 's')}" if time < end else ", after t0"
 
 
-def _predicted(exponent: float) -> str:
+def _word(exponent: float) -> str:
     names = {1 / 3: "1/3", 4 / 9: "4/9", 1 / 2: "1/2", 2 / 3: "2/3", 2 / 9: "2/9", 1 / 6: "1/6", 1 / 4: "1/4"}
     word = names.get(abs(exponent), f"{abs(exponent):.4g}")
     return f"−{word}" if exponent < 0 else word

@@ -30,7 +30,7 @@ MILLI = 1e3
 def draw_rolling_disk(report: EulerDiskReport) -> Figure:
     """Return the disk from its first position, faint, to its last one in sight, and what it has rolled along."""
     a = report.table.radius
-    times, states = _moments_shown(report)
+    times, states = _choose_moments(report)
     placed = [_disk(report, state) for state in states]
     first, last = _paths(report)
     centers = np.asarray(report.disk.center(np.asarray(report.path.states)))
@@ -41,7 +41,7 @@ def draw_rolling_disk(report: EulerDiskReport) -> Figure:
     frame = view_frame(np.array(VIEW))
     plane = _plane(placing(_flat(last)), a / half)
     window = _window(frame, [placing(surface.vertices) for surface in placed] + [plane])
-    figure = style.new_figure(height=style.height_of(window, 1.0))
+    figure = style.new_figure(height=style.choose_height(window, 1.0))
     axes = figure.add_subplot()
     ground = Scene(axes, frame, window, EYE)
     x, y, _ = ground.project(plane)
@@ -83,7 +83,7 @@ def _words(times: Array, tilts: Array) -> str:
     return f"Rolling disk tilted by {', '.join(f'{x:.1f}°' for x in tilts)}\nat times {', '.join(clock)}  {unit}"
 
 
-def _moments_shown(report: EulerDiskReport) -> tuple[Array, Array]:
+def _choose_moments(report: EulerDiskReport) -> tuple[Array, Array]:
     """Return times (n,) and states (n, 8): while it falls, at tilts evenly spread; else evenly in time."""
     if report.opening is not None:
         motion: Any = report.trajectory

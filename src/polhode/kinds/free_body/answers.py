@@ -171,7 +171,7 @@ class FreeBodyReport(MotionReport):
         return headline(self.motion)
 
 
-def report_of(spec: Spec[FreeBodyTable]) -> FreeBodyReport:
+def make_report(spec: Spec[FreeBodyTable]) -> FreeBodyReport:
     """Return the report on the free motion of a spec's body."""
     assert spec.body is not None
     momentum, attitude = spec.start(spec.body.principal_moments, spec.body.principal_axes)

@@ -19,7 +19,7 @@ from polhode.analysis.gyrostat_rotations import (
 )
 from polhode.bodies.body import Body
 from polhode.kinds.base import Spec, SpecMotion
-from polhode.kinds.gyrostat.build import built, sampled
+from polhode.kinds.gyrostat.build import build, simulate_samples
 from polhode.kinds.gyrostat.table import GyrostatTable
 from polhode.motion.frame import BodyFrame
 from polhode.motion.trajectory import Trajectory
@@ -27,7 +27,7 @@ from polhode.reports.about import GIVEN, about_axes, about_body, accuracy, stabi
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import WITHOUT_MOTION, MotionReport
 from polhode.reports.wording import distinct, vector
-from polhode.systems.body_with_rotor import RotorInBody, direction_of
+from polhode.systems.body_with_rotor import RotorInBody, find_direction
 from polhode.systems.gyrostat import Gyrostat
 from polhode.types import Array, Float64
 
@@ -135,7 +135,7 @@ class GyrostatReport(MotionReport):
         return [about_body(self.body, "rotor locked"), self._about_rotor(), self._steady_rotations(), self._motion()]
 
     def _about_rotor(self) -> Group:
-        axis, torque = direction_of(self.table.rotor_axis), self.table.motor_torque
+        axis, torque = find_direction(self.table.rotor_axis), self.table.motor_torque
         drive = "free" if self.free else "constant-rate"
         meaning = "whole" if self.free else "relative to the body"
         less = "less the rotor's axial one" if self.free else "rotor locked"
@@ -212,14 +212,14 @@ class GyrostatReport(MotionReport):
         ]
 
 
-def report_of(spec: Spec[GyrostatTable]) -> GyrostatReport:
+def make_report(spec: Spec[GyrostatTable]) -> GyrostatReport:
     """Return the report on a body with a rotor, driven at a constant rate, free, or turned by a motor.
 
     Raises:
         InvalidInput: for a rotor that does not fit into the body.
     """
-    made = built(spec)
-    return _report_on(spec, made, _moved(spec, made))
+    made = build(spec)
+    return _report_on(spec, made, _simulate(spec, made))
 
 
 def answers_without_motion(spec: Spec[GyrostatTable]) -> Iterator[Group | Table]:
@@ -229,7 +229,7 @@ def answers_without_motion(spec: Spec[GyrostatTable]) -> Iterator[Group | Table]
         InvalidInput: for a rotor that does not fit into the body.
     """
     if spec.system.motor_torque is None:
-        yield from _report_on(spec, built(spec), WITHOUT_MOTION).without_motion()
+        yield from _report_on(spec, build(spec), WITHOUT_MOTION).without_motion()
 
 
 def _report_on(spec: Spec[GyrostatTable], made: RotorInBody, trajectory: Trajectory) -> GyrostatReport:
@@ -242,16 +242,16 @@ def _report_on(spec: Spec[GyrostatTable], made: RotorInBody, trajectory: Traject
     )
 
 
-def motion_of(spec: Spec[GyrostatTable]) -> SpecMotion:
+def simulate_motion(spec: Spec[GyrostatTable]) -> SpecMotion:
     """Return the motion alone.
 
     Raises:
         InvalidInput: for a rotor that does not fit into the body.
     """
-    return SpecMotion(_moved(spec, built(spec)), None)
+    return SpecMotion(_simulate(spec, build(spec)), None)
 
 
-def _moved(spec: Spec[GyrostatTable], made: RotorInBody) -> Trajectory:
+def _simulate(spec: Spec[GyrostatTable], made: RotorInBody) -> Trajectory:
     assert spec.body is not None
     frame = BodyFrame(made.moments, made.axes, spec.body.center_of_mass, spec.body.mass)
-    return replace(sampled(spec, made), frame=frame)
+    return replace(simulate_samples(spec, made), frame=frame)

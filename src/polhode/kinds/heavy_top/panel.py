@@ -8,7 +8,7 @@ import numpy as np
 
 from polhode.kinds.panel import KindPanel
 from polhode.motion.trajectory import Trajectory
-from polhode.viewer.models import start_of
+from polhode.viewer.models import find_start
 
 
 class HeavyTopPanel(KindPanel):
@@ -16,7 +16,7 @@ class HeavyTopPanel(KindPanel):
 
     def model(self, trajectory: Trajectory) -> dict[str, Any] | None:
         """Return the top and its start; None without attitudes."""
-        top, start = trajectory.source, start_of(trajectory)
+        top, start = trajectory.source, find_start(trajectory)
         if start is None:
             return None
         return {"solver": "HeavyTop", "mgl": float(top.mgl), "axis": np.asarray(top.axis).tolist(), **start}

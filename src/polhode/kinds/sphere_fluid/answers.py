@@ -13,7 +13,7 @@ import numpy as np
 from polhode.errors import InvalidInput
 from polhode.integrators import IsospectralMidpoint
 from polhode.kinds.base import Spec
-from polhode.kinds.sphere_fluid.start import earlier_run, start_of
+from polhode.kinds.sphere_fluid.start import build_start, load_earlier_run
 from polhode.kinds.sphere_fluid.table import FluidTable
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import accuracy
@@ -166,7 +166,7 @@ class FluidReport(MotionReport):
         ])  # fmt: skip
 
 
-def report_of(spec: Spec[FluidTable]) -> FluidReport:
+def make_report(spec: Spec[FluidTable]) -> FluidReport:
     """Return the report on a fluid on a sphere.
 
     Raises:
@@ -213,8 +213,8 @@ def _vorticity(fluid: SphereFluid, state: Array) -> float:
 def _start(spec: Spec[FluidTable], table: FluidTable) -> tuple[SphereFluid, Array, Trajectory | None]:
     """Return the fluid, its first state, and the run that it goes on from, if any."""
     fluid = SphereFluid(table.resolution, table.rotation)
-    earlier = None if table.start_from is None else earlier_run(spec.folder / table.start_from, fluid)
-    state = start_of(fluid, table) if earlier is None else earlier.states[-1]
+    earlier = None if table.start_from is None else load_earlier_run(spec.folder / table.start_from, fluid)
+    state = build_start(fluid, table) if earlier is None else earlier.states[-1]
     vorticity = _vorticity(fluid, state)
     if not 1.0 / EXTREME <= vorticity <= EXTREME:
         raise InvalidInput(

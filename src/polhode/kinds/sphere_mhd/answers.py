@@ -15,7 +15,7 @@ from polhode.analysis.zonal_growth import zonal_growth
 from polhode.errors import InvalidInput
 from polhode.integrators import IsospectralMidpoint
 from polhode.kinds.base import Spec
-from polhode.kinds.sphere_mhd.start import earlier_run, start_of, wave_speed
+from polhode.kinds.sphere_mhd.start import build_start, load_earlier_run, wave_speed
 from polhode.kinds.sphere_mhd.table import MagneticFluidTable
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import accuracy
@@ -243,7 +243,7 @@ def _mean_square(system: SphereMHD, matrix: Array) -> float:
     return math.sqrt(float(system.sphere.pairing(matrix, matrix)) / (4.0 * math.pi))
 
 
-def report_of(spec: Spec[MagneticFluidTable]) -> MagneticReport:
+def make_report(spec: Spec[MagneticFluidTable]) -> MagneticReport:
     """Return the report on a conducting fluid on a sphere.
 
     Raises:
@@ -292,8 +292,8 @@ def _size(system: SphereMHD, state: Array) -> float:
 def _start(spec: Spec[MagneticFluidTable], table: MagneticFluidTable) -> tuple[SphereMHD, Array, Trajectory | None]:
     """Return the system, its first state, and the run that it goes on from, if any."""
     system = SphereMHD(table.resolution, table.rotation)
-    earlier = None if table.start_from is None else earlier_run(spec.folder / table.start_from, system)
-    state = jnp.asarray(start_of(system, table) if earlier is None else earlier.states[-1])
+    earlier = None if table.start_from is None else load_earlier_run(spec.folder / table.start_from, system)
+    state = jnp.asarray(build_start(system, table) if earlier is None else earlier.states[-1])
     size = _size(system, state)
     if not 1.0 / EXTREME <= size <= EXTREME:
         raise InvalidInput(

@@ -21,11 +21,11 @@ from polhode.types import Array, Complex128
 Harmonics = dict[tuple[int, int], complex]
 
 
-def start_of(system: SphereMHD, table: MagneticFluidTable) -> Complex128[Array, "2 n n"]:
+def build_start(system: SphereMHD, table: MagneticFluidTable) -> Complex128[Array, "2 n n"]:
     """Return the state (Θ, W) of the absolute vorticity [rad/s]."""
     if table.alfven_wave is not None:
         return _exact_wave(system, table.alfven_wave)
-    vorticity, potential = (_summed(waves) for waves in (
+    vorticity, potential = (_sum_waves(waves) for waves in (
         [(wave, wave.vorticity) for wave in table.waves or []],
         [(wave, wave.field / math.sqrt(wave.degree * (wave.degree + 1))) for wave in table.field_waves or []],
     ))  # fmt: skip
@@ -67,7 +67,7 @@ def _table(n: int, wave: AlfvenWaveTable) -> Array:
     return jnp.asarray(found)
 
 
-def _summed(waves: Sequence[tuple[Any, float]]) -> Harmonics:
+def _sum_waves(waves: Sequence[tuple[Any, float]]) -> Harmonics:
     found: Harmonics = {}
     for wave, size in waves:
         place = wave.degree, wave.order
@@ -88,7 +88,7 @@ def _random(system: SphereMHD, table: Degrees, part: int, size: float) -> Array:
     return relative * (size * math.sqrt(4.0 * math.pi / float(system.sphere.pairing(relative, relative))))
 
 
-def earlier_run(path: Path, system: SphereMHD) -> Trajectory:
+def load_earlier_run(path: Path, system: SphereMHD) -> Trajectory:
     """Return the run that is to go on.
 
     Raises:

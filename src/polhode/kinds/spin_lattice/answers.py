@@ -18,7 +18,7 @@ from polhode.errors import InvalidInput
 from polhode.integrators import Bath, NoiseDriftNoise, SphericalMidpoint, Splitting
 from polhode.integrators.base import AbstractOrbitSolver
 from polhode.kinds.base import Spec
-from polhode.kinds.spin_lattice.build import lattice_of, start_of, wave_path
+from polhode.kinds.spin_lattice.build import build_lattice, build_start, wave_path
 from polhode.kinds.spin_lattice.table import SpinLatticeTable
 from polhode.motion.layout import ENERGY
 from polhode.motion.trajectory import Trajectory
@@ -213,15 +213,15 @@ def _whole(value: float) -> str:
     return f"{value:.0f}" if abs(value - round(value)) < 1e-6 else f"{value:.3f}"
 
 
-def report_of(spec: Spec[SpinLatticeTable]) -> SpinLatticeReport:
+def make_report(spec: Spec[SpinLatticeTable]) -> SpinLatticeReport:
     """Return the report on spins on a lattice.
 
     Raises:
         InvalidInput: for bonds and places that make no lattice, or a time that takes too many steps.
     """
     table = spec.system
-    system = lattice_of(table)
-    state = start_of(system, table)
+    system = build_lattice(table)
+    state = build_start(system, table)
     fastest = _fastest(system)
     until = spec.until
     if until is None:
@@ -250,11 +250,11 @@ def report_of(spec: Spec[SpinLatticeTable]) -> SpinLatticeReport:
 
 def _in_joules(trajectory: Trajectory) -> Trajectory:
     """Return the trajectory with its energy in J; the system's is over ħ, as its spins are."""
-    def scaled(values: Mapping[str, Any]) -> dict[str, Any]:
+    def scale_energies(values: Mapping[str, Any]) -> dict[str, Any]:
         return {name: hbar * value if name == "energy" else value for name, value in values.items()}
 
     return replace(
-        trajectory, invariants=scaled(trajectory.invariants), balances=scaled(trajectory.balances),
+        trajectory, invariants=scale_energies(trajectory.invariants), balances=scale_energies(trajectory.balances),
         quantities=trajectory.quantities | {"energy": ENERGY},
     )  # fmt: skip
 
@@ -265,7 +265,7 @@ def answers_without_motion(spec: Spec[SpinLatticeTable]) -> Iterator[Group | Tab
     Raises:
         InvalidInput: for bonds and places that make no lattice.
     """
-    yield from SpinLatticeReport(lattice_of(spec.system), spec.system, WITHOUT_MOTION, spec.samples).without_motion()
+    yield from SpinLatticeReport(build_lattice(spec.system), spec.system, WITHOUT_MOTION, spec.samples).without_motion()
 
 
 def _fastest(system: SpinLattice) -> float:

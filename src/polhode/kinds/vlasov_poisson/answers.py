@@ -168,7 +168,7 @@ class PlasmaReport(MotionReport):
         ])  # fmt: skip
 
 
-def report_of(spec: Spec[PlasmaTable]) -> PlasmaReport:
+def make_report(spec: Spec[PlasmaTable]) -> PlasmaReport:
     """Return the report on a plasma.
 
     Raises:

@@ -50,7 +50,7 @@ def draw_phase_space(report: PlasmaReport) -> Figure:
     fastest = min(report.fastest, max(abs(beam.drift) + SHOWN * beam.spread for beam in report.beams))
     for axes, k in zip(panels, chosen, strict=True):
         try:
-            found = _pictured(states[k], values, length, fastest)
+            found = _grid_density(states[k], values, length, fastest)
             axes.imshow(found, extent=(0.0, length, -fastest, fastest), origin="lower", aspect="auto", cmap="viridis",
                         vmin=0.0, vmax=float(values.max()), interpolation="nearest")  # fmt: skip
         except QhullError:  # particles of one velocity span no area between them
@@ -62,7 +62,7 @@ def draw_phase_space(report: PlasmaReport) -> Figure:
     return figure
 
 
-def _pictured(state: Array, values: Array, length: float, fastest: float) -> Array:
+def _grid_density(state: Array, values: Array, length: float, fastest: float) -> Array:
     """Return f (rows of v, columns of x) between the particles that are nearest, the box closed."""
     v, x = state[:, 0], np.mod(state[:, 1], length)
     near = 0.15 * length
