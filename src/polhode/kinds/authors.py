@@ -1,4 +1,4 @@
-"""What the author of a kind needs of other rooms, to be had from ``polhode.kinds``."""
+"""What the author of a kind needs from other packages of polhode, exported by ``polhode.kinds``."""
 
 from polhode.reports.about import about_body, accuracy
 from polhode.reports.answer import Answer, Group, Table

@@ -113,7 +113,7 @@ def page_of_report(report: SystemReport, path: str | Path, *, surface: Surface |
 
 
 def page_of_answers(report: SystemReport, name: str, surface: Surface | None) -> Page:
-    """Return what the page of a report is filled with."""
+    """Return the content of a report's page."""
     kind = find_kind(report.kind)
     said = {"name": name, "summary": with_powers(report.summary), "surface": surface}
     if isinstance(report, MotionReport):
@@ -128,6 +128,6 @@ def page_of_answers(report: SystemReport, name: str, surface: Surface | None) ->
 
 
 def _content(trajectory: Trajectory, samples: Samples, surface: Surface | None) -> Content | None:
-    """Return the pictures that the kind of the motion has of its own."""
+    """Return the own pictures of the motion's kind."""
     kind = kind_of_source(trajectory.source)
     return None if kind is None else kind.content(trajectory, samples, surface)

@@ -36,7 +36,7 @@ def write_playground(
 
 
 def presets() -> list[dict[str, Any]]:
-    """Return what the playground says: example, title and story of each motion."""
+    """Return example, title and story of each motion of the playground."""
     text = (resources.files("polhode.viewer") / "playground.toml").read_text("utf-8")
     return tomllib.loads(text)["preset"]
 

@@ -166,7 +166,7 @@ def _system(kind: AbstractKind, raw: dict[str, Any]) -> tuple[SystemTable | None
 def _build_body(
     raw: Any, folder: Path, mistakes: list[Mistake]
 ) -> tuple[Body | None, list[tuple[Location, InvalidInput]]]:
-    """Return the body, or what of it no body has.
+    """Return the body, or the mistakes in its table.
 
     Beside mistakes, what is right in itself is tried on its own: each part, and the source of the body with its other
     keys as if they were right.

@@ -1,4 +1,4 @@
-"""Answers as data: values with name, unit and label, from which the text, the JSON and the units in it follow."""
+"""Answers as data: values with name, unit and label, from which text, JSON and units are made."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from polhode.reports.wording import write_value
 
 
 class Answer(NamedTuple):
-    """One thing that a report says.
+    """One value in a report.
 
     Attributes:
         name: its place in the JSON, a dot between levels: "rotor.moment". Empty for what is only said in the text.

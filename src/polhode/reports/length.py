@@ -1,4 +1,4 @@
-"""How long a run will take: said where it is long, refused where it would be far too long."""
+"""Estimates of how long a run takes: a long run is announced, one that would never end is refused."""
 
 from __future__ import annotations
 

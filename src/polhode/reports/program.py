@@ -1,4 +1,4 @@
-"""What computes: by which program, its libraries and settings were these numbers made, to the bit.
+"""A digest of the program that computes: its code, its libraries and the settings that change results.
 
 Who keeps numbers for later, reports or the chunks of a sweep, keeps them under this digest.
 """

@@ -1,4 +1,4 @@
-"""A report: what polhode found out about something, as one object, whatever that is."""
+"""The base of all reports: results as text, values, figures and data files."""
 
 from __future__ import annotations
 
@@ -22,17 +22,17 @@ if TYPE_CHECKING:
 
 
 class Report(abc.ABC):
-    """What was found out about something: in words, as values by name, in figures and in a file of data.
+    """The results of one question: as text, as values by name, as figures and as a data file.
 
     A notebook shows it as it is; ``values`` has its numbers, ``json`` a text for other programs.
 
     Attributes:
-        name: of what it is about.
+        name: of its subject.
         kind: of report, like "tumble"; of one on a spec, the system that moves.
         trajectory: the motion, where there is one.
-        determined: whether the question could be answered.
+        determined: whether the data sufficed to answer the question.
         data_file: name of the file that ``write`` saves the data under; empty where there are none.
-        inputs: the files that it was made from, which are not written over.
+        inputs: the files that it was made from; they are never overwritten.
 
     >>> import polhode as ph
     >>> found = ph.tumble("apophis")
@@ -67,11 +67,11 @@ class Report(abc.ABC):
 
     @property
     def notes(self) -> Sequence[str]:
-        """What a reader should know in addition to the numbers."""
+        """Caveats that a reader should know besides the numbers."""
         return ()
 
     def figures(self) -> Mapping[str, Callable[[], Figure | None]]:
-        """Return what draws each figure, by its name; it draws None where there is nothing to see."""
+        """Return the functions that draw the figures, by name; one returns None where there is nothing to draw."""
         return {}
 
     def save(self, path: str | Path) -> Path:
@@ -172,13 +172,13 @@ ReportT = TypeVar("ReportT", bound=Report)
 
 
 class StudyReport(Report):
-    """A report on something else than one motion."""
+    """A report whose subject is not a single motion."""
 
     trajectory: Trajectory | None = None
 
 
 class PlainReport(StudyReport):
-    """A report whose parts are given."""
+    """A report made from given parts."""
 
     def __init__(
         self, name: str, kind: str, summary: str, answers: Sequence[Group | Table], notes: Sequence[str] = (),

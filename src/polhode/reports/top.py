@@ -35,16 +35,16 @@ AT_REST = 0.1  # s, of a body that nothing moves
 
 @dataclass(frozen=True)
 class TopReport(MotionReport):
-    """What both kinds of top have: the body about its pivot, the path of its axis, and its upright and hanging rest.
+    """What both kinds of top report: inertia about the pivot, path of the axis, and verdicts on its rests.
 
     Attributes:
         body: as given.
-        surface: what it looks like, in the given axes, or None.
+        surface: its shape, in the given axes, or None.
         top: moments, axis and weight at the pivot.
-        trajectory: which knows the principal axes at the pivot.
+        trajectory: its frame has the principal axes at the pivot.
         verdicts: on the axis upright and hanging, at the spin about it that the motion starts with.
-        warned: what the integrator had to say.
-        remarks: on how the spec was taken.
+        warned: warnings of the integrator.
+        remarks: on how the spec was understood.
     """
 
     body: Body
@@ -73,7 +73,7 @@ class TopReport(MotionReport):
 
     @property
     def constant_tilt(self) -> bool:
-        """Whether the axis goes round at constant tilt, steadily but for rounding."""
+        """Whether the precession is steady: constant tilt to rounding."""
         return self.exact is not None and keeps_its_tilt(self.exact)
 
     @property
@@ -153,12 +153,12 @@ class TopReport(MotionReport):
         ]  # fmt: skip
 
     def motion(self) -> Group:
-        """Return what is said of the motion."""
+        """Return the answers about the motion."""
         return Group("Motion", [*self.kept(), *accuracy(self.trajectory)])
 
 
 def about_body(body: Body, top: HeavyTop, frame: BodyFrame) -> Group:
-    """Return what is said of the body about the fixed point, its frame that of the principal axes there."""
+    """Return the answers about the body at the fixed point, along its principal axes there."""
     case = None if top.case is None else top.case[0]
     axes, axis, pivot = np.asarray(top.axes), np.asarray(top.axis), frame.origin
     moments, there = np.asarray(top.moments), "about the pivot"
@@ -201,7 +201,7 @@ def build_frame(top: HeavyTop, body: Body, pivot: Real[ArrayLike, "3"]) -> BodyF
 
 
 def build_mechanics(top: HeavyTop, frame: BodyFrame) -> Mechanics:
-    """Return what energy and momentum of a top are made of, along the given axes."""
+    """Return the mechanics from which energy and momentum of a top follow, along the given axes."""
     return Mechanics(frame.inertia, np.asarray(top.weight))
 
 
@@ -225,10 +225,10 @@ def build_start(
     """Return momentum (3,) along, and attitude (4,) of, the principal axes at the start.
 
     Args:
-        top: that starts.
+        top: the top.
         spin: as the spec has it.
-        momentum: (3,) that it gives, unless it tells spin, precession and nutation.
-        attitude: (4,) that it gives, unless the top leans.
+        momentum: (3,) as given, unless the spec gives spin, precession and nutation.
+        attitude: (4,) as given, unless the spec gives a tilt.
         lean: of the axis from the upward vertical [rad], or None.
 
     Raises:
@@ -274,5 +274,5 @@ def rest_verdicts(top: HeavyTop, momentum: Float64[Array, "3"]) -> dict[str, Sta
 def usual_times(
     span: float | None, top: HeavyTop, momentum: Float64[Array, "3"], samples: int
 ) -> Float64[Array, "{samples}"]:
-    """Return times (T,) of ten spans [s]; of ten swings or turns where there is none."""
+    """Return times (T,) over ten spans [s]; over ten swings or turns where no span is given."""
     return np.linspace(0.0, PERIODS * (span or top_period(top, momentum) or AT_REST), samples)

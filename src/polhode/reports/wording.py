@@ -1,4 +1,4 @@
-"""Numbers in words for people; what has no value has no words."""
+"""Numbers in words; an undefined value has no words."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import numpy as np
 
 MINUTE, HOUR, DAY, YEAR = 60.0, 3600.0, 86400.0, 365.25 * 86400.0
 LONG = ((2.0 * YEAR, YEAR, "a"), (2.0 * DAY, DAY, "d"), (2.0 * HOUR, HOUR, "h"), (2.0 * MINUTE, MINUTE, "min"))
-"""From which time on [s] a unit is read, the unit [s], and its name; a year is Julian."""
+"""Least time [s] that is read in a unit, the unit [s], and its name; a year is Julian."""
 SHORT = 1e-2  # s; shorter times are read in ms, µs …
 PREFIXES = {1e-3: "m", 1e-6: "µ", 1e-9: "n", 1e-12: "p", 1e-15: "f"}
 LARGE_PREFIXES = {1e15: "P", 1e12: "T", 1e9: "G", 1e6: "M", 1e3: "k"}
@@ -32,7 +32,7 @@ def number(value: float | None, unit: str = "") -> str | None:
 
 
 def write_count(count: int, thing: str) -> str:
-    """Return how many there are of a thing."""
+    """Return a count with its noun: "1 body", "3 bodies"."""
     return f"{count} {thing}" if count == 1 else f"{count} {thing}s"
 
 

@@ -46,11 +46,11 @@ MOST_TURNS = 20_000.0  # of the start, followed where no end is given
 
 @dataclass(frozen=True)
 class DampedStart:
-    """What the start of a body with losses tells, without its motion.
+    """The answers about a body with losses that follow from its start alone.
 
     Attributes:
         spec: as it was read.
-        table: the losses as they stand in the spec.
+        table: the losses as the spec gives them.
         momentum: (3,) L at the start [kg m²/s, principal axes].
         attitude: (4,) at the start, of the principal axes.
         system: what moves.
@@ -79,7 +79,7 @@ class DampedStart:
 
     @property
     def time_constant(self) -> float | None:
-        """Of the last approach to the major axis, or of the spin about it that drag brakes, at the start [s]."""
+        """Time constant at the start [s] of the final approach to the major axis or, with drag, of the spin about it."""
         if self.table.inside or not self.axes:
             return time_constant(self.axes[2]) if self.axes else None
         moment = float(self.body.principal_moments[2])
@@ -87,13 +87,13 @@ class DampedStart:
 
     @property
     def damping(self) -> float | None:
-        """α |L| of losses inside; None of others."""
+        """α |L| of internal losses; None with other losses."""
         if not (self.table.inside and self.norm):
             return self.table.damping
         return self.norm * _sink_rate(self.table, self.body.principal_moments, self.momentum)
 
     def from_one_degree(self) -> float | None:
-        """Return when a spin 1° off the axis that this one starts on comes to a flat spin [s]; None elsewhere."""
+        """Return the time [s] to a flat spin from 1° off the axis of the start; None unless it starts on a minor axis."""
         moments, norm = self.body.principal_moments, self.norm
         at = [k for k in (0, 1) if norm and moments[k] < moments[2] and angle_to_axis(self.momentum, k) <= ON_AXIS]
         if not self.table.inside or self.damping is None or not at:
@@ -103,7 +103,7 @@ class DampedStart:
         return flat_spin_time(moments, norm * off, self.damping / norm)
 
     def losses(self) -> Group:
-        """Return what is lost, and how it was given."""
+        """Return the answers about the losses, and how they were given."""
         orbiting = self.table.orbital_period is not None
         return Group("Losses", [
             Answer("damping", self.damping, "", "losses inside", "α |L|"),
@@ -146,8 +146,8 @@ class DampedBodyReport(MotionReport):
     """A body with losses.
 
     Attributes:
-        start: what it tells without the motion.
-        cut: whether the motion was ended before it settled.
+        start: the answers that need no motion.
+        cut: whether the motion ends before it has settled.
     """
 
     kind: ClassVar[str] = "damped-body"
@@ -171,7 +171,7 @@ class DampedBodyReport(MotionReport):
 
     @property
     def inside(self) -> bool:
-        """Whether the losses are inside the body, which keeps L."""
+        """Whether the losses are internal, which conserves L."""
         return self.table.inside
 
     @property
@@ -216,7 +216,7 @@ class DampedBodyReport(MotionReport):
         return notes
 
     def _leaving(self) -> list[str]:
-        """Return what losses inside make of a spin that is not about the major axis."""
+        """Return what internal losses do to a spin that is not about the major axis."""
         start, moments = self.start.momentum, self.body.principal_moments
         norm, settles = self.start.norm, self.angle_to_major_axis[-1] <= math.radians(1.0)
         at = [k for k in (0, 1) if moments[k] < moments[2] and angle_to_axis(start, k) <= ON_AXIS]
@@ -263,7 +263,7 @@ class DampedBodyReport(MotionReport):
         ])  # fmt: skip
 
     def _flat_spin_seen(self) -> list[Answer]:
-        """Return when L comes to stay within 5° of the major axis in the motion."""
+        """Return the time after which L stays within 5° of the major axis."""
         if not self.start.flat_spin():
             return []
         away = np.flatnonzero(self.angle_to_major_axis > FLAT)

@@ -1,4 +1,4 @@
-"""How a body with losses ends: its momentum's path on the sphere, its energy and the angle to the major axis."""
+"""The figures of a body with losses: path of L on the momentum sphere, energy, and angle to the major axis."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the keys of a body that loses energy ask of each other."""
+"""Rules between the keys of a body that loses energy."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from polhode.spec.rules import Mistake, list_words
 
 
 def find_broken_rules(system: dict[str, Any]) -> Iterator[Mistake]:
-    """Yield where a raw table [system] breaks a rule, and how it is said."""
+    """Yield the places where a raw table [system] breaks a rule, and the messages."""
     outer = [key for key in ("linear_drag", "quadratic_drag", "orbital_period", "eccentricity") if key in system]
     inside = [key for key in ("damping", "damping_time", "loss_rate") if key in system]
     if len(inside) > 1:

@@ -74,7 +74,7 @@ def make_report(spec: Spec[EulerDiskTable]) -> EulerDiskReport:
 
 
 def answers_without_motion(spec: Spec[EulerDiskTable]) -> Iterator[Group | Table]:
-    """Yield the answers of the report that take no motion.
+    """Yield the answers of the report that need no trajectory.
 
     Raises:
         InvalidInput: for sizes that no disk has, and starts that do not roll or are not steady.
@@ -100,7 +100,7 @@ def _steady(table: EulerDiskTable, ideal: EulerDisk) -> SteadyRolling | None:
 
 
 def _thresholds(table: EulerDiskTable, ideal: EulerDisk) -> tuple[float, float] | None:
-    """Return speed and rate above which an upright thin disk rolls and spins stably; None of another one."""
+    """Return speed and rate above which an upright thin disk rolls and spins stably; None for other disks."""
     upright = not table.thickness and abs(table.tilt - 0.5 * math.pi) < UPRIGHT
     return (critical_rolling_speed(ideal), critical_spin_rate(ideal)) if upright else None
 
@@ -133,7 +133,7 @@ def _simulate_end(disk: EulerDisk, start: Array) -> SpinDown:
 
 
 def _shares(table: EulerDiskTable, disk: EulerDisk, trajectory: Trajectory, found: SpinDown | None) -> list[LawShare]:
-    """Return what each law takes."""
+    """Return the power that each law dissipates."""
     powers = np.asarray(disk.powers(trajectory.states))
     shares = powers / powers.sum(axis=-1, keepdims=True)
     late = [None if found is None else float(np.mean(share[found.late])) for share in shares.T]

@@ -33,7 +33,7 @@ class EulerDiskPanel(KindPanel):
         }]  # fmt: skip
 
     def model(self, trajectory: Trajectory) -> dict[str, Any] | None:
-        """Return the disk, its losses and its start; None with a law that a spec has no name for."""
+        """Return the disk, its losses and its start; None with a law that specs do not know."""
         disk, found = trajectory.source, trajectory.source.mechanics
         names = {getattr(rolling_dissipation, law.model): name for name, law in LAWS.items()}
         laws = [(names.get(type(law)), law) for law in disk.dissipation]
@@ -49,7 +49,7 @@ class EulerDiskPanel(KindPanel):
         }  # fmt: skip
 
     def scatters(self, report: EulerDiskReport) -> tuple[dict[str, Any], ...]:
-        """Return tilt and precession over the whole motion against the time left to its end, of one that ends."""
+        """Return tilt and precession against the time left, for a motion that ends."""
         found = report.spin_down
         if found is None or found.remaining is None:
             return ()

@@ -1,4 +1,4 @@
-"""Where a rolling disk touches the plane: the path of its contact and of its centre, seen from above."""
+"""The paths of a rolling disk's contact and centre, seen from above."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ def _centers(report: EulerDiskReport, states: Array) -> Array:
 
 
 def _bar(axes: Any, colour: str, clock: Array, words: str, ends: bool) -> None:
-    """Say next to a panel what the strength of its colour means, of a grey one for several."""
+    """Explain next to a panel what the strength of its colour means; in grey where it holds for several panels."""
     norm = Normalize(float(clock.min()), float(clock.max()))
     faded = ScalarMappable(norm, _fade(colour, reverse=ends))
     bar = axes.figure.colorbar(faded, ax=axes, fraction=0.05, pad=0.02)

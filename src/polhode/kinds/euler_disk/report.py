@@ -29,7 +29,7 @@ ENDS = {"flat": "lies flat", "lift-off": "lifts off the table", "on edge": "stan
 
 
 class LawShare(NamedTuple):
-    """What a law takes.
+    """The dissipation of one law.
 
     Attributes:
         law: as a spec names it.
@@ -47,15 +47,15 @@ class LawShare(NamedTuple):
 
 @dataclass(frozen=True)
 class EulerDiskReport(MotionReport):
-    """What is said of one motion of a disk.
+    """The report on one motion of a rolling disk.
 
     Attributes:
-        table: what the spec asks for.
-        disk: what moves.
+        table: the table [system] of the spec.
+        disk: the system.
         begin: state at the start.
         steady: None where no steady motion is near the start.
         laws: of dissipation.
-        spin_down: how it ends; None without dissipation, or where it is only watched for a time.
+        spin_down: how the motion ends; None without dissipation, or for a motion over a given time.
         end_by_energy: t0 by energy alone [s], None where it diverges or the motion does not end.
         path: the last turns of the contact of a motion that is followed to its end, else the first ones.
         opening: of a motion that is followed to its end, the first turn.
@@ -92,13 +92,13 @@ class EulerDiskReport(MotionReport):
 
     @property
     def dominant(self) -> LawShare | None:
-        """The law that takes most of the power where exponents are fitted."""
+        """The law that dissipates most of the power over the samples that exponents are fitted to."""
         found = [law for law in self.laws if law.share_late is not None]
         return max(found, key=lambda law: law.share_late or 0.0, default=None)
 
     @property
     def turns(self) -> float:
-        """How often the contact goes round."""
+        """Number of turns of the contact."""
         heading = np.asarray(self.trajectory.part("heading"))
         return abs(float(heading[-1] - heading[0])) / (2.0 * math.pi)
 
@@ -292,7 +292,7 @@ def _exponent(fit: PowerLaw, predicted: float | None) -> dict[str, float | None]
 
 
 def _before(end: float | None, time: float, uncertainty: float | None) -> str:
-    """Return how long before t0 [s] something happens, in words; empty where t0 is not known as well as that."""
+    """Return in words how long before t0 [s] an event happens; empty where t0 is less certain than that."""
     if end is None or uncertainty is None or not uncertainty < abs(time - end):
         return ""
     return f", t0 − {uncertain(end - time, uncertainty, 's')}" if time < end else ", after t0"

@@ -28,7 +28,7 @@ MILLI = 1e3
 
 
 def draw_rolling_disk(report: EulerDiskReport) -> Figure:
-    """Return the disk from its first position, faint, to its last one in sight, and what it has rolled along."""
+    """Return the disk from its first position, faint, to its last visible one, with the paths of contact and centre."""
     a = report.table.radius
     times, states = _choose_moments(report)
     placed = [_disk(report, state) for state in states]
@@ -73,7 +73,7 @@ def draw_rolling_disk(report: EulerDiskReport) -> Figure:
 
 
 def _words(times: Array, tilts: Array) -> str:
-    """Return when the positions are, and how tilted."""
+    """Return a title with the times and tilts of the positions."""
     slow = style.power_of_ten((times[0], times[-1]))
     clock = [f"{x / 10.0**slow:.3g}" for x in times]
     unit = f"[{style.factor(slow)}s]"
@@ -99,7 +99,7 @@ def _choose_moments(report: EulerDiskReport) -> tuple[Array, Array]:
 
 
 def _paths(report: EulerDiskReport) -> tuple[Array | None, Array]:
-    """Return the contact's first turn where it is another than what follows, and its path (T, 2) [m]."""
+    """Return the state of the contact's first turn, if it differs from later ones, and its path (T, 2) [m]."""
     opening = None if report.opening is None else report.opening.contact
     return opening, report.path.contact
 

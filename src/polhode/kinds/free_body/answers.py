@@ -43,11 +43,11 @@ LARGEST = 1e200  # of energies and momenta in SI; products of the two stay withi
 
 @dataclass(frozen=True)
 class FreeBodyReport(MotionReport):
-    """Everything said about one body and its motion; undefined or infinite values are None.
+    """The report on a free body and its motion; undefined or infinite values are None.
 
     Attributes:
-        twist_per_flip: turn about L from one flip to the next [rad]; None of a body that cones or tumbles.
-        remarks: on how the spec was taken.
+        twist_per_flip: turn about L from one flip to the next [rad]; None for a body that cones or tumbles.
+        remarks: on how the spec was understood.
     """
 
     kind: ClassVar[str] = "free-body"

@@ -22,7 +22,7 @@ STATES = "states."
 
 
 class FreeBodies:
-    """Free motions of many bodies, and what the report on each would say.
+    """Free motions of many bodies, with the answers that a report on each would give.
 
     Attributes:
         motion: of all, along their principal axes.
@@ -59,7 +59,7 @@ class FreeBodies:
         return np.linalg.norm(self.velocity, axis=-1)
 
     def verdict(self, k: int) -> Any:
-        """Return whether turning about an axis is stable; what all three say is in ``analysis.free_axes``."""
+        """Return whether rotation about an axis is stable; ``analysis.free_axes`` has the verdicts in full."""
         about, one, other = self._about(k)
         middle = (one - about) * (about - other) > 0.0
         equatorial = ((one == about) | (other == about)) & (one != other)
@@ -67,7 +67,7 @@ class FreeBodies:
         return np.where((middle | equatorial) & moving, "unstable", "stable")
 
     def growth(self, k: int) -> Any:
-        """Return the rate |L| √((I_i − I_j)(I_k − I_i)/(I_j I_k))/I_i at which neighbours of an axis leave."""
+        """Return the rate |L| √((I_i − I_j)(I_k − I_i)/(I_j I_k))/I_i at which motions near an axis leave it."""
         about, one, other = self._about(k)
         product = ((about - one) / one) * ((other - about) / other)
         return self.motion.momentum_norm / about * np.sqrt(np.maximum(product, 0.0))
@@ -169,7 +169,7 @@ def _vary_spin(table: SpinTable | None, spins: Mapping[str, Any], count: int) ->
 
 
 def _refuse(moments: Any, momentum: Any, refused: dict[int, str]) -> None:
-    """Note what ``answers.free_body_report`` would refuse."""
+    """Note the bodies that ``answers.free_body_report`` would refuse."""
     with np.errstate(all="ignore"):
         energy, size = 0.5 * np.sum(momentum / moments * momentum, axis=1), norm(np, momentum)
         far = ~((energy < LARGEST) & (size < LARGEST))

@@ -1,4 +1,4 @@
-"""What a free body does, in one sentence, as a person would see it."""
+"""The motion of a free body in one sentence, as an observer would describe it."""
 
 from __future__ import annotations
 
@@ -72,7 +72,7 @@ def _cone(motion: FreeMotion) -> str:
 
 
 def _rank(motion: FreeMotion, axis: int) -> str:
-    """Return which moment an axis has, among three that differ or two of which do."""
+    """Return in words whether an axis has the largest, middle or smallest moment."""
     moments = np.asarray(motion.moments)
     if (moments == moments[axis]).sum() > 1:
         return ""

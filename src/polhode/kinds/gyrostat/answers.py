@@ -37,12 +37,12 @@ class GyrostatReport(MotionReport):
     """A body with a rotor.
 
     Attributes:
-        table: the rotor as it stands in the spec.
+        table: the rotor as the spec gives it.
         moments: (3,) of the motion: rotor locked, or of a free rotor less its axial moment [kg m²].
         axes: (3, 3) their axes by columns in the given ones.
         along: (3,) unit vector of the rotor's axis along these axes.
         rotor: its momentum at the start [kg m²/s], relative to the body or, of a free one, whole.
-        equilibria: on the momentum sphere, lowest energy first; with a motor as the rotor is at the end.
+        equilibria: on the momentum sphere, lowest energy first; with a motor, those for the rotor's final momentum.
         rates: of L about the axis of a symmetric carrier; None for others, and with a motor.
     """
 
@@ -64,7 +64,7 @@ class GyrostatReport(MotionReport):
 
     @property
     def free(self) -> bool:
-        """Whether nothing, or a motor of given torque, turns the rotor."""
+        """Whether the rotor is free, or turned by a motor of given torque, and not held at a constant rate."""
         return self.motor or self.table.rotor_drive == "free"
 
     @property
@@ -96,7 +96,7 @@ class GyrostatReport(MotionReport):
 
     @property
     def motor_work(self) -> float | None:
-        """What the motor put into body and rotor up to the end [J]; None without one."""
+        """Work of the motor on body and rotor up to the end [J]; None without a motor."""
         return float(self.trajectory.received["energy"][-1]) if self.motor else None
 
     @property
@@ -123,11 +123,11 @@ class GyrostatReport(MotionReport):
 
     @property
     def rotor_at_start(self) -> float:
-        """Of ``rotor_momentum`` the first."""
+        """The first value of ``rotor_momentum``."""
         return float(self.rotor_momentum[0]) if self.motor else self.rotor
 
     def without_motion(self) -> list[Group | Table]:
-        """Return those answers that take no motion, of a rotor without a motor."""
+        """Return the answers that need no trajectory, for a rotor without a motor."""
         return [about_body(self.body, "rotor locked"), self._about_rotor(), self._steady_rotations()]
 
     @property
@@ -223,7 +223,7 @@ def make_report(spec: Spec[GyrostatTable]) -> GyrostatReport:
 
 
 def answers_without_motion(spec: Spec[GyrostatTable]) -> Iterator[Group | Table]:
-    """Yield the answers of the report that take no motion; none with a motor, which makes steady rotations of the end.
+    """Yield the answers that need no trajectory; none with a motor, as the steady rotations depend on the end.
 
     Raises:
         InvalidInput: for a rotor that does not fit into the body.

@@ -21,7 +21,7 @@ TURNS = 10
 
 
 def build(spec: Spec[GyrostatTable]) -> RotorInBody:
-    """Return what a spec asks for.
+    """Return the gyrostat of a spec and its start.
 
     Raises:
         InvalidInput: for a rotor that does not fit into the body.

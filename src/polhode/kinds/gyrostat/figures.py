@@ -74,7 +74,7 @@ def draw_gyrostat_motion(report: GyrostatReport) -> Figure:
 
 
 def _not_narrower(axes: Any, values: Array) -> None:
-    """Keep the axis from showing rounding as if it were motion."""
+    """Widen the axis so that rounding errors do not look like motion."""
     middle, half = 0.5 * (values.min() + values.max()), 0.5 * (values.max() - values.min())
     if half < 1e-3 * max(abs(middle), 1e-3):
         axes.set_ylim(middle - 0.05 * max(abs(middle), 1e-3), middle + 0.05 * max(abs(middle), 1e-3))

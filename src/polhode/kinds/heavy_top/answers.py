@@ -70,7 +70,7 @@ def simulate_motion(spec: Spec[HeavyTopTable]) -> SpecMotion:
 
 
 def answers_without_motion(spec: Spec[HeavyTopTable]) -> Iterator[Group | Table]:
-    """Yield the answers of the report that take no motion.
+    """Yield the answers of the report that need no trajectory.
 
     Raises:
         InvalidInput: for a body without mass.
@@ -83,7 +83,7 @@ def answers_without_motion(spec: Spec[HeavyTopTable]) -> Iterator[Group | Table]
 
 
 class _Moved(NamedTuple):
-    """The top, its momentum (3,) at the start along the principal axes, its motion, and what there was to say."""
+    """A top, its momentum (3,) at the start along the principal axes, its motion, and warnings."""
 
     top: HeavyTop
     momentum: Float64[Array, "3"]
@@ -115,14 +115,14 @@ def _start(spec: Spec[HeavyTopTable], top: HeavyTop) -> tuple[Float64[Array, "3"
 
 
 def _remedy(spec: Spec[HeavyTopTable]) -> str:
-    """Return what helps against a long run: longer steps, or a kind of top that takes none."""
+    """Return the remedies for a long run: longer steps, or a kind of top in closed form."""
     exact = other_kind(spec.kind.subject, in_closed_form=True)
     longer = "" if spec.system.step is None else "A longer `system.step` takes less. "
     return longer + ("" if exact is None else f'kind = "{exact.name}" takes no steps, if it is one.')
 
 
 def _rename_invariants(trajectory: Trajectory) -> Trajectory:
-    """Return the trajectory with its invariants called by what they are for a top."""
+    """Return the trajectory with its invariants named as usual for a top."""
     rename = lambda values: {NAMES.get(k, k): v for k, v in values.items() if k != "linear_space"}  # noqa: E731
     return replace(
         trajectory, invariants=rename(trajectory.invariants), drift=rename(trajectory.drift),

@@ -77,7 +77,7 @@ class LagrangeTopReport(TopReport):
 
     @property
     def mean_rates(self) -> TopRates:
-        """Of the motion, in closed form."""
+        """The motion in closed form."""
         period = None if self.constant_tilt else finite(self.exact.nutation_period)
         precession = None if self.exact.regime == "planar" else finite(self.exact.precession_rate)
         return TopRates(precession, None if period is None else 2.0 * math.pi / period)

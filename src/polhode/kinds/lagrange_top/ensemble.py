@@ -24,7 +24,7 @@ def _regime(motion: LagrangeMotion) -> Any:
 
 
 def _unless_planar(motion: LagrangeMotion, values: Any) -> Any:
-    """Return rates, which in a plane are not defined."""
+    """Return rates, NaN for motions in a plane, where they are undefined."""
     return np.where(_regime(motion) == "planar", np.nan, values)
 
 

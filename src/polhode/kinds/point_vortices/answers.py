@@ -31,15 +31,15 @@ LARGEST_VERDICT = 40  # vortices: second derivatives of all pairs are dense
 
 @dataclass(frozen=True)
 class VorticesReport(MotionReport):
-    """Point vortices: what they conserve, whether they turn as a whole and stay so, and where they go.
+    """Point vortices: conserved quantities, rigid rotation and its stability, and the motion.
 
     Attributes:
         system: the vortices; on a sphere those of the unit sphere, with the same rates.
         sphere_radius: [m]; None in a plane.
         trajectory: samples of the motion.
-        turn: of the whole; None where distances between vortices change.
-        verdict: on that turn; None without one, or where there is none to be had.
-        no_verdict: why there is none, though they turn; empty otherwise.
+        turn: of a rigid rotation; None where distances between vortices change.
+        verdict: on that rotation; None without a rotation or a verdict.
+        no_verdict: why a rotation has no verdict; empty otherwise.
     """
 
     kind: ClassVar[str] = "point-vortices"
@@ -210,7 +210,7 @@ def make_report(spec: Spec[VorticesTable]) -> VorticesReport:
 
 
 def answers_without_motion(spec: Spec[VorticesTable]) -> Iterator[Group | Table]:
-    """Yield the answers of the report that take no motion.
+    """Yield the answers of the report that need no trajectory.
 
     Raises:
         InvalidInput: for two vortices at one place.
@@ -239,7 +239,7 @@ def _start(table: VorticesTable) -> tuple[SphereVortices | PlaneVortices, Array,
 
 
 def _usual_end(system: SphereVortices | PlaneVortices, state: Array) -> float:
-    """Return some times in which vortices as far from each other as these go round [s]."""
+    """Return the default length of a motion [s]: some turns of vortices at such distances."""
     places = np.asarray(system.positions(state))
     size = float(np.linalg.norm(places - places.mean(axis=0), axis=-1).mean())
     return TURNOVERS * 4.0 * math.pi**2 * size**2 / float(np.abs(np.asarray(system.strengths)).sum())

@@ -1,4 +1,4 @@
-"""What the keys of point vortices ask of each other."""
+"""Rules between the keys of point vortices."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ IN_PLANE, ON_SPHERE = ("positions", "ring_radius"), ("coordinates", "ring_latitu
 
 
 def vortex_rules(system: dict[str, Any]) -> Iterator[Mistake]:
-    """Yield what the places are asked for, which go by one way of four, one for each vortex."""
+    """Yield mistakes in the positions: exactly one of four keys may give them, one for each vortex."""
     ways = (*IN_PLANE, *ON_SPHERE)
     given = [key for key in ways if key in system]
     if len(given) != 1:

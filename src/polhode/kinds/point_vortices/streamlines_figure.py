@@ -21,7 +21,7 @@ SPREAD = (1.5, 98.5)  # percentiles of the stream function between which lines a
 
 
 def draw_streamlines(report: VorticesReport) -> Figure:
-    """Return lines along which the fluid moves at the start, seen by one who turns or moves with the vortices."""
+    """Return the streamlines at the start, in a frame that turns or moves with the vortices."""
     if report.sphere_radius is not None:
         return _on_sphere(report)
     system, start = report.system, report.positions[0]
@@ -69,7 +69,7 @@ def _on_sphere(report: VorticesReport) -> Figure:
 
 
 def _levels(psi: Array) -> Array:
-    """Return levels without the poles of the stream function, which would take all of them."""
+    """Return levels away from the poles of the stream function, near which all levels would crowd."""
     low, high = np.nanpercentile(psi, SPREAD)
     return np.linspace(low, high, LEVELS)
 

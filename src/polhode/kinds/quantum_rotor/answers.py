@@ -1,4 +1,4 @@
-"""The plain answers about a molecule: constants, levels, lines, and the polhodes that the levels are."""
+"""The plain answers about a molecule: constants, levels, lines, and the polhodes that correspond to levels."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ class QuantumRotorReport(SystemReport):
         J: of these.
         racket: the flip that the spec asks for.
         frame: principal axes of the molecule in its given ones; None of constants alone.
-        warned: what was warned of while these were computed.
+        warned: warnings of the computation.
     """
 
     kind: ClassVar[str] = "quantum-rotor"
@@ -207,7 +207,7 @@ def _rows(found: LevelPolhodes) -> list[dict[str, Any]]:
 
 
 def is_split(splitting: float, classical_step: float) -> bool:
-    """Whether two levels are a pair at all: at the saddle all steps are alike."""
+    """Whether two levels form a pair; near the saddle all steps are alike."""
     return not splitting > PAIRED * classical_step  # of the highest pair there is no step
 
 

@@ -11,7 +11,7 @@ from polhode.spec.rotors import SpecRotor, complete_rotor, doubts_of_weights, ro
 
 
 def build(spec: Spec[QuantumRotorTable]) -> SpecRotor:
-    """Return the molecule of a spec, its temperature, and how far its levels are wanted.
+    """Return the molecule of a spec, its temperature, and the largest J of its levels.
 
     Raises:
         InvalidInput: for constants that no rotor has.

@@ -109,7 +109,7 @@ def _span(report: QuantumRotorReport, motion: FreeMotion) -> float:
 
 
 def _model(report: QuantumRotorReport, directions: Float64[Array, "n 3"]) -> dict[str, Any]:
-    """Return what the page's script needs to move classical body and spin."""
+    """Return what the page's script needs to simulate classical body and spin."""
     level, direction = _start(report)
     states = _states(report)
     names = [label(report.J, Ka, Kc) for Ka, Kc in zip(states.Ka.tolist(), states.Kc.tolist(), strict=True)]
@@ -153,7 +153,7 @@ def _of_level(found: LevelPolhodes, k: int) -> list[list[str]]:
 
 
 def _of_flip(racket: Racket) -> list[list[str]]:
-    """Return what is known of the flip, pairs of a name and a value."""
+    """Return pairs of a name and a value about the flip."""
     half, first, revival = racket.half_time, racket.first_reversal, racket.revival_time
     said = [] if half is None else [["⟨L_b⟩ falls to J/2 after", in_its_unit(half)]]
     if first is not None:

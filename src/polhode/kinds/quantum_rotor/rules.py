@@ -1,4 +1,4 @@
-"""What the keys of a quantum rotor ask of each other."""
+"""Rules between the keys of a quantum rotor."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from polhode.spec.rules import Mistake
 
 
 def rotor_rules(tables: dict[str, Any]) -> Iterator[Mistake]:
-    """Yield where the raw tables of a file break a rule, and how it is said."""
+    """Yield the places where the raw tables of a file break a rule, and the messages."""
     system = tables["system"]
     if ("constants" in system) == ("body" in tables):
         both = "constants" in system

@@ -38,7 +38,7 @@ class SphereFluidPanel(KindPanel):
         }]  # fmt: skip
 
     def plots(self, trajectory: Trajectory, samples: Samples) -> dict[str, Any]:
-        """Return how much of the energy is in the largest eddies over time."""
+        """Return the share of the energy in the largest eddies against time."""
         energies = np.cumsum(np.asarray(trajectory.source.energy_spectrum(samples.states)), axis=1)
         shares = energies / energies[:, -1:]
         found = [

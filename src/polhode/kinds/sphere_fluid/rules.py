@@ -1,4 +1,4 @@
-"""What the keys of a fluid on a sphere ask of each other."""
+"""Rules between the keys of a fluid on a sphere."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ STARTS = ("random", "vortices", "waves")
 
 
 def fluid_rules(system: dict[str, Any]) -> Iterator[Mistake]:
-    """Yield which starts are missing or too many, and which harmonics are not resolved."""
+    """Yield missing or conflicting starts, and harmonics beyond the resolution."""
     given = [key for key in STARTS if key in system]
     if "start_from" in system and given:
         yield ("system", "start_from"), f"goes without {list_words(given)}; leave out one or the other"

@@ -42,7 +42,7 @@ def _random(fluid: SphereFluid, table: RandomTable) -> Array:
 
 
 def load_earlier_run(path: Path, fluid: SphereFluid) -> Trajectory:
-    """Return the run that is to go on.
+    """Return the earlier run that is continued.
 
     Raises:
         InvalidInput: for one of another resolution.

@@ -1,4 +1,4 @@
-"""What the keys of a conducting fluid on a sphere ask of each other."""
+"""Rules between the keys of a conducting fluid on a sphere."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ ALONE = ("alfven_wave", "start_from")
 
 
 def magnetic_rules(system: dict[str, Any]) -> Iterator[Mistake]:
-    """Yield which starts are missing or too many, and which harmonics are not resolved."""
+    """Yield missing or conflicting starts, and harmonics beyond the resolution."""
     summed, alone = ([key for key in keys if key in system] for keys in (SUMMED, ALONE))
     if alone and len(summed) + len(alone) > 1:
         others = [*summed, *alone[1:]]

@@ -76,7 +76,7 @@ def _sum_waves(waves: Sequence[tuple[Any, float]]) -> Harmonics:
 
 
 def _random(system: SphereMHD, table: Degrees, part: int, size: float) -> Array:
-    """Return a random W or Θ of which the vorticity or the field has a root mean square."""
+    """Return a random W or Θ whose vorticity or field has a given root mean square."""
     first, last = table.degrees
     energies, none = (np.arange(last + 1) >= first).astype(float), np.zeros(2)
     given = (none, energies) if part == 0 else (energies, none)
@@ -89,7 +89,7 @@ def _random(system: SphereMHD, table: Degrees, part: int, size: float) -> Array:
 
 
 def load_earlier_run(path: Path, system: SphereMHD) -> Trajectory:
-    """Return the run that is to go on.
+    """Return the earlier run that is continued.
 
     Raises:
         InvalidInput: for one of another resolution.

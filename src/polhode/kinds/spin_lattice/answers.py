@@ -49,7 +49,7 @@ class SpinLatticeReport(MotionReport):
         system: the spins, energies over ħ [rad/s].
         table: as the spec has it.
         trajectory: samples of the motion.
-        asked: how many samples the spec asks for.
+        asked: number of samples that the spec asks for.
     """
 
     kind: ClassVar[str] = "spin-lattice"
@@ -95,7 +95,7 @@ class SpinLatticeReport(MotionReport):
 
     @property
     def skyrmions(self) -> Float64[Array, "2"] | None:
-        """(2,) how often the spins of a plane cover the sphere, at start and end; None of other lattices."""
+        """(2,) how often the spins of a plane cover the sphere, at start and end; None for other lattices."""
         lattice = self.system.lattice
         if lattice.dimension != 2 or lattice.sites != 1 or min(lattice.shape[:2]) < 2:
             return None
@@ -137,7 +137,7 @@ class SpinLatticeReport(MotionReport):
         return found
 
     def without_motion(self) -> list[Group | Table]:
-        """Return those answers that take no motion."""
+        """Return the answers that need no trajectory."""
         return [self._about_lattice(), self._bonds(), self._about_waves()]
 
     @property
@@ -260,7 +260,7 @@ def _in_joules(trajectory: Trajectory) -> Trajectory:
 
 
 def answers_without_motion(spec: Spec[SpinLatticeTable]) -> Iterator[Group | Table]:
-    """Yield the answers of the report that take no motion.
+    """Yield the answers of the report that need no trajectory.
 
     Raises:
         InvalidInput: for bonds and places that make no lattice.
@@ -285,7 +285,7 @@ def _fastest(system: SpinLattice) -> float:
 def _method(
     system: SpinLattice, table: SpinLatticeTable, times: Float64[Array, "time"], step: float
 ) -> tuple[type[AbstractOrbitSolver] | AbstractOrbitSolver, int]:
-    """Return how the spins move: in a bath, damped, or by exact turns of bonds; and of which order."""
+    """Return the integrator: for a bath, for damping, or by exact rotations of bonds; and its order."""
     if table.temperature is not None:
         between = float(times[1] - times[0])
         even = between / math.ceil(between / step - 1e-9)  # noise is keyed by whole steps

@@ -1,4 +1,4 @@
-"""From a table to spins on a lattice and how they start."""
+"""From a table to spins on a lattice and their start."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What scattering sees of the spins, over the waves of linear theory."""
+"""The dynamic structure factor of the spins, over the waves of linear theory."""
 
 from __future__ import annotations
 

@@ -37,16 +37,16 @@ TOLERANCE = 1e-12  # of the samples' adaptive steps
 
 @dataclass(frozen=True)
 class SpinOrbitReport(MotionReport):
-    """Resonances of a body on its orbit, and what one spin does among them.
+    """Resonances of a body on its orbit, and the motion of one spin.
 
     Attributes:
-        body: None where the spec gave the asphericity itself.
+        body: None where the spec gives the asphericity itself.
         system: the spin-orbit problem.
         trajectory: samples of the motion by adaptive steps.
         resonances: p = 1/2, 1, … up to 3 or more.
         motion: exponent, verdict, mean rate and libration over thousands of orbits.
         section_orbits: how many the figure shows.
-        remarks: on how the spec was taken.
+        remarks: on how the spec was understood.
     """
 
     kind: ClassVar[str] = "spin-orbit"
@@ -65,7 +65,7 @@ class SpinOrbitReport(MotionReport):
 
     @property
     def threshold(self) -> float | None:
-        """Asphericity from which two neighbouring zones touch; None on a circular orbit, which has one zone alone."""
+        """Least asphericity at which neighbouring zones touch; None on a circular orbit, which has a single zone."""
         return overlap_of(self.resonances)
 
     @property
@@ -75,7 +75,7 @@ class SpinOrbitReport(MotionReport):
 
     @property
     def predictable_time(self) -> float | None:
-        """Time in which a chaotic motion's neighbours part from the samples' tolerance to one radian [s]."""
+        """Time in which an error of the samples' tolerance grows to one radian in a chaotic motion [s]."""
         return self.motion.predictable_time(TOLERANCE)
 
     @property
@@ -85,7 +85,7 @@ class SpinOrbitReport(MotionReport):
         return [*body, *missing, self._orbit(), self._resonances(), self._motion()]
 
     def without_motion(self) -> list[Group | Table]:
-        """Return those answers that take no motion."""
+        """Return the answers that need no trajectory."""
         return [*([] if self.body is None else [about_body(self.body)]), self._orbit(), self._resonances()]
 
     def _orbit(self) -> Group:
@@ -216,7 +216,7 @@ def make_report(spec: Spec[SpinOrbitTable]) -> SpinOrbitReport:
 
 
 def answers_without_motion(spec: Spec[SpinOrbitTable]) -> Iterator[Group | Table]:
-    """Yield the answers of the report that take neither trajectory nor exponent."""
+    """Yield the answers of the report that need neither trajectory nor exponent."""
     table = spec.system
     system = _system(spec, table)
     listed = _list_resonances(system, table)

@@ -1,4 +1,4 @@
-"""A spin's angle and rate over time, with what keeps step with the orbit."""
+"""A spin's angle and rate against time, relative to a resonance."""
 
 from __future__ import annotations
 
