@@ -1,4 +1,4 @@
-"""Options that say what the columns of another tool's table are."""
+"""Options that describe the columns of another tool's table."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ SIDES = ("a", "b")
 
 
 class ColumnOptions(NamedTuple):
-    """The options as they are given, each None where it is not."""
+    """The options, each None where it is not given."""
 
     mapping: Path | None = None
     time: str | None = None
@@ -30,12 +30,12 @@ class ColumnOptions(NamedTuple):
 
     @property
     def words(self) -> dict[str, Any]:
-        """Those that are given, without the mapping file."""
+        """The given options, without the mapping file."""
         return {name: value for name, value in self._asdict().items() if value is not None and name != "mapping"}
 
 
 def table_to_import(options: ColumnOptions) -> Table | None:
-    """Return the mapping of the file to import; None where nothing is said.
+    """Return the mapping of the file to import; None without options for columns.
 
     Raises:
         InvalidInput: for words that are wrong, and for options beside a mapping file.
@@ -50,7 +50,7 @@ def table_to_import(options: ColumnOptions) -> Table | None:
 
 
 def tables_to_compare(options: ColumnOptions) -> tuple[Table | None, Table | None]:
-    """Return the mappings of A and of B; None where nothing is said of one.
+    """Return the mappings of A and of B; None for a file without one.
 
     Raises:
         InvalidInput: as ``table_to_import`` does.
@@ -95,6 +95,6 @@ def _make_mapping(words: dict[str, Any], where: str) -> ColumnMapping:
 
 
 def _of_options(line: str) -> str:
-    """Return what is wrong with a word of a mapping as what is wrong with the option that gave it."""
+    """Return a mistake in a word of a mapping as a mistake in the option that gave it."""
     name, *rest = line.split(" ", 1)
     return " ".join([f"--{name.replace('_', '-')}", *rest]) if name in ColumnOptions._fields else line

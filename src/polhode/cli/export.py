@@ -52,7 +52,7 @@ def _form(name: str) -> Form:
 
 
 def gather_content(spec: Spec, report: SystemReport) -> Content:
-    """Return what there is to write of a spec and the report on it."""
+    """Return the content that a spec and its report offer for files."""
     moving = report if isinstance(report, MotionReport) else None
     return Content(
         spec.name, spec.labels, None if moving is None else moving.trajectory, None if moving is None else moving.shown,
@@ -74,7 +74,7 @@ def _lines(asked: SpecRotor) -> Lines | None:
 
 
 def _write(form: Form, content: Content, place: Path) -> Path:
-    """Write one file, with what its writer warns of on standard error."""
+    """Write one file; warnings of its writer go to standard error."""
     assert form.write is not None
     try:
         with warnings.catch_warnings(record=True) as caught:
@@ -90,7 +90,7 @@ def _write(form: Form, content: Content, place: Path) -> Path:
 
 
 def _describe_file(form: Form, content: Content) -> str:
-    """Return what is in the file, and which part of the motion it shows, if not all of it."""
+    """Return a description of the file, and of the part of the motion that it shows, if not all."""
     whole, part = content.samples, content.part
     if whole is None or part is None or form.sampled:
         count = f"{len(whole.times)} samples, " if whole is not None and form.sampled else ""
@@ -103,7 +103,7 @@ def _describe_file(form: Form, content: Content) -> str:
 
 
 def _warn_of_long_turns(trajectory: Trajectory, form: str) -> None:
-    """Say so where the body turns so far between samples that readers, who interpolate, go wrong."""
+    """Warn where the body turns too far between samples for readers that interpolate."""
     from polhode.formats.animation_keys import FARTHEST, farthest_turn
 
     if (turn := farthest_turn(trajectory)) > FARTHEST:

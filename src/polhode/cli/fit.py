@@ -23,7 +23,7 @@ def run_fit(
     files: list[Path], free: str | None, options: ThrowOptions, columns: ColumnOptions, out: Path | None,
     figures: Path | None, json: bool,
 ) -> None:  # fmt: skip
-    """Fit what the files are of, print what they say, and write data and figures where asked for.
+    """Fit the files, print the report, and write data and figures where asked for.
 
     Raises:
         typer.Exit: with code 3 where the report says that the inertia is not determined.
@@ -47,7 +47,7 @@ def run_fit(
 
 
 def _progress(path: Path) -> Callable[[int], None]:
-    """Return what tells a person who waits how far the reading is; files of few lines tell nothing."""
+    """Return a function that shows how far the reading of a file is; short files show nothing."""
     told = 0
 
     def tell(line: int) -> None:

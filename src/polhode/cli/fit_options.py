@@ -1,4 +1,4 @@
-"""Options of ``polhode fit``, beside those of columns that other commands have too."""
+"""Options of ``polhode fit``, besides those for columns that other commands share."""
 
 from __future__ import annotations
 

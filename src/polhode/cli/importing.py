@@ -30,7 +30,7 @@ from polhode.studies.tables import describe_reading, list_reading_notes
 def run_import(
     path: Path, json: bool, out: Path | None, spec: Path | None, kernels: Kernels, columns: ColumnOptions
 ) -> None:
-    """Read the file, add momentum and energy where the spec tells the moments, and write and print what is there."""
+    """Read the file, add momentum and energy where a spec gives the moments, write and print the result."""
     from polhode.formats.dataset import write_dataset
 
     table = table_to_import(columns)
@@ -107,7 +107,7 @@ def _with_body(trajectory: Trajectory, frame: BodyFrame, mechanics: Mechanics | 
 
 
 def _with_states(trajectory: Trajectory) -> Trajectory:
-    """Return the trajectory with the states that its parts make up."""
+    """Return the trajectory with states assembled from its parts."""
     named = [(ATTITUDE, trajectory.attitude), (MOMENTUM, trajectory.momentum)]
     parts = [(part, np.asarray(value)) for part, value in named if value is not None]
     parts = parts or [(ANGULAR_VELOCITY, np.asarray(trajectory.angular_velocity))]
@@ -116,7 +116,7 @@ def _with_states(trajectory: Trajectory) -> Trajectory:
 
 
 def about_file(trajectory: Trajectory, labels: AttitudeLabels | None, kept: str) -> Group:
-    """Return what a file holds; ``kept`` says whose invariants the drift is of."""
+    """Return the answers about a file's content; ``kept`` names whose invariants the drift is of."""
     times = np.asarray(trajectory.times)
     steps, velocity = np.diff(times), trajectory.angular_velocity
     several, turned = len(times) > 1, None

@@ -1,4 +1,4 @@
-"""Reports kept in the user's cache folder: what one command computed, the next one takes while it is still true.
+"""A cache of reports in the user's cache folder: a later command reuses a report that is still valid.
 
 A report follows from its spec and from the program, so it is kept under a digest of both; with it are kept the digests
 of the files that were read while it was computed, such as an earlier run that it goes on from, and it is true as long
@@ -32,7 +32,7 @@ MOST, LARGEST = 32, 50_000_000  # reports, and bytes of one
 
 
 def load_or_make_report(spec: Spec) -> SystemReport:
-    """Return the report on a spec, as it was kept or computed now.
+    """Return the report on a spec, from the cache or computed now.
 
     Raises:
         InvalidInput: as ``Spec.report`` does.
@@ -102,7 +102,7 @@ def _program() -> bytes:
 
 
 def _parts(value: Any) -> Iterator[bytes]:
-    """Yield bytes that are the same for equal values alone.
+    """Yield bytes that are the same only for equal values.
 
     Raises:
         TypeError: for a type whose values are not known here.

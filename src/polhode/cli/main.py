@@ -82,7 +82,7 @@ def _run(arguments: list[str] | None) -> int | str | None:
 
 
 def _singular() -> tuple[type[Exception], ...]:
-    """Return what NumPy raises for a matrix that is not finite; nothing where it has not been imported."""
+    """Return NumPy's error for a matrix that is not finite, as a tuple; empty where NumPy is not imported."""
     numpy = sys.modules.get("numpy")
     return () if numpy is None else (numpy.linalg.LinAlgError,)
 
@@ -101,7 +101,7 @@ def _tell(message: str) -> None:
 
 
 def _silence() -> None:
-    """Let what standard output still holds go nowhere; Python would complain at its end that it cannot be written."""
+    """Discard what standard output still holds; Python would report at exit that it cannot be written."""
     try:
         nowhere = os.open(os.devnull, os.O_WRONLY)
         os.dup2(nowhere, sys.stdout.fileno())

@@ -19,9 +19,9 @@ def publish(
     """Write a report's data and figures where asked for, and print it.
 
     Args:
-        report: what was found out.
+        report: the report.
         json: whether it is printed as one JSON object, which always has name, kind, summary, units, notes and files.
-        data: file for what was found, of a report that has data.
+        data: file for the data of a report that has some.
         figures: folder for the figures.
         written: files that the command has written itself.
         removed: files of an earlier report that it has removed; None for a command that removes none.

@@ -1,4 +1,4 @@
-"""``polhode report SPEC``: the main job."""
+"""``polhode report SPEC``: the main command."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def run_report(
 def _remove_outdated(folder: Path, written: list[str]) -> list[str]:
     """Remove the figures that an earlier report wrote into the folder and this one did not, by their names and content.
 
-    What another command wrote, or somebody renamed, stays.
+    Files of other commands, and renamed ones, stay.
     """
     known = {f"{name}.{form}" for name in known_figures() for form in FORMS}
     outdated = sorted(folder / name for name in known - set(written))

@@ -1,4 +1,4 @@
-"""Reports on specs, as they were kept or computed now; what is refused names the file."""
+"""Reports on specs, cached or computed now; errors name the file."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from polhode.studies.naming import name_file_in_errors
 
 
 def make_report(path: Path, spec: Spec) -> SystemReport:
-    """Return the report on a spec; what it refuses names the file."""
+    """Return the report on a spec; errors name the file."""
     with name_file_in_errors(path):
         return load_or_make_report(spec)
 

@@ -33,10 +33,10 @@ class Stopped(BaseException):
 
 
 class _Watch:
-    """What came, and the thread that sees to it.
+    """The signals received, and the thread that acts on them.
 
     Attributes:
-        came: what the first signal raised, None before.
+        came: the exception of the first signal, None before.
     """
 
     def __init__(self) -> None:
@@ -71,7 +71,7 @@ class _Watch:
             raise self.came
 
     def _unraisable(self, lost: Any) -> None:
-        """Say nothing of a ``Stopped`` that Python lost in a callback; the thread sees to it."""
+        """Ignore a ``Stopped`` that Python lost in a callback; the thread acts on it."""
         if not isinstance(lost.exc_value, Stopped):
             self._told_before(lost)
 
@@ -109,7 +109,7 @@ def stop_on_signals() -> Iterator[None]:
 
 
 def describe_stop(number: int) -> str:
-    """Return the message of a command that a signal stopped."""
+    """Return the message for a command stopped by a signal."""
     return f"polhode: stopped by {signal.Signals(number).name}.\n"
 
 

@@ -62,7 +62,7 @@ def run_sweep(path: Path, options: SweepOptions) -> None:
 
 @contextmanager
 def _progress(sweep: Sweep, store: Store) -> Iterator[Callable[[int], object]]:
-    """Show how far it is, how fast it goes and how long it will take, where somebody watches."""
+    """Show progress, speed and remaining time on a terminal."""
     from tqdm import tqdm
 
     done = sum(high - low for low, high in map(sweep.layout.sample_range, store.list_finished()))

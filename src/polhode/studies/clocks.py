@@ -1,4 +1,4 @@
-"""Two clocks laid side by side: by their epochs, by ``--offset``, or by what may be assumed."""
+"""The offset between two clocks: from their epochs, from ``--offset``, or by assumption."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ _TIME = re.compile(r"\s*(?P<number>[-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?)\s*(?P<unit>
 
 
 class Laid(NamedTuple):
-    """A's time at B's time zero [s], of the times that the two histories have, and how that is known."""
+    """A's time at B's time zero [s] in the times of the two histories, and how it is known."""
 
     offset: float
     words: str
 
 
 def parse_offset(text: str | None, name: str = "--offset") -> Decimal | str | None:
-    """Return what an offset says: A's clock at B's zero [s], exactly, or START; None where it says nothing.
+    """Return the parsed offset: A's clock at B's zero [s], exactly, or START; None where none is given.
 
     Raises:
         InvalidInput: for what is neither.
@@ -54,14 +54,14 @@ def _is_number(text: str) -> bool:
 
 
 def lay_side_by_side(a: Source, b: Source, told: Decimal | str | None) -> Laid:
-    """Return how B's time goes with A's.
+    """Return the relation between A's and B's times.
 
     Args:
         a, b: the two.
         told: what ``parse_offset`` made of ``--offset``.
 
     Raises:
-        InvalidInput: where nothing says that both have one clock, and they begin at different times.
+        InvalidInput: where nothing shows that both share a clock, and they begin at different times.
     """
     begins = [side.begin + Decimal(float(side.history.times[0])) for side in (a, b)]
     if told == START:
@@ -80,7 +80,7 @@ def lay_side_by_side(a: Source, b: Source, told: Decimal | str | None) -> Laid:
     same = a.history.resolution + b.history.resolution + SAME_TIME * shortest
     if abs(float(begins[1] - begins[0])) > same:
         raise InvalidInput(
-            f"nothing says that A and B have one clock: A begins at {_seconds(begins[0])}, B at {_seconds(begins[1])}, "
+            f"nothing shows that A and B share a clock: A begins at {_seconds(begins[0])}, B at {_seconds(begins[1])}, "
             f"and {unsaid}. Say --offset {START} if both begin at the same moment, --offset 0s if the clocks are one, "
             f"else A's time at B's time zero, like --offset={_seconds(begins[0] - begins[1]).replace(' ', '')}."
         )
@@ -88,10 +88,10 @@ def lay_side_by_side(a: Source, b: Source, told: Decimal | str | None) -> Laid:
 
 
 def _make_laid(a: Source, b: Source, told: Decimal, words: str) -> Laid:
-    """Return the offset of the times that are kept, of which each side's may count from its first stamp."""
+    """Return the offset between the stored times, each of which may count from its file's first stamp."""
     return Laid(float(told + b.begin - a.begin), words)
 
 
 def _seconds(time: Decimal) -> str:
-    """Return a time to the nanosecond, and no digits that are but a double's."""
+    """Return a time to the nanosecond, without the digits that only double precision adds."""
     return f"{in_words(time.quantize(Decimal('1e-9')) if abs(time) < Decimal('1e15') else time)} s"

@@ -35,7 +35,7 @@ def compare(
     of two sampled ones B is interpolated by a spline of rotations. ``polhode.analysis.compare`` has the numbers alone.
 
     Args:
-        a: the one that times are counted by: a history, a trajectory with attitudes, a motion in closed form, or a file
+        a: the reference for times: a history, a trajectory with attitudes, a motion in closed form, or a file
             with one: spec, dataset, CSV of polhode's, CCSDS AEM, C-kernel with its own kernels next to it.
         b: the other.
         spec: of files, that of the body's spec, for its moments where the two do not tell energy and momentum.
@@ -78,8 +78,8 @@ def compare_files(
     Args:
         first: spec, dataset or CSV of polhode's, CCSDS AEM, C-kernel, or any table; times are counted by it.
         second: the same.
-        spec: whose body it is, for its moments.
-        kernels: that go with C-kernels.
+        spec: of the body, for its moments.
+        kernels: clock, frame and leap-second kernels for C-kernels.
         tables: what is said of the columns of each, where it is a table of another tool.
         offset: A's clock at B's zero [s], or "start" if both begin at the same moment; None to find it out.
 
@@ -106,7 +106,7 @@ def compare_files(
 
 
 def _has_other_moments(side: Source, shared: Mechanics) -> bool:
-    """Whether a file's own moments are others than those of the spec that is given for both."""
+    """Whether a file's own moments differ from those of the spec given for both."""
     own = side.history.mechanics
     if own is None:
         return False
@@ -147,7 +147,7 @@ def _readings(a: Source, b: Source) -> tuple[list[Group], list[str]]:
 
 
 def _unknown(a: Source, b: Source, known: Mechanics | None) -> str | None:
-    """Say why there is neither energy nor momentum, unless it is for want of a spec."""
+    """Explain missing energy and momentum, unless a spec is all that is missing."""
     if known is not None:
         return "energy and momentum need angular velocities, and the samples are too few to find these."
     specs = [side for side in (a, b) if side.system is not None]
@@ -158,7 +158,7 @@ def _unknown(a: Source, b: Source, known: Mechanics | None) -> str | None:
 
 
 def _kinds(a: Source, b: Source) -> list[str]:
-    """Say of specs that are not evaluated exactly how they were come by."""
+    """Note specs whose motion is sampled, not evaluated exactly."""
     return [
         f"{side.history.name} is a motion without a closed form: its samples are compared."
         for side in (a, b) if side.kind == "spec" and side.history.exact is None
@@ -166,7 +166,7 @@ def _kinds(a: Source, b: Source) -> list[str]:
 
 
 def _names(a: Source, b: Source) -> list[str]:
-    """Say where the labels differ: the comparison takes the axes as they are."""
+    """Note labels that differ; the comparison takes the axes as given."""
     if a.labels is None or b.labels is None:
         return []
     found = []

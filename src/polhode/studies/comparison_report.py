@@ -25,13 +25,13 @@ INVARIANT_UNITS = {"energy": "J"}
 
 @dataclass(frozen=True)
 class ComparisonReport(StudyReport):
-    """A comparison, and what its reader should know of how it was made.
+    """The report on a comparison of two attitude histories.
 
     Attributes:
         comparison: the numbers.
-        clocks: how the two times were laid side by side.
-        warned: what else there is to know.
-        unknown: why energy and momentum of neither are known, where they are not.
+        clocks: how the two clocks were related.
+        warned: further caveats.
+        unknown: why energy and momentum are unknown for both, where they are.
         reading: how tables among the two were understood.
     """
 
@@ -120,15 +120,15 @@ class ComparisonReport(StudyReport):
         ])  # fmt: skip
 
     def _word_angle(self, value: float) -> str | None:
-        """Return an angle [rad] in words, without digits finer than what interpolation may miss."""
+        """Return an angle [rad] in words, without digits finer than the error of interpolation."""
         return angle(value, self.comparison.interpolation_error)
 
     def _word_tiny(self, value: float) -> str | None:
-        """Return an angle [rad] in words, without digits of those that are less than rounding of a quaternion."""
+        """Return an angle [rad] in words; angles below the rounding of a quaternion have no digits."""
         return "0" if value == 0.0 else f"less than {LEAST:.0e} rad" if value < LEAST else self._word_angle(value)
 
     def _digits(self, most: int) -> int:
-        """Return how many digits are known of what is fitted to the angles."""
+        """Return the number of known digits of quantities fitted to the angles."""
         return count_known_digits(self.comparison.largest, self.comparison.interpolation_error, most)
 
     def _invariants(self) -> list[Group | Table]:
@@ -154,9 +154,9 @@ class ComparisonReport(StudyReport):
     def notes(self) -> list[str]:
         found, notes = self.comparison, list(self.warned)
         if found.alignment is not None and not found.alignment.determined:
-            notes.append("the motion does not tell all misalignments and the rate apart: others would explain as much.")
+            notes.append("the motion does not determine all misalignments and the rate: others would fit equally well.")
         if found.interpolation_error is not None and found.largest <= found.interpolation_error:
-            notes.append("the angle is no larger than what interpolation may miss: it may be the interpolation's own.")
+            notes.append("the angle is no larger than the error of interpolation, and may be due to it.")
         if found.invariants == (None, None):
             notes.append(self.unknown)
         return notes

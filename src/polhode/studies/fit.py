@@ -25,7 +25,7 @@ def fit(
     clip: str | float | None = None, moment: str | None = None, mass: str | None = None,
     added_weight: str | None = None, weighted: Sequence[Path | str] = (), columns: Mapping[str, Any] | None = None,
 ) -> Report:  # fmt: skip
-    """Fit what the files are of, and return the report.
+    """Fit the model that the files determine, and return the report.
 
     Gyro logs of throws of one body, and a log of its attitude, tell its ratios of inertia; a spec or a file of atoms
     with measured lines (.lin) the constants of a molecule.

@@ -1,4 +1,4 @@
-"""Answers that fits of throws and of attitudes give alike."""
+"""Answers that fits of throws and of attitudes share."""
 
 from __future__ import annotations
 

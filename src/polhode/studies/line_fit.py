@@ -29,15 +29,15 @@ CLOSE = 0.95  # correlation from which two constants are said to go together
 
 @dataclass(frozen=True)
 class LineFitReport(StudyReport):
-    """A molecule's constants from measured lines.
+    """The report on a molecule's constants from measured lines.
 
     Attributes:
         name: of the molecule.
         start: the rotor that the fit started from.
         measured: the lines.
         fit: the numbers.
-        asked: names of the constants to fit; None for all that lines depend on.
-        warned: what the readers and the fit had to say.
+        asked: names of the constants to fit; None for all that change a line.
+        warned: warnings of the readers and the fit.
     """
 
     kind: ClassVar[str] = "line fit"
@@ -114,7 +114,7 @@ def _together(start: Rotor, fit: RotorFit, asked: Sequence[str] | None) -> list[
 
 
 def _list_fixed(start: Rotor, fit: RotorFit, asked: Sequence[str] | None) -> list[str]:
-    """Return which constants that the spec gives were left as they are, as no line depends on them."""
+    """Return a note on constants that were kept as given, as no line depends on them."""
     if asked is not None:
         return []
     left = [name for name in once_each(start, [*AXES, *start.distortion]) if name not in fit.names]
@@ -169,7 +169,7 @@ def _worst(fit: RotorFit, measured: MeasuredLines) -> Table:
 
 
 def _remarks(fit: RotorFit) -> list[str]:
-    """Return what a reader should know of errors that go together, and of lines that decide alone."""
+    """Return notes on strongly correlated constants, and on lines that alone determine a constant."""
     found = []
     pairs = np.argwhere(np.triu(np.abs(fit.correlation), 1) > CLOSE)
     if len(pairs):

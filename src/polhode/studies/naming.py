@@ -1,4 +1,4 @@
-"""How messages call what is given: as arguments of Python, or as options of a command."""
+"""Names of arguments in messages: as arguments in Python, or as options of a command."""
 
 from __future__ import annotations
 

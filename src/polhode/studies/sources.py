@@ -1,4 +1,4 @@
-"""Whatever holds an attitude history: a spec, a dataset or table of ours, an AEM or a C-kernel, by content."""
+"""Read attitude histories of any form, detected by content: spec, dataset, table, AEM or C-kernel."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ COUNTED_FROM = "counted_from"
 
 @dataclass(frozen=True)
 class Source:
-    """An attitude history and where it is from.
+    """An attitude history and its source.
 
     Attributes:
         kind: name of its form, "spec" or "table".
@@ -71,7 +71,7 @@ def find_begin(path: Path, trajectory: Trajectory) -> Decimal:
 
 
 def kind_in_words(kind: str, article: bool = True) -> str:
-    """Return what people call a kind of file, like "an AEM".
+    """Return the usual name of a kind of file, like "an AEM".
 
     >>> kind_in_words("aem"), kind_in_words("spec", article=False)
     ('an AEM', 'spec')
@@ -82,7 +82,7 @@ def kind_in_words(kind: str, article: bool = True) -> str:
 
 
 def detect_kind(path: Path, table: Table | None = None) -> str:
-    """Return which form a file has, by what it begins with; what has none may be a spec, or a table of another tool.
+    """Return the form of a file, detected by its first bytes; other text is a spec, or a table of another tool.
 
     Args:
         path: of the file.
@@ -113,7 +113,7 @@ def detect_kind(path: Path, table: Table | None = None) -> str:
 
 
 def _is_chosen(begin: bytes, table: Table | None) -> bool:
-    """Whether a table of polhode's is to be read as the columns are told: where that is for it, or as it needs it."""
+    """Whether the mapping applies to a table of polhode's: if it is for this file, or if the table needs it."""
     return table is not None and (table.only or not begin.startswith(OWN_ATTITUDE))
 
 
@@ -155,7 +155,7 @@ def read_recorded(
 
 
 def _read_form(form: Form, path: Path, kernels: Kernels) -> Trajectory:
-    """Return what is in a file, of forms of other packages too, whose readers may let anything pass.
+    """Return the content of a file; readers of other packages may return or raise anything, so it is checked.
 
     Raises:
         FormatError: for what cannot be read, holds nothing, or is no attitude.
@@ -200,7 +200,7 @@ def load_source(path: Path, kernels: Kernels, table: Table | None = None, kind: 
 def _find_mechanics(trajectory: Trajectory, frame: BodyFrame | None) -> Mechanics | None:
     """Return the mechanics of a free body's dataset, whose momentum is the moments times the velocity.
 
-    Of a top the dataset does not tell the weight, and a rotor's momentum is not in the moments.
+    A dataset does not have the weight of a top, and a rotor's momentum is not in the moments.
     """
     kept = {"energy", "momentum_space"} <= trajectory.invariants.keys()
     if frame is None or frame.pivot is not None or not kept:
@@ -218,7 +218,7 @@ class SpecBody(NamedTuple):
     Attributes:
         kind: the spec's system.
         frame: the axes that its motion is along, moments about the point that it turns about; None for none.
-        mechanics: what energy and momentum are made of, along the given axes; None unless it is free, or a top.
+        mechanics: from which energy and momentum follow, along the given axes; None unless it is free, or a top.
     """
 
     kind: str
@@ -266,7 +266,7 @@ def _without_attitudes(path: Path) -> InvalidInput:
 
 
 def _keep_chosen(labels: AttitudeLabels | None) -> AttitudeLabels | None:
-    """Return labels that somebody chose: the usual epoch says nothing about when the motion was."""
+    """Return labels with a chosen epoch, else None: the default epoch carries no information."""
     usual = AttitudeLabels()
     unsaid = labels is None or (labels.epoch, labels.time_system) == (usual.epoch, usual.time_system)
     return None if unsaid else labels

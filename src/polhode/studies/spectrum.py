@@ -1,4 +1,4 @@
-"""``polhode.levels`` and ``polhode.spectrum``: what a molecule's rotor has for levels and lines."""
+"""``polhode.levels`` and ``polhode.spectrum``: rotational levels and lines of a molecule."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ class LevelsReport(StudyReport):
         rotor: its constants.
         levels: to ``j_max``.
         j_max: the largest J.
-        warned: what a reader should know of them.
+        warned: caveats.
     """
 
     kind: ClassVar[str] = "levels"
@@ -87,7 +87,7 @@ class SpectrumReport(StudyReport):
         lines: the strongest within the bounds, by frequency.
         within: how many lines there are within the bounds.
         partition: the partition function.
-        warned: what the reader and the rotor had to say.
+        warned: warnings of the reader and the rotor.
     """
 
     kind: ClassVar[str] = "lines"
@@ -230,7 +230,7 @@ def _place(molecule: Path | str | Spec) -> str:
 def _apply_options(
     found: SpecRotor, temperature: float | None, j_max: int | None, dipole: tuple[float, ...] | None
 ) -> SpecRotor:
-    """Return what a spec asks for, with what is given in place of it."""
+    """Return the request of a spec, with the given options in place of its own."""
     rotor, notes = found.rotor, found.notes
     if dipole is not None:
         reduction, representation = (None if x is None else x.name for x in (rotor.reduction, rotor.representation))

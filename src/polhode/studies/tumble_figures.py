@@ -1,4 +1,4 @@
-"""Figures of a tumbler: its polhode among the others, its light curve, and the frequencies of which that is made."""
+"""Figures of a tumbler: its polhode among others, its light curve, and the frequencies of the light curve."""
 
 from __future__ import annotations
 

@@ -23,20 +23,21 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 CALM = {"short-axis": 3, "long-axis": 1}
+EXTREME = {"short-axis": "largest", "long-axis": "smallest"}
 WORDS = {"short-axis": "short-axis mode (SAM)", "long-axis": "long-axis mode (LAM)"}
 
 
 @dataclass(frozen=True)
 class TumbleReport(StudyReport):
-    """How a body tumbles.
+    """The report on a tumbling body's motion.
 
     Attributes:
         name: of the body.
-        source: where its periods are from; empty for what the caller gave.
+        source: of its periods; empty where the caller gave them.
         motion: the motion that has these periods.
         others: those of the other mode with the same periods.
         limits: least ratio of rotation to precession in each mode.
-        light: its light curve; None of a flat body.
+        light: its light curve; None for a flat body.
         damping: None where the friction is not known.
     """
 
@@ -54,21 +55,22 @@ class TumbleReport(StudyReport):
         motion = self.motion
         low, high = (f"{np.degrees(x):.4g}°" for x in motion.tilts)
         mode = WORDS[motion.mode]
+        axis = f"the axis of {EXTREME[motion.mode]} moment, axis {CALM[motion.mode]}"
         return (
-            f"{mode[0].upper()}{mode[1:]}: the energy is {_energy(motion)} times the least for "
-            f"this angular momentum, and axis {CALM[motion.mode]} is tilted against L by {low} to {high}."
+            f"{mode[0].upper()}{mode[1:]}: L circles {axis}, at {low} to {high}; the energy is {_energy(motion)} times "
+            "the least for this angular momentum."
         )
 
     @property
     def notes(self) -> list[str]:
         notes = []
         if self.others:
-            notes.append(f"the {WORDS[self.others[0].mode]} has the same periods; a light curve or an image must tell "
-                         f"which it is. --mode {self.others[0].mode} takes the other.")  # fmt: skip
+            notes.append(f"the {WORDS[self.others[0].mode]} has the same periods; only a light curve or an image can "
+                         f"decide. --mode {self.others[0].mode} takes the other.")  # fmt: skip
         interval = self.motion.interval
         if interval is not None and interval.admissible < 0.975:
             notes.append(f"only {100 * interval.admissible:.0f} % of the periods and moments within the errors have a "
-                         "motion in this mode; the intervals are of those.")  # fmt: skip
+                         "motion in this mode; the intervals are computed from these.")  # fmt: skip
         if self.light is None:
             notes.append("I1 + I2 = I3: the body is flat, and there is no ellipsoid to draw a light curve of.")
         return notes

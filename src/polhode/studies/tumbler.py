@@ -1,4 +1,4 @@
-"""What is found out about a tumbling body beside its motion."""
+"""Results about a tumbling body besides its motion."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from polhode.types import Array, Float64
 
 
 class Damping(NamedTuple):
-    """Time of damping [s], and what was assumed: diameter [m], density [kg/m³], μQ [Pa], K₃²."""
+    """Time of damping [s], and the assumptions: diameter [m], density [kg/m³], μQ [Pa], K₃²."""
 
     time: float
     diameter: float

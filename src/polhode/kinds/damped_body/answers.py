@@ -79,7 +79,7 @@ class DampedStart:
 
     @property
     def time_constant(self) -> float | None:
-        """Time constant at the start [s] of the final approach to the major axis or, with drag, of the spin about it."""
+        """Time constant [s] at the start: of the approach to the major axis or, with drag, of the spin about it."""
         if self.table.inside or not self.axes:
             return time_constant(self.axes[2]) if self.axes else None
         moment = float(self.body.principal_moments[2])
@@ -93,7 +93,7 @@ class DampedStart:
         return self.norm * _sink_rate(self.table, self.body.principal_moments, self.momentum)
 
     def from_one_degree(self) -> float | None:
-        """Return the time [s] to a flat spin from 1° off the axis of the start; None unless it starts on a minor axis."""
+        """Return the time [s] to a flat spin from 1° off the axis of the start; None unless that is a minor axis."""
         moments, norm = self.body.principal_moments, self.norm
         at = [k for k in (0, 1) if norm and moments[k] < moments[2] and angle_to_axis(self.momentum, k) <= ON_AXIS]
         if not self.table.inside or self.damping is None or not at:

@@ -1,4 +1,4 @@
-"""What the page needs to go on with a body that loses energy itself; its pictures are those of any body."""
+"""What a page needs to simulate a body with losses; its pictures are those of any body."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from polhode.viewer.models import find_start
 
 
 class DampedBodyPanel(KindPanel):
-    """What the page needs to go on with a body that loses energy itself; its pictures are those of any body."""
+    """What a page needs to simulate a body with losses; its pictures are those of any body."""
 
     def model(self, trajectory: Trajectory) -> dict[str, Any] | None:
         """Return the body, its losses inside and its start; None under torques, and without attitudes."""

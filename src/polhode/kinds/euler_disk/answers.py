@@ -39,8 +39,8 @@ UPRIGHT = 1e-9  # rad
 def make_report(spec: Spec[EulerDiskTable]) -> EulerDiskReport:
     """Return the report on a rolling disk.
 
-    With dissipation and without times it is followed to its end, else for these times, or for ten nutations. What ends
-    it before the last of the times ends the samples too.
+    With dissipation and without times it is followed to its end, else for these times, or for ten nutations. An event
+    that ends the motion earlier ends the samples too.
 
     Raises:
         InvalidInput: for sizes that no disk has, and starts that do not roll or are not steady.

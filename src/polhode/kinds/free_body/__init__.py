@@ -1,4 +1,4 @@
-"""The body that nothing acts on."""
+"""The free rigid body."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class FreeBody(AbstractKind[FreeBodyTable]):
-    """The body that nothing acts on."""
+    """The free rigid body."""
 
     name: ClassVar[str] = "free-body"
     table: ClassVar[type[SystemTable]] = FreeBodyTable

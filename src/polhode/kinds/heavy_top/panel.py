@@ -1,4 +1,4 @@
-"""What the page needs to go on with a heavy top itself; its pictures are those of any top."""
+"""What a page needs to simulate a heavy top; its pictures are those of any top."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from polhode.viewer.models import find_start
 
 
 class HeavyTopPanel(KindPanel):
-    """What the page needs to go on with a heavy top itself; its pictures are those of any top."""
+    """What a page needs to simulate a heavy top; its pictures are those of any top."""
 
     def model(self, trajectory: Trajectory) -> dict[str, Any] | None:
         """Return the top and its start; None without attitudes."""

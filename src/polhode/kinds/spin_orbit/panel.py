@@ -39,7 +39,7 @@ class SpinOrbitPanel(KindPanel):
         }]  # fmt: skip
 
     def plots(self, trajectory: Trajectory, samples: Samples) -> dict[str, Any]:
-        """Return angle and rate, how far a twin that starts a little apart strays, and the section at periapsis."""
+        """Return angle and rate, the distance to a motion from a nearby start, and the section at periapsis."""
         system, n = trajectory.source, float(trajectory.source.mean_motion)
         angle, rate = (trajectory.layout.part(samples.states, name) for name in ("angle", "rate"))
         found = [

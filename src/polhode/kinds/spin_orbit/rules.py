@@ -1,4 +1,4 @@
-"""What the keys of a spin on an orbit ask of each other."""
+"""Rules between the keys of a spin on an orbit."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from polhode.spec.rules import NO_BODY, Mistake, list_words
 
 
 def spin_orbit_rules(system: dict[str, Any], has_body: bool) -> Iterator[Mistake]:
-    """Yield what the shape and the orbit are asked for, which each go by one way of two."""
+    """Yield mistakes in shape and orbit, each of which is given in exactly one of two ways."""
     if has_body and "asphericity" in system:
         yield ("system", "asphericity"), "goes without [body], whose moments already give it; leave out one"
     if not has_body and "asphericity" not in system:

@@ -1,4 +1,4 @@
-"""Spins at one periapsis after another: a family of starts, one of them, and the zones of the resonances."""
+"""The stroboscopic section at periapsis: a family of starts, the motion, and the zones of the resonances."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def draw_spin_section(report: SpinOrbitReport) -> Figure:
 
 
 def _zones(report: SpinOrbitReport, side: Any, low: float, high: float) -> Any:
-    """Draw a bar for each zone in sight, neighbours side by side so that an overlap shows; None without any."""
+    """Draw a bar for each visible zone, neighbours side by side to show an overlap; None without any."""
     n = float(report.system.mean_motion)
     handle, named = None, -np.inf
     for k, found in enumerate(report.resonances):

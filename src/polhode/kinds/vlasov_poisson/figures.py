@@ -16,7 +16,7 @@ SHOWN = 5.0  # spreads of the fastest beam that are shown
 
 
 def draw_field(report: PlasmaReport) -> Figure:
-    """Return the amplitude of the longest wave over time, with what linear theory says of it."""
+    """Return the amplitude of the longest wave against time, with the prediction of linear theory."""
     figure = style.new_figure(height=0.85 * style.COLUMN)
     axes = figure.subplots()
     times, field = np.asarray(report.trajectory.times), report.field
